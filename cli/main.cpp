@@ -1,0 +1,2 @@
+// The program `hottel`.
+int main() { return 2; }

@@ -1,0 +1,29 @@
+# What every target of the project is compiled with, and how a layer becomes a library.
+
+function(hottel_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+  if(HOTTEL_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  # Results must not depend on how the compiler contracts or reorders floating-point operations.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+endfunction()
+
+# hottel_layer(NAME PUBLIC libs... PRIVATE libs...): the folder NAME/ as the library hottel_NAME.
+function(hottel_layer name)
+  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${name}/*.cpp")
+  if(sources)
+    add_library(hottel_${name} STATIC ${sources})
+    hottel_compile_options(hottel_${name})
+    target_include_directories(hottel_${name} PUBLIC
+      "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hottel>")
+    target_compile_features(hottel_${name} PUBLIC cxx_std_20)
+    target_link_libraries(hottel_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  else()
+    add_library(hottel_${name} INTERFACE)
+    target_link_libraries(hottel_${name} INTERFACE ${arg_PUBLIC})
+  endif()
+  set_target_properties(hottel_${name} PROPERTIES EXPORT_NAME ${name})
+  add_library(hottel::${name} ALIAS hottel_${name})
+endfunction()

@@ -1,0 +1,71 @@
+// A scene in the plane, exactly as it was typed.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/scene/material.h"
+#include "kernel/failure.h"
+#include "kernel/rational.h"
+
+namespace hottel {
+
+struct Point2 {
+  Rational x, y;
+  friend bool operator==(const Point2&, const Point2&) = default;
+};
+
+// One straight edge of the input: an entry of "edges", or one piece of a polyline. Its front is the right side of
+// from -> to. A back without a material is opaque and black and makes no claim on an overlap.
+struct Surface2 {
+  std::string name;
+  Point2 from, to;
+  std::uint32_t material = 0;         // of the front; index into Scene2::materials
+  std::optional<std::uint32_t> back;  // of the back
+  std::uint32_t elements = 1;         // equal parts the edge is divided into
+  std::uint32_t group = 0;            // index into Scene2::groups
+  int line = 0;                       // where it stands in the file, 0 if nowhere
+};
+
+struct Grid2 {
+  Point2 min, max;
+  std::uint32_t nx = 0, ny = 0;
+};
+
+// An expectation that a scene file carries about itself: what a stranger can check, and why it holds.
+struct Expectation {
+  std::string kind;                    // "exact", "rounded", "limit", "point", ...
+  std::string quantity;                // "factor", "radiosity", ...
+  std::vector<std::string> of;         // names the quantity is about, e.g. {from, to}
+  std::string value;                   // decimal, at least 17 significant digits where not exact
+  std::string form;                    // closed form for people, e.g. "-1 + 1*sqrt(2)"
+  std::string derivation;
+  int line = 0;
+};
+
+// The scene, in the order of the file: edges, then polylines.
+//
+//   (1) names are not empty, unique after expansion, none is "sky"; see docs/scene_format.md
+//   (2) from != to for every surface
+//   (3) every material and group index is valid
+struct Scene2 {
+  std::string file;  // for messages; may be a description when the scene was not read from a file
+  std::string about;
+  std::vector<Material> materials;
+  std::vector<Surface2> surfaces;
+  std::vector<std::string> groups;  // an edge of its own, or a polyline
+  Spectrum sky_emission;
+  bool closed = false;
+  std::optional<Grid2> grid;
+  std::vector<Expectation> expect;
+
+  // Returns the index of the surface of that name, or nothing.
+  std::optional<std::uint32_t> find(const std::string& name) const;
+};
+
+// Throws InputError naming file, line and surface unless the numbered properties hold.
+void validate(const Scene2& scene);
+
+}  // namespace hottel

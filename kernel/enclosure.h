@@ -1,0 +1,48 @@
+// What is guaranteed of a number, in its type.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace hottel {
+
+// kExact:     the double is the correctly rounded value of the real number.
+// kEnclosed:  the real number lies in the printed interval, proven.
+// kEstimated: the interval is what is proven, however wide; the value alone is a guess with a stated estimate.
+enum class Guarantee : unsigned char { kExact, kEnclosed, kEstimated };
+
+constexpr const char* to_string(Guarantee guarantee) {
+  switch (guarantee) {
+    case Guarantee::kExact: return "exact";
+    case Guarantee::kEnclosed: return "enclosed";
+    case Guarantee::kEstimated: return "estimated";
+  }
+  return "";
+}
+
+// A closed interval that contains the real number.
+struct Enclosure {
+  double lower;
+  double upper;
+
+  double width() const { return upper - lower; }
+  bool contains(double value) const { return lower <= value && value <= upper; }
+  friend bool operator==(const Enclosure&, const Enclosure&) = default;
+};
+
+// A real number, correctly rounded, with the knowledge on which side of the double it lies.
+//
+//   (1) value is the double nearest to the real number, ties to even
+//   (2) side < 0: the real number is below value, > 0: above, 0: equal
+struct Rounded {
+  double value = 0;
+  signed char side = 0;
+
+  Enclosure enclosure() const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {side < 0 ? std::nextafter(value, -kInfinity) : value, side > 0 ? std::nextafter(value, kInfinity) : value};
+  }
+  friend bool operator==(const Rounded&, const Rounded&) = default;
+};
+
+}  // namespace hottel
