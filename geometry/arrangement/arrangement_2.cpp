@@ -1,0 +1,108 @@
+#include "geometry/arrangement/arrangement_2.h"
+
+#include <optional>
+
+#include "geometry/arrangement/hilbert_order_2.h"
+#include "geometry/arrangement/point_index_2.h"
+#include "kernel/failure.h"
+
+namespace hottel {
+namespace {
+
+ExactPoint2 exact(const Point2& p) { return {p.x, p.y}; }
+
+// The points numbered along a Hilbert curve, so that vertices near in space are near in memory.
+PointIndex2 number_in_space(const std::vector<ExactPoint2>& points) {
+  std::vector<Vertices2::Approximate> approximate;
+  approximate.reserve(points.size());
+  for (const ExactPoint2& p : points) approximate.push_back({p.x.get_d(), p.y.get_d()});
+  PointIndex2 index;
+  for (const std::size_t i : hilbert_order(approximate)) index.insert(points[i]);
+  return index;
+}
+
+std::string text(const ExactPoint2& p) { return "(" + to_string(p.x) + ", " + to_string(p.y) + ")"; }
+
+}  // namespace
+
+Arrangement2::Arrangement2(const Scene2& scene, const Division& division) {
+  HOTTEL_REQUIRE(division.size() == scene.surfaces.size());
+  std::vector<ExactPoint2> points;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface2& surface = scene.surfaces[s];
+    const std::uint32_t parts = division[s];
+    HOTTEL_REQUIRE(parts > 0);
+    const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
+    points.push_back(exact(surface.from));
+    for (std::uint32_t k = 1; k < parts; ++k) {
+      Rational t(k, parts);
+      t.canonicalize();
+      points.push_back({surface.from.x + t * dx, surface.from.y + t * dy});
+    }
+    points.push_back(exact(surface.to));
+  }
+  PointIndex2 index = number_in_space(points);
+  std::size_t next = 0;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    for (std::uint32_t k = 0; k < division[s]; ++k) {
+      segments_.push_back({index.insert(points[next + k]), index.insert(points[next + k + 1])});
+      segment_part_.push_back({s, k, false});
+    }
+    next += division[s] + 1;
+  }
+  overlay_ = overlay(index.points(), segments_);
+  assign_owners(scene);
+  triangulation_ = Triangulation2(overlay_.vertices, overlay_.pieces);
+}
+
+std::vector<Arrangement2::Source> Arrangement2::sources(std::size_t piece) const {
+  const Segment2& p = overlay_.pieces[piece];
+  const bool ascends = vertices().precedes(p.a, p.b);
+  std::vector<Source> result;
+  for (const std::uint32_t s : overlay_.sources(piece))
+    result.push_back({segment_part_[s].surface, segment_part_[s].part,
+                      vertices().precedes(segments_[s].a, segments_[s].b) != ascends});
+  return result;
+}
+
+void Arrangement2::assign_owners(const Scene2& scene) {
+  struct Claim {
+    FacePart face;
+    const Material* material;
+  };
+  owner_.resize(2 * pieces().size());
+  for (std::size_t piece = 0; piece < pieces().size(); ++piece) {
+    const std::vector<Source> covering = sources(piece);
+    for (const bool right : {false, true}) {
+      std::optional<Claim> winner;
+      for (const Source& source : covering) {
+        const Surface2& surface = scene.surfaces[source.surface];
+        const bool is_back = source.is_reversed == right;  // the front is the right side of the surface
+        const Material* material = !is_back        ? &scene.materials[surface.material]
+                                   : surface.back ? &scene.materials[*surface.back]
+                                                  : nullptr;
+        const Claim claim{{source.surface, source.part, is_back}, material};
+        if (!winner) {
+          winner = claim;
+        } else if (material != nullptr && winner->material == nullptr) {
+          winner = claim;
+        } else if (material != nullptr && !(*material == *winner->material)) {
+          const Surface2& first = scene.surfaces[winner->face.surface];
+          const Segment2& p = pieces()[piece];
+          throw InputError({scene.file, surface.line},
+                           "'" + first.name + "' (" + (winner->face.is_back ? "back" : "front") + ") and '" +
+                               surface.name + "' (" + (is_back ? "back" : "front") +
+                               ") claim the same side with different materials along " +
+                               text(vertices().to_scene(vertices().exact(p.a))) + " to " +
+                               text(vertices().to_scene(vertices().exact(p.b))),
+                           {"materials '" + winner->material->name + "' and '" + material->name + "', on the " +
+                                (right ? "right" : "left") + " of that piece",
+                            "give both the same material, or take one of the surfaces away"});
+        }
+      }
+      owner_[2 * piece + (right ? 1 : 0)] = winner->face;
+    }
+  }
+}
+
+}  // namespace hottel

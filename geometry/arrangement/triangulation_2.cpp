@@ -1,0 +1,168 @@
+#include "geometry/arrangement/triangulation_2.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_2.h>
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+#include "geometry/arrangement/hilbert_order_2.h"
+
+namespace hottel {
+namespace {
+
+// What CGAL's triangulation asks of a geometry, answered by our own predicates on vertex numbers: the triangulation is
+// exact whatever the size of the coordinates, and rests on the same signs as everything after it. Segment_2 and
+// Triangle_2 are required as names only.
+struct VertexTraits {
+  const Vertices2* vertices = nullptr;
+
+  struct Point_2 {
+    VertexId id = 0;
+  };
+  using Segment_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Segment_2;
+  using Triangle_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Triangle_2;
+
+  struct Predicate {
+    const Vertices2* vertices;
+  };
+  struct Orientation_2 : Predicate {
+    using result_type = CGAL::Orientation;
+    CGAL::Orientation operator()(Point_2 p, Point_2 q, Point_2 r) const {
+      return CGAL::enum_cast<CGAL::Orientation>(vertices->orientation(p.id, q.id, r.id));
+    }
+  };
+  struct Side_of_oriented_circle_2 : Predicate {
+    using result_type = CGAL::Oriented_side;
+    CGAL::Oriented_side operator()(Point_2 p, Point_2 q, Point_2 r, Point_2 s) const {
+      return CGAL::enum_cast<CGAL::Oriented_side>(vertices->side_of_circle(p.id, q.id, r.id, s.id));
+    }
+  };
+  struct Compare_x_2 : Predicate {
+    using result_type = CGAL::Comparison_result;
+    CGAL::Comparison_result operator()(Point_2 p, Point_2 q) const {
+      return CGAL::enum_cast<CGAL::Comparison_result>(vertices->compare_x(p.id, q.id));
+    }
+  };
+  struct Compare_y_2 : Predicate {
+    using result_type = CGAL::Comparison_result;
+    CGAL::Comparison_result operator()(Point_2 p, Point_2 q) const {
+      return CGAL::enum_cast<CGAL::Comparison_result>(vertices->compare_y(p.id, q.id));
+    }
+  };
+  struct Construct_point_2 {
+    Point_2 operator()(Point_2 p) const { return p; }
+  };
+
+  Orientation_2 orientation_2_object() const { return {{vertices}}; }
+  Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {{vertices}}; }
+  Compare_x_2 compare_x_2_object() const { return {{vertices}}; }
+  Compare_y_2 compare_y_2_object() const { return {{vertices}}; }
+  Construct_point_2 construct_point_2_object() const { return {}; }
+};
+
+using VertexBase = CGAL::Triangulation_vertex_base_2<VertexTraits>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<
+    VertexTraits, CGAL::Triangulation_face_base_with_info_2<HalfEdgeId, VertexTraits>>;
+using Cdt = CGAL::Constrained_Delaunay_triangulation_2<VertexTraits,
+                                                       CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+                                                       CGAL::No_constraint_intersection_tag>;
+
+// Finds the piece between two vertices.
+class PieceBetween {
+ public:
+  explicit PieceBetween(const std::vector<Segment2>& pieces) : pieces_(pieces) {
+    number_.reserve(pieces.size());
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+      number_.emplace(key(pieces[p].a, pieces[p].b), static_cast<PieceSideId>(p));
+  }
+  // The side of the piece u-v that faces the left of u -> v; kNoPiece if there is no such piece.
+  PieceSideId left_side(VertexId u, VertexId v) const {
+    const auto place = number_.find(key(u, v));
+    if (place == number_.end()) return kNoPiece;
+    return 2 * place->second + (pieces_[static_cast<std::size_t>(place->second)].a == u ? 0 : 1);
+  }
+
+ private:
+  static std::uint64_t key(VertexId u, VertexId v) {
+    return (static_cast<std::uint64_t>(std::min(u, v)) << 32) | std::max(u, v);
+  }
+  const std::vector<Segment2>& pieces_;
+  std::unordered_map<std::uint64_t, PieceSideId> number_;
+};
+
+StarEntry star_entry(const PieceBetween& piece_between, VertexId v, VertexId neighbour, HalfEdgeId opposite) {
+  const PieceSideId left = piece_between.left_side(v, neighbour);
+  return {neighbour, opposite, left, left == kNoPiece ? kNoPiece : left ^ 1};
+}
+
+}  // namespace
+
+Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segment2>& pieces) {
+  const PieceBetween piece_between(pieces);
+  const auto count = static_cast<VertexId>(vertices.size());
+  star_begin_.assign(count + 1, 0);
+
+  Cdt cdt(VertexTraits{&vertices});
+  std::vector<Cdt::Vertex_handle> handle(count);
+  Cdt::Face_handle hint;
+  for (const VertexId v : hilbert_order(vertices)) {
+    handle[v] = cdt.insert(VertexTraits::Point_2{v}, hint);
+    hint = handle[v]->face();
+  }
+
+  if (cdt.dimension() < 2) {  // every vertex on one line
+    std::vector<VertexId> order(count);
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](VertexId i, VertexId j) { return vertices.precedes(i, j); });
+    std::vector<std::vector<StarEntry>> stars(count);
+    for (std::size_t k = 1; k < order.size(); ++k) {
+      stars[order[k]].push_back(star_entry(piece_between, order[k], order[k - 1], -1));
+      stars[order[k - 1]].push_back(star_entry(piece_between, order[k - 1], order[k], -1));
+    }
+    for (VertexId v = 0; v < count; ++v) {
+      star_.insert(star_.end(), stars[v].begin(), stars[v].end());
+      star_begin_[v + 1] = static_cast<std::uint32_t>(star_.size());
+    }
+    return;
+  }
+
+  for (const Segment2& piece : pieces) cdt.insert_constraint(handle[piece.a], handle[piece.b]);
+
+  HalfEdgeId next = 0;
+  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face, next += 3) face->info() = next;
+  corner_.resize(static_cast<std::size_t>(next));
+  twin_.assign(corner_.size(), -1);
+  side_.assign(corner_.size(), kSky);
+  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face)
+    for (int i = 0; i < 3; ++i) {
+      const auto h = static_cast<std::size_t>(face->info() + i);
+      corner_[h] = face->vertex(i)->point().id;
+      const auto neighbour = face->neighbor(i);
+      if (face->is_constrained(i))
+        side_[h] = piece_between.left_side(face->vertex(Cdt::ccw(i))->point().id, face->vertex(Cdt::cw(i))->point().id);
+      else if (!cdt.is_infinite(neighbour))
+        twin_[h] = neighbour->info() + neighbour->index(face);
+    }
+
+  star_.reserve(6 * count);
+  for (VertexId v = 0; v < count; ++v) {
+    auto face = cdt.incident_faces(handle[v]);
+    const auto first = face;
+    do {
+      const int i = face->index(handle[v]);
+      const auto neighbour = face->vertex(Cdt::ccw(i));
+      if (!cdt.is_infinite(neighbour))
+        star_.push_back(star_entry(piece_between, v, neighbour->point().id,
+                                   cdt.is_infinite(face) ? -1 : face->info() + i));
+    } while (++face != first);
+    star_begin_[v + 1] = static_cast<std::uint32_t>(star_.size());
+  }
+}
+
+}  // namespace hottel

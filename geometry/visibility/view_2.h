@@ -1,0 +1,68 @@
+// What one sees from a point: triangular expansion through the constrained triangulation.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/arrangement/triangulation_2.h"
+#include "kernel/vertices_2.h"
+
+namespace hottel {
+
+// The visible vertices around an eye in counter-clockwise order, the nearest one in each direction, and what is seen
+// between each and the next.
+//
+//   (1) the open segment from the eye to a seen vertex meets no piece and no other vertex, or it is covered by a piece
+//       that ends at the eye (then left and right are the sides of that piece, else kNoPiece)
+//   (2) between two neighbours in the list one sees exactly one side of one piece, or the sky (kSky)
+struct View2 {
+  struct Seen {
+    VertexId vertex;
+    PieceSideId behind;       // seen between this vertex and the next in the list
+    PieceSideId left, right;  // sides of the covering piece
+  };
+  std::vector<Seen> seen;
+};
+
+// Expands the cone between right and left, which passes through half-edge h, counter-clockwise; appends the vertices
+// found strictly inside the cone and what is seen between them. The last entry of the view must be the right end.
+// Orientation(j, k) is the sign of the triangle eye, j, k.
+// COST: one or two orientations for each triangle the cone enters.
+template <class Orientation>
+void expand_cone(const Triangulation2& triangulation, HalfEdgeId h, VertexId right, VertexId left,
+                 const Orientation& orientation, View2& view) {
+  struct Cone {
+    HalfEdgeId half_edge;
+    VertexId right, left;
+  };
+  thread_local std::vector<Cone> waiting;
+  const std::size_t bottom = waiting.size();
+  for (;;) {
+    const HalfEdgeId twin = triangulation.twin(h);
+    if (twin < 0) {
+      view.seen.back().behind = triangulation.side(h);
+      if (waiting.size() == bottom) return;
+      h = waiting.back().half_edge;
+      right = waiting.back().right;
+      left = waiting.back().left;
+      waiting.pop_back();
+      view.seen.push_back({right, kSky, kNoPiece, kNoPiece});
+      continue;
+    }
+    const VertexId apex = triangulation.corner(twin);
+    if (orientation(right, apex) <= 0) {
+      h = previous_half_edge(twin);  // the whole cone passes left of the apex
+    } else if (orientation(apex, left) <= 0) {
+      h = next_half_edge(twin);
+    } else {
+      waiting.push_back({previous_half_edge(twin), apex, left});
+      h = next_half_edge(twin);
+      left = apex;
+    }
+  }
+}
+
+// Fills the view from vertex v. COST: about 20 ns for each triangle seen.
+void look_around(const Vertices2& vertices, const Triangulation2& triangulation, VertexId v, View2& view);
+
+}  // namespace hottel

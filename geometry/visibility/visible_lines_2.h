@@ -1,0 +1,71 @@
+// Lines through two vertices that see each other: the corners of the regions of line space (docs/design/exchange_2.md).
+#pragma once
+
+#include "geometry/visibility/view_2.h"
+
+namespace hottel {
+
+// The open segment between two consecutive vertices v, w of a line, crossed by no piece, and what the line meets first
+// beyond both ends after it was moved a little: behind_left is met behind v when v and all vertices behind it are left
+// strictly on the left of the moved line, and so on. kSky where it meets nothing.
+struct Gap2 {
+  VertexId v, w;
+  PieceSideId behind_left, behind_right;
+  PieceSideId ahead_left, ahead_right;
+  PieceSideId covered_left, covered_right;  // sides of the piece that lies on the gap; kNoPiece if it is free
+};
+
+// Calls visit(const Gap2&) for every gap that starts at v, once for each unordered pair when `each_once` (that is, only
+// with w > v), where view is the view from v.
+// COST: at most two orientations for each visible vertex.
+template <class Visit>
+void for_each_gap(const Vertices2& vertices, VertexId v, const View2& view, bool each_once, const Visit& visit) {
+  const auto& seen = view.seen;
+  const std::size_t m = seen.size();
+  thread_local std::vector<std::size_t> incident;
+  incident.clear();
+  for (std::size_t k = 0; k < m; ++k)
+    if (seen[k].left != kNoPiece) incident.push_back(k);
+
+  const auto wrapped = [m](std::size_t k) { return k < m ? k : k - m; };
+  // last = k + number of vertices seen at an angle in (0, pi) counter-clockwise from vertex k
+  std::size_t last = 0;
+  for (std::size_t k = 0; k < m; ++k) {
+    if (last < k) last = k;
+    bool has_opposite = false;  // a vertex is seen exactly opposite to vertex k
+    while (last + 1 < k + m) {
+      const int turn = vertices.orientation(v, seen[k].vertex, seen[wrapped(last + 1)].vertex);
+      if (turn <= 0) {
+        has_opposite = turn == 0;
+        break;
+      }
+      ++last;
+    }
+    if (each_once && seen[k].vertex < v) continue;
+
+    Gap2 gap{v, seen[k].vertex, kSky, kSky, seen[k == 0 ? m - 1 : k - 1].behind, seen[k].behind,
+             seen[k].left, seen[k].right};
+    gap.behind_right = seen[wrapped(last)].behind;
+    gap.behind_left = has_opposite ? seen[wrapped(last + 1)].behind : gap.behind_right;
+    // Pieces at v that lie strictly on one side of the line hide what is behind v on that side; the one nearest to the
+    // gap is met first.
+    const std::size_t on_left = last - k;
+    std::size_t nearest_left = m, nearest_right = 0;
+    for (const std::size_t i : incident) {
+      const std::size_t turn = i >= k ? i - k : i + m - k;
+      if (turn == 0) continue;
+      if (turn <= on_left) {
+        if (turn < nearest_left) {
+          nearest_left = turn;
+          gap.behind_right = seen[i].right;
+        }
+      } else if (!(has_opposite && turn == on_left + 1) && turn > nearest_right) {
+        nearest_right = turn;
+        gap.behind_left = seen[i].left;
+      }
+    }
+    visit(gap);
+  }
+}
+
+}  // namespace hottel

@@ -1,0 +1,140 @@
+#include "kernel/ball.h"
+
+#include <arb.h>
+#include <arf.h>
+#include <fmpq.h>
+
+#include <utility>
+
+#include "kernel/root_sum.h"
+
+namespace hottel {
+
+struct Ball::Hidden {
+  arb_t x;
+  Hidden() { arb_init(x); }
+  Hidden(const Hidden& other) {
+    arb_init(x);
+    arb_set(x, other.x);
+  }
+  Hidden& operator=(const Hidden&) = delete;
+  ~Hidden() { arb_clear(x); }
+};
+
+namespace {
+
+void set(arb_t out, const Integer& value) {
+  fmpz_t z;
+  fmpz_init(z);
+  fmpz_set_mpz(z, value.get_mpz_t());
+  arb_set_fmpz(out, z);
+  fmpz_clear(z);
+}
+
+void set(arb_t out, const Rational& value, long precision) {
+  fmpq_t q;
+  fmpq_init(q);
+  fmpq_set_mpq(q, value.get_mpq_t());
+  arb_set_fmpq(out, q, precision);
+  fmpq_clear(q);
+}
+
+}  // namespace
+
+Ball::Ball() : hidden_(std::make_unique<Hidden>()) {}
+Ball::Ball(const Ball& other) : hidden_(std::make_unique<Hidden>(*other.hidden_)) {}
+Ball::Ball(Ball&&) noexcept = default;
+Ball& Ball::operator=(Ball other) noexcept {
+  std::swap(hidden_, other.hidden_);
+  return *this;
+}
+Ball::~Ball() = default;
+
+Ball Ball::of(const Rational& value, long precision) {
+  Ball result;
+  set(result.hidden_->x, value, precision);
+  return result;
+}
+
+Ball Ball::of(const RootSum& sum, long precision) {
+  Ball result;
+  Hidden root, coefficient;
+  for (const RootSum::Term& term : sum.terms()) {
+    set(root.x, term.radicand);
+    arb_sqrt(root.x, root.x, precision);
+    set(coefficient.x, term.coefficient, precision);
+    arb_addmul(result.hidden_->x, root.x, coefficient.x, precision);
+  }
+  return result;
+}
+
+Ball Ball::pi(long precision) {
+  Ball result;
+  arb_const_pi(result.hidden_->x, precision);
+  return result;
+}
+
+Ball Ball::atan2(const Ball& y, const Ball& x, long precision) {
+  Ball result;
+  arb_atan2(result.hidden_->x, y.hidden_->x, x.hidden_->x, precision);
+  return result;
+}
+
+Ball Ball::plus(const Ball& other, long precision) const {
+  Ball result;
+  arb_add(result.hidden_->x, hidden_->x, other.hidden_->x, precision);
+  return result;
+}
+
+Ball Ball::minus(const Ball& other, long precision) const {
+  Ball result;
+  arb_sub(result.hidden_->x, hidden_->x, other.hidden_->x, precision);
+  return result;
+}
+
+Ball Ball::times(const Ball& other, long precision) const {
+  Ball result;
+  arb_mul(result.hidden_->x, hidden_->x, other.hidden_->x, precision);
+  return result;
+}
+
+Ball Ball::over(const Ball& other, long precision) const {
+  Ball result;
+  arb_div(result.hidden_->x, hidden_->x, other.hidden_->x, precision);
+  return result;
+}
+
+int Ball::sign() const { return arb_is_positive(hidden_->x) ? 1 : arb_is_negative(hidden_->x) ? -1 : 0; }
+
+namespace {
+
+Enclosure ends(const arb_t x, arf_rnd_t round_lower, arf_rnd_t round_upper) {
+  arf_t lower, upper;
+  arf_init(lower);
+  arf_init(upper);
+  // The ends themselves are exact: midpoint -+ radius with enough bits, rounded outward.
+  arb_get_lbound_arf(lower, x, 30 + arb_bits(x) + 64);
+  arb_get_ubound_arf(upper, x, 30 + arb_bits(x) + 64);
+  const Enclosure result{arf_get_d(lower, round_lower), arf_get_d(upper, round_upper)};
+  arf_clear(lower);
+  arf_clear(upper);
+  return result;
+}
+
+}  // namespace
+
+Enclosure Ball::nearest_of_ends() const { return ends(hidden_->x, ARF_RND_NEAR, ARF_RND_NEAR); }
+
+Enclosure Ball::bounds() const { return ends(hidden_->x, ARF_RND_FLOOR, ARF_RND_CEIL); }
+
+int Ball::compare(double value) const {
+  arf_t number;
+  arf_init(number);
+  arf_set_d(number, value);
+  Hidden difference;
+  arb_sub_arf(difference.x, hidden_->x, number, arb_bits(hidden_->x) + 128);
+  arf_clear(number);
+  return arb_is_positive(difference.x) ? 1 : arb_is_negative(difference.x) ? -1 : 0;
+}
+
+}  // namespace hottel

@@ -1,0 +1,51 @@
+// Real numbers enclosed at any precision: a thin owner of Arb's balls, kept out of public headers.
+#pragma once
+
+#include <memory>
+
+#include "kernel/enclosure.h"
+#include "kernel/rational.h"
+
+namespace hottel {
+
+class RootSum;
+
+// A ball that contains a real number.
+//
+//   (1) every operation returns a ball that contains the result for every number in its operands
+//   (2) bounds() contains the ball and is at most two ulps wide when the precision allows it
+class Ball {
+ public:
+  Ball();
+  Ball(const Ball&);
+  Ball(Ball&&) noexcept;
+  Ball& operator=(Ball) noexcept;
+  ~Ball();
+
+  static Ball of(const Rational& value, long precision);
+  static Ball of(const RootSum& sum, long precision);
+  static Ball pi(long precision);
+
+  // Angle of the vector (x, y) in (-pi, pi].
+  static Ball atan2(const Ball& y, const Ball& x, long precision);
+
+  Ball plus(const Ball& other, long precision) const;
+  Ball minus(const Ball& other, long precision) const;
+  Ball times(const Ball& other, long precision) const;
+  Ball over(const Ball& other, long precision) const;
+
+  int sign() const;  // of every number in the ball, or 0 when they differ
+
+  // Both ends of the ball, each rounded to the nearest double.
+  Enclosure nearest_of_ends() const;
+  // Doubles below and above every number in the ball.
+  Enclosure bounds() const;
+  // Sign of (every number in the ball - value), or 0 when not settled.
+  int compare(double value) const;
+
+ private:
+  struct Hidden;
+  std::unique_ptr<Hidden> hidden_;
+};
+
+}  // namespace hottel

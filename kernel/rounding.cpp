@@ -1,0 +1,78 @@
+#include "kernel/rounding.h"
+
+#include <cmath>
+
+#include "kernel/ball.h"
+#include "kernel/failure.h"
+
+namespace hottel {
+namespace {
+
+RoundedByTier round_rational(const Rational& value, Tier tier) {
+  const double nearest = to_double(value);
+  const int side = std::isfinite(nearest) ? cmp(value, Rational(nearest)) : -1;
+  return {{nearest, static_cast<signed char>(side > 0 ? 1 : side < 0 ? -1 : 0)}, tier};
+}
+
+// True iff value * denominator == numerator.
+bool equals(const RootSum& numerator, const RootSum& denominator, const Rational& value) {
+  return (numerator - denominator * value).is_zero();
+}
+
+}  // namespace
+
+std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedSum& denominator) {
+  if (numerator.error == 0 && numerator.value == 0) return RoundedByTier{{0.0, 0}, Tier::kDouble};
+  if (numerator.error == 0 && denominator.error == 0) {
+    Rational quotient(to_integer(numerator.value), to_integer(denominator.value));
+    quotient.canonicalize();
+    return round_rational(quotient, Tier::kDouble);
+  }
+  const DoubleDouble n = to_double_double(numerator.value), d = to_double_double(denominator.value);
+  if (std::fabs(n.hi) <= 2 * numerator.error) return std::nullopt;
+  const double q = n.hi / d.hi;
+  double p, e;
+  two_product(q, d.hi, p, e);
+  const double correction = (((n.hi - p) - e) + (n.lo - q * d.lo)) / d.hi;
+  const double hi = q + correction;
+  const double lo = (q - hi) + correction;
+  // 2^-100 covers the arithmetic above (each of its four roundings is below 2^-104 |q|); the last factor covers the
+  // rounding of this bound and the second-order terms of the two relative errors.
+  const double error =
+      std::fabs(q) * (0x1p-100 + numerator.error / std::fabs(n.hi) + denominator.error / d.hi) * 2.0;
+  const double below = lo - error, above = lo + error;
+  if (hi + below != hi || hi + above != hi) return std::nullopt;
+  if (below > 0) return RoundedByTier{{hi, 1}, Tier::kDoubleDouble};
+  if (above < 0) return RoundedByTier{{hi, -1}, Tier::kDoubleDouble};
+  return std::nullopt;
+}
+
+RoundedByTier round_quotient(const RootSum& numerator, const RootSum& denominator) {
+  HOTTEL_REQUIRE(!denominator.is_zero());
+  if (numerator.is_zero()) return {{0.0, 0}, Tier::kDouble};
+  bool is_known_not_to_be_a_tie = false;
+  for (long precision = 128;; precision *= 2) {
+    const Ball bottom = Ball::of(denominator, precision);
+    if (bottom.sign() == 0) continue;
+    const Ball quotient = Ball::of(numerator, precision).over(bottom, precision);
+    const Enclosure nearest = quotient.nearest_of_ends();
+    if (std::isinf(nearest.lower) && nearest.lower == nearest.upper)
+      return {{nearest.lower, static_cast<signed char>(nearest.lower > 0 ? -1 : 1)}, Tier::kBall};
+    if (nearest.lower == nearest.upper) {
+      if (const int side = quotient.compare(nearest.lower); side != 0)
+        return {{nearest.lower, static_cast<signed char>(side)}, Tier::kBall};
+    }
+    if (is_known_not_to_be_a_tie || precision < 256 || std::isinf(nearest.upper)) continue;
+    // The quotient may be a double itself, or lie half-way between two: only the canonical sum can tell.
+    if (nearest.lower == nearest.upper) {
+      if (equals(numerator, denominator, Rational(nearest.lower))) return {{nearest.lower, 0}, Tier::kRootSum};
+      is_known_not_to_be_a_tie = true;
+    } else if (std::nextafter(nearest.lower, nearest.upper) == nearest.upper) {
+      const Rational half_way = (Rational(nearest.lower) + Rational(nearest.upper)) / 2;
+      if (equals(numerator, denominator, half_way)) return round_rational(half_way, Tier::kRootSum);
+      is_known_not_to_be_a_tie = true;
+    }
+  }
+}
+
+}  // namespace hottel

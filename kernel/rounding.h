@@ -1,0 +1,49 @@
+// The rounding ladder: from sums with an error bound to the correctly rounded double.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "kernel/enclosure.h"
+#include "kernel/int128.h"
+#include "kernel/rational.h"
+#include "kernel/root_sum.h"
+
+namespace hottel {
+
+// Which step of the ladder settled a number.
+//   kDouble:       nothing was rounded on the way (zero, or every length an integer)
+//   kDoubleDouble: 128-bit fixed-point sums (106 bits and more) with their error bound
+//   kBall:         ball arithmetic of sufficient precision on the exact sums
+//   kRootSum:      the canonical sum of square roots: ties, and numbers that are doubles
+enum class Tier : unsigned char { kDouble, kDoubleDouble, kBall, kRootSum };
+
+struct TierCounts {
+  std::uint64_t by_tier[4] = {0, 0, 0, 0};
+  void count(Tier tier) { ++by_tier[static_cast<int>(tier)]; }
+  TierCounts& operator+=(const TierCounts& other) {
+    for (int k = 0; k < 4; ++k) by_tier[k] += other.by_tier[k];
+    return *this;
+  }
+  friend bool operator==(const TierCounts&, const TierCounts&) = default;
+};
+
+// A sum of lengths in fixed point: the real number lies within error of value (both in the same unit).
+struct FixedSum {
+  Int128 value = 0;
+  double error = 0;
+};
+
+// Returns numerator / denominator correctly rounded, with the tier that settled it, or nothing when the error bounds
+// do not allow it (a tie, a quotient that is a double, heavy cancellation).
+// REQUIRES |value| < 2^126 and denominator.value > denominator.error.
+struct RoundedByTier {
+  Rounded number;
+  Tier tier;
+};
+std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedSum& denominator);
+
+// Returns numerator / denominator correctly rounded, always. REQUIRES denominator > 0.
+RoundedByTier round_quotient(const RootSum& numerator, const RootSum& denominator);
+
+}  // namespace hottel

@@ -1,0 +1,155 @@
+// The vertices of a scene in integer form, and everything that is decided or measured from them.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "kernel/int128.h"
+#include "kernel/rational.h"
+#include "kernel/rounding.h"
+
+namespace hottel {
+
+using VertexId = std::uint32_t;
+
+struct ExactPoint2 {
+  Rational x, y;
+  friend bool operator==(const ExactPoint2&, const ExactPoint2&) = default;
+};
+
+// A length in fixed point, in units of Vertices2::fixed_unit().
+struct FixedLength {
+  Int128 value;
+  bool is_exact;  // otherwise the real length lies within Vertices2::length_error() of value
+};
+
+// The vertices of a scene, translated by the first one and scaled to integers where that keeps them small.
+//
+//   (1) every predicate has the sign of the exact one, whatever the coordinates
+//   (2) predicates, lengths and all that follows from them are invariant under translation and scaling of the scene
+//   (3) distance(i, j) == distance(j, i), and equals distance(k, l) when the integer coordinate differences agree
+//
+// Small form: every coordinate is an integer below 2^60; exact arithmetic is 128-bit. Large form: big rationals with
+// double-double approximations; the same filters, a slower exact step.
+// COST: orientation about 3 ns when the filter decides; distance about 15 ns.
+class Vertices2 {
+ public:
+  Vertices2() = default;
+  // The points are scaled by the least common denominator of all of them when the result has the small form, else by
+  // that of the first `typed` ones (those that were typed, not constructed).
+  Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed);
+
+  std::size_t size() const { return approximate_.size(); }
+  bool is_small() const { return !small_.empty() || size() == 0; }
+
+  // Sign of the area of the triangle i j k: +1 counter-clockwise, -1 clockwise, 0 collinear.
+  int orientation(VertexId i, VertexId j, VertexId k) const {
+    const Approximate &p = approximate_[i], &q = approximate_[j], &r = approximate_[k];
+    const double ax = q.x - p.x, ay = q.y - p.y, bx = r.x - p.x, by = r.y - p.y;
+    const double left = ax * by, right = ay * bx, determinant = left - right;
+    const double bound = kOrientationError * (std::fabs(left) + std::fabs(right)) +
+                         input_error_ * (std::fabs(ax) + std::fabs(ay) + std::fabs(bx) + std::fabs(by) + 2 * input_error_);
+    if (determinant > bound) return 1;
+    if (determinant < -bound) return -1;
+    return exact_orientation(i, j, k);
+  }
+
+  // True iff vertex k, collinear with i and j, lies strictly between them. REQUIRES orientation(i, j, k) == 0.
+  bool is_between(VertexId i, VertexId j, VertexId k) const;
+
+  // Sign of the scalar product (j - i) . (k - i).
+  int direction_sign(VertexId i, VertexId j, VertexId k) const;
+
+  // Where vertex l lies of the circle through the counter-clockwise triangle i j k: +1 inside, -1 outside, 0 on it.
+  int side_of_circle(VertexId i, VertexId j, VertexId k, VertexId l) const;
+
+  // Sign of the difference of exact coordinates, i minus j.
+  int compare_x(VertexId i, VertexId j) const;
+  int compare_y(VertexId i, VertexId j) const;
+  // Lexicographic order of exact coordinates.
+  bool precedes(VertexId i, VertexId j) const;
+
+  FixedLength distance(VertexId i, VertexId j) const;
+  double length_error() const { return length_error_; }
+
+  // Exact values in integer form.
+  ExactPoint2 exact(VertexId i) const;
+  Rational squared_distance(VertexId i, VertexId j) const;
+
+  // Approximate coordinates in integer form divided by 2^k for some k, each within approximation_error() of the exact one.
+  struct Approximate {
+    double x, y;
+  };
+  const Approximate& approximate(VertexId i) const { return approximate_[i]; }
+  double approximation_error() const { return input_error_; }
+
+  // scene coordinate = origin + scale * integer form
+  const Rational& scale() const { return scale_; }
+  const ExactPoint2& origin() const { return origin_; }
+  ExactPoint2 to_scene(const ExactPoint2& integer_form) const;
+  ExactPoint2 from_scene(const ExactPoint2& point) const;
+
+  // One unit of FixedLength::value, in integer form.
+  Rational fixed_unit() const;
+
+ private:
+  friend class Eye2;
+  struct Small {
+    std::int64_t x, y;
+  };
+  struct Low {
+    double x, y;
+  };
+  // Rounding of the differences, products and their difference: (3 + 16 u) u with u = 2^-53 (Shewchuk 1997, 4.1).
+  static constexpr double kOrientationError = (3.0 + 16.0 * 0x1p-53) * 0x1p-53;
+
+  int exact_orientation(VertexId i, VertexId j, VertexId k) const;
+  FixedLength small_distance(VertexId i, VertexId j) const;
+  FixedLength large_distance(VertexId i, VertexId j) const;
+
+  std::vector<Approximate> approximate_;
+  double input_error_ = 0;          // twice the error of an approximate coordinate, rounded up
+  std::vector<Small> small_;        // small form
+  std::vector<ExactPoint2> large_;  // large form
+  std::vector<Low> low_;            // large form: what approximate_ leaves out
+  int approximation_shift_ = 0;     // approximate_ = integer form / 2^shift
+  int fixed_bits_ = 0;              // unit of a fixed length = 2^-fixed_bits_ of approximate_'s unit
+  double length_error_ = 2;
+  Rational scale_ = 1;
+  ExactPoint2 origin_;
+};
+
+// A point to look from that need not be a vertex: the same predicates with the eye as first point.
+class Eye2 {
+ public:
+  // The point is given in integer form.
+  Eye2(const Vertices2& vertices, const ExactPoint2& point);
+
+  int orientation(VertexId j, VertexId k) const {
+    const auto &q = vertices_->approximate_[j], &r = vertices_->approximate_[k];
+    const double ax = q.x - x_, ay = q.y - y_, bx = r.x - x_, by = r.y - y_;
+    const double left = ax * by, right = ay * bx, determinant = left - right;
+    const double bound = Vertices2::kOrientationError * (std::fabs(left) + std::fabs(right)) +
+                         error_ * (std::fabs(ax) + std::fabs(ay) + std::fabs(bx) + std::fabs(by) + 2 * error_);
+    if (determinant > bound) return 1;
+    if (determinant < -bound) return -1;
+    return exact_orientation(j, k);
+  }
+
+  // Sign of the scalar product (j - eye) . (k - eye).
+  int direction_sign(VertexId j, VertexId k) const;
+  bool coincides_with(VertexId j) const;
+  const ExactPoint2& exact() const { return point_; }
+  double x() const { return x_; }
+  double y() const { return y_; }
+
+ private:
+  int exact_orientation(VertexId j, VertexId k) const;
+
+  const Vertices2* vertices_;
+  ExactPoint2 point_;
+  double x_, y_, error_;
+};
+
+}  // namespace hottel
