@@ -24,7 +24,7 @@ class InputError : public std::runtime_error {
  public:
   // what() is "FILE:LINE: text" or "FILE: text": one line. At most three hints, one line each.
   InputError(FileLine where, const std::string& text, std::vector<std::string> hints = {})
-      : std::runtime_error(where.file + (where.line > 0 ? ":" + std::to_string(where.line) : "") + ": " + text),
+      : std::runtime_error(where.file + (where.line > 0 ? ':' + std::to_string(where.line) : "") + ": " + text),
         where_(std::move(where)),
         hints_(std::move(hints)) {}
 
