@@ -47,6 +47,32 @@ std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const Fix
   return std::nullopt;
 }
 
+FixedScale::FixedScale(const Rational& unit) {
+  HOTTEL_REQUIRE(unit > 0);
+  const long bits = static_cast<long>(mpz_sizeinbase(unit.get_den_mpz_t(), 2)) -
+                    static_cast<long>(mpz_sizeinbase(unit.get_num_mpz_t(), 2));
+  exponent_ = 99 - bits;
+  Integer numerator = unit.get_den(), denominator = unit.get_num(), quotient, remainder;
+  if (exponent_ >= 0)
+    numerator <<= static_cast<unsigned long>(exponent_);
+  else
+    denominator <<= static_cast<unsigned long>(-exponent_);
+  mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
+  const Integer high = quotient >> 64, low = quotient - (high << 64);
+  divisor_.value = (static_cast<Int128>(high.get_ui()) << 64) + low.get_ui();
+  divisor_.error = remainder == 0 ? 0 : 1;
+}
+
+std::optional<RoundedByTier> round_scaled(const FixedSum& sum, const FixedScale& scale) {
+  auto result = round_quotient(sum, scale.divisor_);
+  if (!result) return std::nullopt;
+  int exponent;
+  std::frexp(result->number.value, &exponent);
+  if (exponent + scale.exponent_ < -1000 || exponent + scale.exponent_ > 1000) return std::nullopt;
+  result->number.value = std::ldexp(result->number.value, static_cast<int>(scale.exponent_));
+  return result;
+}
+
 RoundedByTier round_quotient(const RootSum& numerator, const RootSum& denominator) {
   HOTTEL_REQUIRE(!denominator.is_zero());
   if (numerator.is_zero()) return {{0.0, 0}, Tier::kDouble};

@@ -43,6 +43,20 @@ struct RoundedByTier {
 };
 std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedSum& denominator);
 
+// An exact unit, prepared for turning fixed-point sums into doubles.
+class FixedScale {
+ public:
+  explicit FixedScale(const Rational& unit);  // REQUIRES unit > 0
+
+ private:
+  friend std::optional<RoundedByTier> round_scaled(const FixedSum& sum, const FixedScale& scale);
+  FixedSum divisor_;  // unit = 2^exponent / divisor
+  long exponent_;
+};
+
+// Returns sum * unit correctly rounded, or nothing when the error bounds (or the range of double) do not allow it.
+std::optional<RoundedByTier> round_scaled(const FixedSum& sum, const FixedScale& scale);
+
 // Returns numerator / denominator correctly rounded, always. REQUIRES denominator > 0.
 RoundedByTier round_quotient(const RootSum& numerator, const RootSum& denominator);
 

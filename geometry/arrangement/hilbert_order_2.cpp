@@ -42,8 +42,8 @@ std::vector<std::size_t> hilbert_order(const std::vector<Vertices2::Approximate>
   const double cells = extent > 0 && extent < 1e300 ? ((1 << kLevels) - 1) / extent : 0;
   std::vector<std::uint64_t> position(points.size());
   const auto cell = [cells](double distance) {
-    const double position = distance * cells;
-    return position > 0 ? static_cast<std::uint32_t>(position) : 0u;  // also where coordinates exceed the double range
+    const double scaled = distance * cells;
+    return scaled > 0 ? static_cast<std::uint32_t>(scaled) : 0u;  // also where coordinates exceed the double range
   };
   for (std::size_t i = 0; i < points.size(); ++i)
     position[i] = hilbert_position(cell(points[i].x - x0), cell(points[i].y - y0));

@@ -1,0 +1,288 @@
+#include "geometry/exchange/exchange_2.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "geometry/exchange/exchange_sums_2.h"
+#include "geometry/exchange/unobstructed_2.h"
+#include "kernel/failure.h"
+
+namespace hottel {
+namespace {
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
+
+// "Below 1 whenever something hides a part": a quotient that would round to 1 from below stays below.
+double visibility_of(const Rounded& quotient) {
+  return quotient.value == 1.0 && quotient.side < 0 ? std::nextafter(1.0, 0.0) : quotient.value;
+}
+
+// What is printed of one pair, and what the fixed-point sums could not settle.
+struct RoundedPair {
+  Rounded forth, back;
+  double visibility = kNotAsked;
+  bool is_forth_open = false, is_back_open = false, is_visibility_open = false, is_zero = false;
+
+  bool is_open() const { return is_forth_open || is_back_open || is_visibility_open; }
+};
+
+// Rounds pair sums, by fixed point where that settles it.
+class Rounding {
+ public:
+  Rounding(const PreparedScene2& prepared, const Labels2& labels, const ExchangeOptions2& options)
+      : prepared_(prepared), labels_(labels), options_(options) {}
+
+  RoundedPair quick(const PairSum& pair, TierCounts& tiers) const {
+    const Vertices2& vertices = prepared_.arrangement.vertices();
+    const FixedSum sum = pair.sum(vertices.length_error());
+    RoundedPair result;
+    // A sum that may be zero is looked at exactly before anything is printed of it.
+    const bool may_be_zero = static_cast<double>(pair.value) <= sum.error;
+    const auto settle = [&](const FixedSum& divisor, Rounded& number, bool& is_open) {
+      const auto rounded = may_be_zero ? std::nullopt : round_quotient(sum, divisor);
+      is_open = !rounded;
+      if (!rounded) return;
+      number = rounded->number;
+      tiers.count(rounded->tier);
+    };
+    if (labels_.has_row(pair.i)) settle(twice(labels_.length(pair.i)), result.forth, result.is_forth_open);
+    if (labels_.has_row(pair.j)) settle(twice(labels_.length(pair.j)), result.back, result.is_back_open);
+    if (!options_.wants_visibility || pair.j == labels_.sky()) return result;
+    if (options_.per == Per::kGroup) {
+      result.is_visibility_open = true;
+    } else if (!pair.is_obstructed && !may_be_zero) {
+      result.visibility = 1;
+      tiers.count(Tier::kDouble);
+    } else {
+      Rounded visibility;
+      const auto free = unobstructed(pair);
+      if (free && static_cast<double>(free->value) > free->error)
+        settle(*free, visibility, result.is_visibility_open);
+      else
+        result.is_visibility_open = true;
+      result.visibility = visibility_of(visibility);
+    }
+    return result;
+  }
+
+  // Settles what quick() left open, from 2 S(i, j) in integer form.
+  void exactly(const PairSum& pair, const RootSum& sum, RoundedPair& result, TierCounts& tiers) const {
+    const Vertices2& vertices = prepared_.arrangement.vertices();
+    if (sum.is_zero()) {
+      result = {};
+      result.is_zero = true;
+      return;
+    }
+    const auto settle = [&](std::uint32_t label) {
+      const RoundedByTier rounded = round_quotient(sum, labels_.exact_length(label, vertices) * Rational(2));
+      tiers.count(rounded.tier);
+      return rounded.number;
+    };
+    if (result.is_forth_open) result.forth = settle(pair.i);
+    if (result.is_back_open) result.back = settle(pair.j);
+    if (!result.is_visibility_open) return;
+    const RootSum free =
+        unobstructed_exchange(prepared_, labels_, options_.per, pair.i, pair.j) * (Rational(2) / vertices.scale());
+    if ((free - sum).is_zero()) {
+      result.visibility = 1;
+      tiers.count(Tier::kRootSum);
+    } else {
+      const RoundedByTier rounded = round_quotient(sum, free);
+      tiers.count(rounded.tier);
+      result.visibility = visibility_of(rounded.number);
+    }
+  }
+
+ private:
+  static FixedSum twice(const FixedSum& sum) { return {2 * sum.value, 2 * sum.error}; }
+
+  std::optional<FixedSum> unobstructed(const PairSum& pair) const {
+    FixedSum total;
+    for (const Segment2& f : labels_.runs(pair.i))
+      for (const Segment2& g : labels_.runs(pair.j)) {
+        const auto sum = unobstructed_sum(prepared_.arrangement.vertices(), f, g);
+        if (!sum) return std::nullopt;
+        total.value += sum->value;
+        total.error += sum->error;
+      }
+    return total;
+  }
+
+  const PreparedScene2& prepared_;
+  const Labels2& labels_;
+  const ExchangeOptions2& options_;
+};
+
+// A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it.
+void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels, std::vector<RoundedPair>& rounded) {
+  std::vector<std::uint32_t> partners(labels.count() + 1, 0);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    ++partners[pairs[k].i];
+    if (pairs[k].i != pairs[k].j) ++partners[pairs[k].j];
+  }
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    RoundedPair& pair = rounded[k];
+    if (pair.is_forth_open && partners[pairs[k].i] == 1) {
+      pair.forth = {1.0, 0};
+      pair.is_forth_open = false;
+    }
+    if (pair.is_back_open && pairs[k].j != labels.sky() && partners[pairs[k].j] == 1) {
+      pair.back = {1.0, 0};
+      pair.is_back_open = false;
+    }
+  }
+}
+
+ExchangeMatrix to_matrix(std::vector<Element> elements, const Labels2& labels, const std::vector<PairSum>& pairs,
+                         const std::vector<RoundedPair>& rounded) {
+  ExchangeMatrix matrix(std::move(elements), Guarantee::kExact);
+  std::vector<std::size_t> begin(labels.count() + 1, 0);
+  const auto each_entry = [&](const auto& visit) {
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      if (rounded[k].is_zero) continue;
+      const auto [i, j] = std::pair(pairs[k].i, pairs[k].j);
+      if (labels.has_row(i)) visit(i, j, rounded[k].forth, rounded[k].visibility);
+      if (j != i && labels.has_row(j)) visit(j, i, rounded[k].back, rounded[k].visibility);
+    }
+  };
+  each_entry([&](std::uint32_t from, std::uint32_t, const Rounded&, double) { ++begin[from + 1]; });
+  for (std::uint32_t i = 0; i < labels.count(); ++i) begin[i + 1] += begin[i];
+  std::vector<FactorEntry> entries(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  each_entry([&](std::uint32_t from, std::uint32_t to, const Rounded& factor, double visibility) {
+    entries[next[from]++] = {to, factor, to == labels.sky() ? factor.value : visibility};
+  });
+  matrix.assign(std::move(begin), std::move(entries));
+  return matrix;
+}
+
+}  // namespace
+
+PreparedScene2 prepare(Scene2 scene, Divided divided) {
+  Stopwatch watch;
+  Division division;
+  for (const Surface2& surface : scene.surfaces) division.push_back(divided == Divided::kYes ? surface.elements : 1);
+  Arrangement2 arrangement(scene, division);
+  PreparedScene2 prepared{std::move(scene), std::move(division), std::move(arrangement), 0};
+  prepared.seconds = watch.lap();
+  return prepared;
+}
+
+ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOptions2& options, ExchangeReport* report) {
+  Stopwatch watch;
+  ExchangeReport ignored;
+  ExchangeReport& r = report != nullptr ? *report : ignored;
+  const Arrangement2& arrangement = prepared.arrangement;
+  Labels2 labels(prepared.scene, arrangement, prepared.division, options.per);
+  r.seconds["prepare"] = prepared.seconds;
+  r.seconds["label"] = watch.lap();
+
+  SumCounts counts;
+  const std::vector<PairSum> pairs = sum_visible_pairs(arrangement, labels, options.progress, counts);
+  r.seconds["sweep"] = watch.lap();
+  r.closure_is_exact = closure_defect(pairs, labels) == 0;
+  HOTTEL_REQUIRE(r.closure_is_exact);
+
+  const Rounding rounding(prepared, labels, options);
+  std::vector<RoundedPair> rounded(pairs.size());
+  tbb::enumerable_thread_specific<TierCounts> tiers;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), 256), [&](const auto& range) {
+    for (std::size_t k = range.begin(); k != range.end(); ++k) rounded[k] = rounding.quick(pairs[k], tiers.local());
+  });
+  settle_lonely_rows(pairs, labels, rounded);
+  r.seconds["round"] = watch.lap();
+
+  std::vector<std::size_t> open;
+  std::vector<LabelPair> open_pairs;
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (rounded[k].is_open()) {
+      open.push_back(k);
+      open_pairs.emplace_back(pairs[k].i, pairs[k].j);
+    }
+  if (!open.empty()) {
+    const std::vector<RootSum> sums = exact_sums(arrangement, labels, open_pairs);
+    tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {
+      rounding.exactly(pairs[open[k]], sums[k], rounded[open[k]], tiers.local());
+    });
+  }
+  for (const TierCounts& some : tiers) r.tiers += some;
+  r.seconds["exact"] = watch.lap();
+
+  r.vertices = arrangement.vertices().size();
+  r.pieces = arrangement.pieces().size();
+  r.elements = labels.count();
+  r.pairs = static_cast<std::uint64_t>(std::count_if(rounded.begin(), rounded.end(), [](const auto& pair) { return !pair.is_zero; }));
+  r.gaps = counts.gaps;
+  r.terms = counts.updates;
+  std::vector<Element> elements = labels.elements();
+  ExchangeMatrix matrix = to_matrix(std::move(elements), labels, pairs, rounded);
+  r.seconds["matrix"] = watch.lap();
+  return matrix;
+}
+
+std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Per per, const std::vector<LabelPair>& pairs) {
+  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
+  std::vector<RootSum> sums = exact_sums(prepared.arrangement, labels, pairs);
+  for (RootSum& sum : sums) sum *= prepared.arrangement.vertices().scale() / 2;
+  return sums;
+}
+
+RootSum unobstructed_exchange(const PreparedScene2& prepared, const Labels2& labels, Per per, std::uint32_t i,
+                              std::uint32_t j) {
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  RootSum sum;
+  if (per != Per::kGroup) {
+    for (const Segment2& f : labels.runs(i))
+      for (const Segment2& g : labels.runs(j)) sum += unobstructed_exact(vertices, f, g);
+    sum *= vertices.scale() / 2;
+    return sum;
+  }
+  // Two groups alone: a scene of its own.
+  const std::uint32_t group[2] = {prepared.scene.surfaces[labels.elements()[i].surface].group,
+                                  prepared.scene.surfaces[labels.elements()[j].surface].group};
+  Scene2 alone = prepared.scene;
+  std::erase_if(alone.surfaces, [&](const Surface2& s) { return s.group != group[0] && s.group != group[1]; });
+  const PreparedScene2 two = prepare(std::move(alone));
+  const Labels2 two_labels(two.scene, two.arrangement, two.division, per);
+  LabelPair pair{0, 0};
+  for (std::uint32_t label = 0; label < two_labels.count(); ++label) {
+    if (two_labels.elements()[label].name == labels.elements()[i].name) pair.first = label;
+    if (two_labels.elements()[label].name == labels.elements()[j].name) pair.second = label;
+  }
+  return exact_exchange_measures(two, per, {pair}).front();
+}
+
+ExactPair2 exact_pair(const PreparedScene2& prepared, Per per, std::uint32_t from, std::uint32_t to) {
+  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  ExactPair2 result;
+  result.exchange = exact_exchange_measures(prepared, per, {{std::min(from, to), std::max(from, to)}}).front();
+  result.area_from = labels.exact_length(from, vertices) * vertices.scale();
+  if (to == labels.sky()) {
+    result.unobstructed = result.area_from;
+  } else {
+    result.area_to = labels.exact_length(to, vertices) * vertices.scale();
+    result.unobstructed = unobstructed_exchange(prepared, labels, per, from, to);
+  }
+  return result;
+}
+
+}  // namespace hottel

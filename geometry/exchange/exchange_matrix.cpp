@@ -1,0 +1,21 @@
+#include "geometry/exchange/exchange_matrix.h"
+
+#include <algorithm>
+
+namespace hottel {
+
+Rounded ExchangeMatrix::factor(std::uint32_t from, std::uint32_t to) const {
+  const auto entries = row(from);
+  const auto place = std::lower_bound(entries.begin(), entries.end(), to,
+                                      [](const FactorEntry& entry, std::uint32_t column) { return entry.to < column; });
+  return place != entries.end() && place->to == to ? place->factor : Rounded{};
+}
+
+std::optional<std::uint32_t> ExchangeMatrix::find(const std::string& name) const {
+  if (name == "sky") return sky();
+  for (std::uint32_t i = 0; i < size(); ++i)
+    if (elements_[i].name == name) return i;
+  return std::nullopt;
+}
+
+}  // namespace hottel

@@ -1,0 +1,73 @@
+// View factors of a scene: where every method, exact or approximate, ends, and where radiosity begins.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kernel/enclosure.h"
+
+namespace hottel {
+
+// One row or column of an exchange matrix: a face, a part of one, or a group of faces.
+struct Element {
+  std::string name;                       // "wall", "wall:back", "wall#2"
+  std::uint32_t surface = 0;              // index into the scene's surfaces (the first one of a group)
+  std::uint32_t part = 0, parts = 1;      // which of how many equal parts
+  bool is_back = false;
+  std::optional<std::uint32_t> material;  // none: an opaque black back, which has a column but no row
+  Rounded area;                           // length in 2D [scene unit], 0 when other surfaces own all of it
+};
+
+// One view factor, as seen from its row.
+struct FactorEntry {
+  std::uint32_t to = 0;
+  Rounded factor;
+  double visibility = 1;  // Vis = S / S0; NaN where it was not asked for
+};
+
+// View factors F_ij by rows, sparse.
+//
+//   (1) rows ascend by `to`; the sky is the last column, index sky()
+//   (2) kExact: every factor is correctly rounded, its enclosure at most one ulp wide, and reciprocity
+//       A_i F_ij = A_j F_ji holds for the real numbers behind the doubles
+//   (3) only elements with a material and an area have a row; pairs that exchange nothing have no entry
+// COST: 32 bytes an entry, two entries a visible pair of elements with materials.
+class ExchangeMatrix {
+ public:
+  ExchangeMatrix() = default;
+  ExchangeMatrix(std::vector<Element> elements, Guarantee guarantee)
+      : elements_(std::move(elements)), begin_(elements_.size() + 1, 0), guarantee_(guarantee) {}
+
+  const std::vector<Element>& elements() const { return elements_; }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(elements_.size()); }
+  std::uint32_t sky() const { return size(); }
+  Guarantee guarantee() const { return guarantee_; }
+
+  bool has_row(std::uint32_t i) const { return elements_[i].material.has_value() && elements_[i].area.value > 0; }
+  std::span<const FactorEntry> row(std::uint32_t i) const {
+    return {entries_.data() + begin_[i], entries_.data() + begin_[i + 1]};
+  }
+  std::size_t entry_count() const { return entries_.size(); }
+
+  // Returns F(from, to); 0 where there is no entry.
+  Rounded factor(std::uint32_t from, std::uint32_t to) const;
+  // Returns the index of the element of that name; sky() for "sky"; nothing when there is none.
+  std::optional<std::uint32_t> find(const std::string& name) const;
+
+  // For those who fill the matrix: entries by rows, row i in [begin[i], begin[i + 1]).
+  void assign(std::vector<std::size_t> begin, std::vector<FactorEntry> entries) {
+    begin_ = std::move(begin);
+    entries_ = std::move(entries);
+  }
+
+ private:
+  std::vector<Element> elements_;
+  std::vector<std::size_t> begin_;
+  std::vector<FactorEntry> entries_;
+  Guarantee guarantee_ = Guarantee::kEstimated;
+};
+
+}  // namespace hottel
