@@ -1,0 +1,16 @@
+// A text file as a whole.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace hottel {
+
+// The largest text that is read: line numbers and offsets stay within 31 bits.
+inline constexpr std::size_t kMaxTextFileBytes = 0x7fffffff;
+
+// Returns the bytes of a file. Throws InputError naming the file when it is missing, a directory, not readable, or
+// larger than kMaxTextFileBytes.
+std::string read_text_file(const std::filesystem::path& file);
+
+}  // namespace hottel
