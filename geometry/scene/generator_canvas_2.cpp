@@ -43,6 +43,32 @@ std::vector<Material> paints() {
           {"glow", Spectrum::scalar(hundredths(50)), Spectrum::scalar(hundredths(25))}};
 }
 
+void drop_unused_materials(Scene2& scene) {
+  std::vector<char> used(scene.materials.size(), 0);
+  for (const Surface2& s : scene.surfaces) used[s.material] = used[s.back.value_or(s.material)] = 1;
+  std::vector<std::uint32_t> place(used.size(), 0);
+  std::vector<Material> kept;
+  for (std::size_t m = 0; m < used.size(); ++m) {
+    place[m] = static_cast<std::uint32_t>(kept.size());
+    if (used[m]) kept.push_back(std::move(scene.materials[m]));
+  }
+  scene.materials = std::move(kept);
+  for (Surface2& s : scene.surfaces) {
+    s.material = place[s.material];
+    if (s.back) s.back = place[*s.back];
+  }
+}
+
+// The command that makes the scene again.
+std::string command_of(const GeneratorRequest& request) {
+  std::string text = numbered(("hottel generate " + request.kind + " --n ").c_str(), request.n);
+  text += numbered(" --seed ", request.seed);
+  if (request.digits != 0) text += numbered(" --digits ", request.digits);
+  if (request.length != 1) text += " --length " + to_string(request.length);
+  if (request.k != 0) text += numbered(" --k ", request.k);
+  return text;
+}
+
 }  // namespace
 
 bool share_a_point(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
@@ -62,8 +88,7 @@ std::uint64_t integer_root(std::uint64_t value) {
 }
 
 Canvas::Canvas(const GeneratorRequest& request, int placed_decimals)
-    : about_("hottel generate " + request.kind + " --n " + std::to_string(request.n) + " --seed " +
-             std::to_string(request.seed) + (request.digits ? " --digits " + std::to_string(request.digits) : "")),
+    : about_(command_of(request)),
       seed_(mix(request.seed)),
       denominator_(static_cast<long>(power_of_ten(placed_decimals))) {
   scene_.materials = paints();
@@ -139,6 +164,7 @@ Scene2 Canvas::finish(bool closed) {
   for (std::string& name : polygon_names_) scene_.groups.push_back(std::move(name));
   polygon_pieces_.clear();
   polygon_names_.clear();
+  drop_unused_materials(scene_);
   scene_.closed = closed;
   scene_.file = about_;
   scene_.about = about_;
