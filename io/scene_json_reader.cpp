@@ -296,9 +296,16 @@ class SceneReader {
     scene_.grid = std::move(result);
   }
 
+  // The number as it is typed.
+  static std::string number_text(const JsonValue& value, const Subject& subject) {
+    read_number(value, subject);
+    return std::string(value.text());
+  }
+
   void read_expectation(const JsonValue& value, const std::string& owner) {
-    const auto [kind, quantity, of, expected, form, derivation] = read_members(
-        value, {owner}, std::array<std::string_view, 6>{"kind", "quantity", "of", "value", "form", "derivation"});
+    const auto [name, kind, quantity, of, at, expected, form, derivation] = read_members(
+        value, {owner},
+        std::array<std::string_view, 8>{"name", "kind", "quantity", "of", "at", "value", "form", "derivation"});
     require_member(kind, "kind", value, {owner});
     require_member(quantity, "quantity", value, {owner});
     require_member(expected, "value", value, {owner});
@@ -308,10 +315,11 @@ class SceneReader {
     result.quantity = read_string(quantity, {owner, "quantity"});
     if (of) {
       require_kind(of, JsonKind::kArray, {owner, "of"});
-      for (const JsonValue name : of.items()) result.of.push_back(read_string(name, {owner, "of"}));
+      for (const JsonValue item : of.items()) result.of.push_back(read_string(item, {owner, "of"}));
     }
-    if (expected.kind() != JsonKind::kNumber) require_kind(expected, JsonKind::kString, {owner, "value"});
-    result.value = expected.text();
+    if (name) result.name = read_string(name, {owner, "name"});
+    if (at) result.at = number_text(at, {owner, "at"});
+    result.value = number_text(expected, {owner, "value"});
     if (form) result.form = read_string(form, {owner, "form"});
     if (derivation) result.derivation = read_string(derivation, {owner, "derivation"});
     scene_.expect.push_back(std::move(result));

@@ -211,10 +211,13 @@ class SceneWriter {
     if (scene_.expect.empty()) return;
     Block block(out_, "expect", '[', ']');
     for (const Expectation& e : scene_.expect) {
-      std::string text = fmt::format("{{\"kind\": {}, \"quantity\": {}", json_string(e.kind), json_string(e.quantity));
+      std::string text = "{";
+      if (!e.name.empty()) text += fmt::format("\"name\": {}, ", json_string(e.name));
+      text += fmt::format("\"kind\": {}, \"quantity\": {}", json_string(e.kind), json_string(e.quantity));
       for (std::size_t k = 0; k < e.of.size(); ++k)
         text += fmt::format("{}{}", k == 0 ? ", \"of\": [" : ", ", json_string(e.of[k]));
       if (!e.of.empty()) text += "]";
+      if (!e.at.empty()) text += fmt::format(", \"at\": {}", json_string(e.at));
       text += fmt::format(", \"value\": {}", json_string(e.value));
       if (!e.form.empty()) text += fmt::format(", \"form\": {}", json_string(e.form));
       if (!e.derivation.empty()) text += fmt::format(", \"derivation\": {}", json_string(e.derivation));

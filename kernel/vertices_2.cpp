@@ -124,8 +124,6 @@ Vertices2::Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed) 
                          static_cast<std::int64_t>(approximate_[i].y) == small_[i].y;
     }
     input_error_ = all_are_doubles ? 0 : std::ldexp(1.0, top - 53) * 2.0000001;
-    fixed_bits_ = 100 - (top + 2);
-    length_error_ = 2;
   } else {
     large_ = std::move(shifted);
     low_.resize(points.size());
@@ -145,11 +143,21 @@ Vertices2::Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed) 
     }
     // |approximate| < 2^53, so its error is at most 1/2; low repeats the argument one level down: at most 2^-54.
     input_error_ = 1.0000001;
-    fixed_bits_ = 100 - (53 + 2);
-    // In units of 2^-45: the coordinate error 2^-54 in each of four coordinates is below 2^-7; the double-double root
-    // has a relative error below 2^-100 of a length below 2^100 units; the conversion rounds twice.
-    length_error_ = 4;
+
   }
+  set_total_length(1);
+}
+
+void Vertices2::set_total_length(double diameters) {
+  double extent = 1;
+  for (const Approximate& p : approximate_) extent = std::max({extent, std::fabs(p.x), std::fabs(p.y)});
+  // Every distance is below 3 extents; twice the total stays below 2^124 units.
+  int bits_above;
+  std::frexp(3 * extent * std::max(1.0, diameters), &bits_above);
+  fixed_bits_ = 123 - bits_above;
+  // Small form: half a unit for dropping bits, less than 1.5 for the root.
+  // Large form: the low parts are off by 2^-54 at most, four of them enter; the double-double root is good to 2^-98.
+  length_error_ = is_small() ? 2 : std::ldexp(0x1p-51 + std::ldexp(extent, -97), fixed_bits_) + 4;
 }
 
 int Vertices2::exact_orientation(VertexId i, VertexId j, VertexId k) const {
@@ -178,8 +186,9 @@ FixedLength Vertices2::distance(VertexId i, VertexId j) const {
   return is_small() ? small_distance(i, j) : large_distance(i, j);
 }
 
-// The integer N = dx² + dy² is scaled by an even power of two to 124 or 125 bits; S = floor-ish sqrt(N) from a double
-// has a relative error below 2^-51; one Newton step with the exact remainder N - S² leaves 2^-102.
+// The integer N = dx² + dy² is scaled by 4^h to 124 or 125 bits. S, the integer nearest to its root (up to one unit),
+// comes from a double and one exact correction; with R = N - S² the root is S + R / (2 S) up to 2^-65. That fraction is
+// divided out to 62 bits in two steps of doubles.
 FixedLength Vertices2::small_distance(VertexId i, VertexId j) const {
   const std::int64_t dx = small_[j].x - small_[i].x, dy = small_[j].y - small_[i].y;
   const UInt128 squared = static_cast<UInt128>(static_cast<Int128>(dx) * dx) + static_cast<UInt128>(static_cast<Int128>(dy) * dy);
@@ -188,19 +197,20 @@ FixedLength Vertices2::small_distance(VertexId i, VertexId j) const {
   const int width = high != 0 ? 128 - std::countl_zero(high) : 64 - std::countl_zero(static_cast<std::uint64_t>(squared));
   const int half_shift = (125 - width) / 2;
   const UInt128 n = squared << (2 * half_shift);
-  const double approximate = static_cast<double>(static_cast<std::uint64_t>(n >> 64)) * 0x1p64;
-  const auto root = static_cast<std::int64_t>(std::sqrt(approximate));
-  const auto remainder = static_cast<Int128>(n) - static_cast<Int128>(root) * root;
-  // root is short by up to 2^10 from the dropped low word of n and the rounding of the double square root
-  const double correction = static_cast<double>(remainder) / (2.0 * static_cast<double>(root));
-  const int shift = fixed_bits_ - half_shift;
-  if (remainder == 0) return {shift >= 0 ? static_cast<Int128>(root) << shift : static_cast<Int128>(root) >> -shift, true};
-  if (shift >= 0)
-    return {(static_cast<Int128>(root) << shift) + static_cast<std::int64_t>(std::llrint(std::ldexp(correction, shift))),
-            false};
-  const int down = -shift;
-  const double rest = static_cast<double>(root & ((std::int64_t{1} << down) - 1)) + correction;
-  return {(static_cast<Int128>(root) >> down) + static_cast<std::int64_t>(std::llrint(std::ldexp(rest, shift))), false};
+  auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(static_cast<std::uint64_t>(n >> 64)) * 0x1p64));
+  auto remainder = static_cast<Int128>(n) - static_cast<Int128>(root) * root;
+  const double inverse = 0.5 / static_cast<double>(root);
+  const double distance_to_root = static_cast<double>(remainder) * inverse;
+  const auto correction = static_cast<std::int64_t>(distance_to_root + (distance_to_root < 0 ? -0.5 : 0.5));
+  remainder -= static_cast<Int128>(2 * root + correction) * correction;
+  root += correction;
+  // value = root + remainder / (2 root), in units of 2^-62
+  const auto coarse = static_cast<std::int64_t>(static_cast<double>(static_cast<std::int64_t>(remainder)) * inverse * 0x1p40);
+  const Int128 left = (remainder << 40) - static_cast<Int128>(2 * root) * coarse;
+  const auto fine = static_cast<std::int64_t>(static_cast<double>(left) * inverse * 0x1p22);
+  const Int128 value = (static_cast<Int128>(root) << 62) + (static_cast<Int128>(coarse) << 22) + fine;
+  const int drop = half_shift + 62 - fixed_bits_;
+  return {(value + (static_cast<Int128>(1) << (drop - 1))) >> drop, remainder == 0};
 }
 
 FixedLength Vertices2::large_distance(VertexId i, VertexId j) const {

@@ -73,6 +73,9 @@ class Vertices2 {
   FixedLength distance(VertexId i, VertexId j) const;
   double length_error() const { return length_error_; }
 
+  // Chooses the fixed-point unit so that any sum of lengths up to this many times the largest coordinate fits.
+  void set_total_length(double diameters);
+
   // Exact values in integer form.
   ExactPoint2 exact(VertexId i) const;
   Rational squared_distance(VertexId i, VertexId j) const;

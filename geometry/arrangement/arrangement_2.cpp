@@ -51,6 +51,7 @@ Arrangement2::Arrangement2(const Scene2& scene, const Division& division) {
     next += division[s] + 1;
   }
   overlay_ = overlay(index.points(), segments_);
+  overlay_.set_total_length();
   assign_owners(scene);
   triangulation_ = Triangulation2(overlay_.vertices, overlay_.pieces);
 }

@@ -56,6 +56,16 @@ std::vector<char> find_entangled(const Vertices2& vertices, const std::vector<Se
 
 }  // namespace
 
+void Overlay2::set_total_length() {
+  double total = 0, extent = 0;
+  for (const Segment2& piece : pieces) {
+    const auto &p = vertices.approximate(piece.a), &q = vertices.approximate(piece.b);
+    total += std::hypot(q.x - p.x, q.y - p.y);
+    extent = std::max({extent, std::fabs(p.x), std::fabs(p.y), std::fabs(q.x), std::fabs(q.y)});
+  }
+  vertices.set_total_length(extent > 0 ? 1.01 * total / extent : 1);
+}
+
 Overlay2 overlay(const std::vector<ExactPoint2>& points, const std::vector<Segment2>& segments) {
   Overlay2 result;
   result.vertices = Vertices2(points, points.size());

@@ -27,6 +27,9 @@ struct Overlay2 {
     return {source_list.data() + source_begin[piece], source_list.data() + source_begin[piece + 1]};
   }
 
+  // Makes room for the sum of all lengths in fixed-point sums.
+  void set_total_length();
+
   std::vector<std::uint32_t> source_begin;  // one more than pieces
   std::vector<std::uint32_t> source_list;   // ascending within a piece
 };

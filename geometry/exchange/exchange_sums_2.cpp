@@ -34,7 +34,8 @@ class PairTable {
       ++count_;
       return;
     }
-    slot.value += term.value;
+    // Only the final sum is bounded: on the way it may wrap around.
+    slot.value = static_cast<Int128>(static_cast<UInt128>(slot.value) + static_cast<UInt128>(term.value));
     slot.is_inexact += term.is_inexact;
     slot.is_obstructed |= term.is_obstructed;
   }
