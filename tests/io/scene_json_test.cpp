@@ -1,0 +1,373 @@
+#include "io/scene_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace hottel {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+Scene2 parse(const std::string& text) { return parse_scene_2(text, "scene.json"); }
+
+// The message with which a text is refused; empty when it is not refused as a scene error.
+std::string refusal(const std::string& text) {
+  try {
+    parse(text);
+  } catch (const InputError& error) {
+    EXPECT_LE(error.hints().size(), 3u);
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    return error.what();
+  }
+  return "";
+}
+
+// A scene with these further members, which begin in line 3.
+std::string scene_with(const std::string& members) {
+  return "{ \"hottel\": 1, \"dimension\": 2,\n  \"materials\": {\"m\": {}},\n  " + members + "}\n";
+}
+
+// A scene with these edges, from line 4 on.
+std::string with_edges(const std::string& edges) { return scene_with("\"edges\": [\n" + edges + "]"); }
+std::string with_polylines(const std::string& lines) { return scene_with("\"polylines\": [\n" + lines + "]"); }
+
+Rational x_of(const std::string& typed) {
+  return parse(with_edges(R"({"points": [[)" + typed + R"(, 0], [0, 1]], "material": "m"})")).surfaces[0].from.x;
+}
+
+TEST(SceneJson, ReadsEveryPartOfAScene) {
+  const Scene2 scene = parse(R"({ "hottel": 1, "dimension": 2, "about": "a room",
+    "materials": { "white": {"reflectivity": 0.7, "about": "paint"}, "lamp": {"emission": [9, 8, 6], "reflectivity": 0.1} },
+    "edges":     [ {"name": "lamp", "points": [[1, 2.9], ["4/3", "2.9"]], "material": "lamp", "back": "white", "elements": 4},
+                   {"points": [[2, 1], [3, 1]], "material": "white"} ],
+    "polylines": [ {"name": "room", "points": [[0,0],[0,3],
+                                               [4,3],[4,0]], "closed": true, "material": "white"},
+                   {"points": [[1,1],[2,2]], "material": "white"} ],
+    "polygons": [ ], "lights": [ ],
+    "sky": {"emission": [1, 2, "1/3"]}, "closed": true,
+    "grid": {"min": [0,0], "max": [4,3], "cells": [400,300]},
+    "expect": [ {"kind": "exact", "quantity": "factor", "of": ["lamp", "sky"], "value": 0.10, "form": "1/10",
+                 "derivation": "by eye"} ] })");
+  EXPECT_EQ(scene.file, "scene.json");
+  EXPECT_EQ(scene.about, "a room");
+  ASSERT_EQ(scene.materials.size(), 2u);
+  EXPECT_EQ(scene.materials[0].reflectivity.value[1], Rational(7, 10));
+  EXPECT_TRUE(scene.materials[0].reflectivity.is_scalar);
+  EXPECT_FALSE(scene.materials[1].emission.is_scalar);
+  EXPECT_EQ(scene.materials[1].emission.value[2], 6);
+
+  std::vector<std::string> names;
+  for (const Surface2& s : scene.surfaces) names.push_back(s.name);
+  EXPECT_THAT(names,
+              ::testing::ElementsAre("lamp", "edge[1]", "room[0]", "room[1]", "room[2]", "room[3]", "polyline[1][0]"));
+  EXPECT_THAT(scene.groups, ::testing::ElementsAre("lamp", "edge[1]", "room", "polyline[1]"));
+  const Surface2& lamp = scene.surfaces[0];
+  EXPECT_EQ(lamp.from, (Point2{1, Rational(29, 10)}));
+  EXPECT_EQ(lamp.to, (Point2{Rational(4, 3), Rational(29, 10)}));
+  EXPECT_EQ(lamp.material, 1u);
+  EXPECT_EQ(lamp.back, 0u);
+  EXPECT_EQ(lamp.elements, 4u);
+  EXPECT_EQ(lamp.line, 3);
+  EXPECT_EQ(scene.surfaces[5].from, (Point2{4, 0}));
+  EXPECT_EQ(scene.surfaces[5].to, (Point2{0, 0}));
+  EXPECT_EQ(scene.surfaces[3].line, 5);
+  EXPECT_EQ(scene.surfaces[4].line, 6);
+  EXPECT_EQ(scene.surfaces[5].group, 2u);
+  EXPECT_FALSE(scene.surfaces[5].back);
+
+  EXPECT_TRUE(scene.closed);
+  EXPECT_EQ(scene.sky_emission.value[2], Rational(1, 3));
+  ASSERT_TRUE(scene.grid);
+  EXPECT_EQ(scene.grid->max, (Point2{4, 3}));
+  EXPECT_EQ(scene.grid->nx, 400u);
+  EXPECT_EQ(scene.grid->ny, 300u);
+  ASSERT_EQ(scene.expect.size(), 1u);
+  EXPECT_EQ(scene.expect[0].value, "0.10");
+  EXPECT_THAT(scene.expect[0].of, ::testing::ElementsAre("lamp", "sky"));
+  EXPECT_EQ(scene.find("room[2]"), 4u);
+  EXPECT_FALSE(scene.find("room"));
+}
+
+TEST(SceneJson, NumbersAreExactlyWhatIsTyped) {
+  EXPECT_EQ(x_of("0.1"), Rational(1, 10));
+  EXPECT_EQ(x_of("\"0.1\""), Rational(1, 10));
+  EXPECT_EQ(x_of("\"-1/3\""), Rational(-1, 3));
+  EXPECT_EQ(x_of("-0"), 0);
+  EXPECT_EQ(x_of("9223372036854775807"), Rational("9223372036854775807"));
+  EXPECT_EQ(x_of("18446744073709551617"), Rational("18446744073709551617"));
+  EXPECT_EQ(x_of("-9223372036854775809"), Rational("-9223372036854775809"));
+  EXPECT_EQ(x_of("1234567890123456789012345678901234567890"), Rational("1234567890123456789012345678901234567890"));
+  EXPECT_EQ(x_of("0.1234567890123456789012345678901234567890"),
+            Rational("1234567890123456789012345678901234567890") / Rational("1" + std::string(40, '0')));
+  EXPECT_EQ(x_of("2.5E-3"), Rational(1, 400));
+}
+
+TEST(SceneJson, NumbersBeyondTheRangeOfDoubleAreReadExactly) {
+  const Rational huge("1" + std::string(400, '0'));
+  EXPECT_EQ(x_of("1e400"), huge);
+  EXPECT_EQ(x_of("-1e+400"), -huge);
+  EXPECT_EQ(x_of("1e-400"), 1 / huge);
+  EXPECT_EQ(x_of("\"1e4096\""), Rational("1" + std::string(4096, '0')));
+}
+
+TEST(SceneJson, EmissivityAndTemperatureMakeAGreyBodyExactly) {
+  const Scene2 scene = parse(R"({"hottel": 1, "dimension": 2, "materials": {
+    "steel": {"emissivity": 0.3, "temperature": 900}, "cold": {"emissivity": [0.1, 0.2, 1]}}})");
+  const Rational sigma = *parse_rational("5.670374419e-8");
+  EXPECT_EQ(scene.materials[0].reflectivity, Spectrum::scalar(Rational(7, 10)));
+  EXPECT_EQ(scene.materials[0].emission, Spectrum::scalar(Rational(3, 10) * sigma * Rational("656100000000")));
+  EXPECT_TRUE(scene.materials[0].emission.is_scalar);
+  EXPECT_EQ(scene.materials[1].reflectivity.value[0], Rational(9, 10));
+  EXPECT_TRUE(scene.materials[1].emission.is_zero());
+}
+
+TEST(SceneJson, RefusesWhatIsNotJson) {
+  EXPECT_EQ(refusal(""), "scene.json: the file is empty");
+  EXPECT_EQ(refusal(" \n\t"), "scene.json: the file is empty");
+  EXPECT_THAT(refusal("\xEF\xBB\xBF{}"), StartsWith("scene.json:1: the file begins with a byte order mark"));
+  EXPECT_THAT(refusal(std::string("\xFF\xFE{\0", 4)), StartsWith("scene.json:1: the file is UTF-16"));
+  EXPECT_THAT(refusal(with_edges("{]")), StartsWith("scene.json:4: this is not JSON"));
+  EXPECT_THAT(refusal("{\"hottel\": 1,\n\"about\": tru\n}"), StartsWith("scene.json:2: this is not JSON"));
+  EXPECT_THAT(refusal("{\"hottel\": 1,\n\"about\": \"tru\n\"}"), StartsWith("scene.json:2: this is not JSON"));
+  EXPECT_THAT(refusal("{\"hottel\": 1,\n\n"), StartsWith("scene.json:2: this is not JSON"));
+  EXPECT_THAT(refusal("{\"hottel\": 1} x"), StartsWith("scene.json:1: this is not JSON"));
+  EXPECT_THAT(refusal(std::string("{\"hottel\": 1,\n\"dimension\": 2}\0x", 32)),
+              StartsWith("scene.json:2: this is not JSON"));
+  EXPECT_THAT(refusal(scene_with("\"sky\": {\"emission\": NaN}")), StartsWith("scene.json:3: this is not JSON"));
+  EXPECT_THAT(refusal(scene_with("\"about\": \"\xC3\x28\"")), StartsWith("scene.json:3: this is not JSON"));
+  EXPECT_THAT(refusal(scene_with("// no comments\n\"closed\": true")), StartsWith("scene.json:3: this is not JSON"));
+  EXPECT_EQ(refusal("5"), "scene.json:1: the scene must be an object, not a number");
+  EXPECT_EQ(refusal("\n[]"), "scene.json:2: the scene must be an object, not a list");
+}
+
+TEST(SceneJson, RefusesDeepNestingWithoutRecursion) {
+  for (const std::size_t depth : {70u, 1'000'000u}) {
+    EXPECT_EQ(refusal(scene_with("\"edges\": " + std::string(depth, '['))),
+              "scene.json:3: lists and objects are nested more than 64 deep");
+    std::string objects;
+    for (std::size_t i = 0; i < depth; ++i) objects += "{\"a\":";
+    EXPECT_EQ(refusal(objects), "scene.json:1: lists and objects are nested more than 64 deep");
+  }
+}
+
+TEST(SceneJson, RefusesDuplicateKeysAtEveryLevel) {
+  EXPECT_EQ(refusal("{\"hottel\": 1,\n\"hottel\": 1}"), "scene.json:2: the key 'hottel' is given twice");
+  EXPECT_EQ(refusal(scene_with("\"materials\": {}")), "scene.json:3: the key 'materials' is given twice");
+  EXPECT_EQ(refusal("{\"materials\": {\"a\": {},\n\"\\u0061\": {}}}"), "scene.json:2: the key 'a' is given twice");
+  EXPECT_EQ(refusal(scene_with("\"sky\": {\"emission\": 1, \"emission\": 1}")),
+            "scene.json:3: the key 'emission' is given twice");
+  EXPECT_EQ(refusal(with_edges("{\"material\": \"m\",\n\"material\": \"m\"}")),
+            "scene.json:5: the key 'material' is given twice");
+  std::string many;
+  for (int i = 0; i < 40; ++i) many += "\"k" + std::to_string(i) + "\": {},";
+  EXPECT_EQ(refusal("{\"materials\": {" + many + "\"k7\": {}}}"), "scene.json:1: the key 'k7' is given twice");
+}
+
+TEST(SceneJson, RefusesUnknownKeysAtEveryLevel) {
+  EXPECT_EQ(refusal(scene_with("\"colour\": 1")), "scene.json:3: the scene has the unknown key 'colour'");
+  EXPECT_EQ(refusal(with_edges("{\"Points\": []}")), "scene.json:4: edge 'edge[0]' has the unknown key 'Points'");
+  EXPECT_EQ(refusal(with_edges("{\"name\": \"a\", \"closed\": true}")),
+            "scene.json:4: edge 'a' has the unknown key 'closed'");
+  EXPECT_EQ(refusal(with_polylines("{\"name\": \"a\",\n \"x\": 1}")),
+            "scene.json:5: polyline 'a' has the unknown key 'x'");
+  EXPECT_EQ(refusal("{\"hottel\": 1, \"dimension\": 2, \"materials\": {\"m\": {\"rho\": 1}}}"),
+            "scene.json:1: material 'm' has the unknown key 'rho'");
+  EXPECT_EQ(refusal(scene_with("\"sky\": {\"temperature\": 1}")),
+            "scene.json:3: sky has the unknown key 'temperature'");
+  EXPECT_EQ(refusal(scene_with("\"grid\": {\"origin\": 1}")), "scene.json:3: grid has the unknown key 'origin'");
+  EXPECT_EQ(refusal(scene_with("\"expect\": [{\"x\": 1}]")), "scene.json:3: expectation[0] has the unknown key 'x'");
+}
+
+TEST(SceneJson, RefusesOtherVersionsAndDimensions) {
+  EXPECT_EQ(refusal("{}"), "scene.json:1: the scene has no \"hottel\"");
+  EXPECT_EQ(refusal("{\"hottel\": 1}"), "scene.json:1: the scene has no \"dimension\"");
+  EXPECT_EQ(refusal("{\n\"hottel\": 2, \"dimension\": 2}"), "scene.json:2: hottel is '2'; this version reads 1");
+  EXPECT_EQ(refusal("{\"hottel\": \"1\", \"dimension\": 2}"), "scene.json:1: hottel must be a number, not a string");
+  EXPECT_EQ(refusal("{\"hottel\": 1,\n \"dimension\": 4}"), "scene.json:2: dimension is '4'; this version reads 2");
+  EXPECT_EQ(refusal("{\"hottel\": 1,\n \"dimension\": 3\n}"),
+            "scene.json:2: dimension 3 is not supported by this version");
+}
+
+TEST(SceneJson, RefusesWrongTypes) {
+  EXPECT_EQ(refusal(scene_with("\"edges\": {}")), "scene.json:3: edges must be a list, not an object");
+  EXPECT_EQ(refusal(scene_with("\"closed\": 1")), "scene.json:3: closed must be true or false, not a number");
+  EXPECT_EQ(refusal(scene_with("\"sky\": 1")), "scene.json:3: sky must be an object, not a number");
+  EXPECT_EQ(refusal(scene_with("\"about\": null")), "scene.json:3: about must be a string, not null");
+  EXPECT_EQ(refusal(with_edges("7")), "scene.json:4: edge[0] must be an object, not a number");
+  EXPECT_EQ(refusal(with_edges("{\"name\": 7}")), "scene.json:4: edge[0]: name must be a string, not a number");
+  EXPECT_EQ(refusal(with_edges(R"({"points": 1, "material": "m"})")),
+            "scene.json:4: edge 'edge[0]': points must be a list, not a number");
+  EXPECT_EQ(refusal(with_edges(R"({"points": [[0,0],[1,true]], "material": "m"})")),
+            "scene.json:4: edge 'edge[0]': coordinate must be a number or a string that holds one, not true or false");
+  EXPECT_EQ(refusal(with_edges(R"({"points": [[0,0],[1,1,1]], "material": "m"})")),
+            "scene.json:4: edge 'edge[0]': point has 3 coordinates; in dimension 2 it has two");
+  EXPECT_EQ(refusal(with_edges(R"({"points": [0,1], "material": "m"})")),
+            "scene.json:4: edge 'edge[0]': point must be a list, not a number");
+  for (const char* wrong : {"0", "-1", "2.5", "1000001", "1e40"})
+    EXPECT_EQ(
+        refusal(with_edges(std::string(R"({"points": [[0,0],[1,1]], "material": "m", "elements": )") + wrong + "}")),
+        "scene.json:4: edge 'edge[0]': elements must be an integer from 1 to 1000000");
+}
+
+TEST(SceneJson, RefusesWhatIsNotANumber) {
+  for (const char* wrong :
+       {"nan", "inf", "", " 1", "1 ", "0x10", "1/0", "1.5/2", "1e5000", "1e-5000", "1,5", "--1", "/", "e1"})
+    EXPECT_THAT(
+        refusal(with_edges(std::string(R"({"name": "a", "points": [[0,0],[1,")") + wrong + R"("]], "material": "m"})")),
+        StartsWith("scene.json:4: edge 'a': coordinate is not a number: "))
+        << wrong;
+  EXPECT_THAT(refusal(with_edges(R"({"points": [[0,0],[1,1e-5000]], "material": "m"})")),
+              StartsWith("scene.json:4: edge 'edge[0]': coordinate is not a number: "));
+  EXPECT_THAT(refusal(with_edges("{\"points\": [[0,0],[1,1e5000\n]], \"material\": \"m\"}")),
+              StartsWith("scene.json:4: a number is beyond the range"));
+  const std::string long_one = "0." + std::string(4095, '1');
+  EXPECT_EQ(refusal(with_edges(R"({"points": [[0,0],[1,)" + long_one + R"(]], "material": "m"})")),
+            "scene.json:4: edge 'edge[0]': coordinate has 4097 characters; a number may have 4096");
+  EXPECT_EQ(refusal(with_edges(R"({"points": [[0,0],[1,)" + long_one.substr(0, 4096) + R"(]], "material": "m"})")), "");
+}
+
+TEST(SceneJson, RefusesMissingMaterials) {
+  EXPECT_EQ(refusal(with_edges("{\"name\": \"a\", \"points\": [[0,0],[1,1]]}")),
+            "scene.json:4: edge 'a' has no \"material\"");
+  EXPECT_EQ(refusal(with_edges("{\"name\": \"a\", \"material\": \"m\"}")), "scene.json:4: edge 'a' has no \"points\"");
+  EXPECT_EQ(refusal(with_edges("{\"name\": \"a\", \"points\": [[0,0],[1,1]],\n \"material\": \"x\"}")),
+            "scene.json:5: edge 'a': material 'x' is not defined");
+  EXPECT_EQ(refusal(with_polylines(R"({"name": "a", "points": [[0,0],[1,1]], "material": "m", "back": "x"})")),
+            "scene.json:4: polyline 'a': back 'x' is not defined");
+}
+
+TEST(SceneJson, RefusesMaterialsOutOfRange) {
+  const auto material = [](const std::string& members) {
+    return refusal("{\"hottel\": 1, \"dimension\": 2, \"materials\": {\n\"m\": {" + members + "}}}");
+  };
+  EXPECT_EQ(material("\"reflectivity\": 1"), "");
+  EXPECT_EQ(material("\"reflectivity\": 1.00000000000000000000001"),
+            "scene.json:2: material 'm': reflectivity must be from 0 to 1");
+  EXPECT_EQ(material("\"reflectivity\": [0, 1, -1e-300]"),
+            "scene.json:2: material 'm': reflectivity must be from 0 to 1");
+  EXPECT_EQ(material("\"reflectivity\": [0, 1]"),
+            "scene.json:2: material 'm': reflectivity must have three values, r, g and b");
+  EXPECT_EQ(material("\"emission\": -1"), "scene.json:2: material 'm': emission must not be negative");
+  EXPECT_EQ(material("\"emissivity\": \"4/3\""), "scene.json:2: material 'm': emissivity must be from 0 to 1");
+  EXPECT_EQ(material("\"emissivity\": 1, \"temperature\": -1"),
+            "scene.json:2: material 'm': temperature must not be negative");
+  EXPECT_EQ(material("\"temperature\": 1"), "scene.json:2: material 'm' has a temperature but no emissivity");
+  for (const char* a : {"\"reflectivity\": 0", "\"emission\": 0"})
+    for (const char* b : {"\"emissivity\": 0", "\"temperature\": 0"})
+      EXPECT_EQ(material(std::string(a) + ", " + b),
+                "scene.json:2: material 'm' has both reflectivity or emission and emissivity or temperature");
+  EXPECT_EQ(refusal(scene_with("\"sky\": {\"emission\": -1}")), "scene.json:3: sky: emission must not be negative");
+  EXPECT_EQ(refusal("{\"hottel\": 1, \"dimension\": 2, \"materials\": {\"\": {}}}"),
+            "scene.json:1: the name of a material must not be empty");
+}
+
+TEST(SceneJson, RefusesNamesThatAreTakenOrMeanSomethingElse) {
+  const auto edge = [](const std::string& name) {
+    return "{\"name\": \"" + name + "\", \"points\": [[0,0],[1,1]], \"material\": \"m\"}";
+  };
+  EXPECT_EQ(refusal(with_edges(edge("Küche ☀ [1] :backdoor"))), "");
+  EXPECT_EQ(refusal(with_edges(edge(""))), "scene.json:4: edge[0]: the name '' must not be empty");
+  EXPECT_EQ(refusal(with_edges(edge("sky"))), "scene.json:4: edge[0]: the name 'sky' is kept for the sky");
+  EXPECT_EQ(refusal(with_edges(edge("a#1"))), "scene.json:4: edge[0]: the name 'a#1' must not contain '#'");
+  EXPECT_EQ(refusal(with_edges(edge("a:back"))), "scene.json:4: edge[0]: the name 'a:back' must not end in ':back'");
+  EXPECT_EQ(refusal(with_edges(edge("a\\nb"))),
+            "scene.json:4: edge[0]: the name 'a\\x0Ab' must not contain a control character");
+  EXPECT_THAT(refusal(with_edges(edge("a\\u0000"))), HasSubstr("must not contain a control character"));
+  EXPECT_THAT(refusal(with_edges(edge("a\\u0085"))), HasSubstr("must not contain a control character"));
+  EXPECT_THAT(refusal(with_polylines(edge("sky"))), StartsWith("scene.json:4: polyline[0]: the name 'sky'"));
+
+  EXPECT_EQ(refusal(with_edges(edge("a") + ",\n" + edge("a"))),
+            "scene.json:5: the name 'a' is given twice, first in line 4");
+  EXPECT_EQ(refusal(with_edges(edge("edge[1]") + ",\n{\"points\": [[0,0],[1,1]], \"material\": \"m\"}")),
+            "scene.json:5: the name 'edge[1]' is given twice, first in line 4");
+  EXPECT_EQ(refusal(with_polylines(edge("a") + ",\n" + edge("a"))),
+            "scene.json:5: the name 'a' is given twice, first in line 4");
+  EXPECT_EQ(refusal(scene_with("\"edges\": [" + edge("room[0]") + "],\n\"polylines\": [\n" + edge("room") + "]")),
+            "scene.json:5: two surfaces have the name 'room[0]', the other one in line 3");
+}
+
+TEST(SceneJson, RefusesSurfacesWithoutLength) {
+  const auto entry = [](const std::string& points, const std::string& more = "") {
+    return "{\"name\": \"a\", \"points\": [" + points + "], \"material\": \"m\"" + more + "}";
+  };
+  EXPECT_EQ(refusal(with_edges(entry(""))), "scene.json:4: edge 'a' has fewer than two points");
+  EXPECT_EQ(refusal(with_edges(entry("[0,0]"))), "scene.json:4: edge 'a' has fewer than two points");
+  EXPECT_EQ(refusal(with_edges(entry("[0,0],[1,0],[2,0]"))), "scene.json:4: edge 'a' has 3 points; an edge has two");
+  EXPECT_EQ(refusal(with_edges(entry("[\"1/2\",0],[0.5,0e7]"))), "scene.json:4: edge 'a' has length zero");
+  EXPECT_EQ(refusal(with_polylines(entry("[0,0]"))), "scene.json:4: polyline 'a' has fewer than two points");
+  EXPECT_EQ(refusal(with_polylines(entry("[0,0],[1,0],\n[1,0.0]"))),
+            "scene.json:4: polyline 'a': its piece 'a[1]' has length zero");
+  EXPECT_EQ(refusal(with_polylines(entry("[0,0],[1,0],[1,1],\n[0,0]", ", \"closed\": true"))),
+            "scene.json:5: polyline 'a': its piece 'a[3]' has length zero");
+  EXPECT_EQ(parse(with_polylines(entry("[0,0],[1,0],[1,1],[0,0]", ", \"closed\": false"))).surfaces.size(), 3u);
+  EXPECT_EQ(parse(with_polylines(entry("[0,0],[1,0]", ", \"closed\": true"))).surfaces.size(), 2u);
+}
+
+TEST(SceneJson, RefusesWhatItDoesNotSimulate) {
+  EXPECT_EQ(refusal(scene_with("\"lights\": [{\"type\": \"spot\"}]")),
+            "scene.json:3: lights are not simulated by this version");
+  EXPECT_EQ(refusal(scene_with("\"polygons\": [{}]")),
+            "scene.json:3: polygons belong to dimension 3; this scene has dimension 2");
+  EXPECT_EQ(refusal(scene_with("\"mesh\": \"a.obj\"")),
+            "scene.json:3: mesh belongs to dimension 3; this scene has dimension 2");
+  EXPECT_EQ(refusal(scene_with("\"camera\": {}")),
+            "scene.json:3: camera belongs to dimension 3; this scene has dimension 2");
+}
+
+TEST(SceneJson, RefusesGridsWithoutCells) {
+  const auto grid = [](const std::string& text) { return refusal(scene_with("\"grid\": {" + text + "}")); };
+  EXPECT_EQ(grid(R"("min": [0,0], "max": [1,1], "cells": [16384,1])"), "");
+  EXPECT_EQ(grid(R"("min": [0,0], "max": [1,1])"), "scene.json:3: grid has no \"cells\"");
+  EXPECT_EQ(grid(R"("min": [0,0], "max": [1,0], "cells": [1,1])"),
+            "scene.json:3: grid: max must be greater than min in both coordinates");
+  EXPECT_EQ(grid(R"("min": [0,0], "max": [1,1], "cells": [1])"),
+            "scene.json:3: grid: cells must be two numbers, along x and along y");
+  EXPECT_EQ(grid(R"("min": [0,0], "max": [1,1], "cells": [0,1])"),
+            "scene.json:3: grid: cells must be an integer from 1 to 16384");
+  EXPECT_EQ(grid(R"("min": [0,0], "max": [1,1], "cells": [1,16385])"),
+            "scene.json:3: grid: cells must be an integer from 1 to 16384");
+}
+
+TEST(SceneJson, LineNumbersDoNotDependOnTheLayout) {
+  const std::string text = with_edges(
+      "{\"points\":[[0,\n0],[1,\r\n 1]],\"material\":\"m\"}\n,\n\n{\"points\":[[0,0],[1,1\n\n]],\"material\":\"m\"}");
+  const Scene2 scene = parse(text);
+  EXPECT_EQ(scene.surfaces[0].line, 4);
+  EXPECT_EQ(scene.surfaces[1].line, 9);
+  std::string one_line = text;
+  std::replace(one_line.begin(), one_line.end(), '\n', ' ');
+  for (const Surface2& surface : parse(one_line).surfaces) EXPECT_EQ(surface.line, 1);
+  // A number is the last thing before the end of its line.
+  EXPECT_EQ(refusal(with_edges("{\"elements\": 0\n, \"points\": [[0,0],[1,1]], \"material\": \"m\"}")),
+            "scene.json:4: edge 'edge[0]': elements must be an integer from 1 to 1000000");
+}
+
+TEST(ReadScene2, NamesFilesThatCannotBeRead) {
+  const auto refusal_of = [](const std::filesystem::path& file) -> std::string {
+    try {
+      read_scene_2(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal_of("no/such/file.json"), "no/such/file.json: there is no such file");
+  const std::filesystem::path folder = ::testing::TempDir();
+  EXPECT_EQ(refusal_of(folder), folder.string() + ": is a directory, not a file");
+  const std::filesystem::path file = folder / "hottel_scene_json_test.json";
+  std::ofstream(file) << "{\n";
+  EXPECT_THAT(refusal_of(file), StartsWith(file.string() + ":1: this is not JSON"));
+  std::ofstream(file) << with_edges(R"({"points": [[0,0],[1,1]], "material": "m"})");
+  EXPECT_EQ(read_scene_2(file).file, file.string());
+  EXPECT_EQ(read_scene_2(file).surfaces.size(), 1u);
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace hottel
