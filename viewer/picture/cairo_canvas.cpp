@@ -1,0 +1,227 @@
+#include "viewer/picture/cairo_canvas.h"
+
+#include <cairo-svg.h>
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "kernel/failure.h"
+
+namespace hottel {
+namespace {
+
+constexpr const char* kTypeface = "DejaVu Sans Condensed";  // another sans serif stands in where it is missing
+
+cairo_status_t append(void* target, const unsigned char* data, unsigned int length) {
+  static_cast<std::string*>(target)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+void check(cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS) throw RequestError(std::string("picture: ") + cairo_status_to_string(status));
+}
+
+// The number of bytes of the UTF-8 character at the front of text, 0 when there is none.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned first = byte(0);
+  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
+  const std::size_t length = first >= 0xc2 && first < 0xe0   ? 2
+                             : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xf0 && first < 0xf5 ? 4
+                                                             : 0;
+  if (length == 0 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const unsigned second = byte(1);
+  const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  const bool beyond = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
+  return overlong || beyond ? 0 : length;
+}
+
+std::string printable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    if (length == 0) {
+      result += '?';
+      text.remove_prefix(1);
+    } else {
+      result += text.substr(0, length);
+      text.remove_prefix(length);
+    }
+  }
+  return result;
+}
+
+std::uint32_t premultiplied(const Colour& c) {
+  const auto level = [](double v) { return static_cast<std::uint32_t>(std::lround(255 * std::clamp(v, 0.0, 1.0))); };
+  return level(c.a) << 24 | level(c.r * c.a) << 16 | level(c.g * c.a) << 8 | level(c.b * c.a);
+}
+
+}  // namespace
+
+std::optional<PictureFormat> picture_format(std::string_view file_name) {
+  if (file_name.ends_with(".png")) return PictureFormat::kPng;
+  if (file_name.ends_with(".svg")) return PictureFormat::kSvg;
+  return std::nullopt;
+}
+
+struct CairoCanvas::State {
+  PictureFormat format;
+  double width, height;
+  std::string bytes{};
+  cairo_surface_t* surface = nullptr;
+  cairo_t* context = nullptr;
+
+  State(PictureFormat f, double w, double h) : format(f), width(w), height(h) {}
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (context) cairo_destroy(context);
+    if (surface) cairo_surface_destroy(surface);
+  }
+
+  void ink(const Colour& c) const { cairo_set_source_rgba(context, c.r, c.g, c.b, c.a); }
+  void font(const TextStyle& style) const {
+    cairo_select_font_face(context, kTypeface, CAIRO_FONT_SLANT_NORMAL,
+                           style.weight == TextWeight::kBold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(context, style.size);
+  }
+  double advance(const std::string& text) const {
+    cairo_text_extents_t extents;
+    cairo_text_extents(context, text.c_str(), &extents);
+    return extents.x_advance;
+  }
+};
+
+CairoCanvas::CairoCanvas(PictureFormat format, std::uint32_t width, std::uint32_t height) {
+  if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide)
+    throw UsageError("picture: a side must be between 1 and " + std::to_string(kMaxPictureSide) + " pixels");
+  state_ = std::make_unique<State>(format, width, height);
+  if (format == PictureFormat::kSvg) {
+    state_->surface = cairo_svg_surface_create_for_stream(append, &state_->bytes, width, height);
+    cairo_svg_surface_set_document_unit(state_->surface, CAIRO_SVG_UNIT_PX);
+  } else {
+    state_->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height));
+  }
+  check(cairo_surface_status(state_->surface));
+  state_->context = cairo_create(state_->surface);
+  check(cairo_status(state_->context));
+  cairo_set_line_cap(state_->context, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(state_->context, CAIRO_LINE_JOIN_ROUND);
+  // Letters keep their shape and spacing at every size, in both formats.
+  cairo_font_options_t* options = cairo_font_options_create();
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_set_font_options(state_->context, options);
+  cairo_font_options_destroy(options);
+}
+
+CairoCanvas::~CairoCanvas() = default;
+
+double CairoCanvas::width() const { return state_->width; }
+double CairoCanvas::height() const { return state_->height; }
+
+void CairoCanvas::stroke(Mark, Pixel from, Pixel to, Colour colour, double line_width) {
+  state_->ink(colour);
+  cairo_set_line_width(state_->context, line_width);
+  cairo_move_to(state_->context, from.x, from.y);
+  cairo_line_to(state_->context, to.x, to.y);
+  cairo_stroke(state_->context);
+}
+
+void CairoCanvas::fill(Mark, std::span<const Pixel> polygon, Colour colour) {
+  if (polygon.size() < 3) return;
+  state_->ink(colour);
+  for (const Pixel& p : polygon) cairo_line_to(state_->context, p.x, p.y);
+  cairo_close_path(state_->context);
+  cairo_fill(state_->context);
+}
+
+void CairoCanvas::disc(Mark, Pixel centre, double radius, Colour colour) {
+  state_->ink(colour);
+  cairo_new_sub_path(state_->context);
+  cairo_arc(state_->context, centre.x, centre.y, radius, 0, 2 * std::numbers::pi);
+  cairo_fill(state_->context);
+}
+
+void CairoCanvas::circle(Mark, Pixel centre, double radius, Colour colour, double line_width) {
+  state_->ink(colour);
+  cairo_set_line_width(state_->context, line_width);
+  cairo_new_sub_path(state_->context);
+  cairo_arc(state_->context, centre.x, centre.y, radius, 0, 2 * std::numbers::pi);
+  cairo_stroke(state_->context);
+}
+
+void CairoCanvas::text(Mark, Pixel at, std::string_view text, const TextStyle& style) {
+  const std::string shown = printable(text);
+  state_->font(style);
+  state_->ink(style.colour);
+  const double wide = style.anchor == TextAnchor::kLeft ? 0 : state_->advance(shown);
+  const double left = at.x - (style.anchor == TextAnchor::kCentre ? wide / 2 : wide);
+  cairo_move_to(state_->context, left, at.y);
+  cairo_show_text(state_->context, shown.c_str());
+  cairo_new_path(state_->context);
+}
+
+void CairoCanvas::image(Mark, Pixel top_left, Pixel bottom_right, const PixelImage& image, bool smooth) {
+  HOTTEL_REQUIRE(image.pixels.size() == static_cast<std::size_t>(image.width) * image.height);
+  if (image.pixels.empty()) return;
+  cairo_surface_t* source =
+      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(image.width), static_cast<int>(image.height));
+  if (cairo_surface_status(source) != CAIRO_STATUS_SUCCESS) {
+    const cairo_status_t status = cairo_surface_status(source);
+    cairo_surface_destroy(source);
+    check(status);
+  }
+  unsigned char* rows = cairo_image_surface_get_data(source);
+  const int stride = cairo_image_surface_get_stride(source);
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    auto* row = reinterpret_cast<std::uint32_t*>(rows + static_cast<std::ptrdiff_t>(y) * stride);
+    for (std::uint32_t x = 0; x < image.width; ++x)
+      row[x] = premultiplied(image.pixels[static_cast<std::size_t>(y) * image.width + x]);
+  }
+  cairo_surface_mark_dirty(source);
+  cairo_t* context = state_->context;
+  cairo_save(context);
+  cairo_rectangle(context, top_left.x, top_left.y, bottom_right.x - top_left.x, bottom_right.y - top_left.y);
+  cairo_clip(context);
+  cairo_translate(context, top_left.x, top_left.y);
+  cairo_scale(context, (bottom_right.x - top_left.x) / image.width, (bottom_right.y - top_left.y) / image.height);
+  cairo_set_source_surface(context, source, 0, 0);
+  cairo_pattern_set_filter(cairo_get_source(context), smooth ? CAIRO_FILTER_BILINEAR : CAIRO_FILTER_NEAREST);
+  cairo_pattern_set_extend(cairo_get_source(context), CAIRO_EXTEND_PAD);
+  cairo_paint(context);
+  cairo_restore(context);
+  cairo_surface_destroy(source);
+}
+
+void CairoCanvas::clip(std::span<const Pixel> polygon) {
+  for (const Pixel& p : polygon) cairo_line_to(state_->context, p.x, p.y);
+  cairo_close_path(state_->context);
+  cairo_clip(state_->context);
+}
+
+void CairoCanvas::unclip() { cairo_reset_clip(state_->context); }
+
+double CairoCanvas::text_width(std::string_view text, const TextStyle& style) const {
+  state_->font(style);
+  return state_->advance(printable(text));
+}
+
+std::string CairoCanvas::finish() {
+  check(cairo_status(state_->context));
+  if (state_->format == PictureFormat::kPng) {
+    cairo_surface_flush(state_->surface);
+    check(cairo_surface_write_to_png_stream(state_->surface, append, &state_->bytes));
+  }
+  cairo_surface_finish(state_->surface);
+  check(cairo_surface_status(state_->surface));
+  return std::move(state_->bytes);
+}
+
+}  // namespace hottel

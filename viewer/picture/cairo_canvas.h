@@ -1,0 +1,48 @@
+// A canvas that becomes the bytes of a PNG or an SVG file.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "viewer/picture/canvas.h"
+
+namespace hottel {
+
+enum class PictureFormat : unsigned char { kPng, kSvg };
+
+// Returns the format that the ending of a file name asks for (".png", ".svg"), or nothing.
+std::optional<PictureFormat> picture_format(std::string_view file_name);
+
+inline constexpr std::uint32_t kMaxPictureSide = 16384;
+
+class CairoCanvas : public PictureCanvas {
+ public:
+  // Throws UsageError unless both sides are in [1, kMaxPictureSide], RequestError when memory does not suffice.
+  CairoCanvas(PictureFormat format, std::uint32_t width, std::uint32_t height);
+  ~CairoCanvas() override;
+
+  double width() const override;
+  double height() const override;
+  void stroke(Mark mark, Pixel from, Pixel to, Colour colour, double line_width) override;
+  void fill(Mark mark, std::span<const Pixel> polygon, Colour colour) override;
+  void disc(Mark mark, Pixel centre, double radius, Colour colour) override;
+  void circle(Mark mark, Pixel centre, double radius, Colour colour, double line_width) override;
+  void text(Mark mark, Pixel at, std::string_view text, const TextStyle& style) override;
+  void image(Mark mark, Pixel top_left, Pixel bottom_right, const PixelImage& image, bool smooth) override;
+  void clip(std::span<const Pixel> polygon) override;
+  void unclip() override;
+  double text_width(std::string_view text, const TextStyle& style) const override;
+
+  // Returns the bytes of the file. Nothing can be drawn or finished afterwards. Throws RequestError when cairo failed.
+  std::string finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hottel

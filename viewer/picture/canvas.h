@@ -1,0 +1,92 @@
+// What drawings are drawn on: a picture of pixels, y downwards, later calls over earlier ones.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace hottel {
+
+// A place in the picture: (0, 0) is the top left corner, (width, height) the bottom right one.
+struct Pixel {
+  double x = 0, y = 0;
+  friend bool operator==(const Pixel&, const Pixel&) = default;
+};
+
+// sRGB as a screen takes it, each of r, g, b and the opacity a in [0, 1].
+struct Colour {
+  double r = 0, g = 0, b = 0, a = 1;
+
+  constexpr Colour with_alpha(double alpha) const { return {r, g, b, alpha}; }
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+// What a stroke or a fill stands for. A canvas for the eye ignores it; a recording canvas counts by it.
+enum class Mark : unsigned char {
+  kPaper,
+  kFloor,
+  kSolid,
+  kHatch,
+  kLight,   // what is seen from the eye
+  kStripe,  // the value of a face
+  kEdge,    // the centre line of a wall
+  kEmitter,
+  kTarget,  // a highlighted edge
+  kRay,
+  kEye,
+  kCritical,  // a critical point
+  kLegend,
+  kScaleBar,
+  kTitle,
+  kLabel,
+};
+
+enum class TextAnchor : unsigned char { kLeft, kCentre, kRight };
+enum class TextWeight : unsigned char { kRegular, kBold };
+
+struct TextStyle {
+  double size = 16;  // of the font, in pixels
+  Colour colour{};
+  TextAnchor anchor = TextAnchor::kLeft;
+  TextWeight weight = TextWeight::kRegular;
+};
+
+// Pixels that are drawn as they are: rows from top to bottom.
+struct PixelImage {
+  std::uint32_t width = 0, height = 0;
+  std::vector<Colour> pixels;  // width * height
+};
+
+// REQUIRES of all calls: finite coordinates and sizes. Ends and joints of strokes are round.
+class PictureCanvas {
+ public:
+  virtual ~PictureCanvas() = default;
+
+  virtual double width() const = 0;
+  virtual double height() const = 0;
+
+  virtual void stroke(Mark mark, Pixel from, Pixel to, Colour colour, double line_width) = 0;
+  // The inside of a closed polygon; where it winds about itself more than once it is inside.
+  virtual void fill(Mark mark, std::span<const Pixel> polygon, Colour colour) = 0;
+  virtual void disc(Mark mark, Pixel centre, double radius, Colour colour) = 0;
+  virtual void circle(Mark mark, Pixel centre, double radius, Colour colour, double line_width) = 0;
+  // at: the anchor on the base line. Bytes that are not UTF-8 are shown as question marks.
+  virtual void text(Mark mark, Pixel at, std::string_view text, const TextStyle& style) = 0;
+  // Stretched over the rectangle; smooth: blended between pixels, else each pixel a rectangle of its own.
+  virtual void image(Mark mark, Pixel top_left, Pixel bottom_right, const PixelImage& image, bool smooth) = 0;
+
+  // Until unclip() nothing is drawn outside the polygon. One clip at a time.
+  virtual void clip(std::span<const Pixel> polygon) = 0;
+  virtual void unclip() = 0;
+
+  // How wide text() draws, in pixels.
+  virtual double text_width(std::string_view text, const TextStyle& style) const = 0;
+
+  void fill_rectangle(Mark mark, Pixel top_left, Pixel bottom_right, Colour colour) {
+    const Pixel corners[] = {top_left, {bottom_right.x, top_left.y}, bottom_right, {top_left.x, bottom_right.y}};
+    fill(mark, corners, colour);
+  }
+};
+
+}  // namespace hottel

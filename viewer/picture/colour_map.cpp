@@ -1,0 +1,142 @@
+#include "viewer/picture/colour_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "kernel/failure.h"
+#include "viewer/picture/palette.h"
+
+namespace hottel {
+namespace {
+
+// The stations of the map: hue and chroma, at even steps of the position.
+constexpr std::array<OklabPolar, 6> kStations{{
+    {0.40, 0.165, 272},
+    {0.496, 0.185, 305},
+    {0.592, 0.205, 355},
+    {0.688, 0.175, 395},
+    {0.784, 0.160, 428},
+    {0.88, 0.165, 456},
+}};
+
+OklabPolar between(const OklabPolar& a, const OklabPolar& b, double t) {
+  return {std::lerp(a.lightness, b.lightness, t), std::lerp(a.chroma, b.chroma, t), std::lerp(a.hue, b.hue, t)};
+}
+
+// Returns the largest of 1, 2, 5 times a power of ten steps that gives at most limit multiples in the range.
+double nice_step(double lower, double upper, int limit) {
+  double power = std::pow(10, std::floor(std::log10((upper - lower) / limit)));
+  for (;; power *= 10)
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double step = factor * power;
+      if (std::floor(upper / step + 1e-9) - std::ceil(lower / step - 1e-9) + 1 <= limit) return step;
+    }
+}
+
+}  // namespace
+
+double srgb_from_linear(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+double linear_from_srgb(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+Colour colour_of(const OklabPolar& colour) {
+  const double angle = colour.hue * std::numbers::pi / 180;
+  const double a = colour.chroma * std::cos(angle), b = colour.chroma * std::sin(angle), l = colour.lightness;
+  const auto cube = [](double v) { return v * v * v; };
+  const double cone_l = cube(l + 0.3963377774 * a + 0.2158037573 * b);
+  const double cone_m = cube(l - 0.1055613458 * a - 0.0638541728 * b);
+  const double cone_s = cube(l - 0.0894841775 * a - 1.2914855480 * b);
+  const auto encode = [](double v) { return srgb_from_linear(std::clamp(v, 0.0, 1.0)); };
+  return {encode(4.0767416621 * cone_l - 3.3077115913 * cone_m + 0.2309699292 * cone_s),
+          encode(-1.2684380046 * cone_l + 2.6097574011 * cone_m - 0.3413193965 * cone_s),
+          encode(-0.0041960863 * cone_l - 0.7034186147 * cone_m + 1.7076147010 * cone_s)};
+}
+
+double lightness(const Colour& c) {
+  const double r = linear_from_srgb(c.r), g = linear_from_srgb(c.g), b = linear_from_srgb(c.b);
+  return 0.2104542553 * std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b) +
+         0.7936177850 * std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b) -
+         0.0040720468 * std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+}
+
+Colour map_colour(double position) {
+  const double t = std::clamp(position, 0.0, 1.0) * (kStations.size() - 1);
+  const std::size_t k = std::min(static_cast<std::size_t>(t), kStations.size() - 2);
+  return colour_of(between(kStations[k], kStations[k + 1], t - static_cast<double>(k)));
+}
+
+double ColourScale::position(double value) const {
+  HOTTEL_REQUIRE(lower <= upper && (!logarithmic || lower > 0));
+  if (!(value > lower)) return 0;
+  if (value >= upper) return 1;
+  if (logarithmic) return std::clamp(std::log(value / lower) / std::log(upper / lower), 0.0, 1.0);
+  const double span = upper / 2 - lower / 2;  // halves: the difference of two doubles may overflow
+  return std::clamp((value / 2 - lower / 2) / span, 0.0, 1.0);
+}
+
+std::vector<double> ColourScale::ticks(int limit) const {
+  if (!(lower < upper) || limit < 2) return {lower};
+  if (logarithmic) {
+    const int first = static_cast<int>(std::ceil(std::log10(lower) - 1e-9));
+    const int last = static_cast<int>(std::floor(std::log10(upper) + 1e-9));
+    if (last > first) {
+      const int every = std::max(1, (last - first + limit) / limit);
+      std::vector<double> decades;
+      for (int k = last; k >= first; k -= every) decades.push_back(std::pow(10, k));
+      std::reverse(decades.begin(), decades.end());
+      return decades;
+    }
+  }
+  const double step = nice_step(lower, upper, limit);
+  if (!std::isfinite(step) || step <= 0 || std::max(std::abs(lower), std::abs(upper)) / step > 1e12)
+    return {lower, upper};
+  std::vector<double> found;
+  const auto last = static_cast<long long>(std::floor(upper / step + 1e-9));
+  for (auto k = static_cast<long long>(std::ceil(lower / step - 1e-9)); k <= last; ++k)
+    found.push_back(k == 0 ? 0.0 : static_cast<double>(k) * step);
+  return found;
+}
+
+std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
+  std::vector<std::string> labels;
+  for (const double tick : ticks) labels.push_back(fmt::format("{:.6g}", tick));
+  return labels;
+}
+
+double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::string& title, Pixel corner,
+                   double bar_width, double unit) {
+  const double bar_top = corner.y + 24 * unit, bar_height = 14 * unit;
+  const TextStyle heading{.size = 17 * unit, .colour = palette::kInk};
+  TextStyle small{.size = 14 * unit, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre};
+  canvas.text(Mark::kLegend, {corner.x, corner.y + 13 * unit}, title, heading);
+
+  constexpr std::uint32_t kShades = 256;
+  PixelImage shades{kShades, 1, {}};
+  for (std::uint32_t k = 0; k < kShades; ++k) shades.pixels.push_back(map_colour((k + 0.5) / kShades));
+  canvas.image(Mark::kLegend, {corner.x, bar_top}, {corner.x + bar_width, bar_top + bar_height}, shades, true);
+
+  double wide = std::max(bar_width, canvas.text_width(title, heading));
+  const std::vector<double> ticks = scale.ticks(std::max(2, static_cast<int>(bar_width / (48 * unit))));
+  const std::vector<std::string> labels = tick_labels(ticks);
+  for (std::size_t k = 0; k < ticks.size(); ++k) {
+    const double x = corner.x + bar_width * scale.position(ticks[k]);
+    canvas.stroke(Mark::kLegend, {x, bar_top + bar_height}, {x, bar_top + bar_height + 4 * unit}, palette::kSoftInk,
+                  unit);
+    // A label at the very left or right stays within the bar, so that the bar lines up with its neighbours.
+    const double half = canvas.text_width(labels[k], small) / 2;
+    const double centre = std::clamp(x, corner.x + half, std::max(corner.x + half, corner.x + bar_width - half));
+    canvas.text(Mark::kLegend, {centre, bar_top + bar_height + 19 * unit}, labels[k], small);
+    wide = std::max(wide, centre + half - corner.x);
+  }
+  return wide;
+}
+
+}  // namespace hottel

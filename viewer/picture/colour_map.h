@@ -1,0 +1,59 @@
+// Values as colours, in an order that the eye sees.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viewer/picture/canvas.h"
+
+namespace hottel {
+
+// Returns the sRGB value of a linear intensity in [0, 1] (IEC 61966-2-1), and back.
+double srgb_from_linear(double linear);
+double linear_from_srgb(double encoded);
+
+// A colour in OKLab (Björn Ottosson, "A perceptual color space for image processing", 2020), in polar form.
+struct OklabPolar {
+  double lightness;  // 0 black, 1 white
+  double chroma;
+  double hue;  // degrees
+};
+
+// Returns the colour on a screen; components outside [0, 1] are cut off.
+Colour colour_of(const OklabPolar& colour);
+
+// Returns the lightness of a colour as OKLab sees it, the opacity left out.
+double lightness(const Colour& colour);
+
+// Returns the colour of a position in [0, 1], positions outside clamped: indigo, violet, red, orange, straw. It is our
+// own: lightness rises evenly, hue turns one way, and every colour lies inside sRGB without cutting.
+//
+//   (1) lightness(map_colour(t)) is linear in t and increases
+//   (2) readable for colour-blind eyes and in grey print, since (1) alone carries the order
+Colour map_colour(double position);
+
+// How values become positions.
+struct ColourScale {
+  double lower = 0, upper = 1;
+  bool logarithmic = false;
+
+  // Returns where the value lies between lower and upper, clamped to [0, 1]; the position of lower when they are equal.
+  // REQUIRES lower <= upper, both finite; logarithmic: lower > 0. A value <= 0 on a logarithmic scale has position 0.
+  double position(double value) const;
+
+  // Returns the values for labels: multiples of 1, 2 or 5 times a power of ten inside [lower, upper], ascending, at
+  // most limit of them; logarithmic: whole decades, every few of them when there are many, or the linear ones when
+  // there is less than one decade.
+  std::vector<double> ticks(int limit) const;
+};
+
+// Returns the values as labels with just the digits that tell them apart: "0", "0.05", "0.1", or "1e-06".
+std::vector<std::string> tick_labels(const std::vector<double>& ticks);
+
+// Draws a bar with the colours of a scale, labels beneath it and the title above, its top left corner at `corner`.
+// `unit` is the size of everything: the height of letters is about 11 units.
+// Returns the width that the bar, its labels and title take.
+double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::string& title, Pixel corner,
+                   double bar_width, double unit);
+
+}  // namespace hottel

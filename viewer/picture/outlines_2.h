@@ -1,0 +1,47 @@
+// The closed outlines of a scene: rooms and solids, and how they lie in each other.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/scene/scene_2.h"
+#include "viewer/picture/canvas.h"
+#include "viewer/picture/corners_2.h"
+
+namespace hottel {
+
+// A closed run of edges, end to end.
+struct Outline2 {
+  std::vector<std::uint32_t> surfaces;
+  std::vector<Pixel> polygon;         // where each of them begins
+  bool solid = false;                 // fronts look outwards: furniture, a pillar; else inwards: a room
+  double area = 0;                    // in square pixels, positive
+  std::optional<std::size_t> around;  // the smallest outline that this one lies in
+  std::size_t level = 0;              // how many it lies in
+  Pixel top_left, bottom_right;
+};
+
+// The outlines, the largest area first, and the edges that belong to none.
+//
+//   (1) a closed polyline is an outline of its own; edges listed one by one are joined end to end, and where several
+//       leave a corner the run takes the one that keeps the region on its right narrowest
+//   (2) edges that lead nowhere (a screen, a door leaf) and runs without an inside are loose
+//   (3) outlines may touch what they lie in
+//
+// Made for drawing: decided in doubles. In scenes of many thousand outlines nesting is not looked for: rooms are on
+// level 0, solids on level 1. COST: O(n log n), and n times the number of outlines while that is affordable.
+struct Outlines2 {
+  std::vector<Outline2> closed;
+  std::vector<std::uint32_t> loose;                      // surfaces
+  std::vector<std::optional<std::size_t>> around_loose;  // per loose surface, into closed
+  std::size_t levels = 0;
+
+  Outlines2(const Scene2& scene, const Corners2& corners);
+
+ private:
+  std::optional<std::size_t> innermost(std::size_t count, Pixel point) const;
+  void nest(std::size_t k, Pixel point);
+};
+
+}  // namespace hottel

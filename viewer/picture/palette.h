@@ -1,0 +1,21 @@
+// The colours of all drawings, in one place.
+#pragma once
+
+#include "viewer/picture/canvas.h"
+
+namespace hottel::palette {
+
+inline constexpr Colour kPaper{0.992, 0.988, 0.980};
+inline constexpr Colour kInk{0.145, 0.153, 0.180};
+inline constexpr Colour kSoftInk{0.40, 0.405, 0.43};
+inline constexpr Colour kFloor{0.965, 0.938, 0.893};
+inline constexpr Colour kSolid{0.875, 0.872, 0.868};
+inline constexpr Colour kHatch{0.755, 0.752, 0.750};
+inline constexpr Colour kEmitter{0.98, 0.72, 0.10};
+inline constexpr Colour kTarget{0.02, 0.62, 0.83};
+inline constexpr Colour kLight{1.0, 0.80, 0.30, 0.55};
+inline constexpr Colour kRay{0.85, 0.46, 0.10, 0.75};
+inline constexpr Colour kFirst{0.02, 0.62, 0.83};   // edge A of a pair
+inline constexpr Colour kSecond{0.83, 0.18, 0.42};  // edge B of a pair
+
+}  // namespace hottel::palette

@@ -1,0 +1,93 @@
+// A canvas that remembers what was drawn on it, for tests.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "viewer/picture/canvas.h"
+
+namespace hottel {
+
+class RecordingCanvas : public PictureCanvas {
+ public:
+  enum class Kind : unsigned char { kStroke, kFill, kDisc, kCircle, kText, kImage };
+
+  struct Call {
+    Kind kind;
+    Mark mark;
+    std::vector<Pixel> points;  // ends, corners, centre, or the box of a text
+    Colour colour{};
+    double size = 0;  // width of a line, radius, size of a font
+    std::string text{};
+    PixelImage image{};
+    std::vector<Pixel> clip{};  // empty: none
+  };
+
+  RecordingCanvas(double width, double height) : width_(width), height_(height) {}
+
+  double width() const override { return width_; }
+  double height() const override { return height_; }
+
+  void stroke(Mark mark, Pixel from, Pixel to, Colour colour, double line_width) override {
+    record({Kind::kStroke, mark, {from, to}, colour, line_width});
+  }
+  void fill(Mark mark, std::span<const Pixel> polygon, Colour colour) override {
+    record({Kind::kFill, mark, {polygon.begin(), polygon.end()}, colour});
+  }
+  void disc(Mark mark, Pixel centre, double radius, Colour colour) override {
+    record({Kind::kDisc, mark, {centre}, colour, radius});
+  }
+  void circle(Mark mark, Pixel centre, double radius, Colour colour, double) override {
+    record({Kind::kCircle, mark, {centre}, colour, radius});
+  }
+  void text(Mark mark, Pixel at, std::string_view text, const TextStyle& style) override {
+    const double wide = text_width(text, style);
+    const double left = at.x - (style.anchor == TextAnchor::kLeft    ? 0
+                                : style.anchor == TextAnchor::kRight ? wide
+                                                                     : wide / 2);
+    record({Kind::kText,
+            mark,
+            {{left, at.y - style.size}, {left + wide, at.y + 0.25 * style.size}},
+            style.colour,
+            style.size,
+            std::string(text)});
+  }
+  void image(Mark mark, Pixel top_left, Pixel bottom_right, const PixelImage& image, bool) override {
+    record({Kind::kImage, mark, {top_left, bottom_right}, {}, 0, {}, image});
+  }
+  void clip(std::span<const Pixel> polygon) override { clip_.assign(polygon.begin(), polygon.end()); }
+  void unclip() override { clip_.clear(); }
+  double text_width(std::string_view text, const TextStyle& style) const override {
+    return 0.55 * style.size * static_cast<double>(text.size());
+  }
+
+  const std::vector<Call>& calls() const { return calls_; }
+  std::vector<Call> calls(Mark mark) const {
+    std::vector<Call> found;
+    std::copy_if(calls_.begin(), calls_.end(), std::back_inserter(found),
+                 [&](const Call& c) { return c.mark == mark; });
+    return found;
+  }
+  std::vector<Call> calls(Mark mark, Kind kind) const {
+    std::vector<Call> found = calls(mark);
+    std::erase_if(found, [&](const Call& c) { return c.kind != kind; });
+    return found;
+  }
+  std::size_t count(Mark mark) const { return calls(mark).size(); }
+  bool wrote(std::string_view text) const {
+    return std::any_of(calls_.begin(), calls_.end(), [&](const Call& c) { return c.text == text; });
+  }
+
+ private:
+  double width_, height_;
+  void record(Call call) {
+    call.clip = clip_;
+    calls_.push_back(std::move(call));
+  }
+
+  std::vector<Pixel> clip_;
+  std::vector<Call> calls_;
+};
+
+}  // namespace hottel
