@@ -114,8 +114,9 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
 double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::string& title, Pixel corner,
                    double bar_width, double unit) {
   const double bar_top = corner.y + 24 * unit, bar_height = 14 * unit;
-  const TextStyle heading{.size = 17 * unit, .colour = palette::kInk};
+  TextStyle heading{.size = 17 * unit, .colour = palette::kInk};
   TextStyle small{.size = 14 * unit, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre};
+  heading.size *= std::min(1.0, 1.6 * bar_width / std::max(1.0, canvas.text_width(title, heading)));
   canvas.text(Mark::kLegend, {corner.x, corner.y + 13 * unit}, title, heading);
 
   constexpr std::uint32_t kShades = 256;

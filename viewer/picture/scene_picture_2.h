@@ -18,24 +18,24 @@ namespace hottel {
 
 // A value for each face that has one.
 struct FaceColouring {
-  std::vector<std::optional<double>> front, back;  // per surface; shorter: the rest has none
-  ColourScale scale;
-  std::string title;  // of the legend, e.g. "fraction of the window seen"
+  std::vector<std::optional<double>> front{}, back{};  // per surface; shorter: the rest has none
+  ColourScale scale{};
+  std::string title{};  // of the legend, e.g. "fraction of the window seen"
 };
 
 // Pixels beneath the drawing, over the floors: rows from the largest y down.
 struct ScenePixels2 {
-  PixelImage image;
+  PixelImage image{};
   std::array<double, 2> min{}, max{};  // the region they cover, in scene coordinates
   bool smooth = true;
 };
 
 struct ScenePicture2 {
-  SheetText sheet;
-  std::vector<std::uint32_t> targets;  // surfaces to highlight, e.g. the windows
-  std::string target_label;            // for the key, e.g. "window"; empty: no key
-  std::optional<FaceColouring> colouring;
-  std::optional<ScenePixels2> pixels;
+  SheetText sheet{};
+  std::vector<std::uint32_t> targets{};  // surfaces to highlight, e.g. the windows
+  std::string target_label{};            // for the key, e.g. "window"; empty: no key
+  std::optional<FaceColouring> colouring{};
+  std::optional<ScenePixels2> pixels{};
 };
 
 // Draws the plan. Without colouring each emitting face has a bright stripe on its side.

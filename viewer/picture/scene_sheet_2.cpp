@@ -29,7 +29,7 @@ SheetMargins margins(const SheetText& text, double unit, double footer) {
   if (!text.title.empty()) top += kTitleHeight * unit;
   if (!text.title.empty() || !text.subtitle.empty()) top += kHeadingGap * unit;
   if (!text.subtitle.empty()) top += kSubtitleHeight * unit;
-  return {side, side, top, side + footer * unit};
+  return {side, side, top, std::max(side, 44 * unit) + footer * unit};
 }
 
 double mean_length(const Corners2& corners) {

@@ -18,8 +18,8 @@ namespace hottel {
 
 struct SheetText {
   std::uint32_t width = 1600;  // of the picture in pixels
-  std::string title;           // large, may be empty
-  std::string subtitle;        // beneath it, may be empty
+  std::string title{};         // large, may be empty
+  std::string subtitle{};      // beneath it, may be empty
 };
 
 inline constexpr std::uint32_t kMinPictureWidth = 200;

@@ -14,10 +14,15 @@ constexpr double kFooter = 44;
 
 struct Rectangle {
   Pixel low, high;
+
+  // Takes away the rounding of an intersection.
+  Pixel nearest(const Pixel& p) const { return {std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)}; }
 };
 
-Rectangle paper(const SceneSheet2& sheet) {
-  return {{0, 0}, {static_cast<double>(sheet.width()), static_cast<double>(sheet.height())}};
+// The picture without a border of that many units, so that lines and circles do not stick out of it.
+Rectangle paper(const SceneSheet2& sheet, double border) {
+  const double gap = border * sheet.unit();
+  return {{gap, gap}, {sheet.width() - gap, sheet.height() - gap}};
 }
 
 // The part of a polygon in the rectangle (Sutherland and Hodgman, one border after the other).
@@ -39,6 +44,7 @@ std::vector<Pixel> clipped(std::vector<Pixel> polygon, const Rectangle& box) {
   cut([&](const Pixel& p) { return box.high.x - p.x; });
   cut([&](const Pixel& p) { return p.y - box.low.y; });
   cut([&](const Pixel& p) { return box.high.y - p.y; });
+  for (Pixel& p : polygon) p = box.nearest(p);
   return polygon;
 }
 
@@ -54,13 +60,13 @@ std::optional<std::pair<Pixel, Pixel>> clipped(const Pixel& a, const Pixel& b, c
   if (!border(a.x - box.low.x, b.x - a.x) || !border(box.high.x - a.x, a.x - b.x) ||
       !border(a.y - box.low.y, b.y - a.y) || !border(box.high.y - a.y, a.y - b.y))
     return std::nullopt;
-  const auto at = [&](double t) { return Pixel{std::lerp(a.x, b.x, t), std::lerp(a.y, b.y, t)}; };
+  const auto at = [&](double t) { return box.nearest({std::lerp(a.x, b.x, t), std::lerp(a.y, b.y, t)}); };
   return std::pair{at(enter), at(leave)};
 }
 
 void draw_line(PictureCanvas& canvas, const SceneSheet2& sheet, const std::array<double, 2>& from,
                const std::array<double, 2>& to) {
-  const auto seen = clipped(sheet.frame().at(from), sheet.frame().at(to), paper(sheet));
+  const auto seen = clipped(sheet.frame().at(from), sheet.frame().at(to), paper(sheet, 1));
   if (seen) canvas.stroke(Mark::kRay, seen->first, seen->second, palette::kRay, 1.4 * sheet.unit());
 }
 
@@ -78,14 +84,15 @@ void VisibilityPainter2::draw(PictureCanvas& canvas) const {
   sheet_.draw_ground(canvas, {});
   std::vector<Pixel> region;
   for (const auto& point : drawing_.polygon) region.push_back(sheet_.frame().at(point));
-  region = clipped(std::move(region), paper(sheet_));
+  region = clipped(std::move(region), paper(sheet_, 0));
   if (region.size() >= 3) canvas.fill(Mark::kLight, region, palette::kLight);
   for (const auto& point : drawing_.rays_to) draw_line(canvas, sheet_, drawing_.eye, point);
   sheet_.draw_walls(canvas);
   const double unit = sheet_.unit();
   for (const auto& point : drawing_.rays_to) {
     const Pixel at = sheet_.frame().at(point);
-    if (clipped(at, at, paper(sheet_))) draw_ring(canvas, Mark::kCritical, at, 3.6 * unit, palette::kPaper, 1.4 * unit);
+    if (clipped(at, at, paper(sheet_, 5)))
+      draw_ring(canvas, Mark::kCritical, at, 3.6 * unit, palette::kPaper, 1.4 * unit);
   }
   const Pixel eye = sheet_.frame().at(drawing_.eye);
   canvas.disc(Mark::kEye, eye, 15 * unit, palette::kEmitter.with_alpha(0.45));

@@ -16,20 +16,20 @@ namespace hottel {
 
 // All points in scene coordinates, finite; they are rounded, being for the eye only.
 struct VisibilityDrawing {
-  SheetText sheet;
+  SheetText sheet{};
   std::array<double, 2> eye{};
-  std::vector<std::array<double, 2>> polygon;  // the visible region, in order; may reach far outside the scene
-  std::vector<std::array<double, 2>> rays_to;  // e.g. the vertices where the view jumps
+  std::vector<std::array<double, 2>> polygon{};  // the visible region, in order; may reach far outside the scene
+  std::vector<std::array<double, 2>> rays_to{};  // e.g. the vertices where the view jumps
 };
 
 // Two edges, their critical points, and lines between them. A: the edge whose critical points are shown.
 struct PairDrawing {
-  SheetText sheet;
+  SheetText sheet{};
   std::uint32_t a = 0, b = 0;  // surfaces; may be the same
   bool a_is_back = false, b_is_back = false;
   std::string a_label = "A", b_label = "B";
-  std::vector<std::array<double, 2>> critical_on_a;
-  std::vector<std::pair<std::array<double, 2>, std::array<double, 2>>> lines;
+  std::vector<std::array<double, 2>> critical_on_a{};
+  std::vector<std::pair<std::array<double, 2>, std::array<double, 2>>> lines{};
 };
 
 // The size of the drawing on a sheet, and the drawing on a canvas of that size.
