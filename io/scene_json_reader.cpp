@@ -87,6 +87,7 @@ class SceneReader {
     if (lights) refuse_lights(lights);
     if (expect) read_list(expect, "expect", "expectation", &SceneReader::read_expectation);
     validate(scene_);
+    refuse_duplicate_groups();
     return std::move(scene_);
   }
 
@@ -135,6 +136,8 @@ class SceneReader {
   void read_list(const JsonValue& list, std::string_view key, const std::string& noun,
                  void (SceneReader::*read_item)(const JsonValue&, const std::string&)) {
     require_kind(list, JsonKind::kArray, {key});
+    scene_.surfaces.reserve(scene_.surfaces.size() + list.size());
+    scene_.groups.reserve(scene_.groups.size() + list.size());
     std::size_t k = 0;
     for (const JsonValue item : list.items()) (this->*read_item)(item, noun + "[" + std::to_string(k++) + "]");
   }
@@ -168,10 +171,6 @@ class SceneReader {
     if (elements) entry.surface.elements = read_count(elements, kMaxElements, {entry.owner, "elements"});
     if (about) read_string(about, {entry.owner, "about"});
 
-    const auto [at, is_new] = group_line_.emplace(entry.name, value.line());
-    if (!is_new)
-      refuse(value,
-             "the name " + quoted_name(entry.name) + " is given twice, first in line " + std::to_string(at->second));
     entry.surface.group = static_cast<std::uint32_t>(scene_.groups.size());
     scene_.groups.push_back(entry.name);
     return entry;
@@ -201,6 +200,7 @@ class SceneReader {
     const Entry entry = read_entry(
         value, default_name, "polyline",
         std::array<std::string_view, 7>{"name", "points", "material", "back", "elements", "about", "closed"});
+    polyline_line_.emplace_back(value.line());
     const bool closed = entry.closed && read_boolean(entry.closed, {entry.owner, "closed"});
     if (entry.points.size() < 2) refuse(entry.points, entry.owner + " has fewer than two points");
     Point2 first, previous;
@@ -230,6 +230,20 @@ class SceneReader {
       ++k;
     }
     if (closed) add(first, true);
+  }
+
+  // Edges differ from each other already; a polyline has to differ from edges and other polylines.
+  void refuse_duplicate_groups() const {
+    const std::size_t edges = scene_.groups.size() - polyline_line_.size();
+    std::unordered_map<std::string_view, int> polylines;
+    for (std::size_t i = 0; i < polyline_line_.size(); ++i)
+      polylines.emplace(scene_.groups[edges + i], polyline_line_[i]);
+    if (polylines.empty()) return;
+    for (std::size_t i = 0; i < edges; ++i)
+      if (const auto found = polylines.find(scene_.groups[i]); found != polylines.end())
+        throw InputError({scene_.file, found->second}, "polyline " + quoted_name(found->first) +
+                                                           " has the name of an edge, the one in line " +
+                                                           std::to_string(scene_.surfaces[i].line));
   }
 
   Point2 read_point(const JsonValue& value, const Subject& subject) const {
@@ -328,7 +342,7 @@ class SceneReader {
   JsonDocument document_;
   Scene2 scene_;
   std::unordered_map<std::string_view, std::uint32_t> material_index_;
-  std::unordered_map<std::string, int> group_line_;
+  std::vector<int> polyline_line_;
 };
 
 }  // namespace

@@ -283,11 +283,13 @@ TEST(SceneJson, RefusesNamesThatAreTakenOrMeanSomethingElse) {
   EXPECT_THAT(refusal(with_polylines(edge("sky"))), StartsWith("scene.json:4: polyline[0]: the name 'sky'"));
 
   EXPECT_EQ(refusal(with_edges(edge("a") + ",\n" + edge("a"))),
-            "scene.json:5: the name 'a' is given twice, first in line 4");
+            "scene.json:5: two surfaces have the name 'a', the other one in line 4");
   EXPECT_EQ(refusal(with_edges(edge("edge[1]") + ",\n{\"points\": [[0,0],[1,1]], \"material\": \"m\"}")),
-            "scene.json:5: the name 'edge[1]' is given twice, first in line 4");
+            "scene.json:5: two surfaces have the name 'edge[1]', the other one in line 4");
   EXPECT_EQ(refusal(with_polylines(edge("a") + ",\n" + edge("a"))),
-            "scene.json:5: the name 'a' is given twice, first in line 4");
+            "scene.json:5: two surfaces have the name 'a[0]', the other one in line 4");
+  EXPECT_EQ(refusal(scene_with("\"edges\": [" + edge("a") + "],\n\"polylines\": [\n" + edge("a") + "]")),
+            "scene.json:5: polyline 'a' has the name of an edge, the one in line 3");
   EXPECT_EQ(refusal(scene_with("\"edges\": [" + edge("room[0]") + "],\n\"polylines\": [\n" + edge("room") + "]")),
             "scene.json:5: two surfaces have the name 'room[0]', the other one in line 3");
 }
