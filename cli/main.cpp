@@ -1,2 +1,8 @@
 // The program `hottel`.
-int main() { return 2; }
+#include "cli/command.h"
+
+int main(int argc, char** argv) {
+  hottel::Commands commands;
+  hottel::add_convert(commands);
+  return commands.run(argc, argv);
+}

@@ -1,0 +1,117 @@
+#include "cli/command.h"
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <new>
+#include <optional>
+
+#include "cli/signals.h"
+#include "kernel/failure.h"
+#include "kernel/interrupt.h"
+#include "kernel/version.h"
+
+namespace hottel {
+namespace {
+
+constexpr int kMostThreads = 4096;
+
+std::string after_colon(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return "hottel: " + text;
+}
+
+// The exit code and the message of the exception that is being handled.
+ExitCode report_failure() noexcept {
+  if (interrupted()) return ExitCode::kInterrupted;  // whatever the interruption made fail
+  try {
+    throw;
+  } catch (const InputError& error) {
+    print_error(error.what(), error.hints());
+    return ExitCode::kFile;
+  } catch (const OutputError& error) {
+    print_error(error.what());
+    return ExitCode::kFile;
+  } catch (const std::filesystem::filesystem_error& error) {
+    print_error(error.path1().string() + ": " + error.code().message());
+    return ExitCode::kFile;
+  } catch (const UsageError& error) {
+    print_error(after_colon(error.what()));
+    return ExitCode::kUsage;
+  } catch (const RequestError& error) {
+    print_error(error.what());
+    return ExitCode::kUnmet;
+  } catch (const ReaderGone&) {
+    return ExitCode::kDone;
+  } catch (const std::bad_alloc&) {
+    print_error("hottel: out of memory");
+    return ExitCode::kUnmet;
+  } catch (const std::exception& error) {
+    print_error(std::string("hottel: internal error: ") + error.what());
+    return ExitCode::kUnmet;
+  } catch (...) {
+    print_error("hottel: internal error: unknown");
+    return ExitCode::kUnmet;
+  }
+}
+
+}  // namespace
+
+Commands::Commands() : program_("hottel: the exact reference for diffuse light", "hottel") {
+  program_.require_subcommand(1);
+  program_.set_version_flag("--version", std::string("hottel ") + kVersion, "Print the version and exit");
+  program_.set_help_flag("-h,--help", "Print this text and exit");
+  program_.footer("`hottel COMMAND --help` shows the options of a command, with examples.");
+  program_.get_formatter()->column_width(34);
+  add_common_options(program_);
+}
+
+void Commands::add_common_options(CLI::App& app) {
+  app.add_flag("--quiet", is_quiet_, "No remarks and no progress bar on stderr, only errors");
+  app.add_option("--threads", threads_, "Number of threads; results do not depend on it")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
+CLI::App& Commands::add(const std::string& name, const std::string& summary, const std::vector<std::string>& examples,
+                        std::function<ExitCode(Streams&)> run) {
+  CLI::App* command = program_.add_subcommand(name, summary);
+  std::string footer = "Examples:";
+  for (const std::string& example : examples) footer += "\n  " + example;
+  command->footer(footer);
+  command->callback([this, run = std::move(run)] { chosen_ = run; });
+  add_common_options(*command);
+  return *command;
+}
+
+ExitCode Commands::parse_and_run(int argc, const char* const* argv) {
+  try {
+    program_.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help, --version
+    std::ostringstream text, unused;
+    program_.exit(success, text, unused);
+    Streams(true).write("-", text.str());
+    return ExitCode::kDone;
+  } catch (const CLI::ParseError& error) {
+    const auto chosen = program_.get_subcommands();
+    const std::string command = chosen.empty() ? "hottel" : "hottel " + chosen.front()->get_name();
+    print_error(after_colon(error.what()), {"`" + command + " --help` shows what there is"});
+    return ExitCode::kUsage;
+  }
+  std::optional<tbb::global_control> limit;
+  if (threads_ > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_));
+  Streams streams(is_quiet_);
+  return chosen_(streams);
+}
+
+int Commands::run(int argc, const char* const* argv) noexcept {
+  try {
+    install_signal_handlers();
+    return static_cast<int>(parse_and_run(argc, argv));
+  } catch (...) {
+    return static_cast<int>(report_failure());
+  }
+}
+
+}  // namespace hottel

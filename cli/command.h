@@ -1,0 +1,66 @@
+// How a command joins the program `hottel`.
+//
+// A command NAME is one file cli/NAME.cpp with one function, add_NAME, declared here and called in main.cpp; nothing
+// else in the program knows the command or its options:
+//
+//   struct ConvertOptions { std::string in, out; };
+//
+//   void add_convert(Commands& commands) {
+//     const auto options = std::make_shared<ConvertOptions>();
+//     CLI::App& command = commands.add("convert", "Rewrite a scene", {"hottel convert plan.svg plan.json"},
+//                                      [options](Streams& streams) { return convert(*options, streams); });
+//     command.add_option("IN", options->in, "...")->required();
+//   }
+//
+// What run() throws becomes one line (and hints) on stderr and the exit code:
+//   0    it returns ExitCode::kDone, or standard output was closed by its reader
+//   1    RequestError, std::bad_alloc, anything unforeseen
+//   2    UsageError (CLI11 throws its own for unknown commands and options, before run)
+//   3    InputError, OutputError, std::filesystem::filesystem_error
+//   130  Interrupted. Work that polls kernel/interrupt.h stops by itself; other work is ended after a second, or at
+//        the second Ctrl-C, without a trace: temporary files of OutputFile are removed in the signal handler.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/streams.h"
+
+namespace hottel {
+
+enum class ExitCode : int { kDone = 0, kUnmet = 1, kUsage = 2, kFile = 3, kInterrupted = 130 };
+
+// The commands of the program. Each has --help, --quiet and --threads without doing anything for it.
+class Commands {
+ public:
+  // The program's name and arguments, until run() is called.
+  Commands();
+
+  // Adds a command. `examples` are whole command lines that work when pasted in the root of the repository (a test
+  // runs them); they end the command's --help.
+  CLI::App& add(const std::string& name, const std::string& summary, const std::vector<std::string>& examples,
+                std::function<ExitCode(Streams&)> run);
+
+  // Parses the command line, runs the command and returns the exit code of the program. Does not throw.
+  int run(int argc, const char* const* argv) noexcept;
+
+ private:
+  ExitCode parse_and_run(int argc, const char* const* argv);
+  void add_common_options(CLI::App& app);
+
+  CLI::App program_;
+  std::function<ExitCode(Streams&)> chosen_;
+  bool is_quiet_ = false;
+  int threads_ = 0;  // 0: as many as there are cores
+};
+
+void add_factors(Commands& commands);
+void add_visibility(Commands& commands);
+void add_generate(Commands& commands);
+void add_convert(Commands& commands);
+
+}  // namespace hottel

@@ -1,0 +1,79 @@
+// hottel generate: scenes made to order.
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "cli/command.h"
+#include "geometry/scene/generators_2.h"
+#include "io/scene_json.h"
+#include "kernel/failure.h"
+
+namespace hottel {
+namespace {
+
+struct GenerateOptions {
+  GeneratorRequest request;
+  std::optional<std::string> view, length;
+  std::string out;
+};
+
+std::string description() {
+  std::string text = "Make a scene: seeded, the same on every machine.\n\nKinds, and how many edges come out:";
+  for (const GeneratorKind& kind : generator_kinds())
+    text += fmt::format("\n  {:<9}{}\n           ({})", kind.name, kind.description, kind.count);
+  return text;
+}
+
+GeneratorRequest request_of(const GenerateOptions& options) {
+  GeneratorRequest request = options.request;
+  if (request.kind != "clutter" && (options.view || options.length))
+    throw UsageError("--view and --length are options of clutter only");
+  if (request.kind != "lattice" && request.k != 0) throw UsageError("--k is an option of lattice only");
+  if (options.view) request.length = *options.view == "short" ? kShortView : kLongView;
+  if (options.length) {
+    const auto length = parse_rational(*options.length);
+    if (!length) throw UsageError("--length must be a number such as 0.5 or 1/2, not '" + *options.length + "'");
+    request.length = *length;
+  }
+  return request;
+}
+
+ExitCode generate(const GenerateOptions& options, Streams& streams) {
+  const Scene2 scene = generate_2(request_of(options));
+  streams.write(options.out, write_scene_2(scene));
+  streams.note(fmt::format("{} edges", scene.surfaces.size()));
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_generate(Commands& commands) {
+  const auto options = std::make_shared<GenerateOptions>();
+  CLI::App& command = commands.add("generate", "Make a scene of a given kind and size",
+                                   {"hottel generate room --n 300 --seed 1 -o /tmp/room.json",
+                                    "hottel generate clutter --n 1000 --view long --digits 17 -o /tmp/clutter.json",
+                                    "hottel generate lattice --n 60 --k 5 --seed 7"},
+                                   [options](Streams& streams) { return generate(*options, streams); });
+  command.description(description());
+  GeneratorRequest& request = options->request;
+  command.add_option("KIND", request.kind, "one of the kinds above")->required();
+  command.add_option("--n", request.n, "number of edges; see the kinds")->type_name("N")->capture_default_str();
+  command.add_option("--seed", request.seed, "other seeds give other scenes")->type_name("S")->capture_default_str();
+  command
+      .add_option("--digits", request.digits,
+                  fmt::format("significant digits of every coordinate, at most {}; without it as few as needed",
+                              kMaxGeneratedDigits))
+      ->type_name("D");
+  CLI::Option* view = command.add_option("--view", options->view,
+                                         "clutter: short (segments as long as they are apart) or long (a fifth of it)");
+  view->type_name("VIEW")->check(CLI::IsMember({"short", "long"}));
+  command.add_option("--length", options->length, "clutter: length of the segments in mean distances, 1/50 to 4")
+      ->type_name("L")
+      ->excludes(view);
+  command.add_option("--k", request.k, "lattice: points from 0 to K; without it the root of N, at least 4")
+      ->type_name("K");
+  command.add_option("-o", options->out, "the scene file to write; without it, or with -, standard output")
+      ->type_name("FILE");
+}
+
+}  // namespace hottel

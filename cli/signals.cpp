@@ -1,0 +1,45 @@
+#include "cli/signals.h"
+
+#include <unistd.h>
+
+#include <csignal>
+
+#include "io/output_file.h"
+#include "kernel/interrupt.h"
+
+namespace hottel {
+namespace {
+
+[[noreturn]] void end_now(int signal) {
+  remove_temporary_files();
+  ::_exit(128 + signal);
+}
+
+}  // namespace
+
+extern "C" {
+
+static void hottel_end_now(int signal) { end_now(signal == SIGALRM ? SIGINT : signal); }
+
+static void hottel_on_interrupt(int) {
+  if (interrupted()) end_now(SIGINT);
+  request_interrupt();
+  ::alarm(1);
+}
+}
+
+void install_signal_handlers() {
+  struct sigaction action {};
+  sigfillset(&action.sa_mask);
+  action.sa_handler = hottel_on_interrupt;
+  sigaction(SIGINT, &action, nullptr);
+  action.sa_handler = hottel_end_now;
+  for (const int signal : {SIGALRM, SIGTERM}) sigaction(signal, &action, nullptr);
+  struct sigaction before {};
+  sigaction(SIGHUP, &action, &before);
+  if (before.sa_handler == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // started by nohup
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+}  // namespace hottel

@@ -1,0 +1,65 @@
+#include "cli/streams.h"
+
+#include <cstdio>
+#include <memory>
+
+#include "geometry/scene/name.h"
+#include "kernel/interrupt.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::size_t kMostHints = 3;
+
+void print(const std::string& text) noexcept { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+}  // namespace
+
+Streams::Streams(bool is_quiet) : is_quiet_(is_quiet) {}
+
+void Streams::write(const std::string& option, std::string_view text) const {
+  OutputFile file = output(option);
+  file.write(text);
+  file.commit();
+}
+
+void Streams::note(std::string_view text) const {
+  if (is_quiet_ || text.empty()) return;
+  print(std::string(text) + (text.back() == '\n' ? "" : "\n"));
+}
+
+std::function<void(double)> Streams::progress(const std::string& what) const {
+  const auto bar = std::make_shared<Progress>(what, !is_quiet_ && Progress::is_terminal());
+  return [bar](double fraction) {
+    throw_if_interrupted();
+    bar->update(fraction);
+  };
+}
+
+std::string one_line(std::string_view text) {
+  if (!has_control_character(text)) return std::string(text);
+  const bool is_text = is_utf8(text);
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte != 0x7F && (is_text || byte < 0x80)) {
+      result += c;
+    } else {
+      constexpr char kDigits[] = "0123456789ABCDEF";
+      result += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
+    }
+  }
+  return result;
+}
+
+void print_error(const std::string& line, const std::vector<std::string>& hints) noexcept {
+  try {
+    std::string text = one_line(line) + "\n";
+    for (std::size_t i = 0; i < hints.size() && i < kMostHints; ++i) text += "  " + one_line(hints[i]) + "\n";
+    print(text);
+  } catch (...) {
+    print("hottel: out of memory\n");
+  }
+}
+
+}  // namespace hottel
