@@ -42,7 +42,7 @@ inline constexpr int kMaxGeneratedDigits = 18;
 //   (1) the same request gives the same scene, on every platform: integers and std::mt19937_64 decide, no floating
 //       point and no library distribution
 //   (2) edges of every kind but "lattice" touch in shared end points only; decided exactly
-//   (3) closed() kinds (all but "plates") are closed: no front with a material sees the sky
+//   (3) every kind but "plates" is closed: no front with a material sees the sky
 //   (4) "lattice" is full of crossings, T-junctions, collinear neighbours and overlaps; one material, so that no two
 //       claims on an overlapped piece differ
 //   (5) with digits = D every coordinate has D significant digits (lattice: at most D), and (2) to (4) still hold: the
