@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/viewer/drawn_scenes.h"
 #include "kernel/failure.h"
+#include "tests/viewer/drawn_scenes.h"
 #include "viewer/picture/palette.h"
 
 namespace hottel {

@@ -32,13 +32,21 @@ SheetMargins margins(const SheetText& text, double unit, double footer) {
   return {side, side, top, std::max(side, 44 * unit) + footer * unit};
 }
 
-double mean_length(const Corners2& corners) {
+// The length of the edge in the middle when all edges lie end to end, by length: neither a few long walls nor the many
+// sides of round pillars decide.
+double typical_length(const Corners2& corners) {
+  std::vector<double> lengths;
   double sum = 0;
   for (std::size_t s = 0; s < corners.surfaces(); ++s) {
     const Pixel a = corners.at[corners.from[s]], b = corners.at[corners.to[s]];
-    sum += std::hypot(b.x - a.x, b.y - a.y);
+    lengths.push_back(std::hypot(b.x - a.x, b.y - a.y));
+    sum += lengths.back();
   }
-  return corners.surfaces() == 0 ? 0 : sum / static_cast<double>(corners.surfaces());
+  std::sort(lengths.begin(), lengths.end());
+  double behind = 0;
+  for (const double length : lengths)
+    if ((behind += length) >= sum / 2) return length;
+  return 0;
 }
 
 // The largest of 1, 2, 5 times a power of ten that is not above the limit.
@@ -59,9 +67,9 @@ SceneSheet2::SceneSheet2(const Scene2& scene, const SheetText& text, double foot
       frame_(scene, extra_points, text.width, margins(text, unit_, footer)),
       corners_(scene, frame_),
       outlines_(scene, corners_) {
-  const double length = mean_length(corners_);
-  wall_width_ = std::clamp(0.06 * length, 0.6 * unit_, 3.2 * unit_);
-  stripe_depth_ = std::clamp(0.16 * length, 2.0 * unit_, 10 * unit_);
+  const double length = typical_length(corners_);
+  wall_width_ = std::clamp(0.03 * length, 0.6 * unit_, 3.0 * unit_);
+  stripe_depth_ = std::clamp(0.07 * length, 2.0 * unit_, 7.5 * unit_);
 }
 
 double SceneSheet2::footer_top() const { return frame_.bottom_right().y + 34 * unit_; }
