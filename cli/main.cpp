@@ -3,6 +3,8 @@
 
 int main(int argc, char** argv) {
   hottel::Commands commands;
+  hottel::add_factors(commands);
+  hottel::add_generate(commands);
   hottel::add_convert(commands);
   return commands.run(argc, argv);
 }

@@ -202,11 +202,11 @@ FixedLength Vertices2::small_distance(VertexId i, VertexId j) const {
   const double inverse = 0.5 / static_cast<double>(root);
   const double distance_to_root = static_cast<double>(remainder) * inverse;
   const auto correction = static_cast<std::int64_t>(distance_to_root + (distance_to_root < 0 ? -0.5 : 0.5));
-  remainder -= static_cast<Int128>(2 * root + correction) * correction;
+  remainder -= (2 * static_cast<Int128>(root) + correction) * correction;
   root += correction;
   // value = root + remainder / (2 root), in units of 2^-62
   const auto coarse = static_cast<std::int64_t>(static_cast<double>(static_cast<std::int64_t>(remainder)) * inverse * 0x1p40);
-  const Int128 left = (remainder << 40) - static_cast<Int128>(2 * root) * coarse;
+  const Int128 left = (remainder << 40) - 2 * static_cast<Int128>(root) * coarse;
   const auto fine = static_cast<std::int64_t>(static_cast<double>(left) * inverse * 0x1p22);
   const Int128 value = (static_cast<Int128>(root) << 62) + (static_cast<Int128>(coarse) << 22) + fine;
   const int drop = half_shift + 62 - fixed_bits_;

@@ -138,16 +138,18 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
   for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face, next += 3) face->info() = next;
   corner_.resize(static_cast<std::size_t>(next));
   twin_.assign(corner_.size(), -1);
+  across_.assign(corner_.size(), -1);
   side_.assign(corner_.size(), kSky);
   for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face)
     for (int i = 0; i < 3; ++i) {
       const auto h = static_cast<std::size_t>(face->info() + i);
       corner_[h] = face->vertex(i)->point().id;
       const auto neighbour = face->neighbor(i);
+      if (!cdt.is_infinite(neighbour)) across_[h] = neighbour->info() + neighbour->index(face);
       if (face->is_constrained(i))
         side_[h] = piece_between.left_side(face->vertex(Cdt::ccw(i))->point().id, face->vertex(Cdt::cw(i))->point().id);
-      else if (!cdt.is_infinite(neighbour))
-        twin_[h] = neighbour->info() + neighbour->index(face);
+      else
+        twin_[h] = across_[h];
     }
 
   star_.reserve(6 * count);

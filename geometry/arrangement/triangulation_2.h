@@ -28,6 +28,7 @@ struct StarEntry {
 //   (1) every piece is an edge of the triangulation; triangles are counter-clockwise and fill the convex hull
 //   (2) twin(h) >= 0: nothing stands on the edge; twin(h) == -1: side(h) is the side of the piece that stands on it, as
 //       seen from inside the triangle, or kSky on an edge of the convex hull that is no piece
+//       across(h) is the half-edge on the other side whatever stands there
 //   (3) star(v) is in counter-clockwise order and holds every edge at v; a scene on one line has stars, no triangles
 class Triangulation2 {
  public:
@@ -37,6 +38,7 @@ class Triangulation2 {
   std::size_t triangle_count() const { return corner_.size() / 3; }
   VertexId corner(HalfEdgeId h) const { return corner_[static_cast<std::size_t>(h)]; }  // opposite half-edge h
   HalfEdgeId twin(HalfEdgeId h) const { return twin_[static_cast<std::size_t>(h)]; }    // -1 on a piece or the hull
+  HalfEdgeId across(HalfEdgeId h) const { return across_[static_cast<std::size_t>(h)]; }  // -1 on the hull only
   PieceSideId side(HalfEdgeId h) const { return side_[static_cast<std::size_t>(h)]; }   // where twin is -1
   std::span<const StarEntry> star(VertexId v) const {
     return {star_.data() + star_begin_[v], star_.data() + star_begin_[v + 1]};
@@ -45,6 +47,7 @@ class Triangulation2 {
  private:
   std::vector<VertexId> corner_;
   std::vector<HalfEdgeId> twin_;
+  std::vector<HalfEdgeId> across_;
   std::vector<PieceSideId> side_;
   std::vector<std::uint32_t> star_begin_;
   std::vector<StarEntry> star_;

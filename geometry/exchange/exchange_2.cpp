@@ -35,20 +35,51 @@ double visibility_of(const Rounded& quotient) {
   return quotient.value == 1.0 && quotient.side < 0 ? std::nextafter(1.0, 0.0) : quotient.value;
 }
 
+// S0(i, j) of two labels (neither the sky) in scene units: everything but the two taken away.
+RootSum unobstructed_exchange(const PreparedScene2& prepared, const Labels2& labels, Per per, std::uint32_t i,
+                              std::uint32_t j) {
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  RootSum sum;
+  if (per != Per::kGroup) {
+    for (const Segment2& f : labels.runs(i))
+      for (const Segment2& g : labels.runs(j)) sum += unobstructed_exact(vertices, f, g);
+    sum *= vertices.scale() / 2;
+    return sum;
+  }
+  // Two groups alone: a scene of its own.
+  const std::uint32_t group[2] = {prepared.scene.surfaces[labels.elements()[i].surface].group,
+                                  prepared.scene.surfaces[labels.elements()[j].surface].group};
+  Scene2 alone = prepared.scene;
+  std::erase_if(alone.surfaces, [&](const Surface2& s) { return s.group != group[0] && s.group != group[1]; });
+  const PreparedScene2 two = prepare(std::move(alone));
+  const Labels2 two_labels(two.scene, two.arrangement, two.division, per);
+  LabelPair pair{0, 0};
+  for (std::uint32_t label = 0; label < two_labels.count(); ++label) {
+    if (two_labels.elements()[label].name == labels.elements()[i].name) pair.first = label;
+    if (two_labels.elements()[label].name == labels.elements()[j].name) pair.second = label;
+  }
+  return exact_exchange_measures(two, per, {pair}).front();
+}
+
 // What is printed of one pair, and what the fixed-point sums could not settle.
 struct RoundedPair {
   Rounded forth, back;
   double visibility = kNotAsked;
-  bool is_forth_open = false, is_back_open = false, is_visibility_open = false, is_zero = false;
+  double measure = kNotAsked;
+  bool is_forth_open = false, is_back_open = false, is_visibility_open = false, is_measure_open = false,
+       is_zero = false;
 
-  bool is_open() const { return is_forth_open || is_back_open || is_visibility_open; }
+  bool is_open() const { return is_forth_open || is_back_open || is_visibility_open || is_measure_open; }
 };
 
 // Rounds pair sums, by fixed point where that settles it.
 class Rounding {
  public:
   Rounding(const PreparedScene2& prepared, const Labels2& labels, const ExchangeOptions2& options)
-      : prepared_(prepared), labels_(labels), options_(options) {}
+      : prepared_(prepared),
+        labels_(labels),
+        options_(options),
+        half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {}
 
   RoundedPair quick(const PairSum& pair, TierCounts& tiers) const {
     const Vertices2& vertices = prepared_.arrangement.vertices();
@@ -65,6 +96,11 @@ class Rounding {
     };
     if (labels_.has_row(pair.i)) settle(twice(labels_.length(pair.i)), result.forth, result.is_forth_open);
     if (labels_.has_row(pair.j)) settle(twice(labels_.length(pair.j)), result.back, result.is_back_open);
+    if (options_.wants_measures) {
+      const auto rounded = may_be_zero ? std::nullopt : round_scaled(sum, half_unit_);
+      result.is_measure_open = !rounded;
+      if (rounded) result.measure = rounded->number.value;
+    }
     if (!options_.wants_visibility || pair.j == labels_.sky()) return result;
     if (options_.per == Per::kGroup) {
       result.is_visibility_open = true;
@@ -98,6 +134,8 @@ class Rounding {
     };
     if (result.is_forth_open) result.forth = settle(pair.i);
     if (result.is_back_open) result.back = settle(pair.j);
+    if (result.is_measure_open)
+      result.measure = round_quotient(sum * (vertices.scale() / 2), RootSum(Rational(1))).number.value;
     if (!result.is_visibility_open) return;
     const RootSum free =
         unobstructed_exchange(prepared_, labels_, options_.per, pair.i, pair.j) * (Rational(2) / vertices.scale());
@@ -129,6 +167,7 @@ class Rounding {
   const PreparedScene2& prepared_;
   const Labels2& labels_;
   const ExchangeOptions2& options_;
+  const FixedScale half_unit_;  // 2 S in fixed point to S in scene units
 };
 
 // A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it.
@@ -151,26 +190,29 @@ void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels
   }
 }
 
-ExchangeMatrix to_matrix(std::vector<Element> elements, const Labels2& labels, const std::vector<PairSum>& pairs,
-                         const std::vector<RoundedPair>& rounded) {
-  ExchangeMatrix matrix(std::move(elements), Guarantee::kExact);
+ExchangeMatrix to_matrix(const Labels2& labels, const std::vector<PairSum>& pairs,
+                         const std::vector<RoundedPair>& rounded, bool with_measures) {
+  ExchangeMatrix matrix(labels.elements(), Guarantee::kExact);
   std::vector<std::size_t> begin(labels.count() + 1, 0);
   const auto each_entry = [&](const auto& visit) {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       if (rounded[k].is_zero) continue;
       const auto [i, j] = std::pair(pairs[k].i, pairs[k].j);
-      if (labels.has_row(i)) visit(i, j, rounded[k].forth, rounded[k].visibility);
-      if (j != i && labels.has_row(j)) visit(j, i, rounded[k].back, rounded[k].visibility);
+      if (labels.has_row(i)) visit(i, j, rounded[k].forth, rounded[k]);
+      if (j != i && labels.has_row(j)) visit(j, i, rounded[k].back, rounded[k]);
     }
   };
-  each_entry([&](std::uint32_t from, std::uint32_t, const Rounded&, double) { ++begin[from + 1]; });
+  each_entry([&](std::uint32_t from, std::uint32_t, const Rounded&, const RoundedPair&) { ++begin[from + 1]; });
   for (std::uint32_t i = 0; i < labels.count(); ++i) begin[i + 1] += begin[i];
   std::vector<FactorEntry> entries(begin.back());
+  std::vector<double> measures(with_measures ? begin.back() : 0);
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  each_entry([&](std::uint32_t from, std::uint32_t to, const Rounded& factor, double visibility) {
-    entries[next[from]++] = {to, factor, to == labels.sky() ? factor.value : visibility};
+  each_entry([&](std::uint32_t from, std::uint32_t to, const Rounded& factor, const RoundedPair& pair) {
+    const std::size_t place = next[from]++;
+    entries[place] = {to, factor, to == labels.sky() ? factor.value : pair.visibility};
+    if (with_measures) measures[place] = pair.measure;
   });
-  matrix.assign(std::move(begin), std::move(entries));
+  matrix.assign(std::move(begin), std::move(entries), std::move(measures));
   return matrix;
 }
 
@@ -191,7 +233,7 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   ExchangeReport ignored;
   ExchangeReport& r = report != nullptr ? *report : ignored;
   const Arrangement2& arrangement = prepared.arrangement;
-  Labels2 labels(prepared.scene, arrangement, prepared.division, options.per);
+  const Labels2 labels(prepared.scene, arrangement, prepared.division, options.per);
   r.seconds["prepare"] = prepared.seconds;
   r.seconds["label"] = watch.lap();
 
@@ -232,8 +274,7 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   r.pairs = static_cast<std::uint64_t>(std::count_if(rounded.begin(), rounded.end(), [](const auto& pair) { return !pair.is_zero; }));
   r.gaps = counts.gaps;
   r.terms = counts.updates;
-  std::vector<Element> elements = labels.elements();
-  ExchangeMatrix matrix = to_matrix(std::move(elements), labels, pairs, rounded);
+  ExchangeMatrix matrix = to_matrix(labels, pairs, rounded, options.wants_measures);
   r.seconds["matrix"] = watch.lap();
   return matrix;
 }
@@ -243,31 +284,6 @@ std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Per
   std::vector<RootSum> sums = exact_sums(prepared.arrangement, labels, pairs);
   for (RootSum& sum : sums) sum *= prepared.arrangement.vertices().scale() / 2;
   return sums;
-}
-
-RootSum unobstructed_exchange(const PreparedScene2& prepared, const Labels2& labels, Per per, std::uint32_t i,
-                              std::uint32_t j) {
-  const Vertices2& vertices = prepared.arrangement.vertices();
-  RootSum sum;
-  if (per != Per::kGroup) {
-    for (const Segment2& f : labels.runs(i))
-      for (const Segment2& g : labels.runs(j)) sum += unobstructed_exact(vertices, f, g);
-    sum *= vertices.scale() / 2;
-    return sum;
-  }
-  // Two groups alone: a scene of its own.
-  const std::uint32_t group[2] = {prepared.scene.surfaces[labels.elements()[i].surface].group,
-                                  prepared.scene.surfaces[labels.elements()[j].surface].group};
-  Scene2 alone = prepared.scene;
-  std::erase_if(alone.surfaces, [&](const Surface2& s) { return s.group != group[0] && s.group != group[1]; });
-  const PreparedScene2 two = prepare(std::move(alone));
-  const Labels2 two_labels(two.scene, two.arrangement, two.division, per);
-  LabelPair pair{0, 0};
-  for (std::uint32_t label = 0; label < two_labels.count(); ++label) {
-    if (two_labels.elements()[label].name == labels.elements()[i].name) pair.first = label;
-    if (two_labels.elements()[label].name == labels.elements()[j].name) pair.second = label;
-  }
-  return exact_exchange_measures(two, per, {pair}).front();
 }
 
 ExactPair2 exact_pair(const PreparedScene2& prepared, Per per, std::uint32_t from, std::uint32_t to) {
@@ -281,6 +297,39 @@ ExactPair2 exact_pair(const PreparedScene2& prepared, Per per, std::uint32_t fro
   } else {
     result.area_to = labels.exact_length(to, vertices) * vertices.scale();
     result.unobstructed = unobstructed_exchange(prepared, labels, per, from, to);
+  }
+  return result;
+}
+
+std::vector<RootSum> exact_areas(const PreparedScene2& prepared, Per per) {
+  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  std::vector<RootSum> areas;
+  for (std::uint32_t label = 0; label < labels.count(); ++label)
+    areas.push_back(labels.exact_length(label, vertices) * vertices.scale());
+  return areas;
+}
+
+std::vector<LabelPair> hidden_pairs(const PreparedScene2& prepared, Per per, const ExchangeMatrix& matrix) {
+  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  const auto would_exchange = [&](std::uint32_t i, std::uint32_t j) {
+    if (per == Per::kGroup) return !unobstructed_exchange(prepared, labels, per, i, j).is_zero();
+    for (const Segment2& f : labels.runs(i))
+      for (const Segment2& g : labels.runs(j))
+        if (face_each_other(vertices, f, g)) return true;
+    return false;
+  };
+  std::vector<LabelPair> result;
+  for (std::uint32_t i = 0; i < labels.count(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const auto row = matrix.row(i);
+    auto entry = row.begin();
+    for (std::uint32_t j = 0; j < labels.count(); ++j) {
+      while (entry != row.end() && entry->to < j) ++entry;
+      if (entry != row.end() && entry->to == j) continue;
+      if (would_exchange(i, j)) result.emplace_back(i, j);
+    }
   }
   return result;
 }

@@ -31,6 +31,7 @@ PreparedScene2 prepare(Scene2 scene, Divided divided = Divided::kNo);
 struct ExchangeOptions2 {
   Per per = Per::kFace;
   bool wants_visibility = true;                // else FactorEntry::visibility is NaN
+  bool wants_measures = false;   // ExchangeMatrix::measures()
   std::function<void(double)> progress = {};  // fraction done; may throw to stop
 };
 
@@ -62,8 +63,11 @@ ExactPair2 exact_pair(const PreparedScene2& prepared, Per per, std::uint32_t fro
 // Closed forms of many exchange measures S(i, j) at once, in scene units.
 std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Per per, const std::vector<LabelPair>& pairs);
 
-// S0(i, j) of two labels (neither the sky) in scene units: everything but the two taken away.
-RootSum unobstructed_exchange(const PreparedScene2& prepared, const Labels2& labels, Per per, std::uint32_t i,
-                              std::uint32_t j);
+// Areas of all labels in closed form, in scene units.
+std::vector<RootSum> exact_areas(const PreparedScene2& prepared, Per per);
+
+// Returns the pairs (from, to) that have a row and no entry in the matrix, but would exchange light if everything else
+// were taken away (S = 0 < S0), sorted. COST: every pair is looked at.
+std::vector<LabelPair> hidden_pairs(const PreparedScene2& prepared, Per per, const ExchangeMatrix& matrix);
 
 }  // namespace hottel

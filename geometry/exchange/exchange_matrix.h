@@ -52,21 +52,28 @@ class ExchangeMatrix {
   }
   std::size_t entry_count() const { return entries_.size(); }
 
+  // S(from, to), correctly rounded, for each entry of the row; empty unless it was asked for.
+  std::span<const double> measures(std::uint32_t i) const {
+    return measures_.empty() ? std::span<const double>() : std::span(measures_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
+  }
+
   // Returns F(from, to); 0 where there is no entry.
   Rounded factor(std::uint32_t from, std::uint32_t to) const;
   // Returns the index of the element of that name; sky() for "sky"; nothing when there is none.
   std::optional<std::uint32_t> find(const std::string& name) const;
 
   // For those who fill the matrix: entries by rows, row i in [begin[i], begin[i + 1]).
-  void assign(std::vector<std::size_t> begin, std::vector<FactorEntry> entries) {
+  void assign(std::vector<std::size_t> begin, std::vector<FactorEntry> entries, std::vector<double> measures = {}) {
     begin_ = std::move(begin);
     entries_ = std::move(entries);
+    measures_ = std::move(measures);
   }
 
  private:
   std::vector<Element> elements_;
   std::vector<std::size_t> begin_;
   std::vector<FactorEntry> entries_;
+  std::vector<double> measures_;
   Guarantee guarantee_ = Guarantee::kEstimated;
 };
 

@@ -24,7 +24,6 @@ class Labels2 {
   std::uint32_t count() const { return static_cast<std::uint32_t>(elements_.size()); }
   std::uint32_t sky() const { return count(); }
   const std::vector<Element>& elements() const { return elements_; }
-  std::vector<Element> take_elements() { return std::move(elements_); }
 
   std::uint32_t of(PieceSideId side) const { return of_side_[static_cast<std::size_t>(side + 1)]; }
   bool has_row(std::uint32_t label) const { return has_row_[label] != 0; }

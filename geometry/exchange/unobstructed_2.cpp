@@ -64,6 +64,11 @@ Rational squared_distance(const ExactPoint2& p, const ExactPoint2& q) {
 
 }  // namespace
 
+bool face_each_other(const Vertices2& vertices, const Segment2& f, const Segment2& g) {
+  const Strings strings = strings_between(vertices, f, g);
+  return strings.crosses || strings.count > 0;
+}
+
 std::optional<FixedSum> unobstructed_sum(const Vertices2& vertices, const Segment2& f, const Segment2& g) {
   const Strings strings = strings_between(vertices, f, g);
   if (strings.crosses) return std::nullopt;

@@ -10,6 +10,9 @@
 
 namespace hottel {
 
+// True iff S0 > 0: a part of each lies in front of the other.
+bool face_each_other(const Vertices2& vertices, const Segment2& f, const Segment2& g);
+
 // 2 S0 of the fronts (right sides) of f and g when nothing else stands in the plane, in units of
 // Vertices2::fixed_unit(). Nothing when the two cross each other properly: the crossing is then no end of either, and
 // only the exact form knows it.

@@ -11,7 +11,7 @@ void look_around(const Vertices2& vertices, const Triangulation2& triangulation,
     view.seen.push_back({entry.neighbour, kSky, entry.left, entry.right});
     if (entry.opposite < 0) continue;
     const VertexId next = star[k + 1 == star.size() ? 0 : k + 1].neighbour;
-    expand_cone(triangulation, entry.opposite, entry.neighbour, next, orientation, view);
+    expand_cone_through(triangulation, entry.opposite, entry.neighbour, next, orientation, view);
   }
 }
 

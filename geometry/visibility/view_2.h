@@ -24,13 +24,14 @@ struct View2 {
   std::vector<Seen> seen;
 };
 
-// Expands the cone between right and left, which passes through half-edge h, counter-clockwise; appends the vertices
-// found strictly inside the cone and what is seen between them. The last entry of the view must be the right end.
+// Follows the cone between right and left into the triangle of half-edge `entry`, which it enters through it (-1: the
+// cone ends at the piece side or sky `blocked_by`), counter-clockwise; appends the vertices found strictly inside the
+// cone and what is seen between them. The last entry of the view must be the right end.
 // Orientation(j, k) is the sign of the triangle eye, j, k.
 // COST: one or two orientations for each triangle the cone enters.
 template <class Orientation>
-void expand_cone(const Triangulation2& triangulation, HalfEdgeId h, VertexId right, VertexId left,
-                 const Orientation& orientation, View2& view) {
+void expand_cone(const Triangulation2& triangulation, HalfEdgeId entry, PieceSideId blocked_by, VertexId right,
+                 VertexId left, const Orientation& orientation, View2& view) {
   struct Cone {
     HalfEdgeId half_edge;
     VertexId right, left;
@@ -38,28 +39,37 @@ void expand_cone(const Triangulation2& triangulation, HalfEdgeId h, VertexId rig
   thread_local std::vector<Cone> waiting;
   const std::size_t bottom = waiting.size();
   for (;;) {
-    const HalfEdgeId twin = triangulation.twin(h);
-    if (twin < 0) {
-      view.seen.back().behind = triangulation.side(h);
+    HalfEdgeId exit;
+    if (entry < 0) {
+      view.seen.back().behind = blocked_by;
       if (waiting.size() == bottom) return;
-      h = waiting.back().half_edge;
+      exit = waiting.back().half_edge;
       right = waiting.back().right;
       left = waiting.back().left;
       waiting.pop_back();
       view.seen.push_back({right, kSky, kNoPiece, kNoPiece});
-      continue;
-    }
-    const VertexId apex = triangulation.corner(twin);
-    if (orientation(right, apex) <= 0) {
-      h = previous_half_edge(twin);  // the whole cone passes left of the apex
-    } else if (orientation(apex, left) <= 0) {
-      h = next_half_edge(twin);
     } else {
-      waiting.push_back({previous_half_edge(twin), apex, left});
-      h = next_half_edge(twin);
-      left = apex;
+      const VertexId apex = triangulation.corner(entry);
+      if (orientation(right, apex) <= 0) {
+        exit = previous_half_edge(entry);  // the whole cone passes left of the apex
+      } else if (orientation(apex, left) <= 0) {
+        exit = next_half_edge(entry);
+      } else {
+        waiting.push_back({previous_half_edge(entry), apex, left});
+        exit = next_half_edge(entry);
+        left = apex;
+      }
     }
+    entry = triangulation.twin(exit);
+    if (entry < 0) blocked_by = triangulation.side(exit);
   }
+}
+
+// The same for a cone that leaves the triangle of half-edge `exit` through it.
+template <class Orientation>
+void expand_cone_through(const Triangulation2& triangulation, HalfEdgeId exit, VertexId right, VertexId left,
+                         const Orientation& orientation, View2& view) {
+  expand_cone(triangulation, triangulation.twin(exit), triangulation.side(exit), right, left, orientation, view);
 }
 
 // Fills the view from vertex v. COST: about 20 ns for each triangle seen.

@@ -1,0 +1,213 @@
+// hottel factors: the view factors of a scene.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/scene_input.h"
+#include "geometry/exchange/exchange_2.h"
+#include "io/factor_files.h"
+#include "io/scene_json.h"
+#include "kernel/failure.h"
+#include "viewer/picture/scene_picture_2.h"
+
+namespace hottel {
+namespace {
+
+struct FactorsOptions {
+  std::string scene, out;
+  std::string method = "exact", per = "face", pairs = "visible", matrix;
+  std::optional<std::string> tolerance;
+  ElementOptions elements;
+  std::vector<std::string> exact_form;
+  bool wants_exact_form = false, json = false;
+  std::string picture, toward;
+};
+
+enum class Format { kCsv, kMtx, kNpy, kView3dText, kView3dBinary };
+
+Format format_of(const FactorsOptions& options) {
+  const std::string ending = std::filesystem::path(options.out).extension().string();
+  const bool is_csv_only = !options.matrix.empty() || options.wants_exact_form;
+  if (options.out.empty() || options.out == "-" || ending == ".csv") return Format::kCsv;
+  if (!is_csv_only) {
+    if (ending == ".mtx") return Format::kMtx;
+    if (ending == ".npy") return Format::kNpy;
+    if (ending == ".txt") return Format::kView3dText;
+    if (ending == ".bin") return Format::kView3dBinary;
+  }
+  throw UsageError(fmt::format("factors {} {}, not '{}'", options.matrix.empty() ? "are written" : "as a dense matrix are written",
+                               is_csv_only ? "as .csv" : "as .csv, .mtx, .npy, .txt (View3D) or .bin (View3D)", options.out));
+}
+
+Per per_of(const std::string& name) {
+  return name == "element" ? Per::kElement : name == "group" ? Per::kGroup : Per::kFace;
+}
+
+nlohmann::ordered_json report_json(const FactorsOptions& options, const ExchangeReport& report) {
+  nlohmann::ordered_json json;
+  json["hottel"] = 1;
+  json["scene"] = options.scene;
+  json["method"] = options.method;
+  json["counts"] = {{"vertices", report.vertices}, {"pieces", report.pieces}, {"elements", report.elements},
+                    {"pairs", report.pairs},       {"gaps", report.gaps},     {"terms", report.terms}};
+  json["tiers"] = {{"double", report.tiers.by_tier[0]},
+                   {"double_double", report.tiers.by_tier[1]},
+                   {"ball", report.tiers.by_tier[2]},
+                   {"root_sum", report.tiers.by_tier[3]}};
+  json["seconds"] = report.seconds;
+  json["closure"] = {{"max_defect", 0}, {"exact", report.closure_is_exact}};
+  return json;
+}
+
+std::string report_text(const ExchangeReport& report) {
+  double seconds = 0;
+  for (const auto& [stage, time] : report.seconds) seconds += time;
+  return fmt::format(
+      "{} visible pairs of {} faces, every factor correctly rounded; rows close exactly\n"
+      "settled by: {} without rounding, {} in 128-bit fixed point, {} by balls, {} by root sums; {:.3f} s",
+      report.pairs, report.elements, report.tiers.by_tier[0], report.tiers.by_tier[1], report.tiers.by_tier[2],
+      report.tiers.by_tier[3], seconds);
+}
+
+// What fraction of each face's light goes to the surfaces that --toward names.
+FaceColouring colouring_toward(const PreparedScene2& prepared, const std::vector<std::uint32_t>& targets) {
+  const ExchangeMatrix matrix = exact_exchange(prepared, {Per::kFace, false});
+  std::vector<char> is_target(prepared.scene.surfaces.size(), 0);
+  for (const std::uint32_t s : targets) is_target[s] = 1;
+  FaceColouring colouring;
+  colouring.front.resize(is_target.size());
+  colouring.back.resize(is_target.size());
+  double largest = 0;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    const Element& from = matrix.elements()[i];
+    if (!matrix.has_row(i) || is_target[from.surface]) continue;
+    double fraction = 0;
+    for (const FactorEntry& entry : matrix.row(i))
+      if (entry.to != matrix.sky() && is_target[matrix.elements()[entry.to].surface] &&
+          !matrix.elements()[entry.to].is_back)
+        fraction += entry.factor.value;
+    (from.is_back ? colouring.back : colouring.front)[from.surface] = fraction;
+    largest = std::max(largest, fraction);
+  }
+  colouring.scale = {0, largest > 0 ? largest : 1, false};
+  return colouring;
+}
+
+void write_picture(const FactorsOptions& options, const PreparedScene2& prepared, const std::optional<PictureFormat>& format) {
+  if (!format) return;
+  const std::vector<std::uint32_t> targets = surfaces_matching(prepared.scene, options.toward);
+  std::string what = options.toward;
+  if (what.ends_with("*")) what.pop_back();
+  ScenePicture2 picture;
+  picture.targets = targets;
+  picture.target_label = what;
+  picture.colouring = colouring_toward(prepared, targets);
+  picture.colouring->title = "fraction of what leaves the face that arrives at " + what;
+  write_output_file(options.picture, scene_picture_2(prepared.scene, picture, *format));
+}
+
+ExitCode factors(FactorsOptions options, Streams& streams) {
+  if (options.scene.empty() && (options.exact_form.size() == 1 || options.exact_form.size() == 3)) {
+    options.scene = options.exact_form.back();  // "--exact-form SCENE", "--exact-form A B SCENE"
+    options.exact_form.pop_back();
+  }
+  if (options.scene.empty()) throw UsageError("factors needs a scene");
+  if (options.exact_form.size() == 1) throw UsageError("--exact-form takes no name or two");
+  if (options.method != "exact") throw UsageError("there is no method called '" + options.method + "': exact");
+  const Format format = format_of(options);
+  const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
+  if (!options.picture.empty() && !picture) throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
+  if (options.picture.empty() != options.toward.empty()) throw UsageError("--picture and --toward go together");
+
+  Scene2 scene = read_scene_2(options.scene);
+  options.elements.apply_to(scene);
+  const Per per = per_of(options.per);
+  const PreparedScene2 prepared = prepare(std::move(scene), per == Per::kElement ? Divided::kYes : Divided::kNo);
+  ExchangeReport report;
+  const ExchangeMatrix matrix = exact_exchange(
+      prepared,
+      {per, options.matrix.empty() || options.matrix == "visibility", options.matrix == "exchange",
+       streams.progress("view factors")},
+      &report);
+  FactorTable table{prepared.scene, matrix, per, {}};
+  if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = hidden_pairs(prepared, per, matrix);
+
+  write_picture(options, prepared, picture);
+  if (!options.json || !options.out.empty()) {
+    OutputFile out = streams.output(options.out);
+    const Sink sink = [&out](std::string_view text) { out.write(text); };
+    if (options.wants_exact_form) {
+      std::optional<LabelPair> only;
+      if (!options.exact_form.empty())
+        only = {require_element(matrix, options.exact_form[0]), require_element(matrix, options.exact_form[1])};
+      write_exact_forms_csv(table, prepared, only, sink);
+    } else if (!options.matrix.empty()) {
+      write_dense_csv(table,
+                      options.matrix == "factor"     ? DenseQuantity::kFactor
+                      : options.matrix == "exchange" ? DenseQuantity::kExchange
+                                                     : DenseQuantity::kVisibility,
+                      sink);
+    } else if (format == Format::kCsv) {
+      write_factors_csv(table, sink);
+    } else if (format == Format::kMtx) {
+      OutputFile faces(options.out + ".faces.csv");
+      write_faces_csv(table, [&faces](std::string_view text) { faces.write(text); });
+      write_factors_mtx(table, sink);
+      faces.finish();
+      out.finish();
+      faces.commit();
+    } else if (format == Format::kNpy) {
+      write_factors_npy(table, sink);
+    } else if (format == Format::kView3dText) {
+      write_factors_view3d_text(table, sink);
+    } else {
+      write_factors_view3d_binary(table, sink);
+    }
+    out.commit();
+  }
+  if (options.json) streams.write("", report_json(options, report).dump(2) + "\n");
+  streams.note(report_text(report));
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_factors(Commands& commands) {
+  const auto options = std::make_shared<FactorsOptions>();
+  CLI::App& command = commands.add(
+      "factors", "View factors of all pairs of faces, each correctly rounded",
+      {"hottel factors scenes/analytic/triangle_345.json",
+       "hottel factors scenes/showcase/apartment.json -o /tmp/factors.mtx",
+       "hottel factors scenes/analytic/triangle_345.json --exact-form",
+       "hottel factors scenes/analytic/triangle_345.json --per element --elements 2 --matrix visibility",
+       "hottel factors scenes/showcase/apartment.json --quiet -o /tmp/factors.csv --picture /tmp/windows.png --toward 'window*'"},
+      [options](Streams& streams) { return factors(*options, streams); });
+  command.add_option("SCENE", options->scene, "the scene file");
+  command.add_option("-o", options->out, "the file to write: .csv .mtx .npy .txt .bin; without it, or with -, csv on standard output")
+      ->type_name("FILE");
+  command.add_option("--method", options->method, "how to compute: exact")->type_name("METHOD")->capture_default_str();
+  command.add_option("--tolerance", options->tolerance, "for scenes in space; in the plane every factor is exact")->type_name("T");
+  command.add_option("--per", options->per, "one row per face, element or group (polyline)")
+      ->check(CLI::IsMember({"face", "element", "group"}))
+      ->capture_default_str();
+  command.add_option("--pairs", options->pairs, "visible: S > 0; facing: also pairs that something hides completely")
+      ->check(CLI::IsMember({"visible", "facing"}))
+      ->capture_default_str();
+  command.add_option("--matrix", options->matrix, "a dense matrix of this quantity instead of a list")
+      ->check(CLI::IsMember({"factor", "exchange", "visibility"}));
+  options->elements.add_to(command);
+  command.add_option("--exact-form", options->exact_form, "exchange measures as sums of square roots, of A and B or of all pairs")
+      ->expected(0, 2)
+      ->type_name("[A B]")
+      ->each([options](const std::string&) {});
+  command.get_option("--exact-form")->trigger_on_parse();
+  command.add_option("--picture", options->picture, "draw the scene (.png, .svg), faces coloured by their factor to --toward")
+      ->type_name("FILE");
+  command.add_option("--toward", options->toward, "a face, a polyline, or all whose names begin with NAME*")->type_name("NAME");
+  command.add_flag("--json", options->json, "a report on standard output as one JSON object (factors then need -o)");
+  command.final_callback([options, &command] { options->wants_exact_form = command.count("--exact-form") > 0; });
+}
+
+}  // namespace hottel

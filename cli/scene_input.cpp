@@ -1,0 +1,61 @@
+#include "cli/scene_input.h"
+
+#include "io/scene_json.h"
+#include "kernel/failure.h"
+
+namespace hottel {
+
+void ElementOptions::add_to(CLI::App& command) {
+  CLI::Option* element_size = command.add_option("--element-size", size, "divide every edge into equal parts no longer than H");
+  element_size->type_name("H");
+  command.add_option("--elements", count, "divide every edge into N equal parts")
+      ->type_name("N")
+      ->check(CLI::Range(1u, kMaxElements))
+      ->excludes(element_size);
+}
+
+void ElementOptions::apply_to(Scene2& scene) const {
+  if (count)
+    for (Surface2& surface : scene.surfaces) surface.elements = *count;
+  if (!size) return;
+  const auto h = parse_rational(*size);
+  if (!h || *h <= 0) throw UsageError("--element-size must be a positive number, not '" + *size + "'");
+  for (Surface2& surface : scene.surfaces) {
+    const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
+    const Rational squared = (dx * dx + dy * dy) / (*h * *h);
+    // The least n with n² >= squared.
+    Integer whole, n;
+    mpz_cdiv_q(whole.get_mpz_t(), squared.get_num_mpz_t(), squared.get_den_mpz_t());
+    n = sqrt(whole);
+    if (n * n < whole) ++n;
+    if (n > kMaxElements)
+      throw UsageError("--element-size " + *size + " asks for more than " + std::to_string(kMaxElements) + " elements on '" +
+                       surface.name + "'");
+    surface.elements = static_cast<std::uint32_t>(n.get_ui());
+  }
+}
+
+std::vector<std::uint32_t> surfaces_matching(const Scene2& scene, const std::string& pattern) {
+  const bool is_prefix = !pattern.empty() && pattern.back() == '*';
+  const std::string prefix = pattern.substr(0, pattern.size() - (is_prefix ? 1 : 0));
+  const auto matches = [&](const std::string& name) { return is_prefix ? name.starts_with(prefix) : name == pattern; };
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    if (matches(scene.surfaces[s].name) || matches(scene.groups[scene.surfaces[s].group])) result.push_back(s);
+  if (result.empty()) throw UsageError("no surface of " + scene.file + " is called '" + pattern + "'");
+  return result;
+}
+
+std::uint32_t require_element(const ExchangeMatrix& matrix, const std::string& name) {
+  if (const auto found = matrix.find(name)) return *found;
+  throw UsageError("there is no face called '" + name + "'");
+}
+
+FaceName face_of(const Scene2& scene, const std::string& name) {
+  if (const auto surface = scene.find(name)) return {*surface, false};
+  if (name.ends_with(":back"))
+    if (const auto surface = scene.find(name.substr(0, name.size() - 5))) return {*surface, true};
+  throw UsageError("no face of " + scene.file + " is called '" + name + "'");
+}
+
+}  // namespace hottel

@@ -1,0 +1,36 @@
+// What commands that compute from a scene have in common: its file, its elements, names of faces.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/exchange/exchange_2.h"
+
+namespace hottel {
+
+// --elements and --element-size: they replace what the scene says of every surface.
+struct ElementOptions {
+  std::optional<std::uint32_t> count;
+  std::optional<std::string> size;
+
+  void add_to(CLI::App& command);
+  void apply_to(Scene2& scene) const;  // throws UsageError for a size that is no positive number
+};
+
+// Returns the surfaces whose name, or whose polyline's name, matches: equal, or equal up to a final '*'.
+// Throws UsageError when there is none.
+std::vector<std::uint32_t> surfaces_matching(const Scene2& scene, const std::string& pattern);
+
+// "SCENE" as the message of a usage error when a name is not found, with near names as hints.
+std::uint32_t require_element(const ExchangeMatrix& matrix, const std::string& name);
+
+// One face of the scene by name, "wall" or "wall:back". Throws UsageError when there is none.
+struct FaceName {
+  std::uint32_t surface = 0;
+  bool is_back = false;
+};
+FaceName face_of(const Scene2& scene, const std::string& name);
+
+}  // namespace hottel

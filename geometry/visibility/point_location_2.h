@@ -1,0 +1,44 @@
+// Where a point lies in the triangulation of a scene.
+#pragma once
+
+#include <vector>
+
+#include "geometry/arrangement/triangulation_2.h"
+#include "geometry/visibility/view_2.h"
+#include "kernel/vertices_2.h"
+
+namespace hottel {
+
+struct Location2 {
+  enum class Kind { kInTriangle, kOnEdge, kOnVertex, kOutside };
+  Kind kind = Kind::kOutside;
+  HalfEdgeId half_edge = -1;  // of the triangle (the first of three), or the edge the point lies on
+  VertexId vertex = 0;        // kOnVertex
+};
+
+// Finds points by walking through triangles from one near by.
+//
+//   (1) exact: on an edge or vertex means exactly on it
+// COST: O(1) steps on average from a grid of starting triangles, about one for every two triangles.
+class PointLocation2 {
+ public:
+  PointLocation2(const Vertices2& vertices, const Triangulation2& triangulation);
+
+  Location2 locate(const Eye2& eye) const;
+
+  // Fills the view from the eye; from a point on an edge or vertex both sides are seen, the edges at it edge-on.
+  void look_around(const Eye2& eye, View2& view) const;
+
+ private:
+  void look_around_outside(const Eye2& eye, View2& view) const;
+  std::size_t cell(double x, double y) const;
+
+  const Vertices2& vertices_;
+  const Triangulation2& triangulation_;
+  std::vector<HalfEdgeId> start_;  // by grid cell: some triangle near it
+  std::vector<HalfEdgeId> hull_;   // half-edges on the hull, counter-clockwise
+  double x0_ = 0, y0_ = 0, cells_per_length_ = 0;
+  int cells_ = 1;
+};
+
+}  // namespace hottel

@@ -1,0 +1,282 @@
+#include "io/factor_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "kernel/rational.h"
+
+namespace hottel {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary formats are written as the machine holds them");
+
+// Collects text and hands it on in large pieces.
+class Buffer {
+ public:
+  explicit Buffer(const Sink& sink) : sink_(sink) {}
+  ~Buffer() = default;
+
+  Buffer& operator<<(std::string_view text) {
+    text_.append(text);
+    if (text_.size() > 1 << 16) flush();
+    return *this;
+  }
+  Buffer& operator<<(double value) { return *this << std::string_view(shortest(value)); }
+
+  template <class Number>
+  Buffer& raw(const Number& value) {
+    char bytes[sizeof value];
+    std::memcpy(bytes, &value, sizeof value);
+    return *this << std::string_view(bytes, sizeof bytes);
+  }
+
+  void flush() {
+    if (!text_.empty()) sink_(text_);
+    text_.clear();
+  }
+
+ private:
+  const Sink& sink_;
+  std::string text_;
+};
+
+std::string name_of(const ExchangeMatrix& matrix, std::uint32_t label) {
+  return label == matrix.sky() ? "sky" : matrix.elements()[label].name;
+}
+
+std::vector<std::string> csv_names(const ExchangeMatrix& matrix) {
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i <= matrix.size(); ++i) names.push_back(csv_field(name_of(matrix, i)));
+  return names;
+}
+
+// Calls visit(row as dense vector) for each of the size() + 1 rows; rows that do not exist are zeros.
+template <class Visit>
+void for_each_dense_row(const ExchangeMatrix& matrix, const Visit& visit) {
+  std::vector<double> dense(matrix.size() + 1);
+  for (std::uint32_t i = 0; i <= matrix.size(); ++i) {
+    std::fill(dense.begin(), dense.end(), 0.0);
+    if (i < matrix.size())
+      for (const FactorEntry& entry : matrix.row(i)) dense[entry.to] = entry.factor.value;
+    visit(i, dense);
+  }
+}
+
+std::vector<std::uint32_t> radiating(const ExchangeMatrix& matrix) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    if (matrix.elements()[i].material) result.push_back(i);
+  return result;
+}
+
+double emittance(const FactorTable& table, std::uint32_t label) {
+  const auto& value = table.scene.materials[*table.matrix.elements()[label].material].reflectivity.value;
+  return to_double(1 - (value[0] + value[1] + value[2]) / 3);
+}
+
+std::string view3d_header(int format, std::size_t count) {
+  return fmt::format("{:<30}", fmt::format("View3D 4.0.0 {} 0 0 {}", format, count));
+}
+
+// Calls visit(factors of the row to radiating faces only).
+template <class Visit>
+void for_each_radiating_row(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& faces, const Visit& visit) {
+  std::vector<double> dense(matrix.size() + 1);
+  for (const std::uint32_t i : faces) {
+    std::fill(dense.begin(), dense.end(), 0.0);
+    for (const FactorEntry& entry : matrix.row(i)) dense[entry.to] = entry.factor.value;
+    visit(dense);
+  }
+}
+
+}  // namespace
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+void write_factors_csv(const FactorTable& table, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  const std::vector<std::string> names = csv_names(matrix);
+  const char* guarantee = to_string(matrix.guarantee());
+  Buffer out(sink);
+  out << "from,to,factor,lower,upper,visibility,guarantee\n";
+  const auto line = [&](std::uint32_t from, std::uint32_t to, const Rounded& factor, double visibility) {
+    const Enclosure bounds =
+        matrix.guarantee() == Guarantee::kExact ? factor.enclosure() : Enclosure{0, 1};
+    out << names[from] << "," << names[to] << "," << factor.value << "," << bounds.lower << "," << bounds.upper << ",";
+    if (!std::isnan(visibility)) out << visibility;
+    out << "," << guarantee << "\n";
+  };
+  auto hidden = table.hidden.begin();
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    const auto hidden_before = [&](std::uint32_t to) {
+      for (; hidden != table.hidden.end() && hidden->first == i && hidden->second < to; ++hidden)
+        line(i, hidden->second, Rounded{}, 0);
+    };
+    for (const FactorEntry& entry : matrix.row(i)) {
+      hidden_before(entry.to);
+      line(i, entry.to, entry.factor, entry.visibility);
+    }
+    hidden_before(matrix.sky() + 1);
+  }
+  out.flush();
+}
+
+void write_factors_mtx(const FactorTable& table, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  Buffer out(sink);
+  const std::size_t n = matrix.size() + 1;
+  out << "%%MatrixMarket matrix coordinate real general\n"
+      << "% view factors F(row, column), faces as in the .faces.csv beside this file, the sky last\n"
+      << fmt::format("{} {} {}\n", n, n, matrix.entry_count());
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (const FactorEntry& entry : matrix.row(i))
+      out << fmt::format("{} {} ", i + 1, entry.to + 1) << entry.factor.value << "\n";
+  out.flush();
+}
+
+void write_faces_csv(const FactorTable& table, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  Buffer out(sink);
+  out << "index,face,element,area,material,x0,y0,x1,y1\n";
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    const Element& element = matrix.elements()[i];
+    const Surface2& surface = table.scene.surfaces[element.surface];
+    const std::string face =
+        table.per == Per::kGroup ? element.name : surface.name + (element.is_back ? ":back" : "");
+    out << fmt::format("{},{},{},", i + 1, csv_field(face), element.part) << element.area.value << ","
+        << (element.material ? csv_field(table.scene.materials[*element.material].name) : "");
+    if (table.per == Per::kGroup) {
+      out << ",,,,\n";
+      continue;
+    }
+    for (const std::uint32_t k : {element.part, element.part + 1}) {
+      Rational t(k, element.parts);
+      t.canonicalize();
+      out << "," << to_double(surface.from.x + t * (surface.to.x - surface.from.x)) << ","
+          << to_double(surface.from.y + t * (surface.to.y - surface.from.y));
+    }
+    out << "\n";
+  }
+  out << fmt::format("{},sky,0,,,,,,\n", matrix.size() + 1);
+  out.flush();
+}
+
+void write_factors_npy(const FactorTable& table, const Sink& sink) {
+  const std::size_t n = table.matrix.size() + 1;
+  std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", n, n);
+  header.append(63 - (10 + header.size()) % 64, ' ');
+  header += '\n';
+  Buffer out(sink);
+  out << std::string_view("\x93NUMPY\x01\x00", 8);
+  out.raw(static_cast<std::uint16_t>(header.size()));
+  out << header;
+  for_each_dense_row(table.matrix, [&](std::uint32_t, const std::vector<double>& row) {
+    out << std::string_view(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(double));
+  });
+  out.flush();
+}
+
+void write_factors_view3d_text(const FactorTable& table, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  const std::vector<std::uint32_t> faces = radiating(matrix);
+  Buffer out(sink);
+  const auto line = [&](const auto& value_of) {
+    for (std::size_t k = 0; k < faces.size(); ++k) out << fmt::format("{}{:.17g}", k == 0 ? "" : " ", value_of(faces[k]));
+    out << "\n";
+  };
+  out << view3d_header(0, faces.size()) << "\n";
+  line([&](std::uint32_t i) { return matrix.elements()[i].area.value; });
+  for_each_radiating_row(matrix, faces, [&](const std::vector<double>& row) {
+    line([&](std::uint32_t j) { return row[j]; });
+  });
+  line([&](std::uint32_t i) { return emittance(table, i); });
+  out.flush();
+}
+
+void write_factors_view3d_binary(const FactorTable& table, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  const std::vector<std::uint32_t> faces = radiating(matrix);
+  Buffer out(sink);
+  out << view3d_header(1, faces.size()) << "\r\n";
+  for (const std::uint32_t i : faces) out.raw(static_cast<float>(matrix.elements()[i].area.value));
+  for_each_radiating_row(matrix, faces, [&](const std::vector<double>& row) {
+    for (const std::uint32_t j : faces) out.raw(static_cast<float>(row[j]));
+  });
+  for (const std::uint32_t i : faces) out.raw(static_cast<float>(emittance(table, i)));
+  out.flush();
+}
+
+void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  const std::vector<std::string> names = csv_names(matrix);
+  Buffer out(sink);
+  for (const std::string& name : names) out << "," << name;
+  out << "\n";
+  const double absent = quantity == DenseQuantity::kVisibility ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  std::vector<double> dense(names.size());
+  auto hidden = table.hidden.begin();
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    std::fill(dense.begin(), dense.end(), absent);
+    for (; hidden != table.hidden.end() && hidden->first == i; ++hidden) dense[hidden->second] = 0;
+    if (i < matrix.size()) {
+      const auto row = matrix.row(i);
+      for (std::size_t k = 0; k < row.size(); ++k)
+        dense[row[k].to] = quantity == DenseQuantity::kFactor     ? row[k].factor.value
+                           : quantity == DenseQuantity::kExchange ? matrix.measures(i)[k]
+                                                                  : row[k].visibility;
+    }
+    out << names[i];
+    for (const double value : dense) {
+      out << ",";
+      if (std::isnan(value))
+        out << "NaN";
+      else
+        out << value;
+    }
+    out << "\n";
+  }
+  out.flush();
+}
+
+void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared, const std::optional<LabelPair>& only,
+                           const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  std::vector<LabelPair> listed;  // (from, to)
+  if (only) {
+    listed.push_back(*only);
+  } else {
+    for (std::uint32_t i = 0; i < matrix.size(); ++i)
+      for (const FactorEntry& entry : matrix.row(i)) listed.emplace_back(i, entry.to);
+  }
+  std::vector<LabelPair> pairs;
+  for (const auto& [from, to] : listed) pairs.emplace_back(std::min(from, to), std::max(from, to));
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  const std::vector<RootSum> measures = exact_exchange_measures(prepared, table.per, pairs);
+  const std::vector<RootSum> areas = exact_areas(prepared, table.per);
+  Buffer out(sink);
+  out << "from,to,exchange,area\n";
+  for (const auto& [from, to] : listed) {
+    const LabelPair pair{std::min(from, to), std::max(from, to)};
+    const auto place = std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin();
+    out << csv_field(name_of(matrix, from)) << "," << csv_field(name_of(matrix, to)) << ","
+        << measures[static_cast<std::size_t>(place)].to_string() << ","
+        << (from == matrix.sky() ? "" : areas[from].to_string()) << "\n";
+  }
+  out.flush();
+}
+
+}  // namespace hottel
