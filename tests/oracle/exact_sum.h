@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 
 #include <map>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,7 @@ class ExactSum {
 
   // "-2*sqrt(2) + 1*sqrt(10)", "3/2", "0": radicands ascend, the rational part first.
   std::string to_string() const;
+  friend std::ostream& operator<<(std::ostream& out, const ExactSum& sum) { return out << sum.to_string(); }
 
   // The value with `bits` bits of working precision: absolute error about 2^-bits times the largest term.
   mpf_class value(unsigned bits = 256) const;
