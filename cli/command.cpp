@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <sstream>
 
 #include "cli/signals.h"
 #include "kernel/failure.h"
@@ -16,6 +17,18 @@ namespace hottel {
 namespace {
 
 constexpr int kMostThreads = 4096;
+
+// In the list of commands a command has one line: the first of its description.
+class ProgramFormatter : public CLI::Formatter {
+ public:
+  std::string make_subcommand(const CLI::App* command) const override {
+    const std::string description = command->get_description();
+    std::ostringstream text;
+    CLI::detail::format_help(text, command->get_name(), description.substr(0, description.find('\n')),
+                             get_column_width());
+    return text.str();
+  }
+};
 
 std::string after_colon(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -63,7 +76,9 @@ Commands::Commands() : program_("hottel: the exact reference for diffuse light",
   program_.set_version_flag("--version", std::string("hottel ") + kVersion, "Print the version and exit");
   program_.set_help_flag("-h,--help", "Print this text and exit");
   program_.footer("`hottel COMMAND --help` shows the options of a command, with examples.");
-  program_.get_formatter()->column_width(34);
+  const auto formatter = std::make_shared<ProgramFormatter>();
+  formatter->column_width(34);
+  program_.formatter(formatter);
   add_common_options(program_);
 }
 

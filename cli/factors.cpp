@@ -21,6 +21,7 @@ struct FactorsOptions {
   std::optional<std::string> tolerance;
   ElementOptions elements;
   std::vector<std::string> exact_form;
+  const CLI::Option* exact_form_option = nullptr;
   bool wants_exact_form = false, json = false;
   std::string picture, toward;
 };
@@ -37,8 +38,9 @@ Format format_of(const FactorsOptions& options) {
     if (ending == ".txt") return Format::kView3dText;
     if (ending == ".bin") return Format::kView3dBinary;
   }
-  throw UsageError(fmt::format("factors {} {}, not '{}'", options.matrix.empty() ? "are written" : "as a dense matrix are written",
-                               is_csv_only ? "as .csv" : "as .csv, .mtx, .npy, .txt (View3D) or .bin (View3D)", options.out));
+  throw UsageError(
+      fmt::format("factors {} {}, not '{}'", options.matrix.empty() ? "are written" : "as a dense matrix are written",
+                  is_csv_only ? "as .csv" : "as .csv, .mtx, .npy, .txt (View3D) or .bin (View3D)", options.out));
 }
 
 Per per_of(const std::string& name) {
@@ -91,11 +93,12 @@ FaceColouring colouring_toward(const PreparedScene2& prepared, const std::vector
     (from.is_back ? colouring.back : colouring.front)[from.surface] = fraction;
     largest = std::max(largest, fraction);
   }
-  colouring.scale = {0, largest > 0 ? largest : 1, false};
+  colouring.scale = {1e-3, std::max(largest, 2e-3), true};
   return colouring;
 }
 
-void write_picture(const FactorsOptions& options, const PreparedScene2& prepared, const std::optional<PictureFormat>& format) {
+void write_picture(const FactorsOptions& options, const PreparedScene2& prepared,
+                   const std::optional<PictureFormat>& format) {
   if (!format) return;
   const std::vector<std::uint32_t> targets = surfaces_matching(prepared.scene, options.toward);
   std::string what = options.toward;
@@ -104,13 +107,15 @@ void write_picture(const FactorsOptions& options, const PreparedScene2& prepared
   picture.targets = targets;
   picture.target_label = what;
   picture.colouring = colouring_toward(prepared, targets);
-  picture.colouring->title = "fraction of what leaves the face that arrives at " + what;
+  picture.colouring->title = "view factor to " + what;
   write_output_file(options.picture, scene_picture_2(prepared.scene, picture, *format));
 }
 
 ExitCode factors(FactorsOptions options, Streams& streams) {
-  if (options.scene.empty() && (options.exact_form.size() == 1 || options.exact_form.size() == 3)) {
-    options.scene = options.exact_form.back();  // "--exact-form SCENE", "--exact-form A B SCENE"
+  options.wants_exact_form = options.exact_form_option->count() > 0;
+  std::erase(options.exact_form, "");  // what the option holds when it is given without names
+  if (options.scene.empty() && options.exact_form.size() == 1) {  // "--exact-form SCENE"
+    options.scene = options.exact_form.back();
     options.exact_form.pop_back();
   }
   if (options.scene.empty()) throw UsageError("factors needs a scene");
@@ -118,7 +123,8 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   if (options.method != "exact") throw UsageError("there is no method called '" + options.method + "': exact");
   const Format format = format_of(options);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
-  if (!options.picture.empty() && !picture) throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
+  if (!options.picture.empty() && !picture)
+    throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
   if (options.picture.empty() != options.toward.empty()) throw UsageError("--picture and --toward go together");
 
   Scene2 scene = read_scene_2(options.scene);
@@ -126,11 +132,10 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   const Per per = per_of(options.per);
   const PreparedScene2 prepared = prepare(std::move(scene), per == Per::kElement ? Divided::kYes : Divided::kNo);
   ExchangeReport report;
-  const ExchangeMatrix matrix = exact_exchange(
-      prepared,
-      {per, options.matrix.empty() || options.matrix == "visibility", options.matrix == "exchange",
-       streams.progress("view factors")},
-      &report);
+  const ExchangeMatrix matrix = exact_exchange(prepared,
+                                               {per, options.matrix.empty() || options.matrix == "visibility",
+                                                options.matrix == "exchange", streams.progress("view factors")},
+                                               &report);
   FactorTable table{prepared.scene, matrix, per, {}};
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = hidden_pairs(prepared, per, matrix);
 
@@ -176,19 +181,23 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
 
 void add_factors(Commands& commands) {
   const auto options = std::make_shared<FactorsOptions>();
-  CLI::App& command = commands.add(
-      "factors", "View factors of all pairs of faces, each correctly rounded",
-      {"hottel factors scenes/analytic/triangle_345.json",
-       "hottel factors scenes/showcase/apartment.json -o /tmp/factors.mtx",
-       "hottel factors scenes/analytic/triangle_345.json --exact-form",
-       "hottel factors scenes/analytic/triangle_345.json --per element --elements 2 --matrix visibility",
-       "hottel factors scenes/showcase/apartment.json --quiet -o /tmp/factors.csv --picture /tmp/windows.png --toward 'window*'"},
-      [options](Streams& streams) { return factors(*options, streams); });
+  CLI::App& command =
+      commands.add("factors", "View factors of all pairs of faces, each correctly rounded",
+                   {"hottel factors scenes/analytic/triangle_345.json",
+                    "hottel factors scenes/showcase/apartment.json -o /tmp/factors.mtx",
+                    "hottel factors scenes/analytic/triangle_345.json --exact-form",
+                    "hottel factors scenes/analytic/triangle_345.json --per element --elements 2 --matrix visibility",
+                    "hottel factors scenes/showcase/apartment.json --quiet -o /tmp/factors.csv --picture "
+                    "/tmp/windows.png --toward 'window*'"},
+                   [options](Streams& streams) { return factors(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file");
-  command.add_option("-o", options->out, "the file to write: .csv .mtx .npy .txt .bin; without it, or with -, csv on standard output")
+  command
+      .add_option("-o", options->out,
+                  "the file to write: .csv .mtx .npy .txt .bin; without it, or with -, csv on standard output")
       ->type_name("FILE");
   command.add_option("--method", options->method, "how to compute: exact")->type_name("METHOD")->capture_default_str();
-  command.add_option("--tolerance", options->tolerance, "for scenes in space; in the plane every factor is exact")->type_name("T");
+  command.add_option("--tolerance", options->tolerance, "for scenes in space; in the plane every factor is exact")
+      ->type_name("T");
   command.add_option("--per", options->per, "one row per face, element or group (polyline)")
       ->check(CLI::IsMember({"face", "element", "group"}))
       ->capture_default_str();
@@ -198,16 +207,18 @@ void add_factors(Commands& commands) {
   command.add_option("--matrix", options->matrix, "a dense matrix of this quantity instead of a list")
       ->check(CLI::IsMember({"factor", "exchange", "visibility"}));
   options->elements.add_to(command);
-  command.add_option("--exact-form", options->exact_form, "exchange measures as sums of square roots, of A and B or of all pairs")
-      ->expected(0, 2)
-      ->type_name("[A B]")
-      ->each([options](const std::string&) {});
-  command.get_option("--exact-form")->trigger_on_parse();
-  command.add_option("--picture", options->picture, "draw the scene (.png, .svg), faces coloured by their factor to --toward")
+  options->exact_form_option = command
+                                   .add_option("--exact-form", options->exact_form,
+                                               "exchange measures as sums of square roots, of A and B or of all pairs")
+                                   ->expected(0, 2)
+                                   ->type_name("[A B]");
+  command
+      .add_option("--picture", options->picture,
+                  "draw the scene (.png, .svg), faces coloured by their factor to --toward")
       ->type_name("FILE");
-  command.add_option("--toward", options->toward, "a face, a polyline, or all whose names begin with NAME*")->type_name("NAME");
+  command.add_option("--toward", options->toward, "a face, a polyline, or all whose names begin with NAME*")
+      ->type_name("NAME");
   command.add_flag("--json", options->json, "a report on standard output as one JSON object (factors then need -o)");
-  command.final_callback([options, &command] { options->wants_exact_form = command.count("--exact-form") > 0; });
 }
 
 }  // namespace hottel

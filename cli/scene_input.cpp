@@ -6,7 +6,8 @@
 namespace hottel {
 
 void ElementOptions::add_to(CLI::App& command) {
-  CLI::Option* element_size = command.add_option("--element-size", size, "divide every edge into equal parts no longer than H");
+  CLI::Option* element_size =
+      command.add_option("--element-size", size, "divide every edge into equal parts no longer than H");
   element_size->type_name("H");
   command.add_option("--elements", count, "divide every edge into N equal parts")
       ->type_name("N")
@@ -29,8 +30,8 @@ void ElementOptions::apply_to(Scene2& scene) const {
     n = sqrt(whole);
     if (n * n < whole) ++n;
     if (n > kMaxElements)
-      throw UsageError("--element-size " + *size + " asks for more than " + std::to_string(kMaxElements) + " elements on '" +
-                       surface.name + "'");
+      throw UsageError("--element-size " + *size + " asks for more than " + std::to_string(kMaxElements) +
+                       " elements on '" + surface.name + "'");
     surface.elements = static_cast<std::uint32_t>(n.get_ui());
   }
 }

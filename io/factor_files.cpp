@@ -113,8 +113,7 @@ void write_factors_csv(const FactorTable& table, const Sink& sink) {
   Buffer out(sink);
   out << "from,to,factor,lower,upper,visibility,guarantee\n";
   const auto line = [&](std::uint32_t from, std::uint32_t to, const Rounded& factor, double visibility) {
-    const Enclosure bounds =
-        matrix.guarantee() == Guarantee::kExact ? factor.enclosure() : Enclosure{0, 1};
+    const Enclosure bounds = matrix.guarantee() == Guarantee::kExact ? factor.enclosure() : Enclosure{0, 1};
     out << names[from] << "," << names[to] << "," << factor.value << "," << bounds.lower << "," << bounds.upper << ",";
     if (!std::isnan(visibility)) out << visibility;
     out << "," << guarantee << "\n";
@@ -154,8 +153,7 @@ void write_faces_csv(const FactorTable& table, const Sink& sink) {
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     const Element& element = matrix.elements()[i];
     const Surface2& surface = table.scene.surfaces[element.surface];
-    const std::string face =
-        table.per == Per::kGroup ? element.name : surface.name + (element.is_back ? ":back" : "");
+    const std::string face = table.per == Per::kGroup ? element.name : surface.name + (element.is_back ? ":back" : "");
     out << fmt::format("{},{},{},", i + 1, csv_field(face), element.part) << element.area.value << ","
         << (element.material ? csv_field(table.scene.materials[*element.material].name) : "");
     if (table.per == Per::kGroup) {
@@ -194,14 +192,14 @@ void write_factors_view3d_text(const FactorTable& table, const Sink& sink) {
   const std::vector<std::uint32_t> faces = radiating(matrix);
   Buffer out(sink);
   const auto line = [&](const auto& value_of) {
-    for (std::size_t k = 0; k < faces.size(); ++k) out << fmt::format("{}{:.17g}", k == 0 ? "" : " ", value_of(faces[k]));
+    for (std::size_t k = 0; k < faces.size(); ++k)
+      out << fmt::format("{}{:.17g}", k == 0 ? "" : " ", value_of(faces[k]));
     out << "\n";
   };
   out << view3d_header(0, faces.size()) << "\n";
   line([&](std::uint32_t i) { return matrix.elements()[i].area.value; });
-  for_each_radiating_row(matrix, faces, [&](const std::vector<double>& row) {
-    line([&](std::uint32_t j) { return row[j]; });
-  });
+  for_each_radiating_row(matrix, faces,
+                         [&](const std::vector<double>& row) { line([&](std::uint32_t j) { return row[j]; }); });
   line([&](std::uint32_t i) { return emittance(table, i); });
   out.flush();
 }
@@ -251,8 +249,8 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
   out.flush();
 }
 
-void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared, const std::optional<LabelPair>& only,
-                           const Sink& sink) {
+void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared,
+                           const std::optional<LabelPair>& only, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   std::vector<LabelPair> listed;  // (from, to)
   if (only) {

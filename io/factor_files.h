@@ -23,8 +23,8 @@ struct FactorTable {
   std::vector<LabelPair> hidden = {};  // pairs with S = 0 < S0, sorted, listed as zeros where a format lists pairs
 };
 
-// `from,to,factor,lower,upper,visibility,guarantee`: one line a pair, by from, then to. Shortest decimals that read back
-// to the same double; names quoted as RFC 4180 asks.
+// `from,to,factor,lower,upper,visibility,guarantee`: one line a pair, by from, then to. Shortest decimals that read
+// back to the same double; names quoted as RFC 4180 asks.
 void write_factors_csv(const FactorTable& table, const Sink& sink);
 
 // Matrix Market `coordinate real general`, 1-based, all faces and the sky last; the faces are named by
@@ -48,8 +48,8 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
 
 // `from,to,exchange,area`: S(from, to) and A_from as sums of square roots, in scene units; of all pairs that exchange
 // light, or of one pair (from, to) whether it does or not.
-void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared, const std::optional<LabelPair>& only,
-                           const Sink& sink);
+void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared,
+                           const std::optional<LabelPair>& only, const Sink& sink);
 
 // A field of a csv file, quoted when it holds a comma, a quote or a line break.
 std::string csv_field(const std::string& text);

@@ -13,9 +13,12 @@ enum class Guarantee : unsigned char { kExact, kEnclosed, kEstimated };
 
 constexpr const char* to_string(Guarantee guarantee) {
   switch (guarantee) {
-    case Guarantee::kExact: return "exact";
-    case Guarantee::kEnclosed: return "enclosed";
-    case Guarantee::kEstimated: return "estimated";
+    case Guarantee::kExact:
+      return "exact";
+    case Guarantee::kEnclosed:
+      return "enclosed";
+    case Guarantee::kEstimated:
+      return "estimated";
   }
   return "";
 }

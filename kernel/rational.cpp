@@ -90,7 +90,8 @@ double to_double(const Rational& value) {
   const Integer p = abs(value.get_num());
   const Integer& q = value.get_den();
   // Scale so that the integer quotient has at least 64 bits, then let the sticky bit stand for the remainder.
-  const long bits = static_cast<long>(mpz_sizeinbase(p.get_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(q.get_mpz_t(), 2));
+  const long bits =
+      static_cast<long>(mpz_sizeinbase(p.get_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(q.get_mpz_t(), 2));
   const long shift = 66 - bits;
   Integer scaled = p, divisor = q, quotient, remainder;
   if (shift >= 0)

@@ -38,8 +38,7 @@ std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const Fix
   const double lo = (q - hi) + correction;
   // 2^-100 covers the arithmetic above (each of its four roundings is below 2^-104 |q|); the last factor covers the
   // rounding of this bound and the second-order terms of the two relative errors.
-  const double error =
-      std::fabs(q) * (0x1p-100 + numerator.error / std::fabs(n.hi) + denominator.error / d.hi) * 2.0;
+  const double error = std::fabs(q) * (0x1p-100 + numerator.error / std::fabs(n.hi) + denominator.error / d.hi) * 2.0;
   const double below = lo - error, above = lo + error;
   if (hi + below != hi || hi + above != hi) return std::nullopt;
   if (below > 0) return RoundedByTier{{hi, 1}, Tier::kDoubleDouble};

@@ -143,7 +143,6 @@ Vertices2::Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed) 
     }
     // |approximate| < 2^53, so its error is at most 1/2; low repeats the argument one level down: at most 2^-54.
     input_error_ = 1.0000001;
-
   }
   set_total_length(1);
 }
@@ -191,10 +190,12 @@ FixedLength Vertices2::distance(VertexId i, VertexId j) const {
 // divided out to 62 bits in two steps of doubles.
 FixedLength Vertices2::small_distance(VertexId i, VertexId j) const {
   const std::int64_t dx = small_[j].x - small_[i].x, dy = small_[j].y - small_[i].y;
-  const UInt128 squared = static_cast<UInt128>(static_cast<Int128>(dx) * dx) + static_cast<UInt128>(static_cast<Int128>(dy) * dy);
+  const UInt128 squared =
+      static_cast<UInt128>(static_cast<Int128>(dx) * dx) + static_cast<UInt128>(static_cast<Int128>(dy) * dy);
   if (squared == 0) return {0, true};
   const auto high = static_cast<std::uint64_t>(squared >> 64);
-  const int width = high != 0 ? 128 - std::countl_zero(high) : 64 - std::countl_zero(static_cast<std::uint64_t>(squared));
+  const int width =
+      high != 0 ? 128 - std::countl_zero(high) : 64 - std::countl_zero(static_cast<std::uint64_t>(squared));
   const int half_shift = (125 - width) / 2;
   const UInt128 n = squared << (2 * half_shift);
   auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(static_cast<std::uint64_t>(n >> 64)) * 0x1p64));
@@ -205,7 +206,8 @@ FixedLength Vertices2::small_distance(VertexId i, VertexId j) const {
   remainder -= (2 * static_cast<Int128>(root) + correction) * correction;
   root += correction;
   // value = root + remainder / (2 root), in units of 2^-62
-  const auto coarse = static_cast<std::int64_t>(static_cast<double>(static_cast<std::int64_t>(remainder)) * inverse * 0x1p40);
+  const auto coarse =
+      static_cast<std::int64_t>(static_cast<double>(static_cast<std::int64_t>(remainder)) * inverse * 0x1p40);
   const Int128 left = (remainder << 40) - 2 * static_cast<Int128>(root) * coarse;
   const auto fine = static_cast<std::int64_t>(static_cast<double>(left) * inverse * 0x1p22);
   const Int128 value = (static_cast<Int128>(root) << 62) + (static_cast<Int128>(coarse) << 22) + fine;
@@ -247,10 +249,12 @@ int Vertices2::side_of_circle(VertexId i, VertexId j, VertexId k, VertexId l) co
   const double cx = approximate_[k].x - d.x, cy = approximate_[k].y - d.y;
   const double a = ax * ax + ay * ay, b = bx * bx + by * by, c = cx * cx + cy * cy;
   const double determinant = a * (bx * cy - cx * by) + b * (cx * ay - ax * cy) + c * (ax * by - bx * ay);
-  const double permanent = a * (std::fabs(bx * cy) + std::fabs(cx * by)) + b * (std::fabs(cx * ay) + std::fabs(ax * cy)) +
+  const double permanent = a * (std::fabs(bx * cy) + std::fabs(cx * by)) +
+                           b * (std::fabs(cx * ay) + std::fabs(ax * cy)) +
                            c * (std::fabs(ax * by) + std::fabs(bx * ay));
-  const double largest = std::max({std::fabs(ax), std::fabs(ay), std::fabs(bx), std::fabs(by), std::fabs(cx), std::fabs(cy)}) +
-                         2 * input_error_;
+  const double largest =
+      std::max({std::fabs(ax), std::fabs(ay), std::fabs(bx), std::fabs(by), std::fabs(cx), std::fabs(cy)}) +
+      2 * input_error_;
   // (10 + 96 u) u for the rounding (Shewchuk 1997, 4.3); each of 12 products of four differences moves by at most
   // 4 input errors times the cube of the largest one.
   const double bound = 1.2e-15 * permanent + 60 * input_error_ * largest * largest * largest;

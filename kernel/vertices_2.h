@@ -48,8 +48,9 @@ class Vertices2 {
     const Approximate &p = approximate_[i], &q = approximate_[j], &r = approximate_[k];
     const double ax = q.x - p.x, ay = q.y - p.y, bx = r.x - p.x, by = r.y - p.y;
     const double left = ax * by, right = ay * bx, determinant = left - right;
-    const double bound = kOrientationError * (std::fabs(left) + std::fabs(right)) +
-                         input_error_ * (std::fabs(ax) + std::fabs(ay) + std::fabs(bx) + std::fabs(by) + 2 * input_error_);
+    const double bound =
+        kOrientationError * (std::fabs(left) + std::fabs(right)) +
+        input_error_ * (std::fabs(ax) + std::fabs(ay) + std::fabs(bx) + std::fabs(by) + 2 * input_error_);
     if (determinant > bound) return 1;
     if (determinant < -bound) return -1;
     return exact_orientation(i, j, k);
@@ -80,7 +81,8 @@ class Vertices2 {
   ExactPoint2 exact(VertexId i) const;
   Rational squared_distance(VertexId i, VertexId j) const;
 
-  // Approximate coordinates in integer form divided by 2^k for some k, each within approximation_error() of the exact one.
+  // Approximate coordinates in integer form divided by 2^k for some k, each within approximation_error() of the exact
+  // one.
   struct Approximate {
     double x, y;
   };

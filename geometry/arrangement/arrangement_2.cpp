@@ -79,7 +79,7 @@ void Arrangement2::assign_owners(const Scene2& scene) {
       for (const Source& source : covering) {
         const Surface2& surface = scene.surfaces[source.surface];
         const bool is_back = source.is_reversed == right;  // the front is the right side of the surface
-        const Material* material = !is_back        ? &scene.materials[surface.material]
+        const Material* material = !is_back       ? &scene.materials[surface.material]
                                    : surface.back ? &scene.materials[*surface.back]
                                                   : nullptr;
         const Claim claim{{source.surface, source.part, is_back}, material};

@@ -49,9 +49,9 @@ class Arrangement2 {
   void assign_owners(const Scene2& scene);
 
   Overlay2 overlay_;
-  std::vector<Segment2> segments_;       // input of the overlay
-  std::vector<FacePart> segment_part_;   // surface and part of each
-  std::vector<FacePart> owner_;          // by piece side
+  std::vector<Segment2> segments_;      // input of the overlay
+  std::vector<FacePart> segment_part_;  // surface and part of each
+  std::vector<FacePart> owner_;         // by piece side
   Triangulation2 triangulation_;
 };
 

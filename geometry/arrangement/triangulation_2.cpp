@@ -67,11 +67,12 @@ struct VertexTraits {
 };
 
 using VertexBase = CGAL::Triangulation_vertex_base_2<VertexTraits>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<
-    VertexTraits, CGAL::Triangulation_face_base_with_info_2<HalfEdgeId, VertexTraits>>;
-using Cdt = CGAL::Constrained_Delaunay_triangulation_2<VertexTraits,
-                                                       CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-                                                       CGAL::No_constraint_intersection_tag>;
+using FaceBase =
+    CGAL::Constrained_triangulation_face_base_2<VertexTraits,
+                                                CGAL::Triangulation_face_base_with_info_2<HalfEdgeId, VertexTraits>>;
+using Cdt =
+    CGAL::Constrained_Delaunay_triangulation_2<VertexTraits, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+                                               CGAL::No_constraint_intersection_tag>;
 
 // Finds the piece between two vertices.
 class PieceBetween {
@@ -160,8 +161,8 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
       const int i = face->index(handle[v]);
       const auto neighbour = face->vertex(Cdt::ccw(i));
       if (!cdt.is_infinite(neighbour))
-        star_.push_back(star_entry(piece_between, v, neighbour->point().id,
-                                   cdt.is_infinite(face) ? -1 : face->info() + i));
+        star_.push_back(
+            star_entry(piece_between, v, neighbour->point().id, cdt.is_infinite(face) ? -1 : face->info() + i));
     } while (++face != first);
     star_begin_[v + 1] = static_cast<std::uint32_t>(star_.size());
   }

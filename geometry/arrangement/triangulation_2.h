@@ -18,7 +18,7 @@ inline constexpr PieceSideId kSky = -1;
 // The neighbours of a vertex in counter-clockwise order, with what lies between them.
 struct StarEntry {
   VertexId neighbour;
-  HalfEdgeId opposite;     // of the triangle between this neighbour and the next one; -1: the sky lies between them
+  HalfEdgeId opposite;      // of the triangle between this neighbour and the next one; -1: the sky lies between them
   PieceSideId left, right;  // sides of the piece vertex-neighbour as seen on its left (right); kNoPiece if it is none
 };
 
@@ -36,10 +36,10 @@ class Triangulation2 {
   Triangulation2(const Vertices2& vertices, const std::vector<Segment2>& pieces);
 
   std::size_t triangle_count() const { return corner_.size() / 3; }
-  VertexId corner(HalfEdgeId h) const { return corner_[static_cast<std::size_t>(h)]; }  // opposite half-edge h
-  HalfEdgeId twin(HalfEdgeId h) const { return twin_[static_cast<std::size_t>(h)]; }    // -1 on a piece or the hull
+  VertexId corner(HalfEdgeId h) const { return corner_[static_cast<std::size_t>(h)]; }    // opposite half-edge h
+  HalfEdgeId twin(HalfEdgeId h) const { return twin_[static_cast<std::size_t>(h)]; }      // -1 on a piece or the hull
   HalfEdgeId across(HalfEdgeId h) const { return across_[static_cast<std::size_t>(h)]; }  // -1 on the hull only
-  PieceSideId side(HalfEdgeId h) const { return side_[static_cast<std::size_t>(h)]; }   // where twin is -1
+  PieceSideId side(HalfEdgeId h) const { return side_[static_cast<std::size_t>(h)]; }     // where twin is -1
   std::span<const StarEntry> star(VertexId v) const {
     return {star_.data() + star_begin_[v], star_.data() + star_begin_[v + 1]};
   }

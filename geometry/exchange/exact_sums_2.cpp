@@ -51,7 +51,7 @@ class Corridor {
         include(vertices.approximate(run.a));
         include(vertices.approximate(run.b));
       }
-    const double slack = 1e-9 * (t1_ - t0_ + s1_ - s0_ + std::fabs(t0_) + std::fabs(s0_) + 1) ;
+    const double slack = 1e-9 * (t1_ - t0_ + s1_ - s0_ + std::fabs(t0_) + std::fabs(s0_) + 1);
     t0_ -= slack;
     t1_ += slack;
     s0_ -= slack;
@@ -108,7 +108,8 @@ std::vector<VertexId> vertices_between(const Arrangement2& arrangement, const La
 
 }  // namespace
 
-std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const Labels2& labels, const std::vector<LabelPair>& pairs) {
+std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const Labels2& labels,
+                                const std::vector<LabelPair>& pairs) {
   const Vertices2& vertices = arrangement.vertices();
   const auto key = [](std::uint32_t i, std::uint32_t j) {
     return (static_cast<std::uint64_t>(std::min(i, j)) << 32) | std::max(i, j);

@@ -271,7 +271,8 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   r.vertices = arrangement.vertices().size();
   r.pieces = arrangement.pieces().size();
   r.elements = labels.count();
-  r.pairs = static_cast<std::uint64_t>(std::count_if(rounded.begin(), rounded.end(), [](const auto& pair) { return !pair.is_zero; }));
+  r.pairs = static_cast<std::uint64_t>(
+      std::count_if(rounded.begin(), rounded.end(), [](const auto& pair) { return !pair.is_zero; }));
   r.gaps = counts.gaps;
   r.terms = counts.updates;
   ExchangeMatrix matrix = to_matrix(labels, pairs, rounded, options.wants_measures);
@@ -279,7 +280,8 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   return matrix;
 }
 
-std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Per per, const std::vector<LabelPair>& pairs) {
+std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Per per,
+                                             const std::vector<LabelPair>& pairs) {
   const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
   std::vector<RootSum> sums = exact_sums(prepared.arrangement, labels, pairs);
   for (RootSum& sum : sums) sum *= prepared.arrangement.vertices().scale() / 2;

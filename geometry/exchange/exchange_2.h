@@ -6,11 +6,11 @@
 #include <string>
 
 #include "geometry/arrangement/arrangement_2.h"
-#include "geometry/exchange/exchange_matrix.h"
 #include "geometry/exchange/exact_sums_2.h"
+#include "geometry/exchange/exchange_matrix.h"
 #include "geometry/exchange/labels_2.h"
-#include "kernel/rounding.h"
 #include "kernel/root_sum.h"
+#include "kernel/rounding.h"
 
 namespace hottel {
 
@@ -30,15 +30,15 @@ PreparedScene2 prepare(Scene2 scene, Divided divided = Divided::kNo);
 
 struct ExchangeOptions2 {
   Per per = Per::kFace;
-  bool wants_visibility = true;                // else FactorEntry::visibility is NaN
-  bool wants_measures = false;   // ExchangeMatrix::measures()
+  bool wants_visibility = true;               // else FactorEntry::visibility is NaN
+  bool wants_measures = false;                // ExchangeMatrix::measures()
   std::function<void(double)> progress = {};  // fraction done; may throw to stop
 };
 
 // How the numbers came about.
 struct ExchangeReport {
   std::uint64_t vertices = 0, pieces = 0, elements = 0, pairs = 0, gaps = 0, terms = 0;
-  TierCounts tiers;             // one count a rounded number: factors both ways, visibilities
+  TierCounts tiers;               // one count a rounded number: factors both ways, visibilities
   bool closure_is_exact = false;  // the integer identity sum_j 2 S(i, j) = 2 A_i held in every row
   std::map<std::string, double> seconds;
 };
@@ -61,7 +61,8 @@ struct ExactPair2 {
 ExactPair2 exact_pair(const PreparedScene2& prepared, Per per, std::uint32_t from, std::uint32_t to);
 
 // Closed forms of many exchange measures S(i, j) at once, in scene units.
-std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Per per, const std::vector<LabelPair>& pairs);
+std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Per per,
+                                             const std::vector<LabelPair>& pairs);
 
 // Areas of all labels in closed form, in scene units.
 std::vector<RootSum> exact_areas(const PreparedScene2& prepared, Per per);

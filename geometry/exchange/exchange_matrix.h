@@ -13,9 +13,9 @@ namespace hottel {
 
 // One row or column of an exchange matrix: a face, a part of one, or a group of faces.
 struct Element {
-  std::string name;                       // "wall", "wall:back", "wall#2"
-  std::uint32_t surface = 0;              // index into the scene's surfaces (the first one of a group)
-  std::uint32_t part = 0, parts = 1;      // which of how many equal parts
+  std::string name;                   // "wall", "wall:back", "wall#2"
+  std::uint32_t surface = 0;          // index into the scene's surfaces (the first one of a group)
+  std::uint32_t part = 0, parts = 1;  // which of how many equal parts
   bool is_back = false;
   std::optional<std::uint32_t> material;  // none: an opaque black back, which has a column but no row
   Rounded area;                           // length in 2D [scene unit], 0 when other surfaces own all of it
@@ -54,7 +54,8 @@ class ExchangeMatrix {
 
   // S(from, to), correctly rounded, for each entry of the row; empty unless it was asked for.
   std::span<const double> measures(std::uint32_t i) const {
-    return measures_.empty() ? std::span<const double>() : std::span(measures_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
+    return measures_.empty() ? std::span<const double>()
+                             : std::span(measures_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }
 
   // Returns F(from, to); 0 where there is no entry.

@@ -140,11 +140,13 @@ std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const La
   std::size_t round = 64;
   for (std::size_t begin = 0; begin < n;) {
     const std::size_t end = std::min(n, begin + round);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 8), [&](const tbb::blocked_range<std::size_t>& range) {
-      Outbox& out = outboxes.local();
-      thread_local View2 view;
-      for (std::size_t v = range.begin(); v != range.end(); ++v) sweep(static_cast<VertexId>(v), view, out);
-    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 8),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        Outbox& out = outboxes.local();
+                        thread_local View2 view;
+                        for (std::size_t v = range.begin(); v != range.end(); ++v)
+                          sweep(static_cast<VertexId>(v), view, out);
+                      });
     std::size_t in_flight = 0;
     for (const Outbox& out : outboxes)
       for (const auto& terms : out.by_partition) in_flight += terms.size();
@@ -154,7 +156,8 @@ std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const La
         out.by_partition[partition].clear();
       }
     });
-    round = std::clamp<std::size_t>(round * kTermsInFlight / (in_flight + 1), std::max<std::size_t>(16, round / 4), 4 * round);
+    round = std::clamp<std::size_t>(round * kTermsInFlight / (in_flight + 1), std::max<std::size_t>(16, round / 4),
+                                    4 * round);
     begin = end;
     if (progress) progress(static_cast<double>(begin) / static_cast<double>(n));
   }
@@ -164,7 +167,8 @@ std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const La
   }
 
   std::vector<std::vector<PairSum>> sorted(partitions);
-  tbb::parallel_for(std::size_t{0}, partitions, [&](std::size_t partition) { sorted[partition] = tables[partition].take(); });
+  tbb::parallel_for(std::size_t{0}, partitions,
+                    [&](std::size_t partition) { sorted[partition] = tables[partition].take(); });
   std::size_t total = 0;
   for (const auto& part : sorted) total += part.size();
   std::vector<PairSum> result;

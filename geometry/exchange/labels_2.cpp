@@ -87,9 +87,10 @@ void Labels2::find_runs(const Arrangement2& arrangement, bool labels_are_straigh
   for (std::size_t label = 0; label < elements_.size(); ++label) {
     const auto from = directed.begin() + static_cast<std::ptrdiff_t>(begin[label]);
     const auto to = directed.begin() + static_cast<std::ptrdiff_t>(begin[label + 1]);
-    if (labels_are_straight) std::sort(from, to, [&](const Segment2& s, const Segment2& t) {
-      return s.a != t.a && vertices.precedes(s.a, s.b) == vertices.precedes(s.a, t.a);
-    });
+    if (labels_are_straight)
+      std::sort(from, to, [&](const Segment2& s, const Segment2& t) {
+        return s.a != t.a && vertices.precedes(s.a, s.b) == vertices.precedes(s.a, t.a);
+      });
     const std::size_t first_run = runs_.size();
     for (auto piece = from; piece != to; ++piece) {
       const bool continues = runs_.size() > first_run && runs_.back().b == piece->a &&

@@ -21,8 +21,8 @@ struct Strings {
 };
 
 // With f = a -> b and g = c -> d, fronts on the right: the uncrossed strings are a-d and b-c. Where g's line cuts f in
-// x, the part behind it is clipped; x lies on the line of g outside g, so |x c| - |x d| = ±|c d|, and the sign is the one
-// that keeps the sum from being negative.
+// x, the part behind it is clipped; x lies on the line of g outside g, so |x c| - |x d| = ±|c d|, and the sign is the
+// one that keeps the sum from being negative.
 Strings strings_between(const Vertices2& vertices, const Segment2& f, const Segment2& g) {
   const VertexId a = f.a, b = f.b, c = g.a, d = g.b;
   const int a_in_front = -vertices.orientation(c, d, a), b_in_front = -vertices.orientation(c, d, b);
@@ -86,7 +86,8 @@ RootSum unobstructed_exact(const Vertices2& vertices, const Segment2& f, const S
   const Strings strings = strings_between(vertices, f, g);
   RootSum sum;
   if (strings.crosses) {
-    const ExactPoint2 a = vertices.exact(f.a), b = vertices.exact(f.b), c = vertices.exact(g.a), d = vertices.exact(g.b);
+    const ExactPoint2 a = vertices.exact(f.a), b = vertices.exact(f.b), c = vertices.exact(g.a),
+                      d = vertices.exact(g.b);
     const Rational at_a = cross(c, d, a), at_b = cross(c, d, b), t = at_a / (at_a - at_b);
     const ExactPoint2 x{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
     const ExactPoint2 p = vertices.exact(strings.p), q = vertices.exact(strings.q);

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "geometry/arrangement/overlay_2.h"
-#include "kernel/rounding.h"
 #include "kernel/root_sum.h"
+#include "kernel/rounding.h"
 #include "kernel/vertices_2.h"
 
 namespace hottel {

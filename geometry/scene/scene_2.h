@@ -36,13 +36,13 @@ struct Grid2 {
 
 // An expectation that a scene file carries about itself: what a stranger can check, and why it holds.
 struct Expectation {
-  std::string name;                    // of the reference value, e.g. "strip_parallel_h1"; may be empty
-  std::string kind;                    // "exact", "rounded", "limit", "point", ...
-  std::string quantity;                // "factor", "radiosity", ...
-  std::vector<std::string> of;         // names the quantity is about, e.g. {from, to}
-  std::string at;                      // of a point quantity: t in [0,1] from the first to the second point of of[0]
-  std::string value;                   // p/q or decimal where exact, otherwise at least 21 significant digits
-  std::string form;                    // closed form for people, e.g. "-1 + 1*sqrt(2)"
+  std::string name;             // of the reference value, e.g. "strip_parallel_h1"; may be empty
+  std::string kind;             // "exact", "rounded", "limit", "point", ...
+  std::string quantity;         // "factor", "radiosity", ...
+  std::vector<std::string> of;  // names the quantity is about, e.g. {from, to}
+  std::string at;               // of a point quantity: t in [0,1] from the first to the second point of of[0]
+  std::string value;            // p/q or decimal where exact, otherwise at least 21 significant digits
+  std::string form;             // closed form for people, e.g. "-1 + 1*sqrt(2)"
   std::string derivation;
   int line = 0;
 };

@@ -72,7 +72,8 @@ Location2 PointLocation2::locate(const Eye2& eye) const {
     HalfEdgeId leave = -1;
     for (int k = 0; k < 3 && leave < 0; ++k) {
       const HalfEdgeId h = triangle + (first + k) % 3;
-      const int side = eye.orientation(triangulation_.corner(next_half_edge(h)), triangulation_.corner(previous_half_edge(h)));
+      const int side =
+          eye.orientation(triangulation_.corner(next_half_edge(h)), triangulation_.corner(previous_half_edge(h)));
       if (side < 0) leave = h;
       if (side == 0) on[on_count++] = h;
     }
@@ -80,7 +81,8 @@ Location2 PointLocation2::locate(const Eye2& eye) const {
       if (on_count == 0) return {Kind::kInTriangle, triangle, 0};
       if (on_count == 1) return {Kind::kOnEdge, on[0], 0};
       // On two edges: their common corner, which is opposite to the third.
-      return {Kind::kOnVertex, triangle, triangulation_.corner(triangle + (3 - (on[0] - triangle) - (on[1] - triangle)))};
+      return {Kind::kOnVertex, triangle,
+              triangulation_.corner(triangle + (3 - (on[0] - triangle) - (on[1] - triangle)))};
     }
     const HalfEdgeId next = triangulation_.across(leave);
     if (next < 0) return {};
@@ -141,7 +143,8 @@ void PointLocation2::look_around_outside(const Eye2& eye, View2& view) const {
     };
     if (turn != 0) {
       for (std::size_t k = 0; k < order.size(); ++k)
-        view.seen.push_back({order[k], k + 1 < order.size() ? between(order[k], order[k + 1]) : kSky, kNoPiece, kNoPiece});
+        view.seen.push_back(
+            {order[k], k + 1 < order.size() ? between(order[k], order[k + 1]) : kSky, kNoPiece, kNoPiece});
       return;
     }
     // On the line: the nearest vertex on either side; the piece between them, if any, covers both directions.
@@ -169,7 +172,8 @@ void PointLocation2::look_around_outside(const Eye2& eye, View2& view) const {
   std::size_t k = last + n;
   for (; is_visible(k); --k) {
     const HalfEdgeId h = hull_[k % n];
-    const VertexId left = triangulation_.corner(next_half_edge(h)), right = triangulation_.corner(previous_half_edge(h));
+    const VertexId left = triangulation_.corner(next_half_edge(h)),
+                   right = triangulation_.corner(previous_half_edge(h));
     view.seen.push_back({right, kSky, kNoPiece, kNoPiece});
     if (triangulation_.twin(h) < 0 && triangulation_.side(h) != kSky)
       view.seen.back().behind = triangulation_.side(h) ^ 1;

@@ -12,7 +12,8 @@ Rational cross(const ExactPoint2& p, const ExactPoint2& q) { return p.x * q.y - 
 Rational dot(const ExactPoint2& p, const ExactPoint2& q) { return p.x * q.x + p.y * q.y; }
 
 // Where the ray from the eye through a point meets the line of a piece. REQUIRES that they are not parallel.
-ExactPoint2 ray_meets_piece(const ExactPoint2& eye, const ExactPoint2& through, const ExactPoint2& a, const ExactPoint2& b) {
+ExactPoint2 ray_meets_piece(const ExactPoint2& eye, const ExactPoint2& through, const ExactPoint2& a,
+                            const ExactPoint2& b) {
   const ExactPoint2 along = minus(b, a), ray = minus(through, eye);
   const Rational t = cross(minus(a, eye), along) / cross(ray, along);
   return {eye.x + t * ray.x, eye.y + t * ray.y};
@@ -64,7 +65,8 @@ VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const Poi
 Ball angle_fraction(const VisibilityPolygon2& polygon, std::size_t part, long precision) {
   const Rational one = 1;
   if (polygon.parts.size() == 1) return Ball::of(one, precision);
-  const ExactPoint2 from = minus(polygon.parts[part].from, polygon.eye), to = minus(polygon.parts[part].to, polygon.eye);
+  const ExactPoint2 from = minus(polygon.parts[part].from, polygon.eye),
+                    to = minus(polygon.parts[part].to, polygon.eye);
   const Rational across = cross(from, to), along = dot(from, to);
   const Ball two = Ball::of(Rational(2), precision);
   const Ball turn = Ball::atan2(Ball::of(across, precision), Ball::of(along, precision), precision)
@@ -76,7 +78,8 @@ std::vector<PointFactor2> point_factors(const Arrangement2& arrangement, const P
                                         const Point2& from, const Point2& to, bool from_back, const Rational& t) {
   HOTTEL_REQUIRE(t >= 0 && t <= 1);
   const Vertices2& vertices = arrangement.vertices();
-  // The front is on the right of from -> to, the back on the right of to -> from: u runs with the seen side on its right.
+  // The front is on the right of from -> to, the back on the right of to -> from: u runs with the seen side on its
+  // right.
   const ExactPoint2 first = vertices.from_scene({from.x, from.y}), second = vertices.from_scene({to.x, to.y});
   const ExactPoint2 u = from_back ? minus(first, second) : minus(second, first);
   const ExactPoint2 back_u{-u.x, -u.y};

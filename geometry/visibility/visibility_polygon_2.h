@@ -42,7 +42,8 @@ Ball angle_fraction(const VisibilityPolygon2& polygon, std::size_t part, long pr
 // View factors from a point of a face: F(x -> g) = 1/2 sum (sin phi_end - sin phi_start), exact sums of square roots.
 //
 //   (1) the factors sum to 1, the sky included
-//   (2) at the first point of the edge (t = 0) and at contacts inside it the limit from larger t is taken, at t = 1 that
+//   (2) at the first point of the edge (t = 0) and at contacts inside it the limit from larger t is taken, at t = 1
+//   that
 //       from smaller t
 // REQUIRES 0 <= t <= 1.
 struct PointFactor2 {

@@ -43,8 +43,14 @@ void for_each_gap(const Vertices2& vertices, VertexId v, const View2& view, bool
     }
     if (each_once && seen[k].vertex < v) continue;
 
-    Gap2 gap{v, seen[k].vertex, kSky, kSky, seen[k == 0 ? m - 1 : k - 1].behind, seen[k].behind,
-             seen[k].left, seen[k].right};
+    Gap2 gap{v,
+             seen[k].vertex,
+             kSky,
+             kSky,
+             seen[k == 0 ? m - 1 : k - 1].behind,
+             seen[k].behind,
+             seen[k].left,
+             seen[k].right};
     gap.behind_right = seen[wrapped(last)].behind;
     gap.behind_left = has_opposite ? seen[wrapped(last + 1)].behind : gap.behind_right;
     // Pieces at v that lie strictly on one side of the line hide what is behind v on that side; the one nearest to the
