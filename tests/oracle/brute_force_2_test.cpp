@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "tests/oracle/laws_2.h"
 #include "tests/oracle/random_scene_2.h"
@@ -14,6 +16,28 @@ constexpr int kScenes = 40;
 
 std::vector<InputSegment> scene(int seed) {
   return random_scene(static_cast<std::uint64_t>(seed), 5 + seed / 3, seed % 4 < 2).edges;
+}
+
+// Joins pieces of one edge again, at most two at a point, so that others end inside them: T-junctions.
+std::vector<Segment> joined(std::vector<Segment> pieces) {
+  std::set<std::pair<mpq_class, mpq_class>> passed;
+  const auto follows = [](const Segment& s, const Segment& t) {
+    return s.bx == t.ax && s.by == t.ay && s.left == t.left && s.right == t.right &&
+           (s.bx - s.ax) * (t.by - t.ay) == (s.by - s.ay) * (t.bx - t.ax);
+  };
+  for (std::size_t i = 0; i < pieces.size();) {
+    const auto next =
+        std::find_if(pieces.begin(), pieces.end(), [&](const Segment& t) { return follows(pieces[i], t); });
+    if (next == pieces.end() || !passed.insert({next->ax, next->ay}).second) {
+      ++i;
+      continue;
+    }
+    pieces[i].bx = next->bx;
+    pieces[i].by = next->by;
+    i -= next < pieces.begin() + static_cast<std::ptrdiff_t>(i) ? 1 : 0;
+    pieces.erase(next);
+  }
+  return pieces;
 }
 
 class OracleBruteForce2 : public testing::TestWithParam<int> {
@@ -42,6 +66,15 @@ TEST_P(OracleBruteForce2, DoesNotDependOnOrderOrDirection) {
   EXPECT_EQ(exchange_measures(shuffled), exchange_measures(pieces_));
 }
 
+TEST_P(OracleBruteForce2, AllowsTJunctions) {
+  std::vector<Segment> whole = joined(pieces_);
+  EXPECT_EQ(exact_measures(whole), exact_measures(pieces_));
+  std::reverse(whole.begin(), whole.end());
+  EXPECT_EQ(exact_measures(whole), exact_measures(pieces_));
+  EXPECT_EQ(broken_integer_closure(whole), "");
+  EXPECT_EQ(broken_sweep(whole), "");
+}
+
 TEST_P(OracleBruteForce2, MirrorsWithTheScene) {
   std::vector<Segment> mirrored;
   for (const Segment& s : pieces_) mirrored.push_back({-s.ax, s.ay, -s.bx, s.by, s.right, s.left});
@@ -66,6 +99,15 @@ TEST_P(OracleBruteForce2, ScalesWithTheScene) {
 }
 
 INSTANTIATE_TEST_SUITE_P(RandomScenes, OracleBruteForce2, testing::Range(0, kScenes));
+
+TEST(OracleTJunctions2, AreManyInTheRandomScenes) {
+  std::size_t joints = 0;
+  for (int seed = 0; seed < kScenes; ++seed) {
+    const std::vector<Segment> pieces = split(scene(seed)).pieces;
+    joints += pieces.size() - joined(pieces).size();
+  }
+  EXPECT_GT(joints, 100u);
+}
 
 TEST(OracleRandomScene2, HasTheEdgesAskedForAndNoConflict) {
   for (int n : {4, 10, 60}) {
