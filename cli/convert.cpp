@@ -43,7 +43,8 @@ void add_convert(Commands& commands) {
   CLI::App& command = commands.add(
       "convert",
       "Read a drawing as a scene, or rewrite a scene\n\n"
-      "From an .svg: lines, polylines, polygons, rects and paths of straight pieces, exactly, y pointing up. The front\n"
+      "From an .svg: lines, polylines, polygons, rects and paths of straight pieces, exactly, y pointing up. The "
+      "front\n"
       "of a line is its right side as drawn (a rect is a room); data-front=\"left\" turns it round. Names are ids,\n"
       "materials classes or data-material, data-back is the material of the back. Curves and whatever else cannot be\n"
       "read exactly are refused, never dropped.\n"

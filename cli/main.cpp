@@ -4,6 +4,7 @@
 int main(int argc, char** argv) {
   hottel::Commands commands;
   hottel::add_factors(commands);
+  hottel::add_visibility(commands);
   hottel::add_generate(commands);
   hottel::add_convert(commands);
   return commands.run(argc, argv);

@@ -1,0 +1,28 @@
+// Where, along a face, the view of another face changes its combinatorics.
+#pragma once
+
+#include <vector>
+
+#include "geometry/arrangement/arrangement_2.h"
+
+namespace hottel {
+
+// A point of a face through which a line passes that touches two vertices and beyond which the other face appears,
+// disappears or changes its neighbour.
+struct CriticalPoint2 {
+  Rational t;             // position on the surface, 0 at its first point, 1 at its second
+  ExactPoint2 point;      // scene coordinates
+  ExactPoint2 near, far;  // the two vertices, the nearer one first; near == point in a contact
+  bool is_jump = false;   // D0: something touches the face here; otherwise D1, a kink
+};
+
+// Returns the critical points of face a (a side of a surface) with respect to face b, by ascending t; several lines may
+// pass through one point. COST: one sweep about every vertex.
+struct FaceSide2 {
+  std::uint32_t surface = 0;
+  bool is_back = false;
+};
+std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, const Scene2& scene, const FaceSide2& a,
+                                            const FaceSide2& b);
+
+}  // namespace hottel
