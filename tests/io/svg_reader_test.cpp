@@ -1,0 +1,178 @@
+#include "io/svg_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/scene_json.h"
+#include "io/svg_geometry.h"
+#include "kernel/failure.h"
+
+namespace hottel {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::string svg(const std::string& body) {
+  return "<svg xmlns='http://www.w3.org/2000/svg' xmlns:other='urn:other'>\n" + body + "\n</svg>\n";
+}
+
+Scene2 scene(const std::string& body) { return parse_svg_2(svg(body), "plan.svg"); }
+
+// "name: x0,y0 x1,y1" for each surface.
+std::vector<std::string> lines(const std::string& body) {
+  std::vector<std::string> result;
+  for (const Surface2& s : scene(body).surfaces)
+    result.push_back(s.name + ": " + to_string(s.from.x) + "," + to_string(s.from.y) + " " + to_string(s.to.x) + "," +
+                     to_string(s.to.y));
+  return result;
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    parse_svg_2(text, "plan.svg");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SvgReader, TurnsTheAxisSoThatUpIsUp) {
+  EXPECT_THAT(lines("<line id='a' x1='1' y1='2' x2='3px' y2='.5'/>"), ElementsAre("a: 1,-2 3,-1/2"));
+}
+
+TEST(SvgReader, ReadsNumbersAsTheTextSays) {
+  EXPECT_THAT(lines("<polyline id='a' points='0.1.2-3e-1+4, 1e2 007'/>"),
+              ElementsAre("a[0]: 1/10,-1/5 -3/10,-4", "a[1]: -3/10,-4 100,-7"));
+}
+
+TEST(SvgReader, ListsARectAsARoomSeenFromInside) {
+  EXPECT_THAT(lines("<rect id='r' x='1' y='2' width='3' height='4'/>"),
+              ElementsAre("r[0]: 1,-2 4,-2", "r[1]: 4,-2 4,-6", "r[2]: 4,-6 1,-6", "r[3]: 1,-6 1,-2"));
+}
+
+TEST(SvgReader, TurnsAnElementRoundOnRequest) {
+  EXPECT_THAT(lines("<line id='a' data-front='left' x2='1'/>"), ElementsAre("a: 1,0 0,0"));
+}
+
+TEST(SvgReader, ReadsEveryStraightPathCommand) {
+  EXPECT_THAT(lines("<path id='p' d='m1 1 2 0 L5,5H6h1V7v1l-1-1z'/>"),
+              ElementsAre("p[0]: 1,-1 3,-1", "p[1]: 3,-1 5,-5", "p[2]: 5,-5 6,-5", "p[3]: 6,-5 7,-5", "p[4]: 7,-5 7,-7",
+                          "p[5]: 7,-7 7,-8", "p[6]: 7,-8 6,-7", "p[7]: 6,-7 1,-1"));
+}
+
+TEST(SvgReader, GivesEachPartOfAPathAName) {
+  EXPECT_THAT(lines("<path id='p' d='M0 0h1M5 5h1v1zl-1 0'/>"),
+              ElementsAre("p.1[0]: 0,0 1,0", "p.2[0]: 5,-5 6,-5", "p.2[1]: 6,-5 6,-6", "p.2[2]: 6,-6 5,-5",
+                          "p.3[0]: 5,-5 4,-5"));
+}
+
+TEST(SvgReader, ClosesAPathOnceWhenItReturnsToItsStart) {
+  EXPECT_EQ(lines("<path d='M0 0 1 0 1 1 0 0 Z'/>"), lines("<path d='M0 0 1 0 1 1 Z'/>"));
+  EXPECT_EQ(lines("<polygon points='0 0 1 0 1 1 0 0'/>"), lines("<polygon points='0 0 1 0 1 1'/>"));
+}
+
+TEST(SvgReader, AppliesNestedTransformsExactly) {
+  EXPECT_THAT(lines("<g transform='translate(10,20) scale(.1)'><g transform='rotate(90)'>"
+                    "<line id='a' x1='1' y1='0' x2='0' y2='3' transform='matrix(1 0 0 -1 0 0)'/></g></g>"),
+              ElementsAre("a: 10,-201/10 103/10,-20"));
+  EXPECT_THAT(lines("<line id='a' x2='2' transform='rotate(-90 1 1)'/>"), ElementsAre("a: 0,-2 0,0"));
+}
+
+TEST(SvgReader, PutsEdgesFirstAndCountsEachKindForNames) {
+  EXPECT_THAT(lines("<line x2='1'/><polyline points='0 1 1 1'/><line x2='1' y1='2' y2='2'/>"),
+              ElementsAre("edge[0]: 0,0 1,0", "edge[1]: 0,-2 1,-2", "polyline[0][0]: 0,-1 1,-1"));
+}
+
+TEST(SvgReader, TakesMaterialsFromDataOrClassAndHandsThemDown) {
+  const Scene2 s = scene(
+      "<g class='oak' data-back='steel'><line id='a' x2='1'/><line id='b' data-material='lamp' y2='1'/></g>"
+      "<line id='c' x2='1' y1='5'/>");
+  const auto name = [&](std::uint32_t material) { return s.materials[material].name; };
+  EXPECT_EQ(name(s.surfaces[0].material), "oak");
+  EXPECT_EQ(name(*s.surfaces[0].back), "steel");
+  EXPECT_EQ(name(s.surfaces[1].material), "lamp");
+  EXPECT_EQ(name(s.surfaces[2].material), "white");
+  EXPECT_FALSE(s.surfaces[2].back.has_value());
+  EXPECT_EQ(s.materials[0].reflectivity, Spectrum::scalar(Rational(1, 2)));
+}
+
+TEST(SvgReader, KnowsTheLineOfEverySurface) {
+  EXPECT_EQ(scene("<title>x</title>\n<g>\n<line x2='1'/></g>").surfaces[0].line, 4);
+}
+
+TEST(SvgReader, PassesOverWhatIsNeverDrawn) {
+  EXPECT_EQ(lines("<title>t</title><defs><circle r='1'/></defs><other:circle/><style>.a{fill:red}</style>"
+                  "<line id='a' x2='1' style='stroke:red; display: inline'><title>t</title></line>")
+                .size(),
+            1u);
+}
+
+TEST(SvgReader, WritesASceneThatReadsBack) {
+  const Scene2 drawn = scene("<path id='p' d='M0 0H3.3V1.1Z'/><line id='a' class='oak' x2='0.7'/>");
+  const Scene2 read = parse_scene_2(write_scene_2(drawn), "plan.json");
+  ASSERT_EQ(read.surfaces.size(), drawn.surfaces.size());
+  for (std::size_t i = 0; i < read.surfaces.size(); ++i) {
+    EXPECT_EQ(read.surfaces[i].name, drawn.surfaces[i].name);
+    EXPECT_EQ(read.surfaces[i].from, drawn.surfaces[i].from);
+    EXPECT_EQ(read.surfaces[i].to, drawn.surfaces[i].to);
+    EXPECT_EQ(read.groups[read.surfaces[i].group], drawn.groups[drawn.surfaces[i].group]);
+  }
+}
+
+TEST(SvgReader, RefusesWhatItCannotReadExactlyAtItsLine) {
+  const auto expect_refusal = [](const std::string& body, const std::string& text) {
+    const std::string message = refusal(svg("<line x2='1'/>\n" + body));
+    EXPECT_THAT(message, HasSubstr(text)) << body;
+    EXPECT_EQ(message.rfind("plan.svg:3: ", 0), 0u) << message;
+  };
+  for (const char* element :
+       {"circle", "ellipse", "text", "image", "use", "foreignObject", "switch", "svg", "a", "bogus"})
+    expect_refusal("<" + std::string(element) + " id='x'/>", "is not made of straight lines");
+  expect_refusal("<path d='M0 0 C1 1 2 2 3 3'/>", "the command 'C'");
+  expect_refusal("<path d='L1 1'/>", "does not begin with M");
+  expect_refusal("<path d='M1 1'/>", "has no lines");
+  expect_refusal("<path d='M0 0 L1'/>", "no number where one is due");
+  expect_refusal("<path d='M0 0 1 1 ,'/>", "no number where one is due");
+  expect_refusal("<path id='p' d='M0 0 1 1 1 1'/>", "two equal points in a row");
+  expect_refusal("<polyline points='0 0 1'/>", "no number where one is due");
+  expect_refusal("<polyline points='0 0'/>", "fewer than two points");
+  expect_refusal("<line x2='1cm'/>", "has the unit 'cm'");
+  expect_refusal("<line x2='50%'/>", "has the unit '%'");
+  expect_refusal("<line x2='nan'/>", "no number");
+  expect_refusal("<line x2='1e99999'/>", "too long");
+  expect_refusal("<line x1='1' x2='1'/>", "two equal points");
+  expect_refusal("<rect width='1' height='0'/>", "no positive width and height");
+  expect_refusal("<rect width='1' height='1' rx='.1'/>", "rounded corners");
+  expect_refusal("<line x2='1' transform='rotate(45)'/>", "only multiples of 90 are exact");
+  expect_refusal("<line x2='1' transform='skewX(5)'/>", "only translate, scale, matrix and rotate");
+  expect_refusal("<line x2='1' transform='scale(0)'/>", "flattens");
+  expect_refusal("<line x2='1' transform='translate(1'/>", "no number");
+  expect_refusal("<line x2='1' transform='scale()'/>", "wrong number of arguments");
+  expect_refusal("<line x2='1' display='none'/>", "display 'none'");
+  expect_refusal("<g style='fill:none;display:none'><line x2='1'/></g>", "display 'none'");
+  expect_refusal("<g clip-path='url(#c)'><line x2='1'/></g>", "clip-path");
+  expect_refusal("<style>line { transform: scale(2) }</style>", "may hide or move lines");
+  expect_refusal("<line x2='1'><animate/></line>", "cannot be read here");
+  expect_refusal("<line id='sky' x2='1'/>", "the id is kept for the sky");
+  expect_refusal("<line x2='1' x2='2'/>", "twice");
+  expect_refusal("<line x2='1' data-front='up'/>", "neither 'left' nor 'right'");
+}
+
+TEST(SvgReader, RefusesFilesThatAreNoDrawing) {
+  EXPECT_THAT(refusal(""), HasSubstr("not well-formed XML"));
+  EXPECT_THAT(refusal("<svg>\n<g>"), HasSubstr("not well-formed XML"));
+  EXPECT_THAT(refusal("<html/>"), HasSubstr("outermost element is not <svg>"));
+  EXPECT_THAT(refusal("<svg xmlns='urn:other'/>"), HasSubstr("outermost element is not <svg>"));
+  EXPECT_THAT(refusal("<svg/><svg/>"), HasSubstr("second outermost element"));
+  EXPECT_THAT(refusal(svg("")), HasSubstr("has no lines"));
+  EXPECT_THAT(refusal(std::string("<svg>\0</svg>", 12)), HasSubstr("NUL"));
+  EXPECT_THAT(refusal(svg("<line id='a' x2='1'/><line id='a' y2='1'/>")), HasSubstr("two surfaces have the name 'a'"));
+  std::string deep = "<svg>";
+  for (int i = 0; i < 100000; ++i) deep += "<g>";
+  for (int i = 0; i < 100000; ++i) deep += "</g>";
+  EXPECT_THAT(refusal(deep + "</svg>"), HasSubstr("nested too deeply"));
+}
+
+}  // namespace
+}  // namespace hottel
