@@ -1,1 +1,32 @@
-# install rules: to be written
+# What `cmake --install` puts in place: the program, the static libraries, the headers, and the package `hottel` for
+# find_package.
+include(CMakePackageConfigHelpers)
+
+# The library as a whole: what an outside program links.
+add_library(hottel_library INTERFACE)
+set_target_properties(hottel_library PROPERTIES EXPORT_NAME hottel)
+target_link_libraries(hottel_library INTERFACE hottel_viewer)
+add_library(hottel::hottel ALIAS hottel_library)
+
+set(layers kernel geometry solver io viewer)
+list(TRANSFORM layers PREPEND hottel_ OUTPUT_VARIABLE layer_targets)
+install(TARGETS ${layer_targets} hottel_library EXPORT hottel-targets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(TARGETS hottel RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+
+# kernel/kernels.h is for the .cpp files of the library: it names CGAL.
+foreach(layer IN LISTS layers)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${layer}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/hottel"
+          FILES_MATCHING PATTERN "*.h" PATTERN "kernels.h" EXCLUDE)
+endforeach()
+install(FILES "${PROJECT_SOURCE_DIR}/hottel.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/hottel")
+
+set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/hottel")
+install(EXPORT hottel-targets NAMESPACE hottel:: DESTINATION "${package_directory}")
+configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/hottel-config.cmake.in"
+                              "${PROJECT_BINARY_DIR}/hottel-config.cmake" INSTALL_DESTINATION "${package_directory}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/hottel-config-version.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/hottel-config.cmake" "${PROJECT_BINARY_DIR}/hottel-config-version.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/FindArb.cmake" "${PROJECT_SOURCE_DIR}/cmake/FindGmpxx.cmake"
+        DESTINATION "${package_directory}")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/CHANGES.md" "${PROJECT_SOURCE_DIR}/README.md"
+        DESTINATION "${CMAKE_INSTALL_DOCDIR}" OPTIONAL)
