@@ -201,7 +201,7 @@ FixedLength Vertices2::small_distance(VertexId i, VertexId j) const {
   auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(static_cast<std::uint64_t>(n >> 64)) * 0x1p64));
   auto remainder = static_cast<Int128>(n) - static_cast<Int128>(root) * root;
   const double inverse = 0.5 / static_cast<double>(root);
-  const double distance_to_root = static_cast<double>(remainder) * inverse;
+  const double distance_to_root = double_near(remainder) * inverse;
   const auto correction = static_cast<std::int64_t>(distance_to_root + (distance_to_root < 0 ? -0.5 : 0.5));
   remainder -= (2 * static_cast<Int128>(root) + correction) * correction;
   root += correction;
@@ -209,7 +209,7 @@ FixedLength Vertices2::small_distance(VertexId i, VertexId j) const {
   const auto coarse =
       static_cast<std::int64_t>(static_cast<double>(static_cast<std::int64_t>(remainder)) * inverse * 0x1p40);
   const Int128 left = (remainder << 40) - 2 * static_cast<Int128>(root) * coarse;
-  const auto fine = static_cast<std::int64_t>(static_cast<double>(left) * inverse * 0x1p22);
+  const auto fine = static_cast<std::int64_t>(double_near(left) * inverse * 0x1p22);
   const Int128 value = (static_cast<Int128>(root) << 62) + (static_cast<Int128>(coarse) << 22) + fine;
   const int drop = half_shift + 62 - fixed_bits_;
   return {(value + (static_cast<Int128>(1) << (drop - 1))) >> drop, remainder == 0};

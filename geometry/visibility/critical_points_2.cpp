@@ -53,6 +53,7 @@ class Collector {
     if (turn == 0) return;
     const Rational t = ((p.x - from_.x) * dy - (p.y - from_.y) * dx) / turn;
     if (t < 0 || t > 1) return;
+    if ((t == 0 && p == from_) || (t == 1 && p == to_)) return;  // the face's own ends
     const ExactPoint2 x{from_.x + t * ux, from_.y + t * uy};
     found_.push_back({t, vertices.to_scene(x), vertices.to_scene(p), vertices.to_scene(q), x == p});
   }
