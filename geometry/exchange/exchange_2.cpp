@@ -170,6 +170,26 @@ class Rounding {
   const FixedScale half_unit_;  // 2 S in fixed point to S in scene units
 };
 
+// Every pair of faces as if nothing stood between them. COST: O(n²) strings.
+std::vector<PairSum> sum_all_pairs(const Arrangement2& arrangement, const Labels2& labels) {
+  const Vertices2& vertices = arrangement.vertices();
+  std::vector<PairSum> pairs;
+  for (std::uint32_t i = 0; i < labels.count(); ++i)
+    for (std::uint32_t j = i; j < labels.count(); ++j) {
+      if (!labels.has_row(i) || !labels.has_row(j)) continue;
+      PairSum pair{i, j, 0, false, 0};
+      for (const Segment2& f : labels.runs(i))
+        for (const Segment2& g : labels.runs(j)) {
+          const auto sum = unobstructed_sum(vertices, f, g);
+          HOTTEL_REQUIRE(sum.has_value());
+          pair.value += sum->value;
+          pair.inexact += static_cast<std::uint32_t>(std::lround(sum->error / vertices.length_error()));
+        }
+      if (pair.value != 0 || pair.inexact != 0) pairs.push_back(pair);
+    }
+  return pairs;
+}
+
 // A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it.
 void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels, std::vector<RoundedPair>& rounded) {
   std::vector<std::uint32_t> partners(labels.count() + 1, 0);
@@ -228,6 +248,31 @@ PreparedScene2 prepare(Scene2 scene, Divided divided) {
   return prepared;
 }
 
+bool is_convex_room(const Scene2& scene) {
+  const std::size_t n = scene.surfaces.size();
+  if (n < 3) return false;
+  // A clockwise closed chain is convex iff it never turns left and its direction goes around once: the sign of its
+  // direction along x then changes twice.
+  int changes = 0, last = 0, first = 0;
+  bool turns = false;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Surface2 &surface = scene.surfaces[k], &next = scene.surfaces[(k + 1) % n];
+    if (surface.back || !(surface.to == next.from)) return false;
+    const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
+    const Rational ex = next.to.x - next.from.x, ey = next.to.y - next.from.y;
+    const Rational turn = dx * ey - dy * ex;
+    if (turn > 0 || (turn == 0 && dx * ex + dy * ey < 0)) return false;
+    turns |= turn < 0;
+    const int sign = sgn(dx);
+    if (sign == 0) continue;
+    if (last != 0 && sign != last) ++changes;
+    if (first == 0) first = sign;
+    last = sign;
+  }
+  if (last != first) ++changes;
+  return turns && changes == 2;
+}
+
 ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOptions2& options, ExchangeReport* report) {
   Stopwatch watch;
   ExchangeReport ignored;
@@ -238,8 +283,10 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   r.seconds["label"] = watch.lap();
 
   SumCounts counts;
-  const std::vector<PairSum> pairs = sum_visible_pairs(arrangement, labels, options.progress, counts);
-  r.seconds["sweep"] = watch.lap();
+  const std::vector<PairSum> pairs = options.occlusion
+                                         ? sum_visible_pairs(arrangement, labels, options.progress, counts)
+                                         : sum_all_pairs(arrangement, labels);
+  r.seconds[options.occlusion ? "sweep" : "strings"] = watch.lap();
   r.closure_is_exact = closure_defect(pairs, labels) == 0;
   HOTTEL_REQUIRE(r.closure_is_exact);
 
@@ -332,6 +379,7 @@ std::vector<LabelPair> hidden_pairs(const PreparedScene2& prepared, Per per, con
       if (entry != row.end() && entry->to == j) continue;
       if (would_exchange(i, j)) result.emplace_back(i, j);
     }
+    if (row.empty() || row.back().to != labels.sky()) result.emplace_back(i, labels.sky());
   }
   return result;
 }
