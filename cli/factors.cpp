@@ -47,13 +47,14 @@ Per per_of(const std::string& name) {
   return name == "element" ? Per::kElement : name == "group" ? Per::kGroup : Per::kFace;
 }
 
-nlohmann::ordered_json report_json(const FactorsOptions& options, const ExchangeReport& report) {
+nlohmann::ordered_json report_json(const FactorsOptions& options, std::size_t surfaces, const ExchangeReport& report) {
   nlohmann::ordered_json json;
   json["hottel"] = 1;
   json["scene"] = options.scene;
   json["method"] = options.method;
-  json["counts"] = {{"vertices", report.vertices}, {"pieces", report.pieces}, {"elements", report.elements},
-                    {"pairs", report.pairs},       {"gaps", report.gaps},     {"terms", report.terms}};
+  json["counts"] = {{"surfaces", surfaces},        {"vertices", report.vertices}, {"pieces", report.pieces},
+                    {"elements", report.elements}, {"pairs", report.pairs},       {"gaps", report.gaps},
+                    {"terms", report.terms}};
   json["tiers"] = {{"double", report.tiers.by_tier[0]},
                    {"double_double", report.tiers.by_tier[1]},
                    {"ball", report.tiers.by_tier[2]},
@@ -63,19 +64,19 @@ nlohmann::ordered_json report_json(const FactorsOptions& options, const Exchange
   return json;
 }
 
-std::string report_text(const ExchangeReport& report) {
+std::string report_text(const FactorsOptions& options, const ExchangeReport& report) {
   double seconds = 0;
   for (const auto& [stage, time] : report.seconds) seconds += time;
   return fmt::format(
-      "{} visible pairs of {} faces, every factor correctly rounded; rows close exactly\n"
+      "{} visible pairs of {} {}s, every factor correctly rounded; rows close exactly\n"
       "settled by: {} without rounding, {} in 128-bit fixed point, {} by balls, {} by root sums; {:.3f} s",
-      report.pairs, report.elements, report.tiers.by_tier[0], report.tiers.by_tier[1], report.tiers.by_tier[2],
-      report.tiers.by_tier[3], seconds);
+      report.pairs, report.elements, options.per, report.tiers.by_tier[0], report.tiers.by_tier[1],
+      report.tiers.by_tier[2], report.tiers.by_tier[3], seconds);
 }
 
 // What fraction of each face's light goes to the surfaces that --toward names.
 FaceColouring colouring_toward(const PreparedScene2& prepared, const std::vector<std::uint32_t>& targets) {
-  const ExchangeMatrix matrix = exact_exchange(prepared, {Per::kFace, false});
+  const ExchangeMatrix matrix = exact_exchange(prepared, {.per = Per::kFace, .wants_visibility = false});
   std::vector<char> is_target(prepared.scene.surfaces.size(), 0);
   for (const std::uint32_t s : targets) is_target[s] = 1;
   FaceColouring colouring;
@@ -97,9 +98,7 @@ FaceColouring colouring_toward(const PreparedScene2& prepared, const std::vector
   return colouring;
 }
 
-void write_picture(const FactorsOptions& options, const PreparedScene2& prepared,
-                   const std::optional<PictureFormat>& format) {
-  if (!format) return;
+std::string draw_picture(const FactorsOptions& options, const PreparedScene2& prepared, PictureFormat format) {
   const std::vector<std::uint32_t> targets = surfaces_matching(prepared.scene, options.toward);
   std::string what = options.toward;
   if (what.ends_with("*")) what.pop_back();
@@ -108,72 +107,103 @@ void write_picture(const FactorsOptions& options, const PreparedScene2& prepared
   picture.target_label = what;
   picture.colouring = colouring_toward(prepared, targets);
   picture.colouring->title = "view factor to " + what;
-  write_output_file(options.picture, scene_picture_2(prepared.scene, picture, *format));
+  return scene_picture_2(prepared.scene, picture, format);
 }
 
-ExitCode factors(FactorsOptions options, Streams& streams) {
+// Sorts out what --exact-form took: its two names, or the scene, or both.
+void take_exact_form(FactorsOptions& options) {
   options.wants_exact_form = options.exact_form_option->count() > 0;
   std::erase(options.exact_form, "");  // what the option holds when it is given without names
-  if (options.scene.empty() && options.exact_form.size() == 1) {  // "--exact-form SCENE"
+  if (options.scene.empty() && options.exact_form.size() % 2 == 1) {
     options.scene = options.exact_form.back();
     options.exact_form.pop_back();
   }
+  if (options.exact_form.size() % 2 == 1) throw UsageError("--exact-form takes no name or two");
+}
+
+// What CLI11 does not see.
+void require_sense(const FactorsOptions& options) {
   if (options.scene.empty()) throw UsageError("factors needs a scene");
-  if (options.exact_form.size() == 1) throw UsageError("--exact-form takes no name or two");
-  if (options.method != "exact") throw UsageError("there is no method called '" + options.method + "': exact");
+  if (options.method != "exact")
+    throw UsageError("there is no method '" + options.method + "'; methods for scenes in the plane: exact");
+  if (options.tolerance) {
+    const auto tolerance = parse_rational(*options.tolerance);
+    if (!tolerance || *tolerance <= 0)
+      throw UsageError("--tolerance must be a positive number, not '" + *options.tolerance + "'");
+  }
+  if (options.json && options.out == "-") throw UsageError("--json and -o - both want standard output; give -o a file");
+  if (options.picture.empty() != options.toward.empty()) throw UsageError("--picture and --toward go together");
+}
+
+// Writes the factors to `out`, and for .mtx their faces to `faces`.
+void write_factors(const FactorsOptions& options, const PreparedScene2& prepared, const FactorTable& table,
+                   Format format, OutputFile& out, std::optional<OutputFile>& faces) {
+  const Sink sink = [&out](std::string_view text) { out.write(text); };
+  if (options.wants_exact_form) {
+    std::optional<LabelPair> only;
+    if (!options.exact_form.empty())
+      only = {require_element(table.matrix, options.exact_form[0]),
+              require_element(table.matrix, options.exact_form[1])};
+    write_exact_forms_csv(table, prepared, only, sink);
+  } else if (!options.matrix.empty()) {
+    write_dense_csv(table,
+                    options.matrix == "factor"     ? DenseQuantity::kFactor
+                    : options.matrix == "exchange" ? DenseQuantity::kExchange
+                                                   : DenseQuantity::kVisibility,
+                    sink);
+  } else if (format == Format::kCsv) {
+    write_factors_csv(table, sink);
+  } else if (format == Format::kMtx) {
+    write_factors_mtx(table, sink);
+    write_faces_csv(table, [&faces](std::string_view text) { faces->write(text); });
+  } else if (format == Format::kNpy) {
+    write_factors_npy(table, sink);
+  } else if (format == Format::kView3dText) {
+    write_factors_view3d_text(table, sink);
+  } else {
+    write_factors_view3d_binary(table, sink);
+  }
+}
+
+ExitCode factors(FactorsOptions options, Streams& streams) {
+  take_exact_form(options);
+  require_sense(options);
   const Format format = format_of(options);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   if (!options.picture.empty() && !picture)
     throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
-  if (options.picture.empty() != options.toward.empty()) throw UsageError("--picture and --toward go together");
 
   Scene2 scene = read_scene_2(options.scene);
   options.elements.apply_to(scene);
   const Per per = per_of(options.per);
   const PreparedScene2 prepared = prepare(std::move(scene), per == Per::kElement ? Divided::kYes : Divided::kNo);
+
+  // Opened before the work: a path that cannot be written is found at once.
+  std::optional<OutputFile> out, faces, drawing;
+  if (!options.json || !options.out.empty()) out.emplace(streams.output(options.out));
+  if (format == Format::kMtx) faces.emplace(options.out + ".faces.csv");
+  if (picture) drawing.emplace(options.picture);
+
   ExchangeReport report;
-  const ExchangeMatrix matrix = exact_exchange(prepared,
-                                               {per, options.matrix.empty() || options.matrix == "visibility",
-                                                options.matrix == "exchange", streams.progress("view factors")},
-                                               &report);
+  const ExchangeMatrix matrix =
+      exact_exchange(prepared,
+                     {.per = per,
+                      .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
+                      .wants_measures = options.matrix == "exchange",
+                      .progress = streams.progress("view factors")},
+                     &report);
   FactorTable table{prepared.scene, matrix, per, {}};
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = hidden_pairs(prepared, per, matrix);
+  if (drawing) drawing->write(draw_picture(options, prepared, *picture));
+  if (out) write_factors(options, prepared, table, format, *out, faces);
 
-  write_picture(options, prepared, picture);
-  if (!options.json || !options.out.empty()) {
-    OutputFile out = streams.output(options.out);
-    const Sink sink = [&out](std::string_view text) { out.write(text); };
-    if (options.wants_exact_form) {
-      std::optional<LabelPair> only;
-      if (!options.exact_form.empty())
-        only = {require_element(matrix, options.exact_form[0]), require_element(matrix, options.exact_form[1])};
-      write_exact_forms_csv(table, prepared, only, sink);
-    } else if (!options.matrix.empty()) {
-      write_dense_csv(table,
-                      options.matrix == "factor"     ? DenseQuantity::kFactor
-                      : options.matrix == "exchange" ? DenseQuantity::kExchange
-                                                     : DenseQuantity::kVisibility,
-                      sink);
-    } else if (format == Format::kCsv) {
-      write_factors_csv(table, sink);
-    } else if (format == Format::kMtx) {
-      OutputFile faces(options.out + ".faces.csv");
-      write_faces_csv(table, [&faces](std::string_view text) { faces.write(text); });
-      write_factors_mtx(table, sink);
-      faces.finish();
-      out.finish();
-      faces.commit();
-    } else if (format == Format::kNpy) {
-      write_factors_npy(table, sink);
-    } else if (format == Format::kView3dText) {
-      write_factors_view3d_text(table, sink);
-    } else {
-      write_factors_view3d_binary(table, sink);
-    }
-    out.commit();
-  }
-  if (options.json) streams.write("", report_json(options, report).dump(2) + "\n");
-  streams.note(report_text(report));
+  // All files are whole before the first one takes its name.
+  for (std::optional<OutputFile>* file : {&out, &faces, &drawing})
+    if (*file) (*file)->finish();
+  if (options.json) streams.write("", report_json(options, prepared.scene.surfaces.size(), report).dump(2) + "\n");
+  for (std::optional<OutputFile>* file : {&faces, &drawing, &out})
+    if (*file) (*file)->commit();
+  streams.note(report_text(options, report));
   return ExitCode::kDone;
 }
 
@@ -204,13 +234,15 @@ void add_factors(Commands& commands) {
   command.add_option("--pairs", options->pairs, "visible: S > 0; facing: also pairs that something hides completely")
       ->check(CLI::IsMember({"visible", "facing"}))
       ->capture_default_str();
-  command.add_option("--matrix", options->matrix, "a dense matrix of this quantity instead of a list")
-      ->check(CLI::IsMember({"factor", "exchange", "visibility"}));
+  CLI::Option* matrix =
+      command.add_option("--matrix", options->matrix, "a dense matrix of this quantity instead of a list");
+  matrix->check(CLI::IsMember({"factor", "exchange", "visibility"}));
   options->elements.add_to(command);
   options->exact_form_option = command
                                    .add_option("--exact-form", options->exact_form,
                                                "exchange measures as sums of square roots, of A and B or of all pairs")
-                                   ->expected(0, 2)
+                                   ->expected(0, 3)  // the scene may follow
+                                   ->excludes(matrix)
                                    ->type_name("[A B]");
   command
       .add_option("--picture", options->picture,
