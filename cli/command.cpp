@@ -110,6 +110,12 @@ ExitCode Commands::parse_and_run(int argc, const char* const* argv) {
     return ExitCode::kDone;
   } catch (const CLI::ParseError& error) {
     const auto chosen = program_.get_subcommands();
+    if (const auto extras = program_.remaining(); chosen.empty() && !extras.empty()) {
+      const std::string what = extras.front().starts_with("-") ? "option" : "command";
+      print_error(after_colon("there is no " + what + " '" + one_line(extras.front()) + "'"),
+                  {"`hottel --help` shows what there is"});
+      return ExitCode::kUsage;
+    }
     const std::string command = chosen.empty() ? "hottel" : "hottel " + chosen.front()->get_name();
     print_error(after_colon(error.what()), {"`" + command + " --help` shows what there is"});
     return ExitCode::kUsage;

@@ -67,6 +67,24 @@ void for_each_dense_row(const ExchangeMatrix& matrix, const Visit& visit) {
   }
 }
 
+// Calls visit(from, entry) for every pair that the table lists, by from, then to: those with a factor, and the hidden
+// ones with factor and visibility 0.
+template <class Visit>
+void for_each_listed(const FactorTable& table, const Visit& visit) {
+  auto hidden = table.hidden.begin();
+  for (std::uint32_t i = 0; i < table.matrix.size(); ++i) {
+    const auto hidden_before = [&](std::uint32_t to) {
+      for (; hidden != table.hidden.end() && hidden->first == i && hidden->second < to; ++hidden)
+        visit(i, FactorEntry{hidden->second, Rounded{}, 0});
+    };
+    for (const FactorEntry& entry : table.matrix.row(i)) {
+      hidden_before(entry.to);
+      visit(i, entry);
+    }
+    hidden_before(table.matrix.sky() + 1);
+  }
+}
+
 std::vector<std::uint32_t> radiating(const ExchangeMatrix& matrix) {
   std::vector<std::uint32_t> result;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
@@ -112,24 +130,14 @@ void write_factors_csv(const FactorTable& table, const Sink& sink) {
   const char* guarantee = to_string(matrix.guarantee());
   Buffer out(sink);
   out << "from,to,factor,lower,upper,visibility,guarantee\n";
-  const auto line = [&](std::uint32_t from, std::uint32_t to, const Rounded& factor, double visibility) {
+  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry) {
+    const Rounded& factor = entry.factor;
     const Enclosure bounds = matrix.guarantee() == Guarantee::kExact ? factor.enclosure() : Enclosure{0, 1};
-    out << names[from] << "," << names[to] << "," << factor.value << "," << bounds.lower << "," << bounds.upper << ",";
-    if (!std::isnan(visibility)) out << visibility;
+    out << names[from] << "," << names[entry.to] << "," << factor.value << "," << bounds.lower << "," << bounds.upper
+        << ",";
+    if (!std::isnan(entry.visibility)) out << entry.visibility;
     out << "," << guarantee << "\n";
-  };
-  auto hidden = table.hidden.begin();
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    const auto hidden_before = [&](std::uint32_t to) {
-      for (; hidden != table.hidden.end() && hidden->first == i && hidden->second < to; ++hidden)
-        line(i, hidden->second, Rounded{}, 0);
-    };
-    for (const FactorEntry& entry : matrix.row(i)) {
-      hidden_before(entry.to);
-      line(i, entry.to, entry.factor, entry.visibility);
-    }
-    hidden_before(matrix.sky() + 1);
-  }
+  });
   out.flush();
 }
 
@@ -139,10 +147,10 @@ void write_factors_mtx(const FactorTable& table, const Sink& sink) {
   const std::size_t n = matrix.size() + 1;
   out << "%%MatrixMarket matrix coordinate real general\n"
       << "% view factors F(row, column), faces as in the .faces.csv beside this file, the sky last\n"
-      << fmt::format("{} {} {}\n", n, n, matrix.entry_count());
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (const FactorEntry& entry : matrix.row(i))
-      out << fmt::format("{} {} ", i + 1, entry.to + 1) << entry.factor.value << "\n";
+      << fmt::format("{} {} {}\n", n, n, matrix.entry_count() + table.hidden.size());
+  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry) {
+    out << fmt::format("{} {} ", from + 1, entry.to + 1) << entry.factor.value << "\n";
+  });
   out.flush();
 }
 
@@ -256,8 +264,7 @@ void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepa
   if (only) {
     listed.push_back(*only);
   } else {
-    for (std::uint32_t i = 0; i < matrix.size(); ++i)
-      for (const FactorEntry& entry : matrix.row(i)) listed.emplace_back(i, entry.to);
+    for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry) { listed.emplace_back(from, entry.to); });
   }
   std::vector<LabelPair> pairs;
   for (const auto& [from, to] : listed) pairs.emplace_back(std::min(from, to), std::max(from, to));

@@ -20,7 +20,7 @@ struct FactorTable {
   const Scene2& scene;
   const ExchangeMatrix& matrix;
   Per per = Per::kFace;
-  std::vector<LabelPair> hidden = {};  // pairs with S = 0 < S0, sorted, listed as zeros where a format lists pairs
+  std::vector<LabelPair> hidden = {};  // pairs with S = 0 < S0, sorted: zeros in the formats that list pairs
 };
 
 // `from,to,factor,lower,upper,visibility,guarantee`: one line a pair, by from, then to. Shortest decimals that read
@@ -46,8 +46,8 @@ void write_factors_view3d_binary(const FactorTable& table, const Sink& sink);
 enum class DenseQuantity { kFactor, kExchange, kVisibility };
 void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sink& sink);
 
-// `from,to,exchange,area`: S(from, to) and A_from as sums of square roots, in scene units; of all pairs that exchange
-// light, or of one pair (from, to) whether it does or not.
+// `from,to,exchange,area`: S(from, to) and A_from as sums of square roots, in scene units; of all pairs that are
+// listed, or of one pair (from, to), be it listed or not.
 void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared,
                            const std::optional<LabelPair>& only, const Sink& sink);
 
