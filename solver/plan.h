@@ -1,0 +1,55 @@
+// Which effects a scene calls for, which stages therefore run, and what they will cost.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/scene/scene_2.h"
+
+namespace hottel {
+
+// One effect, used or not, and why.
+struct PlannedEffect {
+  std::string effect;
+  bool used = false;
+  std::string reason;
+  double seconds_estimate = 0;  // on one core; 0 when not used
+};
+
+// What is asked beyond the scene itself.
+struct PlanRequest {
+  bool everything = false;       // --simulate everything: every effect is used, whatever the scene says
+  std::uint64_t grid_cells = 0;  // cells of the illumination grid; 0: none is wanted
+};
+
+// The effects in the order in which they are simulated.
+//
+//   (1) an effect is left out only where it cannot change any number: with everything used the results are the same,
+//       bit for bit where exact, within enclosures elsewhere
+//   (2) the names are those below, each once
+// COST: O(n) exact operations; nothing is computed of the light itself.
+class Plan {
+ public:
+  Plan(const Scene2& scene, const PlanRequest& request);
+
+  const std::vector<PlannedEffect>& effects() const { return effects_; }
+  bool uses(const std::string& effect) const;  // REQUIRES one of the names
+
+  static constexpr const char* kOcclusion = "occlusion";
+  static constexpr const char* kBackFaces = "back faces";
+  static constexpr const char* kSky = "sky";
+  static constexpr const char* kSubdivision = "subdivision";
+  static constexpr const char* kChannels = "channels";
+  static constexpr const char* kInterreflection = "interreflection";
+  static constexpr const char* kUnreachable = "unreachable components";
+  static constexpr const char* kIllumination = "illumination";
+  static constexpr const char* kLights = "lights";
+
+ private:
+  std::vector<PlannedEffect> effects_;
+};
+
+// Number of channels the spectra of a scene need: 1 when all are scalars, else 3.
+int channel_count(const Scene2& scene);
+
+}  // namespace hottel
