@@ -1,0 +1,192 @@
+// What the guarantee costs: exact_exchange against sums of plain doubles over the same gaps.
+//
+// The plain version is written here as one would write it without any promise: the same views and gaps, lengths by
+// sqrt, one hash table of doubles, one division for each factor, rows sorted. Nothing says how far off it is. Both run
+// on one thread, without visibilities, on the same prepared scene, one after the other in each iteration.
+// The time reported is that of exact_exchange; `ratio` is that time over the plain one's; `max_error` is the largest
+// difference of a plain factor from the correctly rounded one, `false_pairs` the pairs that the plain sums show and
+// that do not exchange anything.
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+#include "benchmarks/clutter.h"
+#include "geometry/exchange/exchange_2.h"
+#include "geometry/exchange/gap_terms_2.h"
+
+namespace hottel::benchmarks {
+namespace {
+
+struct PlainEntry {
+  std::uint32_t to;
+  double factor;
+};
+
+struct PlainMatrix {
+  std::vector<std::size_t> begin;
+  std::vector<PlainEntry> entries;
+
+  double factor(std::uint32_t from, std::uint32_t to) const {
+    const auto first = entries.begin() + static_cast<std::ptrdiff_t>(begin[from]);
+    const auto last = entries.begin() + static_cast<std::ptrdiff_t>(begin[from + 1]);
+    const auto place = std::lower_bound(first, last, to, [](const PlainEntry& e, std::uint32_t j) { return e.to < j; });
+    return place != last && place->to == to ? place->factor : 0;
+  }
+};
+
+// Doubles by key: open addressing with linear probing, at most half full.
+class PlainTable {
+ public:
+  struct Slot {
+    std::uint64_t key;
+    double value;
+  };
+
+  void add(std::uint64_t key, double value) {
+    if (2 * (count_ + 1) > slots_.size()) grow();
+    Slot& slot = find(key);
+    if (slot.key == kEmpty) {
+      slot = {key, 0};
+      ++count_;
+    }
+    slot.value += value;
+  }
+
+  std::vector<Slot> take() {
+    std::erase_if(slots_, [](const Slot& slot) { return slot.key == kEmpty; });
+    return std::move(slots_);
+  }
+
+ private:
+  static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
+
+  Slot& find(std::uint64_t key) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t place = (key * 0x9e3779b97f4a7c15ull) >> shift_;
+    while (slots_[place].key != kEmpty && slots_[place].key != key) place = (place + 1) & mask;
+    return slots_[place];
+  }
+
+  void grow() {
+    std::vector<Slot> old(std::max<std::size_t>(1024, 2 * slots_.size()), Slot{kEmpty, 0});
+    old.swap(slots_);
+    shift_ = 64 - std::countr_zero(slots_.size());
+    for (const Slot& slot : old)
+      if (slot.key != kEmpty) find(slot.key) = slot;
+  }
+
+  std::vector<Slot> slots_;
+  std::size_t count_ = 0;
+  int shift_ = 0;
+};
+
+PlainMatrix plain_exchange(const PreparedScene2& prepared) {
+  const Arrangement2& arrangement = prepared.arrangement;
+  const Labels2 labels(prepared.scene, arrangement, prepared.division, Per::kFace);
+  const Vertices2& vertices = arrangement.vertices();
+  const auto distance = [&vertices](VertexId v, VertexId w) {
+    const auto &p = vertices.approximate(v), &q = vertices.approximate(w);
+    return std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y));
+  };
+
+  PlainTable table;
+  View2 view;
+  for (VertexId v = 0; v < vertices.size(); ++v) {
+    look_around(vertices, arrangement.triangulation(), v, view);
+    for_each_gap(vertices, v, view, true, [&](const Gap2& gap) {
+      const double length = distance(gap.v, gap.w);
+      for_each_term(gap, labels, [&](std::uint32_t i, std::uint32_t j, int sign) {
+        const std::uint64_t key = (static_cast<std::uint64_t>(std::min(i, j)) << 32) | std::max(i, j);
+        table.add(key, sign * (i == j ? 2 : 1) * length);
+      });
+    });
+  }
+
+  std::vector<double> twice_length(labels.count() + 1, 0);
+  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
+    const Segment2& piece = arrangement.pieces()[side / 2];
+    twice_length[labels.of(static_cast<PieceSideId>(side))] += 2 * distance(piece.a, piece.b);
+  }
+  const std::vector<PlainTable::Slot> sums = table.take();
+  PlainMatrix matrix;
+  matrix.begin.assign(labels.count() + 1, 0);
+  const auto each_entry = [&](const auto& visit) {
+    for (const auto& [key, value] : sums) {
+      const auto i = static_cast<std::uint32_t>(key >> 32), j = static_cast<std::uint32_t>(key);
+      if (labels.has_row(i)) visit(i, j, value);
+      if (i != j && labels.has_row(j)) visit(j, i, value);
+    }
+  };
+  each_entry([&](std::uint32_t i, std::uint32_t, double) { ++matrix.begin[i + 1]; });
+  for (std::uint32_t i = 0; i < labels.count(); ++i) matrix.begin[i + 1] += matrix.begin[i];
+  matrix.entries.resize(matrix.begin.back());
+  std::vector<std::size_t> next(matrix.begin.begin(), matrix.begin.end() - 1);
+  each_entry([&](std::uint32_t i, std::uint32_t j, double value) {
+    matrix.entries[next[i]++] = {j, value / twice_length[i]};
+  });
+  for (std::uint32_t i = 0; i < labels.count(); ++i)
+    std::sort(matrix.entries.begin() + static_cast<std::ptrdiff_t>(matrix.begin[i]),
+              matrix.entries.begin() + static_cast<std::ptrdiff_t>(matrix.begin[i + 1]),
+              [](const PlainEntry& a, const PlainEntry& b) { return a.to < b.to; });
+  return matrix;
+}
+
+void compare(const ExchangeMatrix& exact, const PlainMatrix& plain, benchmark::State& state) {
+  double error = 0;
+  for (std::uint32_t i = 0; i < exact.size(); ++i)
+    for (const FactorEntry& entry : exact.row(i))
+      error = std::max(error, std::fabs(plain.factor(i, entry.to) - entry.factor.value));
+  state.counters["max_error"] = error;
+  state.counters["false_pairs"] = static_cast<double>(plain.entries.size()) - static_cast<double>(exact.entry_count());
+}
+
+void certified(benchmark::State& state, View view, std::uint64_t edges) {
+  using Clock = std::chrono::steady_clock;
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  const PreparedScene2 prepared = prepare(clutter(view, edges));
+  ExchangeOptions2 options;
+  options.wants_visibility = false;
+  double exact_seconds = 0, plain_seconds = 0, pairs = 0;
+  for (auto _ : state) {
+    ExchangeReport report;
+    const auto start = Clock::now();
+    const ExchangeMatrix exact = exact_exchange(prepared, options, &report);
+    const auto middle = Clock::now();
+    const PlainMatrix plain = plain_exchange(prepared);
+    const auto end = Clock::now();
+    const double seconds = std::chrono::duration<double>(middle - start).count();
+    exact_seconds += seconds;
+    plain_seconds += std::chrono::duration<double>(end - middle).count();
+    pairs = static_cast<double>(report.pairs);
+    state.SetIterationTime(seconds);
+    compare(exact, plain, state);
+  }
+  const auto iterations = static_cast<double>(state.iterations());
+  state.counters["pairs"] = pairs;
+  state.counters["us_per_pair"] = 1e6 * exact_seconds / iterations / pairs;
+  state.counters["plain_us_per_pair"] = 1e6 * plain_seconds / iterations / pairs;
+  state.counters["ratio"] = exact_seconds / plain_seconds;
+}
+
+void add(View view, std::uint64_t edges) {
+  const std::string name = "certified/" + to_string(view) + "/edges:" + std::to_string(edges);
+  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { certified(state, view, edges); })
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+}  // namespace hottel::benchmarks
+
+int main(int argc, char** argv) {
+  using namespace hottel::benchmarks;
+  for (const std::uint64_t edges : {1'000, 10'000}) add(View::kShort, edges);
+  for (const std::uint64_t edges : {1'000, 10'000}) add(View::kLong, edges);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+}
