@@ -88,7 +88,8 @@ class Rounding {
     // A sum that may be zero is looked at exactly before anything is printed of it.
     const bool may_be_zero = static_cast<double>(pair.value) <= sum.error;
     const auto settle = [&](const FixedSum& divisor, Rounded& number, bool& is_open) {
-      const auto rounded = may_be_zero ? std::nullopt : round_quotient(sum, divisor);
+      const bool is_coarse = may_be_zero || static_cast<double>(divisor.value) <= divisor.error;
+      const auto rounded = is_coarse ? std::nullopt : round_quotient(sum, divisor);
       is_open = !rounded;
       if (!rounded) return;
       number = rounded->number;

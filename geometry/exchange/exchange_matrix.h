@@ -46,7 +46,10 @@ class ExchangeMatrix {
   std::uint32_t sky() const { return size(); }
   Guarantee guarantee() const { return guarantee_; }
 
-  bool has_row(std::uint32_t i) const { return elements_[i].material.has_value() && elements_[i].area.value > 0; }
+  bool has_row(std::uint32_t i) const {
+    const Rounded& area = elements_[i].area;
+    return elements_[i].material.has_value() && (area.value > 0 || area.side > 0);  // the double may underflow
+  }
   std::span<const FactorEntry> row(std::uint32_t i) const {
     return {entries_.data() + begin_[i], entries_.data() + begin_[i + 1]};
   }

@@ -67,7 +67,7 @@ Labels2::Labels2(const Scene2& scene, const Arrangement2& arrangement, const Div
           round_quotient(exact_length(label, vertices) * vertices.scale(), RootSum(Rational(1))).number;
   has_row_.assign(elements_.size() + 1, 0);
   for (std::uint32_t label = 0; label < count(); ++label)
-    has_row_[label] = elements_[label].material.has_value() && length_[label].value > 0;
+    has_row_[label] = elements_[label].material.has_value() && !runs(label).empty();
 }
 
 void Labels2::find_runs(const Arrangement2& arrangement, bool labels_are_straight) {
