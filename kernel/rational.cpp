@@ -116,6 +116,13 @@ double to_double(const Rational& value) {
   return sign * std::ldexp(kept.get_d(), static_cast<int>(exponent));
 }
 
+Rational scaled_by_power_of_two(const Rational& value, long shift) {
+  Rational result = value;
+  if (shift > 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<unsigned long>(shift));
+  if (shift < 0) mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<unsigned long>(-shift));
+  return result;
+}
+
 std::string shortest(double value) {
   char buffer[32];
   const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);

@@ -33,6 +33,9 @@ std::string to_string(const Rational& value);
 // (mpq_class::get_d truncates.)
 double to_double(const Rational& value);
 
+// Returns value * 2^shift, exactly.
+Rational scaled_by_power_of_two(const Rational& value, long shift);
+
 // Returns the shortest decimal that reads back to exactly this double.
 std::string shortest(double value);
 

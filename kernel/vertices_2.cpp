@@ -36,12 +36,7 @@ struct CommonScale {
   }
 };
 
-double nearest(const Rational& value, int shift) {
-  Rational scaled = value;
-  if (shift > 0) mpq_div_2exp(scaled.get_mpq_t(), scaled.get_mpq_t(), static_cast<unsigned>(shift));
-  if (shift < 0) mpq_mul_2exp(scaled.get_mpq_t(), scaled.get_mpq_t(), static_cast<unsigned>(-shift));
-  return to_double(scaled);
-}
+double nearest(const Rational& value, int shift) { return to_double(scaled_by_power_of_two(value, -shift)); }
 
 // Position of the leading bit of |value|: |value| < 2^result.
 int exponent_above(const Rational& value) {
@@ -110,7 +105,7 @@ Vertices2::Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed) 
     }
   }
 
-  int top = 0;  // every |coordinate| < 2^top
+  int& top = coordinate_bits_;
   for (const ExactPoint2& p : shifted) top = std::max({top, exponent_above(p.x), exponent_above(p.y)});
 
   approximate_.resize(points.size());
@@ -131,11 +126,7 @@ Vertices2::Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed) 
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto split = [this](const Rational& value, double& hi, double& lo) {
         hi = nearest(value, approximation_shift_);
-        Rational back(hi);
-        if (approximation_shift_ > 0)
-          mpq_mul_2exp(back.get_mpq_t(), back.get_mpq_t(), static_cast<unsigned>(approximation_shift_));
-        else
-          mpq_div_2exp(back.get_mpq_t(), back.get_mpq_t(), static_cast<unsigned>(-approximation_shift_));
+        const Rational back = scaled_by_power_of_two(Rational(hi), approximation_shift_);
         lo = nearest(value - back, approximation_shift_);
       };
       split(large_[i].x, approximate_[i].x, low_[i].x);
@@ -309,37 +300,54 @@ ExactPoint2 Vertices2::from_scene(const ExactPoint2& p) const {
 }
 
 Rational Vertices2::fixed_unit() const {
-  Rational unit = 1;
-  const int shift = approximation_shift_ - fixed_bits_;
-  if (shift >= 0)
-    mpq_mul_2exp(unit.get_mpq_t(), unit.get_mpq_t(), static_cast<unsigned>(shift));
-  else
-    mpq_div_2exp(unit.get_mpq_t(), unit.get_mpq_t(), static_cast<unsigned>(-shift));
-  return unit;
+  return scaled_by_power_of_two(Rational(1), approximation_shift_ - fixed_bits_);
 }
 
-Eye2::Eye2(const Vertices2& vertices, const ExactPoint2& point) : vertices_(&vertices), point_(point) {
-  x_ = nearest(point.x, vertices.approximation_shift_);
-  y_ = nearest(point.y, vertices.approximation_shift_);
-  Rational scaled_x(x_), scaled_y(y_);
-  const double largest = std::max(std::fabs(x_), std::fabs(y_));
-  const bool is_exact = vertices.approximation_shift_ == 0 && scaled_x == point.x && scaled_y == point.y;
+EyeCoordinate2::EyeCoordinate2(const Vertices2& vertices, const Rational& value) : exact_(value) {
+  approximate_ = nearest(value, vertices.approximation_shift_);
   // A coordinate beyond the double range makes every bound infinite: the exact step decides.
-  error_ = std::max(vertices.input_error_, is_exact ? 0.0 : (largest + 1) * 0x1p-52);
+  const bool is_exact =
+      vertices.approximation_shift_ == 0 && std::isfinite(approximate_) && Rational(approximate_) == value;
+  error_ = std::max(vertices.input_error_, is_exact ? 0.0 : (std::fabs(approximate_) + 1) * 0x1p-52);
+  constexpr std::size_t kLimit = 61;  // differences stay below 2^62, their products below 2^124
+  if (vertices.is_small() && bits(value.get_num()) <= kLimit &&
+      bits(value.get_den()) + static_cast<std::size_t>(vertices.coordinate_bits_) <= kLimit) {
+    numerator_ = value.get_num().get_si();
+    denominator_ = value.get_den().get_si();
+  }
+}
+
+Eye2::Eye2(const Vertices2& vertices, const ExactPoint2& point)
+    : Eye2(vertices, std::make_shared<const std::pair<EyeCoordinate2, EyeCoordinate2>>(
+                         EyeCoordinate2(vertices, point.x), EyeCoordinate2(vertices, point.y))) {}
+
+Eye2::Eye2(const Vertices2& vertices, std::shared_ptr<const std::pair<EyeCoordinate2, EyeCoordinate2>> own)
+    : Eye2(vertices, own->first, own->second) {
+  own_ = std::move(own);
 }
 
 int Eye2::exact_orientation(VertexId j, VertexId k) const {
+  const EyeCoordinate2 &x = *exact_x_, &y = *exact_y_;
+  if (x.denominator_ != 0 && y.denominator_ != 0) {
+    const auto &q = vertices_->small_[j], &r = vertices_->small_[k];
+    return sign_of(static_cast<Int128>(q.x * x.denominator_ - x.numerator_) * (r.y * y.denominator_ - y.numerator_) -
+                   static_cast<Int128>(q.y * y.denominator_ - y.numerator_) * (r.x * x.denominator_ - x.numerator_));
+  }
   const ExactPoint2 q = vertices_->exact(j), r = vertices_->exact(k);
-  const Rational left = (q.x - point_.x) * (r.y - point_.y), right = (q.y - point_.y) * (r.x - point_.x);
+  const Rational left = (q.x - x.exact_) * (r.y - y.exact_), right = (q.y - y.exact_) * (r.x - x.exact_);
   return sign_of(cmp(left, right));
 }
 
 int Eye2::direction_sign(VertexId j, VertexId k) const {
   const ExactPoint2 q = vertices_->exact(j), r = vertices_->exact(k);
-  const Rational product = (q.x - point_.x) * (r.x - point_.x) + (q.y - point_.y) * (r.y - point_.y);
+  const Rational &x = exact_x_->exact_, &y = exact_y_->exact_;
+  const Rational product = (q.x - x) * (r.x - x) + (q.y - y) * (r.y - y);
   return sgn(product);
 }
 
-bool Eye2::coincides_with(VertexId j) const { return vertices_->exact(j) == point_; }
+bool Eye2::coincides_with(VertexId j) const {
+  const ExactPoint2 q = vertices_->exact(j);
+  return q.x == exact_x_->exact_ && q.y == exact_y_->exact_;
+}
 
 }  // namespace hottel

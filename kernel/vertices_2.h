@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "kernel/int128.h"
@@ -89,6 +91,9 @@ class Vertices2 {
   const Approximate& approximate(VertexId i) const { return approximate_[i]; }
   double approximation_error() const { return input_error_; }
 
+  // Every coordinate in integer form is below 2^exponent() in absolute value.
+  int exponent() const { return coordinate_bits_; }
+
   // scene coordinate = origin + scale * integer form
   const Rational& scale() const { return scale_; }
   const ExactPoint2& origin() const { return origin_; }
@@ -99,6 +104,7 @@ class Vertices2 {
   Rational fixed_unit() const;
 
  private:
+  friend class EyeCoordinate2;
   friend class Eye2;
   struct Small {
     std::int64_t x, y;
@@ -114,15 +120,30 @@ class Vertices2 {
   FixedLength large_distance(VertexId i, VertexId j) const;
 
   std::vector<Approximate> approximate_;
+  int coordinate_bits_ = 0;         // every |coordinate| in integer form is below 2^this
   double input_error_ = 0;          // twice the error of an approximate coordinate, rounded up
   std::vector<Small> small_;        // small form
   std::vector<ExactPoint2> large_;  // large form
   std::vector<Low> low_;            // large form: what approximate_ leaves out
-  int approximation_shift_ = 0;     // approximate_ = integer form / 2^shift
-  int fixed_bits_ = 0;              // unit of a fixed length = 2^-fixed_bits_ of approximate_'s unit
+  int approximation_shift_ = 0;  // approximate_ = integer form / 2^shift
+  int fixed_bits_ = 0;           // unit of a fixed length = 2^-fixed_bits_ of approximate_'s unit
   double length_error_ = 2;
   Rational scale_ = 1;
   ExactPoint2 origin_;
+};
+
+// One coordinate of a point to look from, prepared once for all the points that share it.
+class EyeCoordinate2 {
+ public:
+  // The value is given in integer form.
+  EyeCoordinate2(const Vertices2& vertices, const Rational& value);
+  const Rational& exact() const { return exact_; }
+
+ private:
+  friend class Eye2;
+  Rational exact_;
+  double approximate_, error_;
+  std::int64_t numerator_ = 0, denominator_ = 0;  // when 128 bits suffice for a product of two differences, else 0
 };
 
 // A point to look from that need not be a vertex: the same predicates with the eye as first point.
@@ -130,6 +151,14 @@ class Eye2 {
  public:
   // The point is given in integer form.
   Eye2(const Vertices2& vertices, const ExactPoint2& point);
+  // REQUIRES that both coordinates outlive the eye. COST: a few ns.
+  Eye2(const Vertices2& vertices, const EyeCoordinate2& x, const EyeCoordinate2& y)
+      : vertices_(&vertices),
+        exact_x_(&x),
+        exact_y_(&y),
+        x_(x.approximate_),
+        y_(y.approximate_),
+        error_(x.error_ > y.error_ ? x.error_ : y.error_) {}
 
   int orientation(VertexId j, VertexId k) const {
     const auto &q = vertices_->approximate_[j], &r = vertices_->approximate_[k];
@@ -145,15 +174,17 @@ class Eye2 {
   // Sign of the scalar product (j - eye) . (k - eye).
   int direction_sign(VertexId j, VertexId k) const;
   bool coincides_with(VertexId j) const;
-  const ExactPoint2& exact() const { return point_; }
+  ExactPoint2 exact() const { return {exact_x_->exact_, exact_y_->exact_}; }
   double x() const { return x_; }
   double y() const { return y_; }
 
  private:
+  Eye2(const Vertices2& vertices, std::shared_ptr<const std::pair<EyeCoordinate2, EyeCoordinate2>> own);
   int exact_orientation(VertexId j, VertexId k) const;
 
+  std::shared_ptr<const std::pair<EyeCoordinate2, EyeCoordinate2>> own_;  // unless they are somebody else's
   const Vertices2* vertices_;
-  ExactPoint2 point_;
+  const EyeCoordinate2 *exact_x_, *exact_y_;
   double x_, y_, error_;
 };
 

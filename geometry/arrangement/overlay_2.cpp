@@ -77,8 +77,13 @@ Overlay2 overlay(const std::vector<ExactPoint2>& points, const std::vector<Segme
     result.source_begin.push_back(static_cast<std::uint32_t>(result.source_list.size()));
   };
   std::vector<Traits::Curve_2> curves;
-  const auto to_point = [&points](VertexId i) {
-    return ExactKernel::Point_2(ExactKernel::FT(points[i].x), ExactKernel::FT(points[i].y));
+  // CGAL works on the integer form, which its interval filters like best, scaled down where its exponents would take
+  // intervals beyond the range of double (CGAL 5.5 does not survive that).
+  const int shift = result.vertices.exponent() > 400 ? result.vertices.exponent() : 0;
+  const auto to_point = [&result, shift](VertexId i) {
+    ExactPoint2 p = result.vertices.exact(i);
+    if (shift > 0) p = {scaled_by_power_of_two(p.x, -shift), scaled_by_power_of_two(p.y, -shift)};
+    return ExactKernel::Point_2(ExactKernel::FT(p.x), ExactKernel::FT(p.y));
   };
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
     if (entangled[i]) {
@@ -94,8 +99,10 @@ Overlay2 overlay(const std::vector<ExactPoint2>& points, const std::vector<Segme
   Arrangement arrangement;
   CGAL::insert(arrangement, curves.begin(), curves.end());
   PointIndex2 index(points);
-  const auto id_of = [&index](const Arrangement::Vertex_handle& v) {
-    return index.insert({to_rational(v->point().x()), to_rational(v->point().y())});
+  const auto id_of = [&](const Arrangement::Vertex_handle& v) {
+    const Rational x = scaled_by_power_of_two(to_rational(v->point().x()), shift);
+    const Rational y = scaled_by_power_of_two(to_rational(v->point().y()), shift);
+    return index.insert(result.vertices.to_scene({x, y}));
   };
   struct Found {
     Segment2 piece;

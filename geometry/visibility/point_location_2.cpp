@@ -55,13 +55,18 @@ std::size_t PointLocation2::cell(double x, double y) const {
 }
 
 Location2 PointLocation2::locate(const Eye2& eye) const {
+  HalfEdgeId near = -1;
+  return locate(eye, near);
+}
+
+Location2 PointLocation2::locate(const Eye2& eye, HalfEdgeId& near) const {
   using Kind = Location2::Kind;
   if (start_.empty()) {  // every vertex on one line: no triangle
     for (VertexId v = 0; v < vertices_.size(); ++v)
       if (eye.coincides_with(v)) return {Kind::kOnVertex, -1, v};
     return {};
   }
-  HalfEdgeId triangle = start_[cell(eye.x(), eye.y())];
+  HalfEdgeId triangle = near >= 0 ? near : start_[cell(eye.x(), eye.y())];
   std::uint32_t chance = 12345;
   for (;;) {
     // Which edges have the point on their outer side or on them? The first one to be looked at changes by chance, so
@@ -77,12 +82,15 @@ Location2 PointLocation2::locate(const Eye2& eye) const {
       if (side < 0) leave = h;
       if (side == 0) on[on_count++] = h;
     }
+    near = triangle;
     if (leave < 0) {
       if (on_count == 0) return {Kind::kInTriangle, triangle, 0};
-      if (on_count == 1) return {Kind::kOnEdge, on[0], 0};
+      if (on_count == 1) {
+        const HalfEdgeId twin = triangulation_.across(on[0]);
+        return {Kind::kOnEdge, twin < 0 ? on[0] : std::min(on[0], twin), 0};
+      }
       // On two edges: their common corner, which is opposite to the third.
-      return {Kind::kOnVertex, triangle,
-              triangulation_.corner(triangle + (3 - (on[0] - triangle) - (on[1] - triangle)))};
+      return {Kind::kOnVertex, -1, triangulation_.corner(triangle + (3 - (on[0] - triangle) - (on[1] - triangle)))};
     }
     const HalfEdgeId next = triangulation_.across(leave);
     if (next < 0) return {};
@@ -90,17 +98,22 @@ Location2 PointLocation2::locate(const Eye2& eye) const {
   }
 }
 
-void PointLocation2::look_around(const Eye2& eye, View2& view) const {
+Location2 PointLocation2::look_around(const Eye2& eye, View2& view) const {
+  HalfEdgeId near = -1;
+  return look_around(eye, view, near);
+}
+
+Location2 PointLocation2::look_around(const Eye2& eye, View2& view, HalfEdgeId& near) const {
   using Kind = Location2::Kind;
-  const Location2 place = locate(eye);
+  const Location2 place = locate(eye, near);
   if (place.kind == Kind::kOnVertex) {
     hottel::look_around(vertices_, triangulation_, place.vertex, view);
-    return;
+    return place;
   }
   view.seen.clear();
   if (place.kind == Kind::kOutside) {
     look_around_outside(eye, view);
-    return;
+    return place;
   }
   const auto orientation = [&eye](VertexId j, VertexId k) { return eye.orientation(j, k); };
   const auto through = [&](HalfEdgeId h, PieceSideId left, PieceSideId right) {
@@ -110,7 +123,7 @@ void PointLocation2::look_around(const Eye2& eye, View2& view) const {
   };
   if (place.kind == Kind::kInTriangle) {
     for (int k = 0; k < 3; ++k) through(place.half_edge + k, kNoPiece, kNoPiece);
-    return;
+    return place;
   }
   // On an edge: the other two edges of the triangle on each side. Towards its target the inner side lies on the left.
   const HalfEdgeId h = place.half_edge, twin = triangulation_.across(h);
@@ -124,6 +137,7 @@ void PointLocation2::look_around(const Eye2& eye, View2& view) const {
   } else {
     view.seen.push_back({triangulation_.corner(next_half_edge(h)), kSky, outer, inner});
   }
+  return place;
 }
 
 void PointLocation2::look_around_outside(const Eye2& eye, View2& view) const {

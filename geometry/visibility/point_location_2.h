@@ -12,22 +12,28 @@ namespace hottel {
 struct Location2 {
   enum class Kind { kInTriangle, kOnEdge, kOnVertex, kOutside };
   Kind kind = Kind::kOutside;
-  HalfEdgeId half_edge = -1;  // of the triangle (the first of three), or the edge the point lies on
+  HalfEdgeId half_edge = -1;  // of the triangle (the first of three), or the edge the point lies on (the lower of two)
   VertexId vertex = 0;        // kOnVertex
 };
 
 // Finds points by walking through triangles from one near by.
 //
 //   (1) exact: on an edge or vertex means exactly on it
-// COST: O(1) steps on average from a grid of starting triangles, about one for every two triangles.
+//   (2) what is found does not depend on where the walk began
+// COST: O(1) steps on average from a grid of starting triangles, about one for every two triangles; from the place of a
+// point near by as many as there are triangles between.
 class PointLocation2 {
  public:
   PointLocation2(const Vertices2& vertices, const Triangulation2& triangulation);
 
   Location2 locate(const Eye2& eye) const;
+  // near: where the walk begins, a triangle of another location; changed to where it ends. -1: nowhere yet.
+  Location2 locate(const Eye2& eye, HalfEdgeId& near) const;
 
   // Fills the view from the eye; from a point on an edge or vertex both sides are seen, the edges at it edge-on.
-  void look_around(const Eye2& eye, View2& view) const;
+  // Returns where the eye is.
+  Location2 look_around(const Eye2& eye, View2& view) const;
+  Location2 look_around(const Eye2& eye, View2& view, HalfEdgeId& near) const;
 
  private:
   void look_around_outside(const Eye2& eye, View2& view) const;

@@ -36,6 +36,7 @@ VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const Poi
   const Eye2 look(vertices, vertices.from_scene(eye));
   View2 view;
   location.look_around(look, view);
+  const ExactPoint2 at = look.exact();
 
   VisibilityPolygon2 result;
   result.eye = eye;
@@ -52,9 +53,9 @@ VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const Poi
     } else {
       const Segment2& piece = arrangement.pieces()[static_cast<std::size_t>(side / 2)];
       const ExactPoint2 a = vertices.exact(piece.a), b = vertices.exact(piece.b);
-      if (right != piece.a && right != piece.b) from = ray_meets_piece(look.exact(), from, a, b);
-      if (left != piece.a && left != piece.b) to = ray_meets_piece(look.exact(), to, a, b);
-      twice_area += cross(minus(from, look.exact()), minus(to, look.exact()));
+      if (right != piece.a && right != piece.b) from = ray_meets_piece(at, from, a, b);
+      if (left != piece.a && left != piece.b) to = ray_meets_piece(at, to, a, b);
+      twice_area += cross(minus(from, at), minus(to, at));
     }
     result.parts.push_back({vertices.to_scene(from), vertices.to_scene(to), side});
   }
@@ -87,8 +88,9 @@ std::vector<PointFactor2> point_factors(const Arrangement2& arrangement, const P
   View2 view;
   location.look_around(eye, view);
   const std::size_t m = view.seen.size();
+  const ExactPoint2 at = eye.exact();
   std::vector<ExactPoint2> direction;
-  for (const View2::Seen& seen : view.seen) direction.push_back(minus(vertices.exact(seen.vertex), eye.exact()));
+  for (const View2::Seen& seen : view.seen) direction.push_back(minus(vertices.exact(seen.vertex), at));
 
   // The front half-plane, counter-clockwise from -u to u, holds the directions with cross(u, direction) < 0. What is
   // seen in it, cone by cone:
