@@ -57,11 +57,13 @@ void RootSum::add(const Rational& coefficient, const Rational& radicand) {
 }
 
 RootSum& RootSum::operator+=(const RootSum& other) {
+  if (&other == this) return *this *= 2;
   for (const Term& term : other.terms_) add(term.coefficient, Rational(term.radicand));
   return *this;
 }
 
 RootSum& RootSum::operator-=(const RootSum& other) {
+  if (&other == this) return *this *= 0;
   for (const Term& term : other.terms_) add(-term.coefficient, Rational(term.radicand));
   return *this;
 }

@@ -13,7 +13,8 @@ namespace hottel {
 //   (1) canonical: no r_i r_j (i != j) is a perfect square and no q_k is 0, so the number is zero iff there are no
 //       terms (square roots of different classes are linearly independent over the rationals: Besicovitch 1940)
 //   (2) radicals are grouped by integer square roots; nothing is ever factored to decide anything
-//   (3) the text of a sum does not depend on the order in which its terms were added
+//   (3) the text of a sum does not depend on the order in which its terms were added (of radicands that differ by the
+//       square of a prime above 1000 it may show another one where terms cancelled on the way)
 //
 // COST: add is O(number of classes) integer square roots; sign refines balls until zero is excluded.
 class RootSum {
