@@ -10,8 +10,16 @@ namespace {
 
 RoundedByTier round_rational(const Rational& value, Tier tier) {
   const double nearest = to_double(value);
-  const int side = std::isfinite(nearest) ? cmp(value, Rational(nearest)) : -1;
+  const int side = std::isfinite(nearest) ? cmp(value, Rational(nearest)) : -sgn(value);
   return {{nearest, static_cast<signed char>(side > 0 ? 1 : side < 0 ? -1 : 0)}, tier};
+}
+
+// The number half-way between two neighbouring doubles, where infinity stands for the power of two it begins at.
+Rational half_way(double below, double above) {
+  const Rational beyond(Integer(1) << 1024);
+  const Rational low = std::isinf(below) ? Rational(-beyond) : Rational(below);
+  const Rational high = std::isinf(above) ? beyond : Rational(above);
+  return (low + high) / 2;
 }
 
 // True iff value * denominator == numerator.
@@ -87,14 +95,14 @@ RoundedByTier round_quotient(const RootSum& numerator, const RootSum& denominato
       if (const int side = quotient.compare(nearest.lower); side != 0)
         return {{nearest.lower, static_cast<signed char>(side)}, Tier::kBall};
     }
-    if (is_known_not_to_be_a_tie || precision < 256 || std::isinf(nearest.upper)) continue;
+    if (is_known_not_to_be_a_tie || precision < 256) continue;
     // The quotient may be a double itself, or lie half-way between two: only the canonical sum can tell.
     if (nearest.lower == nearest.upper) {
       if (equals(numerator, denominator, Rational(nearest.lower))) return {{nearest.lower, 0}, Tier::kRootSum};
       is_known_not_to_be_a_tie = true;
     } else if (std::nextafter(nearest.lower, nearest.upper) == nearest.upper) {
-      const Rational half_way = (Rational(nearest.lower) + Rational(nearest.upper)) / 2;
-      if (equals(numerator, denominator, half_way)) return round_rational(half_way, Tier::kRootSum);
+      const Rational tie = half_way(nearest.lower, nearest.upper);
+      if (equals(numerator, denominator, tie)) return round_rational(tie, Tier::kRootSum);
       is_known_not_to_be_a_tie = true;
     }
   }
