@@ -1,0 +1,168 @@
+#include "solver/illumination/mean_irradiance_2.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace hottel {
+namespace {
+
+using std::numbers::pi;
+
+struct Direction {
+  double x, y;
+};
+
+double cross(const Direction& a, const Direction& b) { return a.x * b.y - a.y * b.x; }
+double dot(const Direction& a, const Direction& b) { return a.x * b.x + a.y * b.y; }
+
+// The angle from a to b, known to lie in [0, pi]: rounding must not turn a small one around.
+double angle_up_to_half_turn(const Direction& a, const Direction& b) {
+  return std::atan2(std::max(cross(a, b), 0.0), dot(a, b));
+}
+
+// What is seen around an eye, step by step: step k leads from seen vertex k to the next one.
+class Panorama {
+ public:
+  Panorama(const Vertices2& vertices, const Eye2& eye, const View2& view)
+      : vertices_(vertices), eye_(eye), seen_(view.seen) {}
+
+  std::size_t size() const { return seen_.size(); }
+  std::size_t next(std::size_t k) const { return k + 1 == seen_.size() ? 0 : k + 1; }
+  const View2::Seen& operator[](std::size_t k) const { return seen_[k]; }
+  Direction direction(std::size_t k) const {
+    const auto& p = vertices_.approximate(seen_[k].vertex);
+    return {p.x - eye_.x(), p.y - eye_.y()};
+  }
+
+  // Only the sky is seen under half a turn or more.
+  double angle(std::size_t k) const {
+    const Direction a = direction(k), b = direction(next(k));
+    if (seen_[k].behind != kSky) return angle_up_to_half_turn(a, b);
+    if (size() == 1) return 2 * pi;
+    const int turn = eye_.orientation(seen_[k].vertex, seen_[next(k)].vertex);
+    if (turn == 0) return pi;
+    return turn > 0 ? angle_up_to_half_turn(a, b) : 2 * pi - angle_up_to_half_turn(b, a);
+  }
+
+ private:
+  const Vertices2& vertices_;
+  const Eye2& eye_;
+  const std::vector<View2::Seen>& seen_;
+};
+
+// The integral over directions, in radians.
+class Integral {
+ public:
+  Integral(const FaceRadiosity2& radiosity, std::span<double> result) : radiosity_(radiosity), sum_(result) {
+    std::fill(sum_.begin(), sum_.end(), 0.0);
+  }
+  void add(std::uint32_t shade, double weight) {
+    const std::span<const double> value = radiosity_.of_shade(shade);
+    for (std::size_t c = 0; c < sum_.size(); ++c) sum_[c] += value[c] * weight;
+  }
+  void scale(double factor) {
+    for (double& value : sum_) value *= factor;
+  }
+
+ private:
+  const FaceRadiosity2& radiosity_;
+  std::span<double> sum_;
+};
+
+// Neighbouring steps of one shade are taken together as long as they stay within half a turn.
+void add_turn(const Panorama& around, const FaceRadiosity2& radiosity, std::size_t first, Integral& integral) {
+  const std::size_t m = around.size();
+  std::size_t k = first, done = 0;
+  const auto advance = [&] {
+    k = around.next(k);
+    ++done;
+  };
+  while (done < m) {
+    const std::uint32_t shade = radiosity.shade(around[k].behind);
+    if (shade == 0 || around[k].behind == kSky) {
+      if (shade != 0) integral.add(shade, around.angle(k));
+      advance();
+      continue;
+    }
+    const Direction from = around.direction(k);
+    advance();
+    Direction to = around.direction(k);
+    while (done < m && around[k].behind != kSky && radiosity.shade(around[k].behind) == shade && dot(from, to) > 0) {
+      const Direction further = around.direction(around.next(k));
+      if (cross(from, further) <= 0) break;
+      to = further;
+      advance();
+    }
+    integral.add(shade, angle_up_to_half_turn(from, to));
+  }
+}
+
+// The mean over the directions of approach phi in a sector of angle alpha between two edges. From phi, one sees the
+// first edge under pi - phi (if that is positive), the last one under pi - (alpha - phi), and in the rest of the turn
+// what the vertex sees in the sector. Integrated over phi, what is seen between psi_1 and psi_2 counts W(psi_2) -
+// W(psi_1), and each edge pi m - m²/2 with m = min(alpha, pi).
+void add_sector(const Panorama& around, const FaceRadiosity2& radiosity, std::size_t first, std::size_t last,
+                Integral& integral) {
+  double alpha = 0;
+  std::size_t k = first;
+  do {
+    alpha += around.angle(k);
+    k = around.next(k);
+  } while (k != last);
+  const auto square = [](double value) { return value * value; };
+  const auto weight = [&](double psi) {
+    return alpha * psi + square(std::max(alpha - psi - pi, 0.0)) / 2 - square(std::max(psi - pi, 0.0)) / 2;
+  };
+  double psi = 0;
+  k = first;
+  do {
+    const double end = psi + around.angle(k);
+    integral.add(radiosity.shade(around[k].behind), std::max(weight(end) - weight(psi), 0.0));
+    psi = end;
+    k = around.next(k);
+  } while (k != last);
+  const double m = std::min(alpha, pi);
+  integral.add(radiosity.shade(around[first].left), m * (pi - m / 2));
+  integral.add(radiosity.shade(around[last].right), m * (pi - m / 2));
+}
+
+}  // namespace
+
+void mean_irradiance(const Vertices2& vertices, const FaceRadiosity2& radiosity, const Eye2& eye,
+                     const Location2& location, const View2& view, std::span<double> result) {
+  const Panorama around(vertices, eye, view);
+  const std::size_t m = around.size();
+  Integral integral(radiosity, result);
+  if (m == 0) {
+    integral.add(radiosity.shade(kSky), 1);
+    return;
+  }
+  if (location.kind != Location2::Kind::kInTriangle) {
+    thread_local std::vector<std::size_t> incident;
+    incident.clear();
+    for (std::size_t k = 0; k < m; ++k)
+      if (around[k].left != kNoPiece) incident.push_back(k);
+    if (!incident.empty()) {
+      for (std::size_t i = 0; i < incident.size(); ++i)
+        add_sector(around, radiosity, incident[i], incident[i + 1 == incident.size() ? 0 : i + 1], integral);
+      integral.scale(1 / (4 * pi * pi));
+      return;
+    }
+  }
+  const std::uint32_t last_shade = radiosity.shade(around[m - 1].behind);
+  std::uint32_t before = last_shade;
+  for (std::size_t k = 0; k < m; ++k) {
+    const std::uint32_t shade = radiosity.shade(around[k].behind);
+    if (shade != before) {
+      add_turn(around, radiosity, k, integral);
+      integral.scale(1 / (2 * pi));
+      return;
+    }
+    before = shade;
+  }
+  integral.add(last_shade, 1);
+}
+
+}  // namespace hottel
