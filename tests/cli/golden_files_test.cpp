@@ -1,0 +1,238 @@
+// Every format that is written, byte for byte, and read back by code that knows only the format.
+//
+// The golden files are in tests/contract/; tests/contract/regenerate makes them anew.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/cli/program.h"
+
+namespace hottel {
+namespace {
+
+using testing_cli::contents;
+using testing_cli::lines_of;
+using testing_cli::Outcome;
+using testing_cli::Workplace;
+namespace fs = std::filesystem;
+
+const fs::path kGolden = fs::path(HOTTEL_SOURCE_DIR) / "tests/contract";
+
+std::string golden(const std::string& name) { return contents(kGolden / name); }
+
+TEST(GoldenFiles, AreWhatTheProgramWrites) {
+  const Workplace place;
+  const Outcome outcome =
+      place.run("sh '" + (kGolden / "regenerate").string() + "' '" + std::string(HOTTEL_PROGRAM) + "' .");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::size_t compared = 0;
+  for (const auto& entry : fs::directory_iterator(kGolden)) {
+    const std::string name = entry.path().filename().string();
+    if (name == "regenerate") continue;
+    EXPECT_TRUE(place.read(name) == contents(entry.path())) << name << " differs";
+    ++compared;
+  }
+  EXPECT_EQ(compared, place.files().size()) << "a file is written that has no golden one";
+}
+
+// Fields of csv as RFC 4180 has them.
+std::vector<std::vector<std::string>> read_csv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> row(1);
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (is_quoted) {
+      if (c != '"')
+        row.back() += c;
+      else if (i + 1 < text.size() && text[i + 1] == '"')
+        row.back() += text[++i];
+      else
+        is_quoted = false;
+    } else if (c == '"') {
+      is_quoted = true;
+    } else if (c == ',') {
+      row.emplace_back();
+    } else if (c == '\n') {
+      rows.push_back(std::move(row));
+      row.assign(1, "");
+    } else {
+      row.back() += c;
+    }
+  }
+  return rows;
+}
+
+using Entries = std::map<std::pair<std::size_t, std::size_t>, double>;
+
+struct Names {
+  std::map<std::string, std::size_t> index;  // from 1
+  std::size_t sky = 0;
+};
+
+Names face_names() {
+  Names names;
+  for (const auto& row : read_csv(golden("factors.mtx.faces.csv")))
+    if (row[0] != "index") names.index[row[1]] = std::stoul(row[0]);
+  names.sky = names.index.at("sky");
+  return names;
+}
+
+// What factors.csv says, by the indices of factors.mtx.faces.csv.
+Entries entries_of_csv() {
+  const Names names = face_names();
+  Entries entries;
+  for (const auto& row : read_csv(golden("factors.csv")))
+    if (row[0] != "from") entries[{names.index.at(row[0]), names.index.at(row[1])}] = std::stod(row[2]);
+  return entries;
+}
+
+TEST(GoldenFiles, CsvQuotesNamesAsRfc4180) {
+  const auto rows = read_csv(golden("factors.csv"));
+  EXPECT_EQ(rows.front(),
+            (std::vector<std::string>{"from", "to", "factor", "lower", "upper", "visibility", "guarantee"}));
+  for (const auto& row : rows) EXPECT_EQ(row.size(), 7u);
+  EXPECT_EQ(rows.at(1).at(1), "screen, \"thin\":back");
+  EXPECT_EQ(golden("factors.csv").find('\r'), std::string::npos);
+}
+
+TEST(GoldenFiles, FacesAreNumberedFromOneWithTheSkyLast) {
+  const auto rows = read_csv(golden("factors.mtx.faces.csv"));
+  EXPECT_EQ(rows.front(),
+            (std::vector<std::string>{"index", "face", "element", "area", "material", "x0", "y0", "x1", "y1"}));
+  for (std::size_t k = 1; k < rows.size(); ++k) EXPECT_EQ(rows[k].at(0), std::to_string(k));
+  EXPECT_EQ(rows.back().at(1), "sky");
+  EXPECT_EQ(rows.size(), 1u + 2 * 8 + 1);  // fronts and backs of eight surfaces, and the sky
+}
+
+TEST(GoldenFiles, MatrixMarketHoldsTheFactorsOfTheCsv) {
+  const auto lines = lines_of(golden("factors.mtx"));
+  ASSERT_EQ(lines.at(0), "%%MatrixMarket matrix coordinate real general");
+  std::size_t k = 1;
+  while (lines.at(k).starts_with("%")) ++k;
+  std::size_t rows = 0, columns = 0, count = 0;
+  std::istringstream(lines.at(k++)) >> rows >> columns >> count;
+  EXPECT_EQ(rows, face_names().sky);
+  EXPECT_EQ(columns, face_names().sky);
+  EXPECT_EQ(count, lines.size() - k);
+  Entries entries;
+  for (; k < lines.size(); ++k) {
+    std::size_t from = 0, to = 0;
+    double factor = 0;
+    std::istringstream(lines[k]) >> from >> to >> factor;
+    entries[{from, to}] = factor;
+  }
+  EXPECT_EQ(entries, entries_of_csv());
+}
+
+Entries nonzero(const std::vector<double>& dense, std::size_t n) {
+  Entries entries;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      if (dense[i * n + j] != 0) entries[{i + 1, j + 1}] = dense[i * n + j];
+  return entries;
+}
+
+template <class Number>
+std::vector<Number> numbers_from(const std::string& bytes, std::size_t offset) {
+  std::vector<Number> numbers((bytes.size() - offset) / sizeof(Number));
+  std::memcpy(numbers.data(), bytes.data() + offset, numbers.size() * sizeof(Number));
+  return numbers;
+}
+
+TEST(GoldenFiles, NumPyHoldsTheFactorsOfTheCsv) {
+  const std::string bytes = golden("factors.npy");
+  ASSERT_TRUE(bytes.starts_with(std::string("\x93NUMPY\x01\x00", 8)));
+  const std::size_t length = static_cast<unsigned char>(bytes[8]) + 256u * static_cast<unsigned char>(bytes[9]);
+  EXPECT_EQ((10 + length) % 64, 0u);
+  const std::string header = bytes.substr(10, length);
+  const std::size_t n = face_names().sky;
+  const std::string shape = "(" + std::to_string(n) + ", " + std::to_string(n) + ")";
+  EXPECT_TRUE(header.starts_with("{'descr': '<f8', 'fortran_order': False, 'shape': " + shape + ", }")) << header;
+  EXPECT_EQ(header.back(), '\n');
+  ASSERT_EQ(bytes.size(), 10 + length + 8 * n * n);
+  EXPECT_EQ(nonzero(numbers_from<double>(bytes, 10 + length), n), entries_of_csv());
+}
+
+// A View3D result: areas, factors and emittances of the faces that radiate, as one list of numbers.
+void expect_view3d(const std::vector<double>& numbers, std::size_t count, double relative) {
+  std::vector<std::size_t> radiating;
+  std::vector<double> expected;
+  for (const auto& row : read_csv(golden("factors.mtx.faces.csv")))
+    if (row[0] != "index" && !row[4].empty()) {
+      radiating.push_back(std::stoul(row[0]));
+      expected.push_back(std::stod(row[3]));
+    }
+  ASSERT_EQ(count, radiating.size());
+  const Entries factors = entries_of_csv();
+  for (const std::size_t from : radiating)
+    for (const std::size_t to : radiating) {
+      const auto found = factors.find({from, to});
+      expected.push_back(found == factors.end() ? 0 : found->second);
+    }
+  for (const auto& row : read_csv(golden("factors.mtx.faces.csv")))
+    if (!row[4].empty() && row[0] != "index")
+      expected.push_back(row[4] == "lamp" ? 0.9 : row[4] == "white" ? 0.3 : 0.5);
+  ASSERT_EQ(numbers.size(), expected.size());
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    EXPECT_NEAR(numbers[k], expected[k], relative * expected[k]) << "number " << k;
+}
+
+TEST(GoldenFiles, View3dTextHoldsTheFactorsOfTheCsv) {
+  const std::string text = golden("factors.txt");
+  EXPECT_EQ(text.find('\n'), 30u);  // the header is padded
+  std::istringstream in(text);
+  std::string program, version;
+  int out = -1, enclosure = -1, emittances = -1;
+  std::size_t count = 0;
+  in >> program >> version >> out >> enclosure >> emittances >> count;
+  EXPECT_EQ(program + " " + version, "View3D 4.0.0");
+  EXPECT_EQ(std::make_pair(out, enclosure), std::make_pair(0, 0));
+  EXPECT_EQ(emittances, 0);
+  std::vector<double> numbers;
+  for (double number; in >> number;) numbers.push_back(number);
+  expect_view3d(numbers, count, 0);
+  const auto lines = lines_of(text);
+  ASSERT_EQ(lines.size(), 1 + 1 + count + 1);
+}
+
+TEST(GoldenFiles, View3dBinaryHoldsTheFactorsOfTheCsv) {
+  const std::string bytes = golden("factors.bin");
+  const std::string header = bytes.substr(0, 32);
+  EXPECT_TRUE(header.starts_with("View3D 4.0.0 1 0 0 "));
+  EXPECT_TRUE(header.ends_with("\r\n"));
+  const std::vector<float> numbers = numbers_from<float>(bytes, 32);
+  expect_view3d({numbers.begin(), numbers.end()}, std::stoul(header.substr(19)), 6e-8);
+}
+
+TEST(GoldenFiles, DenseMatricesHaveNamesInTheFirstRowAndColumn) {
+  const Entries factors = entries_of_csv();
+  for (const std::string name : {"matrix_factor.csv", "matrix_exchange.csv", "matrix_visibility.csv"}) {
+    const auto rows = read_csv(golden(name));
+    const std::size_t n = face_names().sky;
+    ASSERT_EQ(rows.size(), n + 1);
+    for (std::size_t i = 0; i <= n; ++i) {
+      ASSERT_EQ(rows[i].size(), n + 1);
+      EXPECT_EQ(rows[i][0], rows[0][i]);
+      if (i == 0) continue;
+      EXPECT_EQ(face_names().index.at(rows[i][0]), i);
+      for (std::size_t j = 1; j <= n; ++j) {
+        const auto found = factors.find({i, j});
+        if (found == factors.end())
+          EXPECT_TRUE(rows[i][j] == "0" || (rows[i][j] == "NaN" && name == "matrix_visibility.csv"));
+        else if (name == "matrix_factor.csv")
+          EXPECT_EQ(std::stod(rows[i][j]), found->second);
+        else
+          EXPECT_GT(std::stod(rows[i][j]), 0);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hottel
