@@ -1,0 +1,40 @@
+// The view factors of points that analytic scenes know, as `hottel visibility --on` prints them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "kernel/rational.h"
+#include "tests/cli/program.h"
+
+namespace hottel {
+namespace {
+
+using testing_cli::Outcome;
+using testing_cli::Workplace;
+namespace fs = std::filesystem;
+
+TEST(PointRows, ArePrintedCorrectlyRounded) {
+  const Workplace place;
+  std::size_t rows = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(HOTTEL_SOURCE_DIR) / "scenes/analytic")) {
+    const auto scene = nlohmann::json::parse(testing_cli::contents(entry.path()));
+    for (const auto& row : scene.at("expect")) {
+      if (row.at("kind") != "point") continue;
+      const std::string from = row.at("of").at(0), to = row.at("of").at(1), at = row.at("at"), value = row.at("value");
+      const Outcome outcome =
+          place.run("hottel visibility '" + entry.path().string() + "' --on " + from + " --at " + at + " --json");
+      ASSERT_EQ(outcome.code, 0) << outcome.err;
+      double printed = 0;
+      const auto answer = nlohmann::json::parse(outcome.out);
+      for (const auto& factor : answer.at("factors"))
+        if (factor.at("to") == to) printed = factor.at("factor").at("value");
+      EXPECT_EQ(printed, to_double(parse_rational(value).value())) << entry.path();
+      ++rows;
+    }
+  }
+  EXPECT_GE(rows, 3u);
+}
+
+}  // namespace
+}  // namespace hottel
