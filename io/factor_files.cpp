@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
 
+#include "io/npy.h"
 #include "kernel/rational.h"
 
 namespace hottel {
@@ -182,13 +184,8 @@ void write_faces_csv(const FactorTable& table, const Sink& sink) {
 
 void write_factors_npy(const FactorTable& table, const Sink& sink) {
   const std::size_t n = table.matrix.size() + 1;
-  std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", n, n);
-  header.append(63 - (10 + header.size()) % 64, ' ');
-  header += '\n';
   Buffer out(sink);
-  out << std::string_view("\x93NUMPY\x01\x00", 8);
-  out.raw(static_cast<std::uint16_t>(header.size()));
-  out << header;
+  out << npy_header(std::array{n, n});
   for_each_dense_row(table.matrix, [&](std::uint32_t, const std::vector<double>& row) {
     out << std::string_view(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(double));
   });
