@@ -30,9 +30,12 @@ class Stopwatch {
 
 constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
 
-// "Below 1 whenever something hides a part": a quotient that would round to 1 from below stays below.
+// "Below 1 whenever something hides a part", above 0 always: a quotient that would round to 1 from below or to 0 from
+// above keeps its distance.
 double visibility_of(const Rounded& quotient) {
-  return quotient.value == 1.0 && quotient.side < 0 ? std::nextafter(1.0, 0.0) : quotient.value;
+  if (quotient.value == 1.0 && quotient.side < 0) return std::nextafter(1.0, 0.0);
+  if (quotient.value == 0.0 && quotient.side > 0) return std::numeric_limits<double>::denorm_min();
+  return quotient.value;
 }
 
 // S0(i, j) of two labels (neither the sky) in scene units: everything but the two taken away.
@@ -283,9 +286,17 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   r.seconds["prepare"] = prepared.seconds;
   r.seconds["label"] = watch.lap();
 
+  std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();
+  if (options.memory > 0) {
+    most_pairs = options.memory / kBytesPerPair;
+    if (const std::uint64_t pairs = estimated_pairs(arrangement, labels); pairs > most_pairs)
+      throw RequestError("about " + std::to_string(pairs) + " visible pairs need about " +
+                         std::to_string(pairs * kBytesPerPair) + " bytes; allowed are " +
+                         std::to_string(options.memory));
+  }
   SumCounts counts;
   const std::vector<PairSum> pairs = options.occlusion
-                                         ? sum_visible_pairs(arrangement, labels, options.progress, counts)
+                                         ? sum_visible_pairs(arrangement, labels, options.progress, most_pairs, counts)
                                          : sum_all_pairs(arrangement, labels);
   r.seconds[options.occlusion ? "sweep" : "strings"] = watch.lap();
   r.closure_is_exact = closure_defect(pairs, labels) == 0;
@@ -316,6 +327,7 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   for (const TierCounts& some : tiers) r.tiers += some;
   r.seconds["exact"] = watch.lap();
 
+  r.surfaces = prepared.scene.surfaces.size();
   r.vertices = arrangement.vertices().size();
   r.pieces = arrangement.pieces().size();
   r.elements = labels.count();

@@ -30,9 +30,10 @@ PreparedScene2 prepare(Scene2 scene, Divided divided = Divided::kNo);
 
 struct ExchangeOptions2 {
   Per per = Per::kFace;
-  bool wants_visibility = true;               // else FactorEntry::visibility is NaN
-  bool wants_measures = false;                // ExchangeMatrix::measures()
-  bool occlusion = true;                      // false: nothing can hide anything (is_convex_room); no sweep is made
+  bool wants_visibility = true;  // else FactorEntry::visibility is NaN
+  bool wants_measures = false;   // ExchangeMatrix::measures()
+  bool occlusion = true;         // false: nothing can hide anything (is_convex_room); no sweep is made
+  std::uint64_t memory = 0;      // bytes the sums and the matrix may take; 0: no limit. Beyond: RequestError
   std::function<void(double)> progress = {};  // fraction done; may throw to stop
 };
 
@@ -41,7 +42,7 @@ bool is_convex_room(const Scene2& scene);
 
 // How the numbers came about.
 struct ExchangeReport {
-  std::uint64_t vertices = 0, pieces = 0, elements = 0, pairs = 0, gaps = 0, terms = 0;
+  std::uint64_t surfaces = 0, vertices = 0, pieces = 0, elements = 0, pairs = 0, gaps = 0, terms = 0;
   TierCounts tiers;               // one count a rounded number: factors both ways, visibilities
   bool closure_is_exact = false;  // the integer identity sum_j 2 S(i, j) = 2 A_i held in every row
   std::map<std::string, double> seconds;

@@ -1,13 +1,16 @@
 #include "geometry/exchange/exchange_sums_2.h"
 
+#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <bit>
+#include <random>
 
 #include "geometry/exchange/gap_terms_2.h"
+#include "kernel/failure.h"
 
 namespace hottel {
 namespace {
@@ -39,6 +42,8 @@ class PairTable {
     slot.is_inexact += term.is_inexact;
     slot.is_obstructed |= term.is_obstructed;
   }
+
+  std::size_t size() const { return count_; }
 
   // Moves the sums out, sorted.
   std::vector<PairSum> take() {
@@ -121,7 +126,8 @@ class Sweep {
 }  // namespace
 
 std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const Labels2& labels,
-                                       const std::function<void(double)>& progress, SumCounts& counts) {
+                                       const std::function<void(double)>& progress, std::uint64_t most_pairs,
+                                       SumCounts& counts) {
   const std::size_t label_count = labels.count() + 1;  // the sky too
   int partition_shift = 0;
   while ((label_count >> partition_shift) > 64) ++partition_shift;
@@ -156,6 +162,11 @@ std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const La
         out.by_partition[partition].clear();
       }
     });
+    std::uint64_t pairs = 0;
+    for (const PairTable& table : tables) pairs += table.size();
+    if (pairs > most_pairs)
+      throw RequestError(fmt::format(
+          "the scene has more than {} visible pairs, which is all that the memory allowed holds", most_pairs));
     round = std::clamp<std::size_t>(round * kTermsInFlight / (in_flight + 1), std::max<std::size_t>(16, round / 4),
                                     4 * round);
     begin = end;
@@ -178,6 +189,26 @@ std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const La
     std::vector<PairSum>().swap(part);
   }
   return result;
+}
+
+std::uint64_t estimated_pairs(const Arrangement2& arrangement, const Labels2& labels) {
+  // Pairs that see each other through one opening have four terms; there are few with less.
+  constexpr std::uint64_t kTermsPerPair = 4;
+  constexpr std::uint64_t kSample = 256;
+  const std::uint64_t n = arrangement.vertices().size();
+  std::mt19937_64 random(1);
+  const std::uint64_t sample = std::min(kSample, n);
+  std::uint64_t terms = 0;
+  View2 view;
+  for (std::uint64_t k = 0; k < sample; ++k) {
+    const auto v = static_cast<VertexId>(sample == n ? k : random() % n);
+    look_around(arrangement.vertices(), arrangement.triangulation(), v, view);
+    // Every gap is met from both its ends: half of it belongs to this one.
+    for_each_gap(arrangement.vertices(), v, view, false, [&](const Gap2& gap) {
+      for_each_term(gap, labels, [&terms](std::uint32_t, std::uint32_t, int) { ++terms; });
+    });
+  }
+  return sample == 0 ? 0 : terms * n / (2 * kTermsPerPair * sample);
 }
 
 Int128 closure_defect(const std::vector<PairSum>& pairs, const Labels2& labels) {

@@ -33,8 +33,18 @@ struct SumCounts {
 //       a row with coefficients that cancel, but for the lengths on i itself
 // COST: parallel; one sweep about each vertex, and 32 bytes a term in flight, 32 to 64 bytes a pair.
 // `progress` is called from time to time with the fraction done and may throw to stop.
+//
+// Throws RequestError when the pairs become more than `most_pairs`.
 std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const Labels2& labels,
-                                       const std::function<void(double)>& progress, SumCounts& counts);
+                                       const std::function<void(double)>& progress, std::uint64_t most_pairs,
+                                       SumCounts& counts);
+
+// What a visible pair takes in memory at the most, from the sums to the matrix, in bytes (measured on clutter with
+// backs, where both directions have a row; benchmarks/factors).
+inline constexpr std::uint64_t kBytesPerPair = 200;
+
+// Estimates the number of visible pairs from the sweeps about 256 vertices, drawn by a fixed seed.
+std::uint64_t estimated_pairs(const Arrangement2& arrangement, const Labels2& labels);
 
 // Checks property (2) as an identity of integers; returns the largest defect, 0 when it holds.
 Int128 closure_defect(const std::vector<PairSum>& pairs, const Labels2& labels);
