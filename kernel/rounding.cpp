@@ -22,6 +22,15 @@ Rational half_way(double below, double above) {
   return (low + high) / 2;
 }
 
+// The quotient where it is rational because both are multiples of the same root.
+std::optional<Rational> rational_quotient(const RootSum& numerator, const RootSum& denominator) {
+  if (numerator.terms().size() != 1 || denominator.terms().size() != 1) return std::nullopt;
+  const RootSum::Term &n = numerator.terms().front(), &d = denominator.terms().front();
+  const Integer product = n.radicand * d.radicand;
+  if (!mpz_perfect_square_p(product.get_mpz_t())) return std::nullopt;
+  return Rational(n.coefficient * Rational(Integer(sqrt(product))) / (d.coefficient * d.radicand));
+}
+
 // True iff value * denominator == numerator.
 bool equals(const RootSum& numerator, const RootSum& denominator, const Rational& value) {
   return (numerator - denominator * value).is_zero();
@@ -83,6 +92,7 @@ std::optional<RoundedByTier> round_scaled(const FixedSum& sum, const FixedScale&
 RoundedByTier round_quotient(const RootSum& numerator, const RootSum& denominator) {
   HOTTEL_REQUIRE(!denominator.is_zero());
   if (numerator.is_zero()) return {{0.0, 0}, Tier::kDouble};
+  if (const auto quotient = rational_quotient(numerator, denominator)) return round_rational(*quotient, Tier::kRootSum);
   bool is_known_not_to_be_a_tie = false;
   for (long precision = 128;; precision *= 2) {
     const Ball bottom = Ball::of(denominator, precision);

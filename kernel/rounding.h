@@ -15,7 +15,7 @@ namespace hottel {
 //   kDouble:       nothing was rounded on the way (zero, or every length an integer)
 //   kDoubleDouble: 128-bit fixed-point sums (106 bits and more) with their error bound
 //   kBall:         ball arithmetic of sufficient precision on the exact sums
-//   kRootSum:      the canonical sum of square roots: ties, and numbers that are doubles
+//   kRootSum:      the canonical sum of square roots: ties, numbers that are doubles, and multiples of one root
 enum class Tier : unsigned char { kDouble, kDoubleDouble, kBall, kRootSum };
 
 struct TierCounts {

@@ -142,8 +142,16 @@ TEST(RoundQuotientOfRootSums, Coverage) {
   const Rational tie = 1 + power_of_two(-53);
   expect(round_quotient(root(2, tie), root(2)), 1, 1, Tier::kRootSum);
   expect(round_quotient(root(2, tie + power_of_two(-52)), root(2)), 1 + 0x1p-51, -1, Tier::kRootSum);
-  expect(round_quotient(root(2, tie + power_of_two(-1000)), root(2)), 1 + 0x1p-52, -1, Tier::kBall);
-  expect(round_quotient(root(2, tie - power_of_two(-1000)), root(2)), 1, 1, Tier::kBall);
+  expect(round_quotient(root(2, tie + power_of_two(-1000)), root(2)), 1 + 0x1p-52, -1, Tier::kRootSum);
+  expect(round_quotient(root(2, tie - power_of_two(-1000)), root(2)), 1, 1, Tier::kRootSum);
+  const RootSum speck = root(3, power_of_two(-1000));
+  expect(round_quotient(root(2, tie) + speck, root(2)), 1 + 0x1p-52, -1, Tier::kBall);
+  expect(round_quotient(root(2, tie) - speck, root(2)), 1, 1, Tier::kBall);
+  // Sums of several roots whose quotient is a tie or a double: found equal to it by the canonical form.
+  const RootSum several = root(2) + root(3) + RootSum(1);
+  expect(round_quotient(several * tie, several), 1, 1, Tier::kRootSum);
+  expect(round_quotient(several * Rational(3), several), 3, 0, Tier::kRootSum);
+  expect(round_quotient(several * tie + speck, several), 1 + 0x1p-52, -1, Tier::kBall);
   expect(round_quotient(root(2, -tie), root(2)), -1, -1, Tier::kRootSum);
   // Heavy cancellation: the tier is settled by precision alone.
   const Rational big(Integer(1) << 400);
