@@ -162,17 +162,18 @@ void PointLocation2::look_around_outside(const Eye2& eye, View2& view) const {
       return;
     }
     // On the line: the nearest vertex on either side; the piece between them, if any, covers both directions.
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      const bool behind = k + 1 == order.size() || eye.direction_sign(order[k], order[k + 1]) < 0;
-      if (!behind) continue;
-      const bool all_ahead = k == 0 && order.size() > 1 && eye.direction_sign(order[0], order[1]) > 0;
-      if (all_ahead) continue;
-      const PieceSideId left = k + 1 < order.size() ? between(order[k], order[k + 1]) : kNoPiece;
+    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+      if (eye.direction_sign(order[k], order[k + 1]) > 0) continue;
+      const PieceSideId left = between(order[k], order[k + 1]);
       const PieceSideId right = left == kNoPiece ? kNoPiece : left ^ 1;
       view.seen.push_back({order[k], kSky, right, left});
-      if (k + 1 < order.size()) view.seen.push_back({order[k + 1], kSky, left, right});
+      view.seen.push_back({order[k + 1], kSky, left, right});
       return;
     }
+    // Beyond one end, which is the only vertex seen.
+    const ExactPoint2 at = eye.exact(), first = vertices_.exact(order.front()), last = vertices_.exact(order.back());
+    const Rational ahead = (last.x - first.x) * (first.x - at.x) + (last.y - first.y) * (first.y - at.y);
+    view.seen.push_back({ahead > 0 ? order.front() : order.back(), kSky, kNoPiece, kNoPiece});
     return;
   }
   // The hull edges that turn their outer side to the eye form one chain; seen from outside it runs clockwise.
