@@ -27,11 +27,15 @@ class Frame2 {
   Frame2(const Scene2& scene, const std::vector<std::array<double, 2>>& extra_points, double width,
          const SheetMargins& margins);
 
+  // Exactly the region from min to max, filling a picture of that size, stretched to it.
+  // REQUIRES min < max, positive sizes.
+  Frame2(const Point2& min, const Point2& max, double width, double height);
+
   double width() const { return width_; }
   double height() const { return height_; }
   Pixel top_left() const { return top_left_; }  // of the region inside the margins
   Pixel bottom_right() const { return bottom_right_; }
-  double pixels_per_length() const { return pixels_per_extent_ / extent_double_; }
+  double pixels_per_length() const { return pixels_per_extent_x_ / extent_double_; }
 
   Pixel at(const Point2& point) const;
   Pixel at(const std::array<double, 2>& point) const;
@@ -40,7 +44,7 @@ class Frame2 {
   Rational min_x_, min_y_, extent_;  // extent: the longer side, 1 for a scene that is a single point
   double min_x_double_, min_y_double_, extent_double_;
   double width_, height_;
-  double pixels_per_extent_;
+  double pixels_per_extent_x_, pixels_per_extent_y_;
   Pixel origin_;  // where (min_x, min_y) lies
   Pixel top_left_, bottom_right_;
 };

@@ -11,6 +11,8 @@ inline constexpr Colour kSoftInk{0.40, 0.405, 0.43};
 inline constexpr Colour kFloor{0.965, 0.938, 0.893};
 inline constexpr Colour kSolid{0.875, 0.872, 0.868};
 inline constexpr Colour kHatch{0.755, 0.752, 0.750};
+inline constexpr Colour kUnlitSolid{0.235, 0.235, 0.250};  // in pictures of light
+inline constexpr Colour kUnlitHatch{0.330, 0.330, 0.345};
 inline constexpr Colour kEmitter{0.98, 0.72, 0.10};
 inline constexpr Colour kTarget{0.02, 0.62, 0.83};
 inline constexpr Colour kLight{1.0, 0.80, 0.30, 0.55};

@@ -9,6 +9,7 @@
 
 #include "kernel/failure.h"
 #include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/hatch.h"
 #include "viewer/picture/palette.h"
 
 namespace hottel {
@@ -98,7 +99,7 @@ void SceneSheet2::draw_level(PictureCanvas& canvas, std::size_t level, const Gro
     if (outline.level != level) continue;
     if (outline.solid) {
       canvas.fill(Mark::kSolid, outline.polygon, palette::kSolid);
-      draw_hatch(canvas, outline.polygon);
+      draw_hatch(canvas, outline.polygon, 13 * unit_, 0.9 * unit_, palette::kHatch);
       continue;
     }
     canvas.fill(Mark::kFloor, outline.polygon, palette::kFloor);
@@ -130,29 +131,6 @@ void SceneSheet2::draw_text(PictureCanvas& canvas, const std::string& text, doub
   const double room = frame_.bottom_right().x - frame_.top_left().x, wide = canvas.text_width(text, style);
   if (wide > room) style.size *= room / wide;
   canvas.text(Mark::kTitle, {frame_.top_left().x, base_line}, text, style);
-}
-
-// Lines that rise to the right, clipped to the outline.
-void SceneSheet2::draw_hatch(PictureCanvas& canvas, const std::vector<Pixel>& outline) const {
-  const double spacing = 13 * unit_;
-  double lowest = outline.front().x + outline.front().y, highest = lowest;
-  for (const Pixel& p : outline) {
-    lowest = std::min(lowest, p.x + p.y);
-    highest = std::max(highest, p.x + p.y);
-  }
-  std::vector<double> crossings;
-  for (double level = (std::floor(lowest / spacing) + 0.5) * spacing; level < highest; level += spacing) {
-    crossings.clear();
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-      const Pixel &a = outline[k], &b = outline[(k + 1) % outline.size()];
-      const double above_a = a.x + a.y - level, above_b = b.x + b.y - level;
-      if ((above_a < 0) != (above_b < 0)) crossings.push_back(std::lerp(a.x, b.x, above_a / (above_a - above_b)));
-    }
-    std::sort(crossings.begin(), crossings.end());
-    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
-      canvas.stroke(Mark::kHatch, {crossings[k], level - crossings[k]}, {crossings[k + 1], level - crossings[k + 1]},
-                    palette::kHatch, 0.9 * unit_);
-  }
 }
 
 void SceneSheet2::draw_walls(PictureCanvas& canvas, const std::vector<bool>& hidden) const {

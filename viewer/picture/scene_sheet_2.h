@@ -62,7 +62,6 @@ class SceneSheet2 {
   void draw_heading(PictureCanvas& canvas) const;
   void draw_level(PictureCanvas& canvas, std::size_t level, const Ground& ground) const;
   void draw_outside_faces(PictureCanvas& canvas, std::size_t level, const Ground& ground) const;
-  void draw_hatch(PictureCanvas& canvas, const std::vector<Pixel>& outline) const;
   void draw_text(PictureCanvas& canvas, const std::string& text, double base_line, TextStyle style) const;
 
   std::string title_, subtitle_;

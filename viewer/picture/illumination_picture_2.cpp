@@ -1,0 +1,110 @@
+#include "viewer/picture/illumination_picture_2.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "kernel/failure.h"
+#include "viewer/picture/hatch.h"
+#include "viewer/picture/palette.h"
+
+namespace hottel {
+namespace {
+
+struct PixelsPerCell {
+  std::uint32_t across, up;
+};
+
+// Whole pixels, so many that the longer side has about the wanted length and cells keep their shape.
+PixelsPerCell pixels_per_cell(const Grid2& grid, std::uint32_t wanted_side) {
+  if (grid.nx > kMaxPictureSide || grid.ny > kMaxPictureSide)
+    throw UsageError("picture: a grid with more than " + std::to_string(kMaxPictureSide) +
+                     " cells along a side has no picture");
+  const Rational wide = grid.max.x - grid.min.x, high = grid.max.y - grid.min.y, extent = std::max(wide, high);
+  const auto pixels = [&](const Rational& length, std::uint32_t cells) {
+    const double wanted = std::round(to_double(length / extent) * wanted_side / cells);
+    return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, std::floor(double{kMaxPictureSide} / cells)));
+  };
+  return {pixels(wide, grid.nx), pixels(high, grid.ny)};
+}
+
+LightPixels2 light_pixels(const Scene2& scene, const IlluminationGrid& grid, std::uint32_t wanted_side) {
+  const PixelsPerCell pixels = pixels_per_cell(grid.grid, wanted_side);
+  return {grid, pixels.across, pixels.up, &scene};
+}
+
+}  // namespace
+
+IlluminationPainter2::IlluminationPainter2(const Scene2& scene, const IlluminationGrid& grid,
+                                           const IlluminationPicture2& picture)
+    : scene_(scene),
+      grid_(grid),
+      pixels_(light_pixels(scene, grid, picture.wanted_side)),
+      tone_(picture.tone, picture.exposure, grid.values, grid.channels),
+      frame_(grid.grid.min, grid.grid.max, pixels_.width(), pixels_.height()),
+      corners_(scene, frame_),
+      outlines_(scene, corners_),
+      unit_(std::max(pixels_.width(), pixels_.height()) / 1600.0),
+      wall_width_(std::max(2.2 * unit_, 1.0)) {}
+
+PixelImage IlluminationPainter2::light() const {
+  PixelImage image{width(), height(), {}};
+  image.pixels.resize(std::size_t{image.width} * image.height);
+  const std::uint32_t up = image.height / grid_.grid.ny, channels = grid_.channels;
+  for (std::uint32_t iy = 0; iy < grid_.grid.ny; ++iy) {
+    const std::vector<double> row = pixels_.row_of_cells(iy);
+    for (std::uint32_t j = 0; j < up; ++j)
+      for (std::uint32_t x = 0; x < image.width; ++x)
+        image.pixels[std::size_t{image.height - 1 - (iy * up + j)} * image.width + x] =
+            tone_(std::span(row).subspan((std::size_t{j} * image.width + x) * channels, channels));
+  }
+  return image;
+}
+
+void IlluminationPainter2::draw_light(PictureCanvas& canvas, const PixelImage& image) const {
+  canvas.image(Mark::kLight, {0, 0}, {frame_.width(), frame_.height()}, image, false);
+}
+
+void IlluminationPainter2::draw(PictureCanvas& canvas) const {
+  const PixelImage image = light();
+  draw_light(canvas, image);
+  for (std::size_t level = 0; level <= outlines_.levels; ++level)
+    for (const Outline2& outline : outlines_.closed) {
+      if (outline.level != level) continue;
+      if (outline.solid) {
+        canvas.fill(Mark::kSolid, outline.polygon, palette::kUnlitSolid);
+        draw_hatch(canvas, outline.polygon, 12 * unit_, 0.8 * unit_, palette::kUnlitHatch);
+      } else if (outline.around) {
+        canvas.clip(outline.polygon);
+        draw_light(canvas, image);
+        canvas.unclip();
+      }
+    }
+  draw_walls(canvas);
+}
+
+void IlluminationPainter2::draw_walls(PictureCanvas& canvas) const {
+  const auto stroke = [&](std::uint32_t s, Mark mark, const Colour& colour, double line_width) {
+    canvas.stroke(mark, corners_.at[corners_.from[s]], corners_.at[corners_.to[s]], colour, line_width);
+  };
+  for (std::uint32_t s = 0; s < corners_.surfaces(); ++s) stroke(s, Mark::kEdge, palette::kInk, wall_width_);
+  for (std::uint32_t s = 0; s < corners_.surfaces(); ++s) {
+    const Surface2& surface = scene_.surfaces[s];
+    std::array<double, 3> emission{};
+    for (const std::uint32_t material : {surface.material, surface.back.value_or(surface.material)})
+      for (std::size_t c = 0; c < 3; ++c)
+        emission[c] = std::max(emission[c], to_double(scene_.materials[material].emission.value[c]));
+    if (*std::max_element(emission.begin(), emission.end()) > 0)
+      stroke(s, Mark::kEmitter, tone_(emission), 1.3 * wall_width_);
+  }
+}
+
+std::string illumination_picture_2(const Scene2& scene, const IlluminationGrid& grid,
+                                   const IlluminationPicture2& picture, PictureFormat format) {
+  const IlluminationPainter2 painter(scene, grid, picture);
+  CairoCanvas canvas(format, painter.width(), painter.height());
+  painter.draw(canvas);
+  return canvas.finish();
+}
+
+}  // namespace hottel

@@ -1,0 +1,60 @@
+// Light in space as a picture, under the plan of the scene.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "geometry/scene/scene_2.h"
+#include "solver/illumination/illumination_grid_2.h"
+#include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/light_pixels_2.h"
+#include "viewer/picture/outlines_2.h"
+#include "viewer/picture/tone_curve.h"
+
+namespace hottel {
+
+struct IlluminationPicture2 {
+  Tone tone = Tone::kLog;
+  double exposure = 1;               // what the light is multiplied by; ToneCurve says relative to what
+  std::uint32_t wanted_side = 1400;  // pixels of the longer side: rounded to whole pixels a cell
+};
+
+// Draws the light of a grid, the insides of solids over it, grey and hatched, and the edges on top, antialiased;
+// emitting faces in the colour of their emission.
+//
+//   (1) the picture is the region of the grid and nothing else: the top row is the largest y, each cell is the same
+//       number of whole pixels, at least one
+//   (2) before tone mapping the pixels are those of LightPixels2 with the scene as walls
+//
+// Throws UsageError when the grid has more cells along a side than a picture may have pixels.
+// COST: about 0.3 s for a picture of 1500 x 1200.
+class IlluminationPainter2 {
+ public:
+  // REQUIRES that grid and scene outlive this.
+  IlluminationPainter2(const Scene2& scene, const IlluminationGrid& grid, const IlluminationPicture2& picture);
+
+  std::uint32_t width() const { return pixels_.width(); }
+  std::uint32_t height() const { return pixels_.height(); }
+  const ToneCurve& tone() const { return tone_; }
+  void draw(PictureCanvas& canvas) const;
+
+ private:
+  void draw_light(PictureCanvas& canvas, const PixelImage& image) const;
+  void draw_walls(PictureCanvas& canvas) const;
+  PixelImage light() const;
+
+  const Scene2& scene_;
+  const IlluminationGrid& grid_;
+  LightPixels2 pixels_;
+  ToneCurve tone_;
+  Frame2 frame_;
+  Corners2 corners_;
+  Outlines2 outlines_;
+  double unit_, wall_width_;
+};
+
+// Returns the bytes of the picture file.
+std::string illumination_picture_2(const Scene2& scene, const IlluminationGrid& grid,
+                                   const IlluminationPicture2& picture, PictureFormat format);
+
+}  // namespace hottel

@@ -1,0 +1,84 @@
+#include "viewer/picture/tone_curve.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "kernel/failure.h"
+#include "viewer/picture/colour_map.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kMiddle = 0.25, kLogSteepness = 2;
+
+std::array<double, 3> rgb(std::span<const double> value) {
+  return value.size() < 3 ? std::array{value[0], value[0], value[0]} : std::array{value[0], value[1], value[2]};
+}
+
+double luminance(const std::array<double, 3>& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
+
+}  // namespace
+
+std::optional<Tone> tone_of(std::string_view name) {
+  if (name == "linear") return Tone::kLinear;
+  if (name == "reinhard") return Tone::kReinhard;
+  if (name == "log") return Tone::kLog;
+  if (name == "max") return Tone::kMax;
+  return std::nullopt;
+}
+
+ToneCurve::ToneCurve(Tone tone, double exposure, std::span<const double> values, std::size_t channels) : tone_(tone) {
+  HOTTEL_REQUIRE(channels > 0 && values.size() % channels == 0 && exposure > 0);
+  double largest = 0, brightest = 0, sum_of_logs = 0, lit = 0;
+  for (std::size_t k = 0; k < values.size(); k += channels) {
+    const std::span<const double> value = values.subspan(k, channels);
+    largest = std::max(largest, *std::max_element(value.begin(), value.end()));
+    const double y = luminance(rgb(value));
+    if (!(y > 0)) continue;
+    brightest = std::max(brightest, y);
+    sum_of_logs += std::log(y);
+    ++lit;
+  }
+  const double middle = lit > 0 ? std::exp(sum_of_logs / lit) : 1;
+  switch (tone) {
+    case Tone::kLinear:
+      scale_ = exposure;
+      break;
+    case Tone::kMax:
+      scale_ = largest > 0 ? exposure / largest : exposure;
+      break;
+    case Tone::kReinhard:
+      scale_ = kMiddle * exposure / middle;
+      break;
+    case Tone::kLog:
+      scale_ = kLogSteepness * exposure / middle;
+      break;
+  }
+  white_ = lit > 0 ? brightest * scale_ : 1;
+}
+
+double ToneCurve::curve(double y) const {
+  if (tone_ == Tone::kReinhard) return y * (1 + y / (white_ * white_)) / (1 + y);
+  return std::log1p(y) / std::log1p(white_);
+}
+
+Colour ToneCurve::operator()(std::span<const double> value) const {
+  std::array<double, 3> c = rgb(value);
+  for (double& channel : c) channel *= scale_;
+  if (tone_ == Tone::kReinhard || tone_ == Tone::kLog) {
+    const double y = luminance(c);
+    if (!(y > 0)) return {};
+    const double shown = std::min(curve(y), 1.0);
+    for (double& channel : c) channel *= shown / y;
+    const double top = *std::max_element(c.begin(), c.end());
+    if (top > 1 && top > shown) {
+      const double mix = (1 - shown) / (top - shown);
+      for (double& channel : c) channel = shown + mix * (channel - shown);
+    }
+  }
+  const auto encode = [](double linear) { return srgb_from_linear(std::clamp(linear, 0.0, 1.0)); };
+  return {encode(c[0]), encode(c[1]), encode(c[2])};
+}
+
+}  // namespace hottel

@@ -1,0 +1,49 @@
+// How light becomes colours on a screen.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "viewer/picture/canvas.h"
+
+namespace hottel {
+
+enum class Tone : unsigned char { kLinear, kReinhard, kLog, kMax };
+
+// "linear", "reinhard", "log", "max"; nothing for other names.
+std::optional<Tone> tone_of(std::string_view name);
+
+// A tone curve fitted to the light of a picture. Values are linear; the colours are sRGB (IEC 61966-2-1).
+//
+//   kLinear    exposure times the value: the only one that does not look at the rest of the picture
+//   kMax       the largest value of all channels becomes 1, times the exposure
+//   kReinhard  Reinhard, Stark, Shirley, Ferwerda 2002, global: the geometric mean of the lit places becomes 0.25 times
+//              the exposure, then Y (1 + Y / Ymax²) / (1 + Y), so that the brightest place is just white
+//   kLog       log(1 + s Y) / log(1 + s Ymax), s = 2 times the exposure over the geometric mean
+//
+//   (1) 0 is black; brighter light is not darker on the screen
+//   (2) kReinhard and kLog compress the luminance Y (of the sRGB primaries) and keep the hue; colours too bright for a
+//       channel are mixed with grey of their luminance until they fit
+//   (3) with one channel all colours are grey
+class ToneCurve {
+ public:
+  // values: of all places of the picture, `channels` (1, or at least 3 of which r, g, b are the first) for each.
+  // REQUIRES finite values >= 0, exposure > 0.
+  ToneCurve(Tone tone, double exposure, std::span<const double> values, std::size_t channels);
+
+  // What the screen shows at a place with these values.
+  Colour operator()(std::span<const double> value) const;
+
+  // Values are multiplied by this before the curve is applied: the scale to print. For kLog: s.
+  double scale() const { return scale_; }
+
+ private:
+  double curve(double luminance) const;
+
+  Tone tone_;
+  double scale_ = 1;
+  double white_ = 1;  // the largest luminance, after scaling
+};
+
+}  // namespace hottel
