@@ -55,20 +55,6 @@ std::string name_of(const Scene2& scene, const Arrangement2& arrangement, PieceS
   return scene.surfaces[owner.surface].name + (owner.is_back ? ":back" : "");
 }
 
-// A number that is known by balls of any precision, rounded correctly.
-template <class At>
-Rounded round_ball(const At& ball_at) {
-  for (long precision = 128;; precision *= 2) {
-    const Ball ball = ball_at(precision);
-    const Enclosure ends = ball.nearest_of_ends();
-    if (ends.lower != ends.upper) continue;
-    if (const int side = ball.compare(ends.lower); side != 0) return {ends.lower, static_cast<signed char>(side)};
-    // An angle fraction is a double only for rational multiples of the turn that are exact from the start (1, 1/2,
-    // ...).
-    if (precision >= 1024) return {ends.lower, 0};
-  }
-}
-
 Rational number(const std::string& text, const std::string& option) {
   const auto value = parse_rational(text);
   if (!value) throw UsageError(option + " takes numbers such as 0.25 or 1/3, not '" + text + "'");
@@ -142,11 +128,7 @@ Answer from_point(const PreparedScene2& prepared, const ExactPoint2& eye) {
   answer.json["faces"] = Json::array();
   answer.text += "\nfraction of the full turn\n";
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const Rounded fraction = round_ball([&](long precision) {
-      Ball sum;
-      for (const std::size_t k : parts_of[f]) sum = sum.plus(angle_fraction(polygon, k, precision), precision);
-      return sum;
-    });
+    const Rounded fraction = rounded_angle_fraction(polygon, parts_of[f]);
     Json entry{{"face", faces[f]}};
     entry["angle_fraction"] = json_of(fraction);
     answer.json["faces"].push_back(entry);

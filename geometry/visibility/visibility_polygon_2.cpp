@@ -1,6 +1,7 @@
 #include "geometry/visibility/visibility_polygon_2.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernel/failure.h"
 
@@ -73,6 +74,31 @@ Ball angle_fraction(const VisibilityPolygon2& polygon, std::size_t part, long pr
   const Ball turn = Ball::atan2(Ball::of(across, precision), Ball::of(along, precision), precision)
                         .over(Ball::pi(precision).times(two, precision), precision);
   return across < 0 ? turn.plus(Ball::of(one, precision), precision) : turn;
+}
+
+Rounded rounded_angle_fraction(const VisibilityPolygon2& polygon, std::span<const std::size_t> parts) {
+  // The product of the turns as complex numbers has the argument of the sum.
+  const auto is_multiple_of_eighth = [&] {
+    Rational re = 1, im = 0;
+    if (polygon.parts.size() == 1) return true;
+    for (const std::size_t part : parts) {
+      const ExactPoint2 from = minus(polygon.parts[part].from, polygon.eye),
+                        to = minus(polygon.parts[part].to, polygon.eye);
+      const Rational c = dot(from, to), s = cross(from, to), next = re * c - im * s;
+      im = re * s + im * c;
+      re = next;
+    }
+    return re == 0 || im == 0 || re == im || re == -im;
+  };
+  for (long precision = 128;; precision *= 2) {
+    Ball sum;
+    for (const std::size_t part : parts) sum = sum.plus(angle_fraction(polygon, part, precision), precision);
+    const Enclosure ends = sum.nearest_of_ends();
+    if (ends.lower != ends.upper) continue;
+    const double nearest = ends.lower;
+    if (const int side = sum.compare(nearest); side != 0) return {nearest, static_cast<signed char>(side)};
+    if (8 * nearest == std::floor(8 * nearest) && is_multiple_of_eighth()) return {nearest, 0};
+  }
 }
 
 std::vector<PointFactor2> point_factors(const Arrangement2& arrangement, const PointLocation2& location,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/arrangement/arrangement_2.h"
@@ -38,6 +39,12 @@ VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const Poi
 
 // Angle under which a part is seen, as a fraction of the full turn, enclosed with the given precision in bits.
 Ball angle_fraction(const VisibilityPolygon2& polygon, std::size_t part, long precision);
+
+// Sum of the angles of some parts as a fraction of the full turn, correctly rounded.
+//
+// The corners are rational, so the fraction is irrational unless it is a multiple of 1/8 (the tangent of a rational
+// angle is rational only if it is 0, 1, -1 or infinite); that case is decided exactly, all others by balls.
+Rounded rounded_angle_fraction(const VisibilityPolygon2& polygon, std::span<const std::size_t> parts);
 
 // View factors from a point of a face: F(x -> g) = 1/2 sum (sin phi_end - sin phi_start), exact sums of square roots.
 //
