@@ -1,0 +1,147 @@
+#include "solver/system/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernel/interrupt.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kMostSteps = 25;
+constexpr int kMostRounds = 8;
+constexpr double kWorthwhile = 0.5;  // a step that reduces the residual less is the last
+
+DoubleDouble plus(DoubleDouble a, double b) {
+  double s, e;
+  two_sum(a.hi, b, s, e);
+  DoubleDouble result;
+  two_sum(s, e + a.lo, result.hi, result.lo);
+  return result;
+}
+
+void add(const Correction& correction, SplitVector& x) {
+  for (std::size_t c = 0; c < x.constant.size(); ++c) x.constant[c] = plus(x.constant[c], correction.constant[c]);
+  for (std::size_t i = 0; i < x.rest.size(); ++i) x.rest[i] = plus(x.rest[i], correction.rest[i]);
+}
+
+SplitVector zero_of(const RadiositySystem& system) {
+  return {std::vector<DoubleDouble>(system.components().size()), std::vector<DoubleDouble>(system.size())};
+}
+
+std::vector<double> middles(const std::vector<Enclosed>& r) {
+  std::vector<double> result(r.size());
+  for (std::size_t i = 0; i < r.size(); ++i) result[i] = r[i].hi;
+  return result;
+}
+
+double largest_source(const Sources& sources) {
+  double result = 0;
+  for (const Enclosed& e : sources.emission) result = std::max(result, e.hi);
+  return result > 0 ? result : 1;
+}
+
+// A positive vector v with lower bounds w of A v.
+struct PositiveVector {
+  SplitVector v;
+  std::vector<double> image;    // w
+  std::vector<char> is_proven;  // by component: w > 0 and v > 0
+};
+
+// Looks for v > 0 with A v near `target` > 0.
+PositiveVector positive_vector(const RadiositySystem& system, InnerSolver& inner, const std::vector<char>& is_wanted,
+                               std::vector<double> target, const ErrorTerms& terms) {
+  const std::size_t n = system.size();
+  PositiveVector result{zero_of(system), std::vector<double>(n, 0), {}};
+  add(inner.solve(target), result.v);
+  for (int round = 0;; ++round) {
+    throw_if_interrupted();
+    const std::vector<Enclosed> minus_image = system.residual(nullptr, result.v, is_wanted, terms);
+    result.is_proven = is_wanted;
+    std::vector<double> correction(n, 0);
+    bool is_settled = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t c = system.rows()[i].component;
+      if (!is_wanted[c]) continue;
+      result.image[i] = -minus_image[i].upper();
+      if (!(result.image[i] > 0) || !(system.value(result.v, i).lower() > 0)) result.is_proven[c] = 0;
+      if (!(result.image[i] >= target[i] / 2)) {
+        is_settled = false;
+        // What the error bound swallows is asked for in addition.
+        if (std::isfinite(minus_image[i].radius)) target[i] = std::max(target[i], 4 * minus_image[i].radius);
+      }
+      correction[i] = target[i] + minus_image[i].hi;
+    }
+    if (is_settled || round == kMostRounds) return result;
+    add(inner.solve(correction), result.v);
+  }
+}
+
+}  // namespace
+
+std::vector<double> refine(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, SplitVector& x) {
+  std::vector<double> history;
+  const double source = largest_source(sources);
+  double best = kInfinity;
+  for (int step = 0;; ++step) {
+    throw_if_interrupted();
+    const std::vector<Enclosed> r = system.residual(&sources, x, sources.is_lit);
+    double largest = 0, excess = 0;
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      largest = std::max(largest, std::abs(r[i].hi));
+      if (r[i].hi != 0) excess = std::max(excess, std::abs(r[i].hi) / r[i].radius);
+    }
+    history.push_back(largest / source);
+    const bool is_worthwhile = step == 0 || excess < kWorthwhile * best;
+    if (excess < kWorthwhile || !is_worthwhile || step == kMostSteps) return history;
+    best = excess;
+    add(inner.solve(middles(r)), x);
+  }
+}
+
+CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, const SplitVector& x,
+                        const ErrorTerms& terms) {
+  const std::size_t n = system.size();
+  const std::vector<Enclosed> r = system.residual(&sources, x, sources.is_lit, terms);
+  std::vector<double> target(n, 0);
+  for (std::size_t i = 0; i < n; ++i)
+    if (sources.is_lit[system.rows()[i].component]) target[i] = std::max(r[i].size(), kUnderflow);
+  const PositiveVector positive = positive_vector(system, inner, sources.is_lit, target, {});
+
+  std::vector<double> up(system.components().size(), 0), down(system.components().size(), 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t c = system.rows()[i].component;
+    if (!sources.is_lit[c]) continue;
+    up[c] = std::max(up[c], r[i].upper() / positive.image[i] * kOutward);
+    down[c] = std::max(down[c], -r[i].lower() / positive.image[i] * kOutward);
+  }
+  CertifiedBounds result;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t c = system.rows()[i].component;
+    const Enclosed value = system.value(x, i);
+    result.value.push_back(value);
+    if (!sources.is_lit[c]) {
+      result.lower.push_back(0);
+      result.upper.push_back(0);
+    } else if (!positive.is_proven[c] || !std::isfinite(up[c]) || !std::isfinite(down[c])) {
+      result.lower.push_back(0);
+      result.upper.push_back(kInfinity);
+    } else {
+      const Enclosed v = system.value(positive.v, i);
+      result.lower.push_back(difference(value, product(v, {down[c], 0, 0})).lower());
+      result.upper.push_back(sum(value, product(v, {up[c], 0, 0})).upper());
+    }
+  }
+  return result;
+}
+
+bool spectral_radius_is_below_one(const RadiositySystem& system, InnerSolver& inner,
+                                  const std::vector<char>& is_wanted) {
+  std::vector<double> target(system.size(), 0);
+  for (std::size_t i = 0; i < system.size(); ++i) target[i] = is_wanted[system.rows()[i].component] ? 1 : 0;
+  return positive_vector(system, inner, is_wanted, target, {}).is_proven == is_wanted;
+}
+
+}  // namespace hottel

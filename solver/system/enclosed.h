@@ -1,0 +1,79 @@
+// Real numbers enclosed to about 100 bits: what the certificate of a solution reckons with.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "kernel/int128.h"
+#include "kernel/rational.h"
+
+namespace hottel {
+
+// A real number within radius of hi + lo.
+//
+//   (1) every operation returns an enclosure of the result for every number in its operands, whatever the rounding
+//       mode and however the compiler moves code: all rounding errors are bounded, none is directed
+//   (2) REQUIRES |values| < 2^900; numbers below 2^-1070 are lost in the radius
+struct Enclosed {
+  double hi = 0, lo = 0, radius = 0;
+
+  static Enclosed of(const Rational& value);
+  static Enclosed of(DoubleDouble value) { return {value.hi, value.lo, 0}; }
+
+  double value() const { return hi + lo; }
+  double size() const { return std::abs(hi) + std::abs(lo) + radius; }  // not below any number in it, to 2 ulps
+  double lower() const;                                                 // a double not above any number in it
+  double upper() const;                                                 // a double not below any number in it
+};
+
+inline constexpr double kRoundoff = 0x1p-53;     // of one operation, relative
+inline constexpr double kUnderflow = 0x1p-1070;  // of a few operations, absolute
+inline constexpr double kOutward = 1 + 0x1p-48;  // more than the roundings of a radius
+
+inline Enclosed sum(const Enclosed& a, const Enclosed& b) {
+  double s, e;
+  two_sum(a.hi, b.hi, s, e);
+  const double low = e + (a.lo + b.lo);
+  const double error = 4 * kRoundoff * (std::abs(e) + std::abs(a.lo) + std::abs(b.lo));
+  Enclosed result;
+  two_sum(s, low, result.hi, result.lo);
+  result.radius = (a.radius + b.radius + error) * kOutward + kUnderflow;
+  return result;
+}
+
+inline Enclosed negated(const Enclosed& a) { return {-a.hi, -a.lo, a.radius}; }
+inline Enclosed difference(const Enclosed& a, const Enclosed& b) { return sum(a, negated(b)); }
+
+inline Enclosed product(const Enclosed& a, const Enclosed& b) {
+  double p, e;
+  two_product(a.hi, b.hi, p, e);
+  const double cross = a.hi * b.lo, other = a.lo * b.hi;
+  const double low = e + (cross + other);
+  const double error =
+      4 * kRoundoff * (std::abs(e) + std::abs(cross) + std::abs(other)) + std::abs(a.lo) * std::abs(b.lo);
+  Enclosed result;
+  two_sum(p, low, result.hi, result.lo);
+  result.radius = (a.size() * b.radius + b.size() * a.radius + error) * kOutward + kUnderflow;
+  return result;
+}
+
+inline Enclosed Enclosed::of(const Rational& value) {
+  Enclosed result;
+  result.hi = to_double(value);
+  const Rational rest = value - Rational(result.hi);
+  result.lo = to_double(rest);
+  if (rest != Rational(result.lo)) result.radius = std::abs(result.lo) * (2 * kRoundoff) + kUnderflow;
+  return result;
+}
+
+inline double Enclosed::upper() const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double rest = radius == 0 ? lo : std::nextafter(lo + radius, kInfinity);
+  double s, e;
+  two_sum(hi, rest, s, e);
+  return e > 0 ? std::nextafter(s, kInfinity) : s;
+}
+
+inline double Enclosed::lower() const { return -negated(*this).upper(); }
+
+}  // namespace hottel

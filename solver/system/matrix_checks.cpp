@@ -1,0 +1,72 @@
+#include "solver/system/matrix_checks.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hottel {
+namespace {
+
+// The largest of a number a row. A maximum is the same in any order.
+template <class OfRow>
+double largest_of_rows(const ExchangeMatrix& matrix, const OfRow& of_row) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::uint32_t>(0, matrix.size(), 16), 0.0,
+      [&](const auto& range, double largest) {
+        for (std::uint32_t i = range.begin(); i != range.end(); ++i)
+          if (matrix.has_row(i)) largest = std::max(largest, of_row(i));
+        return largest;
+      },
+      [](double a, double b) { return std::max(a, b); });
+}
+
+}  // namespace
+
+double closure_defect(const ExchangeMatrix& matrix) {
+  return largest_of_rows(matrix, [&](std::uint32_t i) {
+    Enclosed defect{-1, 0, 0};
+    for (const FactorEntry& entry : matrix.row(i)) defect = sum(defect, {entry.factor.value, 0, 0});
+    return std::abs(defect.value());
+  });
+}
+
+double reciprocity_defect(const ExchangeMatrix& matrix) {
+  return largest_of_rows(matrix, [&](std::uint32_t i) {
+    double largest = 0;
+    const double area = matrix.elements()[i].area.value;
+    for (const FactorEntry& entry : matrix.row(i)) {
+      if (entry.to == matrix.sky() || !matrix.has_row(entry.to)) continue;
+      const double other = matrix.elements()[entry.to].area.value;
+      const double there = matrix.factor(entry.to, i).value;
+      // A pair with entries both ways is looked at once.
+      if (entry.to < i && there != 0) continue;
+      largest = std::max(largest, std::abs(area * entry.factor.value - other * there) / std::min(area, other));
+    }
+    return largest;
+  });
+}
+
+void EnergySum::add(const ExchangeMatrix& matrix, std::uint32_t row, double emission, double absorbed, double radiosity,
+                    double sky_emission) {
+  const Enclosed area{matrix.elements()[row].area.value, 0, 0};
+  emitted_ = sum(emitted_, product(area, {emission, 0, 0}));
+  absorbed_ = sum(absorbed_, product(area, {absorbed, 0, 0}));
+  for (const FactorEntry& entry : matrix.row(row)) {
+    const bool is_sky = entry.to == matrix.sky();
+    if (!is_sky && matrix.has_row(entry.to)) continue;
+    const Enclosed exchange = product(area, {entry.factor.value, 0, 0});
+    Enclosed& taken = is_sky ? to_sky_ : absorbed_;
+    taken = sum(taken, product(exchange, {radiosity, 0, 0}));
+    if (is_sky) emitted_ = sum(emitted_, product(exchange, {sky_emission, 0, 0}));
+  }
+}
+
+EnergyBalance EnergySum::balance(int exponent) const {
+  const Enclosed defect = difference(difference(emitted_, absorbed_), to_sky_);
+  return {std::ldexp(emitted_.value(), exponent), std::ldexp(absorbed_.value(), exponent),
+          std::ldexp(to_sky_.value(), exponent), std::ldexp(defect.value(), exponent)};
+}
+
+}  // namespace hottel

@@ -1,0 +1,319 @@
+#include "solver/system/radiosity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "kernel/failure.h"
+#include "solver/system/certificate.h"
+#include "solver/system/inner_solver.h"
+#include "solver/system/iterations.h"
+#include "solver/system/matrix_checks.h"
+#include "solver/system/radiosity_internal.h"
+#include "solver/system/radiosity_system.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kDefaultUntil = 1e-12;
+constexpr int kDefaultIterations = 10'000;
+constexpr int kDefaultShots = 100'000;
+
+constexpr std::array<const char*, 8> kNames{"auto",     "cholesky", "cg",           "lu",
+                                            "bicgstab", "jacobi",   "gauss-seidel", "shooting"};
+
+// The double nearest to an exact number, and doubles around it.
+struct Printed {
+  double nearest, lower, upper;
+
+  explicit Printed(const Rational& exact) : nearest(to_double(exact)), lower(nearest), upper(nearest) {
+    const bool is_beyond = std::isinf(nearest);
+    if (is_beyond || exact < Rational(nearest)) lower = std::nextafter(nearest, -kInfinity);
+    if (!is_beyond && exact > Rational(nearest)) upper = std::nextafter(nearest, kInfinity);
+  }
+};
+
+double lower_scaled(double value, int exponent) {
+  const double result = std::ldexp(value, exponent);
+  return std::isfinite(result) && std::ldexp(result, -exponent) <= value ? result : std::nextafter(result, -kInfinity);
+}
+
+double upper_scaled(double value, int exponent) {
+  const double result = std::ldexp(value, exponent);
+  return std::ldexp(result, -exponent) >= value ? result : std::nextafter(result, kInfinity);
+}
+
+bool is_symmetric_only(Solver solver) { return solver == Solver::kCholesky || solver == Solver::kCg; }
+
+// Everything for the channels of one reflectivity vector.
+class Group {
+ public:
+  Group(const ExchangeMatrix& matrix, const std::vector<Material>& materials, const Spectrum& sky_emission,
+        std::vector<int> channels, const RadiosityOptions& options, const ErrorTerms& terms)
+      : matrix_(matrix),
+        materials_(materials),
+        sky_emission_(sky_emission),
+        channels_(std::move(channels)),
+        options_(options),
+        terms_(terms),
+        system_(matrix, materials, channels_.front()),
+        is_wanted_(system_.components().size(), 0),
+        plain_{} {
+    for (const int channel : channels_) {
+      sources_.push_back(system_.sources(materials, sky_emission, channel));
+      for (std::size_t c = 0; c < is_wanted_.size(); ++c) is_wanted_[c] |= sources_.back().is_lit[c];
+    }
+    plain_ = PlainSystem(system_, is_wanted_);
+  }
+
+  const RadiositySystem& system() const { return system_; }
+
+  // Refuses what has no solution, notes what is a limit, and prepares the solvers.
+  void prepare(std::set<std::string>& notes, Solver& used) {
+    std::uint32_t largest = 0;
+    for (std::size_t c = 0; c < is_wanted_.size(); ++c) {
+      const SystemComponent& component = system_.components()[c];
+      if (is_wanted_[c]) largest = std::max(largest, component.size);
+      if (!system_.rows_are_closed() || component.loses) continue;
+      const std::string& name = matrix_.elements()[component.first_element].name;
+      if (is_wanted_[c])
+        throw RequestError(
+            fmt::format("no radiosity: '{}' and what it exchanges light with ({} in all) reflect all "
+                        "light, let none out, and emit",
+                        name, component.size));
+      notes.insert(
+          fmt::format("'{}' and what it exchanges light with ({} in all) reflect all light, let none out and "
+                      "do not emit: radiosity is 0, the limit",
+                      name, component.size));
+    }
+    const bool is_dense = largest <= kMostDenseUnknowns;
+    if (system_.rows_are_closed()) {
+      used_ = options_.solver != Solver::kAuto ? options_.solver : is_dense ? Solver::kCholesky : Solver::kCg;
+      const bool by_elimination = used_ == Solver::kCholesky || (used_ != Solver::kCg && is_dense);
+      inner_ = by_elimination ? make_elimination(system_, is_wanted_) : make_conjugate_gradient(system_, is_wanted_);
+    } else {
+      if (is_symmetric_only(options_.solver))
+        throw RequestError(
+            fmt::format("'{}' needs a symmetric matrix, and an estimated one is not: use 'lu' or "
+                        "'bicgstab'",
+                        to_string(options_.solver)));
+      used_ = options_.solver != Solver::kAuto ? options_.solver : is_dense ? Solver::kLu : Solver::kBicgstab;
+      const std::size_t components = system_.components().size();
+      inner_ = is_dense ? make_lu(plain_, components) : make_bicgstab(plain_, components);
+      if (!spectral_radius_is_below_one(system_, *inner_, is_wanted_))
+        throw RequestError(
+            "no radiosity: the spectral radius of reflectivity times factors is not below 1 (or too near it to tell); "
+            "rows of the matrix sum to more than 1");
+    }
+    used = used_;
+  }
+
+  std::size_t count() const { return channels_.size(); }
+  int channel(std::size_t k) const { return channels_[k]; }
+
+  ChannelSolution solve(std::size_t k, std::set<std::string>& notes) {
+    const Sources& sources = sources_[k];
+    ChannelSolution solution;
+    SplitVector x{std::vector<DoubleDouble>(is_wanted_.size()), std::vector<DoubleDouble>(system_.size())};
+    const bool is_limited = options_.iterations || options_.until;
+    const bool is_refined = used_ == Solver::kCholesky || (used_ == Solver::kCg && !is_limited) ||
+                            (options_.solver == Solver::kAuto && !system_.rows_are_closed());
+    if (is_refined)
+      solution.residual_history = refine(system_, sources, *inner_, x);
+    else
+      run_as_named(sources, x, solution.residual_history, notes);
+    fill(k, certify(system_, sources, *inner_, x, terms_), solution);
+    return solution;
+  }
+
+ private:
+  void run_as_named(const Sources& sources, SplitVector& x, std::vector<double>& history,
+                    std::set<std::string>& notes) {
+    plain_.set_source(system_, sources);
+    const int most = options_.iterations.value_or(used_ == Solver::kShooting ? kDefaultShots : kDefaultIterations);
+    const double until = options_.until.value_or(options_.iterations ? 0 : kDefaultUntil);
+    const CgLimits limits{most, until};
+    const std::size_t components = is_wanted_.size();
+    if (used_ == Solver::kJacobi || used_ == Solver::kGaussSeidel || used_ == Solver::kShooting) {
+      const auto run = used_ == Solver::kJacobi ? jacobi : used_ == Solver::kGaussSeidel ? gauss_seidel : shooting;
+      IterationResult result = run(plain_, {most, until});
+      take({std::vector<double>(components, 0), std::move(result.x)}, x);
+      history = std::move(result.history);
+    } else if (used_ == Solver::kLu) {
+      const Correction result = make_lu(plain_, components)->solve(plain_.source);
+      double residual = 0, source = 0;
+      for (const double r : plain_.residual(plain_.source, result.rest)) residual = std::max(residual, std::abs(r));
+      for (const double s : plain_.source) source = std::max(source, s);
+      history.push_back(source > 0 ? residual / source : 0);
+      take(result, x);
+      return;
+    } else {
+      const auto solver = used_ == Solver::kCg ? make_conjugate_gradient(system_, is_wanted_, limits, &history)
+                                               : make_bicgstab(plain_, components, limits, &history);
+      take(solver->solve(plain_.source), x);
+    }
+    if (!(history.back() <= until) && !options_.iterations)
+      notes.insert(fmt::format("{} stopped after {} iterations with a relative residual of {:.2g}", to_string(used_),
+                               history.size() - 1, history.back()));
+  }
+
+  static void take(const Correction& from, SplitVector& x) {
+    for (std::size_t c = 0; c < x.constant.size(); ++c)
+      x.constant[c] = {std::isfinite(from.constant[c]) ? from.constant[c] : 0, 0};
+    for (std::size_t i = 0; i < x.rest.size(); ++i) x.rest[i] = {std::isfinite(from.rest[i]) ? from.rest[i] : 0, 0};
+  }
+
+  void fill(std::size_t k, const CertifiedBounds& bounds, ChannelSolution& solution) const {
+    const Sources& sources = sources_[k];
+    const int channel = channels_[k], exponent = sources.exponent;
+    for (std::size_t c = 0; c < sources.is_lit.size(); ++c)
+      if (!sources.is_lit[c])
+        solution.dark.push_back({system_.components()[c].first_element, system_.components()[c].size});
+
+    std::vector<Printed> emission, reflectivity;
+    std::vector<Enclosed> loss;
+    for (const Material& m : materials_) {
+      emission.emplace_back(m.emission.value[channel]);
+      reflectivity.emplace_back(m.reflectivity.value[channel]);
+      loss.push_back(Enclosed::of(Rational(1 - m.reflectivity.value[channel])));
+    }
+    std::vector<DoubleDouble> radiosity(matrix_.size() + 1);  // scaled
+    radiosity[matrix_.sky()] = {sources.emission[matrix_.sky()].hi, sources.emission[matrix_.sky()].lo};
+    solution.elements.resize(matrix_.size());
+    for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
+      if (!matrix_.has_row(i)) continue;
+      ElementRadiosity& element = solution.elements[i];
+      const Printed& e = emission[*matrix_.elements()[i].material];
+      element.emission = e.nearest;
+      element.reflectivity = reflectivity[*matrix_.elements()[i].material].nearest;
+      const std::int32_t u = system_.unknown(i);
+      if (u < 0) {
+        radiosity[i] = {sources.emission[i].hi, sources.emission[i].lo};
+        element.radiosity = e.nearest;
+        element.lower = e.lower;
+        element.upper = e.upper;
+      } else if (sources.is_lit[system_.rows()[static_cast<std::size_t>(u)].component]) {
+        const auto place = static_cast<std::size_t>(u);
+        // B >= E always.
+        const double lower = std::max(bounds.lower[place], sources.emission[i].lower());
+        const double upper = std::max(bounds.upper[place], lower);
+        const Enclosed value = bounds.value[place];
+        const double inside = std::clamp(value.hi, lower, upper);
+        radiosity[i] = {inside, inside == value.hi ? value.lo : 0};
+        element.lower = lower_scaled(lower, exponent);
+        element.upper = upper_scaled(upper, exponent);
+        element.radiosity = std::clamp(std::ldexp(inside, exponent), element.lower, element.upper);
+        if (element.radiosity > 0)
+          solution.max_relative_width =
+              std::max(solution.max_relative_width, (element.upper - element.lower) / element.radiosity);
+      }
+    }
+
+    const std::vector<double> irradiance = system_.irradiance(radiosity);
+    EnergySum energy;
+    for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
+      if (!matrix_.has_row(i)) continue;
+      const std::uint32_t m = *matrix_.elements()[i].material;
+      const Enclosed absorbed = product(loss[m], {irradiance[i], 0, 0});
+      ElementRadiosity& element = solution.elements[i];
+      element.irradiance = std::ldexp(irradiance[i], exponent);
+      element.net = std::ldexp(difference(sources.emission[i], absorbed).value(), exponent);
+      energy.add(matrix_, i, sources.emission[i].hi, absorbed.hi, radiosity[i].hi, sources.emission[matrix_.sky()].hi);
+    }
+    solution.energy = energy.balance(exponent);
+  }
+
+  const ExchangeMatrix& matrix_;
+  const std::vector<Material>& materials_;
+  const Spectrum& sky_emission_;
+  std::vector<int> channels_;
+  const RadiosityOptions& options_;
+  ErrorTerms terms_;
+  RadiositySystem system_;
+  std::vector<char> is_wanted_;
+  PlainSystem plain_;
+  std::vector<Sources> sources_;
+  std::unique_ptr<InnerSolver> inner_;
+  Solver used_ = Solver::kAuto;
+};
+
+// Channels 0, 1, 2 (or 0 alone) by equal reflectivities of all rows.
+std::vector<std::vector<int>> groups_of_channels(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                                                 int channels) {
+  std::vector<char> is_used(materials.size(), 0);
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    if (matrix.has_row(i)) is_used[*matrix.elements()[i].material] = 1;
+  const auto are_equal = [&](int a, int b) {
+    for (std::size_t m = 0; m < materials.size(); ++m)
+      if (is_used[m] && materials[m].reflectivity.value[a] != materials[m].reflectivity.value[b]) return false;
+    return true;
+  };
+  std::vector<std::vector<int>> groups;
+  for (int c = 0; c < channels; ++c) {
+    const auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return are_equal(g.front(), c); });
+    if (group == groups.end())
+      groups.push_back({c});
+    else
+      group->push_back(c);
+  }
+  return groups;
+}
+
+}  // namespace
+
+const char* to_string(Solver solver) { return kNames[static_cast<std::size_t>(solver)]; }
+
+std::optional<Solver> solver_named(std::string_view name) {
+  for (std::size_t k = 0; k < kNames.size(); ++k)
+    if (name == kNames[k]) return static_cast<Solver>(k);
+  return std::nullopt;
+}
+
+RadiositySolution solve_radiosity_without(const ErrorTerms& terms, const ExchangeMatrix& matrix,
+                                          const std::vector<Material>& materials, const Spectrum& sky_emission,
+                                          const RadiosityOptions& options) {
+  const bool is_gray = sky_emission.is_scalar && std::all_of(materials.begin(), materials.end(), [](const Material& m) {
+                         return m.reflectivity.is_scalar && m.emission.is_scalar;
+                       });
+  RadiositySolution solution;
+  solution.channel_names = is_gray ? std::vector<std::string>{"all"} : std::vector<std::string>{"r", "g", "b"};
+  const int channels = static_cast<int>(solution.channel_names.size());
+  solution.channels.resize(solution.channel_names.size());
+  std::set<std::string> notes;
+  int done = 0;
+  for (auto& channels_of_group : groups_of_channels(matrix, materials, channels)) {
+    Group group(matrix, materials, sky_emission, std::move(channels_of_group), options, terms);
+    group.prepare(notes, solution.used);
+    ++solution.factorizations;
+    solution.unknowns = std::max(solution.unknowns, static_cast<std::uint32_t>(group.system().size()));
+    solution.components = std::max(solution.components, static_cast<std::uint32_t>(group.system().components().size()));
+    for (std::size_t k = 0; k < group.count(); ++k) {
+      solution.channels[group.channel(k)] = group.solve(k, notes);
+      if (options.progress) options.progress(static_cast<double>(++done) / channels);
+    }
+  }
+  for (const ChannelSolution& channel : solution.channels) {
+    solution.max_relative_width = std::max(solution.max_relative_width, channel.max_relative_width);
+    solution.energy.emitted += channel.energy.emitted;
+    solution.energy.absorbed += channel.energy.absorbed;
+    solution.energy.to_sky += channel.energy.to_sky;
+    solution.energy.defect += channel.energy.defect;
+  }
+  solution.closure_defect = closure_defect(matrix);
+  solution.reciprocity_defect = reciprocity_defect(matrix);
+  solution.notes.assign(notes.begin(), notes.end());
+  return solution;
+}
+
+RadiositySolution solve_radiosity(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                                  const Spectrum& sky_emission, const RadiosityOptions& options) {
+  return solve_radiosity_without({}, matrix, materials, sky_emission, options);
+}
+
+}  // namespace hottel

@@ -1,0 +1,273 @@
+#include "solver/system/radiosity_system.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace hottel {
+namespace {
+
+constexpr std::size_t kGrain = 16;  // rows a task
+
+// The real factor lies within `radius` of value + shift.
+struct FactorError {
+  double shift, radius;
+};
+
+FactorError error_of(const Rounded& factor) {
+  if (factor.side == 0) return {0, 0};
+  // The real number lies between the double and half-way to its neighbour on that side.
+  const auto bits = std::bit_cast<std::uint64_t>(factor.value);
+  const double neighbour = std::bit_cast<double>(factor.side > 0 ? bits + 1 : bits - 1);
+  const double quarter = std::max(std::abs(neighbour - factor.value) / 4, kUnderflow);
+  return {factor.side > 0 ? quarter : -quarter, quarter};
+}
+
+// sum_j F_j (a_j - b_j), enclosed.
+class DifferenceSum {
+ public:
+  explicit DifferenceSum(const ErrorTerms& terms) : terms_(terms) {}
+
+  void add(const Rounded& factor, DoubleDouble a, DoubleDouble b, double radius_of_difference = 0) {
+    double d, e, p, pe, s, se;
+    two_sum(a.hi, -b.hi, d, e);
+    const double d_low = e + (a.lo - b.lo);
+    two_product(factor.value, d, p, pe);
+    two_sum(high_, p, s, se);
+    high_ = s;
+    const FactorError error = error_of(factor);
+    const double from_low = factor.value * d_low, from_shift = error.shift * d;
+    low_ += (pe + se) + (from_low + from_shift);
+    low_size_ += std::abs(pe) + std::abs(se) + std::abs(from_shift) +
+                 factor.value * (std::abs(e) + std::abs(a.lo) + std::abs(b.lo));
+    factor_radius_ += error.radius * (std::abs(d) + 2 * std::abs(d_low));
+    other_radius_ += factor.value * radius_of_difference;
+    ++count_;
+  }
+
+  Enclosed result() const {
+    // Each term of low went through at most count + 6 additions and products, and partial sums stay below low_size.
+    const double roundings = 2 * (static_cast<double>(count_) + 16) * kRoundoff * low_size_;
+    const double underflow = 8 * (static_cast<double>(count_) + 1) * kUnderflow;
+    Enclosed sum{0, 0, underflow};
+    two_sum(high_, low_, sum.hi, sum.lo);
+    if (terms_.roundings) sum.radius += (roundings + other_radius_) * (1 + 0x1p-20);
+    if (terms_.factors) sum.radius += factor_radius_ * (1 + 0x1p-20);
+    return sum;
+  }
+
+ private:
+  ErrorTerms terms_;
+  double high_ = 0, low_ = 0, low_size_ = 0, factor_radius_ = 0, other_radius_ = 0;
+  std::size_t count_ = 0;
+};
+
+// 2^exponent near value > 0.
+int exponent_of(const Rational& value) {
+  return static_cast<int>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) -
+         static_cast<int>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
+}
+
+Rational times_power_of_two(const Rational& value, int exponent) {
+  Rational result;
+  if (exponent >= 0)
+    mpq_mul_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  else
+    mpq_div_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  return result;
+}
+
+}  // namespace
+
+RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
+    : matrix_(&matrix), unknown_(matrix.size() + 1, -1) {
+  std::vector<Enclosed> reflectivity(materials.size()), loss(materials.size());
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    const Rational& rho = materials[m].reflectivity.value[channel];
+    reflectivity[m] = Enclosed::of(rho);
+    loss[m] = Enclosed::of(Rational(1 - rho));
+  }
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const std::uint32_t m = *matrix.elements()[i].material;
+    if (materials[m].reflectivity.value[channel] == 0) continue;
+    unknown_[i] = static_cast<std::int32_t>(rows_.size());
+    SystemRow row{i, 0, reflectivity[m], loss[m]};
+    if (!rows_are_closed()) {
+      // Rows as they are: loss = 1 - rho * sum.
+      Enclosed sum_of_row;
+      for (const FactorEntry& entry : matrix.row(i)) {
+        const FactorError error = error_of(entry.factor);
+        sum_of_row = sum(sum_of_row, {entry.factor.value, error.shift, error.radius});
+      }
+      row.loss = difference({1, 0, 0}, product(row.reflectivity, sum_of_row));
+    }
+    rows_.push_back(row);
+  }
+  find_components();
+  for (const SystemRow& row : rows_) {
+    SystemComponent& component = components_[row.component];
+    component.loses |= row.loss.hi != 0;
+    for (const FactorEntry& entry : matrix.row(row.element)) component.loses |= unknown_[entry.to] < 0;
+  }
+}
+
+void RadiositySystem::find_components() {
+  std::vector<std::uint32_t> parent(rows_.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (std::uint32_t i = 0; i < rows_.size(); ++i)
+    for (const FactorEntry& entry : matrix_->row(rows_[i].element)) {
+      const std::int32_t j = unknown_[entry.to];
+      if (j < 0 || !(entry.factor.value > 0)) continue;
+      const std::uint32_t a = root(i), b = root(static_cast<std::uint32_t>(j));
+      if (a != b) parent[std::max(a, b)] = std::min(a, b);
+    }
+  for (std::uint32_t i = 0; i < rows_.size(); ++i) {
+    const std::uint32_t r = root(i);
+    if (r == i) {
+      rows_[i].component = static_cast<std::uint32_t>(components_.size());
+      components_.push_back({rows_[i].element, 0, false});
+    } else {
+      rows_[i].component = rows_[r].component;
+    }
+    ++components_[rows_[i].component].size;
+  }
+}
+
+Sources RadiositySystem::sources(const std::vector<Material>& materials, const Spectrum& sky_emission,
+                                 int channel) const {
+  const ExchangeMatrix& matrix = *matrix_;
+  const auto emission = [&](std::uint32_t i) -> const Rational& {
+    return materials[*matrix.elements()[i].material].emission.value[channel];
+  };
+  Sources result;
+  std::optional<int> exponent;
+  const auto look_at = [&](const Rational& value) {
+    if (value > 0) exponent = std::max(exponent.value_or(exponent_of(value)), exponent_of(value));
+  };
+  look_at(sky_emission.value[channel]);
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    if (matrix.has_row(i)) look_at(emission(i));
+  result.exponent = exponent.value_or(0);
+
+  std::vector<Enclosed> of_material(materials.size());
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    of_material[m] = Enclosed::of(times_power_of_two(materials[m].emission.value[channel], -result.exponent));
+  result.emission.resize(matrix.size() + 1);
+  std::vector<char> emits(matrix.size() + 1, 0);
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    if (matrix.has_row(i)) {
+      result.emission[i] = of_material[*matrix.elements()[i].material];
+      emits[i] = emission(i) > 0;
+    }
+  result.emission[matrix.sky()] = Enclosed::of(times_power_of_two(sky_emission.value[channel], -result.exponent));
+  emits[matrix.sky()] = sky_emission.value[channel] > 0;
+
+  result.is_lit.assign(components_.size(), 0);
+  for (const SystemRow& row : rows_) {
+    bool lit = emits[row.element] != 0;
+    for (const FactorEntry& entry : matrix.row(row.element))
+      lit |= unknown_[entry.to] < 0 && emits[entry.to] != 0 && entry.factor.value > 0;
+    if (lit) result.is_lit[row.component] = 1;
+  }
+  return result;
+}
+
+Enclosed RadiositySystem::value(const SplitVector& x, std::size_t unknown) const {
+  return sum(Enclosed::of(x.constant[rows_[unknown].component]), Enclosed::of(x.rest[unknown]));
+}
+
+std::vector<Enclosed> RadiositySystem::residual(const Sources* sources, const SplitVector& x,
+                                                const std::vector<char>& is_wanted, const ErrorTerms& terms) const {
+  std::vector<Enclosed> result(rows_.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows_.size(), kGrain), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const SystemRow& row = rows_[i];
+      if (!is_wanted[row.component]) continue;
+      const Enclosed here = value(x, i);
+      DifferenceSum exchanged(terms);
+      for (const FactorEntry& entry : matrix_->row(row.element)) {
+        const std::int32_t j = unknown_[entry.to];
+        if (j >= 0) {
+          exchanged.add(entry.factor, x.rest[i], x.rest[static_cast<std::size_t>(j)]);
+        } else {
+          const Enclosed there = sources ? sources->emission[entry.to] : Enclosed();
+          exchanged.add(entry.factor, {here.hi, here.lo}, {there.hi, there.lo}, here.radius + there.radius);
+        }
+      }
+      const Enclosed left = sum(product(row.loss, here), product(row.reflectivity, exchanged.result()));
+      result[i] = difference(sources ? sources->emission[row.element] : Enclosed(), left);
+      if (!terms.roundings && !terms.factors) result[i].radius = 0;
+    }
+  });
+  return result;
+}
+
+std::vector<double> RadiositySystem::irradiance(const std::vector<DoubleDouble>& radiosity) const {
+  std::vector<double> result(matrix_->size(), 0);
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, matrix_->size(), kGrain), [&](const auto& range) {
+    for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
+      if (!matrix_->has_row(i) || matrix_->row(i).empty()) continue;
+      // A row that sums to 1 is a mean: differences to any one of its values lose nothing.
+      DoubleDouble base;
+      if (rows_are_closed()) {
+        const auto row = matrix_->row(i);
+        const auto strongest = std::max_element(row.begin(), row.end(), [](const FactorEntry& a, const FactorEntry& b) {
+          return a.factor.value < b.factor.value;
+        });
+        base = radiosity[strongest->to];
+      }
+      DifferenceSum below(ErrorTerms{});
+      for (const FactorEntry& entry : matrix_->row(i)) below.add(entry.factor, base, radiosity[entry.to]);
+      result[i] = std::max(0.0, difference(Enclosed::of(base), below.result()).value());
+    }
+  });
+  return result;
+}
+
+PlainSystem::PlainSystem(const RadiositySystem& system, const std::vector<char>& is_wanted) {
+  begin.push_back(0);
+  for (const SystemRow& row : system.rows()) {
+    for (const FactorEntry& entry : system.matrix().row(row.element)) {
+      const std::int32_t j = system.unknown(entry.to);
+      if (j < 0 || !is_wanted[row.component]) continue;
+      to.push_back(static_cast<std::uint32_t>(j));
+      scatter.push_back(row.reflectivity.hi * entry.factor.value);
+    }
+    begin.push_back(to.size());
+    area.push_back(system.matrix().elements()[row.element].area.value);
+  }
+}
+
+void PlainSystem::set_source(const RadiositySystem& system, const Sources& sources) {
+  source.assign(system.size(), 0);
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    const SystemRow& row = system.rows()[i];
+    double from_known = 0;
+    for (const FactorEntry& entry : system.matrix().row(row.element))
+      if (system.unknown(entry.to) < 0) from_known += entry.factor.value * sources.emission[entry.to].hi;
+    source[i] = sources.emission[row.element].hi + row.reflectivity.hi * from_known;
+  }
+}
+
+double PlainSystem::gathered(std::size_t i, const std::vector<double>& x) const {
+  double sum = 0;
+  for (std::size_t k = begin[i]; k < begin[i + 1]; ++k) sum += scatter[k] * x[to[k]];
+  return sum;
+}
+
+std::vector<double> PlainSystem::residual(const std::vector<double>& of, const std::vector<double>& x) const {
+  std::vector<double> result(of.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, of.size(), kGrain), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) result[i] = of[i] - (x[i] - gathered(i, x));
+  });
+  return result;
+}
+
+}  // namespace hottel

@@ -1,0 +1,106 @@
+// The linear system of radiosity, with residuals that are proven.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/exchange/exchange_matrix.h"
+#include "geometry/scene/material.h"
+#include "solver/system/enclosed.h"
+
+namespace hottel {
+
+// One number an unknown, with what is common to the unknowns of a component kept apart: x_i = constant + rest_i. Near
+// reflectivity 1 the constant is huge and only differences of the rest matter; they are formed before rounding.
+struct SplitVector {
+  std::vector<DoubleDouble> constant;  // by component
+  std::vector<DoubleDouble> rest;      // by unknown
+};
+
+// The sources of one channel, as the system wants them: scaled by 2^-exponent so that the largest is near 1.
+struct Sources {
+  int exponent = 0;
+  std::vector<Enclosed> emission;  // by element, the sky last; 0 for black backs
+  std::vector<char> is_lit;        // by component: some light reaches it
+};
+
+// Unknowns that exchange light with each other, directly or not.
+struct SystemComponent {
+  std::uint32_t first_element = 0;  // the first face of it, to name it
+  std::uint32_t size = 0;
+  bool loses = false;  // some face has reflectivity < 1 or sees the sky or a face that reflects nothing
+};
+
+struct SystemRow {
+  std::uint32_t element = 0, component = 0;
+  Enclosed reflectivity, loss;  // loss = 1 - reflectivity * (sum of the row's factors)
+};
+
+// What may be left out of the residual's error bound, to show in tests that the bounds need it.
+struct ErrorTerms {
+  bool factors = true;    // the factors are known to half an ulp only
+  bool roundings = true;  // and the residual itself is rounded
+};
+
+// B_i = E_i + rho_i sum_j F_ij B_j for the channels of one reflectivity vector, in row-defect form:
+//   (A x)_i = loss_i x_i + rho_i sum_j F_ij (x_i - x_j) = E_i,        loss_i = 1 - rho_i sum_j F_ij.
+//
+//   (1) the unknowns are the rows with rho > 0, in the order of the matrix; all else is known: black backs are 0, the
+//       sky has its emission, and so have rows with rho = 0
+//   (2) unless the matrix is an estimate, rows sum to 1 exactly, so loss_i = 1 - rho_i, from the exact reflectivity
+//   (3) components come from the pattern of F alone: F_ij > 0 or F_ji > 0
+// COST: about 20 ns an entry of the matrix for a residual, over all threads.
+class RadiositySystem {
+ public:
+  RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel);
+
+  const ExchangeMatrix& matrix() const { return *matrix_; }
+  bool rows_are_closed() const { return matrix_->guarantee() != Guarantee::kEstimated; }
+  std::size_t size() const { return rows_.size(); }
+  const std::vector<SystemRow>& rows() const { return rows_; }
+  const std::vector<SystemComponent>& components() const { return components_; }
+  // Returns the unknown of an element (or of the sky), -1 when it is known.
+  std::int32_t unknown(std::uint32_t element) const { return unknown_[element]; }
+
+  Sources sources(const std::vector<Material>& materials, const Spectrum& sky_emission, int channel) const;
+
+  // Returns E - A x by rows, enclosed. Without sources: -A x, with 0 for all that is known. Rows of components that
+  // `is_wanted` leaves out are 0.
+  std::vector<Enclosed> residual(const Sources* sources, const SplitVector& x, const std::vector<char>& is_wanted,
+                                 const ErrorTerms& terms = {}) const;
+
+  // Returns x_i as one number.
+  Enclosed value(const SplitVector& x, std::size_t unknown) const;
+
+  // Returns the irradiance H_i = sum_j F_ij B_j of every row, by element; `radiosity` is by element, the sky last.
+  std::vector<double> irradiance(const std::vector<DoubleDouble>& radiosity) const;
+
+ private:
+  void find_components();
+
+  const ExchangeMatrix* matrix_;
+  std::vector<std::int32_t> unknown_;
+  std::vector<SystemRow> rows_;
+  std::vector<SystemComponent> components_;
+};
+
+// The same system in plain doubles: x = source + scatter x. Rows of components that are not wanted scatter nothing.
+struct PlainSystem {
+  std::vector<std::size_t> begin;  // by unknown, one more at the end
+  std::vector<std::uint32_t> to;   // unknowns
+  std::vector<double> scatter;     // rho_i F_ij
+  std::vector<double> source;      // E_i + rho_i sum of F_ij B_j over all that is known
+  std::vector<double> area;
+
+  PlainSystem() = default;
+  PlainSystem(const RadiositySystem& system, const std::vector<char>& is_wanted);
+  void set_source(const RadiositySystem& system, const Sources& sources);
+  // Returns the row of scatter times x.
+  double gathered(std::size_t i, const std::vector<double>& x) const;
+  // Returns source - (I - scatter) x for any source.
+  std::vector<double> residual(const std::vector<double>& of, const std::vector<double>& x) const;
+};
+
+}  // namespace hottel
