@@ -145,6 +145,8 @@ std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const Labels2& 
     for (std::size_t t = begin[k]; t < begin[k + 1]; ++t)
       sums[k].add(terms[t].sign, vertices.squared_distance(terms[t].v, terms[t].w));
   });
+  for (std::size_t k = 0; k < pairs.size(); ++k)  // pairs that were asked for more than once
+    if (const std::size_t first = number.at(key(pairs[k].first, pairs[k].second)); first != k) sums[k] = sums[first];
   return sums;
 }
 
