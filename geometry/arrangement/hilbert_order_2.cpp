@@ -39,7 +39,7 @@ std::vector<std::size_t> hilbert_order(const std::vector<Vertices2::Approximate>
     y1 = std::max(y1, p.y);
   }
   const double extent = std::max(x1 - x0, y1 - y0);
-  const double cells = extent > 0 && extent < 1e300 ? ((1 << kLevels) - 1) / extent : 0;
+  const double cells = extent > 1e-300 && extent < 1e300 ? ((1 << kLevels) - 1) / extent : 0;
   std::vector<std::uint64_t> position(points.size());
   const auto cell = [cells](double distance) {
     const double scaled = distance * cells;
