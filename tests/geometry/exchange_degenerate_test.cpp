@@ -1,6 +1,7 @@
 // Scenes where something touches, coincides, vanishes or goes beyond the range of double, with their exact answers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -226,6 +227,27 @@ TEST(DegenerateExchange2, ReadsEveryDigit) {
       {{"low", "1", digits, "0", digits}, {"high", "0", "1." + digits.substr(2), "1", "1." + digits.substr(2)}}));
   EXPECT_EQ(long_scene.factor("low", "high"), one.factor("low", "high"));
   EXPECT_TRUE((long_scene.measure("low", "high") - one.measure("low", "high")).is_zero());
+}
+
+// Points on which doubles get orientations wrong (Kettner et al.): one pair exchanges 3.7e-32 and is not lost.
+TEST(DegenerateExchange2, KeepsAnExchangeBelowTheRoundingOfItsCoordinates) {
+  const auto typed = [](double value) { return to_string(Rational(value)); };
+  const std::string x1 = typed(7.3000000000000194), y1 = typed(7.3000000000000167);
+  const std::string x2 = typed(24.000000000000068), y2 = typed(24.000000000000071);
+  const std::string x3 = typed(24.00000000000005), y3 = typed(24.000000000000053);
+  const std::string x4 = typed(0.50000000000001621), y4 = typed(0.50000000000001243);
+  const Exact exact(scene_of({{"left", "-10", "-10", "-10", "40"},
+                              {"top", "-10", "40", "40", "40"},
+                              {"right", "40", "40", "40", "-10"},
+                              {"bottom", "40", "-10", "-10", "-10"},
+                              {"a", x4, y4, x1, y1, 1, 1},
+                              {"b", x3, y3, "30", "20", 1, 1},
+                              {"c", x2, y2, "20", "30", 1, 1}}));
+  EXPECT_TRUE(exact.report().closure_is_exact);
+  double smallest = 1;
+  for (std::uint32_t i = 0; i < exact.matrix().size(); ++i)
+    for (const double measure : exact.matrix().measures(i)) smallest = std::min(smallest, measure);
+  EXPECT_NEAR(2 * smallest / 3.732e-32, 1, 1e-3);
 }
 
 TEST(DegenerateExchange2, HoldsScalesApartThatNoDoubleHolds) {

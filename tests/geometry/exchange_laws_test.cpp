@@ -109,6 +109,38 @@ TEST_P(ExactExchange2, ListsExactlyThePairsThatExchangeLight) {
   }
 }
 
+// One pair alone is summed about the vertices between the two only.
+TEST_P(ExactExchange2, HasTheSameSumsWhateverElseIsAskedFor) {
+  for (const char* factor : {"1", "0.1234567890123456789012345678901234567891"}) {
+    for (const Per per : {Per::kFace, Per::kGroup}) {
+      const Rational scale = number(factor);
+      // Far from the origin, stretched, and (with the long factor) in large form.
+      const Scene2 stretched = moved(scene(40), [&](const Point2& p) -> Point2 {
+        return {scale * p.x + 1000 * p.y, p.y + 1000000 * scale * scale};
+      });
+      const Exact exact(stretched, per);
+      std::vector<LabelPair> pairs = all_pairs(exact.matrix());
+      const std::vector<RootSum> sums = exact_exchange_measures(exact.prepared(), per, pairs);
+      std::vector<LabelPair> without_sky;
+      std::vector<std::size_t> place;
+      for (std::size_t k = 0; k < pairs.size(); ++k) {
+        if (pairs[k].second == exact.matrix().sky()) continue;
+        without_sky.push_back(pairs[k]);
+        place.push_back(k);
+      }
+      const std::vector<RootSum> together = exact_exchange_measures(exact.prepared(), per, without_sky);
+      for (std::size_t k = 0; k < place.size(); ++k) {
+        EXPECT_TRUE((together[k] - sums[place[k]]).is_zero());
+        if (k % 7 != 0) continue;
+        const std::vector<RootSum> alone =
+            exact_exchange_measures(exact.prepared(), per, {without_sky[k], without_sky[k]});
+        EXPECT_TRUE((alone[0] - sums[place[k]]).is_zero());
+        EXPECT_TRUE((alone[1] - sums[place[k]]).is_zero()) << "asked for twice";
+      }
+    }
+  }
+}
+
 TEST_P(ExactExchange2, DoesNotDependOnTheNumberOfThreads) {
   const PreparedScene2 prepared = prepare(scene(400));
   std::vector<Printed> results;
