@@ -232,14 +232,19 @@ TEST(IlluminationPicture2, RoomsInSolidsAreLit) {
   ASSERT_EQ(lights.size(), 2u);
   EXPECT_TRUE(lights[0].clip.empty());
   EXPECT_EQ(lights[1].clip.size(), 4u);
+  const PixelImage &all = lights[0].image, &room = lights[1].image;
+  EXPECT_EQ(room.width, all.width / 3);
+  EXPECT_EQ(room.height, all.height / 3);
+  EXPECT_EQ(lights[1].points[0], (Pixel{all.width / 3.0, all.height / 3.0}));
 }
 
 TEST(IlluminationPicture2, BecomesAFileOfEitherFormat) {
   const Scene2 room = furnished_room();
   const IlluminationGrid grid = random_grid({{0, 0}, {4, 3}, 16, 12}, 3);
-  EXPECT_THAT(illumination_picture_2(room, grid, {}, PictureFormat::kPng), StartsWith("\x89PNG"));
-  EXPECT_THAT(illumination_picture_2(room, grid, {}, PictureFormat::kSvg), StartsWith("<?xml"));
-  EXPECT_THAT(illumination_picture_2(Scene2{}, grid, {}, PictureFormat::kPng), StartsWith("\x89PNG"));
+  const IlluminationPicture2 small{.wanted_side = 160};
+  EXPECT_THAT(illumination_picture_2(room, grid, small, PictureFormat::kPng), StartsWith("\x89PNG"));
+  EXPECT_THAT(illumination_picture_2(room, grid, small, PictureFormat::kSvg), StartsWith("<?xml"));
+  EXPECT_THAT(illumination_picture_2(Scene2{}, grid, small, PictureFormat::kPng), StartsWith("\x89PNG"));
 }
 
 TEST(IlluminationPicture2, RefusesGridsWithMoreCellsThanPixels) {

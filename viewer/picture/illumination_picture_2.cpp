@@ -28,6 +28,24 @@ PixelsPerCell pixels_per_cell(const Grid2& grid, std::uint32_t wanted_side) {
   return {pixels(wide, grid.nx), pixels(high, grid.ny)};
 }
 
+// The part of an image, drawn where it lies, that covers a box.
+void draw_part(PictureCanvas& canvas, const PixelImage& image, Pixel top_left, Pixel bottom_right) {
+  const auto whole = [](double place, std::uint32_t limit) {
+    return static_cast<std::uint32_t>(std::clamp(place, 0.0, static_cast<double>(limit)));
+  };
+  const std::uint32_t left = whole(std::floor(top_left.x), image.width),
+                      right = whole(std::ceil(bottom_right.x), image.width),
+                      top = whole(std::floor(top_left.y), image.height),
+                      bottom = whole(std::ceil(bottom_right.y), image.height);
+  if (left >= right || top >= bottom) return;
+  PixelImage part{right - left, bottom - top, {}};
+  for (std::uint32_t y = top; y < bottom; ++y) {
+    const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(std::size_t{y} * image.width);
+    part.pixels.insert(part.pixels.end(), row + left, row + right);
+  }
+  canvas.image(Mark::kLight, {double(left), double(top)}, {double(right), double(bottom)}, part, false);
+}
+
 LightPixels2 light_pixels(const Scene2& scene, const IlluminationGrid& grid, std::uint32_t wanted_side) {
   const PixelsPerCell pixels = pixels_per_cell(grid.grid, wanted_side);
   return {grid, pixels.across, pixels.up, &scene};
@@ -61,13 +79,9 @@ PixelImage IlluminationPainter2::light() const {
   return image;
 }
 
-void IlluminationPainter2::draw_light(PictureCanvas& canvas, const PixelImage& image) const {
-  canvas.image(Mark::kLight, {0, 0}, {frame_.width(), frame_.height()}, image, false);
-}
-
 void IlluminationPainter2::draw(PictureCanvas& canvas) const {
   const PixelImage image = light();
-  draw_light(canvas, image);
+  canvas.image(Mark::kLight, {0, 0}, {frame_.width(), frame_.height()}, image, false);
   for (std::size_t level = 0; level <= outlines_.levels; ++level)
     for (const Outline2& outline : outlines_.closed) {
       if (outline.level != level) continue;
@@ -76,7 +90,7 @@ void IlluminationPainter2::draw(PictureCanvas& canvas) const {
         draw_hatch(canvas, outline.polygon, 12 * unit_, 0.8 * unit_, palette::kUnlitHatch);
       } else if (outline.around) {
         canvas.clip(outline.polygon);
-        draw_light(canvas, image);
+        draw_part(canvas, image, outline.top_left, outline.bottom_right);
         canvas.unclip();
       }
     }

@@ -39,7 +39,6 @@ class IlluminationPainter2 {
   void draw(PictureCanvas& canvas) const;
 
  private:
-  void draw_light(PictureCanvas& canvas, const PixelImage& image) const;
   void draw_walls(PictureCanvas& canvas) const;
   PixelImage light() const;
 
