@@ -66,7 +66,8 @@ PositiveVector positive_vector(const RadiositySystem& system, InnerSolver& inner
       const std::uint32_t c = system.rows()[i].component;
       if (!is_wanted[c]) continue;
       result.image[i] = -minus_image[i].upper();
-      if (!(result.image[i] > 0) || !(system.value(result.v, i).lower() > 0)) result.is_proven[c] = 0;
+      if (!(result.image[i] > 0) || !std::isfinite(result.image[i]) || !(system.value(result.v, i).lower() > 0))
+        result.is_proven[c] = 0;
       if (!(result.image[i] >= target[i] / 2)) {
         is_settled = false;
         // What the error bound swallows is asked for in addition.
@@ -114,8 +115,10 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, I
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t c = system.rows()[i].component;
     if (!sources.is_lit[c]) continue;
-    up[c] = std::max(up[c], r[i].upper() / positive.image[i] * kOutward);
-    down[c] = std::max(down[c], -r[i].lower() / positive.image[i] * kOutward);
+    const double above = r[i].upper() / positive.image[i], below = -r[i].lower() / positive.image[i];
+    // What is not a number proves nothing.
+    up[c] = std::isnan(above) ? kInfinity : std::max(up[c], above * kOutward);
+    down[c] = std::isnan(below) ? kInfinity : std::max(down[c], below * kOutward);
   }
   CertifiedBounds result;
   for (std::size_t i = 0; i < n; ++i) {
@@ -125,14 +128,16 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, I
     if (!sources.is_lit[c]) {
       result.lower.push_back(0);
       result.upper.push_back(0);
-    } else if (!positive.is_proven[c] || !std::isfinite(up[c]) || !std::isfinite(down[c])) {
-      result.lower.push_back(0);
-      result.upper.push_back(kInfinity);
-    } else {
-      const Enclosed v = system.value(positive.v, i);
-      result.lower.push_back(difference(value, product(v, {down[c], 0, 0})).lower());
-      result.upper.push_back(sum(value, product(v, {up[c], 0, 0})).upper());
+      continue;
     }
+    double lower = 0, upper = kInfinity;
+    if (positive.is_proven[c] && std::isfinite(up[c]) && std::isfinite(down[c])) {
+      const Enclosed v = system.value(positive.v, i);
+      lower = difference(value, product(v, {down[c], 0, 0})).lower();
+      upper = sum(value, product(v, {up[c], 0, 0})).upper();
+    }
+    result.lower.push_back(std::isfinite(lower) ? lower : 0);
+    result.upper.push_back(std::isnan(upper) ? kInfinity : upper);
   }
   return result;
 }

@@ -127,7 +127,10 @@ class Group {
       solution.residual_history = refine(system_, sources, *inner_, x);
     else
       run_as_named(sources, x, solution.residual_history, notes);
-    fill(k, certify(system_, sources, *inner_, x, terms_), solution);
+    const CertifiedBounds bounds = certify(system_, sources, *inner_, x, terms_);
+    if (const auto open = std::count(bounds.upper.begin(), bounds.upper.end(), kInfinity); open > 0)
+      notes.insert(fmt::format("no upper bound could be proven for {} of {} radiosities", open, bounds.upper.size()));
+    fill(k, bounds, solution);
     return solution;
   }
 
@@ -203,7 +206,7 @@ class Group {
         const double lower = std::max(bounds.lower[place], sources.emission[i].lower());
         const double upper = std::max(bounds.upper[place], lower);
         const Enclosed value = bounds.value[place];
-        const double inside = std::clamp(value.hi, lower, upper);
+        const double inside = std::isnan(value.hi) ? lower : std::clamp(value.hi, lower, upper);
         radiosity[i] = {inside, inside == value.hi ? value.lo : 0};
         element.lower = lower_scaled(lower, exponent);
         element.upper = upper_scaled(upper, exponent);

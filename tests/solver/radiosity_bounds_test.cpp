@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "geometry/scene/generators_2.h"
 #include "kernel/failure.h"
 #include "solver/system/radiosity_internal.h"
 #include "tests/solver/exact_radiosity.h"
@@ -75,6 +76,45 @@ TEST(RadiosityBounds, StayNarrowFarBeyondTheReachOfDoubles) {
     // All sides are nearly as bright: emitted = absorbed.
     EXPECT_NEAR(std::ldexp(solution.channels[0].elements[0].radiosity, -k) * 9, 1, 0.1);
   }
+}
+
+TEST(RadiosityBounds, MayBeOpenBeyondTheRangeOfDoublesButNeverWrong) {
+  const ExactScene scene(convex_polygon(5));
+  for (const int k : {900, 1000, 1060, 1100}) {
+    std::vector<Material> materials = scene.scene().materials;
+    for (Material& m : materials) m.reflectivity = Spectrum::scalar(1 - Rational(1, Integer(1) << k));
+    try {
+      const RadiositySolution solution = scene.solve(materials);
+      for (const ElementRadiosity& e : solution.channels[0].elements) {
+        if (e.reflectivity == 0) continue;  // the backs
+        EXPECT_TRUE(std::isfinite(e.radiosity) && std::isfinite(e.lower)) << k;
+        if (std::isfinite(e.upper)) {
+          EXPECT_LE(std::ldexp(e.lower, -k), 0.3) << k;  // five sides, about 1/5 each
+          EXPECT_GE(std::ldexp(e.upper, -k), 0.1) << k;
+        }
+      }
+    } catch (const RequestError&) {  // a clean refusal
+    }
+  }
+}
+
+TEST(RadiosityBounds, OfLargeScenesByGradientsAgreeWithElimination) {
+  Scene2 scene = generate_2({"clutter", 900, 5});
+  const PreparedScene2 prepared = prepare(scene);
+  const ExchangeMatrix matrix = exact_exchange(prepared, {Per::kFace, false});
+  const auto solve = [&](Solver solver) {
+    return solve_radiosity(matrix, scene.materials, scene.sky_emission, {solver, {}, {}, {}});
+  };
+  const RadiositySolution gradients = solve(Solver::kAuto), elimination = solve(Solver::kCholesky);
+  EXPECT_EQ(gradients.used, Solver::kCg);
+  EXPECT_GT(gradients.unknowns, kMostDenseUnknowns);
+  EXPECT_LE(gradients.max_relative_width, 1e-14);
+  EXPECT_LE(elimination.max_relative_width, 1e-14);
+  for (std::size_t c = 0; c < gradients.channels.size(); ++c)
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+      const ElementRadiosity &a = gradients.channels[c].elements[i], &b = elimination.channels[c].elements[i];
+      EXPECT_LE(std::max(a.lower, b.lower), std::min(a.upper, b.upper));
+    }
 }
 
 TEST(RadiosityBounds, HoldForEverySolverAsItIs) {
