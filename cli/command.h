@@ -58,6 +58,8 @@ class Commands {
   int threads_ = 0;  // 0: as many as there are cores
 };
 
+void add_solve(Commands& commands);
+void add_plan(Commands& commands);
 void add_factors(Commands& commands);
 void add_visibility(Commands& commands);
 void add_generate(Commands& commands);

@@ -3,6 +3,8 @@
 
 int main(int argc, char** argv) {
   hottel::Commands commands;
+  hottel::add_solve(commands);
+  hottel::add_plan(commands);
   hottel::add_factors(commands);
   hottel::add_visibility(commands);
   hottel::add_generate(commands);

@@ -1,0 +1,39 @@
+// hottel plan: what solve would simulate of a scene, and what not.
+#include "cli/command.h"
+#include "cli/scene_input.h"
+#include "io/radiosity_files.h"
+#include "io/scene_json.h"
+#include "solver/illumination/illumination_grid_2.h"
+
+namespace hottel {
+namespace {
+
+struct PlanOptions {
+  std::string scene;
+  ElementOptions elements;
+  bool json = false;
+};
+
+ExitCode plan(const PlanOptions& options, Streams& streams) {
+  Scene2 scene = read_scene_2(options.scene);
+  options.elements.apply_to(scene);
+  const Grid2 grid = default_grid(scene);
+  const Plan plan(scene, {.everything = false, .grid_cells = std::uint64_t{grid.nx} * grid.ny});
+  streams.write("", options.json ? plan_json(options.scene, plan) : plan_text(plan));
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_plan(Commands& commands) {
+  const auto options = std::make_shared<PlanOptions>();
+  CLI::App& command = commands.add(
+      "plan", "What solve would simulate, what not, why, and what it costs",
+      {"hottel plan scenes/showcase/apartment.json", "hottel plan scenes/analytic/square_radiosity.json --json"},
+      [options](Streams& streams) { return plan(*options, streams); });
+  command.add_option("SCENE", options->scene, "the scene file")->required();
+  options->elements.add_to(command);
+  command.add_flag("--json", options->json, "as one JSON object");
+}
+
+}  // namespace hottel

@@ -1,0 +1,249 @@
+// hottel solve: radiosities with proven bounds, light in space, a picture of it.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include "cli/command.h"
+#include "cli/scene_input.h"
+#include "io/factor_files.h"
+#include "io/npy.h"
+#include "io/radiosity_files.h"
+#include "io/scene_json.h"
+#include "kernel/failure.h"
+#include "solver/illumination/illumination_grid_2.h"
+#include "solver/plan.h"
+#include "solver/system/radiosity.h"
+#include "viewer/picture/illumination_picture_2.h"
+
+namespace hottel {
+namespace {
+
+struct SolveOptions {
+  std::string scene, out;
+  std::string method = "exact", solver = "auto", simulate = "auto";
+  std::optional<int> iterations;
+  std::optional<double> until;
+  std::string grid, illumination = "point", tone = "reinhard";
+  double exposure = 1;
+  std::uint64_t memory = 0;
+  ElementOptions elements;
+  bool json = false;
+};
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// "400x300"
+Grid2 grid_of(const Scene2& scene, const std::string& text) {
+  if (text.empty()) return default_grid(scene);
+  const auto x = text.find('x');
+  const auto number = [](const std::string& digits) -> std::uint32_t {
+    const auto value = parse_rational(digits);
+    if (!value || value->get_den() != 1 || *value < 1 || *value > kMaxGridCells) return 0;
+    return static_cast<std::uint32_t>(value->get_num().get_ui());
+  };
+  const std::uint32_t nx = x == std::string::npos ? 0 : number(text.substr(0, x));
+  const std::uint32_t ny = x == std::string::npos ? 0 : number(text.substr(x + 1));
+  if (nx == 0 || ny == 0)
+    throw UsageError(fmt::format("--grid takes NXxNY with numbers from 1 to {}, not '{}'", kMaxGridCells, text));
+  return grid_over(scene, nx, ny);
+}
+
+// 80 % of the memory that is free.
+std::uint64_t memory_allowed(std::uint64_t asked) {
+  if (asked > 0) return asked;
+  std::ifstream info("/proc/meminfo");
+  std::string name, unit;
+  std::uint64_t kilobytes = 0;
+  while (info >> name >> kilobytes && std::getline(info, unit))
+    if (name == "MemAvailable:") return kilobytes * 1024 / 5 * 4;
+  const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
+  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 5 * 4;
+}
+
+// A scene that promises to be closed and is not: the first front that sees the sky.
+void require_closed(const Scene2& scene, const ExchangeMatrix& matrix) {
+  if (!scene.closed) return;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    const Element& element = matrix.elements()[i];
+    if (element.is_back || !matrix.has_row(i)) continue;
+    const Rounded sky = matrix.factor(i, matrix.sky());
+    if (sky.value == 0 && sky.side == 0) continue;
+    const Surface2& surface = scene.surfaces[element.surface];
+    throw RequestError(
+        fmt::format("{}:{}: the scene promises to be closed, but the front of '{}' sees the sky (F = {})", scene.file,
+                    surface.line, surface.name, shortest(sky.value)));
+  }
+}
+
+// The factor matrix and the radiosities in full, for scenes that fit on a screen.
+std::string small_scene_text(const ExchangeMatrix& matrix, const RadiositySolution& solution) {
+  std::string text = fmt::format("\n{:<16}", "factor to");
+  for (const Element& element : matrix.elements()) text += fmt::format("{:>14.14}", element.name);
+  text += fmt::format("{:>14}\n", "sky");
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    text += fmt::format("{:<16.16}", matrix.elements()[i].name);
+    for (std::uint32_t j = 0; j <= matrix.sky(); ++j) text += fmt::format("{:>14.10g}", matrix.factor(i, j).value);
+    text += "\n";
+  }
+  text += fmt::format("\n{:<16}{:>8}{:>24}{:>24}{:>24}\n", "radiosity", "channel", "lower", "value", "upper");
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t c = 0; matrix.has_row(i) && c < solution.channels.size(); ++c) {
+      const ElementRadiosity& r = solution.channels[c].elements[i];
+      text += fmt::format("{:<16.16}{:>8}{:>24}{:>24}{:>24}\n", matrix.elements()[i].name, solution.channel_names[c],
+                          shortest(r.lower), shortest(r.radiosity), shortest(r.upper));
+    }
+  return text;
+}
+
+constexpr std::size_t kFacesOnAScreen = 12;
+
+ExitCode solve(const SolveOptions& options, Streams& streams) {
+  if (options.method != "exact") throw UsageError("there is no method called '" + options.method + "': exact");
+  const auto solver = solver_named(options.solver);
+  if (!solver) throw UsageError("there is no solver called '" + options.solver + "'");
+  const auto tone = tone_of(options.tone);
+  if (!tone) throw UsageError("there is no tone curve called '" + options.tone + "': linear, reinhard, log, max");
+
+  Stopwatch watch;
+  std::map<std::string, double> seconds;
+  Scene2 scene = read_scene_2(options.scene);
+  options.elements.apply_to(scene);
+  const Grid2 grid = grid_of(scene, options.grid);
+  seconds["read"] = watch.lap();
+
+  const Plan plan(scene, {options.simulate == "everything", std::uint64_t{grid.nx} * grid.ny});
+  streams.note(plan_text(plan));
+  const bool is_divided = plan.uses(Plan::kSubdivision);
+  const Per per = is_divided ? Per::kElement : Per::kFace;
+  const PreparedScene2 prepared = prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
+  seconds["prepare"] = watch.lap();
+
+  const std::filesystem::path directory =
+      options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-hottel" : options.out;
+  std::filesystem::create_directories(directory);
+  OutputFile csv(directory / "radiosity.csv"), npy(directory / "illumination.npy"), png(directory / "illumination.png"),
+      json(directory / "report.json");
+
+  ExchangeReport exchange;
+  const ExchangeMatrix matrix = exact_exchange(prepared,
+                                               {.per = per,
+                                                .wants_visibility = false,
+                                                .occlusion = plan.uses(Plan::kOcclusion),
+                                                .memory = memory_allowed(options.memory),
+                                                .progress = streams.progress("view factors")},
+                                               &exchange);
+  require_closed(prepared.scene, matrix);
+  seconds["factors"] = watch.lap();
+
+  const RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission,
+                                                     {.solver = *solver,
+                                                      .iterations = options.iterations,
+                                                      .until = options.until,
+                                                      .progress = streams.progress("radiosity")});
+  seconds["radiosity"] = watch.lap();
+
+  const auto channels = static_cast<std::uint32_t>(solution.channels.size());
+  std::vector<double> by_element(std::size_t{matrix.size()} * channels), sky;
+  for (std::uint32_t c = 0; c < channels; ++c) {
+    for (std::uint32_t i = 0; i < matrix.size(); ++i)
+      by_element[std::size_t{i} * channels + c] = solution.channels[c].elements[i].radiosity;
+    sky.push_back(to_double(prepared.scene.sky_emission.value[c]));
+  }
+  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
+  const IlluminationGrid light =
+      options.illumination == "inverse-square"
+          ? illuminate_inverse_square(prepared, grid, labels, by_element, channels, streams.progress("illumination"))
+          : illuminate_points(prepared, grid, FaceRadiosity2(prepared.arrangement, labels, by_element, sky),
+                              streams.progress("illumination"));
+  seconds["illumination"] = watch.lap();
+
+  const IlluminationPicture2 picture{.tone = *tone, .exposure = options.exposure};
+  const IlluminationPainter2 painter(prepared.scene, light, picture);
+  CairoCanvas canvas(PictureFormat::kPng, painter.width(), painter.height());
+  painter.draw(canvas);
+  seconds["picture"] = watch.lap();
+
+  SolveReport report{options.scene,         &plan, &exchange, &solution, seconds, to_string(solution.used),
+                     painter.tone().scale()};
+  write_radiosity_csv(prepared.scene, matrix, solution, [&csv](std::string_view text) { csv.write(text); });
+  const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
+  write_npy(shape, light.values, [&npy](std::string_view bytes) { npy.write(bytes); });
+  png.write(canvas.finish());
+  json.write(report_json(report));
+  for (OutputFile* file : {&csv, &npy, &png, &json}) file->finish();
+  for (OutputFile* file : {&csv, &npy, &png, &json}) file->commit();
+
+  if (options.json) streams.write("", report_json(report));
+  std::string text = report_text(report);
+  if (matrix.elements().size() <= 2 * kFacesOnAScreen && prepared.scene.surfaces.size() <= kFacesOnAScreen)
+    text += small_scene_text(matrix, solution);
+  streams.note(text + "\nin " + directory.string() + ": radiosity.csv illumination.npy illumination.png report.json");
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_solve(Commands& commands) {
+  const auto options = std::make_shared<SolveOptions>();
+  CLI::App& command = commands.add(
+      "solve", "Radiosities with proven bounds, the light in the rooms, and a picture of it",
+      {"hottel solve scenes/showcase/apartment.json -o /tmp/apartment",
+       "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --grid 64x64 --tone max",
+       "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --solver jacobi --iterations 20 --json"},
+      [options](Streams& streams) { return solve(*options, streams); });
+  command.add_option("SCENE", options->scene, "the scene file")->required();
+  command.add_option("-o", options->out, "the folder to write into, created; without it ./STEM-hottel/")
+      ->type_name("DIR");
+  command.add_option("--method", options->method, "how to compute the factors: exact")
+      ->type_name("METHOD")
+      ->capture_default_str();
+  command.add_option("--solver", options->solver, "auto cholesky cg lu bicgstab jacobi gauss-seidel shooting")
+      ->type_name("SOLVER")
+      ->capture_default_str();
+  command.add_option("--iterations", options->iterations, "stop an iterative solver after N iterations")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000'000));
+  command
+      .add_option("--until", options->until, "stop it when the largest residual is below R times the largest source")
+      ->type_name("R")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--grid", options->grid, "cells of the illumination over the scene's region")->type_name("NXxNY");
+  command
+      .add_option("--illumination", options->illumination,
+                  "point: mean irradiance at cell centres, exact visibility; inverse-square: the source formula")
+      ->check(CLI::IsMember({"point", "inverse-square"}))
+      ->capture_default_str();
+  command.add_option("--tone", options->tone, "linear, reinhard, log or max (the largest value is 1)")
+      ->type_name("TONE")
+      ->capture_default_str();
+  command.add_option("--exposure", options->exposure, "multiply the light by E before the tone curve")
+      ->type_name("E")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      .add_option("--simulate", options->simulate,
+                  "auto: what the scene calls for; everything: all effects, same numbers")
+      ->check(CLI::IsMember({"auto", "everything"}))
+      ->capture_default_str();
+  options->elements.add_to(command);
+  command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
+      ->type_name("BYTES");
+  command.add_flag("--json", options->json, "report.json on standard output too");
+}
+
+}  // namespace hottel
