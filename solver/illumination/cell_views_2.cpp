@@ -12,7 +12,7 @@
 namespace hottel {
 namespace {
 
-constexpr std::size_t kCellsBetweenReports = 1 << 14;
+constexpr std::size_t kCellsBetweenReports = 1 << 12;
 constexpr std::size_t kCellsInARow = 64;  // walked through from one to the next
 
 Rational centre(const Rational& min, const Rational& max, std::uint32_t index, std::uint32_t count) {
@@ -41,10 +41,10 @@ void for_each_cell_view(const PreparedScene2& prepared, const Grid2& grid, const
   for (std::size_t begin = 0; begin < cells; begin += kCellsBetweenReports) {
     const std::size_t end = std::min(cells, begin + kCellsBetweenReports);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, kCellsInARow), [&](const auto& range) {
-      throw_if_interrupted();
       View2 view;
       HalfEdgeId near = -1;
       for (std::size_t cell = range.begin(); cell < range.end(); ++cell) {
+        throw_if_interrupted();
         const Eye2 eye(vertices, columns[cell % grid.nx], rows[cell / grid.nx]);
         const Location2 place = location.look_around(eye, view, near);
         visit(cell, eye, place, view);
