@@ -62,13 +62,11 @@ class Group {
         options_(options),
         terms_(terms),
         system_(matrix, materials, channels_.front()),
-        is_wanted_(system_.components().size(), 0),
-        plain_{} {
+        is_wanted_(system_.components().size(), 0) {
     for (const int channel : channels_) {
       sources_.push_back(system_.sources(materials, sky_emission, channel));
       for (std::size_t c = 0; c < is_wanted_.size(); ++c) is_wanted_[c] |= sources_.back().is_lit[c];
     }
-    plain_ = PlainSystem(system_, is_wanted_);
   }
 
   const RadiositySystem& system() const { return system_; }
@@ -104,6 +102,7 @@ class Group {
                         to_string(options_.solver)));
       used_ = options_.solver != Solver::kAuto ? options_.solver : is_dense ? Solver::kLu : Solver::kBicgstab;
       const std::size_t components = system_.components().size();
+      plain_ = PlainSystem(system_, is_wanted_);
       inner_ = is_dense ? make_lu(plain_, components) : make_bicgstab(plain_, components);
       if (!spectral_radius_is_below_one(system_, *inner_, is_wanted_))
         throw RequestError(
@@ -111,6 +110,7 @@ class Group {
             "rows of the matrix sum to more than 1");
     }
     used = used_;
+    if (!is_refined() && plain_.begin.empty()) plain_ = PlainSystem(system_, is_wanted_);
   }
 
   std::size_t count() const { return channels_.size(); }
@@ -120,10 +120,7 @@ class Group {
     const Sources& sources = sources_[k];
     ChannelSolution solution;
     SplitVector x{std::vector<DoubleDouble>(is_wanted_.size()), std::vector<DoubleDouble>(system_.size())};
-    const bool is_limited = options_.iterations || options_.until;
-    const bool is_refined = used_ == Solver::kCholesky || (used_ == Solver::kCg && !is_limited) ||
-                            (options_.solver == Solver::kAuto && !system_.rows_are_closed());
-    if (is_refined)
+    if (is_refined())
       solution.residual_history = refine(system_, sources, *inner_, x);
     else
       run_as_named(sources, x, solution.residual_history, notes);
@@ -135,6 +132,12 @@ class Group {
   }
 
  private:
+  bool is_refined() const {
+    const bool is_limited = options_.iterations || options_.until;
+    return used_ == Solver::kCholesky || (used_ == Solver::kCg && !is_limited) ||
+           (options_.solver == Solver::kAuto && !system_.rows_are_closed());
+  }
+
   void run_as_named(const Sources& sources, SplitVector& x, std::vector<double>& history,
                     std::set<std::string>& notes) {
     plain_.set_source(system_, sources);
