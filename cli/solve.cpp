@@ -26,7 +26,7 @@ struct SolveOptions {
   std::string method = "exact", solver = "auto", simulate = "auto";
   std::optional<int> iterations;
   std::optional<double> until;
-  std::string grid, illumination = "point", tone = "reinhard";
+  std::string grid, illumination = "point", tone = "log";
   double exposure = 1;
   std::uint64_t memory = 0;
   ElementOptions elements;

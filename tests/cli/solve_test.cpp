@@ -1,0 +1,189 @@
+// hottel solve and hottel plan, from outside.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace hottel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+using testing_cli::contents;
+using testing_cli::lines_of;
+using testing_cli::Outcome;
+using testing_cli::Workplace;
+
+const std::string kScenes = std::string(HOTTEL_SOURCE_DIR) + "/scenes/";
+
+// A square room of a lamp and three walls of one material; `wall` is the material's text.
+std::string square(const std::string& wall, const std::string& more = "") {
+  return R"({"hottel": 1, "dimension": 2,
+ "materials": {"wall": )" +
+         wall + R"(, "lamp": {"emission": 1, "reflectivity": "1/2"}},
+ "edges": [{"name": "lamp", "points": [[1, 0], [0, 0]], "material": "lamp"}],
+ "polylines": [{"name": "walls", "points": [[0, 0], [0, 1], [1, 1], [1, 0]], "material": "wall"}])" +
+         more + "}";
+}
+
+std::map<std::string, std::string> plan_of(const nlohmann::json& report) {
+  std::map<std::string, std::string> used;
+  for (const auto& effect : report.at("plan"))
+    used[effect.at("effect")] = effect.at("used").get<bool>() ? "used" : "not";
+  return used;
+}
+
+TEST(Solve, WritesFourFilesInAFolderNamedAfterTheScene) {
+  const Workplace place;
+  place.write("room.json", square(R"({"reflectivity": "1/2"})"));
+  const Outcome outcome = place.run("hottel solve room.json --grid 8x4");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(place.files(), ElementsAre("room-hottel", "room.json"));
+  EXPECT_THAT(place.read("room-hottel/illumination.npy"), HasSubstr("'shape': (4, 8, 1), "));
+  EXPECT_THAT(place.read("room-hottel/illumination.png"), StartsWith("\x89PNG"));
+  const auto lines = lines_of(place.read("room-hottel/radiosity.csv"));
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[0], "face,element,channel,area,emission,reflectivity,radiosity,lower,upper,irradiance,net");
+  EXPECT_THAT(lines[1], StartsWith("lamp,0,all,1,1,0.5,1.14446141898327"));
+  EXPECT_THAT(lines[3], StartsWith("walls[1],0,all,1,0,0.5,0.316034294237087"));
+}
+
+TEST(Solve, ReportsWhatTheContractNames) {
+  const Workplace place;
+  place.write("room.json", square(R"({"reflectivity": [0.5, 0.25, 0]})"));
+  const Outcome outcome = place.run("hottel solve room.json -o out --grid 4x4 --json --quiet");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.out, place.read("out/report.json"));
+  const auto report = nlohmann::json::parse(outcome.out);
+  for (const char* key :
+       {"hottel", "scene", "plan", "counts", "tiers", "seconds", "closure", "reciprocity", "energy", "bounds", "notes"})
+    EXPECT_TRUE(report.contains(key)) << key;
+  EXPECT_EQ(report["counts"]["surfaces"], 4);
+  EXPECT_EQ(report["closure"]["exact"], true);
+  EXPECT_LT(report["bounds"]["max_relative_width"].get<double>(), 1e-14);
+  EXPECT_EQ(plan_of(report)["channels"], "used");
+  EXPECT_EQ(lines_of(place.read("out/radiosity.csv")).size(), 1 + 4 * 3u);
+}
+
+// What is not needed is not run, and changes no number: occlusion in a convex room, one channel, no subdivision.
+TEST(Solve, SimulatingEverythingGivesTheSameNumbers) {
+  for (const std::string scene : {"analytic/square_radiosity.json", "analytic/furnace.json", "showcase/maze.json"}) {
+    const Workplace place;
+    const std::string solve = "hottel solve " + kScenes + scene + " --grid 16x16 --quiet ";
+    ASSERT_EQ(place.run(solve + "-o auto && " + solve + "-o all --simulate everything").code, 0) << scene;
+    EXPECT_EQ(place.read("auto/radiosity.csv"), place.read("all/radiosity.csv")) << scene;
+    EXPECT_EQ(place.read("auto/illumination.npy"), place.read("all/illumination.npy")) << scene;
+    const auto lean = nlohmann::json::parse(place.read("auto/report.json"));
+    if (plan_of(lean)["occlusion"] == "not") {
+      EXPECT_EQ(plan_of(nlohmann::json::parse(place.read("all/report.json")))["occlusion"], "used");
+    }
+  }
+}
+
+TEST(Solve, EverySolverComesWithinItsBounds) {
+  const Workplace place;
+  for (const std::string solver : {"auto", "cholesky", "cg", "lu", "bicgstab", "jacobi", "gauss-seidel", "shooting"}) {
+    const Outcome outcome = place.run("hottel solve " + kScenes +
+                                      "analytic/square_radiosity.json -o out --grid 2x2 --quiet --solver " + solver);
+    ASSERT_EQ(outcome.code, 0) << solver << ": " << outcome.err;
+    const auto fields = [&] {
+      std::vector<double> values;
+      std::istringstream line(lines_of(place.read("out/radiosity.csv"))[1]);
+      for (std::string field; std::getline(line, field, ',');) values.push_back(std::atof(field.c_str()));
+      return values;
+    }();
+    EXPECT_LE(fields[7], 1.144461418983277110496) << solver;
+    EXPECT_GE(fields[8], 1.144461418983277110496) << solver;
+    EXPECT_NEAR(fields[6], 1.144461418983277110496, 1e-11) << solver;
+  }
+}
+
+TEST(Solve, AFewIterationsGiveWideButTrueBounds) {
+  const Workplace place;
+  ASSERT_EQ(place
+                .run("hottel solve " + kScenes +
+                     "analytic/square_radiosity.json -o out --grid 2x2 --quiet --solver jacobi --iterations 3")
+                .code,
+            0);
+  const auto report = nlohmann::json::parse(place.read("out/report.json"));
+  EXPECT_EQ(report["solver"]["residual_history"]["all"].size(), 4u);
+  EXPECT_GT(report["bounds"]["max_relative_width"].get<double>(), 1e-3);
+}
+
+TEST(Solve, ABrokenPromiseToBeClosedNamesTheFace) {
+  const Workplace place;
+  std::string open = square(R"({"reflectivity": "1/2"})", R"(, "closed": true)");
+  open.replace(open.find("[1, 1], [1, 0]"), 14, "[1, 1]");
+  place.write("open.json", open);
+  const Outcome outcome = place.run("hottel solve open.json -o out");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("open.json:3: the scene promises to be closed, but the front of 'lamp' sees the sky"));
+  EXPECT_TRUE(std::filesystem::is_empty(place.path("out")));
+}
+
+TEST(Solve, ARoomThatReflectsEverythingHasNoSolutionWhenItEmits) {
+  const Workplace place;
+  std::string mirror = square(R"({"reflectivity": 1})");
+  mirror.replace(mirror.find("\"1/2\""), 5, "1");
+  place.write("mirror.json", mirror);
+  const Outcome outcome = place.run("hottel solve mirror.json -o out --quiet");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("lamp"));
+  mirror.replace(mirror.find("\"emission\": 1"), 13, "\"emission\": 0");
+  place.write("dark.json", mirror);
+  ASSERT_EQ(place.run("hottel solve dark.json -o out --quiet").code, 0);
+  EXPECT_THAT(lines_of(place.read("out/radiosity.csv"))[1], StartsWith("lamp,0,all,1,0,1,0,0,0,0,"));
+}
+
+TEST(Solve, TooLittleMemoryIsAnUnmetRequestAndLeavesEarlierFiles) {
+  const Workplace place;
+  const std::string solve = "hottel solve " + kScenes + "showcase/museum.json -o out --grid 4x4 --quiet";
+  ASSERT_EQ(place.run(solve).code, 0);
+  const std::string before = place.read("out/radiosity.csv");
+  const Outcome outcome = place.run(solve + " --memory 1000");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("bytes"));
+  EXPECT_EQ(place.read("out/radiosity.csv"), before);
+}
+
+TEST(Solve, RefusesWhatItDoesNotKnow) {
+  const Workplace place;
+  const std::string solve = "hottel solve " + kScenes + "analytic/furnace.json -o out ";
+  for (const std::string bad :
+       {"--solver magic", "--method magic", "--tone magic", "--grid 4", "--grid 0x4", "--grid 4x99999",
+        "--illumination magic", "--simulate nothing", "--exposure 0", "--iterations -1"}) {
+    const Outcome outcome = place.run(solve + bad);
+    EXPECT_EQ(outcome.code, 2) << bad << ": " << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(place.path("out"))) << bad;
+  }
+}
+
+TEST(Solve, ResultsDoNotDependOnTheNumberOfThreads) {
+  const Workplace place;
+  const std::string solve = "hottel solve " + kScenes + "showcase/apartment.json --grid 40x30 --quiet ";
+  for (const std::string threads : {"1", "2", "3", "7"})
+    ASSERT_EQ(place.run(solve + "-o out" + threads + " --threads " + threads).code, 0);
+  for (const std::string threads : {"2", "3", "7"})
+    for (const std::string file : {"/radiosity.csv", "/illumination.npy", "/illumination.png"})
+      EXPECT_EQ(place.read("out1" + file), place.read("out" + threads + file)) << threads << file;
+}
+
+TEST(Plan, SaysWhatIsLeftOutAndWhy) {
+  const Workplace place;
+  const Outcome text = place.run("hottel plan " + kScenes + "analytic/square_radiosity.json");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_THAT(text.out, HasSubstr("nothing can hide anything"));
+  const auto apartment =
+      nlohmann::json::parse(place.run("hottel plan --json " + kScenes + "showcase/apartment.json").out);
+  EXPECT_EQ(plan_of(apartment)["occlusion"], "used");
+  EXPECT_EQ(plan_of(apartment)["sky"], "not");
+}
+
+}  // namespace
+}  // namespace hottel
