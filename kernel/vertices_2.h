@@ -125,8 +125,8 @@ class Vertices2 {
   std::vector<Small> small_;        // small form
   std::vector<ExactPoint2> large_;  // large form
   std::vector<Low> low_;            // large form: what approximate_ leaves out
-  int approximation_shift_ = 0;  // approximate_ = integer form / 2^shift
-  int fixed_bits_ = 0;           // unit of a fixed length = 2^-fixed_bits_ of approximate_'s unit
+  int approximation_shift_ = 0;     // approximate_ = integer form / 2^shift
+  int fixed_bits_ = 0;              // unit of a fixed length = 2^-fixed_bits_ of approximate_'s unit
   double length_error_ = 2;
   Rational scale_ = 1;
   ExactPoint2 origin_;
