@@ -147,7 +147,7 @@ TEST_P(View2OfAScene, HoldsWhatEveryVertexSees) {
 }
 
 TEST_P(View2OfAScene, HoldsWhatAFreeEyeSees) {
-  for (std::uint64_t seed = 0; seed < 2; ++seed) Sight(generated(GetParam(), 14 + 10 * seed, seed)).check_free_eyes(60);
+  for (std::uint64_t seed = 0; seed < 2; ++seed) Sight(generated(GetParam(), 16 + 10 * seed, seed)).check_free_eyes(60);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, View2OfAScene,
