@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -13,6 +12,7 @@
 #include "io/radiosity_files.h"
 #include "io/scene_json.h"
 #include "kernel/failure.h"
+#include "kernel/stopwatch.h"
 #include "solver/illumination/illumination_grid_2.h"
 #include "solver/plan.h"
 #include "solver/system/radiosity.h"
@@ -31,19 +31,6 @@ struct SolveOptions {
   std::uint64_t memory = 0;
   ElementOptions elements;
   bool json = false;
-};
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 // "400x300"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/exchange/exchange_2.h"
 #include "kernel/failure.h"
 
 namespace hottel {

@@ -5,174 +5,16 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 #include "geometry/exchange/exchange_sums_2.h"
+#include "geometry/exchange/pair_rounding_2.h"
 #include "geometry/exchange/unobstructed_2.h"
 #include "kernel/failure.h"
+#include "kernel/stopwatch.h"
 
 namespace hottel {
 namespace {
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
-
-// "Below 1 whenever something hides a part", above 0 always: a quotient that would round to 1 from below or to 0 from
-// above keeps its distance.
-double visibility_of(const Rounded& quotient) {
-  if (quotient.value == 1.0 && quotient.side < 0) return std::nextafter(1.0, 0.0);
-  if (quotient.value == 0.0 && quotient.side > 0) return std::numeric_limits<double>::denorm_min();
-  return quotient.value;
-}
-
-// S0(i, j) of two labels (neither the sky) in scene units: everything but the two taken away.
-RootSum unobstructed_exchange(const PreparedScene2& prepared, const Labels2& labels, Per per, std::uint32_t i,
-                              std::uint32_t j) {
-  const Vertices2& vertices = prepared.arrangement.vertices();
-  RootSum sum;
-  if (per != Per::kGroup) {
-    for (const Segment2& f : labels.runs(i))
-      for (const Segment2& g : labels.runs(j)) sum += unobstructed_exact(vertices, f, g);
-    sum *= vertices.scale() / 2;
-    return sum;
-  }
-  // Two groups alone: a scene of its own.
-  const std::uint32_t group[2] = {prepared.scene.surfaces[labels.elements()[i].surface].group,
-                                  prepared.scene.surfaces[labels.elements()[j].surface].group};
-  Scene2 alone = prepared.scene;
-  std::erase_if(alone.surfaces, [&](const Surface2& s) { return s.group != group[0] && s.group != group[1]; });
-  const PreparedScene2 two = prepare(std::move(alone));
-  const Labels2 two_labels(two.scene, two.arrangement, two.division, per);
-  LabelPair pair{0, 0};
-  for (std::uint32_t label = 0; label < two_labels.count(); ++label) {
-    if (two_labels.elements()[label].name == labels.elements()[i].name) pair.first = label;
-    if (two_labels.elements()[label].name == labels.elements()[j].name) pair.second = label;
-  }
-  return exact_exchange_measures(two, per, {pair}).front();
-}
-
-// What is printed of one pair, and what the fixed-point sums could not settle.
-struct RoundedPair {
-  Rounded forth, back;
-  double visibility = kNotAsked;
-  double measure = kNotAsked;
-  bool is_forth_open = false, is_back_open = false, is_visibility_open = false, is_measure_open = false,
-       is_zero = false;
-
-  bool is_open() const { return is_forth_open || is_back_open || is_visibility_open || is_measure_open; }
-};
-
-// Rounds pair sums, by fixed point where that settles it.
-class Rounding {
- public:
-  Rounding(const PreparedScene2& prepared, const Labels2& labels, const ExchangeOptions2& options)
-      : prepared_(prepared),
-        labels_(labels),
-        options_(options),
-        half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {}
-
-  RoundedPair quick(const PairSum& pair, TierCounts& tiers) const {
-    const Vertices2& vertices = prepared_.arrangement.vertices();
-    const FixedSum sum = pair.sum(vertices.length_error());
-    RoundedPair result;
-    // A sum that may be zero is looked at exactly before anything is printed of it.
-    const bool may_be_zero = static_cast<double>(pair.value) <= sum.error;
-    const auto settle = [&](const FixedSum& divisor, Rounded& number, bool& is_open) {
-      const bool is_coarse = may_be_zero || static_cast<double>(divisor.value) <= divisor.error;
-      const auto rounded = is_coarse ? std::nullopt : round_quotient(sum, divisor);
-      is_open = !rounded;
-      if (!rounded) return;
-      number = rounded->number;
-      tiers.count(rounded->tier);
-    };
-    if (labels_.has_row(pair.i)) settle(twice(labels_.length(pair.i)), result.forth, result.is_forth_open);
-    if (labels_.has_row(pair.j)) settle(twice(labels_.length(pair.j)), result.back, result.is_back_open);
-    if (options_.wants_measures) {
-      const auto rounded = may_be_zero ? std::nullopt : round_scaled(sum, half_unit_);
-      result.is_measure_open = !rounded;
-      if (rounded) result.measure = rounded->number.value;
-    }
-    if (!options_.wants_visibility || pair.j == labels_.sky()) return result;
-    if (options_.per == Per::kGroup) {
-      result.is_visibility_open = true;
-    } else if (!pair.is_obstructed && !may_be_zero) {
-      result.visibility = 1;
-      tiers.count(Tier::kDouble);
-    } else {
-      Rounded visibility;
-      const auto free = unobstructed(pair);
-      if (free && static_cast<double>(free->value) > free->error)
-        settle(*free, visibility, result.is_visibility_open);
-      else
-        result.is_visibility_open = true;
-      result.visibility = visibility_of(visibility);
-    }
-    return result;
-  }
-
-  // Settles what quick() left open, from 2 S(i, j) in integer form.
-  void exactly(const PairSum& pair, const RootSum& sum, RoundedPair& result, TierCounts& tiers) const {
-    const Vertices2& vertices = prepared_.arrangement.vertices();
-    if (sum.is_zero()) {
-      result = {};
-      result.is_zero = true;
-      return;
-    }
-    const auto settle = [&](std::uint32_t label) {
-      const RoundedByTier rounded = round_quotient(sum, labels_.exact_length(label, vertices) * Rational(2));
-      tiers.count(rounded.tier);
-      return rounded.number;
-    };
-    if (result.is_forth_open) result.forth = settle(pair.i);
-    if (result.is_back_open) result.back = settle(pair.j);
-    if (result.is_measure_open)
-      result.measure = round_quotient(sum * (vertices.scale() / 2), RootSum(Rational(1))).number.value;
-    if (!result.is_visibility_open) return;
-    const RootSum free =
-        unobstructed_exchange(prepared_, labels_, options_.per, pair.i, pair.j) * (Rational(2) / vertices.scale());
-    if ((free - sum).is_zero()) {
-      result.visibility = 1;
-      tiers.count(Tier::kRootSum);
-    } else {
-      const RoundedByTier rounded = round_quotient(sum, free);
-      tiers.count(rounded.tier);
-      result.visibility = visibility_of(rounded.number);
-    }
-  }
-
- private:
-  static FixedSum twice(const FixedSum& sum) { return {2 * sum.value, 2 * sum.error}; }
-
-  std::optional<FixedSum> unobstructed(const PairSum& pair) const {
-    FixedSum total;
-    for (const Segment2& f : labels_.runs(pair.i))
-      for (const Segment2& g : labels_.runs(pair.j)) {
-        const auto sum = unobstructed_sum(prepared_.arrangement.vertices(), f, g);
-        if (!sum) return std::nullopt;
-        total.value += sum->value;
-        total.error += sum->error;
-      }
-    return total;
-  }
-
-  const PreparedScene2& prepared_;
-  const Labels2& labels_;
-  const ExchangeOptions2& options_;
-  const FixedScale half_unit_;  // 2 S in fixed point to S in scene units
-};
 
 // Every pair of faces as if nothing stood between them. COST: O(n²) strings.
 std::vector<PairSum> sum_all_pairs(const Arrangement2& arrangement, const Labels2& labels) {
@@ -192,26 +34,6 @@ std::vector<PairSum> sum_all_pairs(const Arrangement2& arrangement, const Labels
       if (pair.value != 0 || pair.inexact != 0) pairs.push_back(pair);
     }
   return pairs;
-}
-
-// A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it.
-void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels, std::vector<RoundedPair>& rounded) {
-  std::vector<std::uint32_t> partners(labels.count() + 1, 0);
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    ++partners[pairs[k].i];
-    if (pairs[k].i != pairs[k].j) ++partners[pairs[k].j];
-  }
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    RoundedPair& pair = rounded[k];
-    if (pair.is_forth_open && partners[pairs[k].i] == 1) {
-      pair.forth = {1.0, 0};
-      pair.is_forth_open = false;
-    }
-    if (pair.is_back_open && pairs[k].j != labels.sky() && partners[pairs[k].j] == 1) {
-      pair.back = {1.0, 0};
-      pair.is_back_open = false;
-    }
-  }
 }
 
 ExchangeMatrix to_matrix(const Labels2& labels, const std::vector<PairSum>& pairs,
@@ -252,31 +74,6 @@ PreparedScene2 prepare(Scene2 scene, Divided divided) {
   return prepared;
 }
 
-bool is_convex_room(const Scene2& scene) {
-  const std::size_t n = scene.surfaces.size();
-  if (n < 3) return false;
-  // A clockwise closed chain is convex iff it never turns left and its direction goes around once: the sign of its
-  // direction along x then changes twice.
-  int changes = 0, last = 0, first = 0;
-  bool turns = false;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Surface2 &surface = scene.surfaces[k], &next = scene.surfaces[(k + 1) % n];
-    if (surface.back || !(surface.to == next.from)) return false;
-    const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
-    const Rational ex = next.to.x - next.from.x, ey = next.to.y - next.from.y;
-    const Rational turn = dx * ey - dy * ex;
-    if (turn > 0 || (turn == 0 && dx * ex + dy * ey < 0)) return false;
-    turns |= turn < 0;
-    const int sign = sgn(dx);
-    if (sign == 0) continue;
-    if (last != 0 && sign != last) ++changes;
-    if (first == 0) first = sign;
-    last = sign;
-  }
-  if (last != first) ++changes;
-  return turns && changes == 2;
-}
-
 ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOptions2& options, ExchangeReport* report) {
   Stopwatch watch;
   ExchangeReport ignored;
@@ -302,7 +99,7 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   r.closure_is_exact = closure_defect(pairs, labels) == 0;
   HOTTEL_REQUIRE(r.closure_is_exact);
 
-  const Rounding rounding(prepared, labels, options);
+  const PairRounding rounding(prepared, labels, options);
   std::vector<RoundedPair> rounded(pairs.size());
   tbb::enumerable_thread_specific<TierCounts> tiers;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), 256), [&](const auto& range) {

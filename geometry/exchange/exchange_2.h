@@ -37,9 +37,6 @@ struct ExchangeOptions2 {
   std::function<void(double)> progress = {};  // fraction done; may throw to stop
 };
 
-// True iff the scene is one closed convex polygon, fronts inside, and no back has a material: nothing hides anything.
-bool is_convex_room(const Scene2& scene);
-
 // How the numbers came about.
 struct ExchangeReport {
   std::uint64_t surfaces = 0, vertices = 0, pieces = 0, elements = 0, pairs = 0, gaps = 0, terms = 0;

@@ -35,4 +35,29 @@ void validate(const Scene2& scene) {
   }
 }
 
+bool is_convex_room(const Scene2& scene) {
+  const std::size_t n = scene.surfaces.size();
+  if (n < 3) return false;
+  // A clockwise closed chain is convex iff it never turns left and its direction goes around once: the sign of its
+  // direction along x then changes twice.
+  int changes = 0, last = 0, first = 0;
+  bool turns = false;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Surface2 &surface = scene.surfaces[k], &next = scene.surfaces[(k + 1) % n];
+    if (surface.back || !(surface.to == next.from)) return false;
+    const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
+    const Rational ex = next.to.x - next.from.x, ey = next.to.y - next.from.y;
+    const Rational turn = dx * ey - dy * ex;
+    if (turn > 0 || (turn == 0 && dx * ex + dy * ey < 0)) return false;
+    turns |= turn < 0;
+    const int sign = sgn(dx);
+    if (sign == 0) continue;
+    if (last != 0 && sign != last) ++changes;
+    if (first == 0) first = sign;
+    last = sign;
+  }
+  if (last != first) ++changes;
+  return turns && changes == 2;
+}
+
 }  // namespace hottel

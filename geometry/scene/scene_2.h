@@ -70,4 +70,7 @@ struct Scene2 {
 // Throws InputError naming file, line and surface unless the numbered properties hold.
 void validate(const Scene2& scene);
 
+// True iff the scene is one closed convex polygon, fronts inside, and no back has a material: nothing hides anything.
+bool is_convex_room(const Scene2& scene);
+
 }  // namespace hottel

@@ -1,0 +1,153 @@
+#include "geometry/exchange/pair_rounding_2.h"
+
+#include <cmath>
+
+#include "geometry/exchange/unobstructed_2.h"
+
+namespace hottel {
+namespace {
+
+// "Below 1 whenever something hides a part", above 0 always: a quotient that would round to 1 from below or to 0 from
+// above keeps its distance.
+double visibility_of(const Rounded& quotient) {
+  if (quotient.value == 1.0 && quotient.side < 0) return std::nextafter(1.0, 0.0);
+  if (quotient.value == 0.0 && quotient.side > 0) return std::numeric_limits<double>::denorm_min();
+  return quotient.value;
+}
+
+FixedSum twice(const FixedSum& sum) { return {2 * sum.value, 2 * sum.error}; }
+
+}  // namespace
+
+PairRounding::PairRounding(const PreparedScene2& prepared, const Labels2& labels, const ExchangeOptions2& options)
+    : prepared_(prepared),
+      labels_(labels),
+      options_(options),
+      half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {}
+
+RoundedPair PairRounding::quick(const PairSum& pair, TierCounts& tiers) const {
+  const Vertices2& vertices = prepared_.arrangement.vertices();
+  const FixedSum sum = pair.sum(vertices.length_error());
+  RoundedPair result;
+  // A sum that may be zero is looked at exactly before anything is printed of it.
+  const bool may_be_zero = static_cast<double>(pair.value) <= sum.error;
+  const auto settle = [&](const FixedSum& divisor, Rounded& number, bool& is_open) {
+    const bool is_coarse = may_be_zero || static_cast<double>(divisor.value) <= divisor.error;
+    const auto rounded = is_coarse ? std::nullopt : round_quotient(sum, divisor);
+    is_open = !rounded;
+    if (!rounded) return;
+    number = rounded->number;
+    tiers.count(rounded->tier);
+  };
+  if (labels_.has_row(pair.i)) settle(twice(labels_.length(pair.i)), result.forth, result.is_forth_open);
+  if (labels_.has_row(pair.j)) settle(twice(labels_.length(pair.j)), result.back, result.is_back_open);
+  if (options_.wants_measures) {
+    const auto rounded = may_be_zero ? std::nullopt : round_scaled(sum, half_unit_);
+    result.is_measure_open = !rounded;
+    if (rounded) result.measure = rounded->number.value;
+  }
+  if (!options_.wants_visibility || pair.j == labels_.sky()) return result;
+  if (options_.per == Per::kGroup) {
+    result.is_visibility_open = true;
+  } else if (!pair.is_obstructed && !may_be_zero) {
+    result.visibility = 1;
+    tiers.count(Tier::kDouble);
+  } else {
+    Rounded visibility;
+    const auto free = unobstructed(pair);
+    if (free && static_cast<double>(free->value) > free->error)
+      settle(*free, visibility, result.is_visibility_open);
+    else
+      result.is_visibility_open = true;
+    result.visibility = visibility_of(visibility);
+  }
+  return result;
+}
+
+// Settles what quick() left open.
+void PairRounding::exactly(const PairSum& pair, const RootSum& sum, RoundedPair& result, TierCounts& tiers) const {
+  const Vertices2& vertices = prepared_.arrangement.vertices();
+  if (sum.is_zero()) {
+    result = {};
+    result.is_zero = true;
+    return;
+  }
+  const auto settle = [&](std::uint32_t label) {
+    const RoundedByTier rounded = round_quotient(sum, labels_.exact_length(label, vertices) * Rational(2));
+    tiers.count(rounded.tier);
+    return rounded.number;
+  };
+  if (result.is_forth_open) result.forth = settle(pair.i);
+  if (result.is_back_open) result.back = settle(pair.j);
+  if (result.is_measure_open)
+    result.measure = round_quotient(sum * (vertices.scale() / 2), RootSum(Rational(1))).number.value;
+  if (!result.is_visibility_open) return;
+  const RootSum free =
+      unobstructed_exchange(prepared_, labels_, options_.per, pair.i, pair.j) * (Rational(2) / vertices.scale());
+  if ((free - sum).is_zero()) {
+    result.visibility = 1;
+    tiers.count(Tier::kRootSum);
+  } else {
+    const RoundedByTier rounded = round_quotient(sum, free);
+    tiers.count(rounded.tier);
+    result.visibility = visibility_of(rounded.number);
+  }
+}
+
+std::optional<FixedSum> PairRounding::unobstructed(const PairSum& pair) const {
+  FixedSum total;
+  for (const Segment2& f : labels_.runs(pair.i))
+    for (const Segment2& g : labels_.runs(pair.j)) {
+      const auto sum = unobstructed_sum(prepared_.arrangement.vertices(), f, g);
+      if (!sum) return std::nullopt;
+      total.value += sum->value;
+      total.error += sum->error;
+    }
+  return total;
+}
+
+void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels, std::vector<RoundedPair>& rounded) {
+  std::vector<std::uint32_t> partners(labels.count() + 1, 0);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    ++partners[pairs[k].i];
+    if (pairs[k].i != pairs[k].j) ++partners[pairs[k].j];
+  }
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    RoundedPair& pair = rounded[k];
+    if (pair.is_forth_open && partners[pairs[k].i] == 1) {
+      pair.forth = {1.0, 0};
+      pair.is_forth_open = false;
+    }
+    if (pair.is_back_open && pairs[k].j != labels.sky() && partners[pairs[k].j] == 1) {
+      pair.back = {1.0, 0};
+      pair.is_back_open = false;
+    }
+  }
+}
+
+RootSum unobstructed_exchange(const PreparedScene2& prepared, const Labels2& labels, Per per, std::uint32_t i,
+                              std::uint32_t j) {
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  RootSum sum;
+  if (per != Per::kGroup) {
+    for (const Segment2& f : labels.runs(i))
+      for (const Segment2& g : labels.runs(j)) sum += unobstructed_exact(vertices, f, g);
+    sum *= vertices.scale() / 2;
+    return sum;
+  }
+  // Two groups alone: a scene of its own.
+  const std::uint32_t group[2] = {prepared.scene.surfaces[labels.elements()[i].surface].group,
+                                  prepared.scene.surfaces[labels.elements()[j].surface].group};
+  Scene2 alone = prepared.scene;
+  std::erase_if(alone.surfaces, [&](const Surface2& s) { return s.group != group[0] && s.group != group[1]; });
+  const PreparedScene2 two = prepare(std::move(alone));
+  const Labels2 two_labels(two.scene, two.arrangement, two.division, per);
+  LabelPair pair{0, 0};
+  for (std::uint32_t label = 0; label < two_labels.count(); ++label) {
+    if (two_labels.elements()[label].name == labels.elements()[i].name) pair.first = label;
+    if (two_labels.elements()[label].name == labels.elements()[j].name) pair.second = label;
+  }
+  return exact_exchange_measures(two, per, {pair}).front();
+}
+
+}  // namespace hottel
