@@ -142,6 +142,8 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
                                                       .iterations = options.iterations,
                                                       .until = options.until,
                                                       .progress = streams.progress("radiosity")});
+  if ((options.iterations || options.until) && (solution.used == Solver::kCholesky || solution.used == Solver::kLu))
+    streams.note(fmt::format("--iterations and --until do not apply to {}, which is direct", to_string(solution.used)));
   seconds["radiosity"] = watch.lap();
 
   const auto channels = static_cast<std::uint32_t>(solution.channels.size());

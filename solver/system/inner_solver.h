@@ -39,7 +39,7 @@ struct CgLimits {
 std::unique_ptr<InnerSolver> make_conjugate_gradient(const RadiositySystem& system, const std::vector<char>& is_wanted,
                                                      CgLimits limits = {}, std::vector<double>* history = nullptr);
 
-// I - rho F as it is: LU with partial pivoting, or BiCGSTAB preconditioned by the diagonal.
+// I - rho F as it is: LU with partial pivoting, or BiCGSTAB, whose diagonal is 1 already.
 std::unique_ptr<InnerSolver> make_lu(const PlainSystem& system, std::size_t components);
 std::unique_ptr<InnerSolver> make_bicgstab(const PlainSystem& system, std::size_t components, CgLimits limits = {},
                                            std::vector<double>* history = nullptr);
