@@ -147,12 +147,8 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   seconds["radiosity"] = watch.lap();
 
   const auto channels = static_cast<std::uint32_t>(solution.channels.size());
-  std::vector<double> by_element(std::size_t{matrix.size()} * channels), sky;
-  for (std::uint32_t c = 0; c < channels; ++c) {
-    for (std::uint32_t i = 0; i < matrix.size(); ++i)
-      by_element[std::size_t{i} * channels + c] = solution.channels[c].elements[i].radiosity;
-    sky.push_back(to_double(prepared.scene.sky_emission.value[c]));
-  }
+  const std::vector<double> by_element = radiosity_by_element(solution);
+  const std::vector<double> sky = sky_by_channel(prepared.scene.sky_emission, channels);
   const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
   const IlluminationGrid light =
       options.illumination == "inverse-square"

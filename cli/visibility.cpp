@@ -9,6 +9,8 @@
 #include "geometry/visibility/visibility_polygon_2.h"
 #include "io/scene_json.h"
 #include "kernel/failure.h"
+#include "solver/illumination/mean_irradiance_2.h"
+#include "solver/system/radiosity.h"
 #include "viewer/picture/visibility_picture_2.h"
 
 namespace hottel {
@@ -87,7 +89,28 @@ std::string where(const PreparedScene2& prepared, const VisibilityPolygon2& poly
   return "";
 }
 
-Answer from_point(const PreparedScene2& prepared, const ExactPoint2& eye) {
+// The mean irradiance at a point once the light has been reflected until it is absorbed, per channel.
+void add_mean_irradiance(const PreparedScene2& prepared, const PointLocation2& location, const ExactPoint2& eye,
+                         Answer& answer) {
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  const ExchangeMatrix matrix = exact_exchange(prepared, {.per = Per::kFace, .wants_visibility = false});
+  const RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission, {});
+  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  const std::vector<double> sky = sky_by_channel(prepared.scene.sky_emission, solution.channels.size());
+  const FaceRadiosity2 faces(prepared.arrangement, labels, radiosity_by_element(solution), sky);
+  const Eye2 look(vertices, vertices.from_scene(eye));
+  View2 view;
+  location.look_around(look, view);
+  std::vector<double> mean(solution.channels.size());
+  mean_irradiance(vertices, faces, look, location.locate(look), view, mean);
+  answer.text += "\nmean irradiance\n";
+  for (std::size_t c = 0; c < mean.size(); ++c) {
+    answer.json["mean_irradiance"][solution.channel_names[c]] = mean[c];
+    answer.text += fmt::format("  {:<24} {}\n", solution.channel_names[c], shortest(mean[c]));
+  }
+}
+
+Answer from_point(const PreparedScene2& prepared, const ExactPoint2& eye, bool wants_light) {
   const Arrangement2& arrangement = prepared.arrangement;
   const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());
   const VisibilityPolygon2 polygon = visibility_polygon(arrangement, location, eye);
@@ -133,6 +156,15 @@ Answer from_point(const PreparedScene2& prepared, const ExactPoint2& eye) {
     entry["angle_fraction"] = json_of(fraction);
     answer.json["faces"].push_back(entry);
     answer.text += fmt::format("  {:<24} {}\n", faces[f], shortest(fraction.value));
+  }
+
+  if (wants_light) {
+    try {
+      add_mean_irradiance(prepared, location, eye, answer);
+    } catch (const RequestError& error) {  // no finite light: what is seen stands all the same
+      answer.json["mean_irradiance"] = nullptr;
+      answer.text += fmt::format("\nno mean irradiance: {}\n", error.what());
+    }
   }
 
   answer.draw = [&prepared, polygon, corners](PictureFormat format) {
@@ -190,7 +222,7 @@ Answer from_face(const PreparedScene2& prepared, const std::string& name, const 
     answer.json["factors"].push_back(entry);
     answer.text += fmt::format("  {:<24} {:<22} = {}\n", to, shortest(value.value), factor.to_string());
   }
-  answer.draw = from_point(prepared, x).draw;
+  answer.draw = from_point(prepared, x, false).draw;
   return answer;
 }
 
@@ -268,7 +300,7 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   const PreparedScene2 prepared = prepare(read_scene_2(options.scene));
   const Answer answer = is_pair               ? between_faces(prepared, options.from, options.to)
                         : !options.on.empty() ? from_face(prepared, options.on, t)
-                                              : from_point(prepared, *eye);
+                                              : from_point(prepared, *eye, true);
   if (format) write_output_file(options.out, answer.draw(*format));
   if (options.json)
     streams.write("", answer.json.dump(2) + "\n");

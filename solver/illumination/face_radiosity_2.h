@@ -7,6 +7,7 @@
 
 #include "geometry/arrangement/arrangement_2.h"
 #include "geometry/exchange/labels_2.h"
+#include "solver/system/radiosity.h"
 
 namespace hottel {
 
@@ -33,5 +34,9 @@ class FaceRadiosity2 {
   std::vector<std::uint32_t> shade_;  // by PieceSideId + 1; the sky first
   std::vector<double> values_;        // by shade and channel
 };
+
+// What FaceRadiosity2 wants of a solution: radiosities element-major, channels inside; the sky's emission by channel.
+std::vector<double> radiosity_by_element(const RadiositySolution& solution);
+std::vector<double> sky_by_channel(const Spectrum& sky_emission, std::size_t channels);
 
 }  // namespace hottel
