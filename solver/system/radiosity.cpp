@@ -57,7 +57,6 @@ class Group {
         std::vector<int> channels, const RadiosityOptions& options, const ErrorTerms& terms)
       : matrix_(matrix),
         materials_(materials),
-        sky_emission_(sky_emission),
         channels_(std::move(channels)),
         options_(options),
         terms_(terms),
@@ -236,7 +235,6 @@ class Group {
 
   const ExchangeMatrix& matrix_;
   const std::vector<Material>& materials_;
-  const Spectrum& sky_emission_;
   std::vector<int> channels_;
   const RadiosityOptions& options_;
   ErrorTerms terms_;

@@ -139,7 +139,8 @@ TEST(RootSum, IsAVectorSpaceOverTheRationals) {
     doubled += doubled;
     EXPECT_TRUE((doubled - a * Rational(2)).is_zero());
     RootSum nothing = a;
-    nothing -= nothing;
+    const RootSum& itself = nothing;
+    nothing -= itself;
     EXPECT_TRUE(nothing.is_zero());
   }
 }
