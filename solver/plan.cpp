@@ -80,8 +80,7 @@ Plan::Plan(const Scene2& scene, const PlanRequest& request) {
   add(kIllumination, request.grid_cells > 0, plural(request.grid_cells, "cell"), "no grid is asked for",
       static_cast<double>(request.grid_cells) * std::min(n, 400.0) * kSecondsPerCellAndEdge);
 
-  add(kLights, false, "", "the scene lists none", 0);
-  if (request.everything) effects_.back() = {kLights, false, "the scene lists none", 0};
+  effects_.push_back({kLights, false, "the scene lists none", 0});  // not simulated, whatever is asked for
 }
 
 bool Plan::uses(const std::string& effect) const {
