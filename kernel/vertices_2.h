@@ -106,6 +106,7 @@ class Vertices2 {
  private:
   friend class EyeCoordinate2;
   friend class Eye2;
+  friend class EyeLine2;
   struct Small {
     std::int64_t x, y;
   };
@@ -141,6 +142,7 @@ class EyeCoordinate2 {
 
  private:
   friend class Eye2;
+  friend class EyeLine2;
   Rational exact_;
   double approximate_, error_;
   std::int64_t numerator_ = 0, denominator_ = 0;  // when 128 bits suffice for a product of two differences, else 0
@@ -179,6 +181,7 @@ class Eye2 {
   double y() const { return y_; }
 
  private:
+  friend class EyeLine2;
   Eye2(const Vertices2& vertices, std::shared_ptr<const std::pair<EyeCoordinate2, EyeCoordinate2>> own);
   int exact_orientation(VertexId j, VertexId k) const;
 
