@@ -1,0 +1,74 @@
+// A grid and a scene in the coordinates of the grid: cells are one wide, the first corner is the origin.
+#pragma once
+
+#include <vector>
+
+#include "geometry/scene/scene_2.h"
+#include "kernel/int128.h"
+#include "kernel/vertices_2.h"
+
+namespace hottel {
+
+// A point or vector whose coordinates are good to about 2^-104 of the largest number that went into them.
+struct FinePoint2 {
+  DoubleDouble x, y;
+};
+FinePoint2 operator-(const FinePoint2& a, const FinePoint2& b);
+inline FinePoint2 operator-(const FinePoint2& a) { return {{-a.x.hi, -a.x.lo}, {-a.y.hi, -a.y.lo}}; }
+inline constexpr double kFine = 0x1p-102;  // more than the relative error of a coordinate or of a difference
+
+// A vector in doubles.
+struct Vector2 {
+  double x, y;
+  friend Vector2 operator+(const Vector2& a, const Vector2& b) { return {a.x + b.x, a.y + b.y}; }
+  friend Vector2 operator-(const Vector2& a, const Vector2& b) { return {a.x - b.x, a.y - b.y}; }
+  friend Vector2 operator*(double t, const Vector2& a) { return {t * a.x, t * a.y}; }
+};
+inline double cross(const Vector2& a, const Vector2& b) { return a.x * b.y - a.y * b.x; }
+inline double dot(const Vector2& a, const Vector2& b) { return a.x * b.x + a.y * b.y; }
+inline Vector2 rounded(const FinePoint2& p) { return {p.x.hi, p.y.hi}; }
+
+// Signed distance from a line, in the unit of the frame.
+//
+//   (1) at() is within doubt() of the real distance, up to eight roundings of the distance itself
+//   (2) doubt() is infinite or no number when the direction was lost in the coordinates
+class CutLine2 {
+ public:
+  CutLine2() = default;
+  // Positive on the left of the direction. reach: at least the sum of |coordinates| of every place that is asked for.
+  CutLine2(const FinePoint2& point, const FinePoint2& direction, double size_of_direction, double reach);
+
+  double at(const FinePoint2& place) const;
+  double doubt() const { return doubt_; }
+  // The same in doubles, within rough_doubt() of the real distance.
+  double rough(const FinePoint2& place) const { return dot(gradient_, rounded(place) - rounded(point_)); }
+  double rough_doubt() const { return rough_doubt_; }
+  const Vector2& gradient() const { return gradient_; }
+
+ private:
+  FinePoint2 point_, direction_;
+  double inverse_length_ = 0, doubt_ = 0, rough_doubt_ = 0;
+  Vector2 gradient_{0, 0};
+};
+
+// The places of vertices and cells.
+class CellFrame2 {
+ public:
+  CellFrame2(const Vertices2& vertices, const Grid2& grid);
+
+  const FinePoint2& vertex(VertexId v) const { return vertices_[v]; }
+  FinePoint2 centre(std::uint32_t ix, std::uint32_t iy) const { return {{ix + 0.5, 0}, rows_[iy]}; }
+  double height() const { return height_.hi; }  // of a cell, rounded
+  std::uint32_t nx() const { return nx_; }
+  std::uint32_t ny() const { return static_cast<std::uint32_t>(rows_.size()); }
+  double extent() const { return extent_; }  // at least |x| + |y| of every place in the grid
+
+ private:
+  std::uint32_t nx_;
+  DoubleDouble height_;
+  std::vector<DoubleDouble> rows_;
+  std::vector<FinePoint2> vertices_;
+  double extent_;
+};
+
+}  // namespace hottel
