@@ -1,6 +1,8 @@
 // What all ways to compute view factors have in common, exact or approximate.
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +10,7 @@
 
 #include "geometry/exchange/exchange_2.h"
 #include "kernel/enclosure.h"
+#include "solver/methods/written_factors.h"
 
 namespace hottel {
 
@@ -22,10 +25,11 @@ struct MethodInfo {
 
 // How a matrix came about.
 struct MethodReport {
-  double row_defect = 0;                 // max |sum_j F_ij - 1| as computed, before any normalisation
-  std::optional<double> standard_error;  // of the worst factor, where the method is random
-  std::optional<double> seconds;         // where the method knows better than who called it (an outside command)
-  std::vector<std::string> notes;        // e.g. the seed
+  double row_defect = 0;                  // max |sum_j F_ij - 1| as computed, before any normalisation
+  std::optional<double> standard_error;   // of the worst factor, where the method is random
+  std::optional<double> seconds;          // where the method knows better than who called it (an outside command)
+  std::optional<WrittenFactors> written;  // where the factors were read from a file
+  std::vector<std::string> notes;         // e.g. the seed
 };
 
 // A way to compute the view factors of the elements of a prepared scene.
@@ -34,7 +38,11 @@ struct MethodReport {
 //       iff the exact matrix has it; the sky is a column
 //   (2) the same call gives the same matrix bit for bit, for any number of threads
 //   (3) a matrix that is not kExact says nothing of its factors' true values: FactorEntry::factor.side is 0
-//   (4) max |F - exact F| <= declared_error, on scenes for which one is declared
+//   (4) |F_ij - exact F_ij| <= claimed_errors(prepared)(i, j) for every pair, and <= declared_error where there is one
+//   (5) a method that looks into every direction says how much of the sky it sees. One that looks at pairs only has no
+//       entry for the sky in the rows of elements inside closed walls; an element whose front borders the open space
+//       (open_space_2.h) leaves to the sky what the other factors leave of 1: max(0, 1 - their sum). So the row defect
+//       shows all that is wrong with a row inside closed walls, and with one in the open if it sums to more than 1
 class ExchangeMethod2 {
  public:
   virtual ~ExchangeMethod2() = default;
@@ -46,6 +54,14 @@ class ExchangeMethod2 {
   // What the method claims of its largest error on a scene, before it is run: a bound that follows from its reference
   // and the scene's geometry. Nothing where the method claims nothing.
   virtual std::optional<double> declared_error(const PreparedScene2& prepared) const = 0;
+
+  // The same for every factor F(from, to), the sky included; infinity where nothing is claimed. Unless a method knows
+  // better it claims of each what it claims of all. REQUIRES that `prepared` outlives what is returned.
+  using ClaimedErrors = std::function<double(std::uint32_t from, std::uint32_t to)>;
+  virtual ClaimedErrors claimed_errors(const PreparedScene2& prepared) const {
+    const double of_all = declared_error(prepared).value_or(std::numeric_limits<double>::infinity());
+    return [of_all](std::uint32_t, std::uint32_t) { return of_all; };
+  }
 };
 
 }  // namespace hottel

@@ -1,0 +1,37 @@
+// What is known of numbers that were read from a file: how finely they were written, and which were there.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace hottel {
+
+// How many digits a file spends on its numbers. A number that was printed stands for an interval: half a unit of the
+// last place to each side. Shortest decimals drop zeros at the end, so the digits are those of the file as a whole, not
+// of one number; and since "%.6f" keeps decimals and "%.6g" significant digits, the coarser of the two counts.
+//
+//   (1) a number correctly rounded to the file's digits differs from what was meant by no more than rounding(value)
+struct WrittenDigits {
+  int decimals = 0;     // the most places after the point
+  int significant = 0;  // the most significant digits; 0: nothing was printed, rounding(v) is relative * |v|
+  double relative = 0;  // of a binary format: 2^-24 for single, 2^-53 for double precision
+
+  double rounding(double value) const {
+    if (significant == 0) return relative * std::abs(value);
+    constexpr int kFewest = 3;  // nobody prints fewer; "0.5" alone does not mean 0.45 to 0.55
+    double unit = std::pow(10.0, -std::max(decimals, kFewest));
+    if (value != 0)
+      unit =
+          std::max(unit, std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - std::max(significant, kFewest)));
+    return 0.5 * unit;
+  }
+};
+
+// Factors of a file, laid out as the elements of a scene.
+struct WrittenFactors {
+  WrittenDigits digits;
+  std::vector<char> has_column;  // by element, the sky last: the file has a place for what goes there
+};
+
+}  // namespace hottel
