@@ -13,7 +13,7 @@
 #include "io/scene_json.h"
 #include "kernel/failure.h"
 #include "kernel/stopwatch.h"
-#include "solver/illumination/illumination_grid_2.h"
+#include "solver/illumination/average_illumination_2.h"
 #include "solver/plan.h"
 #include "solver/system/radiosity.h"
 #include "viewer/picture/illumination_picture_2.h"
@@ -97,6 +97,26 @@ std::string small_scene_text(const ExchangeMatrix& matrix, const RadiositySoluti
   return text;
 }
 
+// The light on the grid by the way that was asked for, and the proven bound on its values where there is one.
+struct Light {
+  IlluminationGrid grid;
+  std::optional<double> max_error{};
+};
+
+Light illuminate(const std::string& way, const PreparedScene2& prepared, const Grid2& grid, Per per,
+                 const RadiositySolution& solution, const std::function<void(double)>& progress) {
+  const auto channels = static_cast<std::uint32_t>(solution.channels.size());
+  const std::vector<double> by_element = radiosity_by_element(solution);
+  const std::vector<double> sky = sky_by_channel(prepared.scene.sky_emission, channels);
+  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
+  if (way == "inverse-square")
+    return {illuminate_inverse_square(prepared, grid, labels, by_element, channels, progress)};
+  const FaceRadiosity2 faces(prepared.arrangement, labels, by_element, sky);
+  if (way == "point") return {illuminate_points(prepared, grid, faces, progress)};
+  AverageIllumination averages = illuminate_averages(prepared, grid, faces, progress);
+  return {std::move(averages.grid), averages.max_error};
+}
+
 constexpr std::size_t kFacesOnAScreen = 12;
 
 ExitCode solve(const SolveOptions& options, Streams& streams) {
@@ -146,15 +166,8 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
     streams.note(fmt::format("--iterations and --until do not apply to {}, which is direct", to_string(solution.used)));
   seconds["radiosity"] = watch.lap();
 
-  const auto channels = static_cast<std::uint32_t>(solution.channels.size());
-  const std::vector<double> by_element = radiosity_by_element(solution);
-  const std::vector<double> sky = sky_by_channel(prepared.scene.sky_emission, channels);
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
-  const IlluminationGrid light =
-      options.illumination == "inverse-square"
-          ? illuminate_inverse_square(prepared, grid, labels, by_element, channels, streams.progress("illumination"))
-          : illuminate_points(prepared, grid, FaceRadiosity2(prepared.arrangement, labels, by_element, sky),
-                              streams.progress("illumination"));
+  const auto [light, light_error] =
+      illuminate(options.illumination, prepared, grid, per, solution, streams.progress("illumination"));
   seconds["illumination"] = watch.lap();
 
   const IlluminationPicture2 picture{.tone = *tone, .exposure = options.exposure};
@@ -163,8 +176,8 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   painter.draw(canvas);
   seconds["picture"] = watch.lap();
 
-  SolveReport report{options.scene,         &plan, &exchange, &solution, seconds, to_string(solution.used),
-                     painter.tone().scale()};
+  SolveReport report{options.scene,          &plan,      &exchange, &solution, seconds, to_string(solution.used),
+                     painter.tone().scale(), light_error};
   write_radiosity_csv(prepared.scene, matrix, solution, [&csv](std::string_view text) { csv.write(text); });
   const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
   write_npy(shape, light.values, [&npy](std::string_view bytes) { npy.write(bytes); });
@@ -209,9 +222,11 @@ void add_solve(Commands& commands) {
       ->check(CLI::NonNegativeNumber);
   command.add_option("--grid", options->grid, "cells of the illumination over the scene's region")->type_name("NXxNY");
   command
-      .add_option("--illumination", options->illumination,
-                  "point: mean irradiance at cell centres, exact visibility; inverse-square: the source formula")
-      ->check(CLI::IsMember({"point", "inverse-square"}))
+      .add_option(
+          "--illumination", options->illumination,
+          "point: mean irradiance at cell centres, exact visibility; average: its mean over each cell, in closed "
+          "form with a proven bound; inverse-square: the source formula")
+      ->check(CLI::IsMember({"point", "average", "inverse-square"}))
       ->capture_default_str();
   command.add_option("--tone", options->tone, "linear, reinhard, log or max (the largest value is 1)")
       ->type_name("TONE")

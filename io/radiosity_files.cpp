@@ -80,6 +80,7 @@ std::string report_json(const SolveReport& report) {
                     {"to_sky", solution.energy.to_sky},
                     {"defect", solution.energy.defect}};
   json["bounds"] = {{"max_relative_width", solution.max_relative_width}};
+  if (report.illumination_max_error) json["bounds"]["illumination_max_error"] = *report.illumination_max_error;
   json["picture"] = {{"scale", report.picture_scale}};
   json["notes"] = solution.notes;
   return json.dump(2) + "\n";
@@ -97,6 +98,9 @@ std::string report_text(const SolveReport& report) {
   text +=
       fmt::format("energy: emitted {:.6g}, absorbed {:.6g}, to the sky {:.6g}, defect {:.1e}\n",
                   solution.energy.emitted, solution.energy.absorbed, solution.energy.to_sky, solution.energy.defect);
+  if (report.illumination_max_error)
+    text += fmt::format("illumination: averages over cells, each within {:.1e} for these radiosities\n",
+                        *report.illumination_max_error);
   for (const std::string& note : solution.notes) text += "note: " + note + "\n";
   text += "seconds:";
   double total = 0;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,7 +30,8 @@ struct SolveReport {
   const RadiositySolution* solution = nullptr;
   std::map<std::string, double> seconds{};  // of stages that ran
   std::string solver{};
-  double picture_scale = 1;  // what a value was multiplied by before the tone curve
+  double picture_scale = 1;                        // what a value was multiplied by before the tone curve
+  std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
 };
 
 // Returns the report as one JSON object (the contract's report.json), and as text for people.
