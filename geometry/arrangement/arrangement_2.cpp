@@ -1,7 +1,5 @@
 #include "geometry/arrangement/arrangement_2.h"
 
-#include <optional>
-
 #include "geometry/arrangement/hilbert_order_2.h"
 #include "geometry/arrangement/point_index_2.h"
 #include "kernel/failure.h"
@@ -56,10 +54,10 @@ Arrangement2::Arrangement2(const Scene2& scene, const Division& division) {
   triangulation_ = Triangulation2(overlay_.vertices, overlay_.pieces);
 }
 
-std::vector<Arrangement2::Source> Arrangement2::sources(std::size_t piece) const {
+std::vector<PieceSource2> Arrangement2::sources(std::size_t piece) const {
   const Segment2& p = overlay_.pieces[piece];
   const bool ascends = vertices().precedes(p.a, p.b);
-  std::vector<Source> result;
+  std::vector<PieceSource2> result;
   for (const std::uint32_t s : overlay_.sources(piece))
     result.push_back({segment_part_[s].surface, segment_part_[s].part,
                       vertices().precedes(segments_[s].a, segments_[s].b) != ascends});
@@ -67,41 +65,25 @@ std::vector<Arrangement2::Source> Arrangement2::sources(std::size_t piece) const
 }
 
 void Arrangement2::assign_owners(const Scene2& scene) {
-  struct Claim {
-    FacePart face;
-    const Material* material;
-  };
   owner_.resize(2 * pieces().size());
   for (std::size_t piece = 0; piece < pieces().size(); ++piece) {
-    const std::vector<Source> covering = sources(piece);
+    const std::vector<PieceSource2> covering = sources(piece);
     for (const bool right : {false, true}) {
-      std::optional<Claim> winner;
-      for (const Source& source : covering) {
-        const Surface2& surface = scene.surfaces[source.surface];
-        const bool is_back = source.is_reversed == right;  // the front is the right side of the surface
-        const Material* material = !is_back       ? &scene.materials[surface.material]
-                                   : surface.back ? &scene.materials[*surface.back]
-                                                  : nullptr;
-        const Claim claim{{source.surface, source.part, is_back}, material};
-        if (!winner) {
-          winner = claim;
-        } else if (material != nullptr && winner->material == nullptr) {
-          winner = claim;
-        } else if (material != nullptr && !(*material == *winner->material)) {
-          const Surface2& first = scene.surfaces[winner->face.surface];
-          const Segment2& p = pieces()[piece];
-          throw InputError({scene.file, surface.line},
-                           "'" + first.name + "' (" + (winner->face.is_back ? "back" : "front") + ") and '" +
-                               surface.name + "' (" + (is_back ? "back" : "front") +
-                               ") claim the same side with different materials along " +
-                               text(vertices().to_scene(vertices().exact(p.a))) + " to " +
-                               text(vertices().to_scene(vertices().exact(p.b))),
-                           {"materials '" + winner->material->name + "' and '" + material->name + "', on the " +
-                                (right ? "right" : "left") + " of that piece",
-                            "give both the same material, or take one of the surfaces away"});
-        }
+      const auto [owner, rival] = owner_of_side(scene, covering, right);
+      if (rival) {
+        const Surface2 &first = scene.surfaces[owner.face.surface], &other = scene.surfaces[rival->face.surface];
+        const Segment2& p = pieces()[piece];
+        throw InputError({scene.file, other.line},
+                         "'" + first.name + "' (" + (owner.face.is_back ? "back" : "front") + ") and '" + other.name +
+                             "' (" + (rival->face.is_back ? "back" : "front") +
+                             ") claim the same side with different materials along " +
+                             text(vertices().to_scene(vertices().exact(p.a))) + " to " +
+                             text(vertices().to_scene(vertices().exact(p.b))),
+                         {"materials '" + owner.material->name + "' and '" + rival->material->name + "', on the " +
+                              (right ? "right" : "left") + " of that piece",
+                          "give both the same material, or take one of the surfaces away"});
       }
-      owner_[2 * piece + (right ? 1 : 0)] = winner->face;
+      owner_[2 * piece + (right ? 1 : 0)] = owner.face;
     }
   }
 }

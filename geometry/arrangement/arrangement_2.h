@@ -4,19 +4,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/arrangement/claims_2.h"
 #include "geometry/arrangement/overlay_2.h"
 #include "geometry/arrangement/triangulation_2.h"
 #include "geometry/scene/scene_2.h"
 
 namespace hottel {
-
-// One side of a surface, or one part of a side that carries elements.
-struct FacePart {
-  std::uint32_t surface = 0;
-  std::uint32_t part = 0;  // 0 .. parts - 1, from the surface's first to its second point
-  bool is_back = false;
-  friend bool operator==(const FacePart&, const FacePart&) = default;
-};
 
 // How many equal parts each surface is cut into.
 using Division = std::vector<std::uint32_t>;
@@ -38,12 +31,8 @@ class Arrangement2 {
   const FacePart& owner(PieceSideId side) const { return owner_[static_cast<std::size_t>(side)]; }
   std::size_t side_count() const { return owner_.size(); }
 
-  // Input segments (parts of surfaces) that cover a piece.
-  struct Source {
-    std::uint32_t surface, part;
-    bool is_reversed;  // the surface runs against the piece
-  };
-  std::vector<Source> sources(std::size_t piece) const;
+  // Input segments that cover a piece, in the order of the scene.
+  std::vector<PieceSource2> sources(std::size_t piece) const;
 
  private:
   void assign_owners(const Scene2& scene);

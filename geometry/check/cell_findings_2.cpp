@@ -1,0 +1,186 @@
+#include "geometry/check/cell_findings_2.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <unordered_map>
+
+#include "geometry/check/wording.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffff;
+constexpr std::uint32_t kSeveral = 0xfffffffe;
+
+std::size_t index(PieceSideId side) { return static_cast<std::size_t>(side); }
+
+// Joins vertices that pieces connect.
+class VertexUnion {
+ public:
+  VertexId root(VertexId v) {
+    for (VertexId* parent = &of(v); *parent != v; parent = &of(v)) v = *parent = of(*parent);
+    return v;
+  }
+  void join(VertexId a, VertexId b) { of(root(a)) = root(b); }
+
+ private:
+  VertexId& of(VertexId v) { return parent_.try_emplace(v, v).first->second; }
+  std::unordered_map<VertexId, VertexId> parent_;
+};
+
+class CellTeller {
+ public:
+  CellTeller(const PreparedScene2& prepared, const Cells2& cells)
+      : scene_(prepared.scene), arrangement_(prepared.arrangement), cells_(cells) {
+    cell_of_face_.assign(2 * scene_.surfaces.size(), kNone);
+    for (std::size_t side = 0; side < arrangement_.side_count(); ++side) {
+      std::uint32_t& cell = cell_of_face_[face(static_cast<PieceSideId>(side))];
+      const std::uint32_t here = cells.of(static_cast<PieceSideId>(side));
+      cell = cell == kNone || cell == here ? here : kSeveral;
+    }
+    residents_.resize(cells.count());
+    for (std::uint32_t f = 0; f < cell_of_face_.size(); ++f)
+      if (cell_of_face_[f] < cells.count() && material(f) != nullptr) residents_[cell_of_face_[f]].push_back(f);
+  }
+
+  Findings tell() {
+    auto rooms = std::count_if(residents_.begin() + 1, residents_.end(), [](auto& faces) { return !faces.empty(); });
+    if (has_outsider()) ++rooms;
+    for (std::uint32_t cell = 1; cell < cells_.count(); ++cell) {
+      if (residents_[cell].empty()) continue;
+      const std::vector<PieceSideId> walls = outer_walls(cell);
+      if (tell_black(walls)) continue;
+      if (is_reversed_solid(cell, walls))
+        tell_reversed_solid(walls);
+      else if (rooms > 1)
+        tell_isolated(cell);
+    }
+    return std::move(findings_);
+  }
+
+ private:
+  std::uint32_t face(PieceSideId side) const {
+    const FacePart& owner = arrangement_.owner(side);
+    return 2 * owner.surface + (owner.is_back ? 1 : 0);
+  }
+  const Material* material(std::uint32_t face) const {
+    const Surface2& surface = scene_.surfaces[face / 2];
+    if (face % 2 == 0) return &scene_.materials[surface.material];
+    return surface.back ? &scene_.materials[*surface.back] : nullptr;
+  }
+  const Segment2& piece(PieceSideId side) const { return arrangement_.pieces()[index(side) / 2]; }
+
+  // Some group has all its faces with a material in the unbounded cell. (The underside of a box on a floor is there
+  // too.)
+  bool has_outsider() const {
+    std::vector<char> is_outside(scene_.groups.size(), 1);
+    for (std::uint32_t f = 0; f < cell_of_face_.size(); ++f)
+      if (cell_of_face_[f] != kNone && cell_of_face_[f] != 0 && material(f) != nullptr)
+        is_outside[scene_.surfaces[f / 2].group] = 0;
+    return std::any_of(residents_[0].begin(), residents_[0].end(),
+                       [&](std::uint32_t f) { return is_outside[scene_.surfaces[f / 2].group] != 0; });
+  }
+
+  // The sides around the cell that something else lies behind; those of what stands in it left out.
+  std::vector<PieceSideId> outer_walls(std::uint32_t cell) const {
+    VertexUnion parts;
+    VertexId least = piece(cells_.sides(cell).front()).a;
+    for (const PieceSideId side : cells_.sides(cell)) {
+      parts.join(piece(side).a, piece(side).b);
+      for (const VertexId v : {piece(side).a, piece(side).b})
+        if (arrangement_.vertices().precedes(v, least)) least = v;
+    }
+    std::vector<PieceSideId> walls;
+    for (const PieceSideId side : cells_.sides(cell))
+      if (cells_.of(side ^ 1) != cell && parts.root(piece(side).a) == parts.root(least)) walls.push_back(side);
+    return walls;
+  }
+
+  std::vector<std::uint32_t> surfaces_of(const std::vector<PieceSideId>& sides) const {
+    std::vector<std::uint32_t> surfaces;
+    for (const PieceSideId side : sides) surfaces.push_back(face(side) / 2);
+    std::sort(surfaces.begin(), surfaces.end());
+    surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+    return surfaces;
+  }
+
+  std::vector<std::uint32_t> black_surfaces(const std::vector<PieceSideId>& walls) const {
+    std::vector<PieceSideId> black;
+    std::copy_if(walls.begin(), walls.end(), std::back_inserter(black),
+                 [this](PieceSideId side) { return material(face(side)) == nullptr; });
+    return surfaces_of(black);
+  }
+
+  // Walls whose fronts alone stand in the cell, do not emit, and turn black backs to one cell with other faces in it.
+  bool is_reversed_solid(std::uint32_t cell, const std::vector<PieceSideId>& walls) const {
+    const std::uint32_t around = cells_.of(walls.front() ^ 1);
+    if (residents_[around].empty() || cells_.sides(cell).size() != walls.size()) return false;
+    return std::all_of(walls.begin(), walls.end(), [&](PieceSideId side) {
+      return face(side) % 2 == 0 && material(face(side))->emission.is_zero() && cells_.of(side ^ 1) == around &&
+             material(face(side ^ 1)) == nullptr;
+    });
+  }
+
+  void add(Severity severity, const char* kind, const std::vector<std::uint32_t>& surfaces, std::string message,
+           std::string suggestion) {
+    const Surface2& first = scene_.surfaces[surfaces.front()];
+    findings_.push_back(
+        {severity, kind, surfaces, middle(first.from, first.to), std::move(message), std::move(suggestion)});
+  }
+
+  // Returns true when all walls are black.
+  bool tell_black(const std::vector<PieceSideId>& walls) {
+    const std::vector<std::uint32_t> black = black_surfaces(walls);
+    if (black.empty()) return false;
+    const std::string names = names_text(scene_, black);
+    const bool is_whole = black.size() == surfaces_of(walls).size();
+    if (is_whole)
+      add(Severity::kWarning, "inside-out", black,
+          fmt::format("the room within {} has black walls: their fronts look outward, their backs toward what stands "
+                      "in the room",
+                      names),
+          "list the points the other way round (clockwise around a room), or give a \"back\"");
+    else
+      add(Severity::kWarning, "black-inside", black,
+          fmt::format("the back{} of {} {} of a room and black: no light comes back from there",
+                      black.size() == 1 ? "" : "s", names, black.size() == 1 ? "is a wall" : "are walls"),
+          "give a \"back\", or swap the points where the front should look into the room");
+    return is_whole;
+  }
+
+  void tell_reversed_solid(const std::vector<PieceSideId>& walls) {
+    const std::vector<std::uint32_t> surfaces = surfaces_of(walls);
+    add(Severity::kWarning, "inside-out", surfaces,
+        fmt::format("{} enclose a space without light that their fronts look into; what stands around them sees black "
+                    "backs",
+                    names_text(scene_, surfaces)),
+        "list the points the other way round (counter-clockwise around a solid), or give a \"back\"");
+  }
+
+  void tell_isolated(std::uint32_t cell) {
+    std::vector<std::uint32_t> surfaces;
+    for (const std::uint32_t f : residents_[cell])
+      if (surfaces.empty() || surfaces.back() != f / 2) surfaces.push_back(f / 2);
+    add(Severity::kNote, "isolated-cell", surfaces,
+        fmt::format("{} exchange light with each other only: nothing passes into or out of their room",
+                    names_text(scene_, surfaces)),
+        "nothing to do where that is meant");
+  }
+
+  const Scene2& scene_;
+  const Arrangement2& arrangement_;
+  const Cells2& cells_;
+  std::vector<std::uint32_t> cell_of_face_;            // by 2 surface + back; kNone: owns nothing, kSeveral
+  std::vector<std::vector<std::uint32_t>> residents_;  // by cell: faces with a material that are wholly in it
+  Findings findings_;
+};
+
+}  // namespace
+
+Findings cell_findings(const PreparedScene2& prepared, const Cells2& cells) {
+  return CellTeller(prepared, cells).tell();
+}
+
+}  // namespace hottel

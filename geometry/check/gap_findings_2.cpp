@@ -1,0 +1,95 @@
+#include "geometry/check/gap_findings_2.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "geometry/check/wording.h"
+#include "geometry/exchange/exchange_2.h"
+#include "geometry/scene/name.h"
+
+namespace hottel {
+namespace {
+
+// The face that loses the largest part of its light into a gap.
+struct Leak {
+  std::string face;
+  double factor = 0;
+};
+
+// The scene with a black surface across each near miss, after the surfaces of the scene.
+Scene2 with_gaps_filled(Scene2 scene, const std::vector<NearMiss2>& near_misses) {
+  const auto material = static_cast<std::uint32_t>(scene.materials.size());
+  scene.materials.push_back({"gap", {}, {}});
+  for (const NearMiss2& miss : near_misses) {
+    Surface2 surface;
+    surface.from = miss.tip;
+    surface.to = miss.foot;
+    surface.material = material;
+    surface.back = material;
+    surface.group = static_cast<std::uint32_t>(scene.groups.size());
+    scene.groups.emplace_back("gap");
+    scene.surfaces.push_back(std::move(surface));
+  }
+  return scene;
+}
+
+// By near miss; nothing where no face with a material loses light.
+std::vector<std::optional<Leak>> leaks(const Scene2& scene, const std::vector<NearMiss2>& near_misses) {
+  const std::size_t own = scene.surfaces.size();
+  const ExchangeMatrix matrix =
+      exact_exchange(prepare(with_gaps_filled(scene, near_misses)), {.per = Per::kFace, .wants_visibility = false});
+  std::vector<std::optional<Leak>> result(near_misses.size());
+  for (std::uint32_t gap = 0; gap < matrix.size(); ++gap) {
+    const std::uint32_t surface = matrix.elements()[gap].surface;
+    if (surface < own || !matrix.has_row(gap)) continue;
+    std::optional<Leak>& leak = result[surface - own];
+    for (const FactorEntry& entry : matrix.row(gap)) {
+      if (entry.to == matrix.sky() || matrix.elements()[entry.to].surface >= own || !matrix.has_row(entry.to)) continue;
+      const double factor = matrix.factor(entry.to, gap).value;
+      if (!leak || factor > leak->factor) leak = {matrix.elements()[entry.to].name, factor};
+    }
+  }
+  return result;
+}
+
+Finding tell(const Scene2& scene, const NearMiss2& miss, const std::optional<Leak>& leak) {
+  std::vector<std::uint32_t> surfaces = miss.surfaces;
+  surfaces.push_back(miss.target);
+  const std::string ends =
+      fmt::format("{} of {}", miss.surfaces.size() == 1 ? "the end" : "the corner", names_text(scene, miss.surfaces));
+  const std::string target = quoted_name(scene.surfaces[miss.target].name);
+  const std::string distance = length_text(miss.squared_distance);
+  if (miss.sticks_out)
+    return {Severity::kWarning,
+            "overshoot",
+            surfaces,
+            miss.tip,
+            fmt::format("{} sticks {} out of {}: a stub that casts a shadow of its own", ends, distance, target),
+            fmt::format("end it on {} at {}", target, place_text(miss.foot))};
+  std::string text = fmt::format("{} is {} from {} of {}, {}", ends, distance,
+                                 miss.is_at_end ? "the end" : "the nearest point", target, place_text(miss.foot));
+  if (leak)
+    text += fmt::format(": through the gap goes F = {} of the light of '{}'", shortest(leak->factor), leak->face);
+  return {Severity::kWarning,
+          "near-miss",
+          surfaces,
+          miss.tip,
+          text,
+          fmt::format("if they should touch, give both the same point{}",
+                      miss.is_at_end ? "" : ", or let it end exactly on the edge: a coordinate may be a fraction")};
+}
+
+}  // namespace
+
+Findings gap_findings(const Scene2& scene, const std::vector<NearMiss2>& near_misses, bool with_factors) {
+  std::vector<std::optional<Leak>> leak(near_misses.size());
+  if (with_factors && std::any_of(near_misses.begin(), near_misses.end(), [](auto& miss) { return !miss.sticks_out; }))
+    leak = leaks(scene, near_misses);
+  Findings findings;
+  for (std::size_t k = 0; k < near_misses.size(); ++k) findings.push_back(tell(scene, near_misses[k], leak[k]));
+  return findings;
+}
+
+}  // namespace hottel

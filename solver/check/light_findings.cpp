@@ -1,0 +1,143 @@
+#include "solver/check/light_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "geometry/check/wording.h"
+#include "geometry/scene/name.h"
+#include "solver/plan.h"
+#include "solver/system/radiosity_system.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kResidual = 1e-12;
+
+// What becomes of light in one component, over all channels.
+struct Fate {
+  bool is_lit = false, has_no_solution = false, reflects_all = false;
+  double iterations = 0;  // of jacobi
+};
+
+using Faces = std::vector<std::uint32_t>;  // elements of the matrix, ascending
+
+void add_fates(const Scene2& scene, const ExchangeMatrix& matrix, int channel, std::map<Faces, Fate>& fates) {
+  const RadiositySystem system(matrix, scene.materials, channel);
+  const Sources sources = system.sources(scene.materials, scene.sky_emission, channel);
+  const std::size_t count = system.components().size();
+  std::vector<Faces> faces(count);
+  std::vector<double> area(count), lost(count);
+  for (const SystemRow& row : system.rows()) {
+    double out = 0;
+    for (const FactorEntry& entry : matrix.row(row.element))
+      if (system.unknown(entry.to) < 0) out += entry.factor.value;
+    const double size = matrix.elements()[row.element].area.value;
+    area[row.component] += size;
+    lost[row.component] += size * (row.loss.hi + row.reflectivity.hi * out);
+    faces[row.component].push_back(row.element);
+  }
+  for (std::size_t c = 0; c < count; ++c) {
+    Fate& fate = fates[faces[c]];
+    const bool is_lit = sources.is_lit[c] != 0, loses = system.components()[c].loses;
+    fate.is_lit |= is_lit;
+    fate.has_no_solution |= !loses && is_lit;
+    fate.reflects_all |= !loses;
+    // The spectral radius is at least its Rayleigh quotient for equal irradiances.
+    const double loss = lost[c] / area[c];
+    if (loss > 0 && loss < 1) fate.iterations = std::max(fate.iterations, std::log(kResidual) / std::log1p(-loss));
+  }
+}
+
+class LightTeller {
+ public:
+  LightTeller(const Scene2& scene, const ExchangeMatrix& matrix) : scene_(scene), matrix_(matrix) {}
+
+  Findings tell() {
+    std::map<Faces, Fate> fates;
+    for (int channel = 0; channel < channel_count(scene_); ++channel) add_fates(scene_, matrix_, channel, fates);
+    for (const auto& [faces, fate] : fates) tell_component(faces, fate);
+    if (!scene_.surfaces.empty() && !has_source())
+      add(Severity::kNote, "no-light", {}, "nothing emits: every radiosity is 0",
+          "view factors do not need any light; to solve, give a material or the sky an emission");
+    tell_materials();
+    return std::move(findings_);
+  }
+
+ private:
+  void add(Severity severity, const char* kind, std::vector<std::uint32_t> surfaces, std::string message,
+           std::string suggestion) {
+    std::optional<Point2> at;
+    if (!surfaces.empty()) at = middle(scene_.surfaces[surfaces.front()].from, scene_.surfaces[surfaces.front()].to);
+    findings_.push_back({severity, kind, std::move(surfaces), at, std::move(message), std::move(suggestion)});
+  }
+
+  void tell_component(const Faces& faces, const Fate& fate) {
+    std::vector<std::uint32_t> surfaces;
+    for (const std::uint32_t face : faces)
+      if (surfaces.empty() || surfaces.back() != matrix_.elements()[face].surface)
+        surfaces.push_back(matrix_.elements()[face].surface);
+    const std::string names = names_text(scene_, surfaces);
+    if (fate.has_no_solution)
+      add(Severity::kError, "no-solution", surfaces,
+          fmt::format("all light that meets {} is reflected and none gets out, yet some is emitted there: it would "
+                      "grow without end",
+                      names),
+          "give one of them a reflectivity below 1, or open a way to the sky");
+    else if (fate.reflects_all)
+      add(Severity::kNote, "all-reflecting", surfaces,
+          fmt::format("all light that meets {} is reflected and none gets out, but none is emitted there either: "
+                      "radiosity is 0, the limit",
+                      names),
+          "nothing to do where that is meant");
+    else if (!fate.is_lit && has_source() && sees_material(faces.front()))
+      add(Severity::kNote, "dark", surfaces, fmt::format("no light reaches {}: radiosity is exactly 0", names),
+          "open a way for light, or let something there emit");
+    else if (fate.iterations >= kManyIterations)
+      add(Severity::kNote, "slow-convergence", surfaces,
+          fmt::format("light stays long between {}: jacobi needs about {:.2g} iterations or more for a residual of {}",
+                      names, fate.iterations, shortest(kResidual)),
+          "solve with cholesky or cg, as auto does; they do not mind");
+  }
+
+  // What sees nothing that could send light is told as that (sight_findings).
+  bool sees_material(std::uint32_t face) const {
+    const auto row = matrix_.row(face);
+    return std::any_of(row.begin(), row.end(), [this](const FactorEntry& entry) {
+      return entry.to != matrix_.sky() && matrix_.elements()[entry.to].material;
+    });
+  }
+
+  bool has_source() const {
+    return !scene_.sky_emission.is_zero() || std::any_of(scene_.surfaces.begin(), scene_.surfaces.end(), [&](auto& s) {
+      return !scene_.materials[s.material].emission.is_zero() ||
+             (s.back && !scene_.materials[*s.back].emission.is_zero());
+    });
+  }
+
+  void tell_materials() {
+    std::vector<char> is_used(scene_.materials.size(), 0);
+    for (const Surface2& surface : scene_.surfaces) {
+      is_used[surface.material] = 1;
+      if (surface.back) is_used[*surface.back] = 1;
+    }
+    for (std::size_t m = 0; m < is_used.size(); ++m)
+      if (!is_used[m])
+        add(Severity::kNote, "unused-material", {},
+            fmt::format("no surface has the material {}", quoted_name(scene_.materials[m].name)),
+            "take it away, or look for a surface that should have it");
+  }
+
+  const Scene2& scene_;
+  const ExchangeMatrix& matrix_;
+  Findings findings_;
+};
+
+}  // namespace
+
+Findings light_findings(const Scene2& scene, const ExchangeMatrix& matrix) { return LightTeller(scene, matrix).tell(); }
+
+}  // namespace hottel

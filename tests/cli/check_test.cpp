@@ -1,0 +1,112 @@
+// hottel check as a stranger meets it: streams, shape, exit codes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/cli/program.h"
+
+namespace hottel {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing_cli::lines_of;
+using testing_cli::Outcome;
+using testing_cli::Workplace;
+using Json = nlohmann::ordered_json;
+
+std::string scene(const std::string& edges, const std::string& rest = "") {
+  return "{\"hottel\": 1, \"dimension\": 2, \"materials\": {\"m\": {\"emission\": 1, \"reflectivity\": 0.5}},\n"
+         "\"polylines\": [{\"name\": \"room\", \"points\": [[0,0],[0,3],[4,3],[4,0]], \"closed\": true, "
+         "\"material\": \"m\"}],\n\"edges\": [\n" +
+         edges + "]" + rest + "}\n";
+}
+const std::string kDoor = R"({"name": "door", "points": [[2, 0], [2, 2.9999]], "material": "m", "back": "m"})";
+
+TEST(Check, JsonHasExactlyTheMembersOfTheContract) {
+  const Workplace place;
+  place.write("s.json", scene(kDoor));
+  const Outcome outcome = place.run("hottel check s.json --json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  const Json report = Json::parse(outcome.out);
+  ASSERT_EQ(report.size(), 1u);
+  ASSERT_EQ(report["findings"].size(), 2u);
+  for (const Json& finding : report["findings"]) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : finding.items()) keys.push_back(key);
+    EXPECT_THAT(keys, testing::ElementsAre("severity", "kind", "surfaces", "at", "line", "message", "suggestion"));
+  }
+  const Json& miss = report["findings"][0];
+  EXPECT_EQ(miss["severity"], "warning");
+  EXPECT_EQ(miss["kind"], "near-miss");
+  EXPECT_EQ(miss["surfaces"], (Json{"door", "room[1]"}));
+  EXPECT_EQ(miss["at"], (Json{2.0, 2.9999}));
+  EXPECT_EQ(miss["line"], 4);
+}
+
+TEST(Check, TextEndsWithACountAndSaysWhere) {
+  const Workplace place;
+  place.write("s.json", scene(kDoor));
+  const Outcome outcome = place.run("hottel check s.json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, StartsWith("s.json:4: warning: near-miss at (2, 2.9999): the end of 'door' is 1e-04 from"));
+  EXPECT_EQ(lines_of(outcome.out).back(), "0 errors, 1 warning, 1 note");
+  EXPECT_EQ(place.run("hottel check s.json --quiet").out, outcome.out);
+}
+
+TEST(Check, ExitsWith1IffThereIsAnError) {
+  const Workplace place;
+  place.write("open.json",
+              scene(R"({"name": "out", "points": [[5, 0], [6, 0]], "material": "m"})", ", \"closed\": true"));
+  place.write("conflict.json",
+              "{\"hottel\": 1, \"dimension\": 2, \"materials\": {\"m\": {}, \"n\": {\"emission\": 1}}, \"edges\": [\n"
+              "{\"name\": \"a\", \"points\": [[0, 0], [2, 0]], \"material\": \"m\"},\n"
+              "{\"name\": \"b\", \"points\": [[1, 0], [3, 0]], \"material\": \"n\"}]}\n");
+  for (const std::string options : {"", " --json", " --quiet"}) {
+    const Outcome open = place.run("hottel check open.json" + options);
+    EXPECT_EQ(open.code, 1);
+    EXPECT_THAT(open.out, HasSubstr("not-closed"));
+    EXPECT_EQ(open.err, "");
+    const Outcome conflict = place.run("hottel check conflict.json" + options);
+    EXPECT_EQ(conflict.code, 1);
+    EXPECT_THAT(conflict.out, HasSubstr("conflicting-claims"));
+  }
+  EXPECT_EQ(place.run("hottel solve open.json").code, 1);
+  EXPECT_EQ(place.run("hottel solve conflict.json").code, 3);
+}
+
+TEST(Check, AFileThatIsNoSceneIsRefusedAsEverywhere) {
+  const Workplace place;
+  place.write("bad.json", "{\"hottel\": 1,\n\"dimension\": 2,\n\"edges\": [{}]}\n");
+  for (const std::string options : {"", " --json"}) {
+    const Outcome outcome = place.run("hottel check bad.json" + options);
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, StartsWith("bad.json:3: "));
+  }
+  EXPECT_EQ(place.run("hottel check missing.json").code, 3);
+  EXPECT_EQ(place.run("hottel check").code, 2);
+}
+
+TEST(Check, OfOneKindTwentyAreShownAndTheRestIsCounted) {
+  const Workplace place;
+  std::string fins;
+  for (int k = 1; k <= 30; ++k)
+    fins += (k > 1 ? ",\n" : "") + std::string("{\"points\": [[0.") + (k < 10 ? "0" : "") + std::to_string(k) +
+            ", 0], [0." + (k < 10 ? "0" : "") + std::to_string(k) + ", 1]], \"material\": \"m\", \"back\": \"m\"}";
+  place.write("s.json", scene(fins));
+  const Outcome text = place.run("hottel check s.json");
+  std::size_t shown = 0;
+  for (const std::string& line : lines_of(text.out)) shown += line.find(": t-junction at") != std::string::npos;
+  EXPECT_EQ(shown, 20u);
+  EXPECT_THAT(text.out, EndsWith("and 10 more of t-junction (--json has them all)\n0 errors, 0 warnings, 30 notes\n"));
+  EXPECT_EQ(Json::parse(place.run("hottel check s.json --json").out)["findings"].size(), 30u);
+}
+
+}  // namespace
+}  // namespace hottel

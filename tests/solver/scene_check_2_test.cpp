@@ -1,0 +1,279 @@
+// One tiny scene for each kind of finding, and scenes in which there is nothing to find.
+#include "solver/check/scene_check_2.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/scene_json.h"
+#include "solver/system/radiosity.h"
+#include "tests/geometry/exchange_scenes.h"
+
+namespace hottel {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// A scene of white (0.5), black (0), mirror (1), bright (1 - 1e-6), red (0.5, 0.25, 0) and a lamp that emits 1.
+Scene2 scene_of(const std::string& edges, const std::string& rest = "") {
+  return parse_scene_2(R"({"hottel": 1, "dimension": 2, "materials": {"white": {"reflectivity": 0.5}, "black": {},
+      "mirror": {"reflectivity": 1}, "bright": {"reflectivity": 0.999999, "emission": 1}, "red": {"reflectivity": [0.5, 0.25, 0]},
+      "lamp": {"emission": 1, "reflectivity": 0.5}, "glowing mirror": {"emission": 1, "reflectivity": 1}},
+      "edges": [)" + edges +
+                           "]" + rest + "}",
+                       "test.json");
+}
+
+std::string edge(const std::string& name, const std::string& points, const std::string& material = "white",
+                 const std::string& back = "") {
+  return R"({"name": ")" + name + R"(", "points": [)" + points + R"(], "material": ")" + material + "\"" +
+         (back.empty() ? "" : R"(, "back": ")" + back + "\"") + "}";
+}
+
+// "polylines" with one closed ring, white.
+std::string ring(const std::string& points, const std::string& material = "white") {
+  return R"({"name": "ring", "points": [)" + points + R"(], "closed": true, "material": ")" + material + "\"}";
+}
+std::string rings(const std::vector<std::string>& list) {
+  std::string text;
+  for (const std::string& one : list) text += (text.empty() ? "" : ", ") + one;
+  return ", \"polylines\": [" + text + "]";
+}
+const std::string kRoom =
+    R"({"name": "room", "points": [[0,0],[0,3],[4,3],[4,0]], "closed": true, "material": "white"})";
+const std::string kLamp = edge("lamp", "[1, 2], [1.5, 2]", "lamp", "lamp");
+
+// Findings of all kinds but unused-material, of which every scene here has some.
+Findings found(const Scene2& scene) {
+  Findings findings = check_scene(scene).findings;
+  std::erase_if(findings, [](const Finding& finding) { return finding.kind == "unused-material"; });
+  return findings;
+}
+
+std::vector<std::string> kinds(const Findings& findings) {
+  std::vector<std::string> result;
+  for (const Finding& finding : findings)
+    result.push_back(std::string(to_string(finding.severity)) + " " + finding.kind);
+  return result;
+}
+
+std::vector<std::string> names(const Scene2& scene, const Finding& finding) {
+  std::vector<std::string> result;
+  for (const std::uint32_t s : finding.surfaces) result.push_back(scene.surfaces[s].name);
+  return result;
+}
+
+TEST(SceneCheck2, FindsNothingInARoomWithALamp) {
+  EXPECT_THAT(kinds(found(scene_of(kLamp, rings({kRoom})))), IsEmpty());
+}
+
+TEST(SceneCheck2, ConflictingClaimsAreAnErrorAtThePiece) {
+  const Scene2 scene =
+      scene_of(edge("a", "[0, 0], [2, 0]") + ", " + edge("b", "[1, 0], [3, 0]", "lamp") + ", " +
+               edge("c", "[5, 0], [6, 0]", "white", "red") + ", " + edge("d", "[6, 0], [5, 0]", "lamp", "white"));
+  const Findings findings = found(scene);
+  EXPECT_THAT(kinds(findings),
+              ElementsAre("error conflicting-claims", "error conflicting-claims", "warning nothing-left",
+                          "note overlap", "note duplicate", "note light-not-checked"));
+  EXPECT_THAT(names(scene, findings[0]), ElementsAre("a", "b"));
+  EXPECT_EQ(findings[0].at, (Point2{Rational(3, 2), 0}));
+  EXPECT_THAT(findings[0].message, AllOf(HasSubstr("the front of 'a' and the front of 'b' claim the right side"),
+                                         HasSubstr("from (1, 0) to (2, 0)"), HasSubstr("'white' and 'lamp'")));
+  EXPECT_THAT(names(scene, findings[1]), ElementsAre("c", "d"));
+  EXPECT_THAT(findings[1].message, HasSubstr("the back of 'c' and the front of 'd' claim the left side"));
+}
+
+TEST(SceneCheck2, ARepeatedSurfaceIsADuplicateOfWhichNothingIsLeft) {
+  const Scene2 scene =
+      scene_of(edge("a", "[1, 1], [2, 1]") + ", " + edge("b", "[1, 1], [2, 1]") + ", " + kLamp, rings({kRoom}));
+  const Findings findings = found(scene);
+  EXPECT_THAT(kinds(findings), ElementsAre("warning duplicate", "warning nothing-left"));
+  EXPECT_THAT(names(scene, findings[0]), ElementsAre("a", "b"));
+  EXPECT_THAT(names(scene, findings[1]), ElementsAre("b"));
+}
+
+TEST(SceneCheck2, AThinWallListedFromBothSidesIsANote) {
+  const Scene2 scene =
+      scene_of(edge("a", "[2, 0], [2, 3]") + ", " + edge("b", "[2, 3], [2, 0]", "lamp"), rings({kRoom}));
+  const Findings findings = found(scene);
+  EXPECT_THAT(kinds(findings), testing::IsSupersetOf({"note duplicate"}));
+  EXPECT_FALSE(std::any_of(findings.begin(), findings.end(), [](auto& f) { return f.severity != Severity::kNote; }));
+}
+
+TEST(SceneCheck2, AnOverlapTellsWhatLightMeetsOnEachSide) {
+  // A box stands on the floor of a room.
+  const Scene2 scene =
+      scene_of(kLamp, rings({kRoom, R"({"name": "box", "points": [[1,0],[2,0],[2,1],[1,1]], "closed": true,
+                                       "material": "white"})"}));
+  const Findings findings = found(scene);
+  ASSERT_THAT(kinds(findings), ElementsAre("note overlap", "note t-junction", "note t-junction"));
+  const auto overlap = std::find_if(findings.begin(), findings.end(), [](auto& f) { return f.kind == "overlap"; });
+  EXPECT_THAT(names(scene, *overlap), ElementsAre("room[3]", "box[0]"));
+  EXPECT_EQ(overlap->at, (Point2{Rational(3, 2), 0}));
+}
+
+TEST(SceneCheck2, AJunctionNamesWhatEndsWhere) {
+  const Scene2 scene = scene_of(edge("fin", "[2, 0], [2, 1]", "white", "white") + ", " + kLamp, rings({kRoom}));
+  const Findings findings = found(scene);
+  ASSERT_THAT(kinds(findings), ElementsAre("note t-junction"));
+  EXPECT_THAT(names(scene, findings[0]), ElementsAre("fin", "room[3]"));
+  EXPECT_EQ(findings[0].at, (Point2{2, 0}));
+  EXPECT_THAT(findings[0].message, HasSubstr("'fin' ends inside 'room[3]' at (2, 0)"));
+}
+
+TEST(SceneCheck2, ACrossingIsToldAtItsExactPlace) {
+  const Scene2 scene = scene_of(edge("a", "[1, 1], [2, 1.5]", "white", "white") + ", " +
+                                    edge("b", "[1, 1.5], [3, 1]", "white", "white") + ", " + kLamp,
+                                rings({kRoom}));
+  const Findings findings = found(scene);
+  ASSERT_THAT(kinds(findings), ElementsAre("note crossing"));
+  EXPECT_EQ(findings[0].at, (Point2{Rational(5, 3), Rational(4, 3)}));
+  EXPECT_THAT(findings[0].message, HasSubstr("'a' and 'b' cross at (5/3, 4/3)"));
+}
+
+TEST(SceneCheck2, ANearMissTellsItsWidthAndTheLightThatPasses) {
+  const Scene2 scene =
+      scene_of(edge("door", "[2, 0], [2, 2.9999999968]", "white", "white") + ", " + kLamp, rings({kRoom}));
+  const Findings findings = found(scene);
+  ASSERT_THAT(kinds(findings), ElementsAre("warning near-miss", "note t-junction"));
+  EXPECT_THAT(names(scene, findings[0]), ElementsAre("door", "room[1]"));
+  EXPECT_THAT(findings[0].message, AllOf(HasSubstr("the end of 'door' is 3.2e-09 from"), HasSubstr("(2, 3)")));
+  // Half of the room sees the gap best from the far lower corner: the factor of its wall in closed form.
+  const std::size_t place = findings[0].message.find("F = ");
+  ASSERT_NE(place, std::string::npos);
+  const double leak = std::stod(findings[0].message.substr(place + 4));
+  EXPECT_GT(leak, 1e-10);
+  EXPECT_LT(leak, 3.2e-9);  // width over the shortest length
+}
+
+TEST(SceneCheck2, ALeakIsTheFactorTowardTheGap) {
+  // Two strips of length 1 facing each other through a gap of 1e-6 in a wall half way: the strings through the gap.
+  const Scene2 scene = scene_of(edge("below", "[1, 0], [-1, 0]") + ", " + edge("above", "[-1, 2], [1, 2]") + ", " +
+                                edge("left", "[-1, 1], [-0.0000005, 1]", "white", "white") + ", " +
+                                edge("right", "[0.0000005, 1], [1, 1]", "white", "white"));
+  const Findings findings = found(scene);
+  const auto miss = std::find_if(findings.begin(), findings.end(), [](auto& f) { return f.kind == "near-miss"; });
+  ASSERT_NE(miss, findings.end());
+  const double leak = std::stod(miss->message.substr(miss->message.find("F = ") + 4));
+  const double h = 5e-7, crossed = 2 * std::hypot(1 + h, 1.0), uncrossed = 2 * std::hypot(1 - h, 1.0);
+  EXPECT_NEAR(leak, (crossed - uncrossed) / (2 * 2), 1e-14);
+}
+
+TEST(SceneCheck2, ATipThatSticksOutIsAnOvershoot) {
+  const Scene2 scene = scene_of(edge("door", "[2, 0], [2, 3.0001]", "white", "white") + ", " + kLamp, rings({kRoom}));
+  const Findings findings = found(scene);
+  EXPECT_THAT(kinds(findings), testing::IsSupersetOf({"warning overshoot", "note crossing"}));
+  const auto stub = std::find_if(findings.begin(), findings.end(), [](auto& f) { return f.kind == "overshoot"; });
+  EXPECT_THAT(stub->message, AllOf(HasSubstr("sticks 1e-04 out of 'room[1]'")));
+  EXPECT_THAT(stub->suggestion, HasSubstr("(2, 3)"));
+}
+
+TEST(SceneCheck2, ANeedleTellsItsAngle) {
+  const Scene2 scene =
+      scene_of(edge("a", "[0, 0], [1, 0]", "lamp", "lamp") + ", " + edge("b", "[0, 0], [1, 0.000001]"));
+  const Findings findings = found(scene);
+  ASSERT_THAT(kinds(findings), ElementsAre("note needle"));
+  EXPECT_EQ(findings[0].at, (Point2{0, 0}));
+  EXPECT_THAT(findings[0].message, HasSubstr("5.73e-05 degrees"));
+}
+
+TEST(SceneCheck2, ARoomListedCounterClockwiseIsInsideOut) {
+  const Scene2 scene = scene_of(kLamp, rings({ring("[0,0],[4,0],[4,3],[0,3]")}));
+  const Findings findings = found(scene);
+  ASSERT_THAT(kinds(findings), ElementsAre("warning sees-only-black", "warning inside-out", "note sees-only-sky"));
+  EXPECT_THAT(names(scene, findings[1]), ElementsAre("ring[0]", "ring[1]", "ring[2]", "ring[3]"));
+}
+
+TEST(SceneCheck2, ASolidListedClockwiseIsInsideOut) {
+  const Scene2 scene = scene_of(kLamp, rings({kRoom, ring("[1,0.5],[1,1],[2,1],[2,0.5]")}));
+  const Findings findings = found(scene);
+  EXPECT_THAT(kinds(findings), testing::IsSupersetOf({"warning inside-out"}));
+}
+
+TEST(SceneCheck2, AWallThatTurnsItsBackToARoomIsBlackInside) {
+  const Scene2 scene = scene_of(kLamp + ", " + edge("south", "[0, 0], [4, 0]") + ", " + edge("west", "[0, 0], [0, 3]") +
+                                ", " + edge("north", "[0, 3], [4, 3]") + ", " + edge("east", "[4, 3], [4, 0]"));
+  const Findings findings = found(scene);
+  ASSERT_THAT(kinds(findings), testing::IsSupersetOf({"warning black-inside"}));
+  EXPECT_THAT(names(scene, findings[0]), ElementsAre("south"));
+}
+
+TEST(SceneCheck2, ABrokenPromiseToBeClosedIsAnError) {
+  const Scene2 scene = scene_of(kLamp + ", " + edge("west", "[0, 0], [0, 3]") + ", " + edge("north", "[0, 3], [4, 3]") +
+                                    ", " + edge("east", "[4, 3], [4, 0]"),
+                                ", \"closed\": true");
+  const Findings findings = found(scene);
+  ASSERT_THAT(kinds(findings), ElementsAre("error not-closed"));
+  EXPECT_THAT(names(scene, findings[0]), ElementsAre("lamp", "west", "north", "east"));
+}
+
+TEST(SceneCheck2, RoomsWithoutAWayBetweenThemAreIsolatedAndPerhapsDark) {
+  const Scene2 scene = scene_of(kLamp, rings({kRoom, ring("[5,0],[5,3],[9,3],[9,0]")}));
+  const Findings findings = found(scene);
+  EXPECT_THAT(kinds(findings), ElementsAre("note isolated-cell", "note isolated-cell", "note dark"));
+  EXPECT_THAT(names(scene, findings[2]), ElementsAre("ring[0]", "ring[1]", "ring[2]", "ring[3]"));
+}
+
+TEST(SceneCheck2, ARoomOfMirrorsHasNoSolutionWhenItEmits) {
+  const std::string mirrors = ring("[0,0],[0,3],[4,3],[4,0]", "mirror");
+  const Scene2 scene = scene_of(edge("lamp", "[1, 1], [2, 1]", "glowing mirror", "mirror"), rings({mirrors}));
+  EXPECT_THAT(kinds(found(scene)), ElementsAre("error no-solution"));
+  EXPECT_THROW(solve_radiosity(exact_exchange(prepare(scene)), scene.materials, {}), RequestError);
+
+  const Scene2 dark = scene_of(edge("screen", "[1, 1], [2, 1]", "mirror", "mirror"), rings({mirrors}));
+  EXPECT_THAT(kinds(found(dark)), ElementsAre("note all-reflecting", "note no-light"));
+  EXPECT_NO_THROW(solve_radiosity(exact_exchange(prepare(dark)), dark.materials, {}));
+}
+
+TEST(SceneCheck2, ABrightRoomTellsHowManyIterationsItTakes) {
+  const Findings findings = found(scene_of("", rings({ring("[0,0],[0,3],[4,3],[4,0]", "bright")})));
+  ASSERT_THAT(kinds(findings), ElementsAre("note slow-convergence"));
+  EXPECT_THAT(findings[0].message, HasSubstr("2.8e+07 iterations"));  // log(1e-12) / log(1 - 1e-6)
+}
+
+TEST(SceneCheck2, MaterialsWithoutSurfacesAreToldByName) {
+  const Findings findings = check_scene(scene_of(kLamp, rings({kRoom}))).findings;
+  EXPECT_EQ(findings.size(), 5u);
+  EXPECT_EQ(findings[0].message, "no surface has the material 'black'");
+  EXPECT_THAT(findings[0].surfaces, IsEmpty());
+}
+
+TEST(SceneCheck2, FindsNothingButTrueNotesInTheScenesOfTheRepository) {
+  const std::filesystem::path scenes = std::filesystem::path(HOTTEL_SOURCE_DIR) / "scenes";
+  std::size_t count = 0;
+  for (const char* folder : {"analytic", "showcase"})
+    for (const auto& entry : std::filesystem::directory_iterator(scenes / folder)) {
+      if (entry.path().extension() != ".json") continue;
+      ++count;
+      for (const Finding& finding : check_scene(read_scene_2(entry.path())).findings) {
+        EXPECT_EQ(finding.severity, Severity::kNote) << entry.path() << ": " << finding.message;
+        EXPECT_TRUE(
+            finding.kind == "no-light" || finding.kind == "slow-convergence" ||
+            (entry.path().filename() == "maze.json" && (finding.kind == "t-junction" || finding.kind == "crossing")))
+            << entry.path() << ": " << finding.kind << ": " << finding.message;
+      }
+    }
+  EXPECT_GE(count, 30u);
+}
+
+TEST(SceneCheck2, LooksAtScenesFullOfCoincidencesWithoutFailing) {
+  std::size_t errors = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Scene2 scene = testing_scenes::generated("lattice", 30, seed);
+    const SceneCheck2 check = check_scene(scene);
+    errors += has_error(check.findings);
+    EXPECT_EQ(check.factors.has_value(), !std::any_of(check.findings.begin(), check.findings.end(),
+                                                      [](auto& f) { return f.kind == "conflicting-claims"; }));
+  }
+  EXPECT_LT(errors, 40u);
+}
+
+}  // namespace
+}  // namespace hottel
