@@ -12,18 +12,16 @@ struct AverageIllumination {
   double max_error = 0;        // the largest of them
 };
 
-// Returns the mean of the mean irradiance over each cell, by a closed form: per channel,
-// the integral of (1/2 pi) times the integral of B over all directions, over the whole rectangle, divided by its area.
-// Inside solids, where one sees black backs, the irradiance is 0, and outside rooms it is what is seen there.
+// Returns the mean, over the whole rectangle of each cell, of the mean irradiance (1/2 pi) times the integral of B over
+// all directions, by a closed form. Inside solids, where one sees black backs, the irradiance is 0; outside rooms it is
+// what is seen there.
 //
 //   (1) within errors[cell] of the real number for the radiosities as given (their own bounds are the solution's), when
 //       arc tangents and logarithms of the library are good to two units of their last digit
 //   (2) never negative, never above the largest radiosity
-//   (3) bit-identical for any number of threads; translating or scaling scene and grid together by exact numbers
-//       changes nothing
-//   (4) a cell's bound grows with the number of edges and vertices it sees, typically 1e-12 of the largest radiosity,
-//   and
-//       not with the size of the scene
+//   (3) bit-identical for any number of threads
+//   (4) a cell's bound grows with the number of vertices it sees, not with the size of the scene: typically it is 1e-11
+//       of the largest radiosity
 // progress: fraction done; may throw to stop. Throws Interrupted when asked to stop.
 // REQUIRES at least one cell, min < max.
 // COST: about 0.1 µs for each cell and each piece of it that sees another set of faces about some vertex.
