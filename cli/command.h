@@ -63,6 +63,7 @@ void add_plan(Commands& commands);
 void add_factors(Commands& commands);
 void add_visibility(Commands& commands);
 void add_check(Commands& commands);
+void add_compare(Commands& commands);
 void add_generate(Commands& commands);
 void add_convert(Commands& commands);
 

@@ -8,6 +8,7 @@ int main(int argc, char** argv) {
   hottel::add_factors(commands);
   hottel::add_visibility(commands);
   hottel::add_check(commands);
+  hottel::add_compare(commands);
   hottel::add_generate(commands);
   hottel::add_convert(commands);
   return commands.run(argc, argv);

@@ -40,6 +40,9 @@ enum class Mark : unsigned char {
   kScaleBar,
   kTitle,
   kLabel,
+  kAxis,   // of a plot, its grid and numbers
+  kCurve,  // of a plot
+  kPoint,  // on a curve
 };
 
 enum class TextAnchor : unsigned char { kLeft, kCentre, kRight };

@@ -1,6 +1,8 @@
 // The colours of all drawings, in one place.
 #pragma once
 
+#include <array>
+
 #include "viewer/picture/canvas.h"
 
 namespace hottel::palette {
@@ -19,5 +21,18 @@ inline constexpr Colour kLight{1.0, 0.80, 0.30, 0.55};
 inline constexpr Colour kRay{0.85, 0.46, 0.10, 0.75};
 inline constexpr Colour kFirst{0.02, 0.62, 0.83};   // edge A of a pair
 inline constexpr Colour kSecond{0.83, 0.18, 0.42};  // edge B of a pair
+
+// Curves of a plot, in this order: hues far apart, neighbours of different lightness (after Okabe and Ito, "Color
+// Universal Design", 2008).
+inline constexpr std::array<Colour, 10> kCurves{{{0.00, 0.45, 0.70},
+                                                 {0.84, 0.37, 0.00},
+                                                 {0.00, 0.62, 0.45},
+                                                 {0.62, 0.20, 0.55},
+                                                 {0.90, 0.62, 0.00},
+                                                 {0.34, 0.71, 0.91},
+                                                 {0.55, 0.32, 0.18},
+                                                 {0.85, 0.45, 0.65},
+                                                 {0.40, 0.48, 0.10},
+                                                 {0.45, 0.47, 0.55}}};
 
 }  // namespace hottel::palette

@@ -1,0 +1,244 @@
+// hottel compare: what accuracy costs; every method held against the exact factors of the same elements.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/scene_input.h"
+#include "io/comparison_files.h"
+#include "io/scene_json.h"
+#include "kernel/failure.h"
+#include "solver/compare/method_comparison_2.h"
+#include "solver/compare/pair_explanation_2.h"
+#include "solver/compare/work_precision.h"
+#include "solver/methods/method_catalogue_2.h"
+#include "viewer/picture/error_map_2.h"
+#include "viewer/picture/work_precision_plot.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::array kErrorsReadOff = {1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9};
+
+struct CompareOptions {
+  std::string scene, out;
+  std::vector<std::string> methods;
+  bool sweep = false, json = false;
+  std::size_t worst = 10;
+  std::optional<int> repeat;
+  std::string map;
+  ElementOptions elements;
+};
+
+using Methods = std::vector<std::unique_ptr<ExchangeMethod2>>;
+
+// All that can be compared; a family that needs more than the library adds itself here.
+MethodCatalogue2 catalogue() { return planar_methods(); }
+
+std::string family_of(const std::string& name) { return name.substr(0, name.find(':')); }
+
+// The names to run, each once, in the order asked for: without --methods the middle of each family's sweep; with
+// --sweep the whole sweep of each family that is named, in the variant (":normalised") it is named in.
+std::vector<std::string> names_to_run(const MethodCatalogue2& methods, const CompareOptions& options) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  std::vector<std::string> asked = options.methods;
+  if (asked.empty())
+    for (const MethodFamily& family : methods.families())
+      if (!family.sweep.empty()) asked.push_back(options.sweep ? family.name : family.sweep[family.sweep.size() / 2]);
+  for (const std::string& name : asked) {
+    constexpr std::string_view kNormalised = ":normalised";
+    const std::string variant = name.ends_with(kNormalised) ? std::string(kNormalised) : "";
+    const std::string raw = name.substr(0, name.size() - variant.size());
+    bool is_swept = false;
+    for (const MethodFamily& family : methods.families())
+      if (options.sweep && family.name == family_of(raw)) {
+        for (const std::string& point : family.sweep) add(point + variant);
+        is_swept = !family.sweep.empty();
+      }
+    if (!is_swept || raw != family_of(raw)) add(name);
+  }
+  return names;
+}
+
+Methods methods_to_run(const MethodCatalogue2& catalogue, const CompareOptions& options) {
+  Methods methods;
+  for (const std::string& name : names_to_run(catalogue, options)) methods.push_back(catalogue.make(name));
+  return methods;
+}
+
+void explain_worst(const PairExplainer2& explainer, const ExchangeMatrix& exact, const MethodResult& result,
+                   std::size_t count, std::vector<ExplainedPair>& explained) {
+  const auto name = [&](std::uint32_t element) {
+    return element == exact.sky() ? "sky" : exact.elements()[element].name;
+  };
+  for (const PairError& pair : worst_pairs(result.matrix, exact, count))
+    explained.push_back({result.info.name, name(pair.from), name(pair.to), pair, explainer.explain(pair)});
+}
+
+MethodResult run(const MethodComparison2& comparison, const ExchangeMethod2& method, const CompareOptions& options) {
+  try {
+    return comparison.run(method, options.repeat);
+  } catch (const RequestError& error) {
+    throw RequestError(fmt::format("{}: the method {}: {}", options.scene, method.info().name, error.what()));
+  }
+}
+
+std::string report_json(const CompareOptions& options, const MethodComparison2& comparison,
+                        std::span<const MethodResult> results, std::span<const WorkReading> readings) {
+  nlohmann::ordered_json json;
+  json["hottel"] = 1;
+  json["scene"] = options.scene;
+  json["counts"] = {{"surfaces", comparison.prepared().scene.surfaces.size()},
+                    {"elements", comparison.exact().size()},
+                    {"entries", comparison.exact().entry_count()}};
+  json["seconds"] = {{"prepare", comparison.prepared().seconds}};
+  json["methods"] = nlohmann::ordered_json::array();
+  const auto optional = [](const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  };
+  for (const MethodResult& each : results)
+    json["methods"].push_back({{"method", each.info.name},
+                               {"family", each.info.family},
+                               {"guarantee", to_string(each.info.guarantee)},
+                               {"reference", each.info.reference},
+                               {"seconds",
+                                {{"median", each.timing.median},
+                                 {"fastest", each.timing.fastest},
+                                 {"slowest", each.timing.slowest},
+                                 {"runs", each.timing.runs}}},
+                               {"max_error", each.errors.max},
+                               {"rms_error", each.errors.rms},
+                               {"closure", each.errors.closure},
+                               {"row_defect_before_normalising", each.report.row_defect},
+                               {"pairs", each.errors.pairs},
+                               {"declared_error", optional(each.declared_error)},
+                               {"standard_error", optional(each.report.standard_error)},
+                               {"max_radiosity_error", optional(each.max_radiosity_error)},
+                               {"notes", each.notes}});
+  json["readings"] = nlohmann::ordered_json::array();
+  for (const WorkReading& reading : readings)
+    json["readings"].push_back(
+        {{"error", reading.error},
+         {"exact_seconds", reading.exact_seconds},
+         {"family", reading.family},
+         {"seconds", optional(reading.family.empty() ? std::nullopt : std::optional(reading.seconds))}});
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+// "812 elements, 5852 factors": elements that have a row, and the exact factors in these rows.
+std::string size_of(const ExchangeMatrix& exact) {
+  std::uint32_t rows = 0;
+  for (std::uint32_t i = 0; i < exact.size(); ++i) rows += exact.has_row(i) ? 1 : 0;
+  return fmt::format("{} elements, {} view factors", rows, exact.entry_count());
+}
+
+std::string report_text(const MethodComparison2& comparison, std::span<const MethodResult> results,
+                        std::span<const WorkReading> readings) {
+  std::string text = fmt::format("{}; prepared once for all in {:.3g} s\n\n", size_of(comparison.exact()),
+                                 comparison.prepared().seconds) +
+                     compare_table(results) + "\n";
+  if (!comparison.exact_solution()) text += "no radiosities are compared: " + comparison.why_no_solution() + "\n";
+  for (const MethodResult& each : results)
+    for (const std::string& note : each.notes) text += each.info.name + ": " + note + "\n";
+  for (const WorkReading& reading : readings) text += to_sentence(reading) + "\n";
+  return text;
+}
+
+ExitCode compare(const CompareOptions& options, Streams& streams) {
+  const MethodCatalogue2 methods_there_are = catalogue();
+  const Methods methods = methods_to_run(methods_there_are, options);
+  if (!options.map.empty() &&
+      std::none_of(methods.begin(), methods.end(), [&](const auto& m) { return m->info().name == options.map; }))
+    throw UsageError("--map takes one of the methods that are compared, not '" + options.map + "'");
+
+  Scene2 scene = read_scene_2(options.scene);
+  options.elements.apply_to(scene);
+  const std::string stem = std::filesystem::path(options.scene).stem().string();
+  const std::filesystem::path directory = options.out.empty() ? stem + "-hottel" : options.out;
+  std::filesystem::create_directories(directory);
+  std::vector<OutputFile> files;
+  const auto file = [&](const char* name) -> std::size_t {
+    files.emplace_back(directory / name);
+    return files.size() - 1;
+  };
+  const std::size_t csv = file("compare.csv"), worst = file("worst.csv"), read = file("readings.csv"),
+                    svg = file("compare.svg"), png = file("compare.png");
+  const std::size_t map = options.map.empty() ? 0 : file("errors.png");
+
+  const PreparedScene2 prepared = prepare(std::move(scene), Divided::kYes);
+  const MethodComparison2 comparison(prepared);
+  const PairExplainer2 explainer(prepared, comparison.exact());
+  std::vector<MethodResult> results;
+  std::vector<ExplainedPair> explained;
+  const auto progress = streams.progress("methods");
+  for (const auto& method : methods) {
+    MethodResult result = run(comparison, *method, options);
+    explain_worst(explainer, comparison.exact(), result, options.worst, explained);
+    if (result.info.name == options.map) files[map].write(error_map_2(comparison, result, PictureFormat::kPng));
+    result.matrix = {};
+    result.solution.reset();
+    results.push_back(std::move(result));
+    if (progress) progress(static_cast<double>(results.size()) / static_cast<double>(methods.size()));
+  }
+
+  const std::vector<WorkCurve> curves = work_curves(results);
+  const std::vector<WorkReading> readings = read_off(curves, kErrorsReadOff);
+  const LogPlot plot = work_precision_plot(curves, "What accuracy costs: " + stem, size_of(comparison.exact()));
+  files[csv].write(compare_csv(results));
+  files[worst].write(worst_csv(explained));
+  files[read].write(readings_csv(curves, kErrorsReadOff));
+  files[svg].write(log_plot(plot, PictureFormat::kSvg));
+  files[png].write(log_plot(plot, PictureFormat::kPng));
+  for (OutputFile& each : files) each.finish();
+  if (options.json) streams.write("", report_json(options, comparison, results, readings));
+  std::string names;
+  for (OutputFile& each : files) {
+    each.commit();
+    names += " " + std::filesystem::path(each.name()).filename().string();
+  }
+  streams.note(report_text(comparison, results, readings) + "\nin " + directory.string() + ":" + names);
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_compare(Commands& commands) {
+  const auto options = std::make_shared<CompareOptions>();
+  const MethodCatalogue2 methods = catalogue();
+  std::string what;
+  for (const MethodFamily& family : methods.families()) what += "\n  " + family.pattern + ": " + family.what;
+  CLI::App& command = commands.add(
+      "compare", "Methods side by side: how wrong their view factors are, and how long they take",
+      {"hottel compare scenes/analytic/square_radiosity.json --elements 4 -o /tmp/square",
+       "hottel compare scenes/analytic/strip_obstructed.json --methods exact --sweep --worst 3 -o /tmp/strip --json"},
+      [options](Streams& streams) { return compare(*options, streams); });
+  command.add_option("SCENE", options->scene, "the scene file")->required();
+  command.add_option("-o", options->out, "the folder to write into, created; without it ./STEM-hottel/")
+      ->type_name("DIR");
+  command
+      .add_option("--methods", options->methods,
+                  "methods to compare, each also as METHOD:normalised; without it one of each family" + what)
+      ->type_name("A,B,...")
+      ->delimiter(',');
+  command.add_flag("--sweep", options->sweep, "run each family that is named through its parameters");
+  command.add_option("--worst", options->worst, "how many of the worst pairs of each method worst.csv lists")
+      ->type_name("K")
+      ->capture_default_str();
+  command
+      .add_option("--repeat", options->repeat,
+                  "time each method N times after a warm-up; without it at least 3 times and half a second")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
+  command.add_option("--map", options->map, "draw errors.png: where this method gets the light wrong")
+      ->type_name("METHOD");
+  options->elements.add_to(command);
+  command.add_flag("--json", options->json, "a report on standard output as one JSON object");
+}
+
+}  // namespace hottel

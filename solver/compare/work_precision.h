@@ -1,0 +1,48 @@
+// What accuracy costs: methods as points of time and error, families as curves.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "solver/compare/method_comparison_2.h"
+
+namespace hottel {
+
+inline constexpr const char* kExactFamily = "exact";  // the method that all others are held against
+
+struct WorkPoint {
+  std::string method;
+  double seconds = 0, error = 0;  // error: max |F - exact F|
+};
+
+// The members of a family, in the order they were run.
+struct WorkCurve {
+  std::string family;
+  std::vector<WorkPoint> points;
+};
+
+// Returns one curve a family, in the order in which families first appear.
+std::vector<WorkCurve> work_curves(std::span<const MethodResult> results);
+
+// Returns the least time in which a family gets down to an error: on the polyline, in logarithms, through the points
+// that no cheaper point beats. Nothing when its best point is worse than that; never less than its cheapest point
+// takes. REQUIRES error > 0.
+std::optional<double> seconds_to_reach(std::span<const WorkPoint> curve, double error);
+
+// What one reads off at an error: which family gets there first, and what the exact method takes.
+struct WorkReading {
+  double error = 0;
+  double exact_seconds = 0;
+  std::string family;  // the cheapest, the exact one aside; empty when none reaches the error
+  double seconds = 0;  // of that family
+};
+
+// One reading for each error that is asked for; none without the method "exact".
+std::vector<WorkReading> read_off(std::span<const WorkCurve> curves, std::span<const double> errors);
+
+// "at an error of 0.001 exact is 5.2 times faster than the cheapest method that reaches it, gauss (1.3 ms against ...)"
+std::string to_sentence(const WorkReading& reading);
+
+}  // namespace hottel

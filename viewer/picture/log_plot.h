@@ -1,0 +1,75 @@
+// Curves over two logarithmic axes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/canvas.h"
+
+namespace hottel {
+
+struct LogPlotPoint {
+  double x = 0, y = 0;
+  std::string label{};  // small, beside the point where there is room; may be empty
+};
+
+struct LogPlotCurve {
+  std::string name;  // for the legend
+  std::vector<LogPlotPoint> points;
+};
+
+struct LogPlot {
+  std::uint32_t width = 1600, height = 1000;
+  std::string title{}, subtitle{};  // may be empty
+  std::string x_title{}, y_title{};
+  bool x_is_seconds = false;  // numbers along x are durations: 1 ms instead of 10⁻³
+  std::vector<LogPlotCurve> curves{};
+  std::string zero_label = "0";  // of the level of values that are 0
+  int emphasised = -1;           // the curve that is drawn in ink, its points marked down to the axis
+};
+
+// Draws a plot with a legend at its right.
+//
+//   (1) a point at 10^a, 10^b lies in proportion to a and b; axes begin and end at whole decades
+//   (2) values that are 0 lie on a level of their own below the lowest decade, named zero_label, apart by a dashed line
+//   (3) points that are not finite, or not positive along x, are left out and break no line
+//   (4) the points of a curve are joined in their order; each curve has a colour and a marker of its own (of 10 x 6)
+//   (5) nothing leaves the picture
+// Degenerate: without points the axes span one decade.
+// Throws UsageError for sides out of range (CairoCanvas).
+class LogPlotPainter {
+ public:
+  explicit LogPlotPainter(const LogPlot& plot);
+
+  void draw(PictureCanvas& canvas) const;
+  Pixel at(double x, double y) const;  // where a value is drawn
+
+ private:
+  struct Axis {
+    int first = 0, last = 1;  // decades
+    bool has_zero = false;    // a level one decade below `first`
+    double position(double value) const;
+  };
+  static Axis axis_over(const std::vector<double>& values);
+
+  void draw_axes(PictureCanvas& canvas) const;
+  void draw_heading(PictureCanvas& canvas) const;
+  void draw_curve(PictureCanvas& canvas, std::size_t k) const;
+  void draw_labels(PictureCanvas& canvas) const;
+  void draw_legend(PictureCanvas& canvas) const;
+  void draw_marker(PictureCanvas& canvas, std::size_t curve, Pixel centre, Mark mark) const;
+  std::vector<LogPlotPoint> shown(const LogPlotCurve& curve) const;
+  Colour colour(std::size_t curve) const;
+
+  const LogPlot& plot_;
+  double unit_;
+  Pixel top_left_, bottom_right_;  // of the field inside the axes
+  Axis x_, y_;
+};
+
+// Returns the bytes of the picture file.
+std::string log_plot(const LogPlot& plot, PictureFormat format);
+
+}  // namespace hottel
