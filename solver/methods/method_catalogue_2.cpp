@@ -1,6 +1,7 @@
 #include "solver/methods/method_catalogue_2.h"
 
 #include <cmath>
+#include <limits>
 
 #include "kernel/failure.h"
 
@@ -19,6 +20,7 @@ class Normalised2 final : public ExchangeMethod2 {
   }
   const MethodInfo& info() const override { return info_; }
   std::optional<double> declared_error(const PreparedScene2& prepared) const override;
+  ClaimedErrors claimed_errors(const PreparedScene2& prepared) const override;
   ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport& report) const override;
 
  private:
@@ -46,13 +48,32 @@ ExchangeMatrix Normalised2::compute(const PreparedScene2& prepared, MethodReport
   return normalised;
 }
 
-// With errors of at most e in n factors a row sum is off by n e, so that a factor F <= 1 moves by at most n e / (1 - n
-// e) more.
+// With factors F off by e, and a row that should sum to 1 off by d, F / sum is off by (e + F d) / (1 - d) at most.
+double error_after_division(double error, double row_error) {
+  return row_error < 1 ? (error + row_error) / (1 - row_error) : std::numeric_limits<double>::infinity();
+}
+
+constexpr double kRounding = 0x1p-53;  // of a factor, and of a sum
+
 std::optional<double> Normalised2::declared_error(const PreparedScene2& prepared) const {
   const std::optional<double> error = raw_->declared_error(prepared);
-  if (!error || *error == 0) return error;
-  const double defect = *error * (static_cast<double>(prepared.arrangement.side_count()) + 1);
-  return defect < 0.5 ? std::optional(*error + 2 * (defect + *error)) : std::nullopt;
+  if (!error) return error;
+  const double entries = static_cast<double>(prepared.arrangement.side_count()) + 1;
+  const double divided = error_after_division(*error, entries * (*error + 2 * kRounding));
+  return std::isfinite(divided) ? std::optional(divided) : std::nullopt;
+}
+
+ExchangeMethod2::ClaimedErrors Normalised2::claimed_errors(const PreparedScene2& prepared) const {
+  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
+  const ClaimedErrors raw = raw_->claimed_errors(prepared);
+  std::vector<double> row_error(labels.count(), 0.0);
+  for (std::uint32_t i = 0; i < labels.count(); ++i) {
+    if (!labels.has_row(i)) continue;
+    for (std::uint32_t j = 0; j <= labels.sky(); ++j) row_error[i] += raw(i, j) + 2 * kRounding;
+  }
+  return [raw, row_error](std::uint32_t from, std::uint32_t to) {
+    return error_after_division(raw(from, to), row_error[from]);
+  };
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+// Chosen points on all runs of a scene, and which of them see each other.
+#pragma once
+
+#include <vector>
+
+#include "geometry/visibility/segment_visibility_2.h"
+#include "solver/methods/element_geometry_2.h"
+
+namespace hottel {
+
+class RunPoints2 {
+ public:
+  // The points run.at(t) of every run, for each t of `places`. REQUIRES 0 < t < 1; that both outlive this.
+  // COST: some µs a point, in parallel.
+  RunPoints2(const PreparedScene2& prepared, const ElementGeometry2& geometry, const std::vector<Rational>& places);
+
+  // Whether point k of run a and point l of run b see each other (geometry/visibility/segment_visibility_2.h).
+  bool see_each_other(const ElementRun2& a, std::size_t k, const ElementRun2& b, std::size_t l) const {
+    return visibility_.see_each_other(points_[geometry_.number_of(a)][k], points_[geometry_.number_of(b)][l]);
+  }
+
+ private:
+  const ElementGeometry2& geometry_;
+  SegmentVisibility2 visibility_;
+  std::vector<std::vector<RunPoint2>> points_;  // by run
+};
+
+}  // namespace hottel
