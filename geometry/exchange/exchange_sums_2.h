@@ -7,6 +7,7 @@
 
 #include "geometry/arrangement/arrangement_2.h"
 #include "geometry/exchange/labels_2.h"
+#include "geometry/exchange/term_sums_2.h"
 
 namespace hottel {
 
@@ -18,11 +19,6 @@ struct PairSum {
   Int128 value;           // in units of Vertices2::fixed_unit()
 
   FixedSum sum(double length_error) const { return {value, inexact * length_error}; }
-};
-
-struct SumCounts {
-  std::uint64_t gaps = 0;     // pairs of vertices that see each other
-  std::uint64_t updates = 0;  // terms added
 };
 
 // Returns the sums of all pairs for which something was added and at least one of the two has a row, sorted by (i, j).

@@ -16,10 +16,10 @@ struct Gap2 {
 };
 
 // Calls visit(const Gap2&) for every gap that starts at v, once for each unordered pair when `each_once` (that is, only
-// with w > v), where view is the view from v.
+// with w > v), where view is the view from v. Points is Vertices2, or anything else that has an orientation(i, j, k).
 // COST: at most two orientations for each visible vertex.
-template <class Visit>
-void for_each_gap(const Vertices2& vertices, VertexId v, const View2& view, bool each_once, const Visit& visit) {
+template <class Points, class Visit>
+void for_each_gap(const Points& points, VertexId v, const View2& view, bool each_once, const Visit& visit) {
   const auto& seen = view.seen;
   const std::size_t m = seen.size();
   thread_local std::vector<std::size_t> incident;
@@ -34,7 +34,7 @@ void for_each_gap(const Vertices2& vertices, VertexId v, const View2& view, bool
     if (last < k) last = k;
     bool has_opposite = false;  // a vertex is seen exactly opposite to vertex k
     while (last + 1 < k + m) {
-      const int turn = vertices.orientation(v, seen[k].vertex, seen[wrapped(last + 1)].vertex);
+      const int turn = points.orientation(v, seen[k].vertex, seen[wrapped(last + 1)].vertex);
       if (turn <= 0) {
         has_opposite = turn == 0;
         break;
