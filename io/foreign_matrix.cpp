@@ -21,14 +21,6 @@ struct Places {
   std::vector<std::uint32_t> row, column;
 };
 
-// "'a', 'b', 'c' and 4 more"
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 3;
-  std::string text;
-  for (std::size_t k = 0; k < names.size() && k < kMost; ++k) text += (k == 0 ? "" : ", ") + quoted_name(names[k]);
-  return names.size() > kMost ? text + fmt::format(" and {} more", names.size() - kMost) : text;
-}
-
 class Matching {
  public:
   Matching(const ForeignMatrix& foreign, const std::vector<Element>& elements)
@@ -75,8 +67,8 @@ std::vector<std::uint32_t> Matching::by_name(const std::vector<ForeignName>& nam
   if (unknown.empty()) return places;
   std::vector<std::string> known;
   for (const std::uint32_t i : with_material_) known.push_back(elements_[i].name);
-  throw InputError({foreign_.names_file, line}, "the scene has no face " + listed(unknown),
-                   {"its faces are " + listed(known)});
+  throw InputError({foreign_.names_file, line}, "the scene has no face " + listed_names(unknown),
+                   {"its faces are " + listed_names(known)});
 }
 
 void Matching::require_all(const std::vector<std::uint32_t>& places, const char* what) const {
@@ -86,7 +78,7 @@ void Matching::require_all(const std::vector<std::uint32_t>& places, const char*
   for (const std::uint32_t i : with_material_)
     if (!is_there[i]) missing.push_back(elements_[i].name);
   if (!missing.empty())
-    throw InputError({foreign_.names_file, 0}, fmt::format("has no {} of the face {}", what, listed(missing)));
+    throw InputError({foreign_.names_file, 0}, fmt::format("has no {} of the face {}", what, listed_names(missing)));
 }
 
 // The elements that `size` rows or columns stand for; empty when it fits none.
@@ -129,7 +121,7 @@ void compare_areas(const ForeignMatrix& foreign, const Places& places, const std
   }
   if (!different.empty())
     report.notes.push_back("areas differ, as if the order of the faces or the unit of length were another: " +
-                           listed(different));
+                           listed_names(different));
 }
 
 // What was read and is not used, and what the file does not have.
@@ -138,13 +130,13 @@ void note_gaps(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& u
   std::vector<std::string> names;
   for (const std::uint32_t i : unused_rows)
     names.push_back(i == matrix.sky() ? std::string("sky") : matrix.elements()[i].name);
-  if (!names.empty()) report.notes.push_back("rows of faces without a material are not used: " + listed(names));
+  if (!names.empty()) report.notes.push_back("rows of faces without a material are not used: " + listed_names(names));
   if (!written.has_column[matrix.sky()])
     report.notes.push_back("there is no column for the sky: what rows lack of 1 is not counted as going there");
   names.clear();
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     if (!written.has_column[i]) names.push_back(matrix.elements()[i].name);
-  if (!names.empty()) report.notes.push_back("there are no columns for " + listed(names));
+  if (!names.empty()) report.notes.push_back("there are no columns for " + listed_names(names));
   std::size_t negative = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     for (const FactorEntry& entry : matrix.row(i)) negative += entry.factor.value < 0;

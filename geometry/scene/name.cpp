@@ -93,4 +93,11 @@ std::string quoted_name(std::string_view name) {
   return result + "'";
 }
 
+std::string listed_names(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 3;
+  std::string text;
+  for (std::size_t k = 0; k < names.size() && k < kMost; ++k) text += (k == 0 ? "" : ", ") + quoted_name(names[k]);
+  return names.size() > kMost ? text + " and " + std::to_string(names.size() - kMost) + " more" : text;
+}
+
 }  // namespace hottel

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hottel {
 
@@ -20,5 +21,8 @@ bool is_utf8(std::string_view text);
 // Returns the name between single quotes, fit for a message of one line: control characters and ill-formed bytes are
 // spelled as \x1F, and the middle of a long name is left out.
 std::string quoted_name(std::string_view name);
+
+// Returns names for a message: "'a', 'b', 'c' and 4 more".
+std::string listed_names(const std::vector<std::string>& names);
 
 }  // namespace hottel

@@ -1,0 +1,172 @@
+#include "solver/compare/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "geometry/scene/name.h"
+#include "solver/compare/readings.h"
+
+namespace hottel {
+namespace {
+
+// The pairs with the largest errors among those that are marked.
+std::vector<JudgedPair> worst_of(const JudgedPairs& judged, const std::vector<char>& marked) {
+  std::vector<JudgedPair> worst;
+  for (const JudgedPair& pair : judged.pairs())
+    if (marked[judged.index_of(pair)]) worst.push_back(pair);
+  const auto count = static_cast<std::ptrdiff_t>(std::min(kPairsNamed, worst.size()));
+  const auto is_worse = [](const JudgedPair& a, const JudgedPair& b) {
+    return a.error() != b.error() ? a.error() > b.error() : std::tie(a.from, a.to) < std::tie(b.from, b.to);
+  };
+  std::partial_sort(worst.begin(), worst.begin() + count, worst.end(), is_worse);
+  worst.resize(static_cast<std::size_t>(count));
+  return worst;
+}
+
+// The laws that hold for the factors of any scene.
+void judge_laws(const JudgedPairs& judged, Verdict& verdict) {
+  const ExchangeMatrix& exact = judged.exact();
+  for (std::uint32_t i = 0; i < exact.size(); ++i) {
+    if (!exact.has_row(i)) continue;
+    double sum = 0, exact_sum = 0, slack = verdict.options.beyond;
+    for (const JudgedPair& pair : judged.row(i)) {
+      sum += pair.value;
+      exact_sum += pair.exact;
+      slack += verdict.options.written.digits.rounding(pair.value);
+      verdict.negative += pair.value < -judged.tolerance(pair.value);
+      verdict.above_one += pair.value > 1 + judged.tolerance(pair.value);
+      verdict.least = std::min(verdict.least, pair.value);
+      verdict.most = std::max(verdict.most, pair.value);
+    }
+    const double defect = std::abs(sum - exact_sum);
+    verdict.row_defect = std::max(verdict.row_defect, defect);
+    verdict.rows_off += defect > slack;
+  }
+}
+
+void judge_reciprocity(const JudgedPairs& judged, Verdict& verdict) {
+  const ExchangeMatrix& exact = judged.exact();
+  for (const JudgedPair& pair : judged.pairs()) {
+    if (pair.to == exact.sky() || !exact.has_row(pair.to) || !judged.has_column(pair.from)) continue;
+    const double reverse = judged.matrix().factor(pair.to, pair.from).value;
+    if (pair.to < pair.from && reverse != 0) continue;  // each pair once
+    const double a = exact.elements()[pair.from].area.value, b = exact.elements()[pair.to].area.value;
+    const double defect = std::abs(a * pair.value - b * reverse);
+    verdict.reciprocity_defect = std::max(verdict.reciprocity_defect, defect / std::min(a, b));
+    verdict.unsymmetric += defect > a * judged.tolerance(pair.value) + b * judged.tolerance(reverse);
+  }
+}
+
+std::vector<Reading> readings_of(const PreparedScene2& prepared, const JudgedPairs& judged) {
+  const std::vector<double> unobstructed = unobstructed_factors(prepared, judged);
+  std::vector<Reading> readings;
+  readings.push_back(read_transposed(judged));
+  readings.push_back(read_constant_factor(judged));
+  readings.push_back(read_row_factor(judged));
+  readings.push_back(read_reversed(prepared, judged));
+  readings.push_back(read_permuted(judged));
+  readings.push_back(read_no_occlusion(judged, unobstructed));
+  readings.push_back(read_all_or_nothing(judged, unobstructed));
+  readings.push_back(read_sky_missing(judged));
+  readings.push_back(read_sky_is_rest(judged));
+  readings.push_back(read_missing(judged));
+  readings.push_back(read_behind(judged, unobstructed));
+  return readings;
+}
+
+// Takes the reading that explains most of what is left, again and again.
+void choose_findings(std::vector<Reading> readings, const JudgedPairs& judged, Verdict& verdict) {
+  std::vector<char> is_open(judged.pairs().size(), 0);
+  for (const JudgedPair& pair : judged.pairs()) is_open[judged.index_of(pair)] = pair.is_off;
+  while (!readings.empty()) {
+    for (Reading& reading : readings)
+      for (std::size_t k = 0; k < is_open.size(); ++k) reading.explains[k] = reading.explains[k] && is_open[k];
+    const auto best = std::max_element(readings.begin(), readings.end(),
+                                       [](const Reading& a, const Reading& b) { return a.count() < b.count(); });
+    if (best->count() == 0) break;
+    for (std::size_t k = 0; k < is_open.size(); ++k) is_open[k] = is_open[k] && !best->explains[k];
+    verdict.findings.push_back({best->fault, best->words, best->count(), worst_of(judged, best->explains)});
+    readings.erase(best);
+  }
+  verdict.unexplained = static_cast<std::uint64_t>(std::count(is_open.begin(), is_open.end(), 1));
+  verdict.worst_unexplained = worst_of(judged, is_open);
+}
+
+std::string pair_text(const JudgedPair& pair, const ExchangeMatrix& exact) {
+  const auto name = [&](std::uint32_t i) { return quoted_name(i == exact.sky() ? "sky" : exact.elements()[i].name); };
+  return fmt::format("{} to {}: {} instead of {:.6g}", name(pair.from), name(pair.to),
+                     fmt::format("{:.6g}", pair.value), pair.exact);
+}
+
+std::string pairs_text(const std::vector<JudgedPair>& pairs, const ExchangeMatrix& exact, std::size_t most) {
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, pairs.size()); ++k)
+    text += (k == 0 ? "" : "; ") + pair_text(pairs[k], exact);
+  return text;
+}
+
+std::string laws_sentence(const Verdict& verdict) {
+  std::string text =
+      verdict.unsymmetric == 0
+          ? fmt::format("reciprocity A_i F_ij = A_j F_ji holds (within {:.2g})", verdict.reciprocity_defect)
+          : fmt::format("reciprocity A_i F_ij = A_j F_ji is broken by {} pairs (by up to {:.3g} of the smaller area)",
+                        verdict.unsymmetric, verdict.reciprocity_defect);
+  text += verdict.rows_off == 0 ? fmt::format("; rows sum to what they should (within {:.2g})", verdict.row_defect)
+                                : fmt::format("; {} rows do not sum to what they should (by up to {:.3g})",
+                                              verdict.rows_off, verdict.row_defect);
+  if (verdict.negative > 0)
+    text += fmt::format("; {} factors are negative, to {:.3g}", verdict.negative, verdict.least);
+  if (verdict.above_one > 0) text += fmt::format("; {} factors exceed 1, to {:.6g}", verdict.above_one, verdict.most);
+  return text;
+}
+
+}  // namespace
+
+Verdict judge(const PreparedScene2& prepared, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
+              const VerdictOptions& options) {
+  const JudgedPairs judged(exact, matrix, options.beyond, options.written);
+  Verdict verdict;
+  verdict.options = options;
+  verdict.pairs = judged.pairs().size();
+  verdict.off = judged.off();
+  for (const JudgedPair& pair : judged.pairs()) verdict.max_error = std::max(verdict.max_error, pair.error());
+  judge_laws(judged, verdict);
+  judge_reciprocity(judged, verdict);
+  if (verdict.off > 0) choose_findings(readings_of(prepared, judged), judged, verdict);
+  return verdict;
+}
+
+std::vector<std::string> verdict_sentences(const Verdict& verdict, const ExchangeMatrix& exact) {
+  std::vector<std::string> text;
+  if (verdict.off == 0) {
+    text.push_back(
+        fmt::format("all {} pairs agree with the exact factors within {:.2g} and the digits written "
+                    "(largest difference {:.2g})",
+                    verdict.pairs, verdict.options.beyond, verdict.max_error));
+  } else {
+    text.push_back(
+        fmt::format("{} of {} pairs are off by more than {:.2g}, whatever digits were left out; the worst "
+                    "by {:.6g}",
+                    verdict.off, verdict.pairs, verdict.options.beyond, verdict.max_error));
+  }
+  text.push_back(laws_sentence(verdict));
+  for (const Finding& finding : verdict.findings)
+    text.push_back(fmt::format("{}: this explains {} of the {} pairs ({})", finding.words, finding.explained,
+                               verdict.off, pairs_text(finding.worst, exact, finding.explained <= 2 ? 2 : 1)));
+  if (verdict.unexplained > 0) {
+    std::string sentence =
+        fmt::format("{}{} {} wrong by no pattern that is known: {}", verdict.findings.empty() ? "" : "the other ",
+                    verdict.unexplained, verdict.unexplained == 1 ? "is" : "are",
+                    pairs_text(verdict.worst_unexplained, exact, kPairsNamed));
+    if (verdict.unexplained == 1 && verdict.worst_unexplained[0].to != exact.sky() &&
+        !verdict.worst_unexplained[0].is_reverse_off)
+      sentence += " (the factor the other way is right)";
+    text.push_back(sentence);
+  }
+  return text;
+}
+
+}  // namespace hottel

@@ -1,0 +1,77 @@
+// What is wrong with a matrix of view factors that another program computed, in words.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/exchange/exchange_2.h"
+#include "solver/compare/judged_pairs.h"
+#include "solver/methods/written_factors.h"
+
+namespace hottel {
+
+// What can be wrong with many pairs at once. In this order of preference, where two explain equally many.
+enum class Fault {
+  kTransposed,      // F(j, i) stands for F(i, j); the same as divided by the area of the other face
+  kConstantFactor,  // pi, 2, 1/2, ...
+  kRowFactor,       // one ratio a row: rows normalised, areas exchanged, A F instead of F
+  kReversed,        // the front of a face taken for its back
+  kPermuted,        // faces in another order
+  kNoOcclusion,     // the factor without any obstacle
+  kAllOrNothing,    // 0 or the factor without obstacles, where a part is hidden
+  kSkyMissing,      // nothing goes to the sky
+  kSkyIsRest,       // the sky gets what the (wrong) row lacks of 1
+  kMissing,         // 0
+  kBehind           // light between faces that do not face each other
+};
+
+// One fault, with its evidence.
+struct Finding {
+  Fault fault;
+  std::string words;            // one sentence
+  std::uint64_t explained = 0;  // pairs that are off, and are not once this is allowed for
+  std::vector<JudgedPair> worst;
+};
+
+struct VerdictOptions {
+  double beyond = 1e-6;    // a pair is off when it is wrong by more, whatever digits the file left out
+  WrittenFactors written;  // has_column may be empty: all are there
+};
+
+struct Verdict {
+  VerdictOptions options;
+  std::uint64_t pairs = 0, off = 0;  // that were judged; that are off
+  double max_error = 0;
+
+  // Laws that hold for view factors, of the matrix by itself; violations beyond `beyond` and the digits left out.
+  std::uint64_t unsymmetric = 0, rows_off = 0, negative = 0, above_one = 0;
+  double reciprocity_defect = 0;  // max |A_i F_ij - A_j F_ji| / min(A_i, A_j)
+  double row_defect = 0;          // max |row sum - exact sum of the row over the columns there are|
+  double least = 0, most = 0;     // factors
+
+  std::vector<Finding> findings;              // what explains most comes first; each pair is counted once
+  std::uint64_t unexplained = 0;              // off, and by no fault that is known
+  std::vector<JudgedPair> worst_unexplained;  // at most kPairsNamed, the worst first
+};
+
+inline constexpr std::size_t kPairsNamed = 5;
+
+// Holds a matrix against the exact one.
+//
+//   (1) a pair is off iff every number that prints as the file has it is wrong by more than `beyond`: roundings to the
+//       digits of the file are no errors
+//   (2) findings are readings of the numbers, not proofs: each is backed by the number of pairs it explains, that is,
+//       which agree within `beyond` and the digits left out once it is allowed for
+//   (3) the findings and what is unexplained partition the pairs that are off
+// Columns that the file does not have are not judged.
+// REQUIRES: both matrices are over the elements of `prepared`; the exact one has visibilities.
+// COST: a few passes over both matrices; another exact matrix, of both sides of all edges, when something is off; and
+// an exact sum for each pair that is off and exchanges nothing.
+Verdict judge(const PreparedScene2& prepared, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
+              const VerdictOptions& options);
+
+// The verdict as sentences, most important first.
+std::vector<std::string> verdict_sentences(const Verdict& verdict, const ExchangeMatrix& exact);
+
+}  // namespace hottel
