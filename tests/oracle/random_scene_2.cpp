@@ -109,7 +109,8 @@ std::vector<Stroke> draw(Pen& pen, std::size_t n, bool lattice, bool has_room) {
   return drawn;
 }
 
-// Makes the materials of faces equal that claim the same side of a piece.
+}  // namespace
+
 void settle_conflicts(std::vector<InputSegment>& edges) {
   std::vector<std::size_t> like(2 * edges.size());  // by label: a face listed earlier that it must agree with
   std::iota(like.begin(), like.end(), std::size_t{0});
@@ -130,8 +131,6 @@ void settle_conflicts(std::vector<InputSegment>& edges) {
     for (std::size_t label = 0; label < like.size(); ++label) material(label) = material(root(label));
   }
 }
-
-}  // namespace
 
 RandomScene random_scene(std::uint64_t seed, int n, bool lattice) {
   Pen pen(seed, lattice);

@@ -22,4 +22,7 @@ struct RandomScene {
 // REQUIRES: n >= 4.
 RandomScene random_scene(std::uint64_t seed, int n, bool lattice);
 
+// Makes the materials of faces equal that claim the same side of a piece, so that split(edges) reports no conflict.
+void settle_conflicts(std::vector<InputSegment>& edges);
+
 }  // namespace hottel::oracle

@@ -1,0 +1,233 @@
+#include "tests/storm/laws.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <random>
+
+#include "tests/oracle/engine_comparison_2.h"
+#include "tests/solver/exact_radiosity.h"
+
+namespace hottel::storm {
+
+namespace {
+
+using oracle::InputSegment;
+
+using Relabelling = std::function<std::uint32_t(std::uint32_t)>;
+
+Numbers numbers_of(
+    const ExchangeMatrix& matrix, const Relabelling& label = [](std::uint32_t i) { return i; }) {
+  Numbers result;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (const FactorEntry& entry : matrix.row(i))
+      result[{label(i), entry.to == matrix.sky() ? entry.to : label(entry.to)}] = {entry.factor.value,
+                                                                                   entry.factor.side, entry.visibility};
+  return result;
+}
+
+Numbers numbers_of(const Edges& edges) { return numbers_of(exact_exchange(prepare(oracle::to_scene(edges)))); }
+Numbers numbers_of(const Edges& edges, const Relabelling& label) {
+  return numbers_of(exact_exchange(prepare(oracle::to_scene(edges))), label);
+}
+
+std::string difference(const Numbers& before, const Numbers& after) {
+  std::string wrong;
+  const auto look = [&](const Numbers& these, const Numbers& those, const char* which) {
+    for (const auto& [pair, number] : these) {
+      const auto place = those.find(pair);
+      if (place == those.end() || place->second != number)
+        wrong += fmt::format("F({}, {}) = {:.17g} {}\n", pair.first, pair.second, std::get<0>(number), which);
+    }
+  };
+  look(before, after, "before");
+  look(after, before, "after");
+  return wrong;
+}
+
+std::string closure_is_broken(const Subject& subject) {
+  return subject.report().closure_is_exact ? "" : "rows do not close as integers\n";
+}
+
+std::string range_is_broken(const Subject& subject) {
+  const ExchangeMatrix& matrix = subject.matrix();
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> measures;
+  std::string wrong;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    double sum = 0;
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+      const auto& [to, factor, visibility] = matrix.row(i)[k];
+      sum += factor.value;
+      const auto [place, is_first] = measures.try_emplace(std::minmax({i, to}), matrix.measures(i)[k]);
+      if (place->second != matrix.measures(i)[k]) wrong += fmt::format("S({}, {}) is not symmetric\n", i, to);
+      if (!(factor.value > 0 && factor.enclosure().lower >= 0 && factor.enclosure().upper <= 1))
+        wrong += fmt::format("F({}, {}) = {}\n", i, to, factor.value);
+      if (!(visibility > 0 && visibility <= 1)) wrong += fmt::format("Vis({}, {}) = {}\n", i, to, visibility);
+    }
+    if (matrix.has_row(i) && std::abs(sum - 1) > 0x1p-53 * static_cast<double>(2 * matrix.row(i).size()))
+      wrong += fmt::format("row {} sums to {:.17g}\n", i, sum);
+  }
+  return wrong;
+}
+
+// All points moved.
+Edges moved(Edges edges, const std::function<void(mpq_class& x, mpq_class& y)>& move) {
+  for (InputSegment& edge : edges) {
+    move(edge.ax, edge.ay);
+    move(edge.bx, edge.by);
+  }
+  return edges;
+}
+
+void turn_round(InputSegment& edge) {
+  std::swap(edge.ax, edge.bx);
+  std::swap(edge.ay, edge.by);
+}
+
+std::string translation_is_broken(const Subject& subject) {
+  const mpq_class east = (mpq_class(1) << 53) + 1, north = -(mpq_class(1) << 60) + 7;
+  return difference(subject.numbers(), numbers_of(moved(subject.edges(), [&](mpq_class& x, mpq_class& y) {
+                      x += east;
+                      y += north;
+                    })));
+}
+
+std::string scaling_is_broken(const Subject& subject) {
+  return difference(subject.numbers(), numbers_of(moved(subject.edges(), [](mpq_class& x, mpq_class& y) {
+                      x <<= 20;
+                      y <<= 20;
+                    })));
+}
+
+std::string rotation_is_broken(const Subject& subject) {
+  return difference(subject.numbers(), numbers_of(moved(subject.edges(), [](mpq_class& x, mpq_class& y) {
+                      std::swap(x, y);
+                      x = -x;
+                    })));
+}
+
+std::string reflection_is_broken(const Subject& subject) {
+  Edges mirrored = moved(subject.edges(), [](mpq_class& x, mpq_class&) { x = -x; });
+  for (InputSegment& edge : mirrored) turn_round(edge);
+  return difference(subject.numbers(), numbers_of(mirrored));
+}
+
+std::string reversal_is_broken(const Subject& subject) {
+  const Edges& edges = subject.edges();
+  Edges reversed = edges;
+  for (InputSegment& edge : reversed) {
+    if (edge.back_material < 0) continue;
+    turn_round(edge);
+    std::swap(edge.front_material, edge.back_material);
+  }
+  return difference(subject.numbers(), numbers_of(reversed, [&](std::uint32_t label) {
+                      return edges[label / 2].back_material < 0 ? label : label ^ 1U;
+                    }));
+}
+
+// Do the edges have a piece in common?
+bool overlap(const InputSegment& e, const InputSegment& f) {
+  const auto turn = [&](const mpq_class& x, const mpq_class& y) {
+    return mpq_class((e.bx - e.ax) * (y - e.ay) - (e.by - e.ay) * (x - e.ax));
+  };
+  if (turn(f.ax, f.ay) != 0 || turn(f.bx, f.by) != 0) return false;
+  const auto reach = [](const InputSegment& s) { return std::minmax({std::pair(s.ax, s.ay), std::pair(s.bx, s.by)}); };
+  return std::max(reach(e).first, reach(f).first) < std::min(reach(e).second, reach(f).second);
+}
+
+std::string permutation_is_broken(const Subject& subject) {
+  const Edges& edges = subject.edges();
+  std::vector<std::uint32_t> place(edges.size());  // of each edge in the other order
+  std::iota(place.begin(), place.end(), 0U);
+  std::mt19937_64 random(subject.chance());
+  for (std::size_t k = place.size(); k > 1; --k) std::swap(place[k - 1], place[random() % k]);
+  Edges permuted(edges.size());
+  std::vector<std::uint32_t> original(edges.size());
+  for (std::uint32_t k = 0; k < edges.size(); ++k) {
+    permuted[place[k]] = edges[k];
+    original[place[k]] = k;
+  }
+  // Where edges overlap, the first listed of equal claims owns the piece.
+  std::vector<char> is_alone(edges.size() + 1, 1);  // the sky too
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (std::size_t other = 0; other < edges.size(); ++other)
+      if (other != k && overlap(edges[k], edges[other])) is_alone[k] = 0;
+  Numbers before = subject.numbers();
+  Numbers after = numbers_of(permuted, [&](std::uint32_t label) { return 2 * original[label / 2] + label % 2; });
+  const auto is_shared = [&](const auto& entry) {
+    return !is_alone[entry.first.first / 2] || !is_alone[entry.first.second / 2];
+  };
+  std::erase_if(before, is_shared);
+  std::erase_if(after, is_shared);
+  return difference(before, after);
+}
+
+// S between every face (and the sky) and both faces of one edge: of edge `first`, or of it and the next together.
+std::vector<RootSum> measures_of_edge(const Edges& edges, std::uint32_t first, std::uint32_t parts) {
+  const PreparedScene2 prepared = prepare(oracle::to_scene(edges));
+  const std::uint32_t sky = static_cast<std::uint32_t>(2 * edges.size());
+  const auto others = sky - 2 * parts + 1;
+  std::vector<LabelPair> pairs;
+  for (std::uint32_t part = 0; part < parts; ++part)
+    for (const std::uint32_t side : {0U, 1U})
+      for (std::uint32_t i = 0; i <= sky; ++i)
+        if (i / 2 < first || i / 2 >= first + parts) pairs.push_back(std::minmax({2 * (first + part) + side, i}));
+  const std::vector<RootSum> measures = exact_exchange_measures(prepared, Per::kFace, pairs);
+  std::vector<RootSum> result(2 * others);
+  for (std::size_t k = 0; k < measures.size(); ++k) result[k % result.size()] += measures[k];
+  return result;
+}
+
+std::string splitting_is_broken(const Subject& subject) {
+  const Edges& edges = subject.edges();
+  const auto cut = static_cast<std::uint32_t>(subject.chance() % edges.size());
+  Edges split = edges;
+  InputSegment rest = split[cut];
+  split[cut].bx = rest.ax = (rest.ax + rest.bx) / 2;
+  split[cut].by = rest.ay = (rest.ay + rest.by) / 2;
+  split.insert(split.begin() + cut + 1, rest);
+  const std::vector<RootSum> whole = measures_of_edge(edges, cut, 1), parts = measures_of_edge(split, cut, 2);
+  std::string wrong;
+  for (std::size_t k = 0; k < whole.size(); ++k)
+    if (!(whole[k] - parts[k]).is_zero())
+      wrong += fmt::format("edge {} cut: S number {} = {}, its parts {}\n", cut, k, whole[k].to_string(),
+                           parts[k].to_string());
+  return wrong;
+}
+
+std::string radiosity_is_broken(const Subject& subject) {
+  const testing_radiosity::ExactScene scene(oracle::to_scene(subject.edges()));
+  testing_radiosity::BoundsCheck check;
+  check.add(scene, scene.solve(), scene.scene().materials);
+  return check.misses == 0 ? "" : check.first_miss + "\n";
+}
+
+std::string brute_force_differs(const Subject& subject) {
+  oracle::ComparisonCounts counts;
+  return oracle::disagreement(oracle::to_scene(subject.edges()), counts);
+}
+
+}  // namespace
+
+Subject::Subject(const Edges& edges, std::uint64_t chance) : edges_(edges), chance_(chance) {
+  ExchangeOptions2 options;
+  options.wants_measures = true;
+  matrix_ = exact_exchange(prepare(oracle::to_scene(edges)), options, &report_);
+  numbers_ = numbers_of(matrix_);
+}
+
+const std::vector<Law>& laws() {
+  static const std::vector<Law> list{
+      {"closure", closure_is_broken, 1},         {"range", range_is_broken, 1},
+      {"translation", translation_is_broken, 7}, {"scaling", scaling_is_broken, 7},
+      {"rotation", rotation_is_broken, 7},       {"reflection", reflection_is_broken, 7},
+      {"reversal", reversal_is_broken, 7},       {"permutation", permutation_is_broken, 7},
+      {"splitting", splitting_is_broken, 7},     {"radiosity", radiosity_is_broken, 10},
+      {"brute force", brute_force_differs, 10},
+  };
+  return list;
+}
+
+}  // namespace hottel::storm

@@ -1,0 +1,36 @@
+// hottel_storm: any number of lattice scenes against the laws. Exit code 1 when one is broken.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "tests/storm/storm.h"
+
+int main(int argc, char** argv) {
+  using namespace hottel::storm;
+  StormOptions options;
+  options.threads = std::max(1U, std::thread::hardware_concurrency());
+  CLI::App app{"Random scenes on a lattice, where nearly everything coincides, held against the laws of exchange"};
+  app.add_option("--seed", options.first, "number of the first scene")->capture_default_str();
+  app.add_option("--scenes", options.scenes, "how many")->capture_default_str()->check(CLI::PositiveNumber);
+  app.add_option("--k", options.k, "points of the lattice {0, ..., K}^2; 0: K = 2 to 6 in turn")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 100));
+  app.add_option("--threads", options.threads)->capture_default_str()->check(CLI::Range(1, 4096));
+  app.add_flag("--all", options.all_laws, "every law on every scene");
+  CLI11_PARSE(app, argc, argv);
+
+  const auto start = std::chrono::steady_clock::now();
+  options.progress = [&](std::uint64_t done) {
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    const double left = taken.count() * static_cast<double>(options.scenes - done) / static_cast<double>(done);
+    fmt::print(stderr, "\r{} of {} scenes, {:.0f} s left  ", done, options.scenes, left);
+  };
+  const StormResult result = run_storm(options);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  fmt::print(stderr, "\n");
+  fmt::print("{}\n{:.1f} s on {} threads\n", report(result), taken.count(), options.threads);
+  return result.all_failures() == 0 ? 0 : 1;
+}

@@ -1,0 +1,164 @@
+#include "tests/storm/storm.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <thread>
+
+#include "io/scene_json.h"
+#include "tests/oracle/engine_comparison_2.h"
+
+namespace hottel::storm {
+
+namespace {
+
+// What is wrong with a scene by one law; an exception is wrong too.
+std::string verdict(const Law& law, const Edges& edges, std::uint64_t chance) {
+  try {
+    return law.broken(Subject(edges, chance));
+  } catch (const std::exception& error) {
+    return std::string("throws: ") + error.what() + "\n";
+  }
+}
+
+class Storm {
+ public:
+  Storm(const StormOptions& options, const std::vector<Law>& laws) : options_(options), laws_(laws) {
+    result_.checks.resize(laws.size());
+    result_.failures.resize(laws.size());
+  }
+
+  void run(std::uint64_t number) {
+    const auto start = std::chrono::steady_clock::now();
+    const int k = options_.k > 0 ? options_.k : 2 + static_cast<int>(number % 5);
+    const LatticeScene scene = lattice_scene(number, k);
+    try {
+      const Subject subject(scene.edges, number);
+      for (std::size_t l = 0; l < laws_.size(); ++l)
+        if (options_.all_laws || (number + l) % laws_[l].every == 0) check(l, subject);
+    } catch (const std::exception&) {
+      for (std::size_t l = 0; l < laws_.size(); ++l) add_failure(l, scene);
+    }
+    ++result_.scenes;
+    result_.edges += scene.edges.size();
+    count_contacts(scene.lattice, result_.contacts);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    result_.slowest = std::max(result_.slowest, taken);
+    result_.total += taken;
+  }
+
+  const StormResult& result() const { return result_; }
+
+ private:
+  void check(std::size_t l, const Subject& subject) {
+    ++result_.checks[l];
+    std::string what;
+    try {
+      what = laws_[l].broken(subject);
+    } catch (const std::exception& error) {
+      what = error.what();
+    }
+    if (!what.empty()) add_failure(l, subject.edges(), subject.chance());
+  }
+
+  void add_failure(std::size_t l, const LatticeScene& scene) { add_failure(l, scene.edges, scene.number); }
+
+  void add_failure(std::size_t l, const Edges& edges, std::uint64_t number) {
+    if (++result_.failures[l] > 1) return;
+    const auto fails = [&](const Edges& some) { return !verdict(laws_[l], some, number).empty(); };
+    if (!fails(edges)) return;
+    Edges least = shrunk(edges, fails);
+    std::string what = verdict(laws_[l], least, number);
+    result_.examples.push_back({number, laws_[l].name, std::move(what), std::move(least)});
+  }
+
+  const StormOptions& options_;
+  const std::vector<Law>& laws_;
+  StormResult result_;
+};
+
+}  // namespace
+
+std::uint64_t StormResult::all_checks() const {
+  return std::accumulate(checks.begin(), checks.end(), std::uint64_t{0});
+}
+
+std::uint64_t StormResult::all_failures() const {
+  return std::accumulate(failures.begin(), failures.end(), std::uint64_t{0});
+}
+
+void StormResult::add(const StormResult& other) {
+  scenes += other.scenes;
+  edges += other.edges;
+  checks.resize(other.checks.size());
+  failures.resize(other.failures.size());
+  for (std::size_t l = 0; l < checks.size(); ++l) {
+    checks[l] += other.checks[l];
+    failures[l] += other.failures[l];
+  }
+  for (std::size_t c = 0; c < kContactKinds; ++c) contacts[c] += other.contacts[c];
+  examples.insert(examples.end(), other.examples.begin(), other.examples.end());
+  std::sort(examples.begin(), examples.end(), [](const Failure& a, const Failure& b) { return a.number < b.number; });
+  slowest = std::max(slowest, other.slowest);
+  total += other.total;
+}
+
+StormResult run_storm(const StormOptions& options, const std::vector<Law>& which) {
+  constexpr std::uint64_t kAtOnce = 64;
+  const unsigned count = std::max(1U, options.threads);
+  std::atomic<std::uint64_t> next{0};
+  std::vector<Storm> storms(count, Storm(options, which));
+  const auto work = [&](unsigned thread) {
+    for (std::uint64_t from; (from = next.fetch_add(kAtOnce)) < options.scenes;) {
+      const std::uint64_t to = std::min(from + kAtOnce, options.scenes);
+      for (std::uint64_t k = from; k < to; ++k) storms[thread].run(options.first + k);
+      if (thread == 0 && options.progress) options.progress(std::min(next.load(), options.scenes));
+    }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned thread = 1; thread < count; ++thread) threads.emplace_back(work, thread);
+  work(0);
+  for (std::thread& thread : threads) thread.join();
+  StormResult result;
+  for (const Storm& storm : storms) result.add(storm.result());
+  return result;
+}
+
+Edges shrunk(Edges edges, const std::function<bool(const Edges&)>& fails) {
+  for (std::size_t k = 0; k < edges.size() && edges.size() > 1;) {
+    Edges fewer = edges;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
+    if (fails(fewer)) {
+      edges = std::move(fewer);
+      k = 0;
+    } else {
+      ++k;
+    }
+  }
+  return edges;
+}
+
+std::string report(const StormResult& result, const std::vector<Law>& which) {
+  std::string text =
+      fmt::format("{} scenes of {:.1f} edges, {} checks, {} failures; {:.2f} ms a scene, at most {:.0f} ms\n\n",
+                  result.scenes, static_cast<double>(result.edges) / static_cast<double>(result.scenes),
+                  result.all_checks(), result.all_failures(),
+                  1e3 * result.total.count() / static_cast<double>(result.scenes), 1e3 * result.slowest.count());
+  for (std::size_t l = 0; l < which.size(); ++l)
+    text += fmt::format("{:24} {:>12} checks {:>6} failures\n", which[l].name, result.checks[l], result.failures[l]);
+  text += "\n";
+  for (std::size_t c = 0; c < kContactKinds; ++c)
+    text += fmt::format("{:24} {:>12}\n", to_string(static_cast<Contact>(c)), result.contacts[c]);
+  for (const Failure& failure : result.examples) {
+    Scene2 scene = oracle::to_scene(failure.edges);
+    scene.about = fmt::format("Scene {} of the storm, shrunk: {}.", failure.number, failure.law);
+    text += fmt::format("\nscene {} breaks {}:\n{}{}", failure.number, failure.law, failure.what, write_scene_2(scene));
+  }
+  return text;
+}
+
+}  // namespace hottel::storm

@@ -1,0 +1,107 @@
+// Ten thousand lattice scenes in every run of the tests (a million: hottel_storm --scenes 1000000), and the storm
+// itself.
+#include "tests/storm/storm.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace hottel::storm {
+namespace {
+
+#ifndef __has_feature
+#define __has_feature(feature) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
+constexpr std::uint64_t kScenes = 500;
+#else
+constexpr std::uint64_t kScenes = 10'000;
+#endif
+
+TEST(LatticeStorm, TenThousandScenesObeyTheLaws) {
+  StormOptions options;
+  options.scenes = kScenes;
+  options.threads = 2;
+  const StormResult result = run_storm(options);
+  const std::string text = report(result);
+  std::printf("%s", text.c_str());
+  EXPECT_EQ(result.scenes, kScenes);
+  EXPECT_EQ(result.all_failures(), 0u) << text;
+  for (std::size_t l = 0; l < laws().size(); ++l)
+    EXPECT_GE(result.checks[l], kScenes / laws()[l].every) << laws()[l].name;
+  for (std::size_t c = 0; c < kContactKinds; ++c)
+    EXPECT_GE(result.contacts[c], kScenes / 20) << to_string(static_cast<Contact>(c));
+}
+
+TEST(LatticeStorm, IsTheSameForAnyNumberOfThreads) {
+  StormOptions options;
+  options.scenes = 100;
+  options.first = 77;
+  const StormResult one = run_storm(options);
+  options.threads = 3;
+  const StormResult three = run_storm(options);
+  EXPECT_EQ(one.checks, three.checks);
+  EXPECT_EQ(one.edges, three.edges);
+  EXPECT_EQ(one.contacts, three.contacts);
+}
+
+bool has_steep_edge(const Edges& edges) {
+  return std::any_of(edges.begin(), edges.end(), [](const auto& e) { return abs(e.by - e.ay) > 2 * abs(e.bx - e.ax); });
+}
+
+std::string no_steep_edges(const Subject& subject) { return has_steep_edge(subject.edges()) ? "a steep edge\n" : ""; }
+
+TEST(LatticeStorm, ShrinksAFailureToItsCauseAndPrintsItAsAScene) {
+  StormOptions options;
+  options.scenes = 50;
+  const std::vector<Law> planted{{"no steep edges", no_steep_edges, 1}};
+  const StormResult result = run_storm(options, planted);
+  EXPECT_GT(result.all_failures(), 10u);
+  ASSERT_EQ(result.examples.size(), 1u);
+  EXPECT_EQ(result.examples[0].edges.size(), 1u);
+  EXPECT_TRUE(has_steep_edge(result.examples[0].edges));
+  const std::string text = report(result, planted);
+  EXPECT_THAT(text, testing::HasSubstr("breaks no steep edges"));
+  EXPECT_THAT(text, testing::HasSubstr("\"hottel\": 1"));
+}
+
+std::string throws(const Subject&) { throw std::runtime_error("too much"); }
+
+TEST(LatticeStorm, TakesAnExceptionForAFailure) {
+  StormOptions options;
+  options.scenes = 3;
+  const StormResult result = run_storm(options, {{"calm", throws, 1}});
+  EXPECT_EQ(result.all_failures(), 3u);
+  ASSERT_EQ(result.examples.size(), 1u);
+  EXPECT_THAT(result.examples[0].what, testing::HasSubstr("too much"));
+}
+
+TEST(LatticeContacts, AreToldApart) {
+  const LatticeEdge e{0, 0, 4, 0};
+  const auto contact = [&](const LatticeEdge& f) {
+    EXPECT_EQ(contact_of(e, f), contact_of(f, e));
+    EXPECT_EQ(contact_of(e, f), contact_of(e, {f.bx, f.by, f.ax, f.ay}));
+    return contact_of(e, f);
+  };
+  EXPECT_EQ(contact({0, 1, 4, 1}), Contact::kApart);
+  EXPECT_EQ(contact({5, -1, 5, 1}), Contact::kApart);
+  EXPECT_EQ(contact({4, 0, 5, 1}), Contact::kTipsMeet);
+  EXPECT_EQ(contact({2, 0, 5, 1}), Contact::kTJunction);
+  EXPECT_EQ(contact({4, -1, 4, 1}), Contact::kTJunction);
+  EXPECT_EQ(contact({2, -1, 3, 1}), Contact::kCrossing);
+  EXPECT_EQ(contact({4, 0, 6, 0}), Contact::kEndToEnd);
+  EXPECT_EQ(contact({5, 0, 6, 0}), Contact::kCollinearApart);
+  EXPECT_EQ(contact({4, 0, 0, 0}), Contact::kEqual);
+  EXPECT_EQ(contact({2, 0, 6, 0}), Contact::kPartialOverlap);
+  EXPECT_EQ(contact({1, 0, 2, 0}), Contact::kContained);
+  EXPECT_EQ(contact({0, 0, 2, 0}), Contact::kContained);
+  ContactCounts counts{};
+  count_contacts({{0, 0, 4, 4}, {0, 4, 4, 0}, {2, 0, 2, 4}}, counts);
+  EXPECT_EQ(counts[static_cast<std::size_t>(Contact::kCrossing)], 3u);
+  EXPECT_EQ(counts[static_cast<std::size_t>(Contact::kThreeThroughOnePoint)], 1u);
+  EXPECT_EQ(counts[static_cast<std::size_t>(Contact::kThreeTipsOnOneLine)], 1u) << "(4,4), (0,4) and (2,4)";
+}
+
+}  // namespace
+}  // namespace hottel::storm
