@@ -36,6 +36,12 @@ std::vector<PairSum> sum_all_pairs(const Arrangement2& arrangement, const Labels
   return pairs;
 }
 
+std::uint64_t count_all_pairs(const Labels2& labels) {
+  std::uint64_t rows = 0;
+  for (std::uint32_t i = 0; i < labels.count(); ++i) rows += labels.has_row(i);
+  return rows * (rows - 1) / 2;
+}
+
 ExchangeMatrix to_matrix(const Labels2& labels, const std::vector<PairSum>& pairs,
                          const std::vector<RoundedPair>& rounded, bool with_measures) {
   ExchangeMatrix matrix(labels.elements(), Guarantee::kExact);
@@ -62,6 +68,14 @@ ExchangeMatrix to_matrix(const Labels2& labels, const std::vector<PairSum>& pair
   return matrix;
 }
 
+// S(i, j) in scene units.
+std::vector<RootSum> scaled_sums(const PreparedScene2& prepared, const Labels2& labels,
+                                 const std::vector<LabelPair>& pairs) {
+  std::vector<RootSum> sums = exact_sums(prepared.arrangement, labels, pairs);
+  for (RootSum& sum : sums) sum *= prepared.arrangement.vertices().scale() / 2;
+  return sums;
+}
+
 }  // namespace
 
 PreparedScene2 prepare(Scene2 scene, Divided divided) {
@@ -86,7 +100,8 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();
   if (options.memory > 0) {
     most_pairs = options.memory / kBytesPerPair;
-    if (const std::uint64_t pairs = estimated_pairs(arrangement, labels); pairs > most_pairs)
+    const std::uint64_t pairs = options.occlusion ? estimated_pairs(arrangement, labels) : count_all_pairs(labels);
+    if (pairs > most_pairs)
       throw RequestError("about " + std::to_string(pairs) + " visible pairs need about " +
                          std::to_string(pairs * kBytesPerPair) + " bytes; allowed are " +
                          std::to_string(options.memory));
@@ -120,9 +135,9 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
     tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {
       rounding.exactly(pairs[open[k]], sums[k], rounded[open[k]], tiers.local());
     });
+    r.seconds["exact"] = watch.lap();
   }
   for (const TierCounts& some : tiers) r.tiers += some;
-  r.seconds["exact"] = watch.lap();
 
   r.surfaces = prepared.scene.surfaces.size();
   r.vertices = arrangement.vertices().size();
@@ -139,17 +154,18 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
 
 std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Per per,
                                              const std::vector<LabelPair>& pairs) {
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
-  std::vector<RootSum> sums = exact_sums(prepared.arrangement, labels, pairs);
-  for (RootSum& sum : sums) sum *= prepared.arrangement.vertices().scale() / 2;
-  return sums;
+  return scaled_sums(prepared, Labels2(prepared.scene, prepared.arrangement, prepared.division, per), pairs);
 }
 
 ExactPair2 exact_pair(const PreparedScene2& prepared, Per per, std::uint32_t from, std::uint32_t to) {
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
+  return exact_pair(prepared, Labels2(prepared.scene, prepared.arrangement, prepared.division, per), per, from, to);
+}
+
+ExactPair2 exact_pair(const PreparedScene2& prepared, const Labels2& labels, Per per, std::uint32_t from,
+                      std::uint32_t to) {
   const Vertices2& vertices = prepared.arrangement.vertices();
   ExactPair2 result;
-  result.exchange = exact_exchange_measures(prepared, per, {{std::min(from, to), std::max(from, to)}}).front();
+  result.exchange = scaled_sums(prepared, labels, {{std::min(from, to), std::max(from, to)}}).front();
   result.area_from = labels.exact_length(from, vertices) * vertices.scale();
   if (to == labels.sky()) {
     result.unobstructed = result.area_from;

@@ -34,15 +34,15 @@ struct ExchangeOptions2 {
   bool wants_measures = false;   // ExchangeMatrix::measures()
   bool occlusion = true;         // false: nothing can hide anything (is_convex_room); no sweep is made
   std::uint64_t memory = 0;      // bytes the sums and the matrix may take; 0: no limit. Beyond: RequestError
-  std::function<void(double)> progress = {};  // fraction done; may throw to stop
+  std::function<void(double)> progress = {};  // fraction of the sweep done; may throw to stop. No sweep, no call
 };
 
 // How the numbers came about.
 struct ExchangeReport {
   std::uint64_t surfaces = 0, vertices = 0, pieces = 0, elements = 0, pairs = 0, gaps = 0, terms = 0;
-  TierCounts tiers;               // one count a rounded number: factors both ways, visibilities
-  bool closure_is_exact = false;  // the integer identity sum_j 2 S(i, j) = 2 A_i held in every row
-  std::map<std::string, double> seconds;
+  TierCounts tiers;                       // one count a rounded number: factors both ways, visibilities
+  bool closure_is_exact = false;          // the integer identity sum_j 2 S(i, j) = 2 A_i held in every row
+  std::map<std::string, double> seconds;  // of stages that ran
 };
 
 // Returns the view factors of all pairs that exchange light, each correctly rounded.
@@ -62,6 +62,9 @@ struct ExactPair2 {
   RootSum exchange, unobstructed, area_from, area_to;
 };
 ExactPair2 exact_pair(const PreparedScene2& prepared, Per per, std::uint32_t from, std::uint32_t to);
+// The same for those who have the labels of `per` already.
+ExactPair2 exact_pair(const PreparedScene2& prepared, const Labels2& labels, Per per, std::uint32_t from,
+                      std::uint32_t to);
 
 // Closed forms of many exchange measures S(i, j) at once, in scene units.
 std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Per per,
