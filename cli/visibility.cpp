@@ -1,6 +1,7 @@
 // hottel visibility: what a point sees, what a point of a face receives, what two faces see of each other.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
@@ -90,19 +91,16 @@ std::string where(const PreparedScene2& prepared, const VisibilityPolygon2& poly
 }
 
 // The mean irradiance at a point once the light has been reflected until it is absorbed, per channel.
-void add_mean_irradiance(const PreparedScene2& prepared, const PointLocation2& location, const ExactPoint2& eye,
-                         Answer& answer) {
+void add_mean_irradiance(const PreparedScene2& prepared, const VisibilityPolygon2& seen, Answer& answer) {
   const Vertices2& vertices = prepared.arrangement.vertices();
   const ExchangeMatrix matrix = exact_exchange(prepared, {.per = Per::kFace, .wants_visibility = false});
   const RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission, {});
   const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
   const std::vector<double> sky = sky_by_channel(prepared.scene.sky_emission, solution.channels.size());
   const FaceRadiosity2 faces(prepared.arrangement, labels, radiosity_by_element(solution), sky);
-  const Eye2 look(vertices, vertices.from_scene(eye));
-  View2 view;
-  location.look_around(look, view);
+  const Eye2 look(vertices, vertices.from_scene(seen.eye));
   std::vector<double> mean(solution.channels.size());
-  mean_irradiance(vertices, faces, look, location.locate(look), view, mean);
+  mean_irradiance(vertices, faces, look, seen.location, seen.view, mean);
   answer.text += "\nmean irradiance\n";
   for (std::size_t c = 0; c < mean.size(); ++c) {
     answer.json["mean_irradiance"][solution.channel_names[c]] = mean[c];
@@ -160,7 +158,7 @@ Answer from_point(const PreparedScene2& prepared, const ExactPoint2& eye, bool w
 
   if (wants_light) {
     try {
-      add_mean_irradiance(prepared, location, eye, answer);
+      add_mean_irradiance(prepared, polygon, answer);
     } catch (const RequestError& error) {  // no finite light: what is seen stands all the same
       answer.json["mean_irradiance"] = nullptr;
       answer.text += fmt::format("\nno mean irradiance: {}\n", error.what());
@@ -228,9 +226,15 @@ Answer from_face(const PreparedScene2& prepared, const std::string& name, const 
 
 Answer between_faces(const PreparedScene2& prepared, const std::string& from, const std::string& to) {
   const FaceName a = face_of(prepared.scene, from), b = face_of(prepared.scene, to);
-  const ExchangeMatrix empty(Labels2(prepared.scene, prepared.arrangement, prepared.division, Per::kFace).elements(),
-                             Guarantee::kExact);
-  const ExactPair2 pair = exact_pair(prepared, Per::kFace, require_element(empty, from), require_element(empty, to));
+  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  const auto label_of = [&](const FaceName& face) {
+    const auto& elements = labels.elements();
+    return static_cast<std::uint32_t>(
+        std::find_if(elements.begin(), elements.end(),
+                     [&](const Element& e) { return e.surface == face.surface && e.is_back == face.is_back; }) -
+        elements.begin());
+  };
+  const ExactPair2 pair = exact_pair(prepared, labels, Per::kFace, label_of(a), label_of(b));
   const RootSum one{Rational(1)};
   Answer answer;
   answer.json["from"] = from;

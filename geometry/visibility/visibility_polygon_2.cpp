@@ -35,13 +35,12 @@ VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const Poi
                                       const ExactPoint2& eye) {
   const Vertices2& vertices = arrangement.vertices();
   const Eye2 look(vertices, vertices.from_scene(eye));
-  View2 view;
-  location.look_around(look, view);
   const ExactPoint2 at = look.exact();
 
   VisibilityPolygon2 result;
+  View2& view = result.view;
   result.eye = eye;
-  result.location = location.locate(look);
+  result.location = location.look_around(look, view);
   Rational twice_area = 0;
   bool is_bounded = !view.seen.empty();
   const std::size_t m = view.seen.size();

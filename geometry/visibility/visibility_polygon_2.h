@@ -27,6 +27,7 @@ struct VisibilityPolygon2 {
   };
   ExactPoint2 eye;  // scene coordinates
   Location2 location;
+  View2 view;  // what the parts are made of
   std::vector<Part> parts;
   std::optional<Rational> area;  // scene unit squared
 
