@@ -1,6 +1,8 @@
 // hottel factors: the view factors of a scene.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +12,9 @@
 #include "io/factor_files.h"
 #include "io/scene_json.h"
 #include "kernel/failure.h"
+#include "kernel/stopwatch.h"
+#include "kernel/version.h"
+#include "solver/system/gray_exchange.h"
 #include "viewer/picture/scene_picture_2.h"
 
 namespace hottel {
@@ -22,7 +27,8 @@ struct FactorsOptions {
   ElementOptions elements;
   std::vector<std::string> exact_form;
   const CLI::Option* exact_form_option = nullptr;
-  bool wants_exact_form = false, json = false;
+  bool wants_exact_form = false, json = false, script_f = false;
+  std::string channel;
   std::string picture, toward;
 };
 
@@ -47,12 +53,58 @@ Per per_of(const std::string& name) {
   return name == "element" ? Per::kElement : name == "group" ? Per::kGroup : Per::kFace;
 }
 
-nlohmann::ordered_json report_json(const FactorsOptions& options, std::size_t surfaces, const ExchangeReport& report) {
+// Script-F and what is said of it.
+struct GrayFactors {
+  ExchangeMatrix matrix;
+  int channel = 0;
+  std::string channel_name = "all";
+  double max_relative_width = 0;
+  double seconds = 0;
+};
+
+constexpr std::array<const char*, 3> kChannels{"r", "g", "b"};
+
+// The channel asked for; without one all materials of faces must be gray.
+void choose_channel(const FactorsOptions& options, const PreparedScene2& prepared, const ExchangeMatrix& matrix,
+                    GrayFactors& gray) {
+  if (!options.channel.empty()) {
+    const auto place = std::find(kChannels.begin(), kChannels.end(), options.channel);
+    gray.channel = static_cast<int>(place - kChannels.begin());
+    gray.channel_name = options.channel;
+    return;
+  }
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const Material& material = prepared.scene.materials[*matrix.elements()[i].material];
+    const auto& rho = material.reflectivity.value;
+    if (rho[0] != rho[1] || rho[0] != rho[2])
+      throw RequestError(fmt::format("{}: '{}', the material of '{}', is not gray: choose --channel r, g or b",
+                                     prepared.scene.file, material.name, matrix.elements()[i].name));
+  }
+}
+
+GrayFactors gray_factors(const FactorsOptions& options, const PreparedScene2& prepared, const ExchangeMatrix& matrix,
+                         const Streams& streams) {
+  Stopwatch watch;
+  GrayFactors gray;
+  choose_channel(options, prepared, matrix, gray);
+  gray.matrix = gray_exchange(matrix, prepared.scene.materials, gray.channel, streams.progress("script-F"));
+  for (std::uint32_t i = 0; i < gray.matrix.size(); ++i)
+    for (std::size_t k = 0; k < gray.matrix.row(i).size(); ++k)
+      if (const double factor = gray.matrix.row(i)[k].factor.value; factor > 0)
+        gray.max_relative_width = std::max(gray.max_relative_width, gray.matrix.bounds(i, k).width() / factor);
+  gray.seconds = watch.lap();
+  return gray;
+}
+
+nlohmann::ordered_json report_json(const FactorsOptions& options, const ExchangeReport& report,
+                                   const std::optional<GrayFactors>& gray) {
   nlohmann::ordered_json json;
   json["hottel"] = 1;
+  json["version"] = kVersion;
   json["scene"] = options.scene;
   json["method"] = options.method;
-  json["counts"] = {{"surfaces", surfaces},        {"vertices", report.vertices}, {"pieces", report.pieces},
+  json["counts"] = {{"surfaces", report.surfaces}, {"vertices", report.vertices}, {"pieces", report.pieces},
                     {"elements", report.elements}, {"pairs", report.pairs},       {"gaps", report.gaps},
                     {"terms", report.terms}};
   json["tiers"] = {{"double", report.tiers.by_tier[0]},
@@ -61,17 +113,26 @@ nlohmann::ordered_json report_json(const FactorsOptions& options, std::size_t su
                    {"root_sum", report.tiers.by_tier[3]}};
   json["seconds"] = report.seconds;
   json["closure"] = {{"max_defect", 0}, {"exact", report.closure_is_exact}};
+  if (gray) {
+    json["seconds"]["script_f"] = gray->seconds;
+    json["script_f"] = {{"channel", gray->channel_name}, {"max_relative_width", gray->max_relative_width}};
+  }
   return json;
 }
 
-std::string report_text(const FactorsOptions& options, const ExchangeReport& report) {
+std::string report_text(const FactorsOptions& options, const ExchangeReport& report,
+                        const std::optional<GrayFactors>& gray) {
   double seconds = 0;
   for (const auto& [stage, time] : report.seconds) seconds += time;
-  return fmt::format(
+  std::string text = fmt::format(
       "{} visible pairs of {} {}s, every factor correctly rounded; rows close exactly\n"
       "settled by: {} without rounding, {} in 128-bit fixed point, {} by balls, {} by root sums; {:.3f} s",
       report.pairs, report.elements, options.per, report.tiers.by_tier[0], report.tiers.by_tier[1],
       report.tiers.by_tier[2], report.tiers.by_tier[3], seconds);
+  if (gray)
+    text += fmt::format("\nscript-F of {} pairs, bounds within {:.1e} of the value; {:.3f} s",
+                        gray->matrix.entry_count(), gray->max_relative_width, gray->seconds);
+  return text;
 }
 
 // What fraction of each face's light goes to the surfaces that --toward names.
@@ -132,6 +193,9 @@ void require_sense(const FactorsOptions& options) {
       throw UsageError("--tolerance must be a positive number, not '" + *options.tolerance + "'");
   }
   if (options.json && options.out == "-") throw UsageError("--json and -o - both want standard output; give -o a file");
+  if (options.script_f && options.matrix != "" && options.matrix != "factor")
+    throw UsageError("--script-f is written as --matrix factor, not --matrix " + options.matrix);
+  if (options.script_f && options.pairs != "visible") throw UsageError("--script-f lists all pairs that exchange heat");
   if (options.picture.empty() != options.toward.empty()) throw UsageError("--picture and --toward go together");
 }
 
@@ -192,7 +256,10 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
                       .wants_measures = options.matrix == "exchange",
                       .progress = streams.progress("view factors")},
                      &report);
-  FactorTable table{prepared.scene, matrix, per, {}};
+  const std::optional<GrayFactors> gray =
+      options.script_f ? std::optional(gray_factors(options, prepared, matrix, streams)) : std::nullopt;
+  FactorTable table{prepared.scene, gray ? gray->matrix : matrix, per, {}, {}};
+  if (gray) table.gray_channel = gray->channel;
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = hidden_pairs(prepared, per, matrix);
   if (drawing) drawing->write(draw_picture(options, prepared, *picture));
   if (out) write_factors(options, prepared, table, format, *out, faces);
@@ -200,10 +267,10 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   // All files are whole before the first one takes its name.
   for (std::optional<OutputFile>* file : {&out, &faces, &drawing})
     if (*file) (*file)->finish();
-  if (options.json) streams.write("", report_json(options, prepared.scene.surfaces.size(), report).dump(2) + "\n");
+  if (options.json) streams.write("", report_json(options, report, gray).dump(2) + "\n");
   for (std::optional<OutputFile>* file : {&faces, &drawing, &out})
     if (*file) (*file)->commit();
-  streams.note(report_text(options, report));
+  streams.note(report_text(options, report, gray));
   return ExitCode::kDone;
 }
 
@@ -217,6 +284,7 @@ void add_factors(Commands& commands) {
                     "hottel factors scenes/showcase/apartment.json -o /tmp/factors.mtx",
                     "hottel factors scenes/analytic/triangle_345.json --exact-form",
                     "hottel factors scenes/analytic/triangle_345.json --per element --elements 2 --matrix visibility",
+                    "hottel factors scenes/analytic/square_radiosity.json --script-f",
                     "hottel factors scenes/showcase/apartment.json --quiet -o /tmp/factors.csv --picture "
                     "/tmp/windows.png --toward 'window*'"},
                    [options](Streams& streams) { return factors(*options, streams); });
@@ -238,11 +306,18 @@ void add_factors(Commands& commands) {
       command.add_option("--matrix", options->matrix, "a dense matrix of this quantity instead of a list");
   matrix->check(CLI::IsMember({"factor", "exchange", "visibility"}));
   options->elements.add_to(command);
+  CLI::Option* script_f = command.add_flag(
+      "--script-f", options->script_f,
+      "gray-body exchange factors instead: q = A script-F sigma (T^4 - T^4), reflections counted, with proven bounds");
+  command.add_option("--channel", options->channel, "r, g or b: whose reflectivities, where materials are not gray")
+      ->check(CLI::IsMember({"r", "g", "b"}))
+      ->needs(script_f);
   options->exact_form_option = command
                                    .add_option("--exact-form", options->exact_form,
                                                "exchange measures as sums of square roots, of A and B or of all pairs")
                                    ->expected(0, 3)  // the scene may follow
                                    ->excludes(matrix)
+                                   ->excludes(script_f)
                                    ->type_name("[A B]");
   command
       .add_option("--picture", options->picture,

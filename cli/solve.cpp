@@ -138,13 +138,12 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const bool is_divided = plan.uses(Plan::kSubdivision);
   const Per per = is_divided ? Per::kElement : Per::kFace;
   const PreparedScene2 prepared = prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
-  seconds["prepare"] = watch.lap();
 
   const std::filesystem::path directory =
       options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-hottel" : options.out;
   std::filesystem::create_directories(directory);
-  OutputFile csv(directory / "radiosity.csv"), npy(directory / "illumination.npy"), png(directory / "illumination.png"),
-      json(directory / "report.json");
+  OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), npy(directory / "illumination.npy"),
+      png(directory / "illumination.png"), json(directory / "report.json");
 
   ExchangeReport exchange;
   const ExchangeMatrix matrix = exact_exchange(prepared,
@@ -155,7 +154,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
                                                 .progress = streams.progress("view factors")},
                                                &exchange);
   require_closed(prepared.scene, matrix);
-  seconds["factors"] = watch.lap();
+  seconds.insert(exchange.seconds.begin(), exchange.seconds.end());
 
   const RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission,
                                                      {.solver = *solver,
@@ -164,8 +163,10 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
                                                       .progress = streams.progress("radiosity")});
   if ((options.iterations || options.until) && (solution.used == Solver::kCholesky || solution.used == Solver::kLu))
     streams.note(fmt::format("--iterations and --until do not apply to {}, which is direct", to_string(solution.used)));
-  seconds["radiosity"] = watch.lap();
+  seconds.insert(solution.seconds.begin(), solution.seconds.end());
+  const NetFluxes fluxes(prepared.scene, matrix, solution);
 
+  watch.lap();
   const auto [light, light_error] =
       illuminate(options.illumination, prepared, grid, per, solution, streams.progress("illumination"));
   seconds["illumination"] = watch.lap();
@@ -174,23 +175,27 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const IlluminationPainter2 painter(prepared.scene, light, picture);
   CairoCanvas canvas(PictureFormat::kPng, painter.width(), painter.height());
   painter.draw(canvas);
+  const std::string pixels = canvas.finish();
   seconds["picture"] = watch.lap();
 
-  SolveReport report{options.scene,          &plan,      &exchange, &solution, seconds, to_string(solution.used),
-                     painter.tone().scale(), light_error};
   write_radiosity_csv(prepared.scene, matrix, solution, [&csv](std::string_view text) { csv.write(text); });
+  write_flux_csv(fluxes, solution.channel_names, [&flux](std::string_view text) { flux.write(text); });
   const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
   write_npy(shape, light.values, [&npy](std::string_view bytes) { npy.write(bytes); });
-  png.write(canvas.finish());
+  png.write(pixels);
+  seconds["write"] = watch.lap();
+  const SolveReport report{options.scene,          &plan,      &exchange, &solution, &fluxes, seconds,
+                           painter.tone().scale(), light_error};
   json.write(report_json(report));
-  for (OutputFile* file : {&csv, &npy, &png, &json}) file->finish();
-  for (OutputFile* file : {&csv, &npy, &png, &json}) file->commit();
+  for (OutputFile* file : {&csv, &flux, &npy, &png, &json}) file->finish();
+  for (OutputFile* file : {&csv, &flux, &npy, &png, &json}) file->commit();
 
   if (options.json) streams.write("", report_json(report));
   std::string text = report_text(report);
   if (matrix.elements().size() <= 2 * kFacesOnAScreen && prepared.scene.surfaces.size() <= kFacesOnAScreen)
     text += small_scene_text(matrix, solution);
-  streams.note(text + "\nin " + directory.string() + ": radiosity.csv illumination.npy illumination.png report.json");
+  streams.note(text + "\nin " + directory.string() +
+               ": radiosity.csv flux.csv illumination.npy illumination.png report.json");
   return ExitCode::kDone;
 }
 
@@ -222,10 +227,9 @@ void add_solve(Commands& commands) {
       ->check(CLI::NonNegativeNumber);
   command.add_option("--grid", options->grid, "cells of the illumination over the scene's region")->type_name("NXxNY");
   command
-      .add_option(
-          "--illumination", options->illumination,
-          "point: mean irradiance at cell centres, exact visibility; average: its mean over each cell, in closed "
-          "form with a proven bound; inverse-square: the source formula")
+      .add_option("--illumination", options->illumination,
+                  "point: mean irradiance at cell centres, exact visibility; average: its mean over each cell, in "
+                  "closed form with a proven bound; inverse-square: the source formula")
       ->check(CLI::IsMember({"point", "average", "inverse-square"}))
       ->capture_default_str();
   command.add_option("--tone", options->tone, "linear, reinhard, log or max (the largest value is 1)")

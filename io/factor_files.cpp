@@ -69,19 +69,20 @@ void for_each_dense_row(const ExchangeMatrix& matrix, const Visit& visit) {
   }
 }
 
-// Calls visit(from, entry) for every pair that the table lists, by from, then to: those with a factor, and the hidden
-// ones with factor and visibility 0.
+// Calls visit(from, entry, its bounds) for every pair that the table lists, by from, then to: those with a factor, and
+// the hidden ones with factor and visibility 0.
 template <class Visit>
 void for_each_listed(const FactorTable& table, const Visit& visit) {
   auto hidden = table.hidden.begin();
   for (std::uint32_t i = 0; i < table.matrix.size(); ++i) {
     const auto hidden_before = [&](std::uint32_t to) {
       for (; hidden != table.hidden.end() && hidden->first == i && hidden->second < to; ++hidden)
-        visit(i, FactorEntry{hidden->second, Rounded{}, 0});
+        visit(i, FactorEntry{hidden->second, Rounded{}, 0}, Enclosure{0, 0});
     };
-    for (const FactorEntry& entry : table.matrix.row(i)) {
-      hidden_before(entry.to);
-      visit(i, entry);
+    const auto row = table.matrix.row(i);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      hidden_before(row[k].to);
+      visit(i, row[k], table.matrix.bounds(i, k));
     }
     hidden_before(table.matrix.sky() + 1);
   }
@@ -96,11 +97,12 @@ std::vector<std::uint32_t> radiating(const ExchangeMatrix& matrix) {
 
 double emittance(const FactorTable& table, std::uint32_t label) {
   const auto& value = table.scene.materials[*table.matrix.elements()[label].material].reflectivity.value;
-  return to_double(1 - (value[0] + value[1] + value[2]) / 3);
+  return to_double(1 - (table.gray_channel ? value[static_cast<std::size_t>(*table.gray_channel)]
+                                           : Rational((value[0] + value[1] + value[2]) / 3)));
 }
 
-std::string view3d_header(int format, std::size_t count) {
-  return fmt::format("{:<30}", fmt::format("View3D 4.0.0 {} 0 0 {}", format, count));
+std::string view3d_header(const FactorTable& table, int format, std::size_t count) {
+  return fmt::format("{:<30}", fmt::format("View3D 4.0.0 {} 0 {} {}", format, table.gray_channel ? 1 : 0, count));
 }
 
 // Calls visit(factors of the row to radiating faces only).
@@ -115,6 +117,10 @@ void for_each_radiating_row(const ExchangeMatrix& matrix, const std::vector<std:
 }
 
 }  // namespace
+
+std::string face_name(const Scene2& scene, const Element& element) {
+  return scene.surfaces[element.surface].name + (element.is_back ? ":back" : "");
+}
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -132,11 +138,9 @@ void write_factors_csv(const FactorTable& table, const Sink& sink) {
   const char* guarantee = to_string(matrix.guarantee());
   Buffer out(sink);
   out << "from,to,factor,lower,upper,visibility,guarantee\n";
-  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry) {
-    const Rounded& factor = entry.factor;
-    const Enclosure bounds = matrix.guarantee() == Guarantee::kExact ? factor.enclosure() : Enclosure{0, 1};
-    out << names[from] << "," << names[entry.to] << "," << factor.value << "," << bounds.lower << "," << bounds.upper
-        << ",";
+  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds) {
+    out << names[from] << "," << names[entry.to] << "," << entry.factor.value << "," << bounds.lower << ","
+        << bounds.upper << ",";
     if (!std::isnan(entry.visibility)) out << entry.visibility;
     out << "," << guarantee << "\n";
   });
@@ -148,9 +152,10 @@ void write_factors_mtx(const FactorTable& table, const Sink& sink) {
   Buffer out(sink);
   const std::size_t n = matrix.size() + 1;
   out << "%%MatrixMarket matrix coordinate real general\n"
-      << "% view factors F(row, column), faces as in the .faces.csv beside this file, the sky last\n"
+      << (table.gray_channel ? "% gray-body exchange factors script-F" : "% view factors F")
+      << "(row, column), faces as in the .faces.csv beside this file, the sky last\n"
       << fmt::format("{} {} {}\n", n, n, matrix.entry_count() + table.hidden.size());
-  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry) {
+  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure&) {
     out << fmt::format("{} {} ", from + 1, entry.to + 1) << entry.factor.value << "\n";
   });
   out.flush();
@@ -163,7 +168,7 @@ void write_faces_csv(const FactorTable& table, const Sink& sink) {
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     const Element& element = matrix.elements()[i];
     const Surface2& surface = table.scene.surfaces[element.surface];
-    const std::string face = table.per == Per::kGroup ? element.name : surface.name + (element.is_back ? ":back" : "");
+    const std::string face = table.per == Per::kGroup ? element.name : face_name(table.scene, element);
     out << fmt::format("{},{},{},", i + 1, csv_field(face), element.part) << element.area.value << ","
         << (element.material ? csv_field(table.scene.materials[*element.material].name) : "");
     if (table.per == Per::kGroup) {
@@ -201,7 +206,7 @@ void write_factors_view3d_text(const FactorTable& table, const Sink& sink) {
       out << fmt::format("{}{:.17g}", k == 0 ? "" : " ", value_of(faces[k]));
     out << "\n";
   };
-  out << view3d_header(0, faces.size()) << "\n";
+  out << view3d_header(table, 0, faces.size()) << "\n";
   line([&](std::uint32_t i) { return matrix.elements()[i].area.value; });
   for_each_radiating_row(matrix, faces,
                          [&](const std::vector<double>& row) { line([&](std::uint32_t j) { return row[j]; }); });
@@ -213,7 +218,7 @@ void write_factors_view3d_binary(const FactorTable& table, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   const std::vector<std::uint32_t> faces = radiating(matrix);
   Buffer out(sink);
-  out << view3d_header(1, faces.size()) << "\r\n";
+  out << view3d_header(table, 1, faces.size()) << "\r\n";
   for (const std::uint32_t i : faces) out.raw(static_cast<float>(matrix.elements()[i].area.value));
   for_each_radiating_row(matrix, faces, [&](const std::vector<double>& row) {
     for (const std::uint32_t j : faces) out.raw(static_cast<float>(row[j]));
@@ -261,7 +266,9 @@ void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepa
   if (only) {
     listed.push_back(*only);
   } else {
-    for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry) { listed.emplace_back(from, entry.to); });
+    for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure&) {
+      listed.emplace_back(from, entry.to);
+    });
   }
   std::vector<LabelPair> pairs;
   for (const auto& [from, to] : listed) pairs.emplace_back(std::min(from, to), std::max(from, to));

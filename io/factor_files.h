@@ -20,7 +20,8 @@ struct FactorTable {
   const Scene2& scene;
   const ExchangeMatrix& matrix;
   Per per = Per::kFace;
-  std::vector<LabelPair> hidden = {};  // pairs with S = 0 < S0, sorted: zeros in the formats that list pairs
+  std::vector<LabelPair> hidden = {};    // pairs with S = 0 < S0, sorted: zeros in the formats that list pairs
+  std::optional<int> gray_channel = {};  // the matrix is script-F (gray_exchange.h) of this channel; else view factors
 };
 
 // `from,to,factor,lower,upper,visibility,guarantee`: one line a pair, by from, then to. Shortest decimals that read
@@ -37,7 +38,8 @@ void write_factors_npy(const FactorTable& table, const Sink& sink);
 
 // View3D's text and binary formats (4.0.0). They know surfaces that radiate only: faces with a material, in order; what
 // goes to black backs and to the sky shows as rows that sum to less than 1. Emittance = 1 - reflectivity (mean of the
-// channels). The text carries 17 digits; the binary format is single precision.
+// channels; for script-F, which is marked as View3D marks it, that of its channel). The text carries 17 digits; the
+// binary format is single precision.
 void write_factors_view3d_text(const FactorTable& table, const Sink& sink);
 void write_factors_view3d_binary(const FactorTable& table, const Sink& sink);
 
@@ -50,6 +52,9 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
 // listed, or of one pair (from, to), be it listed or not.
 void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared,
                            const std::optional<LabelPair>& only, const Sink& sink);
+
+// The face that an element is a part of: "wall" or "wall:back".
+std::string face_name(const Scene2& scene, const Element& element);
 
 // A field of a csv file, quoted when it holds a comma, a quote or a line break.
 std::string csv_field(const std::string& text);

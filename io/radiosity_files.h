@@ -6,9 +6,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/exchange/exchange_2.h"
 #include "solver/plan.h"
+#include "solver/system/net_flux.h"
 #include "solver/system/radiosity.h"
 
 namespace hottel {
@@ -17,6 +19,17 @@ namespace hottel {
 // with a material and each channel. Shortest decimals that read back to the same double.
 void write_radiosity_csv(const Scene2& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
                          const std::function<void(std::string_view)>& sink);
+
+// `per,name,channel,area,net,lower,upper`: net flux in W (in the plane W per metre of depth) with proven bounds,
+// positive where more leaves than arrives (net_flux.h). First a line for each face and channel, then for each group:
+// polyline or edge of its own, fronts and backs by themselves. The sky is last in both; each half sums to 0.
+struct NetFluxes {
+  std::vector<NetFlux> faces, groups;
+
+  NetFluxes(const Scene2& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution);
+};
+void write_flux_csv(const NetFluxes& fluxes, const std::vector<std::string>& channel_names,
+                    const std::function<void(std::string_view)>& sink);
 
 // Returns a plan as text for people, and as the head of a report.
 std::string plan_text(const Plan& plan);
@@ -28,8 +41,8 @@ struct SolveReport {
   const Plan* plan = nullptr;
   const ExchangeReport* exchange = nullptr;
   const RadiositySolution* solution = nullptr;
-  std::map<std::string, double> seconds{};  // of stages that ran
-  std::string solver{};
+  const NetFluxes* fluxes = nullptr;
+  std::map<std::string, double> seconds{};         // of stages that ran, and of no others
   double picture_scale = 1;                        // what a value was multiplied by before the tone curve
   std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
 };

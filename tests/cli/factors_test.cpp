@@ -254,5 +254,82 @@ INSTANTIATE_TEST_SUITE_P(, FactorsOfGenerated,
                            return test.param.substr(0, test.param.find(' ')) + "_" + std::to_string(test.index);
                          });
 
+// Fields of a csv without quoted names, the header first.
+std::vector<std::vector<std::string>> fields_of(const std::string& csv) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& line : lines_of(csv)) {
+    std::istringstream in(line + ",");
+    rows.emplace_back();
+    for (std::string field; std::getline(in, field, ',');) rows.back().push_back(field);
+  }
+  return rows;
+}
+
+TEST_F(Factors, ScriptFHasRowsThatSumToTheEmissivityWithProvenBounds) {
+  const Outcome outcome = place_.run("hottel factors scene.json --script-f --quiet");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto rows = fields_of(outcome.out);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"from", "to", "factor", "lower", "upper", "visibility", "guarantee"}));
+  std::map<std::string, double> sum;
+  std::set<Pair> pairs;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    ASSERT_EQ(rows[k].size(), 7u);
+    EXPECT_EQ(rows[k][5], "");
+    EXPECT_EQ(rows[k][6], "enclosed");
+    const double factor = std::stod(rows[k][2]);
+    EXPECT_TRUE(std::stod(rows[k][3]) <= factor && factor <= std::stod(rows[k][4]));
+    EXPECT_LE(std::stod(rows[k][4]) - std::stod(rows[k][3]), 1e-14 * factor);
+    sum[rows[k][0]] += factor;
+    pairs.emplace(rows[k][0], rows[k][1]);
+  }
+  EXPECT_EQ(sum.size(), 5u);
+  for (const auto& [from, total] : sum) EXPECT_NEAR(total, 0.5, 1e-15) << from;
+  EXPECT_TRUE(pairs.contains({"wall", "wall"}));   // by way of the plates
+  EXPECT_FALSE(pairs.contains({"left", "left"}));  // it sees a black back and the sky: nothing comes back
+}
+
+TEST_F(Factors, ScriptFIsOfOneChannelOrOfGrayMaterials) {
+  place_.write("rgb.json", R"({ "hottel": 1, "dimension": 2,
+    "materials": {"red": {"reflectivity": [0.5, 0.25, 0]}, "gray": {"reflectivity": 0.5, "emission": [1, 2, 3]}},
+    "edges": [{"name": "a", "points": [[1, 0], [0, 0]], "material": "gray"},
+              {"name": "b", "points": [[0, 1], [1, 1]], "material": "red"}]})");
+  const Outcome refused = place_.run("hottel factors rgb.json --script-f --quiet");
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_NE(refused.err.find("rgb.json: 'red', the material of 'b', is not gray"), std::string::npos) << refused.err;
+  std::set<std::string> outputs;
+  for (const std::string channel : {"r", "g", "b"}) {
+    const Outcome outcome = place_.run("hottel factors rgb.json --script-f --quiet --channel " + channel);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    outputs.insert(outcome.out);
+  }
+  EXPECT_EQ(outputs.size(), 3u);
+  EXPECT_EQ(place_.run("hottel factors scene.json --script-f --quiet").out,
+            place_.run("hottel factors scene.json --script-f --channel b --quiet").out);
+}
+
+TEST_F(Factors, ScriptFIsWrittenInEveryFormat) {
+  const std::string factors = "hottel factors scene.json --quiet ";
+  for (const std::string file : {"f.csv", "f.mtx", "f.npy", "f.txt", "f.bin"})
+    EXPECT_EQ(place_.run(factors + "--script-f -o " + file).code, 0) << file;
+  EXPECT_TRUE(place_.read("f.txt").starts_with("View3D 4.0.0 0 0 1 5 "));  // marked as View3D marks emit=1
+  EXPECT_TRUE(place_.read("f.bin").starts_with("View3D 4.0.0 1 0 1 5 "));
+  EXPECT_EQ(place_.read("f.csv"), place_.run(factors + "--script-f").out);
+  EXPECT_EQ(place_.run(factors + "--script-f --matrix factor").code, 0);
+  for (const std::string per : {"element", "group"})
+    EXPECT_EQ(place_.run(factors + "--script-f --per " + per).code, 0) << per;
+  const auto report = nlohmann::json::parse(place_.run(factors + "--script-f --json").out);
+  EXPECT_EQ(report["script_f"]["channel"], "all");
+  EXPECT_LT(report["script_f"]["max_relative_width"].get<double>(), 1e-14);
+  EXPECT_TRUE(report["seconds"].contains("script_f"));
+  EXPECT_FALSE(nlohmann::json::parse(place_.run(factors + "--json").out)["seconds"].contains("script_f"));
+}
+
+TEST_F(Factors, ScriptFRefusesWhatItIsNot) {
+  for (const std::string bad : {"--script-f --matrix visibility", "--script-f --matrix exchange", "--channel r",
+                                "--script-f --exact-form", "--script-f --pairs facing", "--script-f --channel x"})
+    EXPECT_EQ(place_.run("hottel factors scene.json --quiet " + bad).code, 2) << bad;
+}
+
 }  // namespace
 }  // namespace hottel

@@ -1,7 +1,9 @@
 // hottel solve and hottel plan, from outside.
 #include <gmock/gmock.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/cli/program.h"
 
@@ -36,7 +38,7 @@ std::map<std::string, std::string> plan_of(const nlohmann::json& report) {
   return used;
 }
 
-TEST(Solve, WritesFourFilesInAFolderNamedAfterTheScene) {
+TEST(Solve, WritesFiveFilesInAFolderNamedAfterTheScene) {
   const Workplace place;
   place.write("room.json", square(R"({"reflectivity": "1/2"})"));
   const Outcome outcome = place.run("hottel solve room.json --grid 8x4");
@@ -45,6 +47,10 @@ TEST(Solve, WritesFourFilesInAFolderNamedAfterTheScene) {
   EXPECT_THAT(place.files(), ElementsAre("room-hottel", "room.json"));
   EXPECT_THAT(place.read("room-hottel/illumination.npy"), HasSubstr("'shape': (4, 8, 1), "));
   EXPECT_THAT(place.read("room-hottel/illumination.png"), StartsWith("\x89PNG"));
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(place.path("room-hottel")))
+    names.insert(entry.path().filename().string());
+  EXPECT_THAT(names, ElementsAre("flux.csv", "illumination.npy", "illumination.png", "radiosity.csv", "report.json"));
   const auto lines = lines_of(place.read("room-hottel/radiosity.csv"));
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_EQ(lines[0], "face,element,channel,area,emission,reflectivity,radiosity,lower,upper,irradiance,net");
@@ -63,6 +69,21 @@ TEST(Solve, ReportsWhatTheContractNames) {
   for (const char* key :
        {"hottel", "scene", "plan", "counts", "tiers", "seconds", "closure", "reciprocity", "energy", "bounds", "notes"})
     EXPECT_TRUE(report.contains(key)) << key;
+  EXPECT_EQ(report["hottel"], 1);
+  EXPECT_TRUE(report["version"].is_string());
+  EXPECT_EQ(report["hottel"],
+            nlohmann::json::parse(place.run("hottel factors room.json --json --quiet").out)["hottel"]);
+  EXPECT_EQ(report["hottel"], nlohmann::json::parse(place.run("hottel plan room.json --json").out)["hottel"]);
+  for (const auto& [object, keys] :
+       std::map<std::string, std::vector<std::string>>{{"counts", {"surfaces", "elements", "vertices", "pairs"}},
+                                                       {"tiers", {"double", "double_double", "ball", "root_sum"}},
+                                                       {"closure", {"max_defect", "exact"}},
+                                                       {"reciprocity", {"max_defect"}},
+                                                       {"energy", {"emitted", "absorbed", "to_sky", "defect"}},
+                                                       {"bounds", {"max_relative_width"}}})
+    for (const std::string& key : keys) EXPECT_TRUE(report[object].contains(key)) << object << " " << key;
+  for (const auto& effect : report["plan"])
+    for (const char* key : {"effect", "used", "reason", "seconds_estimate"}) EXPECT_TRUE(effect.contains(key)) << key;
   EXPECT_EQ(report["counts"]["surfaces"], 4);
   EXPECT_EQ(report["closure"]["exact"], true);
   EXPECT_LT(report["bounds"]["max_relative_width"].get<double>(), 1e-14);
@@ -70,19 +91,108 @@ TEST(Solve, ReportsWhatTheContractNames) {
   EXPECT_EQ(lines_of(place.read("out/radiosity.csv")).size(), 1 + 4 * 3u);
 }
 
+// A lamp in the open over a wall with two sides, in elements, under a sky that shines.
+constexpr const char* kOpen = R"({"hottel": 1, "dimension": 2,
+  "materials": {"lamp": {"emission": [9, 8, 6], "reflectivity": 0.1}, "white": {"reflectivity": 0.7}},
+  "sky": {"emission": 0.5},
+  "edges": [{"name": "lamp", "points": [[1, 3], [2, 3]], "material": "lamp"},
+            {"name": "wall", "points": [[2, 0], [2, 2]], "material": "white", "back": "white", "elements": 3},
+            {"name": "floor", "points": [[4, 0], [0, 0]], "material": "white"}]})";
+
 // What is not needed is not run, and changes no number: occlusion in a convex room, one channel, no subdivision.
 TEST(Solve, SimulatingEverythingGivesTheSameNumbers) {
-  for (const std::string scene : {"analytic/square_radiosity.json", "analytic/furnace.json", "showcase/maze.json"}) {
-    const Workplace place;
-    const std::string solve = "hottel solve " + kScenes + scene + " --grid 16x16 --quiet ";
+  const Workplace place;
+  place.write("open.json", kOpen);
+  place.write("black.json", square(R"({"emission": 0.25})"));
+  place.write("dark.json", square(R"({"reflectivity": [0.5, 0.25, 0]})", R"(, "closed": true)"));
+  for (const std::string& scene :
+       {kScenes + "analytic/square_radiosity.json", kScenes + "analytic/furnace.json",
+        kScenes + "analytic/parallel_plates_w10.json", kScenes + "showcase/maze.json", std::string("open.json"),
+        std::string("open.json --elements 2"), std::string("black.json"), std::string("dark.json")}) {
+    const std::string solve = "hottel solve " + scene + " --grid 16x16 --quiet ";
     ASSERT_EQ(place.run(solve + "-o auto && " + solve + "-o all --simulate everything").code, 0) << scene;
-    EXPECT_EQ(place.read("auto/radiosity.csv"), place.read("all/radiosity.csv")) << scene;
-    EXPECT_EQ(place.read("auto/illumination.npy"), place.read("all/illumination.npy")) << scene;
-    const auto lean = nlohmann::json::parse(place.read("auto/report.json"));
-    if (plan_of(lean)["occlusion"] == "not") {
-      EXPECT_EQ(plan_of(nlohmann::json::parse(place.read("all/report.json")))["occlusion"], "used");
+    for (const std::string file : {"radiosity.csv", "flux.csv", "illumination.npy"})
+      EXPECT_EQ(place.read("auto/" + file), place.read("all/" + file)) << scene << " " << file;
+    for (const auto& effect : nlohmann::json::parse(place.read("all/report.json"))["plan"])
+      EXPECT_EQ(effect["used"], effect["effect"] != "lights") << scene << " " << effect["effect"];
+  }
+}
+
+TEST(Solve, StagesThatDoNotRunAreAbsentFromTheReport) {
+  const Workplace place;
+  place.write("black.json", square(R"({"emission": 0.25})"));
+  std::string black = place.read("black.json");
+  black.replace(black.find("\"1/2\""), 5, "0");
+  place.write("black.json", black);
+  const std::string solve = " --grid 4x4 --quiet -o out ";
+  const auto report_of = [&](const std::string& scene) {
+    EXPECT_EQ(place.run("hottel solve " + scene + solve).code, 0);
+    return nlohmann::json::parse(place.read("out/report.json"));
+  };
+  // A convex room whose faces reflect nothing: no sweep, nothing to settle exactly, no system to solve.
+  const auto lean = report_of("black.json");
+  EXPECT_EQ(plan_of(lean)["occlusion"], "not");
+  EXPECT_EQ(plan_of(lean)["interreflection"], "not");
+  for (const char* stage : {"sweep", "radiosity", "certificate"})
+    EXPECT_FALSE(lean["seconds"].contains(stage)) << stage;
+  EXPECT_FALSE(lean.contains("solver"));
+  for (const char* stage : {"read", "prepare", "strings", "round", "irradiance", "illumination", "picture", "write"})
+    EXPECT_TRUE(lean["seconds"].contains(stage)) << stage;
+  const auto full = report_of(kScenes + "showcase/maze.json");
+  for (const char* stage : {"sweep", "radiosity", "certificate"}) EXPECT_TRUE(full["seconds"].contains(stage)) << stage;
+  EXPECT_FALSE(full["seconds"].contains("strings"));
+  EXPECT_TRUE(full.contains("solver"));
+}
+
+struct FluxLine {
+  std::string per, name, channel;
+  double area, net, lower, upper;
+};
+
+std::vector<FluxLine> flux_lines(const std::string& csv) {
+  std::vector<FluxLine> result;
+  for (const std::string& line : lines_of(csv)) {
+    std::vector<std::string> fields;
+    std::istringstream in(line);
+    for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+    EXPECT_EQ(fields.size(), 7u) << line;
+    const auto number = [&](std::size_t k) { return std::atof(fields[k].c_str()); };
+    if (fields[0] != "per")
+      result.push_back({fields[0], fields[1], fields[2], number(3), number(4), number(5), number(6)});
+  }
+  return result;
+}
+
+TEST(Solve, WritesNetFluxesThatSumToZeroPerFaceAndPerGroup) {
+  const Workplace place;
+  place.write("open.json", kOpen);
+  ASSERT_EQ(place.run("hottel solve open.json --grid 4x4 -o out --quiet").code, 0);
+  const std::string csv = place.read("out/flux.csv");
+  EXPECT_EQ(lines_of(csv)[0], "per,name,channel,area,net,lower,upper");
+  std::map<std::string, double> sum;
+  for (const FluxLine& line : flux_lines(csv)) {
+    sum[line.per + line.channel] += line.net;
+    EXPECT_LE(line.lower, line.net) << line.name;
+    EXPECT_GE(line.upper, line.net) << line.name;
+    if (line.name == "lamp") {
+      EXPECT_GT(line.lower, 0);
+    }
+    if (line.name == "wall:back") {
+      EXPECT_EQ(line.area, 2);
     }
   }
+  EXPECT_EQ(sum.size(), 6u);
+  for (const auto& [half, total] : sum) EXPECT_NEAR(total, 0, 1e-14) << half;
+  EXPECT_THAT(place.run("hottel solve open.json --grid 4x4 -o out").err, HasSubstr("net flux: "));
+
+  // A polyline is one group; its net is that of its faces.
+  place.write("room.json", square(R"({"reflectivity": "1/2"})"));
+  ASSERT_EQ(place.run("hottel solve room.json --grid 4x4 -o out --quiet").code, 0);
+  double faces = 0, group = 0;
+  for (const FluxLine& line : flux_lines(place.read("out/flux.csv")))
+    (line.per == "group" ? group : faces) += line.name.starts_with("walls") ? line.net : 0;
+  EXPECT_NEAR(faces, group, 1e-15);
+  EXPECT_LT(group, 0);
 }
 
 TEST(Solve, EverySolverComesWithinItsBounds) {
