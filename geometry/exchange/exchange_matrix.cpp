@@ -4,6 +4,18 @@
 
 namespace hottel {
 
+Enclosure ExchangeMatrix::bounds(std::uint32_t i, std::size_t k) const {
+  switch (guarantee_) {
+    case Guarantee::kExact:
+      return entries_[begin_[i] + k].factor.enclosure();
+    case Guarantee::kEnclosed:
+      return bounds_[begin_[i] + k];
+    case Guarantee::kEstimated:
+      break;
+  }
+  return {0, 1};
+}
+
 Rounded ExchangeMatrix::factor(std::uint32_t from, std::uint32_t to) const {
   const auto entries = row(from);
   const auto place = std::lower_bound(entries.begin(), entries.end(), to,

@@ -61,16 +61,23 @@ class ExchangeMatrix {
                              : std::span(measures_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }
 
+  // Returns proven bounds of the k-th entry of row i: one ulp at most where the matrix is exact, nothing but [0, 1]
+  // where it is an estimate.
+  Enclosure bounds(std::uint32_t i, std::size_t k) const;
+
   // Returns F(from, to); 0 where there is no entry.
   Rounded factor(std::uint32_t from, std::uint32_t to) const;
   // Returns the index of the element of that name; sky() for "sky"; nothing when there is none.
   std::optional<std::uint32_t> find(const std::string& name) const;
 
-  // For those who fill the matrix: entries by rows, row i in [begin[i], begin[i + 1]).
-  void assign(std::vector<std::size_t> begin, std::vector<FactorEntry> entries, std::vector<double> measures = {}) {
+  // For those who fill the matrix: entries by rows, row i in [begin[i], begin[i + 1]); their bounds where it is
+  // enclosed.
+  void assign(std::vector<std::size_t> begin, std::vector<FactorEntry> entries, std::vector<double> measures = {},
+              std::vector<Enclosure> bounds = {}) {
     begin_ = std::move(begin);
     entries_ = std::move(entries);
     measures_ = std::move(measures);
+    bounds_ = std::move(bounds);
   }
 
  private:
@@ -78,6 +85,7 @@ class ExchangeMatrix {
   std::vector<std::size_t> begin_;
   std::vector<FactorEntry> entries_;
   std::vector<double> measures_;
+  std::vector<Enclosure> bounds_;
   Guarantee guarantee_ = Guarantee::kEstimated;
 };
 

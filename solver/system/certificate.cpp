@@ -102,6 +102,14 @@ std::vector<double> refine(const RadiositySystem& system, const Sources& sources
   }
 }
 
+Enclosed CertifiedBounds::enclosed(std::size_t unknown) const {
+  const double from = lower[unknown], to = upper[unknown];
+  if (to == 0) return {};
+  const Enclosed& x = value[unknown];
+  const double inside = std::isnan(x.hi) ? from : std::clamp(x.hi, from, to);
+  return Enclosed::around({inside, inside == x.hi ? x.lo : 0}, {from, to});
+}
+
 CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, const SplitVector& x,
                         const ErrorTerms& terms) {
   const std::size_t n = system.size();
@@ -136,8 +144,10 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, I
       lower = difference(value, product(v, {down[c], 0, 0})).lower();
       upper = sum(value, product(v, {up[c], 0, 0})).upper();
     }
-    result.lower.push_back(std::isfinite(lower) ? lower : 0);
-    result.upper.push_back(std::isnan(upper) ? kInfinity : upper);
+    // B >= E always.
+    const double emission = sources.emission[system.rows()[i].element].lower();
+    result.lower.push_back(std::max(std::isfinite(lower) ? lower : 0, emission));
+    result.upper.push_back(std::max(std::isnan(upper) ? kInfinity : upper, result.lower.back()));
   }
   return result;
 }

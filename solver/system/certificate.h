@@ -12,6 +12,9 @@ namespace hottel {
 struct CertifiedBounds {
   std::vector<Enclosed> value;       // x_i
   std::vector<double> lower, upper;  // of the true radiosity; infinite when nothing could be proven
+
+  // The radiosity of an unknown, enclosed: x_i moved into its bounds, with a radius that reaches both. 0 if both are.
+  Enclosed enclosed(std::size_t unknown) const;
 };
 
 // Adds corrections to x until the residual is below its own error bound, or no longer falls. Returns max |residual| /

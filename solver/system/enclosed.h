@@ -1,9 +1,12 @@
 // Real numbers enclosed to about 100 bits: what the certificate of a solution reckons with.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
+#include "kernel/enclosure.h"
 #include "kernel/int128.h"
 #include "kernel/rational.h"
 
@@ -19,6 +22,8 @@ struct Enclosed {
 
   static Enclosed of(const Rational& value);
   static Enclosed of(DoubleDouble value) { return {value.hi, value.lo, 0}; }
+  static Enclosed of(const Rounded& value);  // on the side that is known, as far as half-way to the next double
+  static Enclosed around(DoubleDouble value, const Enclosure& bounds);  // any number within the bounds
 
   double value() const { return hi + lo; }
   double size() const { return std::abs(hi) + std::abs(lo) + radius; }  // not below any number in it, to 2 ulps
@@ -64,6 +69,20 @@ inline Enclosed Enclosed::of(const Rational& value) {
   result.lo = to_double(rest);
   if (rest != Rational(result.lo)) result.radius = std::abs(result.lo) * (2 * kRoundoff) + kUnderflow;
   return result;
+}
+
+inline Enclosed Enclosed::of(const Rounded& value) {
+  if (value.side == 0) return {value.value, 0, 0};
+  // The real number lies between the double and half-way to its neighbour on that side.
+  const auto bits = std::bit_cast<std::uint64_t>(value.value);
+  const double neighbour = std::bit_cast<double>(value.side > 0 ? bits + 1 : bits - 1);
+  const double quarter = std::max(std::abs(neighbour - value.value) / 4, kUnderflow);
+  return {value.value, value.side > 0 ? quarter : -quarter, quarter};
+}
+
+inline Enclosed Enclosed::around(DoubleDouble value, const Enclosure& bounds) {
+  const double reach = std::max(bounds.upper - value.hi, value.hi - bounds.lower);
+  return {value.hi, value.lo, (reach + std::abs(value.lo)) * kOutward};
 }
 
 inline double Enclosed::upper() const {

@@ -25,6 +25,7 @@ class InnerSolver {
 // Elimination without subtraction: off-diagonal magnitudes and row defects only ever grow, and each pivot is the sum
 // of its row (Grassmann, Taksar, Heyman 1985). Every entry is right to a few hundred ulps however near to 1 the
 // reflectivities are; the last unknown is the constant, found from the sum of all defects.
+// solve() may be called by many threads at once.
 // REQUIRES rows that are closed. COST: n^3 / 3 for a component of n unknowns, in dense blocks, and 8 n^2 bytes.
 // Throws RequestError when losses vanish in doubles.
 std::unique_ptr<InnerSolver> make_elimination(const RadiositySystem& system, const std::vector<char>& is_wanted);

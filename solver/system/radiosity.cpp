@@ -9,6 +9,7 @@
 #include <set>
 
 #include "kernel/failure.h"
+#include "kernel/stopwatch.h"
 #include "solver/system/certificate.h"
 #include "solver/system/inner_solver.h"
 #include "solver/system/iterations.h"
@@ -54,12 +55,14 @@ bool is_symmetric_only(Solver solver) { return solver == Solver::kCholesky || so
 class Group {
  public:
   Group(const ExchangeMatrix& matrix, const std::vector<Material>& materials, const Spectrum& sky_emission,
-        std::vector<int> channels, const RadiosityOptions& options, const ErrorTerms& terms)
+        std::vector<int> channels, const RadiosityOptions& options, const ErrorTerms& terms,
+        std::map<std::string, double>& seconds)
       : matrix_(matrix),
         materials_(materials),
         channels_(std::move(channels)),
         options_(options),
         terms_(terms),
+        seconds_(seconds),
         system_(matrix, materials, channels_.front()),
         is_wanted_(system_.components().size(), 0) {
     for (const int channel : channels_) {
@@ -69,13 +72,12 @@ class Group {
   }
 
   const RadiositySystem& system() const { return system_; }
+  bool needs_solving() const { return std::find(is_wanted_.begin(), is_wanted_.end(), 1) != is_wanted_.end(); }
 
-  // Refuses what has no solution, notes what is a limit, and prepares the solvers.
-  void prepare(std::set<std::string>& notes, Solver& used) {
-    std::uint32_t largest = 0;
+  // Refuses what has no solution, and notes what is a limit.
+  void require_solution(std::set<std::string>& notes) const {
     for (std::size_t c = 0; c < is_wanted_.size(); ++c) {
       const SystemComponent& component = system_.components()[c];
-      if (is_wanted_[c]) largest = std::max(largest, component.size);
       if (!system_.rows_are_closed() || component.loses) continue;
       const std::string& name = matrix_.elements()[component.first_element].name;
       if (is_wanted_[c])
@@ -88,6 +90,13 @@ class Group {
                       "do not emit: radiosity is 0, the limit",
                       name, component.size));
     }
+  }
+
+  // Prepares the solvers and returns the one that is used.
+  Solver prepare() {
+    std::uint32_t largest = 0;
+    for (std::size_t c = 0; c < is_wanted_.size(); ++c)
+      if (is_wanted_[c]) largest = std::max(largest, system_.components()[c].size);
     const bool is_dense = largest <= kMostDenseUnknowns;
     if (system_.rows_are_closed()) {
       used_ = options_.solver != Solver::kAuto ? options_.solver : is_dense ? Solver::kCholesky : Solver::kCg;
@@ -108,29 +117,95 @@ class Group {
             "no radiosity: the spectral radius of reflectivity times factors is not below 1 (or too near it to tell); "
             "rows of the matrix sum to more than 1");
     }
-    used = used_;
-    if (!is_refined() && plain_.begin.empty()) plain_ = PlainSystem(system_, is_wanted_);
+    lap(is_refined() ? "radiosity" : "certificate");
+    if (!is_refined()) {
+      if (plain_.begin.empty()) plain_ = PlainSystem(system_, is_wanted_);
+      lap("radiosity");
+    }
+    return used_;
   }
 
   std::size_t count() const { return channels_.size(); }
   int channel(std::size_t k) const { return channels_[k]; }
 
-  ChannelSolution solve(std::size_t k, std::set<std::string>& notes) {
+  // Bounds of all unknowns. REQUIRES prepare().
+  CertifiedBounds solve(std::size_t k, ChannelSolution& solution, std::set<std::string>& notes) {
     const Sources& sources = sources_[k];
-    ChannelSolution solution;
     SplitVector x{std::vector<DoubleDouble>(is_wanted_.size()), std::vector<DoubleDouble>(system_.size())};
     if (is_refined())
       solution.residual_history = refine(system_, sources, *inner_, x);
     else
       run_as_named(sources, x, solution.residual_history, notes);
-    const CertifiedBounds bounds = certify(system_, sources, *inner_, x, terms_);
+    lap("radiosity");
+    CertifiedBounds bounds = certify(system_, sources, *inner_, x, terms_);
+    lap("certificate");
     if (const auto open = std::count(bounds.upper.begin(), bounds.upper.end(), kInfinity); open > 0)
       notes.insert(fmt::format("no upper bound could be proven for {} of {} radiosities", open, bounds.upper.size()));
-    fill(k, bounds, solution);
-    return solution;
+    return bounds;
+  }
+
+  // What follows from them.
+  void fill(std::size_t k, const CertifiedBounds& bounds, ChannelSolution& solution) {
+    const Sources& sources = sources_[k];
+    const int channel = channels_[k], exponent = sources.exponent;
+    for (std::size_t c = 0; c < sources.is_lit.size(); ++c)
+      if (!sources.is_lit[c])
+        solution.dark.push_back({system_.components()[c].first_element, system_.components()[c].size});
+
+    std::vector<Printed> emission, reflectivity;
+    std::vector<Enclosed> loss;
+    for (const Material& m : materials_) {
+      emission.emplace_back(m.emission.value[channel]);
+      reflectivity.emplace_back(m.reflectivity.value[channel]);
+      loss.push_back(Enclosed::of(Rational(1 - m.reflectivity.value[channel])));
+    }
+    std::vector<Enclosed> radiosity = sources.emission;  // scaled; right for all that is known
+    solution.elements.resize(matrix_.size());
+    for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
+      if (!matrix_.has_row(i)) continue;
+      ElementRadiosity& element = solution.elements[i];
+      const Printed& e = emission[*matrix_.elements()[i].material];
+      element.emission = e.nearest;
+      element.reflectivity = reflectivity[*matrix_.elements()[i].material].nearest;
+      const std::int32_t u = system_.unknown(i);
+      if (u < 0) {
+        element.radiosity = e.nearest;
+        element.lower = e.lower;
+        element.upper = e.upper;
+      } else if (sources.is_lit[system_.rows()[static_cast<std::size_t>(u)].component]) {
+        const auto place = static_cast<std::size_t>(u);
+        radiosity[i] = bounds.enclosed(place);
+        element.lower = lower_scaled(bounds.lower[place], exponent);
+        element.upper = upper_scaled(bounds.upper[place], exponent);
+        element.radiosity = std::clamp(std::ldexp(radiosity[i].hi, exponent), element.lower, element.upper);
+        if (element.radiosity > 0)
+          solution.max_relative_width =
+              std::max(solution.max_relative_width, (element.upper - element.lower) / element.radiosity);
+      }
+    }
+
+    const std::vector<Enclosed> irradiance = system_.irradiance(radiosity);
+    EnergySum energy;
+    for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
+      if (!matrix_.has_row(i)) continue;
+      const Enclosed& taken = loss[*matrix_.elements()[i].material];
+      const bool absorbs = taken.size() != 0 && irradiance[i].size() != 0;
+      const Enclosed absorbed = absorbs ? product(taken, irradiance[i]) : Enclosed();
+      const Enclosed net = absorbs ? difference(sources.emission[i], absorbed) : sources.emission[i];
+      ElementRadiosity& element = solution.elements[i];
+      element.irradiance = std::ldexp(std::max(0.0, irradiance[i].value()), exponent);
+      element.net = std::ldexp(net.value(), exponent);
+      element.net_lower = std::isnan(net.radius) ? -kInfinity : lower_scaled(net.lower(), exponent);
+      element.net_upper = std::isnan(net.radius) ? kInfinity : upper_scaled(net.upper(), exponent);
+      energy.add(matrix_, i, sources.emission[i].hi, absorbed.hi, radiosity[i].hi, sources.emission[matrix_.sky()].hi);
+    }
+    solution.energy = energy.balance(exponent);
+    lap("irradiance");
   }
 
  private:
+  void lap(const char* stage) { seconds_[stage] += watch_.lap(); }
+
   bool is_refined() const {
     const bool is_limited = options_.iterations || options_.until;
     return used_ == Solver::kCholesky || (used_ == Solver::kCg && !is_limited) ||
@@ -173,71 +248,13 @@ class Group {
     for (std::size_t i = 0; i < x.rest.size(); ++i) x.rest[i] = {std::isfinite(from.rest[i]) ? from.rest[i] : 0, 0};
   }
 
-  void fill(std::size_t k, const CertifiedBounds& bounds, ChannelSolution& solution) const {
-    const Sources& sources = sources_[k];
-    const int channel = channels_[k], exponent = sources.exponent;
-    for (std::size_t c = 0; c < sources.is_lit.size(); ++c)
-      if (!sources.is_lit[c])
-        solution.dark.push_back({system_.components()[c].first_element, system_.components()[c].size});
-
-    std::vector<Printed> emission, reflectivity;
-    std::vector<Enclosed> loss;
-    for (const Material& m : materials_) {
-      emission.emplace_back(m.emission.value[channel]);
-      reflectivity.emplace_back(m.reflectivity.value[channel]);
-      loss.push_back(Enclosed::of(Rational(1 - m.reflectivity.value[channel])));
-    }
-    std::vector<DoubleDouble> radiosity(matrix_.size() + 1);  // scaled
-    radiosity[matrix_.sky()] = {sources.emission[matrix_.sky()].hi, sources.emission[matrix_.sky()].lo};
-    solution.elements.resize(matrix_.size());
-    for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
-      if (!matrix_.has_row(i)) continue;
-      ElementRadiosity& element = solution.elements[i];
-      const Printed& e = emission[*matrix_.elements()[i].material];
-      element.emission = e.nearest;
-      element.reflectivity = reflectivity[*matrix_.elements()[i].material].nearest;
-      const std::int32_t u = system_.unknown(i);
-      if (u < 0) {
-        radiosity[i] = {sources.emission[i].hi, sources.emission[i].lo};
-        element.radiosity = e.nearest;
-        element.lower = e.lower;
-        element.upper = e.upper;
-      } else if (sources.is_lit[system_.rows()[static_cast<std::size_t>(u)].component]) {
-        const auto place = static_cast<std::size_t>(u);
-        // B >= E always.
-        const double lower = std::max(bounds.lower[place], sources.emission[i].lower());
-        const double upper = std::max(bounds.upper[place], lower);
-        const Enclosed value = bounds.value[place];
-        const double inside = std::isnan(value.hi) ? lower : std::clamp(value.hi, lower, upper);
-        radiosity[i] = {inside, inside == value.hi ? value.lo : 0};
-        element.lower = lower_scaled(lower, exponent);
-        element.upper = upper_scaled(upper, exponent);
-        element.radiosity = std::clamp(std::ldexp(inside, exponent), element.lower, element.upper);
-        if (element.radiosity > 0)
-          solution.max_relative_width =
-              std::max(solution.max_relative_width, (element.upper - element.lower) / element.radiosity);
-      }
-    }
-
-    const std::vector<double> irradiance = system_.irradiance(radiosity);
-    EnergySum energy;
-    for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
-      if (!matrix_.has_row(i)) continue;
-      const std::uint32_t m = *matrix_.elements()[i].material;
-      const Enclosed absorbed = product(loss[m], {irradiance[i], 0, 0});
-      ElementRadiosity& element = solution.elements[i];
-      element.irradiance = std::ldexp(irradiance[i], exponent);
-      element.net = std::ldexp(difference(sources.emission[i], absorbed).value(), exponent);
-      energy.add(matrix_, i, sources.emission[i].hi, absorbed.hi, radiosity[i].hi, sources.emission[matrix_.sky()].hi);
-    }
-    solution.energy = energy.balance(exponent);
-  }
-
   const ExchangeMatrix& matrix_;
   const std::vector<Material>& materials_;
   std::vector<int> channels_;
   const RadiosityOptions& options_;
   ErrorTerms terms_;
+  std::map<std::string, double>& seconds_;
+  Stopwatch watch_;
   RadiositySystem system_;
   std::vector<char> is_wanted_;
   PlainSystem plain_;
@@ -292,13 +309,17 @@ RadiositySolution solve_radiosity_without(const ErrorTerms& terms, const Exchang
   std::set<std::string> notes;
   int done = 0;
   for (auto& channels_of_group : groups_of_channels(matrix, materials, channels)) {
-    Group group(matrix, materials, sky_emission, std::move(channels_of_group), options, terms);
-    group.prepare(notes, solution.used);
-    ++solution.factorizations;
+    Group group(matrix, materials, sky_emission, std::move(channels_of_group), options, terms, solution.seconds);
+    group.require_solution(notes);
+    if (group.needs_solving()) {
+      solution.used = group.prepare();
+      ++solution.factorizations;
+    }
     solution.unknowns = std::max(solution.unknowns, static_cast<std::uint32_t>(group.system().size()));
     solution.components = std::max(solution.components, static_cast<std::uint32_t>(group.system().components().size()));
     for (std::size_t k = 0; k < group.count(); ++k) {
-      solution.channels[group.channel(k)] = group.solve(k, notes);
+      ChannelSolution& channel = solution.channels[group.channel(k)];
+      group.fill(k, group.needs_solving() ? group.solve(k, channel, notes) : CertifiedBounds(), channel);
       if (options.progress) options.progress(static_cast<double>(++done) / channels);
     }
   }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,9 +39,10 @@ struct RadiosityOptions {
 struct ElementRadiosity {
   double emission = 0, reflectivity = 0;  // correctly rounded
   double radiosity = 0;
-  double lower = 0, upper = 0;  // proven bounds of the radiosity of the exact system
-  double irradiance = 0;        // sum_j F_ij B_j, where there is no reflection too
-  double net = 0;               // radiosity - irradiance, formed as emission - (1 - reflectivity) irradiance
+  double lower = 0, upper = 0;          // proven bounds of the radiosity of the exact system
+  double irradiance = 0;                // sum_j F_ij B_j, where there is no reflection too
+  double net = 0;                       // radiosity - irradiance, formed as emission - (1 - reflectivity) irradiance
+  double net_lower = 0, net_upper = 0;  // proven bounds of the net of the exact system
 };
 
 // Power [W; W per metre of depth in the plane], sums over the rows of the matrix. What the sky sends in counts as
@@ -65,13 +67,14 @@ struct ChannelSolution {
 struct RadiositySolution {
   std::vector<std::string> channel_names;  // {"all"} when every spectrum is a scalar, else {"r", "g", "b"}
   std::vector<ChannelSolution> channels;
-  Solver used = Solver::kAuto;
+  Solver used = Solver::kAuto;                 // kAuto: nothing had to be solved
   std::uint32_t unknowns = 0, components = 0;  // the most of any channel
-  std::uint32_t factorizations = 0;            // distinct reflectivity vectors
+  std::uint32_t factorizations = 0;            // distinct reflectivity vectors; 0: no light is reflected
   double max_relative_width = 0;               // over all channels
   EnergyBalance energy;                        // summed over the channels
   double closure_defect = 0;                   // max |sum_j F_ij - 1|, of the doubles
   double reciprocity_defect = 0;               // max |A_i F_ij - A_j F_ji| / min(A_i, A_j), of the doubles
+  std::map<std::string, double> seconds;       // "irradiance"; "radiosity", "certificate" if something was solved
   std::vector<std::string> notes;
 };
 

@@ -11,20 +11,6 @@ namespace {
 
 constexpr std::size_t kGrain = 16;  // rows a task
 
-// The real factor lies within `radius` of value + shift.
-struct FactorError {
-  double shift, radius;
-};
-
-FactorError error_of(const Rounded& factor) {
-  if (factor.side == 0) return {0, 0};
-  // The real number lies between the double and half-way to its neighbour on that side.
-  const auto bits = std::bit_cast<std::uint64_t>(factor.value);
-  const double neighbour = std::bit_cast<double>(factor.side > 0 ? bits + 1 : bits - 1);
-  const double quarter = std::max(std::abs(neighbour - factor.value) / 4, kUnderflow);
-  return {factor.side > 0 ? quarter : -quarter, quarter};
-}
-
 // sum_j F_j (a_j - b_j), enclosed.
 class DifferenceSum {
  public:
@@ -37,12 +23,12 @@ class DifferenceSum {
     two_product(factor.value, d, p, pe);
     two_sum(high_, p, s, se);
     high_ = s;
-    const FactorError error = error_of(factor);
-    const double from_low = factor.value * d_low, from_shift = error.shift * d;
+    const Enclosed real = Enclosed::of(factor);
+    const double from_low = factor.value * d_low, from_shift = real.lo * d;
     low_ += (pe + se) + (from_low + from_shift);
     low_size_ += std::abs(pe) + std::abs(se) + std::abs(from_shift) +
                  factor.value * (std::abs(e) + std::abs(a.lo) + std::abs(b.lo));
-    factor_radius_ += error.radius * (std::abs(d) + 2 * std::abs(d_low));
+    factor_radius_ += real.radius * (std::abs(d) + 2 * std::abs(d_low));
     other_radius_ += factor.value * radius_of_difference;
     ++count_;
   }
@@ -98,10 +84,7 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
     if (!rows_are_closed()) {
       // Rows as they are: loss = 1 - rho * sum.
       Enclosed sum_of_row;
-      for (const FactorEntry& entry : matrix.row(i)) {
-        const FactorError error = error_of(entry.factor);
-        sum_of_row = sum(sum_of_row, {entry.factor.value, error.shift, error.radius});
-      }
+      for (const FactorEntry& entry : matrix.row(i)) sum_of_row = sum(sum_of_row, Enclosed::of(entry.factor));
       row.loss = difference({1, 0, 0}, product(row.reflectivity, sum_of_row));
     }
     rows_.push_back(row);
@@ -109,7 +92,7 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
   find_components();
   for (const SystemRow& row : rows_) {
     SystemComponent& component = components_[row.component];
-    component.loses |= row.loss.hi != 0;
+    component.loses |= materials[*matrix.elements()[row.element].material].reflectivity.value[channel] != 1;
     for (const FactorEntry& entry : matrix.row(row.element)) component.loses |= unknown_[entry.to] < 0;
   }
 }
@@ -169,14 +152,29 @@ Sources RadiositySystem::sources(const std::vector<Material>& materials, const S
   result.emission[matrix.sky()] = Enclosed::of(times_power_of_two(sky_emission.value[channel], -result.exponent));
   emits[matrix.sky()] = sky_emission.value[channel] > 0;
 
-  result.is_lit.assign(components_.size(), 0);
+  result.is_lit = lit_by(emits);
+  return result;
+}
+
+Sources RadiositySystem::unit_source(std::uint32_t element) const {
+  Sources result;
+  result.emission.resize(matrix_->size() + 1);
+  result.emission[element] = {1, 0, 0};
+  std::vector<char> emits(matrix_->size() + 1, 0);
+  emits[element] = 1;
+  result.is_lit = lit_by(emits);
+  return result;
+}
+
+std::vector<char> RadiositySystem::lit_by(const std::vector<char>& emits) const {
+  std::vector<char> is_lit(components_.size(), 0);
   for (const SystemRow& row : rows_) {
     bool lit = emits[row.element] != 0;
-    for (const FactorEntry& entry : matrix.row(row.element))
+    for (const FactorEntry& entry : matrix_->row(row.element))
       lit |= unknown_[entry.to] < 0 && emits[entry.to] != 0 && entry.factor.value > 0;
-    if (lit) result.is_lit[row.component] = 1;
+    if (lit) is_lit[row.component] = 1;
   }
-  return result;
+  return is_lit;
 }
 
 Enclosed RadiositySystem::value(const SplitVector& x, std::size_t unknown) const {
@@ -209,23 +207,29 @@ std::vector<Enclosed> RadiositySystem::residual(const Sources* sources, const Sp
   return result;
 }
 
-std::vector<double> RadiositySystem::irradiance(const std::vector<DoubleDouble>& radiosity) const {
-  std::vector<double> result(matrix_->size(), 0);
+std::vector<Enclosed> RadiositySystem::irradiance(const std::vector<Enclosed>& radiosity) const {
+  std::vector<Enclosed> result(matrix_->size());
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, matrix_->size(), kGrain), [&](const auto& range) {
     for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
       if (!matrix_->has_row(i) || matrix_->row(i).empty()) continue;
-      // A row that sums to 1 is a mean: differences to any one of its values lose nothing.
-      DoubleDouble base;
+      // A row that sums to 1 is a mean. Differences to its smallest value lose nothing, and none is above the mean.
+      Enclosed base;
       if (rows_are_closed()) {
         const auto row = matrix_->row(i);
-        const auto strongest = std::max_element(row.begin(), row.end(), [](const FactorEntry& a, const FactorEntry& b) {
-          return a.factor.value < b.factor.value;
-        });
-        base = radiosity[strongest->to];
+        base = radiosity[std::min_element(row.begin(), row.end(), [&](const FactorEntry& a, const FactorEntry& b) {
+                           return radiosity[a.to].hi < radiosity[b.to].hi;
+                         })->to];
+        base.radius = 0;
       }
-      DifferenceSum below(ErrorTerms{});
-      for (const FactorEntry& entry : matrix_->row(i)) below.add(entry.factor, base, radiosity[entry.to]);
-      result[i] = std::max(0.0, difference(Enclosed::of(base), below.result()).value());
+      DifferenceSum above(ErrorTerms{});
+      bool is_dark = base.size() == 0;
+      for (const FactorEntry& entry : matrix_->row(i)) {
+        const Enclosed& there = radiosity[entry.to];
+        if (there.size() == 0 && base.size() == 0) continue;
+        is_dark = false;
+        above.add(entry.factor, {there.hi, there.lo}, {base.hi, base.lo}, there.radius);
+      }
+      if (!is_dark) result[i] = sum(base, above.result());
     }
   });
   return result;

@@ -65,6 +65,8 @@ class RadiositySystem {
   std::int32_t unknown(std::uint32_t element) const { return unknown_[element]; }
 
   Sources sources(const std::vector<Material>& materials, const Spectrum& sky_emission, int channel) const;
+  // The sources when one element (or the sky) emits 1 and nothing else does.
+  Sources unit_source(std::uint32_t element) const;
 
   // Returns E - A x by rows, enclosed. Without sources: -A x, with 0 for all that is known. Rows of components that
   // `is_wanted` leaves out are 0.
@@ -74,11 +76,14 @@ class RadiositySystem {
   // Returns x_i as one number.
   Enclosed value(const SplitVector& x, std::size_t unknown) const;
 
-  // Returns the irradiance H_i = sum_j F_ij B_j of every row, by element; `radiosity` is by element, the sky last.
-  std::vector<double> irradiance(const std::vector<DoubleDouble>& radiosity) const;
+  // Returns the irradiance H_i = sum_j F_ij B_j of every row, by element; `radiosity` >= 0 is by element, the sky last.
+  // Its width is that of the radiosities and half an ulp or so of H_i, however much the radiosities differ; it is
+  // exactly 0 where all of them are.
+  std::vector<Enclosed> irradiance(const std::vector<Enclosed>& radiosity) const;
 
  private:
   void find_components();
+  std::vector<char> lit_by(const std::vector<char>& emits) const;  // by component; emits is by element, the sky last
 
   const ExchangeMatrix* matrix_;
   std::vector<std::int32_t> unknown_;

@@ -19,6 +19,22 @@ mpf_class number(const RootSum& sum) {
   return result;
 }
 
+std::vector<std::vector<mpf_class>> solve_dense(std::vector<std::vector<mpf_class>> rows) {
+  const std::size_t n = rows.size();
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == k || rows[i][k] == 0) continue;
+      const mpf_class factor = rows[i][k] / rows[k][k];
+      for (std::size_t j = k; j < rows[i].size(); ++j) rows[i][j] -= factor * rows[k][j];
+    }
+  for (std::size_t i = 0; i < n; ++i) {
+    const mpf_class pivot = rows[i][i];
+    rows[i].erase(rows[i].begin(), rows[i].begin() + static_cast<std::ptrdiff_t>(n));
+    for (mpf_class& value : rows[i]) value /= pivot;
+  }
+  return rows;
+}
+
 ExactScene::ExactScene(Scene2 scene, Divided divided) : prepared_(prepare(std::move(scene), divided)) {
   const Per per = divided == Divided::kYes ? Per::kElement : Per::kFace;
   matrix_ = exact_exchange(prepared_, {per});
@@ -27,14 +43,13 @@ ExactScene::ExactScene(Scene2 scene, Divided divided) : prepared_(prepare(std::m
     for (const FactorEntry& entry : matrix_.row(i))
       if (i <= entry.to || !matrix_.has_row(entry.to)) pairs.emplace_back(std::min(i, entry.to), std::max(i, entry.to));
   const std::vector<RootSum> measures = exact_exchange_measures(prepared_, per, pairs);
-  std::vector<mpf_class> areas;
-  for (const RootSum& area : exact_areas(prepared_, per)) areas.push_back(number(area));
+  for (const RootSum& area : exact_areas(prepared_, per)) areas_.push_back(number(area));
   factors_.assign(matrix_.size(), std::vector<mpf_class>(matrix_.size() + 1, mpf_class(0, kBits)));
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [i, j] = pairs[k];
     const mpf_class measure = number(measures[k]);
-    if (matrix_.has_row(i)) factors_[i][j] = measure / areas[i];
-    if (j < matrix_.size() && matrix_.has_row(j)) factors_[j][i] = measure / areas[j];
+    if (matrix_.has_row(i)) factors_[i][j] = measure / areas_[i];
+    if (j < matrix_.size() && matrix_.has_row(j)) factors_[j][i] = measure / areas_[j];
   }
 }
 
@@ -51,20 +66,9 @@ std::vector<mpf_class> ExactScene::radiosity(const std::vector<Material>& materi
     }
     a[i][i] += 1;
   }
-  // Dominated by the diagonal: no pivots needed.
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = k + 1; i < n; ++i) {
-      if (a[i][k] == 0) continue;
-      const mpf_class factor = a[i][k] / a[k][k];
-      for (std::size_t j = k; j <= n; ++j) a[i][j] -= factor * a[k][j];
-    }
-  std::vector<mpf_class> x(n, mpf_class(0, kBits));
-  for (std::size_t k = n; k-- > 0;) {
-    mpf_class sum = a[k][n];
-    for (std::size_t j = k + 1; j < n; ++j) sum -= a[k][j] * x[j];
-    x[k] = sum / a[k][k];
-  }
-  return x;
+  std::vector<mpf_class> result;
+  for (const auto& row : solve_dense(std::move(a))) result.push_back(row.front());
+  return result;
 }
 
 void BoundsCheck::add(const ExactScene& scene, const RadiositySolution& solution,

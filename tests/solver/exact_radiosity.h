@@ -16,6 +16,9 @@ inline constexpr unsigned kBits = 384;
 mpf_class number(const Rational& q);
 mpf_class number(const RootSum& sum);
 
+// The rows of A^-1 B from those of [A B], A square. REQUIRES that the diagonal of A dominates: no pivots are sought.
+std::vector<std::vector<mpf_class>> solve_dense(std::vector<std::vector<mpf_class>> rows);
+
 // A scene, its exact factors rounded, and the same factors to kBits.
 class ExactScene {
  public:
@@ -24,6 +27,7 @@ class ExactScene {
   const Scene2& scene() const { return prepared_.scene; }
   const ExchangeMatrix& matrix() const { return matrix_; }
   const std::vector<std::vector<mpf_class>>& factors() const { return factors_; }  // [from][to], the sky last
+  const std::vector<mpf_class>& areas() const { return areas_; }
 
   // Radiosities by element, by Gaussian elimination. REQUIRES a solution.
   std::vector<mpf_class> radiosity(const std::vector<Material>& materials, const Spectrum& sky, int channel) const;
@@ -36,6 +40,7 @@ class ExactScene {
  private:
   PreparedScene2 prepared_;
   ExchangeMatrix matrix_;
+  std::vector<mpf_class> areas_;
   std::vector<std::vector<mpf_class>> factors_;
 };
 

@@ -158,6 +158,19 @@ TEST(Radiosity, WhereAllIsReflectedAndSomethingEmitsIsRefusedByName) {
   }
 }
 
+TEST(Radiosity, OfWhatReflectsNearlyAllIsNotTakenForAMirror) {
+  // 1 - 2^-1100 is 1 in doubles, and what is lost is 0.
+  const ExactScene scene(analytic_scene("furnace"));
+  std::vector<Material> materials = scene.scene().materials;
+  for (Material& m : materials) m.reflectivity = Spectrum::scalar(1 - Rational(1, Integer(1) << 1100));
+  try {
+    scene.solve(materials);
+    FAIL();
+  } catch (const RequestError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("beyond the range of doubles"));
+  }
+}
+
 TEST(Radiosity, OfPerfectReflectorsIsOrdinaryWhereLightGetsOut) {
   // Reflectivity 1 all round but for a black back (no material): E is all that comes, and it goes there.
   Scene2 scene = scene_of(R"({"hottel": 1, "dimension": 2,

@@ -13,11 +13,13 @@
 #include "geometry/visibility/visibility_polygon_2.h"
 #include "io/scene_json.h"
 #include "kernel/rounding.h"
+#include "tests/solver/exact_radiosity.h"
 
 namespace hottel {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace testing_radiosity;
 
 // Vertices rounded to 17 digits move a factor by less than this.
 constexpr double kRounded = 1e-15;
@@ -79,66 +81,18 @@ class AnalyticScene {
     return round_quotient(sum, RootSum(Rational(1))).number;
   }
 
-  // Radiosities of all faces from the closed forms: (I - rho F) b = e by elimination in 256 bits.
-  const std::vector<mpf_class>& radiosities();
+  // Radiosities of all faces from the closed forms.
+  const std::vector<mpf_class>& radiosities() {
+    if (radiosities_.empty())
+      radiosities_ = ExactScene(prepared_.scene).radiosity(scene().materials, scene().sky_emission, 0);
+    return radiosities_;
+  }
 
  private:
   PreparedScene2 prepared_;
   std::map<Per, std::unique_ptr<ExchangeMatrix>> matrices_;
   std::vector<mpf_class> radiosities_;
 };
-
-constexpr unsigned kBits = 256;
-
-mpf_class number(const Rational& q) { return mpf_class(q, kBits); }
-
-mpf_class number(const RootSum& sum) {
-  mpf_class result(0, kBits);
-  for (const RootSum::Term& term : sum.terms())
-    result += number(term.coefficient) * sqrt(mpf_class(term.radicand, kBits));
-  return result;
-}
-
-const std::vector<mpf_class>& AnalyticScene::radiosities() {
-  if (!radiosities_.empty()) return radiosities_;
-  const ExchangeMatrix& faces = matrix(Per::kFace);
-  const std::size_t n = faces.size();
-  std::vector<LabelPair> pairs;
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t j = i; j <= n; ++j) pairs.emplace_back(i, j);
-  const std::vector<RootSum> measures = exact_exchange_measures(prepared_, Per::kFace, pairs);
-  const std::vector<RootSum> areas = exact_areas(prepared_, Per::kFace);
-  std::vector<std::vector<mpf_class>> a(n, std::vector<mpf_class>(n + 1, mpf_class(0, kBits)));
-  const auto set = [&](std::uint32_t i, std::uint32_t j, const RootSum& measure) {
-    const auto& material = faces.elements()[i].material;
-    if (!material) return;  // black, dark
-    const mpf_class rho_factor =
-        number(scene().materials[*material].reflectivity.value[0]) * number(measure) / number(areas[i]);
-    if (j == n)
-      a[i][n] += rho_factor * number(scene().sky_emission.value[0]);
-    else
-      a[i][j] -= rho_factor;
-  };
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const auto [i, j] = pairs[k];
-    set(i, j, measures[k]);
-    if (j < n && j != i) set(j, i, measures[k]);
-  }
-  for (std::uint32_t i = 0; i < n; ++i) {
-    a[i][i] += 1;
-    if (const auto& material = faces.elements()[i].material)
-      a[i][n] += number(scene().materials[*material].emission.value[0]);
-  }
-  // Strictly dominated by the diagonal: no pivots needed.
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == k) continue;
-      const mpf_class factor = a[i][k] / a[k][k];
-      for (std::size_t j = k; j <= n; ++j) a[i][j] -= factor * a[k][j];
-    }
-  for (std::size_t i = 0; i < n; ++i) radiosities_.push_back(a[i][n] / a[i][i]);
-  return radiosities_;
-}
 
 AnalyticScene& analytic(const std::string& stem) {
   static std::map<std::string, std::unique_ptr<AnalyticScene>> scenes;

@@ -1,0 +1,121 @@
+#include "solver/system/gray_exchange.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "kernel/failure.h"
+#include "kernel/parallel.h"
+#include "solver/system/certificate.h"
+#include "solver/system/inner_solver.h"
+#include "solver/system/radiosity_system.h"
+
+namespace hottel {
+namespace {
+
+// One number of a column.
+struct ColumnEntry {
+  std::uint32_t row = 0;
+  double value = 0;
+  Enclosure bounds;
+};
+
+// The system of one channel, eliminated once, and what solves it for one column after the other.
+class GraySystem {
+ public:
+  GraySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
+      : matrix_(matrix), system_(matrix, materials, channel) {
+    for (const Material& material : materials)
+      emissivity_.push_back(Enclosed::of(Rational(1 - material.reflectivity.value[channel])));
+    // Components that lose nothing have no column: all their emissivities are 0.
+    std::vector<char> is_wanted;
+    bool is_any_wanted = false;
+    for (const SystemComponent& component : system_.components()) {
+      is_wanted.push_back(component.loses);
+      is_any_wanted |= component.loses;
+    }
+    if (is_any_wanted) inner_ = make_elimination(system_, is_wanted);
+  }
+
+  // The numbers of one column that are not 0, by rows.
+  std::vector<ColumnEntry> column(std::uint32_t to) const {
+    std::vector<ColumnEntry> result;
+    const Enclosed source = emissivity_of(to);
+    if (source.size() == 0) return result;
+    const std::vector<Enclosed> irradiance = system_.irradiance(radiosity(to));
+    for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
+      if (!matrix_.has_row(i)) continue;
+      const Enclosed emissivity = emissivity_of(i);
+      if (irradiance[i].size() == 0 || emissivity.size() == 0) continue;
+      const Enclosed factor = product(product(emissivity, source), irradiance[i]);
+      Enclosure bounds{0, emissivity.upper()};
+      if (std::isfinite(factor.radius))
+        bounds = {std::max(bounds.lower, factor.lower()), std::min(bounds.upper, factor.upper())};
+      result.push_back({i, std::clamp(factor.value(), bounds.lower, bounds.upper), bounds});
+    }
+    return result;
+  }
+
+ private:
+  // Of a face, a black back or the sky.
+  Enclosed emissivity_of(std::uint32_t element) const {
+    if (element == matrix_.sky() || !matrix_.elements()[element].material) return {1, 0, 0};
+    return emissivity_[*matrix_.elements()[element].material];
+  }
+
+  // G_kj of all elements k, the sky last, for one column j.
+  std::vector<Enclosed> radiosity(std::uint32_t to) const {
+    const Sources sources = system_.unit_source(to);
+    std::vector<Enclosed> result = sources.emission;
+    if (!inner_) return result;
+    SplitVector x{std::vector<DoubleDouble>(system_.components().size()), std::vector<DoubleDouble>(system_.size())};
+    refine(system_, sources, *inner_, x);
+    const CertifiedBounds bounds = certify(system_, sources, *inner_, x);
+    for (std::size_t u = 0; u < system_.size(); ++u) result[system_.rows()[u].element] = bounds.enclosed(u);
+    return result;
+  }
+
+  const ExchangeMatrix& matrix_;
+  RadiositySystem system_;
+  std::vector<Enclosed> emissivity_;  // by material
+  std::unique_ptr<InnerSolver> inner_;
+};
+
+ExchangeMatrix from_columns(const std::vector<Element>& elements,
+                            const std::vector<std::vector<ColumnEntry>>& columns) {
+  ExchangeMatrix result(elements, Guarantee::kEnclosed);
+  std::vector<std::size_t> begin(elements.size() + 1, 0);
+  for (const auto& column : columns)
+    for (const ColumnEntry& entry : column) ++begin[entry.row + 1];
+  for (std::size_t i = 0; i < elements.size(); ++i) begin[i + 1] += begin[i];
+  std::vector<FactorEntry> entries(begin.back());
+  std::vector<Enclosure> bounds(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (std::uint32_t j = 0; j < columns.size(); ++j)
+    for (const ColumnEntry& entry : columns[j]) {
+      const std::size_t place = next[entry.row]++;
+      entries[place] = {j, {entry.value, 0}, std::numeric_limits<double>::quiet_NaN()};
+      bounds[place] = entry.bounds;
+    }
+  result.assign(std::move(begin), std::move(entries), {}, std::move(bounds));
+  return result;
+}
+
+}  // namespace
+
+ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel,
+                             const std::function<void(double)>& progress) {
+  HOTTEL_REQUIRE(matrix.guarantee() != Guarantee::kEstimated);
+  const GraySystem system(matrix, materials, channel);
+  std::vector<std::vector<ColumnEntry>> columns(matrix.size() + 1);
+  std::atomic<std::size_t> done{0};
+  parallel_for(columns.size(), [&](std::size_t j) {
+    columns[j] = system.column(static_cast<std::uint32_t>(j));
+    if (progress) progress(static_cast<double>(++done) / static_cast<double>(columns.size()));
+  });
+  return from_columns(matrix.elements(), columns);
+}
+
+}  // namespace hottel

@@ -1,0 +1,84 @@
+#include "solver/system/net_flux.h"
+
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+#include "solver/system/enclosed.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+NetFlux::Power power_of(const Enclosed& flux) {
+  const double lower = flux.lower(), upper = flux.upper();
+  return {flux.value(), std::isnan(lower) ? -kInfinity : lower, std::isnan(upper) ? kInfinity : upper};
+}
+
+// What is exactly 0 leaves a sum as it is.
+void add(Enclosed& total, const Enclosed& term) {
+  if (term.size() == 0) return;
+  total = total.size() == 0 ? term : sum(total, term);
+}
+
+// Of every element, the sky last.
+std::vector<Enclosed> flux_by_element(const ExchangeMatrix& matrix, const ChannelSolution& solution,
+                                      const Enclosed& sky_emission) {
+  std::vector<Enclosed> result(matrix.size() + 1);
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const ElementRadiosity& element = solution.elements[i];
+    const Enclosed area = Enclosed::of(matrix.elements()[i].area);
+    const Enclosed radiosity = Enclosed::around({element.radiosity, 0}, {element.lower, element.upper});
+    const Enclosed net = Enclosed::around({element.net, 0}, {element.net_lower, element.net_upper});
+    if (net.size() != 0) result[i] = product(area, net);
+    for (const FactorEntry& entry : matrix.row(i)) {
+      const bool is_sky = entry.to == matrix.sky();
+      if (!is_sky && matrix.has_row(entry.to)) continue;
+      const Enclosed sent = is_sky ? difference(sky_emission, radiosity) : negated(radiosity);
+      if (sent.size() != 0) add(result[entry.to], product(product(area, Enclosed::of(entry.factor)), sent));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolution& solution,
+                              const Spectrum& sky_emission, const std::function<std::string(const Element&)>& name_of) {
+  std::vector<char> is_listed(matrix.size() + 1, 0);
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    is_listed[i] = 1;
+    for (const FactorEntry& entry : matrix.row(i)) is_listed[entry.to] = 1;
+  }
+  std::vector<NetFlux> result;
+  std::vector<std::size_t> place(matrix.size() + 1);  // of an element, in the result
+  std::vector<Enclosed> area;
+  std::unordered_map<std::string, std::size_t> place_of;
+  for (std::uint32_t i = 0; i <= matrix.size(); ++i) {
+    if (!is_listed[i]) continue;
+    const std::string name = i == matrix.sky() ? "sky" : name_of(matrix.elements()[i]);
+    const auto [known, is_new] = place_of.emplace(name, result.size());
+    if (is_new) {
+      result.push_back({name, {}, std::vector<NetFlux::Power>(solution.channels.size())});
+      area.emplace_back();
+    }
+    place[i] = known->second;
+    if (i == matrix.sky()) continue;
+    add(area[place[i]], Enclosed::of(matrix.elements()[i].area));
+    result[place[i]].area = area[place[i]].value();
+  }
+  for (std::size_t c = 0; c < solution.channels.size(); ++c) {
+    const std::vector<Enclosed> flux =
+        flux_by_element(matrix, solution.channels[c], Enclosed::of(sky_emission.value[c]));
+    std::vector<Enclosed> total(result.size());
+    for (std::uint32_t i = 0; i <= matrix.size(); ++i)
+      if (is_listed[i]) add(total[place[i]], flux[i]);
+    for (std::size_t k = 0; k < result.size(); ++k) result[k].by_channel[c] = power_of(total[k]);
+  }
+  return result;
+}
+
+}  // namespace hottel
