@@ -1,0 +1,191 @@
+// What holds of every scene in scenes/degenerate/. The sketches are in its README; the answers, with the reason for
+// each, in the files.
+#include "tests/geometry/degenerate_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "geometry/visibility/visibility_polygon_2.h"
+#include "tests/geometry/exchange_scenes.h"
+#include "tests/oracle/engine_comparison_2.h"
+#include "tests/oracle/laws_2.h"
+
+namespace hottel {
+namespace {
+
+using namespace testing_scenes;
+
+// The sum over the root q sqrt(r), a sum again.
+RootSum over_one_root(const RootSum& sum, const RootSum& root) {
+  const RootSum::Term& below = root.terms().front();
+  RootSum result;
+  for (const RootSum::Term& term : sum.terms())
+    result.add(term.coefficient / below.coefficient / below.radicand, Rational(term.radicand * below.radicand));
+  return result;
+}
+
+// The smallest difference of two coordinates along one axis, over the largest coordinate.
+Rational resolution(const Scene2& scene) {
+  std::set<Rational> xs, ys;
+  for (const Surface2& s : scene.surfaces)
+    for (const Point2& p : {s.from, s.to}) xs.insert(p.x), ys.insert(p.y);
+  Rational largest = 0, smallest = abs(*xs.rbegin() - *xs.begin()) + 1;
+  for (const std::set<Rational>& values : {xs, ys}) {
+    largest = std::max({largest, Rational(abs(*values.begin())), Rational(abs(*values.rbegin()))});
+    for (auto next = std::next(values.begin()); next != values.end(); ++next)
+      smallest = std::min(smallest, Rational(*next - *std::prev(next)));
+  }
+  return smallest / largest;
+}
+
+std::vector<LabelPair> all_pairs(const ExchangeMatrix& matrix) {
+  std::vector<LabelPair> pairs;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (std::uint32_t j = i; j <= matrix.sky(); ++j)
+      if (matrix.has_row(i) || (j < matrix.sky() && matrix.has_row(j))) pairs.emplace_back(i, j);
+  return pairs;
+}
+
+class DegenerateScenes : public testing::TestWithParam<std::string> {};
+
+TEST_P(DegenerateScenes, HaveTheClosedFormsOfTheirFile) {
+  const Exact exact(degenerate(GetParam()));
+  const std::vector<RootSum> areas = exact_areas(exact.prepared(), Per::kFace);
+  for (const Expectation& row : exact.prepared().scene.expect) {
+    if (row.quantity != "factor") continue;
+    EXPECT_FALSE(row.derivation.empty());
+    const RootSum& area = areas[exact.matrix().find(row.of.at(0)).value()];
+    ASSERT_EQ(area.terms().size(), 1u) << "expectations start from straight faces";
+    EXPECT_EQ(over_one_root(exact.measure(row.of[0], row.of.at(1)), area).to_string(), row.form) << row.name;
+  }
+}
+
+TEST_P(DegenerateScenes, HaveTheValuesOfTheirFile) {
+  const Exact exact(degenerate(GetParam()));
+  const Scene2& scene = exact.prepared().scene;
+  const Arrangement2& arrangement = exact.prepared().arrangement;
+  const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());
+  const auto computed = [&](const Expectation& row) {
+    if (row.quantity == "factor") return exact.factor(row.of.at(0), row.of.at(1));
+    const Surface2& from = scene.surfaces[scene.find(row.of.at(0)).value()];
+    const FacePart to{scene.find(row.of.at(1)).value(), 0, false};
+    RootSum sum;
+    for (const PointFactor2& part : point_factors(arrangement, location, from.from, from.to, false, number(row.at)))
+      if (part.side != kSky && arrangement.owner(part.side) == to) sum += part.factor;
+    EXPECT_EQ(sum.to_string(), row.form) << row.name;
+    return round_quotient(sum, RootSum(Rational(1))).number;
+  };
+  for (const Expectation& row : scene.expect) {
+    if (row.quantity == "radiosity") continue;  // tests/solver/degenerate_radiosity_test.cpp
+    ASSERT_EQ(row.kind, row.quantity == "factor" ? "exact" : "point");
+    const Rounded rounded = computed(row);
+    const Rational value = number(row.value);
+    EXPECT_EQ(rounded.value, to_double(value)) << row.name;
+    EXPECT_LE(Rational(rounded.enclosure().lower), value) << row.name;
+    EXPECT_GE(Rational(rounded.enclosure().upper), value) << row.name;
+  }
+}
+
+TEST_P(DegenerateScenes, AgreeWithTheBruteForceInEveryPair) {
+  oracle::ComparisonCounts counts;
+  EXPECT_EQ(oracle::disagreement(degenerate(GetParam()), counts), "");
+  EXPECT_GT(counts.factors, 0u);
+}
+
+TEST_P(DegenerateScenes, ObeyTheLawsOfTheOracles) {
+  const Scene2 scene = degenerate(GetParam());
+  const std::vector<oracle::Segment> pieces = oracle::split(oracle::to_edges(scene)).pieces;
+  EXPECT_EQ(oracle::broken_integer_closure(pieces), "");
+  EXPECT_EQ(oracle::broken_closure(pieces), "");
+  EXPECT_EQ(oracle::broken_positivity(pieces), "");
+  const bool fits_doubles = resolution(scene) > Rational(1, 1000000);
+  if (fits_doubles) {
+    EXPECT_EQ(oracle::broken_sweep(pieces, 1e-10), "");
+  }
+}
+
+TEST_P(DegenerateScenes, CloseAsIntegersAndAreSymmetricAndNotNegative) {
+  const Exact exact(degenerate(GetParam()));
+  const ExchangeMatrix& matrix = exact.matrix();
+  EXPECT_TRUE(exact.report().closure_is_exact);
+  std::map<LabelPair, double> measure;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    double sum = 0;
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+      const FactorEntry& entry = matrix.row(i)[k];
+      EXPECT_GT(entry.factor.value, 0);
+      EXPECT_GE(entry.factor.enclosure().lower, 0);
+      EXPECT_LE(entry.factor.enclosure().upper, 1);
+      EXPECT_GT(entry.visibility, 0);
+      EXPECT_LE(entry.visibility, 1);
+      sum += entry.factor.value;
+      const auto [place, is_first] = measure.try_emplace(std::minmax({i, entry.to}), matrix.measures(i)[k]);
+      EXPECT_EQ(place->second, matrix.measures(i)[k]) << "S(i, j) = S(j, i)";
+    }
+    if (matrix.has_row(i)) {
+      EXPECT_NEAR(sum, 1, 1e-15 * static_cast<double>(matrix.row(i).size()));
+    }
+  }
+  // The same as exact sums: what a face exchanges with all others is its length.
+  const std::vector<LabelPair> pairs = all_pairs(matrix);
+  const std::vector<RootSum> sums = exact_exchange_measures(exact.prepared(), Per::kFace, pairs);
+  std::vector<RootSum> left = exact_areas(exact.prepared(), Per::kFace);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    EXPECT_GE(sums[k].sign(), 0);
+    left[pairs[k].first] -= sums[k];
+    if (pairs[k].second < matrix.sky() && pairs[k].second != pairs[k].first) left[pairs[k].second] -= sums[k];
+  }
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    if (matrix.has_row(i)) {
+      EXPECT_TRUE(left[i].is_zero()) << matrix.elements()[i].name;
+    }
+}
+
+Rational power_of_two(unsigned exponent) { return Rational(Integer(1) << exponent); }
+
+TEST_P(DegenerateScenes, AreTheSameMagnifiedAndFarAway) {
+  const Scene2 scene = degenerate(GetParam());
+  const Printed expected = printed(scene);
+  const Rational east = power_of_two(53) + 1, south = -power_of_two(60) + 7, size = power_of_two(20);
+  EXPECT_TRUE(printed(moved(scene, [&](const Point2& p) {
+                return Point2{p.x * size + east, p.y * size + south};
+              })) == expected);
+}
+
+TEST_P(DegenerateScenes, AreTheSumsOfTheirElements) {
+  Scene2 scene = degenerate(GetParam());
+  const Exact whole(scene);
+  for (Surface2& surface : scene.surfaces) surface.elements = 3;
+  const Exact parts(scene, Per::kElement);
+  std::map<LabelPair, RootSum> sums;
+  const auto face = [&](std::uint32_t i) {
+    if (i == parts.matrix().sky()) return whole.matrix().sky();
+    const std::string& name = parts.matrix().elements()[i].name;
+    return whole.matrix().find(name.substr(0, name.find('#'))).value();
+  };
+  const std::vector<LabelPair> pairs = all_pairs(parts.matrix());
+  const std::vector<RootSum> measures = exact_exchange_measures(parts.prepared(), Per::kElement, pairs);
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    sums[std::minmax({face(pairs[k].first), face(pairs[k].second)})] += measures[k];
+  const std::vector<LabelPair> faces = all_pairs(whole.matrix());
+  const std::vector<RootSum> expected = exact_exchange_measures(whole.prepared(), Per::kFace, faces);
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    EXPECT_TRUE((sums[faces[k]] - expected[k]).is_zero()) << faces[k].first << " " << faces[k].second;
+}
+
+TEST_P(DegenerateScenes, AreDescribedInTheReadme) {
+  std::ifstream file(degenerate_folder() / "README.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(text.find("\n## " + GetParam() + "\n"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(, DegenerateScenes, testing::ValuesIn(degenerate_stems()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace hottel

@@ -1,0 +1,86 @@
+// Visibility itself on adjacent doubles about a degeneracy: what is seen, and whether light passes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "geometry/visibility/point_location_2.h"
+#include "tests/geometry/exchange_scenes.h"
+#include "tests/neighbouring_doubles/grid.h"
+
+namespace hottel {
+namespace {
+
+using namespace neighbouring_doubles;
+using namespace testing_scenes;
+
+std::string typed(double value) { return to_string(Rational(value)); }
+
+Line line(const std::string& name, const Double2& a, const Double2& b) {
+  return {name, typed(a.x), typed(a.y), typed(b.x), typed(b.y), 1, 1};
+}
+
+// Seen from p, the target begins in r, behind the tip q of a blocker that hides all that is right of it.
+//
+//                         r   target
+//                        . ────────
+//               q      .
+//              . ╲   .        p, q, r next to one line
+//            .    ╲
+//       p  .       ╲ blocker
+TEST(NeighbouringDoublesOfVisibility, TheTargetIsSeenIffItBeginsLeftOfTheTip) {
+  for (const Grid& grid : kettner_grids()) {
+    const Scene2 scene =
+        scene_of({line("blocker", grid.q, {2 * grid.q.x, 0}), line("target", grid.r, {2 * grid.r.x, grid.r.y - 1})});
+    const PreparedScene2 prepared = prepare(scene);
+    const Arrangement2& arrangement = prepared.arrangement;
+    const Vertices2& vertices = arrangement.vertices();
+    const PointLocation2 location(vertices, arrangement.triangulation());
+    int failures = 0, seen = 0;
+    View2 view;
+    for (int j = 0; j < kSide; ++j)
+      for (int i = 0; i < kSide; ++i) {
+        const ExactPoint2 p = exact(grid.at(i, j));
+        location.look_around(Eye2(vertices, vertices.from_scene(p)), view);
+        const bool sees_target = std::any_of(view.seen.begin(), view.seen.end(), [&](const View2::Seen& s) {
+          return s.behind != kSky && arrangement.owner(s.behind).surface == 1;
+        });
+        seen += sees_target;
+        failures += sees_target != (exact_orientation(p, exact(grid.q), exact(grid.r)) > 0);
+      }
+    EXPECT_EQ(failures, 0) << grid.name;
+    EXPECT_GT(seen, 10000) << "on one side of the diagonal";
+    EXPECT_LT(seen, kSide * kSide - 10000);
+  }
+}
+
+// Light from a to b passes above the tips p and r and below the tip q between them: iff q is left of p, r.
+//
+//   │        │q      │
+//   │                │ b
+// a │  p         r
+//   │  │         │
+TEST(NeighbouringDoublesOfVisibility, LightPassesIffTheMiddleTipIsAboveTheOthers) {
+  for (const Grid& grid : kettner_grids()) {
+    const double far = 4 * grid.r.x;
+    const int step = &grid == &kettner_grids().front() ? 1 : 8;  // a scene a point: one grid whole, for time
+    int scenes = 0, failures = 0, passes = 0;
+    for (int j = 0; j < kSide; j += step)
+      for (int i = 0; i < kSide; i += step) {
+        const Double2 p = grid.at(i, j);
+        const ExchangeMatrix matrix = exact_exchange(
+            prepare(scene_of({line("a", {-10, -20}, {-10, grid.r.x}), line("b", {far, 1.5 * far}, {far, 0}),
+                              line("p", p, {p.x, -2 * far}), line("q", grid.q, {grid.q.x, 2 * far}),
+                              line("r", grid.r, {grid.r.x, -2 * far})})));
+        const bool passed = matrix.factor(matrix.find("a").value(), matrix.find("b").value()).value > 0;
+        ++scenes;
+        passes += passed;
+        failures += passed != (exact_orientation(exact(p), exact(grid.q), exact(grid.r)) < 0);
+      }
+    EXPECT_EQ(failures, 0) << grid.name;
+    EXPECT_GT(passes, scenes / 4) << "on one side of the diagonal";
+    EXPECT_LT(passes, scenes * 3 / 4);
+  }
+}
+
+}  // namespace
+}  // namespace hottel
