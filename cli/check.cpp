@@ -1,22 +1,62 @@
-// hottel check: what is worth telling about a scene before light is computed.
+// hottel check: what is worth telling about a scene before light is computed, and a repaired scene.
+#include <optional>
+
 #include "cli/command.h"
 #include "io/check_report.h"
 #include "io/scene_json.h"
+#include "kernel/failure.h"
 #include "solver/check/scene_check_2.h"
 
 namespace hottel {
 namespace {
 
 struct CheckCommandOptions {
-  std::string scene;
+  std::string scene, fix, within;
   bool json = false;
 };
 
+Rational distance_of(const CheckCommandOptions& options) {
+  if (options.fix.empty() != options.within.empty()) throw UsageError("--fix OUT and --within D go together");
+  if (options.fix == "-") throw UsageError("--fix writes a scene file; standard output has the findings");
+  if (options.fix.empty()) return 0;
+  const auto distance = parse_rational(options.within);
+  if (!distance || *distance <= 0) throw UsageError("--within must be a positive number, not '" + options.within + "'");
+  return *distance;
+}
+
+SceneCheck2 look_at(const Scene2& scene, const Streams& streams) {
+  return check_scene(scene, {.progress = streams.progress("view factors")});
+}
+
+ExitCode exit_code(const SceneCheck2& check) { return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone; }
+
+// Writes the repaired scene, and tells what was done and what is found in it.
+ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const Scene2& scene, Streams& streams) {
+  OutputFile out(options.fix);
+  const SceneCheck2 before = look_at(scene, streams);
+  Repair2 repair = close_gaps(scene, distance);
+  reverse_inside_out(repair);
+  const std::string text = write_scene_2(repair.scene);
+  const Scene2 repaired = parse_scene_2(text, options.fix);
+  const SceneCheck2 after = look_at(repaired, streams);
+
+  std::optional<std::vector<FactorChange>> changes;
+  if (before.factors && after.factors) changes = factor_changes(*before.factors, *after.factors);
+  const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
+  out.write(text);
+  out.commit();
+  streams.write("", options.json ? check_json(repaired, after.findings, &report)
+                                 : repair_text(scene, report) + check_text(repaired, after.findings));
+  return exit_code(after);
+}
+
 ExitCode check(const CheckCommandOptions& options, Streams& streams) {
+  const Rational distance = distance_of(options);
   const Scene2 scene = read_scene_2(options.scene);
-  const SceneCheck2 check = check_scene(scene, {.progress = streams.progress("view factors")});
+  if (!options.fix.empty()) return fix(options, distance, scene, streams);
+  const SceneCheck2 check = look_at(scene, streams);
   streams.write("", options.json ? check_json(scene, check.findings) : check_text(scene, check.findings));
-  return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone;
+  return exit_code(check);
 }
 
 }  // namespace
@@ -25,10 +65,19 @@ void add_check(Commands& commands) {
   const auto options = std::make_shared<CheckCommandOptions>();
   CLI::App& command = commands.add(
       "check", "Find what is wrong with a scene, probably not meant, or worth knowing",
-      {"hottel check scenes/showcase/apartment.json", "hottel check scenes/analytic/triangle_345.json --json"},
+      {"hottel check scenes/showcase/apartment.json", "hottel check scenes/analytic/triangle_345.json --json",
+       "hottel check scenes/showcase/maze.json --fix /tmp/maze.json --within 1e-6"},
       [options](Streams& streams) { return check(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_flag("--json", options->json, "as one JSON object");
+  command
+      .add_option("--fix", options->fix,
+                  "write a repaired scene: near misses closed, repetitions dropped, rooms inside out reversed; then "
+                  "the repairs, the change in every affected view factor and what is found in the repaired scene "
+                  "are shown")
+      ->type_name("OUT");
+  command.add_option("--within", options->within, "how far --fix may move a point, in units of the scene")
+      ->type_name("D");
 }
 
 }  // namespace hottel

@@ -6,9 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/check/wording.h"
+#include "io/factor_files.h"
 
 namespace hottel {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 int line_of(const Scene2& scene, const Finding& finding) {
   return finding.surfaces.empty() ? 0 : scene.surfaces[finding.surfaces.front()].line;
@@ -18,15 +21,28 @@ std::string count_text(std::size_t count, const char* noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+void add_repair(const RepairReport& repair, Json& report) {
+  report["repairs"] = Json::array();
+  for (const RepairStep& step : *repair.steps)
+    report["repairs"].push_back({{"kind", step.kind}, {"surface", step.surface}, {"message", step.message}});
+  report["changes"] = nullptr;
+  if (repair.changes == nullptr) return;
+  report["changes"] = Json::array();
+  const auto number = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+  for (const FactorChange& change : *repair.changes)
+    report["changes"].push_back(
+        {{"from", change.from}, {"to", change.to}, {"before", number(change.before)}, {"after", number(change.after)}});
+}
+
 }  // namespace
 
-std::string check_json(const Scene2& scene, const Findings& findings) {
-  auto list = nlohmann::ordered_json::array();
+std::string check_json(const Scene2& scene, const Findings& findings, const RepairReport* repair) {
+  auto list = Json::array();
   for (const Finding& finding : findings) {
-    nlohmann::ordered_json entry;
+    Json entry;
     entry["severity"] = to_string(finding.severity);
     entry["kind"] = finding.kind;
-    entry["surfaces"] = nlohmann::ordered_json::array();
+    entry["surfaces"] = Json::array();
     for (const std::uint32_t s : finding.surfaces) entry["surfaces"].push_back(scene.surfaces[s].name);
     entry["at"] = nullptr;
     if (finding.at) entry["at"] = {to_double(finding.at->x), to_double(finding.at->y)};
@@ -36,8 +52,9 @@ std::string check_json(const Scene2& scene, const Findings& findings) {
     entry["suggestion"] = finding.suggestion;
     list.push_back(std::move(entry));
   }
-  nlohmann::ordered_json report;
+  Json report;
   report["findings"] = std::move(list);
+  if (repair != nullptr) add_repair(*repair, report);
   return report.dump(2) + "\n";
 }
 
@@ -58,6 +75,24 @@ std::string check_text(const Scene2& scene, const Findings& findings, std::size_
     if (number > most) text += fmt::format("and {} more of {} (--json has them all)\n", number - most, kind);
   return text + fmt::format("{}, {}, {}\n", count_text(count[0], "error"), count_text(count[1], "warning"),
                             count_text(count[2], "note"));
+}
+
+std::string repair_text(const Scene2& scene, const RepairReport& repair) {
+  std::string text;
+  for (const RepairStep& step : *repair.steps) {
+    const auto surface = scene.find(step.surface);
+    const int line = surface ? scene.surfaces[*surface].line : 0;
+    text +=
+        fmt::format("{}{}: {}: {}\n", scene.file, line > 0 ? fmt::format(":{}", line) : "", step.kind, step.message);
+  }
+  if (repair.steps->empty()) text += scene.file + ": there was nothing to repair\n";
+  if (repair.changes == nullptr) return text;
+  text += "from,to,before,after\n";
+  const auto number = [](const std::optional<double>& value) { return value ? shortest(*value) : std::string(); };
+  for (const FactorChange& change : *repair.changes)
+    text += fmt::format("{},{},{},{}\n", csv_field(change.from), csv_field(change.to), number(change.before),
+                        number(change.after));
+  return text;
 }
 
 }  // namespace hottel

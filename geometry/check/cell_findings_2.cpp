@@ -45,7 +45,7 @@ class CellTeller {
       if (cell_of_face_[f] < cells.count() && material(f) != nullptr) residents_[cell_of_face_[f]].push_back(f);
   }
 
-  Findings tell() {
+  CellFindings2 tell() {
     auto rooms = std::count_if(residents_.begin() + 1, residents_.end(), [](auto& faces) { return !faces.empty(); });
     if (has_outsider()) ++rooms;
     for (std::uint32_t cell = 1; cell < cells_.count(); ++cell) {
@@ -57,7 +57,8 @@ class CellTeller {
       else if (rooms > 1)
         tell_isolated(cell);
     }
-    return std::move(findings_);
+    tell_spanning();
+    return std::move(told_);
   }
 
  private:
@@ -123,10 +124,21 @@ class CellTeller {
     });
   }
 
+  // Behind these walls nothing stands but their own fronts, which do not emit.
+  bool fronts_see_nothing(const std::vector<PieceSideId>& walls) const {
+    const std::vector<std::uint32_t> own = surfaces_of(walls);
+    return std::all_of(walls.begin(), walls.end(), [&](PieceSideId side) {
+      const auto& behind = residents_[cells_.of(side ^ 1)];
+      return std::all_of(behind.begin(), behind.end(), [&](std::uint32_t f) {
+        return f % 2 == 0 && material(f)->emission.is_zero() && std::binary_search(own.begin(), own.end(), f / 2);
+      });
+    });
+  }
+
   void add(Severity severity, const char* kind, const std::vector<std::uint32_t>& surfaces, std::string message,
            std::string suggestion) {
     const Surface2& first = scene_.surfaces[surfaces.front()];
-    findings_.push_back(
+    told_.findings.push_back(
         {severity, kind, surfaces, middle(first.from, first.to), std::move(message), std::move(suggestion)});
   }
 
@@ -136,6 +148,7 @@ class CellTeller {
     if (black.empty()) return false;
     const std::string names = names_text(scene_, black);
     const bool is_whole = black.size() == surfaces_of(walls).size();
+    if (is_whole && fronts_see_nothing(walls)) told_.certainly_reversed.push_back(black);
     if (is_whole)
       add(Severity::kWarning, "inside-out", black,
           fmt::format("the room within {} has black walls: their fronts look outward, their backs toward what stands "
@@ -152,6 +165,7 @@ class CellTeller {
 
   void tell_reversed_solid(const std::vector<PieceSideId>& walls) {
     const std::vector<std::uint32_t> surfaces = surfaces_of(walls);
+    told_.certainly_reversed.push_back(surfaces);
     add(Severity::kWarning, "inside-out", surfaces,
         fmt::format("{} enclose a space without light that their fronts look into; what stands around them sees black "
                     "backs",
@@ -164,9 +178,26 @@ class CellTeller {
     for (const std::uint32_t f : residents_[cell])
       if (surfaces.empty() || surfaces.back() != f / 2) surfaces.push_back(f / 2);
     add(Severity::kNote, "isolated-cell", surfaces,
-        fmt::format("{} exchange light with each other only: nothing passes into or out of their room",
-                    names_text(scene_, surfaces)),
+        fmt::format("nothing passes between the room of {} and the rest of the scene", names_text(scene_, surfaces)),
         "nothing to do where that is meant");
+  }
+
+  // Faces that are divided by a wall that ends on them.
+  void tell_spanning() {
+    std::vector<std::uint32_t> first_room(cell_of_face_.size(), kNone);
+    std::vector<char> is_told(cell_of_face_.size(), 0);
+    for (std::size_t side = 0; side < arrangement_.side_count(); ++side) {
+      const std::uint32_t cell = cells_.of(static_cast<PieceSideId>(side)), f = face(static_cast<PieceSideId>(side));
+      if (cell_of_face_[f] != kSeveral || material(f) == nullptr || residents_[cell].empty()) continue;
+      if (first_room[f] == kNone) first_room[f] = cell;
+      if (first_room[f] == cell || is_told[f]) continue;
+      is_told[f] = 1;
+      add(Severity::kWarning, "spans-rooms", {f / 2},
+          fmt::format("the {} of {} stands in several rooms between which nothing passes, but has one radiosity: in a "
+                      "solution it carries light from one room to the other",
+                      f % 2 == 0 ? "front" : "back", names_text(scene_, {f / 2})),
+          "give each room a surface of its own, or divide it (\"elements\") so that parts end where the rooms do");
+    }
   }
 
   const Scene2& scene_;
@@ -174,12 +205,12 @@ class CellTeller {
   const Cells2& cells_;
   std::vector<std::uint32_t> cell_of_face_;            // by 2 surface + back; kNone: owns nothing, kSeveral
   std::vector<std::vector<std::uint32_t>> residents_;  // by cell: faces with a material that are wholly in it
-  Findings findings_;
+  CellFindings2 told_;
 };
 
 }  // namespace
 
-Findings cell_findings(const PreparedScene2& prepared, const Cells2& cells) {
+CellFindings2 cell_findings(const PreparedScene2& prepared, const Cells2& cells) {
   return CellTeller(prepared, cells).tell();
 }
 

@@ -1,18 +1,28 @@
 // What is worth telling about rooms: the bounded cells of free space.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "geometry/check/cells_2.h"
 #include "geometry/check/finding.h"
 #include "geometry/exchange/exchange_2.h"
 
 namespace hottel {
 
-// Kinds: inside-out, black-inside, isolated-cell.
+// Kinds: inside-out, black-inside, isolated-cell, spans-rooms.
 //
 //   inside-out      every wall of a room turns its black back to surfaces that stand in the room; or a closed polyline
 //                   that stands in a room turns its black backs to the room and its fronts to an inside without light
 //   black-inside    some wall of a room with surfaces of its own does
 //   isolated-cell   a room that exchanges light with no other, when there are several
-Findings cell_findings(const PreparedScene2& prepared, const Cells2& cells);
+//   spans-rooms     one face stands in several rooms: it has one radiosity, so light gets from one to the other by it
+struct CellFindings2 {
+  Findings findings;
+  // Surfaces of the inside-out ones that lose nothing when they are reversed: their fronts see nothing but the sky,
+  // each other and black backs, without light.
+  std::vector<std::vector<std::uint32_t>> certainly_reversed;
+};
+CellFindings2 cell_findings(const PreparedScene2& prepared, const Cells2& cells);
 
 }  // namespace hottel

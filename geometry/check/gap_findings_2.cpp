@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "geometry/check/wording.h"
@@ -18,33 +17,37 @@ struct Leak {
   double factor = 0;
 };
 
-// The scene with a black surface across each near miss, after the surfaces of the scene.
-Scene2 with_gaps_filled(Scene2 scene, const std::vector<NearMiss2>& near_misses) {
-  const auto material = static_cast<std::uint32_t>(scene.materials.size());
-  scene.materials.push_back({"gap", {}, {}});
-  for (const NearMiss2& miss : near_misses) {
-    Surface2 surface;
-    surface.from = miss.tip;
-    surface.to = miss.foot;
-    surface.material = material;
-    surface.back = material;
-    surface.group = static_cast<std::uint32_t>(scene.groups.size());
-    scene.groups.emplace_back("gap");
-    scene.surfaces.push_back(std::move(surface));
-  }
-  return scene;
+// Puts a black surface across a gap, after the surfaces of the scene.
+void fill_gap(const NearMiss2& miss, Scene2& scene) {
+  Surface2 surface;
+  surface.name = "gap";
+  surface.from = miss.tip;
+  surface.to = miss.foot;
+  surface.material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+  surface.back = surface.material;
+  surface.group = static_cast<std::uint32_t>(scene.groups.size());
+  scene.groups.emplace_back("gap");
+  scene.surfaces.push_back(std::move(surface));
 }
 
-// By near miss; nothing where no face with a material loses light.
-std::vector<std::optional<Leak>> leaks(const Scene2& scene, const std::vector<NearMiss2>& near_misses) {
+// By near miss; nothing where there is no gap, or no face with a material loses light there.
+std::vector<std::optional<Leak>> leaks(Scene2 scene, const std::vector<NearMiss2>& near_misses) {
   const std::size_t own = scene.surfaces.size();
-  const ExchangeMatrix matrix =
-      exact_exchange(prepare(with_gaps_filled(scene, near_misses)), {.per = Per::kFace, .wants_visibility = false});
+  scene.materials.push_back({"gap", {}, {}});
+  std::vector<std::size_t> miss_of_gap;
+  for (std::size_t k = 0; k < near_misses.size(); ++k) {
+    if (near_misses[k].sticks_out) continue;
+    fill_gap(near_misses[k], scene);
+    miss_of_gap.push_back(k);
+  }
   std::vector<std::optional<Leak>> result(near_misses.size());
+  if (miss_of_gap.empty()) return result;
+  const ExchangeMatrix matrix =
+      exact_exchange(prepare(std::move(scene)), {.per = Per::kFace, .wants_visibility = false});
   for (std::uint32_t gap = 0; gap < matrix.size(); ++gap) {
     const std::uint32_t surface = matrix.elements()[gap].surface;
     if (surface < own || !matrix.has_row(gap)) continue;
-    std::optional<Leak>& leak = result[surface - own];
+    std::optional<Leak>& leak = result[miss_of_gap[surface - own]];
     for (const FactorEntry& entry : matrix.row(gap)) {
       if (entry.to == matrix.sky() || matrix.elements()[entry.to].surface >= own || !matrix.has_row(entry.to)) continue;
       const double factor = matrix.factor(entry.to, gap).value;
@@ -84,9 +87,7 @@ Finding tell(const Scene2& scene, const NearMiss2& miss, const std::optional<Lea
 }  // namespace
 
 Findings gap_findings(const Scene2& scene, const std::vector<NearMiss2>& near_misses, bool with_factors) {
-  std::vector<std::optional<Leak>> leak(near_misses.size());
-  if (with_factors && std::any_of(near_misses.begin(), near_misses.end(), [](auto& miss) { return !miss.sticks_out; }))
-    leak = leaks(scene, near_misses);
+  const auto leak = with_factors ? leaks(scene, near_misses) : std::vector<std::optional<Leak>>(near_misses.size());
   Findings findings;
   for (std::size_t k = 0; k < near_misses.size(); ++k) findings.push_back(tell(scene, near_misses[k], leak[k]));
   return findings;

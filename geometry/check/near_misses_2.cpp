@@ -83,7 +83,7 @@ class NearMissFinder {
     return near;
   }
 
-  // The nearest surface that does not meet v, unless one as near as that shares an end with a surface that does.
+  // The nearest surface that does not meet v, unless one as near as that is joined to one that does.
   std::optional<Target> nearest_target(VertexId v, const std::vector<std::uint32_t>& candidates) const {
     std::vector<Target> nearest;  // all at the same distance
     std::vector<std::uint32_t> meeting = ending_[v];
@@ -100,13 +100,19 @@ class NearMissFinder {
     if (nearest.empty()) return std::nullopt;
     for (const Target& to : nearest)
       for (const std::uint32_t s : meeting)
-        if (share_an_end(s, to.surface)) return std::nullopt;
+        if (are_joined(v, s, to.surface)) return std::nullopt;
     return nearest.front();
   }
 
-  bool share_an_end(std::uint32_t s, std::uint32_t t) const {
+  // Surface s, which meets v, meets t too: no gap between v and t then, but an angle, unless s ends at v beyond t.
+  bool are_joined(VertexId v, std::uint32_t s, std::uint32_t t) const {
     const Segment2 &a = segments_[s], &b = segments_[t];
-    return a.a == b.a || a.a == b.b || a.b == b.a || a.b == b.b;
+    if (cross(s, t)) return a.a != v && a.b != v;
+    return is_on(a, b.a) || is_on(a, b.b) || is_on(b, a.a) || is_on(b, a.b);
+  }
+
+  bool is_on(const Segment2& s, VertexId v) const {
+    return v == s.a || v == s.b || (vertices_.orientation(s.a, s.b, v) == 0 && vertices_.is_between(s.a, s.b, v));
   }
 
   bool is_near(VertexId v, const Target& to) const {

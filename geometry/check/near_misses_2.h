@@ -27,7 +27,8 @@ struct NearMiss2 {
 //   (1) each is nearer than 1 / kNearPart of the shortest surface that ends at the tip and of the target (of all
 //       surfaces that end at the foot when it is an end); exactly, and whatever the scale
 //   (2) at most one for each end point: the nearest; of two ends that are near each other, the pair is told once
-//   (3) surfaces that meet the tip, or that share an end with one that does, are no targets: they make angles
+//   (3) surfaces that meet the tip, or that touch one that does, are no targets: they make angles. What crosses one
+//       that ends at the tip is: the tip sticks out
 // COST: O(n log n) and exact arithmetic for surfaces whose bounding box is near an end point.
 std::vector<NearMiss2> find_near_misses(const Scene2& scene);
 

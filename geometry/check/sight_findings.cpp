@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+
+#include "geometry/check/openings_2.h"
 #include "geometry/check/wording.h"
-#include "geometry/scene/name.h"
 
 namespace hottel {
 namespace {
@@ -24,23 +27,67 @@ Sight sight_of(const ExchangeMatrix& matrix, std::uint32_t face) {
   return sight;
 }
 
-Finding not_closed(const Scene2& scene, const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& faces) {
-  std::vector<std::uint32_t> surfaces;
-  std::uint32_t most = faces.front();
-  for (const std::uint32_t face : faces) {
+// Fronts that see the sky, by the opening they see it through: kNoOpening where none is narrow.
+using OpenFronts = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+constexpr std::uint32_t kNoOpening = 0xffffffff;
+
+OpenFronts fronts_by_opening(const PreparedScene2& prepared, const ExchangeMatrix& matrix, const Openings2& openings) {
+  const Arrangement2& arrangement = prepared.arrangement;
+  std::vector<std::uint32_t> opening(prepared.scene.surfaces.size(), kNoOpening);
+  for (std::size_t k = 0; k < arrangement.side_count(); ++k) {
+    const auto side = static_cast<PieceSideId>(k);
+    const FacePart& owner = arrangement.owner(side);
+    if (const auto found = openings.behind(side); found && !owner.is_back)
+      opening[owner.surface] = std::min(opening[owner.surface], *found);
+  }
+  OpenFronts fronts;
+  for (std::uint32_t face = 0; face < matrix.size(); ++face) {
+    const Element& element = matrix.elements()[face];
+    if (!matrix.has_row(face) || element.is_back || !sight_of(matrix, face).sky) continue;
+    fronts[opening[element.surface]].push_back(face);
+  }
+  return fronts;
+}
+
+// "the fronts of 'a' and 'b' see the sky, 'a' the most (F = 0.1)"
+std::string sky_text(const Scene2& scene, const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& fronts,
+                     std::vector<std::uint32_t>& surfaces) {
+  std::uint32_t most = fronts.front();
+  for (const std::uint32_t face : fronts) {
     surfaces.push_back(matrix.elements()[face].surface);
     if (matrix.factor(face, matrix.sky()).value > matrix.factor(most, matrix.sky()).value) most = face;
   }
-  const Surface2& first = scene.surfaces[surfaces.front()];
-  return {Severity::kError,
-          "not-closed",
-          surfaces,
-          middle(first.from, first.to),
-          fmt::format("the scene promises to be closed, but the front{} of {} see{} the sky, {} the most (F = {})",
-                      faces.size() == 1 ? "" : "s", names_text(scene, surfaces), faces.size() == 1 ? "s" : "",
-                      quoted_name(scene.surfaces[matrix.elements()[most].surface].name),
-                      shortest(matrix.factor(most, matrix.sky()).value)),
-          "close the gap, reverse a polyline whose fronts look outward, or take the promise \"closed\" away"};
+  const std::string factor = shortest(matrix.factor(most, matrix.sky()).value);
+  if (fronts.size() == 1)
+    return fmt::format("the front of {} sees the sky (F = {})", names_text(scene, surfaces), factor);
+  return fmt::format("the fronts of {} see the sky, {} the most (F = {})", names_text(scene, surfaces),
+                     names_text(scene, {matrix.elements()[most].surface}), factor);
+}
+
+void tell_open(const PreparedScene2& prepared, const ExchangeMatrix& matrix, Findings& findings) {
+  const Scene2& scene = prepared.scene;
+  const Openings2 openings(prepared.arrangement);
+  for (const auto& [opening, fronts] : fronts_by_opening(prepared, matrix, openings)) {
+    const Opening2* gap = opening == kNoOpening ? nullptr : &openings.all()[opening];
+    if (!scene.closed && (gap == nullptr || !gap->closes_the_room || gap->part >= kLeakPart)) continue;
+    std::vector<std::uint32_t> surfaces;
+    std::string text = sky_text(scene, matrix, fronts, surfaces);
+    const Surface2& first = scene.surfaces[surfaces.front()];
+    Point2 at = middle(first.from, first.to);
+    if (gap != nullptr) {
+      at = middle(gap->from, gap->to);
+      text += fmt::format(" through the opening from {} to {}, {} wide", place_text(gap->from), place_text(gap->to),
+                          length_text(squared_distance(gap->from, gap->to)));
+    }
+    if (scene.closed)
+      findings.push_back({Severity::kError, "not-closed", surfaces, at, "the scene promises to be closed, but " + text,
+                          gap != nullptr ? "close it, or take the promise \"closed\" away"
+                                         : "reverse what has its fronts outside, close the room, or take the promise "
+                                           "\"closed\" away"});
+    else
+      findings.push_back({Severity::kNote, "opening", surfaces, at, text,
+                          "if the room should be closed, close it, and promise it: \"closed\": true"});
+  }
 }
 
 // Faces of one group with a material that see none.
@@ -84,20 +131,18 @@ void tell_lonely(const Scene2& scene, const ExchangeMatrix& matrix, const Lonely
 
 }  // namespace
 
-Findings sight_findings(const Scene2& scene, const ExchangeMatrix& matrix) {
+Findings sight_findings(const PreparedScene2& prepared, const ExchangeMatrix& matrix) {
+  const Scene2& scene = prepared.scene;
   Findings findings;
-  std::vector<std::uint32_t> open;
+  tell_open(prepared, matrix, findings);
   std::vector<Lonely> groups(scene.groups.size());
   for (std::uint32_t face = 0; face < matrix.size(); ++face) {
     if (!matrix.has_row(face)) continue;
-    const Element& element = matrix.elements()[face];
     const Sight sight = sight_of(matrix, face);
-    if (scene.closed && sight.sky && !element.is_back) open.push_back(face);
-    Lonely& group = groups[scene.surfaces[element.surface].group];
+    Lonely& group = groups[scene.surfaces[matrix.elements()[face].surface].group];
     ++group.faces;
     if (!sight.materials) (sight.black ? group.black : group.sky).push_back(face);
   }
-  if (!open.empty()) findings.push_back(not_closed(scene, matrix, open));
   for (const Lonely& group : groups) tell_lonely(scene, matrix, group, findings);
   return findings;
 }

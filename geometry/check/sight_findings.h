@@ -6,8 +6,11 @@
 
 namespace hottel {
 
-// Kinds: not-closed (error), sees-only-black, sees-only-sky (a whole polyline, or an edge of its own).
-// REQUIRES: the exact matrix of the scene, a row for each face.
-Findings sight_findings(const Scene2& scene, const ExchangeMatrix& matrix);
+// An opening is told in a scene that makes no promise when it is narrower than this part of the walls behind it.
+inline constexpr double kLeakPart = 1.0 / 64;
+
+// Kinds: not-closed (error; one for each opening), opening, sees-only-black, sees-only-sky (a whole polyline, or an
+// edge of its own). REQUIRES: the exact matrix of the scene, a row for each face.
+Findings sight_findings(const PreparedScene2& prepared, const ExchangeMatrix& matrix);
 
 }  // namespace hottel

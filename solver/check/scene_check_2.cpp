@@ -54,7 +54,7 @@ SceneCheck2 check_scene(const Scene2& scene, const CheckOptions& options) {
   } else {
     const PreparedScene2 prepared = prepare(scene);
     append(check.findings, needle_findings(scene, prepared.arrangement));
-    append(check.findings, cell_findings(prepared, Cells2(prepared.arrangement)));
+    append(check.findings, cell_findings(prepared, Cells2(prepared.arrangement)).findings);
     try {
       check.factors = exact_exchange(
           prepared,
@@ -69,7 +69,7 @@ SceneCheck2 check_scene(const Scene2& scene, const CheckOptions& options) {
     }
     append(check.findings, gap_findings(scene, near_misses, check.factors.has_value()));
     if (check.factors) {
-      append(check.findings, sight_findings(scene, *check.factors));
+      append(check.findings, sight_findings(prepared, *check.factors));
       append(check.findings, light_findings(scene, *check.factors));
     }
   }

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -106,6 +108,115 @@ TEST(Check, OfOneKindTwentyAreShownAndTheRestIsCounted) {
   EXPECT_EQ(shown, 20u);
   EXPECT_THAT(text.out, EndsWith("and 10 more of t-junction (--json has them all)\n0 errors, 0 warnings, 30 notes\n"));
   EXPECT_EQ(Json::parse(place.run("hottel check s.json --json").out)["findings"].size(), 30u);
+}
+
+TEST(CheckFix, WritesARepairedSceneAndTheChangeOfEveryAffectedFactor) {
+  const Workplace place;
+  place.write("s.json", scene(kDoor));
+  const Outcome outcome = place.run("hottel check s.json --json --fix t.json --within 0.001");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const Json report = Json::parse(outcome.out);
+  EXPECT_EQ(report.size(), 3u);
+  EXPECT_EQ(report["repairs"], Json::parse(R"([{"kind": "snapped", "surface": "door",
+                            "message": "the end of 'door' went from (2, 2.9999) to (2, 3), on 'room[1]'"}])"));
+  // The findings are those of the repaired scene.
+  EXPECT_EQ(report["findings"], Json::parse(place.run("hottel check t.json --json").out)["findings"]);
+  EXPECT_THAT(place.read("t.json"), HasSubstr(R"({"name": "door", "points": [[2, 0], [2, 3]], "material": "m")"));
+  EXPECT_THAT(place.read("t.json"), HasSubstr(R"({"name": "room", "points": [[0, 0], [0, 3], [4, 3], [4, 0]])"));
+
+  // The changes are the lines in which the two lists of factors differ.
+  const auto factors = [&place](const std::string& file) {
+    std::map<std::string, std::string> result;
+    for (const std::string& line : lines_of(place.run("hottel factors " + file + " --quiet").out)) {
+      const std::size_t first = line.find(','), second = line.find(',', first + 1);
+      result[line.substr(0, second)] = line.substr(second + 1, line.find(',', second + 1) - second - 1);
+    }
+    return result;
+  };
+  const auto before = factors("s.json"), after = factors("t.json");
+  std::map<std::string, std::pair<double, double>> expected, changes;
+  for (const auto* list : {&before, &after})
+    for (const auto& [pair, factor] : *list) {
+      const double was = before.contains(pair) ? std::strtod(before.at(pair).c_str(), nullptr) : 0;
+      const double is = after.contains(pair) ? std::strtod(after.at(pair).c_str(), nullptr) : 0;
+      if (was != is) expected[pair] = {was, is};
+    }
+  for (const Json& change : report["changes"])
+    changes[change["from"].get<std::string>() + "," + change["to"].get<std::string>()] = {change["before"],
+                                                                                          change["after"]};
+  EXPECT_EQ(changes, expected);
+  EXPECT_GT(changes.size(), 5u);
+}
+
+TEST(CheckFix, ShowsTheSameAsText) {
+  const Workplace place;
+  place.write("s.json", scene(kDoor));
+  const Outcome outcome = place.run("hottel check s.json --fix t.json --within 1/1000");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto lines = lines_of(outcome.out);
+  ASSERT_GT(lines.size(), 4u);
+  EXPECT_EQ(lines[0], "s.json:4: snapped: the end of 'door' went from (2, 2.9999) to (2, 3), on 'room[1]'");
+  EXPECT_EQ(lines[1], "from,to,before,after");
+  EXPECT_THAT(outcome.out, EndsWith(place.run("hottel check t.json").out));
+}
+
+TEST(CheckFix, TellsOfFacesThatAreGone) {
+  const Workplace place;
+  place.write("s.json", scene(R"({"name": "a", "points": [[1, 1], [2, 1]], "material": "m"},
+                                 {"name": "b", "points": [[1, 1], [2.0001, 1]], "material": "m"})"));
+  const Outcome outcome = place.run("hottel check s.json --json --fix t.json --within 0.001");
+  EXPECT_EQ(outcome.code, 0);
+  const Json report = Json::parse(outcome.out);
+  EXPECT_EQ(report["repairs"].back()["kind"], "dropped");
+  EXPECT_EQ(report["repairs"].back()["surface"], "b");
+  std::size_t gone = 0;
+  for (const Json& change : report["changes"]) gone += change["from"] == "b" && change["after"].is_null();
+  EXPECT_GT(gone, 0u);
+  EXPECT_THAT(place.read("t.json"), testing::Not(HasSubstr("\"b\"")));
+}
+
+TEST(CheckFix, ReversesARoomThatIsCertainlyInsideOut) {
+  const Workplace place;
+  std::string inside_out = scene(R"({"name": "lamp", "points": [[1, 1], [2, 1]], "material": "m", "back": "m"})");
+  inside_out.replace(inside_out.find("[0,3],[4,3],[4,0]"), 17, "[4,0],[4,3],[0,3]");
+  inside_out.replace(inside_out.find("\"m\": {"), 5, "\"n\": {}, \"m\":");
+  inside_out.replace(inside_out.find("\"material\": \"m\"}],"), 15, "\"material\": \"n\"");
+  place.write("s.json", inside_out);
+  EXPECT_THAT(place.run("hottel check s.json").out, HasSubstr("warning: inside-out"));
+  const Outcome outcome = place.run("hottel check s.json --fix t.json --within 0.001");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("reversed: 'room[3]' goes from (0, 0) to (0, 3) now"));
+  EXPECT_THAT(outcome.out, EndsWith("\n0 errors, 0 warnings, 0 notes\n"));
+}
+
+TEST(CheckFix, ExitsWith1WhereErrorsRemainAndWritesTheScene) {
+  const Workplace place;
+  place.write("s.json",
+              scene(kDoor + R"(, {"name": "out", "points": [[6, 0], [5, 0]], "material": "m"})", ", \"closed\": true"));
+  const Outcome outcome = place.run("hottel check s.json --json --fix t.json --within 0.001");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(place.files(), testing::ElementsAre("s.json", "t.json"));
+}
+
+TEST(CheckFix, RefusesWhatItCannotDoBeforeItWritesAnything) {
+  const Workplace place;
+  place.write("s.json", scene(kDoor));
+  place.write("t.json", "earlier");
+  const std::vector<std::pair<std::string, int>> lines = {{"--fix t.json", 2},
+                                                          {"--within 1", 2},
+                                                          {"--fix t.json --within 0", 2},
+                                                          {"--fix t.json --within -1", 2},
+                                                          {"--fix t.json --within near", 2},
+                                                          {"--fix - --within 1", 2},
+                                                          {"--fix missing/t.json --within 1", 3}};
+  for (const auto& [options, code] : lines) {
+    const Outcome outcome = place.run("hottel check s.json " + options);
+    EXPECT_EQ(outcome.code, code) << options;
+    EXPECT_EQ(outcome.out, "") << options;
+    EXPECT_NE(outcome.err, "") << options;
+  }
+  EXPECT_EQ(place.read("t.json"), "earlier");
+  EXPECT_EQ(place.files().size(), 2u);
 }
 
 }  // namespace

@@ -101,10 +101,10 @@ TEST(SceneCheck2, ARepeatedSurfaceIsADuplicateOfWhichNothingIsLeft) {
 
 TEST(SceneCheck2, AThinWallListedFromBothSidesIsANote) {
   const Scene2 scene =
-      scene_of(edge("a", "[2, 0], [2, 3]") + ", " + edge("b", "[2, 3], [2, 0]", "lamp"), rings({kRoom}));
+      scene_of(edge("a", "[2, 1], [2, 2]") + ", " + edge("b", "[2, 2], [2, 1]", "lamp"), rings({kRoom}));
   const Findings findings = found(scene);
-  EXPECT_THAT(kinds(findings), testing::IsSupersetOf({"note duplicate"}));
-  EXPECT_FALSE(std::any_of(findings.begin(), findings.end(), [](auto& f) { return f.severity != Severity::kNote; }));
+  ASSERT_THAT(kinds(findings), ElementsAre("note duplicate"));
+  EXPECT_THAT(findings[0].message, HasSubstr("thin wall"));
 }
 
 TEST(SceneCheck2, AnOverlapTellsWhatLightMeetsOnEachSide) {
@@ -179,7 +179,7 @@ TEST(SceneCheck2, ANeedleTellsItsAngle) {
   const Scene2 scene =
       scene_of(edge("a", "[0, 0], [1, 0]", "lamp", "lamp") + ", " + edge("b", "[0, 0], [1, 0.000001]"));
   const Findings findings = found(scene);
-  ASSERT_THAT(kinds(findings), ElementsAre("note needle"));
+  ASSERT_THAT(kinds(findings), ElementsAre("note needle", "note opening"));
   EXPECT_EQ(findings[0].at, (Point2{0, 0}));
   EXPECT_THAT(findings[0].message, HasSubstr("5.73e-05 degrees"));
 }
@@ -212,6 +212,41 @@ TEST(SceneCheck2, ABrokenPromiseToBeClosedIsAnError) {
   const Findings findings = found(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("error not-closed"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("lamp", "west", "north", "east"));
+}
+
+TEST(SceneCheck2, AnOpeningIsToldByWhatBoundsIt) {
+  const std::string walls = edge("west", "[0, 0], [0, 3]") + ", " + edge("north", "[0, 3], [4, 3]") + ", " +
+                            edge("east", "[4, 3], [4, 0]") + ", " + edge("south", "[4, 0], [0.01, 0]") + ", " + kLamp;
+  for (const bool closed : {true, false}) {
+    const Scene2 scene = scene_of(walls, closed ? ", \"closed\": true" : "");
+    const Findings findings = found(scene);
+    ASSERT_THAT(kinds(findings), ElementsAre(closed ? "error not-closed" : "note opening"));
+    EXPECT_THAT(names(scene, findings[0]), ElementsAre("west", "north", "east", "lamp"));
+    EXPECT_EQ(findings[0].at, (Point2{Rational(1, 200), 0}));
+    EXPECT_THAT(findings[0].message, HasSubstr("the opening from (0, 0) to (0.01, 0), 0.01 wide"));
+  }
+}
+
+TEST(SceneCheck2, AnOpeningMayLieBetweenAnEndAndAnEdge) {
+  // A slot between the end of a wall and the middle of another one that goes on.
+  const Scene2 scene =
+      scene_of(edge("west", "[0, -1], [0, 3]") + ", " + edge("north", "[0, 3], [4, 3]") + ", " +
+                   edge("east", "[4, 3], [4, 0]") + ", " + edge("south", "[4, 0], [0.01, 0]") + ", " + kLamp,
+               ", \"closed\": true");
+  const Findings findings = found(scene);
+  ASSERT_THAT(kinds(findings), testing::IsSupersetOf({"error not-closed"}));
+  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.message.find("opening from (0.01, 0) to (0, 0), 0.01 wide") != std::string::npos;
+  })) << findings[0].message;
+}
+
+TEST(SceneCheck2, AFaceThatStandsInSeveralRoomsCarriesLightAcross) {
+  const Scene2 scene = scene_of(edge("wall", "[2, 0], [2, 3]", "white", "white") + ", " + kLamp, rings({kRoom}));
+  const Findings findings = found(scene);
+  ASSERT_THAT(kinds(findings), ElementsAre("warning spans-rooms", "warning spans-rooms", "note t-junction",
+                                           "note t-junction", "note isolated-cell", "note isolated-cell"));
+  EXPECT_THAT(names(scene, findings[0]), ElementsAre("room[1]"));
+  EXPECT_THAT(names(scene, findings[1]), ElementsAre("room[3]"));
 }
 
 TEST(SceneCheck2, RoomsWithoutAWayBetweenThemAreIsolatedAndPerhapsDark) {

@@ -1,0 +1,22 @@
+// What a change of the scene did to its view factors.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/exchange/exchange_matrix.h"
+
+namespace hottel {
+
+// One view factor before and after; nothing where a face had no row then or was not there.
+struct FactorChange {
+  std::string from, to;
+  std::optional<double> before, after;
+};
+
+// Returns every pair whose factor is not the same real number as before, as far as correctly rounded doubles and the
+// side on which the number lies tell: in the order of the first matrix, new faces last. Faces are matched by name.
+std::vector<FactorChange> factor_changes(const ExchangeMatrix& before, const ExchangeMatrix& after);
+
+}  // namespace hottel

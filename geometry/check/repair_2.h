@@ -1,0 +1,39 @@
+// A scene whose near misses are closed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/scene/scene_2.h"
+
+namespace hottel {
+
+// One thing that was done to a surface, or that was not: "merged", "snapped", "dropped", "reversed", "not-repaired".
+struct RepairStep {
+  std::string kind;
+  std::string surface;
+  std::string message;
+};
+
+struct Repair2 {
+  Scene2 scene;
+  std::vector<RepairStep> steps;
+};
+
+// Returns the scene with ends that are within `distance` of each other merged (into the one listed first), ends within
+// `distance` of a surface put exactly onto it, and surfaces that became points, or the same as an earlier one in
+// everything but the name, dropped.
+//
+//   (1) no end point moves farther than `distance`; without a gap, stub or repetition the scene is returned as it is
+//   (2) names, materials, order and all else stay; surfaces that leave a polyline do not rename the others
+//   (3) an end that meets a surface exactly and stays within reach meets it afterwards
+//   (4) an end of a surface that makes an angle with another at their common end is not put onto it: the angle may be
+//       meant (not-repaired)
+// REQUIRES distance > 0. COST: O(n log n) and exact arithmetic near ends.
+Repair2 close_gaps(const Scene2& scene, const Rational& distance);
+
+// Reverses surfaces that are certainly the wrong way round (CellFindings2::certainly_reversed) and adds a step for
+// each. Nothing is done where claims conflict.
+void reverse_inside_out(Repair2& repair);
+
+}  // namespace hottel

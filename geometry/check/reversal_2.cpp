@@ -1,0 +1,29 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "geometry/check/cell_findings_2.h"
+#include "geometry/check/repair_2.h"
+#include "geometry/check/wording.h"
+
+namespace hottel {
+
+void reverse_inside_out(Repair2& repair) {
+  CellFindings2 told;
+  try {
+    const PreparedScene2 prepared = prepare(repair.scene);
+    told = cell_findings(prepared, Cells2(prepared.arrangement));
+  } catch (const InputError&) {
+    return;
+  }
+  for (const std::vector<std::uint32_t>& surfaces : told.certainly_reversed)
+    for (const std::uint32_t s : surfaces) {
+      Surface2& surface = repair.scene.surfaces[s];
+      std::swap(surface.from, surface.to);
+      repair.steps.push_back({"reversed", surface.name,
+                              fmt::format("{} goes from {} to {} now", names_text(repair.scene, {s}),
+                                          place_text(surface.from), place_text(surface.to))});
+    }
+}
+
+}  // namespace hottel

@@ -1,0 +1,177 @@
+// What a repair closes, and what it leaves alone.
+#include "geometry/check/repair_2.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "geometry/arrangement/point_index_2.h"
+#include "geometry/check/contacts_2.h"
+#include "geometry/check/near_misses_2.h"
+#include "geometry/check/wording.h"
+#include "tests/geometry/exchange_scenes.h"
+
+namespace hottel {
+namespace {
+
+using namespace testing_scenes;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> kinds(const Repair2& repair) {
+  std::vector<std::string> result;
+  for (const RepairStep& step : repair.steps) result.push_back(step.kind + " " + step.surface);
+  return result;
+}
+
+bool same_places(const Scene2& a, const Scene2& b) {
+  return std::ranges::equal(a.surfaces, b.surfaces, [](const Surface2& s, const Surface2& t) {
+    return s.name == t.name && s.from == t.from && s.to == t.to;
+  });
+}
+
+TEST(Repair2, PutsAnEndExactlyOntoTheNearestSurface) {
+  const Scene2 scene = scene_of(room("4") + std::vector<Line>{{"door", "2", "0", "2", "3.9999999"}});
+  const Repair2 repair = close_gaps(scene, number("1e-6"));
+  EXPECT_THAT(kinds(repair), ElementsAre("snapped door"));
+  EXPECT_EQ(repair.scene.surfaces[4].to, (Point2{2, 4}));
+  EXPECT_THAT(find_near_misses(repair.scene), IsEmpty());
+}
+
+TEST(Repair2, PutsAnEndOntoASlantedSurfaceWithFewDigits) {
+  const Scene2 scene = scene_of({{"wall", "0", "0", "1000", "333.333"}, {"fin", "500", "0", "123.456789", "41.15"}});
+  const Repair2 repair = close_gaps(scene, number("0.01"));
+  ASSERT_THAT(kinds(repair), ElementsAre("snapped fin"));
+  const Contacts2 contacts = find_contacts(repair.scene);
+  ASSERT_EQ(contacts.junctions.size(), 1u);  // exactly on it
+  EXPECT_LT(to_string(repair.scene.surfaces[1].to.x).size(), 32u);
+}
+
+TEST(Repair2, CutsAStubOff) {
+  const Scene2 scene = scene_of(room("4") + std::vector<Line>{{"door", "2", "0", "2", "4.0000001"}});
+  EXPECT_EQ(close_gaps(scene, number("1e-6")).scene.surfaces[4].to, (Point2{2, 4}));
+}
+
+TEST(Repair2, MergesEndsIntoTheOneListedFirst) {
+  const Scene2 scene =
+      scene_of({{"a", "0", "0", "1", "0"}, {"b", "1.0000001", "0", "2", "1"}, {"c", "1", "1e-7", "0", "3"}});
+  const Repair2 repair = close_gaps(scene, number("1e-6"));
+  EXPECT_THAT(kinds(repair), ElementsAre("merged b", "merged c"));
+  for (const std::size_t s : {1u, 2u}) EXPECT_EQ(repair.scene.surfaces[s].from, (Point2{1, 0}));
+}
+
+TEST(Repair2, MovesNothingFartherThanAsked) {
+  // A chain of ends, each within reach of the next only.
+  std::vector<Line> lines;
+  for (int k = 0; k < 6; ++k)
+    lines.push_back({"e" + std::to_string(k), std::to_string(k), "0", std::to_string(k), "100"});
+  const Scene2 scene = scene_of(lines);
+  const Repair2 repair = close_gaps(scene, number("1.5"));
+  for (const Surface2& after : repair.scene.surfaces) {
+    const Surface2& before = scene.surfaces[*scene.find(after.name)];
+    EXPECT_LE(squared_distance(before.from, after.from), number("2.25")) << after.name;
+    EXPECT_LE(squared_distance(before.to, after.to), number("2.25")) << after.name;
+  }
+}
+
+TEST(Repair2, DropsWhatBecameAPointOrRepeats) {
+  const Scene2 scene = scene_of({{"a", "0", "0", "1", "0"},
+                                 {"tiny", "1", "0", "1.0000001", "0"},
+                                 {"again", "0", "0", "1.0000001", "0"},
+                                 {"other", "0", "0", "1", "0", 1},
+                                 {"back", "1", "0", "0", "0"}});
+  const Repair2 repair = close_gaps(scene, number("1e-6"));
+  EXPECT_THAT(kinds(repair), ElementsAre("merged tiny", "dropped tiny", "dropped again"));
+  ASSERT_EQ(repair.scene.surfaces.size(), 3u);
+  EXPECT_EQ(repair.scene.surfaces[1].name, "other");  // another material: not the same
+}
+
+TEST(Repair2, LeavesAnAngleAlone) {
+  const Scene2 scene = scene_of({{"a", "0", "0", "2", "0"}, {"b", "0", "0", "1", "1e-7"}});
+  const Repair2 repair = close_gaps(scene, number("1e-6"));
+  EXPECT_THAT(kinds(repair), ElementsAre("not-repaired b"));
+  EXPECT_TRUE(same_places(repair.scene, scene));
+}
+
+TEST(Repair2, LeavesAGoodSceneAsItIs) {
+  for (const Scene2& scene : all_kinds(100)) {
+    const Repair2 repair = close_gaps(scene, number("1e-12"));
+    for (const RepairStep& step : repair.steps) EXPECT_EQ(step.kind, "dropped") << scene.about << ": " << step.message;
+    EXPECT_TRUE(!repair.steps.empty() || same_places(repair.scene, scene)) << scene.about;
+  }
+}
+
+// Every end moved by less than 1e-9, each time it is listed in another direction.
+Scene2 shaken(const Scene2& scene, std::uint64_t seed) {
+  const auto next = [&seed]() -> Rational {
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    return Rational(static_cast<long>(seed >> 40) - (1l << 23)) / (Rational(1l << 23) * 2000000000);
+  };
+  return moved(scene, [&next](const Point2& p) { return Point2{p.x + next(), p.y + next()}; });
+}
+
+std::size_t count_of_ends(const Scene2& scene) {
+  PointIndex2 index;
+  for (const Surface2& surface : scene.surfaces) {
+    index.insert(to_exact(surface.from));
+    index.insert(to_exact(surface.to));
+  }
+  return index.points().size();
+}
+
+TEST(Repair2, ClosesEveryGapOfASceneThatWasShaken) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Scene2 maze = generated("maze", 120, seed), apart = shaken(maze, seed);
+    ASSERT_GT(find_near_misses(apart).size(), 50u);
+    const Repair2 repair = close_gaps(apart, number("2e-9"));
+    EXPECT_THAT(find_near_misses(repair.scene), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(count_of_ends(repair.scene), count_of_ends(maze)) << "seed " << seed;
+    EXPECT_TRUE(find_contacts(repair.scene).crossings.empty()) << "seed " << seed;
+  }
+}
+
+TEST(Repair2, PutsFinsBackOntoTheirWall) {
+  std::vector<Line> lines{{"wall", "0", "0", "100", "37"}};
+  for (int k = 1; k < 100; ++k) {
+    const std::string x = std::to_string(k);
+    lines.push_back({"fin" + x, x, std::to_string(37 * k) + "/100", x, "50"});
+  }
+  const Scene2 scene = scene_of(lines);
+  ASSERT_EQ(find_contacts(scene).junctions.size(), 99u);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Scene2 apart = shaken(scene, seed);
+    ASSERT_TRUE(find_contacts(apart).junctions.empty());
+    const Repair2 repair = close_gaps(apart, number("2e-9"));
+    EXPECT_EQ(find_contacts(repair.scene).junctions.size(), 99u) << "seed " << seed;
+    EXPECT_THAT(find_near_misses(repair.scene), IsEmpty()) << "seed " << seed;
+  }
+}
+
+TEST(NearMisses2, DoNotDependOnScaleAndPlace) {
+  const Scene2 scene = generated("clutter", 400, 9);
+  const auto misses = find_near_misses(scene);
+  for (const char* factor : {"1e-200", "3/7", "1e200"}) {
+    const Rational f = number(factor);
+    const auto scaled = find_near_misses(moved(scene, [&f](const Point2& p) {
+      return Point2{p.x * f + number("9007199254740993"), p.y * f};
+    }));
+    ASSERT_EQ(scaled.size(), misses.size()) << factor;
+    for (std::size_t k = 0; k < misses.size(); ++k) EXPECT_EQ(scaled[k].surfaces, misses[k].surfaces);
+  }
+}
+
+TEST(NearMisses2, BeginExactlyBelowTheirPart) {
+  const auto misses = [](const std::string& gap) {
+    return find_near_misses(scene_of({{"wall", "0", "0", "4", "0"}, {"fin", "2", gap, "2", "3"}})).size();
+  };
+  EXPECT_EQ(misses("3/1025"), 0u);  // the fin is 3 - gap long: gap = (3 - gap) / 1024
+  EXPECT_EQ(misses("2999/1025000"), 1u);
+  EXPECT_EQ(misses("0"), 0u);
+  EXPECT_EQ(misses("1e-300"), 1u);
+}
+
+}  // namespace
+}  // namespace hottel
