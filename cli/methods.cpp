@@ -1,0 +1,74 @@
+#include "cli/methods.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/foreign_matrix.h"
+#include "kernel/stopwatch.h"
+#include "solver/methods/coarsened.h"
+
+namespace hottel {
+namespace {
+
+std::string family_of(const std::string& name) { return name.substr(0, name.find(':')); }
+
+}  // namespace
+
+MethodCatalogue2 program_methods() {
+  MethodCatalogue2 methods = planar_methods();
+  methods.add(file_family_2());
+  methods.add(run_family_2());
+  return methods;
+}
+
+std::string methods_text(const MethodCatalogue2& methods) {
+  std::string text;
+  for (const MethodFamily& family : methods.families()) text += "\n  " + family.pattern + ": " + family.what;
+  return text;
+}
+
+std::vector<std::string> whole_names(const std::vector<std::string>& split, const MethodCatalogue2& methods) {
+  std::vector<std::string> names;
+  for (const std::string& part : split) {
+    const bool is_method = std::any_of(methods.families().begin(), methods.families().end(),
+                                       [&](const MethodFamily& family) { return family.name == family_of(part); });
+    if (!is_method && !names.empty() && has_rows_of_its_own(names.back()))
+      names.back() += "," + part;
+    else
+      names.push_back(part);
+  }
+  return names;
+}
+
+bool has_rows_of_its_own(const std::string& method) {
+  const std::string family = family_of(method);
+  return family == "file" || family == "run";
+}
+
+ComputedFactors factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared, Per per) {
+  ComputedFactors result;
+  Stopwatch watch;
+  try {
+    result.matrix = method.compute(prepared, result.report);
+  } catch (const RequestError& error) {
+    throw RequestError(fmt::format("{}: the method {}: {}", prepared.scene.file, method.info().name, error.what()));
+  }
+  if (per == Per::kGroup || (per == Per::kFace && std::any_of(prepared.division.begin(), prepared.division.end(),
+                                                              [](std::uint32_t parts) { return parts > 1; })))
+    result.matrix = coarsened(result.matrix, prepared, per);
+  const double seconds = watch.lap();
+  result.counts.surfaces = prepared.scene.surfaces.size();
+  result.counts.vertices = prepared.arrangement.vertices().size();
+  result.counts.pieces = prepared.arrangement.pieces().size();
+  result.counts.elements = result.matrix.size();
+  result.counts.pairs = result.matrix.entry_count();
+  result.counts.seconds["prepare"] = prepared.seconds;
+  result.counts.seconds["factors"] = result.report.seconds.value_or(seconds);
+  result.report.notes.insert(result.report.notes.begin(),
+                             fmt::format("view factors by {}: {}, rows sum to 1 within {:.2g}", method.info().name,
+                                         to_string(result.matrix.guarantee()), result.report.row_defect));
+  return result;
+}
+
+}  // namespace hottel

@@ -1,0 +1,36 @@
+// The methods that the program knows, for the commands that compute by any of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/methods/method_catalogue_2.h"
+
+namespace hottel {
+
+// Those of the library, and file: and run:.
+MethodCatalogue2 program_methods();
+
+// The families for --help, a line each.
+std::string methods_text(const MethodCatalogue2& methods);
+
+// Puts names together again that were split at commas: what follows `run:` or `file:` and begins no method belongs to
+// the command or the path.
+std::vector<std::string> whole_names(const std::vector<std::string>& split, const MethodCatalogue2& methods);
+
+// What a method made of a scene, for a report.
+struct ComputedFactors {
+  ExchangeMatrix matrix;
+  ExchangeReport counts;  // of the scene and the matrix; no tiers, no gaps
+  MethodReport report;    // the notes begin with one sentence about the method
+};
+
+// Whether a method computes rows as they are asked for (a file has them as it has them), or by elements, however they
+// are put together afterwards.
+bool has_rows_of_its_own(const std::string& method);
+
+// View factors by a method that is not `exact`, by elements of `prepared`, or put together per face or group.
+// Throws RequestError naming the method when it cannot be run.
+ComputedFactors factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared, Per per);
+
+}  // namespace hottel
