@@ -1,0 +1,71 @@
+// Every byte changed, every length cut: a file is read, or refused by name; nothing else happens.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <string>
+
+#include "io/scene_json.h"
+#include "io/svg_reader.h"
+#include "kernel/failure.h"
+
+namespace hottel {
+namespace {
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(std::string(HOTTEL_SOURCE_DIR) + "/" + file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+using Reader = std::function<void(const std::string& text, const std::string& name)>;
+
+struct Counts {
+  int read = 0, refused = 0;
+};
+
+void read_damaged(const Reader& reader, const std::string& text, Counts& counts) {
+  try {
+    reader(text, "damaged");
+    ++counts.read;
+  } catch (const InputError& error) {
+    ++counts.refused;
+    ASSERT_TRUE(std::string(error.what()).starts_with("damaged")) << error.what();
+    ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+  }
+}
+
+Counts damage(const Reader& reader, const std::string& text) {
+  Counts counts;
+  for (std::size_t length = 0; length < text.size(); ++length) read_damaged(reader, text.substr(0, length), counts);
+  std::string changed = text;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    for (const char byte :
+         {static_cast<char>(text[k] ^ 1), static_cast<char>(text[k] ^ 0x80), '\0', '"', '{', '9', '-'}) {
+      changed[k] = byte;
+      read_damaged(reader, changed, counts);
+      if (testing::Test::HasFatalFailure()) return counts;
+    }
+    changed[k] = text[k];
+  }
+  return counts;
+}
+
+TEST(DamagedFiles, AScene) {
+  const std::string text = text_of("tests/contract/scene.json");
+  const Counts counts = damage([](const std::string& t, const std::string& name) { parse_scene_2(t, name); }, text);
+  EXPECT_GT(counts.read, 0);  // a digit that is another one
+  EXPECT_GT(counts.refused, static_cast<int>(text.size()));
+}
+
+TEST(DamagedFiles, ADrawing) {
+  const std::string text = text_of("scenes/drawings/two_rooms.svg");
+  const Counts counts = damage([](const std::string& t, const std::string& name) { parse_svg_2(t, name); }, text);
+  EXPECT_GT(counts.read, 0);
+  EXPECT_GT(counts.refused, static_cast<int>(text.size()));
+}
+
+}  // namespace
+}  // namespace hottel
