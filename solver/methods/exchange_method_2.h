@@ -56,7 +56,7 @@ class ExchangeMethod2 {
   virtual std::optional<double> declared_error(const PreparedScene2& prepared) const = 0;
 
   // The same for every factor F(from, to), the sky included; infinity where nothing is claimed. Unless a method knows
-  // better it claims of each what it claims of all. REQUIRES that `prepared` outlives what is returned.
+  // better it claims of each what it claims of all. REQUIRES that the method and `prepared` outlive what is returned.
   using ClaimedErrors = std::function<double(std::uint32_t from, std::uint32_t to)>;
   virtual ClaimedErrors claimed_errors(const PreparedScene2& prepared) const {
     const double of_all = declared_error(prepared).value_or(std::numeric_limits<double>::infinity());
