@@ -1,6 +1,7 @@
 // A grid and a scene in the coordinates of the grid: cells are one wide, the first corner is the origin.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "geometry/scene/scene_2.h"
@@ -27,29 +28,7 @@ struct Vector2 {
 inline double cross(const Vector2& a, const Vector2& b) { return a.x * b.y - a.y * b.x; }
 inline double dot(const Vector2& a, const Vector2& b) { return a.x * b.x + a.y * b.y; }
 inline Vector2 rounded(const FinePoint2& p) { return {p.x.hi, p.y.hi}; }
-
-// Signed distance from a line, in the unit of the frame.
-//
-//   (1) at() is within doubt() of the real distance, up to eight roundings of the distance itself
-//   (2) doubt() is infinite or no number when the direction was lost in the coordinates
-class CutLine2 {
- public:
-  CutLine2() = default;
-  // Positive on the left of the direction. reach: at least the sum of |coordinates| of every place that is asked for.
-  CutLine2(const FinePoint2& point, const FinePoint2& direction, double size_of_direction, double reach);
-
-  double at(const FinePoint2& place) const;
-  double doubt() const { return doubt_; }
-  // The same in doubles, within rough_doubt() of the real distance.
-  double rough(const FinePoint2& place) const { return dot(gradient_, rounded(place) - rounded(point_)); }
-  double rough_doubt() const { return rough_doubt_; }
-  const Vector2& gradient() const { return gradient_; }
-
- private:
-  FinePoint2 point_, direction_;
-  double inverse_length_ = 0, doubt_ = 0, rough_doubt_ = 0;
-  Vector2 gradient_{0, 0};
-};
+inline double size_of(const FinePoint2& p) { return std::fabs(p.x.hi) + std::fabs(p.y.hi); }
 
 // The places of vertices and cells.
 class CellFrame2 {
