@@ -9,6 +9,7 @@ MethodFamily center_vis_family_2();
 MethodFamily vertex_quadrature_family_2();
 MethodFamily strings_family_2();
 MethodFamily gauss_family_2();
+MethodFamily arithmetic_family_2();
 
 MethodCatalogue2 planar_methods() {
   MethodCatalogue2 methods;
@@ -18,6 +19,7 @@ MethodCatalogue2 planar_methods() {
   methods.add(vertex_quadrature_family_2());
   methods.add(strings_family_2());
   methods.add(gauss_family_2());
+  methods.add(arithmetic_family_2());
   return methods;
 }
 

@@ -1,0 +1,253 @@
+// GUARANTEE: exact, enclosed or estimated, as the arithmetic allows.
+// REFERENCE: docs/design/exchange_2.md; for the naive signs L. Kettner, K. Mehlhorn, S. Pion, S. Schirra, C. Yap,
+// Classroom examples of robustness problems in geometric computations, 2008.
+#include "solver/methods/arithmetic_2.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/exchange/exchange_sums_2.h"
+#include "kernel/failure.h"
+#include "kernel/stopwatch.h"
+#include "solver/methods/arithmetic_cgal_2.h"
+#include "solver/methods/arithmetic_naive_2.h"
+#include "solver/methods/method_catalogue_2.h"
+#include "solver/system/matrix_checks.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kHalfUlp = 0x1p-53;
+constexpr std::array<const char*, 5> kNames{"naive", "doubles", "bounds", "rounded", "cgal"};
+
+Labels2 labels_of(const PreparedScene2& prepared) {
+  return Labels2(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
+}
+
+// Vertices by exact signs and rounded lengths.
+class FilteredPoints {
+ public:
+  explicit FilteredPoints(const Vertices2& vertices) : vertices_(vertices) {}
+  int orientation(VertexId i, VertexId j, VertexId k) const { return vertices_.orientation(i, j, k); }
+  double distance(VertexId i, VertexId j) const {
+    const Vertices2::Approximate &p = vertices_.approximate(i), &q = vertices_.approximate(j);
+    const double dx = q.x - p.x, dy = q.y - p.y;
+    return std::sqrt(dx * dx + dy * dy);
+  }
+
+ private:
+  const Vertices2& vertices_;
+};
+
+ExchangeMatrix naive_exchange(const PreparedScene2& prepared, MethodReport& report) {
+  const Arrangement2& arrangement = prepared.arrangement;
+  const NaivePoints2 points(arrangement.vertices());
+  const std::uint64_t limit = naive_step_limit(arrangement.triangulation());
+  std::atomic<std::uint64_t> cut_off = 0;
+  Stopwatch watch;
+  const Labels2 labels = labels_of(prepared);
+  const PlainSums sums = plain_sums(arrangement, labels, [&](VertexId) { return StepLimit2(points, limit, cut_off); });
+  ExchangeMatrix matrix = plain_matrix(labels, sums, plain_lengths(arrangement, labels, points));
+  report.seconds = watch.lap();
+  const WrongOrientations counts = count_wrong_orientations(arrangement, points);
+  report.notes.push_back(fmt::format("of {} orientations {} have the wrong sign", counts.asked, counts.wrong));
+  if (cut_off > 0)
+    report.notes.push_back(fmt::format("{} of {} views were cut off", cut_off.load(), arrangement.vertices().size()));
+  return matrix;
+}
+
+ExchangeMatrix filtered_exchange(const PreparedScene2& prepared) {
+  const FilteredPoints points(prepared.arrangement.vertices());
+  const Labels2 labels = labels_of(prepared);
+  const PlainSums sums =
+      plain_sums(prepared.arrangement, labels, [&](VertexId) -> const FilteredPoints& { return points; });
+  return plain_matrix(labels, sums, plain_lengths(prepared.arrangement, labels, points));
+}
+
+ExchangeMatrix cgal_exchange(const PreparedScene2& prepared, MethodReport& report) {
+  const Labels2 labels = labels_of(prepared);
+  const CgalExchange2 exchange = cgal_exchange(prepared.arrangement, labels);
+  Stopwatch watch;
+  ExchangeMatrix matrix = plain_matrix(labels, exchange.sums, exchange.lengths);
+  report.seconds = exchange.seconds + watch.lap();
+  return matrix;
+}
+
+// The quotient of two sums in doubles, and an interval that contains the real one. (Conversions are good to 2^-51, and
+// so is a quotient of what is; ends are moved outwards by more.)
+struct EnclosedQuotient {
+  double value;
+  Enclosure bounds;
+};
+EnclosedQuotient quotient(const FixedSum& numerator, const FixedSum& denominator) {
+  constexpr double kSlack = 0x1p-48;
+  const double n = double_near(numerator.value), d = double_near(denominator.value);
+  const double n_error = numerator.error + 0x1p12, d_error = denominator.error + 0x1p12;
+  const double lower = (n - n_error) / (d + d_error), upper = (n + n_error) / (d - d_error);
+  return {n / d, {std::max(0.0, lower * (1 - kSlack)), d > d_error ? std::min(1.0, upper * (1 + kSlack)) : 1}};
+}
+
+ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, MethodReport& report) {
+  const Labels2 labels = labels_of(prepared);
+  const double length_error = prepared.arrangement.vertices().length_error();
+  SumCounts counts;
+  const std::vector<PairSum> pairs =
+      sum_visible_pairs(prepared.arrangement, labels, {}, std::numeric_limits<std::uint64_t>::max(), counts);
+  std::uint64_t undecided = 0;
+  double widest = 0;
+  std::vector<std::size_t> begin(labels.count() + 1, 0);
+  const auto each_entry = [&](const auto& visit) {
+    for (const PairSum& pair : pairs) {
+      if (pair.value == 0) continue;
+      if (labels.has_row(pair.i)) visit(pair.i, pair.j, pair);
+      if (pair.j != pair.i && labels.has_row(pair.j)) visit(pair.j, pair.i, pair);
+    }
+  };
+  each_entry([&](std::uint32_t from, std::uint32_t, const PairSum&) { ++begin[from + 1]; });
+  for (std::uint32_t i = 0; i < labels.count(); ++i) begin[i + 1] += begin[i];
+  std::vector<FactorEntry> entries(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  each_entry([&](std::uint32_t from, std::uint32_t to, const PairSum& pair) {
+    const FixedSum sum = pair.sum(length_error), &length = labels.length(from);
+    const EnclosedQuotient factor = quotient(sum, {2 * length.value, 2 * length.error});
+    const std::size_t place = next[from]++;
+    entries[place] = {to, {factor.value, 0}, std::numeric_limits<double>::quiet_NaN()};
+    widest = std::max({widest, factor.value - factor.bounds.lower, factor.bounds.upper - factor.value});
+    undecided += double_near(sum.value) <= sum.error;
+  });
+  report.notes.push_back(fmt::format("every factor lies within {:.2g} of the real one", 1.06 * widest));
+  undecided += static_cast<std::uint64_t>(std::count_if(
+      pairs.begin(), pairs.end(), [](const PairSum& pair) { return pair.value == 0 && pair.inexact > 0; }));
+  if (undecided > 0)
+    report.notes.push_back(fmt::format("of {} factors it is not decided whether they are zero", undecided));
+  ExchangeMatrix matrix(labels.elements(), Guarantee::kEstimated);  // the bound is one for all
+  matrix.assign(std::move(begin), std::move(entries));
+  return matrix;
+}
+
+// What bounds the sums of any pair, in units of the smallest element's length.
+struct SumScale {
+  double terms;          // at most so many in one sum
+  double longest;        // no distance is longer
+  double length_error;   // of a fixed-point length
+  double approximation;  // of a coordinate in doubles
+};
+SumScale scale_of(const PreparedScene2& prepared, const Labels2& labels) {
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  Int128 smallest = 0;
+  for (std::uint32_t label = 0; label < labels.count(); ++label)
+    if (labels.has_row(label) && (smallest == 0 || labels.length(label).value < smallest))
+      smallest = labels.length(label).value;
+  const Rational unit = vertices.fixed_unit();
+  const double coordinate =
+      to_double(scaled_by_power_of_two(Rational(1), vertices.exponent()) / (unit * Rational(to_integer(smallest))));
+  const auto n = static_cast<double>(vertices.size());
+  // Each of n (n - 1) / 2 gaps gives a pair four terms or fewer. Approximate coordinates are below 2^60 or 2^53 and
+  // off by half a unit of their last place at most.
+  return {2 * n * n, 3 * coordinate, vertices.length_error() / double_near(smallest),
+          vertices.approximation_error() > 0 ? coordinate * 0x1p-52 : 0};
+}
+
+class Arithmetic2 final : public ExchangeMethod2 {
+ public:
+  explicit Arithmetic2(Arithmetic arithmetic) : arithmetic_(arithmetic) {
+    info_.name = info_.family = std::string("arithmetic:") + kNames[static_cast<std::size_t>(arithmetic)];
+    info_.reference = "docs/design/exchange_2.md";
+    info_.guarantee = arithmetic == Arithmetic::kRounded  ? Guarantee::kExact
+                      : arithmetic == Arithmetic::kBounds ? Guarantee::kEnclosed
+                                                          : Guarantee::kEstimated;
+  }
+  const MethodInfo& info() const override { return info_; }
+  std::optional<double> declared_error(const PreparedScene2& prepared) const override;
+
+  ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport& report) const override {
+    ExchangeMatrix matrix = run(prepared, report);
+    report.row_defect = closure_defect(matrix);
+    return matrix;
+  }
+
+ private:
+  ExchangeMatrix run(const PreparedScene2& prepared, MethodReport& report) const {
+    switch (arithmetic_) {
+      case Arithmetic::kNaive:
+        return naive_exchange(prepared, report);
+      case Arithmetic::kDoubles:
+        return filtered_exchange(prepared);
+      case Arithmetic::kBounds:
+        return enclosed_exchange(prepared, report);
+      case Arithmetic::kCgal:
+        return cgal_exchange(prepared, report);
+      case Arithmetic::kRounded:
+        break;
+    }
+    return exact_exchange(prepared, {.per = Per::kElement, .wants_visibility = false});
+  }
+
+  Arithmetic arithmetic_;
+  MethodInfo info_;
+};
+
+// A sum of n doubles is off by n 2^-53 times the sum of their absolute values; sums of n lengths that are each off by
+// e, by n e more. CGAL::to_double promises five digits and no more; naive signs nothing.
+std::optional<double> Arithmetic2::declared_error(const PreparedScene2& prepared) const {
+  if (arithmetic_ == Arithmetic::kRounded) return 0;
+  if (arithmetic_ == Arithmetic::kNaive || arithmetic_ == Arithmetic::kCgal) return std::nullopt;
+  const SumScale scale = scale_of(prepared, labels_of(prepared));
+  if (arithmetic_ == Arithmetic::kBounds) return 0x1p-48 + 2 * scale.terms * scale.length_error;
+  const double of_length = 8 * kHalfUlp * scale.longest + 4 * scale.approximation;
+  const double of_sum = scale.terms * (of_length + scale.terms * kHalfUlp * scale.longest);
+  // Both the sum and the length it is divided by; a factor is at most 1.
+  return of_sum < 0.25 ? std::optional(4 * kHalfUlp + 2 * of_sum) : std::nullopt;
+}
+
+}  // namespace
+
+ExchangeMatrix plain_matrix(const Labels2& labels, const PlainSums& sums, const std::vector<double>& lengths) {
+  std::vector<std::size_t> begin(labels.count() + 1, 0);
+  const auto each_entry = [&](const auto& visit) {
+    const auto visit_row = [&](std::uint32_t from, std::uint32_t to, double sum) {
+      if (labels.has_row(from) && lengths[from] > 0) visit(from, to, sum / (2 * lengths[from]));
+    };
+    for (const auto& part : sums)
+      for (const PlainTerm& sum : part) {
+        const auto i = static_cast<std::uint32_t>(sum.key >> 32), j = static_cast<std::uint32_t>(sum.key);
+        if (sum.value == 0) continue;
+        visit_row(i, j, sum.value);
+        if (j != i) visit_row(j, i, sum.value);
+      }
+  };
+  each_entry([&](std::uint32_t from, std::uint32_t, double) { ++begin[from + 1]; });
+  for (std::uint32_t i = 0; i < labels.count(); ++i) begin[i + 1] += begin[i];
+  std::vector<FactorEntry> entries(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  each_entry([&](std::uint32_t from, std::uint32_t to, double factor) {
+    entries[next[from]++] = {to, {factor, 0}, std::numeric_limits<double>::quiet_NaN()};
+  });
+  ExchangeMatrix matrix(labels.elements(), Guarantee::kEstimated);
+  matrix.assign(std::move(begin), std::move(entries));
+  return matrix;
+}
+
+std::unique_ptr<ExchangeMethod2> arithmetic_method_2(Arithmetic arithmetic) {
+  return std::make_unique<Arithmetic2>(arithmetic);
+}
+
+MethodFamily arithmetic_family_2() {
+  return {
+      .name = "arithmetic",
+      .pattern = "arithmetic:naive|doubles|bounds|rounded|cgal",
+      .what = "the exact method's sweep in other arithmetic: what exactness costs",
+      .reference = "docs/design/exchange_2.md",
+      .guarantee = Guarantee::kEstimated,
+      .sweep = {"arithmetic:naive", "arithmetic:doubles", "arithmetic:bounds", "arithmetic:rounded", "arithmetic:cgal"},
+      .make = [](std::string_view variant) {
+        for (std::size_t k = 0; k < kNames.size(); ++k)
+          if (variant == ":" + std::string(kNames[k])) return arithmetic_method_2(static_cast<Arithmetic>(k));
+        throw UsageError("the method arithmetic has the variants :naive, :doubles, :bounds, :rounded and :cgal");
+      }};
+}
+
+}  // namespace hottel
