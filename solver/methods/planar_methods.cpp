@@ -9,6 +9,8 @@ MethodFamily center_vis_family_2();
 MethodFamily vertex_quadrature_family_2();
 MethodFamily strings_family_2();
 MethodFamily gauss_family_2();
+MethodFamily hemicube_family_2();
+MethodFamily rays_family_2();
 MethodFamily arithmetic_family_2();
 
 MethodCatalogue2 planar_methods() {
@@ -19,6 +21,8 @@ MethodCatalogue2 planar_methods() {
   methods.add(vertex_quadrature_family_2());
   methods.add(strings_family_2());
   methods.add(gauss_family_2());
+  methods.add(hemicube_family_2());
+  methods.add(rays_family_2());
   methods.add(arithmetic_family_2());
   return methods;
 }
