@@ -173,10 +173,7 @@ void certified(benchmark::State& state, View view, std::uint64_t edges) {
 }
 
 void add(View view, std::uint64_t edges) {
-  const std::string name = "certified/" + to_string(view) + "/edges:" + std::to_string(edges);
-  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { certified(state, view, edges); })
-      ->UseManualTime()
-      ->Unit(benchmark::kMillisecond);
+  add_case("certified/" + to_string(view, edges), [=](benchmark::State& state) { certified(state, view, edges); });
 }
 
 }  // namespace
@@ -186,7 +183,5 @@ int main(int argc, char** argv) {
   using namespace hottel::benchmarks;
   for (const std::uint64_t edges : {1'000, 10'000}) add(View::kShort, edges);
   for (const std::uint64_t edges : {1'000, 10'000}) add(View::kLong, edges);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
+  return run(argc, argv);
 }

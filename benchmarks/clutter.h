@@ -1,6 +1,9 @@
-// The scenes that the benchmarks share.
+// What the benchmarks share: their scenes, and how their cases are named, measured and run.
 #pragma once
 
+#include <benchmark/benchmark.h>
+
+#include <functional>
 #include <string>
 
 #include "geometry/scene/generators_2.h"
@@ -22,6 +25,24 @@ inline Scene2 clutter(View view, std::uint64_t edges, int digits = 0) {
   request.digits = digits;
   request.length = view == View::kShort ? kShortView : kLongView;
   return generate_2(request);
+}
+
+// "short/edges:1000"
+inline std::string to_string(View view, std::uint64_t edges) {
+  return to_string(view) + "/edges:" + std::to_string(edges);
+}
+
+// Adds a case whose time is what it sets by SetIterationTime().
+inline void add_case(const std::string& name, const std::function<void(benchmark::State&)>& measure) {
+  benchmark::RegisterBenchmark(name.c_str(), measure)->UseManualTime()->Unit(benchmark::kMillisecond);
+}
+
+// Runs the cases that were added, as the command line asks. Returns the exit code of the program.
+inline int run(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
 }
 
 }  // namespace hottel::benchmarks

@@ -55,11 +55,8 @@ void digits(benchmark::State& state, const Scene2& plain, const Scene2& detailed
 }
 
 void add(const std::string& name, View view, std::uint64_t edges, Scene2 (*make)(View, std::uint64_t)) {
-  const std::string full = "digits/" + name + "/" + to_string(view) + "/edges:" + std::to_string(edges);
-  benchmark::RegisterBenchmark(full.c_str(),
-                               [=](benchmark::State& state) { digits(state, clutter(view, edges), make(view, edges)); })
-      ->UseManualTime()
-      ->Unit(benchmark::kMillisecond);
+  add_case("digits/" + name + "/" + to_string(view, edges),
+           [=](benchmark::State& state) { digits(state, clutter(view, edges), make(view, edges)); });
 }
 
 }  // namespace
@@ -73,7 +70,5 @@ int main(int argc, char** argv) {
     add("17", view, static_cast<std::uint64_t>(edges), with_17_digits);
     add("large-form", view, static_cast<std::uint64_t>(edges), large);
   }
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
+  return run(argc, argv);
 }

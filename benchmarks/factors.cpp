@@ -46,11 +46,8 @@ void factors(benchmark::State& state, View view, std::uint64_t edges, int thread
 }
 
 void add(View view, std::uint64_t edges, int threads) {
-  const std::string name =
-      "factors/" + to_string(view) + "/edges:" + std::to_string(edges) + "/threads:" + std::to_string(threads);
-  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { factors(state, view, edges, threads); })
-      ->UseManualTime()
-      ->Unit(benchmark::kMillisecond);
+  add_case("factors/" + to_string(view, edges) + "/threads:" + std::to_string(threads),
+           [=](benchmark::State& state) { factors(state, view, edges, threads); });
 }
 
 }  // namespace
@@ -62,7 +59,5 @@ int main(int argc, char** argv) {
     for (std::uint64_t edges = 100; edges <= 100'000; edges *= 10) add(View::kShort, edges, threads);
   for (const int threads : {1, 2})
     for (std::uint64_t edges = 100; edges <= 10'000; edges *= 10) add(View::kLong, edges, threads);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
+  return run(argc, argv);
 }
