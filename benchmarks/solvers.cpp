@@ -1,8 +1,8 @@
 // What solving for radiosities costs: every solver, on clutter with short views of 100 to 10,000 edges whose faces all
 // have one reflectivity of 0.1 to 0.999.
 //
-// Timed: the solver as it is, from the factors to its approximation. Counters: iterations (for cholesky and cg, which
-// are refined, corrections); milliseconds of the certificate that turns the approximation into proven bounds, the
+// Timed: the solver as it is, from the factors to its approximation. Counters: steps (iterations; for cholesky and cg,
+// which are refined, corrections); milliseconds of the certificate that turns the approximation into proven bounds, the
 // elimination or conjugate gradients that it needs included where the solver has none to share; the largest error of
 // the approximation over the largest radiosity, against the certified solution; the widest relative bounds. The dense
 // solvers stop at 2,000 unknowns; a solver that does not get to 1e-12 in 10,000 iterations (100,000 shots) is stopped
@@ -69,7 +69,7 @@ void solvers(benchmark::State& state, Solver solver, std::uint64_t edges, const 
     certificate += solution.seconds.at("certificate");
   }
   state.counters["unknowns"] = solution.unknowns;
-  state.counters["iterations"] = static_cast<double>(solution.channels[0].residual_history.size()) - 1;
+  state.counters["steps"] = static_cast<double>(solution.channels[0].residual_history.size()) - 1;
   state.counters["ms_certificate"] = 1e3 * certificate / static_cast<double>(state.iterations());
   state.counters["true_error"] = error_of(solution, certified);
   state.counters["bounds"] = solution.max_relative_width;
