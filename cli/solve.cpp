@@ -1,11 +1,10 @@
 // hottel solve: radiosities with proven bounds, light in space, a picture of it.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "cli/command.h"
+#include "cli/memory.h"
 #include "cli/scene_input.h"
 #include "io/factor_files.h"
 #include "io/npy.h"
@@ -47,18 +46,6 @@ Grid2 grid_of(const Scene2& scene, const std::string& text) {
   if (nx == 0 || ny == 0)
     throw UsageError(fmt::format("--grid takes NXxNY with numbers from 1 to {}, not '{}'", kMaxGridCells, text));
   return grid_over(scene, nx, ny);
-}
-
-// 80 % of the memory that is free.
-std::uint64_t memory_allowed(std::uint64_t asked) {
-  if (asked > 0) return asked;
-  std::ifstream info("/proc/meminfo");
-  std::string name, unit;
-  std::uint64_t kilobytes = 0;
-  while (info >> name >> kilobytes && std::getline(info, unit))
-    if (name == "MemAvailable:") return kilobytes * 1024 / 5 * 4;
-  const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
-  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 5 * 4;
 }
 
 // A scene that promises to be closed and is not: the first front that sees the sky.

@@ -1,5 +1,7 @@
 #include "solver/system/gray_exchange.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -105,15 +107,19 @@ ExchangeMatrix from_columns(const std::vector<Element>& elements,
 
 }  // namespace
 
-ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel,
-                             const std::function<void(double)>& progress) {
+ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                             const GrayExchangeOptions& options) {
   HOTTEL_REQUIRE(matrix.guarantee() != Guarantee::kEstimated);
-  const GraySystem system(matrix, materials, channel);
+  const GraySystem system(matrix, materials, options.channel);
   std::vector<std::vector<ColumnEntry>> columns(matrix.size() + 1);
-  std::atomic<std::size_t> done{0};
+  std::atomic<std::uint64_t> done{0}, pairs{0};
   parallel_for(columns.size(), [&](std::size_t j) {
     columns[j] = system.column(static_cast<std::uint32_t>(j));
-    if (progress) progress(static_cast<double>(++done) / static_cast<double>(columns.size()));
+    const std::uint64_t bytes = (pairs += columns[j].size()) * kBytesPerGrayPair;
+    if (options.memory > 0 && bytes > options.memory)
+      throw RequestError(fmt::format("script-F has more than {} pairs, which is all that the {} bytes allowed hold",
+                                     options.memory / kBytesPerGrayPair, options.memory));
+    if (options.progress) options.progress(static_cast<double>(++done) / static_cast<double>(columns.size()));
   });
   return from_columns(matrix.elements(), columns);
 }

@@ -1,6 +1,7 @@
 // Hottel's total exchange factors (script-F) of gray diffuse faces, from view factors.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -8,6 +9,14 @@
 #include "geometry/scene/material.h"
 
 namespace hottel {
+
+inline constexpr std::uint64_t kBytesPerGrayPair = 80;
+
+struct GrayExchangeOptions {
+  int channel = 0;                            // 0 to 2: whose reflectivities are meant
+  std::uint64_t memory = 0;                   // bytes the result may take, while it is made; 0: no limit
+  std::function<void(double)> progress = {};  // fraction done; may throw to stop
+};
 
 // Returns the gray-body exchange factors script-F_ij of a scene: of what a black body with the temperature of face i
 // would send out, the fraction that i sends out and j absorbs, straight or after any number of reflections. So the net
@@ -30,13 +39,13 @@ namespace hottel {
 //       and the light would be reflected for ever
 //   (6) no entry iff the real number is 0; the same bit for bit for any number of threads
 //
-// `channel` 0 to 2 says which reflectivities are meant.
 // REQUIRES view factors that are exact or enclosed, and materials of the elements that index into `materials`.
-// Throws RequestError when losses are so small that they vanish in doubles.
-// COST: one elimination (n^3 / 3 for a component of n faces); for each column with e > 0 about ten passes over the
-// matrix and five back substitutions (n^2); 80 bytes a pair of the result, which is dense within each component. SEE:
-// Hottel and Sarofim, Radiative Transfer, 1967, chapter 3; Walton, NISTIR 6925, 2002 (View3D, `emit=1`).
-ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel = 0,
-                             const std::function<void(double)>& progress = {});
+// Throws RequestError when losses are so small that they vanish in doubles, and when the result takes more memory than
+// is allowed. COST: one elimination (n^3 / 3 for a component of n faces); for each column with e > 0 about ten passes
+// over the matrix and five back substitutions (n^2); 80 bytes a pair of the result, which is dense within each
+// component. SEE: Hottel and Sarofim, Radiative Transfer, 1967, chapter 3; Walton, NISTIR 6925, 2002 (View3D,
+// `emit=1`).
+ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                             const GrayExchangeOptions& options = {});
 
 }  // namespace hottel

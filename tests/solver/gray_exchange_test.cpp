@@ -241,6 +241,15 @@ TEST(GrayExchange, IsTheSameForAnyNumberOfThreads) {
       }
 }
 
+TEST(GrayExchange, TakesNoMoreMemoryThanIsAllowed) {
+  const ExactScene scene(convex_polygon(12));
+  std::vector<Material> materials = scene.scene().materials;
+  for (Material& m : materials) m.reflectivity = Spectrum::scalar(Rational(1, 2));
+  const std::uint64_t bytes = 12 * 12 * kBytesPerGrayPair;
+  EXPECT_EQ(gray_exchange(scene.matrix(), materials, {.memory = bytes}).entry_count(), 144u);
+  EXPECT_THROW(gray_exchange(scene.matrix(), materials, {.memory = bytes - 1}), RequestError);
+}
+
 TEST(GrayExchange, OfAnEstimateIsRefused) {
   EXPECT_THROW(gray_exchange(ExchangeMatrix({}, Guarantee::kEstimated), {}), ContractViolation);
 }
