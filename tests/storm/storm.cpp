@@ -39,9 +39,11 @@ class Storm {
     try {
       const Subject subject(scene.edges, number);
       for (std::size_t l = 0; l < laws_.size(); ++l)
-        if (options_.all_laws || (number + l) % laws_[l].every == 0) check(l, subject);
-    } catch (const std::exception&) {
-      for (std::size_t l = 0; l < laws_.size(); ++l) add_failure(l, scene);
+        if (options_.all_laws || (number + l) % laws_[l].every == 0)
+          if (!check(l, subject)) break;  // what follows rests on it
+    } catch (const std::exception&) {     // there are no factors to hold against any law
+      ++result_.checks[0];
+      add_failure(0, scene.edges, number);
     }
     ++result_.scenes;
     result_.edges += scene.edges.size();
@@ -54,7 +56,7 @@ class Storm {
   const StormResult& result() const { return result_; }
 
  private:
-  void check(std::size_t l, const Subject& subject) {
+  bool check(std::size_t l, const Subject& subject) {
     ++result_.checks[l];
     std::string what;
     try {
@@ -63,9 +65,8 @@ class Storm {
       what = error.what();
     }
     if (!what.empty()) add_failure(l, subject.edges(), subject.chance());
+    return what.empty();
   }
-
-  void add_failure(std::size_t l, const LatticeScene& scene) { add_failure(l, scene.edges, scene.number); }
 
   void add_failure(std::size_t l, const Edges& edges, std::uint64_t number) {
     if (++result_.failures[l] > 1) return;

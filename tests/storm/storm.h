@@ -40,8 +40,8 @@ struct StormResult {
   void add(const StormResult& other);
 };
 
-// Holds scenes first, first + 1, ... against `which` laws. The result does not depend on the number of threads, but for
-// its times.
+// Holds scenes first, first + 1, ... against `which` laws, each up to the first that it breaks. The result does not
+// depend on the number of threads, but for its times.
 StormResult run_storm(const StormOptions& options, const std::vector<Law>& which = laws());
 
 // Leaves out edges as long as what is left still fails. REQUIRES fails(edges).
