@@ -109,12 +109,14 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, MethodReport& r
   each_entry([&](std::uint32_t from, std::uint32_t, const PairSum&) { ++begin[from + 1]; });
   for (std::uint32_t i = 0; i < labels.count(); ++i) begin[i + 1] += begin[i];
   std::vector<FactorEntry> entries(begin.back());
+  std::vector<Enclosure> bounds(begin.back());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   each_entry([&](std::uint32_t from, std::uint32_t to, const PairSum& pair) {
     const FixedSum sum = pair.sum(length_error), &length = labels.length(from);
     const EnclosedQuotient factor = quotient(sum, {2 * length.value, 2 * length.error});
     const std::size_t place = next[from]++;
     entries[place] = {to, {factor.value, 0}, std::numeric_limits<double>::quiet_NaN()};
+    bounds[place] = factor.bounds;
     widest = std::max({widest, factor.value - factor.bounds.lower, factor.bounds.upper - factor.value});
     undecided += double_near(sum.value) <= sum.error;
   });
@@ -123,8 +125,8 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, MethodReport& r
       pairs.begin(), pairs.end(), [](const PairSum& pair) { return pair.value == 0 && pair.inexact > 0; }));
   if (undecided > 0)
     report.notes.push_back(fmt::format("of {} factors it is not decided whether they are zero", undecided));
-  ExchangeMatrix matrix(labels.elements(), Guarantee::kEstimated);  // the bound is one for all
-  matrix.assign(std::move(begin), std::move(entries));
+  ExchangeMatrix matrix(labels.elements(), Guarantee::kEnclosed);
+  matrix.assign(std::move(begin), std::move(entries), {}, std::move(bounds));
   return matrix;
 }
 

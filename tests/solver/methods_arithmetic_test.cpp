@@ -99,6 +99,26 @@ TEST(Arithmetic2, StaysWithinItsDeclaredErrorOnEveryAnalyticAndDegenerateScene) 
   EXPECT_GT(declared, 180);
 }
 
+TEST(Arithmetic2, EnclosesEveryFactorByBounds) {
+  for (const char* folder : {"analytic", "degenerate"})
+    for (const auto& file : scenes_in(folder)) {
+      const PreparedScene2 prepared = prepare(read_scene_2(file), Divided::kYes);
+      const ExchangeMatrix exact = run("exact", prepared).matrix, enclosed = run("arithmetic:bounds", prepared).matrix;
+      EXPECT_EQ(enclosed.guarantee(), Guarantee::kEnclosed);
+      for (std::uint32_t i = 0; i < enclosed.size(); ++i)
+        for (std::size_t k = 0; k < enclosed.row(i).size(); ++k) {
+          const Enclosure bounds = enclosed.bounds(i, k);
+          const Enclosure real = exact.factor(i, enclosed.row(i)[k].to).enclosure();
+          EXPECT_LE(bounds.lower, real.upper) << file;
+          EXPECT_GE(bounds.upper, real.lower) << file;
+        }
+    }
+  const PreparedScene2 prepared = clutter(100);
+  const ExchangeMatrix enclosed = run("arithmetic:bounds", prepared).matrix;
+  for (std::uint32_t i = 0; i < enclosed.size(); ++i)
+    for (std::size_t k = 0; k < enclosed.row(i).size(); ++k) EXPECT_LT(enclosed.bounds(i, k).width(), 1e-13);
+}
+
 TEST(Arithmetic2, AgreesWhereNothingIsDegenerate) {
   const PreparedScene2 prepared = clutter(200);
   const ExchangeMatrix exact = run("exact", prepared).matrix;

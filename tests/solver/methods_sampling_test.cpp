@@ -299,6 +299,38 @@ TEST(ItemBuffer2, LeavesNoPixelBetweenItemsThatShareAnEnd) {
   for (std::size_t k = 0; k < 16; ++k) EXPECT_EQ(image[k], k < 6 ? 0u : 1u) << k;
 }
 
+// A fin that stands on the middle of the floor, at a place that is no double, is seen edge-on: nothing of it is seen
+// from there, and nothing hides behind it.
+TEST(Hemicube2, SeesNothingOfAnEdgeThatEndsAtTheEye) {
+  Scene2 scene;
+  scene.file = "fin";
+  scene.materials.push_back({"white", Spectrum::scalar(Rational(1, 2)), {}});
+  const auto add = [&scene](const char* name, const char* x0, const char* y0, const char* x1, const char* y1) {
+    const auto number = [](const char* text) { return parse_rational(text).value(); };
+    Surface2 surface;
+    surface.name = name;
+    surface.from = {number(x0), number(y0)};
+    surface.to = {number(x1), number(y1)};
+    surface.group = static_cast<std::uint32_t>(scene.groups.size());
+    scene.groups.push_back(name);
+    scene.surfaces.push_back(surface);
+  };
+  add("floor", "1", "1/3", "1/3", "1/3");
+  add("wall", "1/3", "1/3", "1/3", "1");
+  add("roof", "1/3", "1", "1", "1");
+  add("other", "1", "1", "1", "1/3");
+  add("fin", "2/3", "1/3", "2/3", "0.9");
+  const PreparedScene2 prepared = prepare(scene, Divided::kYes);
+  const ExchangeMatrix matrix = run("hemicube:1024", prepared);
+  const auto factor = [&](const char* to) { return matrix.factor(0, matrix.find(to).value()).value; };
+  EXPECT_EQ(factor("fin"), 0);
+  EXPECT_EQ(factor("fin:back"), 0);
+  // From the middle of a unit square's side the roof takes sin phi = 1 / sqrt(5), to either side.
+  EXPECT_NEAR(factor("roof"), 1 / std::sqrt(5.0), 2.0 / 1024);
+  EXPECT_NEAR(factor("wall"), (1 - 1 / std::sqrt(5.0)) / 2, 1.0 / 1024);
+  EXPECT_FALSE(planar_methods().make("hemicube:1024")->declared_error(prepared).has_value());
+}
+
 // The exact factors from the centre of each element, and how many stretches of each element are seen.
 struct CentreFactors {
   std::map<std::uint32_t, double> factor;
