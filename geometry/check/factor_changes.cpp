@@ -70,7 +70,7 @@ std::vector<FactorChange> factor_changes(const ExchangeMatrix& before, const Exc
       FactorChange change{faces.name(from), faces.name(to), std::nullopt, std::nullopt};
       if (old_row && faces.is_in(false, to)) change.before = pair.first.value;
       if (new_row && faces.is_in(true, to)) change.after = pair.second.value;
-      if (change.before && change.after && pair.first == pair.second) continue;
+      if (change.before == change.after) continue;
       changes.push_back(std::move(change));
     }
   }

@@ -15,8 +15,8 @@ struct FactorChange {
   std::optional<double> before, after;
 };
 
-// Returns every pair whose factor is not the same real number as before, as far as correctly rounded doubles and the
-// side on which the number lies tell: in the order of the first matrix, new faces last. Faces are matched by name.
+// Returns every pair whose correctly rounded factor is not what it was, in the order of the first matrix, new faces
+// last. Faces are matched by name.
 std::vector<FactorChange> factor_changes(const ExchangeMatrix& before, const ExchangeMatrix& after);
 
 }  // namespace hottel

@@ -73,7 +73,7 @@ Finding tell(const Scene2& scene, const NearMiss2& miss, const std::optional<Lea
             fmt::format("end it on {} at {}", target, place_text(miss.foot))};
   std::string text = fmt::format("{} is {} from {} of {}, {}", ends, distance,
                                  miss.is_at_end ? "the end" : "the nearest point", target, place_text(miss.foot));
-  if (leak)
+  if (leak && leak->factor > 0)
     text += fmt::format(": through the gap goes F = {} of the light of '{}'", shortest(leak->factor), leak->face);
   return {Severity::kWarning,
           "near-miss",
