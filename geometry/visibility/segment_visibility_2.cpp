@@ -72,6 +72,22 @@ bool SegmentVisibility2::see_each_other(const RunPoint2& p, const RunPoint2& q) 
   return is_free(p, q, right);
 }
 
+void SegmentVisibility2::look_around(const RunPoint2& p, View2& view) const {
+  if (p.is_vertex_) {
+    hottel::look_around(vertices_, triangulation_, p.vertex_, view);
+    return;
+  }
+  view.seen.clear();
+  if (p.gate_ < 0) return;
+  const auto orientation = [&p](VertexId j, VertexId k) { return p.eye_.orientation(j, k); };
+  for (const HalfEdgeId exit : {next_half_edge(p.gate_), previous_half_edge(p.gate_)}) {
+    const VertexId right = triangulation_.corner(next_half_edge(exit));
+    const VertexId left = triangulation_.corner(previous_half_edge(exit));
+    view.seen.push_back({right, kSky, kNoPiece, kNoPiece});
+    expand_cone_through(triangulation_, exit, right, left, orientation, view);
+  }
+}
+
 // True iff no piece at a vertex where the segment ends lies between the segment and the line of the run, on the side to
 // which the segment was moved.
 bool SegmentVisibility2::passes_all_at(const RunPoint2& end, const Sides& sides) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/arrangement/arrangement_2.h"
+#include "geometry/visibility/view_2.h"
 #include "kernel/eye_line_2.h"
 
 namespace hottel {
@@ -46,6 +47,10 @@ class SegmentVisibility2 {
 
   // COST: a few ns for each triangle on the way; the way is walked twice when a vertex lies on it.
   bool see_each_other(const RunPoint2& p, const RunPoint2& q) const;
+
+  // Fills the view from p; from a vertex also with what lies behind the run. If p and q see each other, a side of q's
+  // run is in the view from p. COST: about 20 ns for each triangle seen.
+  void look_around(const RunPoint2& p, View2& view) const;
 
  private:
   enum class Shift : signed char { kRight = -1, kLeft = 1 };

@@ -23,14 +23,15 @@ class Center2 final : public PairMethod2 {
   Center2() : PairMethod2({"center", "center", 0, Guarantee::kEstimated, kReference}) {}
 
  protected:
-  Factors factors(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
+  Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
     const auto centres = std::make_shared<const RunPoints2>(prepared, geometry, std::vector{Rational(1, 2)});
-    return [&geometry, centres](std::uint32_t i, std::uint32_t j) {
+    const auto factors = [&geometry, centres](std::uint32_t i, std::uint32_t j) {
       return sum_over_runs(geometry, i, j, [&](const ElementRun2& a, const ElementRun2& b) {
         const double kernel = between_centres(a, b);
         return kernel > 0 && centres->see_each_other(a, 0, b, 0) ? a.length * b.length * kernel : 0;
       });
     };
+    return {partners_of(centres), factors};
   }
   double error_of_free_runs(const Vertices2& vertices, const ElementGeometry2&, const ElementRun2& a,
                             const ElementRun2& b) const override {

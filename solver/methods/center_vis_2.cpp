@@ -29,15 +29,15 @@ class CenterVis2 final : public PairMethod2 {
   CenterVis2() : PairMethod2({"center-vis", "center-vis", 0, Guarantee::kEstimated, kReference}) {}
 
  protected:
-  Factors factors(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
-    return
-        [&geometry, visibility = std::make_shared<const ExactVisibility2>(prepared)](std::uint32_t i, std::uint32_t j) {
-          const double visible = visibility->of(i, j);
-          if (visible == 0) return PairFactors{};
-          return sum_over_runs(geometry, i, j, [visible](const ElementRun2& a, const ElementRun2& b) {
-            return a.length * b.length * between_centres(a, b) * visible;
-          });
-        };
+  Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
+    const auto visibility = std::make_shared<const ExactVisibility2>(prepared);
+    const auto factors = [&geometry, visibility](std::uint32_t i, std::uint32_t j) {
+      const double visible = visibility->of(i, j);
+      return sum_over_runs(geometry, i, j, [visible](const ElementRun2& a, const ElementRun2& b) {
+        return a.length * b.length * between_centres(a, b) * visible;
+      });
+    };
+    return {partners_of(visibility), factors};
   }
   double error_of_free_runs(const Vertices2& vertices, const ElementGeometry2&, const ElementRun2& a,
                             const ElementRun2& b) const override {
@@ -55,16 +55,15 @@ class InverseSquare2 final : public PairMethod2 {
         constant_(constant) {}
 
  protected:
-  Factors factors(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
+  Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
     const Rational local = constant_ / (geometry.unit() * geometry.unit());
     const double constant = to_double(local);
     if (!std::isnormal(constant) && constant_ != 0)
       throw RequestError("the inverse square of lengths in this scene is beyond the range of double");
-    return [&geometry, constant, visibility = std::make_shared<const ExactVisibility2>(prepared)](std::uint32_t i,
-                                                                                                  std::uint32_t j) {
+    const auto visibility = std::make_shared<const ExactVisibility2>(prepared);
+    const auto factors = [&geometry, constant, visibility](std::uint32_t i, std::uint32_t j) {
       const double visible = visibility->of(i, j);
       PairFactors both;
-      if (visible == 0) return both;
       for (const ElementRun2& a : geometry.runs(i))
         for (const ElementRun2& b : geometry.runs(j)) {
           const double kernel = between_centres(a, b);  // cos cos' / (2 r)
@@ -75,6 +74,7 @@ class InverseSquare2 final : public PairMethod2 {
         }
       return both;
     };
+    return {partners_of(visibility), factors};
   }
 
  private:

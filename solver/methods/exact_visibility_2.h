@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "geometry/exchange/exchange_2.h"
 
@@ -11,7 +13,18 @@ class ExactVisibility2 {
  public:
   // COST: that of the exact factors.
   explicit ExactVisibility2(const PreparedScene2& prepared)
-      : exact_(exact_exchange(prepared, {.per = Per::kElement})) {}
+      : exact_(exact_exchange(prepared, {.per = Per::kElement})), rows_that_see_(exact_.size()) {
+    for (std::uint32_t i = 0; i < exact_.size(); ++i)
+      for (const FactorEntry& entry : exact_.row(i))
+        if (entry.to != exact_.sky() && !exact_.has_row(entry.to)) rows_that_see_[entry.to].push_back(i);
+  }
+
+  // Appends the elements j with S(i, j) > 0, where one of i and j at least has a row; no others.
+  void append_partners(std::uint32_t i, std::vector<std::uint32_t>& elements) const {
+    for (const FactorEntry& entry : exact_.row(i))
+      if (entry.to != exact_.sky()) elements.push_back(entry.to);
+    elements.insert(elements.end(), rows_that_see_[i].begin(), rows_that_see_[i].end());
+  }
 
   // Vis(i, j) = S / S0, correctly rounded; 0 iff S = 0. REQUIRES that one of the two has a row.
   double of(std::uint32_t i, std::uint32_t j) const {
@@ -24,6 +37,7 @@ class ExactVisibility2 {
 
  private:
   ExchangeMatrix exact_;
+  std::vector<std::vector<std::uint32_t>> rows_that_see_;  // by element without a row
 };
 
 }  // namespace hottel

@@ -50,7 +50,7 @@ class Gauss2 final : public PairMethod2 {
         rule_(gauss_rule(n)) {}
 
  protected:
-  Factors factors(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
+  Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
     struct Points {
       RunPoints2 exact;
       std::vector<std::vector<LocalPoint2>> local;  // by run
@@ -61,7 +61,7 @@ class Gauss2 final : public PairMethod2 {
       points->local.emplace_back();
       for (const double t : rule_.place) points->local.back().push_back(run.at(t));
     }
-    return [this, &geometry, points](std::uint32_t i, std::uint32_t j) {
+    const auto factors = [this, &geometry, points](std::uint32_t i, std::uint32_t j) {
       return sum_over_runs(geometry, i, j, [&](const ElementRun2& a, const ElementRun2& b) {
         const auto &x = points->local[geometry.number_of(a)], &y = points->local[geometry.number_of(b)];
         const LocalVector2 a_normal = a.normal(), b_normal = b.normal();
@@ -77,6 +77,7 @@ class Gauss2 final : public PairMethod2 {
         return a.length * b.length * sum;
       });
     };
+    return {partners_of(std::shared_ptr<const RunPoints2>(points, &points->exact)), factors};
   }
   double error_of_free_runs(const Vertices2& vertices, const ElementGeometry2&, const ElementRun2& a,
                             const ElementRun2& b) const override {

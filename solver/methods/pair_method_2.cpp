@@ -36,15 +36,19 @@ double close_row(std::vector<FactorEntry>& row, std::uint32_t sky, bool borders_
 
 ExchangeMatrix PairMethod2::compute(const PreparedScene2& prepared, MethodReport& report) const {
   const ElementGeometry2 geometry(prepared);
-  const Factors pair_factors = factors(prepared, geometry);
+  const Pairs pairs_of_method = pairs(prepared, geometry);
   const std::uint32_t n = geometry.count();
   std::vector<std::vector<LaterFactors>> later(n);
   parallel_for(n, [&](std::size_t row) {
     throw_if_interrupted();
     const auto i = static_cast<std::uint32_t>(row);
-    for (std::uint32_t j = i + 1; j < n; ++j) {
-      if (!geometry.has_row(i) && !geometry.has_row(j)) continue;
-      const PairFactors both = pair_factors(i, j);
+    std::vector<std::uint32_t> partners;
+    pairs_of_method.append_partners(i, partners);
+    std::sort(partners.begin(), partners.end());
+    partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+    for (const std::uint32_t j : partners) {
+      if (j <= i || !(geometry.has_row(i) || geometry.has_row(j))) continue;
+      const PairFactors both = pairs_of_method.factors(i, j);
       if (both.forth > 0 || both.back > 0) later[i].push_back({j, both});
     }
   });

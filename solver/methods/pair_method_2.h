@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <vector>
 
 #include "solver/methods/element_geometry_2.h"
 #include "solver/methods/exchange_method_2.h"
@@ -28,10 +30,20 @@ class PairMethod2 : public ExchangeMethod2 {
  protected:
   explicit PairMethod2(MethodInfo info) : info_(std::move(info)) {}
 
-  // The factors of elements i < j of which one at least has a row. Called from several threads at once.
+  // What is asked of a method, by several threads at once.
+  struct Pairs {
+    // Appends every element j > i whose factors with i may not be 0; others too, and in any order.
+    std::function<void(std::uint32_t i, std::vector<std::uint32_t>& partners)> append_partners;
+    // The factors of elements i < j of which one at least has a row.
+    std::function<PairFactors(std::uint32_t i, std::uint32_t j)> factors;
+  };
+  // Partners by source->append_partners(i, partners).
+  template <class Source>
+  static auto partners_of(std::shared_ptr<const Source> source) {
+    return [source](std::uint32_t i, std::vector<std::uint32_t>& partners) { source->append_partners(i, partners); };
+  }
   // REQUIRES that `prepared` and `geometry` outlive what is returned.
-  using Factors = std::function<PairFactors(std::uint32_t i, std::uint32_t j)>;
-  virtual Factors factors(const PreparedScene2& prepared, const ElementGeometry2& geometry) const = 0;
+  virtual Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const = 0;
 
   // What the method claims of two runs that nothing hides from each other: a bound for the error of the measure S(a, b)
   // divided by the product of their lengths, in local units. Infinity: nothing.

@@ -13,4 +13,14 @@ RunPoints2::RunPoints2(const PreparedScene2& prepared, const ElementGeometry2& g
   });
 }
 
+void RunPoints2::append_partners(std::uint32_t element, std::vector<std::uint32_t>& elements) const {
+  thread_local View2 view;
+  for (const ElementRun2& run : geometry_.runs(element))
+    for (const RunPoint2& point : points_[geometry_.number_of(run)]) {
+      visibility_.look_around(point, view);
+      for (const View2::Seen& seen : view.seen)
+        if (seen.behind != kSky) elements.push_back(geometry_.labels().of(seen.behind));
+    }
+}
+
 }  // namespace hottel

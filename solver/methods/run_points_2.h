@@ -19,6 +19,10 @@ class RunPoints2 {
     return visibility_.see_each_other(points_[geometry_.number_of(a)][k], points_[geometry_.number_of(b)][l]);
   }
 
+  // Appends the elements that are seen from the points of all runs of an element, each once or more: among them all
+  // elements with points that one of these points sees.
+  void append_partners(std::uint32_t element, std::vector<std::uint32_t>& elements) const;
+
  private:
   const ElementGeometry2& geometry_;
   SegmentVisibility2 visibility_;

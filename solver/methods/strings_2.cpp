@@ -53,13 +53,15 @@ class Strings2 final : public PairMethod2 {
   Strings2() : PairMethod2({"strings", "strings", 0, Guarantee::kEstimated, kReference}) {}
 
  protected:
-  Factors factors(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
+  Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
     const auto centres = std::make_shared<const RunPoints2>(prepared, geometry, std::vector{Rational(1, 2)});
-    return [&geometry, &vertices = prepared.arrangement.vertices(), centres](std::uint32_t i, std::uint32_t j) {
+    const auto factors = [&geometry, &vertices = prepared.arrangement.vertices(), centres](std::uint32_t i,
+                                                                                           std::uint32_t j) {
       return sum_over_runs(geometry, i, j, [&](const ElementRun2& a, const ElementRun2& b) {
         return centres->see_each_other(a, 0, b, 0) ? crossed_strings(vertices, a, b) : 0;
       });
     };
+    return {partners_of(centres), factors};
   }
   double error_of_free_runs(const Vertices2& vertices, const ElementGeometry2&, const ElementRun2& a,
                             const ElementRun2& b) const override {

@@ -55,24 +55,25 @@ class VertexQuadrature2 final : public PairMethod2 {
         variant_(variant) {}
 
  protected:
-  Factors factors(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
+  Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
     const double weight = variant_.is_literal ? 0.5 : 0.25, nearest = nearest_of(geometry);
     if (variant_.tests_centres) {
       const auto centres = std::make_shared<const RunPoints2>(prepared, geometry, std::vector{Rational(1, 2)});
-      return [&geometry, weight, nearest, centres](std::uint32_t i, std::uint32_t j) {
+      const auto factors = [&geometry, weight, nearest, centres](std::uint32_t i, std::uint32_t j) {
         return sum_over_runs(geometry, i, j, [&](const ElementRun2& a, const ElementRun2& b) {
           const double sum = sum_over_ends(a, b, nearest);
           return sum > 0 && centres->see_each_other(a, 0, b, 0) ? weight * a.length * b.length * sum : 0;
         });
       };
+      return {partners_of(centres), factors};
     }
-    return [&geometry, weight, nearest, visibility = std::make_shared<const ExactVisibility2>(prepared)](
-               std::uint32_t i, std::uint32_t j) {
-      if (visibility->of(i, j) == 0) return PairFactors{};
+    const auto visibility = std::make_shared<const ExactVisibility2>(prepared);
+    const auto factors = [&geometry, weight, nearest](std::uint32_t i, std::uint32_t j) {
       return sum_over_runs(geometry, i, j, [&](const ElementRun2& a, const ElementRun2& b) {
         return weight * a.length * b.length * sum_over_ends(a, b, nearest);
       });
     };
+    return {partners_of(visibility), factors};
   }
   double error_of_free_runs(const Vertices2& vertices, const ElementGeometry2& geometry, const ElementRun2& a,
                             const ElementRun2& b) const override {

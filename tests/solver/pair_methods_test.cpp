@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "kernel/failure.h"
 #include "solver/methods/method_catalogue_2.h"
 #include "solver/methods/open_space_2.h"
+#include "solver/methods/run_points_2.h"
 #include "tests/geometry/exchange_scenes.h"
 
 namespace hottel {
@@ -251,6 +253,32 @@ TEST(Runs, AreElementsOfTheirOwn) {
                 0.75 * factor(two, "first", "wall") + 0.25 * factor(two, "second", "wall"), 1e-15);
     EXPECT_NEAR(factor(one, "wall", "floor"), factor(two, "wall", "first") + factor(two, "wall", "second"), 1e-15);
   }
+}
+
+// What is asked of views instead of all pairs is found by asking all pairs.
+TEST(RunPoints2, HaveAllElementsThatTheySeeAsPartners) {
+  std::size_t seen = 0;
+  for (const char* kind : {"lattice", "clutter"})
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+      const PreparedScene2 prepared = prepare(testing_scenes::generated(kind, 60, seed), Divided::kYes);
+      const ElementGeometry2 geometry(prepared);
+      const RunPoints2 points(prepared, geometry, {Rational(1, 3), Rational(1, 2)});
+      for (std::uint32_t i = 0; i < geometry.count(); ++i) {
+        std::vector<std::uint32_t> others;
+        points.append_partners(i, others);
+        const std::set<std::uint32_t> known(others.begin(), others.end());
+        for (std::uint32_t j = 0; j < geometry.count(); ++j)
+          for (const ElementRun2& a : geometry.runs(i))
+            for (const ElementRun2& b : geometry.runs(j))
+              for (const std::size_t k : {0u, 1u})
+                for (const std::size_t l : {0u, 1u})
+                  if (points.see_each_other(a, k, b, l)) {
+                    ++seen;
+                    ASSERT_TRUE(known.contains(j)) << kind << " " << seed << ": " << i << " " << j;
+                  }
+      }
+    }
+  EXPECT_GT(seen, 5000u);
 }
 
 TEST(Names, ThatMakeNoSenseAreRefused) {
