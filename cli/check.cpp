@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "cli/command.h"
+#include "cli/memory.h"
 #include "io/check_report.h"
 #include "io/scene_json.h"
 #include "kernel/failure.h"
@@ -25,7 +26,7 @@ Rational distance_of(const CheckCommandOptions& options) {
 }
 
 SceneCheck2 look_at(const Scene2& scene, const Streams& streams) {
-  return check_scene(scene, {.progress = streams.progress("view factors")});
+  return check_scene(scene, {.memory = memory_allowed(), .progress = streams.progress("view factors")});
 }
 
 ExitCode exit_code(const SceneCheck2& check) { return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone; }

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <map>
 #include <unordered_map>
+#include <utility>
 
 #include "geometry/check/wording.h"
 
@@ -182,21 +185,44 @@ class CellTeller {
         "nothing to do where that is meant");
   }
 
-  // Faces that are divided by a wall that ends on them.
+  // Where a vertex lies on a surface: 0 at its first point, 1 at its second.
+  Rational place_on(const Surface2& surface, VertexId v) const {
+    const Point2 p = to_point(arrangement_.vertices().to_scene(arrangement_.vertices().exact(v)));
+    const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
+    return ((p.x - surface.from.x) * dx + (p.y - surface.from.y) * dy) / (dx * dx + dy * dy);
+  }
+
+  // The elements of its face that a side begins and ends in. (All between lie on it wholly.)
+  std::array<Integer, 2> end_elements(PieceSideId side) const {
+    const Surface2& surface = scene_.surfaces[face(side) / 2];
+    Rational low = place_on(surface, piece(side).a), high = place_on(surface, piece(side).b);
+    if (high < low) std::swap(low, high);
+    low *= surface.elements;
+    high *= surface.elements;
+    std::array<Integer, 2> ends;
+    mpz_fdiv_q(ends[0].get_mpz_t(), low.get_num_mpz_t(), low.get_den_mpz_t());
+    mpz_cdiv_q(ends[1].get_mpz_t(), high.get_num_mpz_t(), high.get_den_mpz_t());
+    --ends[1];
+    return ends;
+  }
+
+  // Faces with an element that a wall divides.
   void tell_spanning() {
-    std::vector<std::uint32_t> first_room(cell_of_face_.size(), kNone);
+    std::map<std::pair<std::uint32_t, Integer>, std::uint32_t> room_of_element;
     std::vector<char> is_told(cell_of_face_.size(), 0);
-    for (std::size_t side = 0; side < arrangement_.side_count(); ++side) {
-      const std::uint32_t cell = cells_.of(static_cast<PieceSideId>(side)), f = face(static_cast<PieceSideId>(side));
+    for (std::size_t k = 0; k < arrangement_.side_count(); ++k) {
+      const auto side = static_cast<PieceSideId>(k);
+      const std::uint32_t cell = cells_.of(side), f = face(side);
       if (cell_of_face_[f] != kSeveral || material(f) == nullptr || residents_[cell].empty()) continue;
-      if (first_room[f] == kNone) first_room[f] = cell;
-      if (first_room[f] == cell || is_told[f]) continue;
-      is_told[f] = 1;
-      add(Severity::kWarning, "spans-rooms", {f / 2},
-          fmt::format("the {} of {} stands in several rooms between which nothing passes, but has one radiosity: in a "
-                      "solution it carries light from one room to the other",
-                      f % 2 == 0 ? "front" : "back", names_text(scene_, {f / 2})),
-          "give each room a surface of its own, or divide it (\"elements\") so that parts end where the rooms do");
+      for (const Integer& element : end_elements(side)) {
+        if (room_of_element.try_emplace({f, element}, cell).first->second == cell || is_told[f] != 0) continue;
+        is_told[f] = 1;
+        add(Severity::kWarning, "spans-rooms", {f / 2},
+            fmt::format("the {} of {} stands in several rooms between which nothing passes, but has one radiosity: in "
+                        "a solution it carries light from one room to the other",
+                        f % 2 == 0 ? "front" : "back", names_text(scene_, {f / 2})),
+            "give each room a surface of its own, or divide it so that \"elements\" end where the rooms do");
+      }
     }
   }
 

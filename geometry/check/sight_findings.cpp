@@ -7,6 +7,7 @@
 
 #include "geometry/check/openings_2.h"
 #include "geometry/check/wording.h"
+#include "geometry/scene/name.h"
 
 namespace hottel {
 namespace {
@@ -54,14 +55,15 @@ std::string sky_text(const Scene2& scene, const ExchangeMatrix& matrix, const st
                      std::vector<std::uint32_t>& surfaces) {
   std::uint32_t most = fronts.front();
   for (const std::uint32_t face : fronts) {
-    surfaces.push_back(matrix.elements()[face].surface);
+    const std::uint32_t surface = matrix.elements()[face].surface;
+    if (surfaces.empty() || surfaces.back() != surface) surfaces.push_back(surface);
     if (matrix.factor(face, matrix.sky()).value > matrix.factor(most, matrix.sky()).value) most = face;
   }
   const std::string factor = shortest(matrix.factor(most, matrix.sky()).value);
-  if (fronts.size() == 1)
+  if (surfaces.size() == 1)
     return fmt::format("the front of {} sees the sky (F = {})", names_text(scene, surfaces), factor);
   return fmt::format("the fronts of {} see the sky, {} the most (F = {})", names_text(scene, surfaces),
-                     names_text(scene, {matrix.elements()[most].surface}), factor);
+                     quoted_name(matrix.elements()[most].name), factor);
 }
 
 void tell_open(const PreparedScene2& prepared, const ExchangeMatrix& matrix, Findings& findings) {
@@ -104,7 +106,7 @@ std::string faces_text(const Scene2& scene, const ExchangeMatrix& matrix, const 
     (element.is_back ? has_back : has_front) = true;
     if (surfaces.empty() || surfaces.back() != element.surface) surfaces.push_back(element.surface);
   }
-  const bool one = faces.size() == 1;
+  const bool one = surfaces.size() == 1 && !(has_front && has_back);
   return fmt::format("the {}{}{} of {} see{}", has_front ? one ? "front" : "fronts" : "",
                      has_front && has_back ? " and " : "", has_back ? one ? "back" : "backs" : "",
                      names_text(scene, surfaces), one ? "s" : "");

@@ -10,7 +10,7 @@ namespace hottel {
 inline constexpr double kLeakPart = 1.0 / 64;
 
 // Kinds: not-closed (error; one for each opening), opening, sees-only-black, sees-only-sky (a whole polyline, or an
-// edge of its own). REQUIRES: the exact matrix of the scene, a row for each face.
+// edge of its own). REQUIRES: `prepared` is not divided; the exact matrix of the scene, by faces or by elements.
 Findings sight_findings(const PreparedScene2& prepared, const ExchangeMatrix& matrix);
 
 }  // namespace hottel

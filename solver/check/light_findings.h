@@ -13,7 +13,7 @@ inline constexpr double kManyIterations = 1000;
 //
 //   (1) no-solution is told iff solve_radiosity refuses the scene for a component that reflects all light and emits
 //   (2) the iterations of slow-convergence are what a bound from below of the spectral radius asks for
-// REQUIRES: the exact matrix of the scene, a row for each face.
+// REQUIRES: the exact matrix of the scene, by faces or by elements.
 Findings light_findings(const Scene2& scene, const ExchangeMatrix& matrix);
 
 }  // namespace hottel

@@ -36,6 +36,18 @@ Findings needle_findings(const Scene2& scene, const Arrangement2& arrangement) {
   return findings;
 }
 
+// The matrix that solve would use: by elements where some surface is divided.
+ExchangeMatrix factors_as_solved(const PreparedScene2& prepared, const CheckOptions& options) {
+  const auto& surfaces = prepared.scene.surfaces;
+  const bool is_divided = std::any_of(surfaces.begin(), surfaces.end(), [](auto& s) { return s.elements > 1; });
+  const ExchangeOptions2 exchange{.per = is_divided ? Per::kElement : Per::kFace,
+                                  .wants_visibility = false,
+                                  .memory = options.memory,
+                                  .progress = options.progress};
+  return is_divided ? exact_exchange(prepare(prepared.scene, Divided::kYes), exchange)
+                    : exact_exchange(prepared, exchange);
+}
+
 }  // namespace
 
 SceneCheck2 check_scene(const Scene2& scene, const CheckOptions& options) {
@@ -56,9 +68,7 @@ SceneCheck2 check_scene(const Scene2& scene, const CheckOptions& options) {
     append(check.findings, needle_findings(scene, prepared.arrangement));
     append(check.findings, cell_findings(prepared, Cells2(prepared.arrangement)).findings);
     try {
-      check.factors = exact_exchange(
-          prepared,
-          {.per = Per::kFace, .wants_visibility = false, .memory = options.memory, .progress = options.progress});
+      check.factors = factors_as_solved(prepared, options);
     } catch (const RequestError& error) {
       check.findings.push_back({Severity::kNote,
                                 "light-not-checked",

@@ -19,7 +19,8 @@ struct CheckOptions {
 //
 //   (1) findings are sorted (sort_findings); docs/check.md has their kinds
 //   (2) an error is told iff prepare, solve_radiosity or the promise "closed" would fail
-//   (3) factors: nothing when claims conflict or memory does not suffice (light-not-checked says so)
+//   (3) factors: by elements where some surface is divided, as solve has them; nothing when claims conflict or memory
+//   does not suffice (light-not-checked says so)
 struct SceneCheck2 {
   Findings findings;
   std::optional<ExchangeMatrix> factors;

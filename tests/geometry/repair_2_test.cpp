@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -148,6 +151,43 @@ TEST(Repair2, PutsFinsBackOntoTheirWall) {
     EXPECT_EQ(find_contacts(repair.scene).junctions.size(), 99u) << "seed " << seed;
     EXPECT_THAT(find_near_misses(repair.scene), IsEmpty()) << "seed " << seed;
   }
+}
+
+// A segment in doubles.
+struct Flat {
+  double ax, ay, dx, dy, length;
+  explicit Flat(const Surface2& s)
+      : ax(s.from.x.get_d()),
+        ay(s.from.y.get_d()),
+        dx(s.to.x.get_d() - ax),
+        dy(s.to.y.get_d() - ay),
+        length(std::hypot(dx, dy)) {}
+  double distance(double x, double y) const {
+    const double t = std::clamp(((x - ax) * dx + (y - ay) * dy) / (length * length), 0.0, 1.0);
+    return std::hypot(x - ax - t * dx, y - ay - t * dy);
+  }
+};
+
+TEST(NearMisses2, AreThoseOfAllPairsAmongDisjointSegments) {
+  const Scene2 scene = generated("clutter", 3000, 4);
+  std::set<std::string> expected, tips;
+  for (const NearMiss2& miss : find_near_misses(scene)) {
+    tips.insert(place_text(miss.tip));
+    if (miss.is_at_end) tips.insert(place_text(miss.foot));
+  }
+  std::vector<Flat> flat;
+  for (const Surface2& surface : scene.surfaces) flat.emplace_back(surface);
+  for (std::size_t i = 4; i < flat.size(); ++i)  // the walls of the room meet each other
+    for (const bool second : {false, true})
+      for (std::size_t j = 0; j < flat.size(); ++j) {
+        const Flat &s = flat[i], &t = flat[j];
+        if (i == j ||
+            kNearPart * t.distance(s.ax + second * s.dx, s.ay + second * s.dy) >= std::min(s.length, t.length))
+          continue;
+        expected.insert(place_text(second ? scene.surfaces[i].to : scene.surfaces[i].from));
+      }
+  EXPECT_EQ(tips, expected);
+  EXPECT_GT(tips.size(), 3u);
 }
 
 TEST(NearMisses2, DoNotDependOnScaleAndPlace) {

@@ -250,6 +250,22 @@ TEST(SceneCheck2, AFaceThatStandsInSeveralRoomsCarriesLightAcross) {
   EXPECT_THAT(names(scene, findings[1]), ElementsAre("room[3]"));
 }
 
+TEST(SceneCheck2, ElementsThatEndWhereRoomsDoCarryNothingAcross) {
+  const auto scene = [](int elements) {
+    return scene_of(edge("wall", "[2, 0], [2, 3]", "white", "white") + ", " + kLamp,
+                    R"(, "polylines": [{"name": "room", "points": [[0,0],[0,3],[4,3],[4,0]], "closed": true,
+                        "material": "white", "elements": )" +
+                        std::to_string(elements) + "}]");
+  };
+  const auto spans = [](const Finding& finding) { return finding.kind == "spans-rooms"; };
+  for (const int elements : {1, 3, 5}) EXPECT_EQ(std::ranges::count_if(found(scene(elements)), spans), 2) << elements;
+  for (const int elements : {2, 4}) {
+    const std::vector<std::string> told = kinds(found(scene(elements)));
+    EXPECT_THAT(told, testing::Not(testing::Contains(HasSubstr("spans-rooms")))) << elements;
+    EXPECT_THAT(told, testing::Contains("note dark")) << elements;  // the room without the lamp
+  }
+}
+
 TEST(SceneCheck2, RoomsWithoutAWayBetweenThemAreIsolatedAndPerhapsDark) {
   const Scene2 scene = scene_of(kLamp, rings({kRoom, ring("[5,0],[5,3],[9,3],[9,0]")}));
   const Findings findings = found(scene);
@@ -302,7 +318,7 @@ TEST(SceneCheck2, FindsNothingButTrueNotesInTheScenesOfTheRepository) {
 // Would prepare, the promise to be closed, or solve fail?
 bool cannot_be_solved(const Scene2& scene) {
   try {
-    const ExchangeMatrix matrix = exact_exchange(prepare(scene));
+    const ExchangeMatrix matrix = exact_exchange(prepare(scene, Divided::kYes), {.per = Per::kElement});
     for (std::uint32_t i = 0; i < matrix.size() && scene.closed; ++i)
       for (const FactorEntry& entry : matrix.row(i))
         if (matrix.has_row(i) && !matrix.elements()[i].is_back && entry.to == matrix.sky()) return true;
@@ -324,6 +340,7 @@ TEST(SceneCheck2, TellsAnErrorIffTheSceneCannotBeSolved) {
       if (seed % 3 == 0)  // mirrors all around, and lamps
         for (Material& material : scene.materials) material.reflectivity = Spectrum::scalar(1);
       if (seed % 2 == 0) scene.surfaces.erase(scene.surfaces.begin());
+      if (seed % 5 == 0) scene.surfaces[3].elements = 2;
       const bool told = has_error(check_scene(scene).findings);
       EXPECT_EQ(told, cannot_be_solved(scene)) << "seed " << seed << (closed ? ", closed" : "");
       errors += told;
