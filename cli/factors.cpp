@@ -8,6 +8,7 @@
 
 #include "cli/command.h"
 #include "cli/memory.h"
+#include "cli/methods.h"
 #include "cli/scene_input.h"
 #include "geometry/exchange/exchange_2.h"
 #include "io/factor_files.h"
@@ -53,6 +54,8 @@ Format format_of(const FactorsOptions& options) {
 Per per_of(const std::string& name) {
   return name == "element" ? Per::kElement : name == "group" ? Per::kGroup : Per::kFace;
 }
+
+bool is_exact(const FactorsOptions& options) { return options.method == "exact"; }
 
 // Script-F and what is said of it.
 struct GrayFactors {
@@ -101,7 +104,7 @@ GrayFactors gray_factors(const FactorsOptions& options, const PreparedScene2& pr
 }
 
 nlohmann::ordered_json report_json(const FactorsOptions& options, const ExchangeReport& report,
-                                   const std::optional<GrayFactors>& gray) {
+                                   const MethodReport& method, const std::optional<GrayFactors>& gray) {
   nlohmann::ordered_json json;
   json["hottel"] = 1;
   json["version"] = kVersion;
@@ -116,6 +119,8 @@ nlohmann::ordered_json report_json(const FactorsOptions& options, const Exchange
                    {"root_sum", report.tiers.by_tier[3]}};
   json["seconds"] = report.seconds;
   json["closure"] = {{"max_defect", 0}, {"exact", report.closure_is_exact}};
+  if (!is_exact(options)) json["closure"]["max_defect"] = method.row_defect;
+  if (!method.notes.empty()) json["notes"] = method.notes;
   if (gray) {
     json["seconds"]["script_f"] = gray->seconds;
     json["script_f"] = {{"channel", gray->channel_name}, {"max_relative_width", gray->max_relative_width}};
@@ -123,10 +128,16 @@ nlohmann::ordered_json report_json(const FactorsOptions& options, const Exchange
   return json;
 }
 
-std::string report_text(const FactorsOptions& options, const ExchangeReport& report,
+std::string report_text(const FactorsOptions& options, const ExchangeReport& report, const MethodReport& method,
                         const std::optional<GrayFactors>& gray) {
   double seconds = 0;
   for (const auto& [stage, time] : report.seconds) seconds += time;
+  if (!is_exact(options)) {
+    std::string text =
+        fmt::format("{} factors of {} {}s; {:.3f} s", report.pairs, report.elements, options.per, seconds);
+    for (const std::string& note : method.notes) text += "\n" + note;
+    return text;
+  }
   std::string text = fmt::format(
       "{} visible pairs of {} {}s, every factor correctly rounded; rows close exactly\n"
       "settled by: {} without rounding, {} in 128-bit fixed point, {} by balls, {} by root sums; {:.3f} s",
@@ -188,8 +199,9 @@ void take_exact_form(FactorsOptions& options) {
 // What CLI11 does not see.
 void require_sense(const FactorsOptions& options) {
   if (options.scene.empty()) throw UsageError("factors needs a scene");
-  if (options.method != "exact")
-    throw UsageError("there is no method '" + options.method + "'; methods for scenes in the plane: exact");
+  if (!is_exact(options) &&
+      (options.script_f || options.wants_exact_form || options.matrix == "visibility" || options.pairs == "facing"))
+    throw UsageError("--script-f, --exact-form, --matrix visibility and --pairs facing are of the method exact");
   if (options.tolerance) {
     const auto tolerance = parse_rational(*options.tolerance);
     if (!tolerance || *tolerance <= 0)
@@ -232,9 +244,26 @@ void write_factors(const FactorsOptions& options, const PreparedScene2& prepared
   }
 }
 
+ExchangeMatrix compute(const FactorsOptions& options, const ExchangeMethod2& method, const PreparedScene2& prepared,
+                       const Streams& streams, ExchangeReport& report, MethodReport& of_method) {
+  const Per per = per_of(options.per);
+  if (is_exact(options))
+    return exact_exchange(prepared,
+                          {.per = per,
+                           .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
+                           .wants_measures = options.matrix == "exchange",
+                           .progress = streams.progress("view factors")},
+                          &report);
+  ComputedFactors computed = factors_by(method, prepared, per);
+  report = computed.counts;
+  of_method = computed.report;
+  return std::move(computed.matrix);
+}
+
 ExitCode factors(FactorsOptions options, Streams& streams) {
   take_exact_form(options);
   require_sense(options);
+  const std::unique_ptr<ExchangeMethod2> method = program_methods().make(options.method);
   const Format format = format_of(options);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   if (!options.picture.empty() && !picture)
@@ -243,7 +272,9 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   Scene2 scene = read_scene_2(options.scene);
   options.elements.apply_to(scene);
   const Per per = per_of(options.per);
-  const PreparedScene2 prepared = prepare(std::move(scene), per == Per::kElement ? Divided::kYes : Divided::kNo);
+  // An approximate method works on elements, whatever is asked for in the end.
+  const bool is_divided = per == Per::kElement || !(is_exact(options) || has_rows_of_its_own(options.method));
+  const PreparedScene2 prepared = prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
 
   // Opened before the work: a path that cannot be written is found at once.
   std::optional<OutputFile> out, faces, drawing;
@@ -252,13 +283,8 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   if (picture) drawing.emplace(options.picture);
 
   ExchangeReport report;
-  const ExchangeMatrix matrix =
-      exact_exchange(prepared,
-                     {.per = per,
-                      .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
-                      .wants_measures = options.matrix == "exchange",
-                      .progress = streams.progress("view factors")},
-                     &report);
+  MethodReport of_method;
+  const ExchangeMatrix matrix = compute(options, *method, prepared, streams, report, of_method);
   const std::optional<GrayFactors> gray =
       options.script_f ? std::optional(gray_factors(options, prepared, matrix, streams)) : std::nullopt;
   FactorTable table{prepared.scene, gray ? gray->matrix : matrix, per, {}, {}};
@@ -270,10 +296,10 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   // All files are whole before the first one takes its name.
   for (std::optional<OutputFile>* file : {&out, &faces, &drawing})
     if (*file) (*file)->finish();
-  if (options.json) streams.write("", report_json(options, report, gray).dump(2) + "\n");
+  if (options.json) streams.write("", report_json(options, report, of_method, gray).dump(2) + "\n");
   for (std::optional<OutputFile>* file : {&faces, &drawing, &out})
     if (*file) (*file)->commit();
-  streams.note(report_text(options, report, gray));
+  streams.note(report_text(options, report, of_method, gray));
   return ExitCode::kDone;
 }
 
@@ -288,6 +314,7 @@ void add_factors(Commands& commands) {
                     "hottel factors scenes/analytic/triangle_345.json --exact-form",
                     "hottel factors scenes/analytic/triangle_345.json --per element --elements 2 --matrix visibility",
                     "hottel factors scenes/analytic/square_radiosity.json --script-f",
+                    "hottel factors scenes/analytic/strip_obstructed.json --method gauss:4 --elements 8",
                     "hottel factors scenes/showcase/apartment.json --quiet -o /tmp/factors.csv --picture "
                     "/tmp/windows.png --toward 'window*'"},
                    [options](Streams& streams) { return factors(*options, streams); });
@@ -296,7 +323,11 @@ void add_factors(Commands& commands) {
       .add_option("-o", options->out,
                   "the file to write: .csv .mtx .npy .txt .bin; without it, or with -, csv on standard output")
       ->type_name("FILE");
-  command.add_option("--method", options->method, "how to compute: exact")->type_name("METHOD")->capture_default_str();
+  command
+      .add_option("--method", options->method,
+                  "how to compute, each also as METHOD:normalised" + methods_text(program_methods()))
+      ->type_name("METHOD")
+      ->capture_default_str();
   command.add_option("--tolerance", options->tolerance, "for scenes in space; in the plane every factor is exact")
       ->type_name("T");
   command.add_option("--per", options->per, "one row per face, element or group (polyline)")

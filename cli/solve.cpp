@@ -5,6 +5,7 @@
 
 #include "cli/command.h"
 #include "cli/memory.h"
+#include "cli/methods.h"
 #include "cli/scene_input.h"
 #include "io/factor_files.h"
 #include "io/npy.h"
@@ -14,6 +15,7 @@
 #include "kernel/stopwatch.h"
 #include "solver/illumination/average_illumination_2.h"
 #include "solver/plan.h"
+#include "solver/system/crude_bounds.h"
 #include "solver/system/radiosity.h"
 #include "viewer/picture/illumination_picture_2.h"
 
@@ -106,8 +108,23 @@ Light illuminate(const std::string& way, const PreparedScene2& prepared, const G
 
 constexpr std::size_t kFacesOnAScreen = 12;
 
+// View factors by another method than the exact one; what is to be said of it.
+ExchangeMatrix approximate_factors(const ExchangeMethod2& method, const PreparedScene2& prepared, Per per,
+                                   ExchangeReport& exchange, std::vector<std::string>& notes) {
+  ComputedFactors computed = factors_by(method, prepared, per);
+  for (std::uint32_t i = 0; i < computed.matrix.size(); ++i)
+    for (const FactorEntry& entry : computed.matrix.row(i))
+      if (entry.factor.value < 0)
+        throw RequestError(fmt::format("{}: the method {}: a factor of '{}' is negative ({}): nothing can be solved",
+                                       prepared.scene.file, method.info().name, computed.matrix.elements()[i].name,
+                                       shortest(entry.factor.value)));
+  exchange = computed.counts;
+  notes = computed.report.notes;
+  return std::move(computed.matrix);
+}
+
 ExitCode solve(const SolveOptions& options, Streams& streams) {
-  if (options.method != "exact") throw UsageError("there is no method called '" + options.method + "': exact");
+  const std::unique_ptr<ExchangeMethod2> method = program_methods().make(options.method);
   const auto solver = solver_named(options.solver);
   if (!solver) throw UsageError("there is no solver called '" + options.solver + "'");
   const auto tone = tone_of(options.tone);
@@ -133,21 +150,32 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
       png(directory / "illumination.png"), json(directory / "report.json");
 
   ExchangeReport exchange;
-  const ExchangeMatrix matrix = exact_exchange(prepared,
-                                               {.per = per,
-                                                .wants_visibility = false,
-                                                .occlusion = plan.uses(Plan::kOcclusion),
-                                                .memory = memory_allowed(options.memory),
-                                                .progress = streams.progress("view factors")},
-                                               &exchange);
-  require_closed(prepared.scene, matrix);
+  std::vector<std::string> notes;
+  const bool is_exact = options.method == "exact";
+  const ExchangeMatrix matrix = is_exact ? exact_exchange(prepared,
+                                                          {.per = per,
+                                                           .wants_visibility = false,
+                                                           .occlusion = plan.uses(Plan::kOcclusion),
+                                                           .memory = memory_allowed(options.memory),
+                                                           .progress = streams.progress("view factors")},
+                                                          &exchange)
+                                         : approximate_factors(*method, prepared, per, exchange, notes);
+  if (is_exact) require_closed(prepared.scene, matrix);  // an error of the method is none of the scene
   seconds.insert(exchange.seconds.begin(), exchange.seconds.end());
 
-  const RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission,
-                                                     {.solver = *solver,
-                                                      .iterations = options.iterations,
-                                                      .until = options.until,
-                                                      .progress = streams.progress("radiosity")});
+  RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission,
+                                               {.solver = *solver,
+                                                .iterations = options.iterations,
+                                                .until = options.until,
+                                                .progress = streams.progress("radiosity")});
+  if (matrix.guarantee() == Guarantee::kEstimated) {
+    notes.push_back(
+        fmt::format("the equations of these factors are solved within {:.1e}; the bounds are those that hold "
+                    "for any factors",
+                    solution.max_relative_width));
+    set_crude_bounds(matrix, prepared.scene.materials, prepared.scene.sky_emission, solution);
+  }
+  solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
   if ((options.iterations || options.until) && (solution.used == Solver::kCholesky || solution.used == Solver::kLu))
     streams.note(fmt::format("--iterations and --until do not apply to {}, which is direct", to_string(solution.used)));
   seconds.insert(solution.seconds.begin(), solution.seconds.end());
@@ -199,7 +227,9 @@ void add_solve(Commands& commands) {
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_option("-o", options->out, "the folder to write into, created; without it ./STEM-hottel/")
       ->type_name("DIR");
-  command.add_option("--method", options->method, "how to compute the factors: exact")
+  command
+      .add_option("--method", options->method,
+                  "how to compute the factors, each also as METHOD:normalised" + methods_text(program_methods()))
       ->type_name("METHOD")
       ->capture_default_str();
   command.add_option("--solver", options->solver, "auto cholesky cg lu bicgstab jacobi gauss-seidel shooting")

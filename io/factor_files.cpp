@@ -235,6 +235,11 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
   out << "\n";
   const double absent = quantity == DenseQuantity::kVisibility ? std::numeric_limits<double>::quiet_NaN() : 0.0;
   std::vector<double> dense(names.size());
+  // An estimated matrix has no measures: then of the doubles that it has.
+  const auto measure = [&](std::uint32_t i, std::size_t k) {
+    return matrix.guarantee() == Guarantee::kEstimated ? matrix.elements()[i].area.value * matrix.row(i)[k].factor.value
+                                                       : matrix.measures(i)[k];
+  };
   auto hidden = table.hidden.begin();
   for (std::uint32_t i = 0; i < names.size(); ++i) {
     std::fill(dense.begin(), dense.end(), absent);
@@ -243,7 +248,7 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
       const auto row = matrix.row(i);
       for (std::size_t k = 0; k < row.size(); ++k)
         dense[row[k].to] = quantity == DenseQuantity::kFactor     ? row[k].factor.value
-                           : quantity == DenseQuantity::kExchange ? matrix.measures(i)[k]
+                           : quantity == DenseQuantity::kExchange ? measure(i, k)
                                                                   : row[k].visibility;
     }
     out << names[i];

@@ -1,0 +1,71 @@
+#include "solver/system/crude_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "kernel/rational.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double rounded_down(const Rational& value) {
+  const double nearest = to_double(value);
+  return Rational(nearest) > value ? std::nextafter(nearest, -kInfinity) : nearest;
+}
+
+double rounded_up(const Rational& value) {
+  const double nearest = to_double(value);
+  return std::isfinite(nearest) && Rational(nearest) < value ? std::nextafter(nearest, kInfinity) : nearest;
+}
+
+// The most that anything in the scene sends out; nothing when there is no bound.
+std::optional<Rational> most_sent(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                                  const Spectrum& sky_emission, std::size_t channel) {
+  Rational most = sky_emission.value[channel];
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const Material& material = materials[*matrix.elements()[i].material];
+    const Rational& emission = material.emission.value[channel];
+    const Rational loss = 1 - material.reflectivity.value[channel];
+    if (emission == 0) continue;
+    if (loss == 0) return std::nullopt;
+    most = std::max<Rational>(most, emission / loss);
+  }
+  return most;
+}
+
+}  // namespace
+
+void set_crude_bounds(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                      const Spectrum& sky_emission, RadiositySolution& solution) {
+  solution.max_relative_width = 0;
+  for (std::size_t c = 0; c < solution.channels.size(); ++c) {
+    ChannelSolution& channel = solution.channels[c];
+    channel.max_relative_width = 0;
+    const std::optional<Rational> most = most_sent(matrix, materials, sky_emission, c);
+    for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+      if (!matrix.has_row(i)) continue;
+      const Material& material = materials[*matrix.elements()[i].material];
+      const Rational &emission = material.emission.value[c], &reflectivity = material.reflectivity.value[c];
+      ElementRadiosity& element = channel.elements[i];
+      element.lower = rounded_down(emission);
+      element.upper = reflectivity == 0 ? rounded_up(emission)
+                      : most            ? rounded_up(emission + reflectivity * *most)
+                                        : kInfinity;
+      element.net_lower = reflectivity == 1 ? element.lower
+                          : most            ? rounded_down(emission - (1 - reflectivity) * *most)
+                                            : -kInfinity;
+      element.net_upper = rounded_up(emission);
+      if (element.radiosity > 0)
+        channel.max_relative_width =
+            std::max(channel.max_relative_width, (element.upper - element.lower) / element.radiosity);
+    }
+    solution.max_relative_width = std::max(solution.max_relative_width, channel.max_relative_width);
+  }
+}
+
+}  // namespace hottel
