@@ -4,6 +4,7 @@
 
 #include <csignal>
 
+#include "io/foreign_command.h"
 #include "io/output_file.h"
 #include "kernel/interrupt.h"
 
@@ -11,6 +12,7 @@ namespace hottel {
 namespace {
 
 [[noreturn]] void end_now(int signal) {
+  kill_foreign_command();
   remove_temporary_files();
   ::_exit(128 + signal);
 }

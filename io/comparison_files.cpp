@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "io/factor_files.h"
@@ -11,7 +12,8 @@
 namespace hottel {
 namespace {
 
-std::string field(const std::optional<double>& value) { return value ? shortest(*value) : ""; }
+// Empty for what is not known.
+std::string field(const std::optional<double>& value) { return value && !std::isnan(*value) ? shortest(*value) : ""; }
 
 }  // namespace
 
@@ -19,8 +21,8 @@ std::string compare_csv(std::span<const MethodResult> results) {
   std::string text = "method,guarantee,seconds,max_error,rms_error,closure,max_radiosity_error\n";
   for (const MethodResult& each : results)
     text += fmt::format("{},{},{},{},{},{},{}\n", csv_field(each.info.name), to_string(each.info.guarantee),
-                        shortest(each.timing.median), shortest(each.errors.max), shortest(each.errors.rms),
-                        shortest(each.errors.closure), field(each.max_radiosity_error));
+                        field(each.timing.median), field(each.errors.max), field(each.errors.rms),
+                        field(each.errors.closure), field(each.max_radiosity_error));
   return text;
 }
 

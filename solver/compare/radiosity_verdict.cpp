@@ -1,0 +1,125 @@
+#include "solver/compare/radiosity_verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "geometry/scene/name.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::size_t kMostNamed = 5;
+constexpr double kPi = std::numbers::pi;
+
+// What another quantity would be in the place of a radiosity.
+struct RadiosityReading {
+  std::string words;
+  std::function<double(const JudgedRadiosity&)> value;
+};
+
+class RadiosityJudge {
+ public:
+  RadiosityJudge(const ExchangeMatrix& exact, const RadiositySolution& solution) : exact_(exact), solution_(solution) {}
+
+  std::vector<RadiosityReading> readings() const {
+    std::vector<RadiosityReading> all;
+    for (const auto& [factor, words] : std::array<std::pair<double, const char*>, 8>{{{kPi, "pi"},
+                                                                                      {1 / kPi, "1/pi"},
+                                                                                      {2, "2"},
+                                                                                      {0.5, "1/2"},
+                                                                                      {2 * kPi, "2 pi"},
+                                                                                      {1 / (2 * kPi), "1/(2 pi)"},
+                                                                                      {4, "4"},
+                                                                                      {0.25, "1/4"}}})
+      all.push_back({fmt::format("radiosities times {}", words),
+                     [factor = factor](const JudgedRadiosity& each) { return factor * each.exact; }});
+    all.push_back({"irradiances H", [this](const JudgedRadiosity& each) { return of(each).irradiance; }});
+    all.push_back({"radiosities without the emission, B - E",
+                   [this](const JudgedRadiosity& each) { return each.exact - of(each).emission; }});
+    all.push_back({"net fluxes B - H", [this](const JudgedRadiosity& each) { return of(each).net; }});
+    all.push_back(
+        {"emissions: nothing is reflected", [this](const JudgedRadiosity& each) { return of(each).emission; }});
+    all.push_back({"radiosities after one reflection", [this](const JudgedRadiosity& each) { return once(each); }});
+    return all;
+  }
+
+ private:
+  const ElementRadiosity& of(const JudgedRadiosity& each) const {
+    return solution_.channels[each.channel].elements[each.element];
+  }
+  // E + rho F E. What the sky sends is left out: the solution does not hold it.
+  double once(const JudgedRadiosity& each) const {
+    double irradiance = 0;
+    for (const FactorEntry& entry : exact_.row(each.element))
+      if (entry.to != exact_.sky())
+        irradiance += entry.factor.value * solution_.channels[each.channel].elements[entry.to].emission;
+    return of(each).emission + of(each).reflectivity * irradiance;
+  }
+
+  const ExchangeMatrix& exact_;
+  const RadiositySolution& solution_;
+};
+
+}  // namespace
+
+RadiosityVerdict judge_radiosities(const ExchangeMatrix& exact, const RadiositySolution& solution,
+                                   const std::vector<std::vector<double>>& by_channel, const WrittenDigits& digits,
+                                   double beyond) {
+  RadiosityVerdict verdict;
+  std::vector<JudgedRadiosity> outside;
+  double brightest = 0;
+  for (std::uint32_t c = 0; c < solution.channels.size(); ++c)
+    for (std::uint32_t i = 0; i < exact.size(); ++i) {
+      if (!exact.has_row(i)) continue;
+      const ElementRadiosity& right = solution.channels[c].elements[i];
+      const JudgedRadiosity each{i, c, by_channel[c][i], right.radiosity, right.lower, right.upper};
+      const double rounding = digits.rounding(each.value);
+      ++verdict.count;
+      brightest = std::max(brightest, each.exact);
+      verdict.max_error = std::max(verdict.max_error, each.error());
+      if (each.value + rounding < each.lower || each.value - rounding > each.upper) outside.push_back(each);
+    }
+  verdict.outside = outside.size();
+  if (verdict.max_error > 0) verdict.max_error /= brightest;  // infinite in the dark
+  for (const RadiosityReading& reading : RadiosityJudge(exact, solution).readings()) {
+    const auto explained =
+        static_cast<std::uint64_t>(std::count_if(outside.begin(), outside.end(), [&](const JudgedRadiosity& each) {
+          const double rest = std::abs(each.value - reading.value(each));
+          return rest <= beyond * brightest + digits.rounding(each.value) && rest <= each.error() / 2;
+        }));
+    if (explained <= verdict.explained || 2 * explained < outside.size()) continue;
+    verdict.explained = explained;
+    verdict.reading = reading.words;
+  }
+  const auto count = static_cast<std::ptrdiff_t>(std::min(kMostNamed, outside.size()));
+  std::partial_sort(outside.begin(), outside.begin() + count, outside.end(),
+                    [](const JudgedRadiosity& a, const JudgedRadiosity& b) { return a.error() > b.error(); });
+  verdict.worst.assign(outside.begin(), outside.begin() + count);
+  return verdict;
+}
+
+std::vector<std::string> verdict_sentences(const RadiosityVerdict& verdict, const ExchangeMatrix& exact,
+                                           const RadiositySolution& solution) {
+  if (verdict.outside == 0)
+    return {fmt::format("all {} radiosities lie within the proven bounds and the digits written", verdict.count)};
+  std::string worst;
+  for (const JudgedRadiosity& each : verdict.worst)
+    worst += fmt::format(
+        "{}{}{}: {:.6g} instead of {:.6g}", worst.empty() ? "" : "; ", quoted_name(exact.elements()[each.element].name),
+        solution.channels.size() > 1 ? " (" + solution.channel_names[each.channel] + ")" : "", each.value, each.exact);
+  std::vector<std::string> sentences = {fmt::format(
+      "{} of {} radiosities lie outside the proven bounds, whatever digits were left out; the largest error "
+      "is {:.3g} of the largest radiosity ({})",
+      verdict.outside, verdict.count, verdict.max_error, worst)};
+  if (!verdict.reading.empty())
+    sentences.push_back(
+        fmt::format("these are {}: this explains {} of the {}", verdict.reading, verdict.explained, verdict.outside));
+  return sentences;
+}
+
+}  // namespace hottel
