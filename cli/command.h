@@ -64,6 +64,7 @@ void add_factors(Commands& commands);
 void add_visibility(Commands& commands);
 void add_check(Commands& commands);
 void add_compare(Commands& commands);
+void add_reference(Commands& commands);
 void add_generate(Commands& commands);
 void add_convert(Commands& commands);
 

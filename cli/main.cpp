@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
   hottel::add_visibility(commands);
   hottel::add_check(commands);
   hottel::add_compare(commands);
+  hottel::add_reference(commands);
   hottel::add_generate(commands);
   hottel::add_convert(commands);
   return commands.run(argc, argv);
