@@ -50,7 +50,8 @@ struct ElementRun2 {
 //
 //   (1) lengths and directions are those of the exact end points, rounded once or twice; places are good to 2^-104
 //   (2) everything is the same bit for bit when the scene is translated, or scaled by a power of two
-// Runs shorter than 2^-500 are left out: an element that has no other exchanges nothing.
+// Runs shorter than 2^-500 are left out (labels().runs() still has them): an element that has no other exchanges
+// nothing.
 class ElementGeometry2 {
  public:
   explicit ElementGeometry2(const PreparedScene2& prepared);

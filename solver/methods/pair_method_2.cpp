@@ -84,6 +84,8 @@ double PairMethod2::error_of_free_runs(const Vertices2&, const ElementGeometry2&
 
 double PairMethod2::error_of_free_pair(const Vertices2& vertices, const ElementGeometry2& geometry, std::uint32_t from,
                                        std::uint32_t to) const {
+  for (const std::uint32_t element : {from, to})
+    if (geometry.runs(element).size() < geometry.labels().runs(element).size()) return kNothing;
   double error = 0;
   for (const ElementRun2& a : geometry.runs(from))
     for (const ElementRun2& b : geometry.runs(to))

@@ -157,6 +157,11 @@ TEST(InverseSquare, DependsOnTheUnitOfLength) {
   EXPECT_NEAR(there, 0.01, 1e-17);
 }
 
+TEST(InverseSquare, IsRefusedWhereTheUnitOfLengthIsBeyondDoubles) {
+  EXPECT_THROW(computed("center-vis:inverse-square=1", prepared_of(room("1e400"))), RequestError);
+  EXPECT_THROW(computed("center-vis:inverse-square=1", prepared_of(room("1e-400"))), RequestError);
+}
+
 TEST(VertexQuadrature, IsTheTrapezoidRuleAndLiterallyTwiceThat) {
   const PreparedScene2 prepared = prepared_of(plates("1"));
   // Two straight pairs of ends with kernel 1/2, two diagonal ones with (1/2) / (2 sqrt 2).
@@ -210,6 +215,28 @@ TEST(Claims, AreNotMadeWhereElementsTouchOrHideInPart) {
       EXPECT_LT(claimed, 1e-3);
     else
       EXPECT_EQ(claimed, kInfinity) << name;
+  }
+}
+
+// What is too short for doubles exchanges nothing, and nothing is claimed of it.
+TEST(Claims, AreNotMadeOfSpecks) {
+  const PreparedScene2 prepared =
+      prepared_of(room("3") + std::vector<Line>{{"speck", "1", "1", "1." + std::string(199, '0') + "1", "1"}});
+  for (const std::string name :
+       {"center", "center-vis", "center-vis:inverse-square=1", "vertices", "strings", "gauss:4"}) {
+    const ExchangeMatrix matrix = computed(name, prepared);
+    EXPECT_TRUE(matrix.row(matrix.find("speck").value()).empty()) << name;
+    const auto method = planar_methods().make(name);
+    EXPECT_EQ(method->claimed_errors(prepared)(matrix.find("speck").value(), matrix.find("bottom").value()), kInfinity);
+    EXPECT_FALSE(method->declared_error(prepared).has_value());
+  }
+}
+
+TEST(Claims, HoldOnALineWhereNothingFacesAnything) {
+  const PreparedScene2 prepared = prepared_of({{"one", "0", "0", "1", "0"}, {"two", "3", "0", "2", "0"}});
+  for (const std::string name : {"center", "center-vis", "vertices", "strings", "gauss:4"}) {
+    EXPECT_EQ(factor(computed(name, prepared), "one", "sky"), 1) << name;
+    EXPECT_EQ(planar_methods().make(name)->declared_error(prepared), 0) << name;
   }
 }
 
