@@ -18,6 +18,8 @@ FinePoint2 operator-(const FinePoint2& a, const FinePoint2& b);
 inline FinePoint2 operator-(const FinePoint2& a) { return {{-a.x.hi, -a.x.lo}, {-a.y.hi, -a.y.lo}}; }
 inline constexpr double kFine = 0x1p-102;  // more than the relative error of a coordinate or of a difference
 
+inline constexpr double kDirection = 0x1p-80;
+
 // A vector in doubles.
 struct Vector2 {
   double x, y;
@@ -33,9 +35,12 @@ inline double size_of(const FinePoint2& p) { return std::fabs(p.x.hi) + std::fab
 // The places of vertices and cells.
 class CellFrame2 {
  public:
+  // REQUIRES that the vertices outlive it.
   CellFrame2(const Vertices2& vertices, const Grid2& grid);
 
-  const FinePoint2& vertex(VertexId v) const { return vertices_[v]; }
+  const FinePoint2& vertex(VertexId v) const { return places_[v]; }
+  // A vector of any length from a to b, good to kDirection of its length: near each other or far from the grid, too.
+  FinePoint2 direction(VertexId a, VertexId b) const;
   FinePoint2 centre(std::uint32_t ix, std::uint32_t iy) const { return {{ix + 0.5, 0}, rows_[iy]}; }
   double height() const { return height_.hi; }  // of a cell, rounded
   std::uint32_t nx() const { return nx_; }
@@ -46,7 +51,8 @@ class CellFrame2 {
   std::uint32_t nx_;
   DoubleDouble height_;
   std::vector<DoubleDouble> rows_;
-  std::vector<FinePoint2> vertices_;
+  const Vertices2& vertices_;
+  std::vector<FinePoint2> places_;
   double extent_;
 };
 

@@ -14,12 +14,12 @@ DoubleDouble product(const DoubleDouble& a, const DoubleDouble& b) {
 
 }  // namespace
 
-CutLine2::CutLine2(const FinePoint2& point, const FinePoint2& direction, double largest, const CellFrame2& frame)
+CutLine2::CutLine2(const FinePoint2& point, const FinePoint2& direction, const CellFrame2& frame)
     : point_(point), direction_(direction) {
   inverse_length_ = 1 / std::hypot(direction.x.hi, direction.y.hi);
   gradient_ = {-direction.y.hi * inverse_length_, direction.x.hi * inverse_length_};
   const double far = frame.extent() + size_of(point);
-  doubt_ = 8 * kFine * far * (1 + largest * inverse_length_);
+  doubt_ = 2 * (kDirection + 4 * kFine) * far;
   support_ = (std::fabs(gradient_.x) + frame.height() * std::fabs(gradient_.y)) / 2;
   rough_support_ = support_ + doubt_ + 0x1p-49 * far;
 }

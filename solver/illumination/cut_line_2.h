@@ -8,12 +8,12 @@ namespace hottel {
 // Signed distance from a line through cells, positive on the left of its direction, in the unit of a frame.
 //
 //   (1) at() is within doubt() of the real distance, up to eight roundings of the distance itself
-//   (2) doubt() is infinite or no number when the direction was lost in the coordinates
+//   (2) doubt() grows with the distance of the point from the grid
 class CutLine2 {
  public:
   CutLine2() = default;
-  // largest: at least the sizes of the coordinates that the direction was formed from, summed.
-  CutLine2(const FinePoint2& point, const FinePoint2& direction, double largest, const CellFrame2& frame);
+  // The direction is known to kDirection of its length.
+  CutLine2(const FinePoint2& point, const FinePoint2& direction, const CellFrame2& frame);
 
   double at(const FinePoint2& place) const;  // REQUIRES a place in the grid
   double doubt() const { return doubt_; }

@@ -23,22 +23,15 @@ Vector2 diagonal(const Vector2& right, const Vector2& left) {
 
 }  // namespace
 
-FinePoint2 WedgeLighting2::direction(VertexId v, const VertexRay2& ray, double& size) const {
+FinePoint2 WedgeLighting2::direction(VertexId v, const VertexRay2& ray) const {
   constexpr Vector2 kAxes[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  size = 0;
-  if (ray.kind == VertexRay2::Kind::kAxis) {
-    const Vector2& axis = kAxes[ray.index % 4];
-    return {{axis.x, 0}, {axis.y, 0}};
-  }
-  const FinePoint2 &here = frame_.vertex(v), &there = frame_.vertex(ray.index);
-  size = size_of(here) + size_of(there);
-  return ray.kind == VertexRay2::Kind::kTowards ? there - here : here - there;
+  if (ray.kind == VertexRay2::Kind::kAxis) return {{kAxes[ray.index % 4].x, 0}, {kAxes[ray.index % 4].y, 0}};
+  const FinePoint2 way = frame_.direction(v, ray.index);
+  return ray.kind == VertexRay2::Kind::kTowards ? way : -way;
 }
 
 std::uint32_t WedgeLighting2::add_ray(VertexId v, const VertexRay2& ray, LitWedges2& result) const {
-  double size;
-  const FinePoint2 way = direction(v, ray, size);
-  result.rays.push_back(CutLine2(result.apex, way, size, frame_));
+  result.rays.push_back(CutLine2(result.apex, direction(v, ray), frame_));
   return static_cast<std::uint32_t>(result.rays.size() - 1);
 }
 
@@ -48,9 +41,8 @@ void WedgeLighting2::place_end(VertexId v, const Wedge2& wedge, LitWedge2& lit) 
   const bool is_seen_from_left = wedge.behind % 2 == 0;
   const VertexId first = is_seen_from_left ? piece.a : piece.b, second = is_seen_from_left ? piece.b : piece.a;
   const FinePoint2 &apex = frame_.vertex(v), &p = frame_.vertex(first), &q = frame_.vertex(second);
-  const FinePoint2 along = q - p;
-  lit.end = CutLine2(p, along, size_of(p) + size_of(q), frame_);
-  const Vector2 from = rounded(p - apex), step = rounded(along);
+  lit.end = CutLine2(p, frame_.direction(first, second), frame_);
+  const Vector2 from = rounded(p - apex), step = rounded(q - p);
   const double length = std::hypot(step.x, step.y);
   const double far = size_of(apex) + size_of(p) + size_of(q) + frame_.extent();
   for (int side = 0; side < 2; ++side) {
@@ -60,8 +52,7 @@ void WedgeLighting2::place_end(VertexId v, const Wedge2& wedge, LitWedge2& lit) 
       corner = rounded(frame_.vertex(ray.index));
       continue;
     }
-    double size;
-    const Vector2 way = normalized(rounded(direction(v, ray, size)));
+    const Vector2 way = normalized(rounded(direction(v, ray)));
     const double turn = cross(way, step);
     const double t = turn == 0 ? 0 : std::clamp(-cross(way, from) / turn, 0.0, 1.0);
     corner = rounded(p) + t * step;
@@ -72,11 +63,10 @@ void WedgeLighting2::place_end(VertexId v, const Wedge2& wedge, LitWedge2& lit) 
 }
 
 void WedgeLighting2::place_without_end(VertexId v, const Wedge2& wedge, LitWedge2& lit) const {
-  double size;
   const double far = size_of(frame_.vertex(v)) + frame_.extent();
   lit.is_ended = false;
-  lit.corners[1] = lit.corners[0] + 4 * far * normalized(rounded(direction(v, wedge.right, size)));
-  lit.corners[2] = lit.corners[0] + 4 * far * normalized(rounded(direction(v, wedge.left, size)));
+  lit.corners[1] = lit.corners[0] + 4 * far * normalized(rounded(direction(v, wedge.right)));
+  lit.corners[2] = lit.corners[0] + 4 * far * normalized(rounded(direction(v, wedge.left)));
   lit.margin = 0x1p-46 * far;
 }
 
@@ -84,9 +74,9 @@ void WedgeLighting2::place_without_end(VertexId v, const Wedge2& wedge, LitWedge
 // wedge the apex is seen between 0 and pi, and less than pi/4 from the axis.
 double WedgeLighting2::angle_to_axis(PieceSideId side, const Vector2& axis, double& doubt) const {
   const Segment2& piece = arrangement_.pieces()[static_cast<std::size_t>(side / 2)];
-  const FinePoint2 &a = frame_.vertex(piece.a), &b = frame_.vertex(piece.b);
-  const Vector2 along = rounded(side % 2 == 0 ? a - b : b - a);
-  doubt += 8 * kUnit * std::numbers::pi + 8 * kFine * (size_of(a) + size_of(b)) / std::hypot(along.x, along.y);
+  const Vector2 along =
+      rounded(side % 2 == 0 ? frame_.direction(piece.b, piece.a) : frame_.direction(piece.a, piece.b));
+  doubt += 9 * kUnit * std::numbers::pi;
   const double angle = std::atan2(-cross(along, axis), -dot(along, axis));
   return angle < -std::numbers::pi / 2 ? angle + 2 * std::numbers::pi : angle;
 }

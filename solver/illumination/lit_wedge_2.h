@@ -45,7 +45,7 @@ class WedgeLighting2 {
   void find(VertexId v, LitWedges2& result) const;
 
  private:
-  FinePoint2 direction(VertexId v, const VertexRay2& ray, double& size) const;
+  FinePoint2 direction(VertexId v, const VertexRay2& ray) const;
   std::uint32_t add_ray(VertexId v, const VertexRay2& ray, LitWedges2& result) const;
   void place_end(VertexId v, const Wedge2& wedge, LitWedge2& lit) const;
   void place_without_end(VertexId v, const Wedge2& wedge, LitWedge2& lit) const;

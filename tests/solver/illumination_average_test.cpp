@@ -225,13 +225,24 @@ TEST(AverageIllumination, StaysSharpInGridsMuchSmallerThanTheScene) {
   EXPECT_NEAR(light.grid.values[0], lit.reference({x + d, y + d}), 1e-12);
 }
 
-// Vertices that a double cannot tell apart from the grid: the bound owns up to it.
+// A speck that no double can tell from a point, and one whose ends two doubles could not.
+TEST(AverageIllumination, DoesNotMindSpecks) {
+  for (const unsigned long bits : {60ul, 150ul, 400ul}) {
+    const Rational speck(Integer(1), Integer(1) << bits), half(1, 2);
+    Scene2 scene = square_room();
+    add_edge(scene, {half, half}, {half + speck, half + speck / 3}, true);
+    const Lit lit(scene, 1, 1);
+    const AverageIllumination light = averages(lit, {{0, 0}, {1, 1}, 5, 5});
+    EXPECT_LT(light.max_error, 1e-11);
+    for (std::size_t k = 0; k < light.errors.size(); ++k) EXPECT_NEAR(light.grid.values[k], 1, light.errors[k]);
+  }
+}
+
+// Cells so small that two doubles cannot place the scene among them: the bound owns up to it.
 TEST(AverageIllumination, OwnsUpToWhatItCannotPlace) {
-  Scene2 scene = square_room();
-  const Rational speck(Integer(1), Integer(1) << 400);
-  add_edge(scene, {Rational(1, 2), Rational(1, 2)}, {Rational(1, 2) + speck, Rational(1, 2) + speck});
-  const Lit lit(scene, 1, 1);
-  const AverageIllumination light = averages(lit, {{0, 0}, {1, 1}, 4, 4});
+  const Lit lit(pillar_room(), 1, 1);
+  const Rational tiny(Integer(1), Integer(1) << 120), x(1, 3);
+  const AverageIllumination light = averages(lit, {{x, x}, {x + tiny, x + tiny}, 4, 4});
   EXPECT_EQ(light.max_error, 1.0);
   for (const double value : light.grid.values) EXPECT_NEAR(value, 1, light.max_error);
 }
