@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/foreign_results.h"
+#include "cli/methods.h"
 #include "cli/scene_input.h"
 #include "io/comparison_files.h"
 #include "io/scene_json.h"
@@ -29,14 +31,12 @@ struct CompareOptions {
   bool sweep = false, json = false;
   std::size_t worst = 10;
   std::optional<int> repeat;
+  double beyond = 1e-6;
   std::string map;
   ElementOptions elements;
 };
 
 using Methods = std::vector<std::unique_ptr<ExchangeMethod2>>;
-
-// All that can be compared; a family that needs more than the library adds itself here.
-MethodCatalogue2 catalogue() { return planar_methods(); }
 
 std::string family_of(const std::string& name) { return name.substr(0, name.find(':')); }
 
@@ -150,8 +150,11 @@ std::string report_text(const MethodComparison2& comparison, std::span<const Met
   return text;
 }
 
-ExitCode compare(const CompareOptions& options, Streams& streams) {
-  const MethodCatalogue2 methods_there_are = catalogue();
+ExitCode compare(CompareOptions options, Streams& streams) {
+  const MethodCatalogue2 methods_there_are = program_methods();
+  options.methods = whole_names(options.methods, methods_there_are);
+  const std::vector<std::string> radiosity_files = take_radiosity_files(options.methods);
+  if (!radiosity_files.empty() && options.methods.empty()) options.methods.push_back("exact");
   const Methods methods = methods_to_run(methods_there_are, options);
   if (!options.map.empty() &&
       std::none_of(methods.begin(), methods.end(), [&](const auto& m) { return m->info().name == options.map; }))
@@ -181,6 +184,7 @@ ExitCode compare(const CompareOptions& options, Streams& streams) {
     MethodResult result = run(comparison, *method, options);
     explain_worst(explainer, comparison.exact(), result, options.worst, explained);
     if (result.info.name == options.map) files[map].write(error_map_2(comparison, result, PictureFormat::kPng));
+    add_verdict(comparison, options.beyond, result);
     result.matrix = {};
     result.solution.reset();
     results.push_back(std::move(result));
@@ -190,6 +194,8 @@ ExitCode compare(const CompareOptions& options, Streams& streams) {
   const std::vector<WorkCurve> curves = work_curves(results);
   const std::vector<WorkReading> readings = read_off(curves, kErrorsReadOff);
   const LogPlot plot = work_precision_plot(curves, "What accuracy costs: " + stem, size_of(comparison.exact()));
+  for (const std::string& name : radiosity_files)
+    results.push_back(judge_radiosity_file(name, comparison, options.beyond));
   files[csv].write(compare_csv(results));
   files[worst].write(worst_csv(explained));
   files[read].write(readings_csv(curves, kErrorsReadOff));
@@ -210,9 +216,7 @@ ExitCode compare(const CompareOptions& options, Streams& streams) {
 
 void add_compare(Commands& commands) {
   const auto options = std::make_shared<CompareOptions>();
-  const MethodCatalogue2 methods = catalogue();
-  std::string what;
-  for (const MethodFamily& family : methods.families()) what += "\n  " + family.pattern + ": " + family.what;
+  const MethodCatalogue2 methods = program_methods();
   CLI::App& command = commands.add(
       "compare", "Methods side by side: how wrong their view factors are, and how long they take",
       {"hottel compare scenes/analytic/square_radiosity.json --elements 4 -o /tmp/square",
@@ -223,7 +227,9 @@ void add_compare(Commands& commands) {
       ->type_name("DIR");
   command
       .add_option("--methods", options->methods,
-                  "methods to compare, each also as METHOD:normalised; without it one of each family" + what)
+                  "methods to compare, each also as METHOD:normalised; a file: may hold radiosities too; without it "
+                  "one of each family" +
+                      methods_text(methods))
       ->type_name("A,B,...")
       ->delimiter(',');
   command.add_flag("--sweep", options->sweep, "run each family that is named through its parameters");
@@ -235,6 +241,12 @@ void add_compare(Commands& commands) {
                   "time each method N times after a warm-up; without it at least 3 times and half a second")
       ->type_name("N")
       ->check(CLI::Range(1, 1'000'000));
+  command
+      .add_option("--beyond", options->beyond,
+                  "of file: and run:, call a pair off when it is wrong by more than X and the digits written")
+      ->type_name("X")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command.add_option("--map", options->map, "draw errors.png: where this method gets the light wrong")
       ->type_name("METHOD");
   options->elements.add_to(command);

@@ -1,0 +1,157 @@
+// Factors of other programs: as a method, compared, judged in words; from outside.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace hottel {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing_cli::lines_of;
+using testing_cli::Outcome;
+using testing_cli::Workplace;
+
+const std::string kBox = std::string(HOTTEL_SOURCE_DIR) + "/tests/contract/box.json";
+const std::string kApartment = std::string(HOTTEL_SOURCE_DIR) + "/scenes/showcase/apartment.json";
+
+// A number of a line of csv, counted from its end, where no names are.
+double number_from_end(const std::string& line, std::size_t place) {
+  std::vector<std::string> fields;
+  std::istringstream in(line);
+  for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+  return std::stod(fields.at(fields.size() - place));
+}
+
+// The line of a method in compare.csv, by the names of its columns.
+std::map<std::string, std::string> row_of(const Workplace& place, const std::string& file, std::size_t which) {
+  const auto lines = lines_of(place.read(file));
+  std::map<std::string, std::string> row;
+  std::istringstream head(lines.at(0)), values(lines.at(which));
+  for (std::string name, value; std::getline(head, name, ',') && std::getline(values, value, ',');) row[name] = value;
+  return row;
+}
+
+TEST(Foreign, EveryFormatOfFactorsIsReadBackAsAMethod) {
+  const Workplace place;
+  ASSERT_EQ(place.run("hottel factors " + kBox + " --quiet -o exact.csv").code, 0);
+  for (const std::string name : {"f.csv", "f.mtx", "f.npy"}) {
+    const Outcome outcome = place.run("hottel factors " + kBox + " --quiet -o " + name + " && hottel factors " + kBox +
+                                      " --quiet --method file:" + name +
+                                      " | cut -d, -f1-3 > a; cut -d, -f1-3 exact.csv "
+                                      "| diff a -");
+    EXPECT_EQ(outcome.code, 0) << name << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+  }
+}
+
+TEST(Foreign, ApproximateFactorsAreMarkedAsSuch) {
+  const Workplace place;
+  const Outcome outcome = place.run("hottel factors " + kBox + " --method strings");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(lines_of(outcome.out).at(1), testing::EndsWith(",0,1,,estimated"));
+  EXPECT_THAT(outcome.err, HasSubstr("view factors by strings: estimated"));
+  EXPECT_EQ(place.run("hottel factors " + kBox + " --method strings --pairs facing").code, 2);
+  EXPECT_EQ(place.run("hottel factors " + kBox + " --method strings --script-f").code, 2);
+  EXPECT_EQ(place.run("hottel factors " + kBox + " --method nonsense").code, 2);
+  EXPECT_THAT(place.run("hottel factors " + kBox + " --method nonsense").err, HasSubstr("file:PATH, run:CMD"));
+}
+
+// The average over elements, put together, is the factor of the face when the elements' factors are exact.
+TEST(Foreign, ElementsArePutTogetherToFacesAndGroups) {
+  const Workplace place;
+  ASSERT_EQ(place.run("hottel factors " + kBox + " --quiet -o exact.csv").code, 0);
+  ASSERT_EQ(place.run("hottel factors " + kBox + " --quiet --method exact:normalised --elements 3 -o a.csv").code, 0);
+  const auto exact = lines_of(place.read("exact.csv")), put_together = lines_of(place.read("a.csv"));
+  ASSERT_EQ(exact.size(), put_together.size());
+  for (std::size_t k = 1; k < exact.size(); ++k)
+    EXPECT_NEAR(number_from_end(exact[k], 5), number_from_end(put_together[k], 5), 1e-15) << put_together[k];
+}
+
+TEST(Foreign, SolveBoundsHoldForTheTrueRadiosities) {
+  const Workplace place;
+  for (const std::string method : {"exact", "center"})
+    ASSERT_EQ(place.run("hottel solve " + kBox + " --quiet --grid 4x4 -o " + method + " --method " + method).code, 0);
+  const auto exact = lines_of(place.read("exact/radiosity.csv")), rough = lines_of(place.read("center/radiosity.csv"));
+  ASSERT_EQ(exact.size(), rough.size());
+  for (std::size_t k = 1; k < exact.size(); ++k) {
+    EXPECT_LE(number_from_end(rough[k], 4), number_from_end(exact[k], 4));  // lower
+    EXPECT_GE(number_from_end(rough[k], 3), number_from_end(exact[k], 3));  // upper
+  }
+  const auto report = nlohmann::json::parse(place.read("center/report.json"));
+  EXPECT_THAT(report["notes"][0], StartsWith("view factors by center: estimated"));
+}
+
+TEST(Foreign, SolveRefusesNegativeFactorsAndFailsWithTheCommand) {
+  const Workplace place;
+  place.write("f.csv", "from,to,factor\nwall,floor,-0.25\n");
+  const std::string solve = "hottel solve " + kBox + " --quiet --grid 4x4 -o out --method ";
+  Outcome outcome = place.run(solve + "file:f.csv");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("a factor of 'wall' is negative (-0.25)"));
+  outcome = place.run(solve + "'run:echo to nowhere >&2; exit 5'");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, StartsWith("to nowhere\n"));
+  EXPECT_THAT(outcome.err, HasSubstr("ended with status 5"));
+  outcome = place.run(solve + "file:missing.csv");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, StartsWith("missing.csv: there is no such file"));
+}
+
+TEST(Foreign, CompareFindsNothingWrongWithTheExactFactors) {
+  const Workplace place;
+  const Outcome outcome =
+      place.run("hottel factors " + kApartment + " --quiet -o f.npy && hottel compare " + kApartment +
+                " --methods 'file:f.npy,run:hottel factors {scene} --quiet -o {out.mtx}' --repeat 1 -o out");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const std::size_t line : {1u, 2u}) EXPECT_EQ(row_of(place, "out/compare.csv", line)["max_error"], "0");
+  EXPECT_THAT(outcome.err, HasSubstr("pairs agree with the exact factors"));
+}
+
+TEST(Foreign, CompareNamesAPairThatIsWrong) {
+  const Workplace place;
+  const Outcome outcome =
+      place.run("hottel factors " + kBox +
+                " --per element --quiet -o f.csv && sed -i 's/^floor,wall,[^,]*/floor,wall,0.125/' f.csv && "
+                "hottel compare " +
+                kBox + " --methods file:f.csv --repeat 1 --json -o out");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("1 is wrong by no pattern that is known: 'floor' to 'wall': 0.125 instead of"));
+  EXPECT_THAT(outcome.out, HasSubstr("reciprocity A_i F_ij = A_j F_ji is broken by 1 pairs"));
+}
+
+TEST(Foreign, CompareJudgesRadiositiesToo) {
+  const Workplace place;
+  const std::string compare = " --repeat 1 -o out && cat out/compare.csv";
+  ASSERT_EQ(place.run("hottel solve " + kBox + " --quiet --grid 4x4 -o solved").code, 0);
+  Outcome outcome = place.run("hottel compare " + kBox + " --methods file:solved/radiosity.csv" + compare);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("all 30 radiosities lie within the proven bounds"));
+  EXPECT_THAT(outcome.out, HasSubstr("file:solved/radiosity.csv,estimated,,,,,0\n"));
+  outcome = place.run(
+      "sed 's/^\\(floor,0,g,[^,]*,[^,]*,[^,]*\\),[^,]*/\\1,0.75/' "
+      "solved/radiosity.csv > b.csv; hottel compare " +
+      kBox + " --methods file:b.csv" + compare);
+  EXPECT_THAT(outcome.err, HasSubstr("1 of 30 radiosities lie outside the proven bounds"));
+  EXPECT_THAT(outcome.err, HasSubstr("'floor' (g): 0.75 instead of"));
+  place.write("c.csv", "face,channel,radiosity\nlamp,r,1\n");
+  outcome = place.run("hottel compare " + kBox + " --methods file:c.csv" + compare);
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, StartsWith("c.csv:2: the scene has no face with a material called 'lamp'"));
+}
+
+TEST(Foreign, CtrlCStopsTheCommandAndLeavesNothing) {
+  const Workplace place;
+  const Outcome outcome = place.run(
+      "mkdir tmp; export TMPDIR=$PWD/tmp; hottel factors " + kBox +
+      " --method 'run:echo $$ > pid; sleep 60; echo {out}' & child=$!; until [ -s pid ]; do sleep 0.02; done; "
+      "kill -INT $child; wait $child; code=$?; sleep 0.1; kill -0 $(cat pid) 2>/dev/null && echo alive; ls tmp; exit "
+      "$code");
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+}
+
+}  // namespace
+}  // namespace hottel
