@@ -90,41 +90,60 @@ EnclosedQuotient quotient(const FixedSum& numerator, const FixedSum& denominator
   return {n / d, {std::max(0.0, lower * (1 - kSlack)), d > d_error ? std::min(1.0, upper * (1 + kSlack)) : 1}};
 }
 
+// Entries of pairs that ascend by both labels, laid out by rows: each_entry(visit) calls visit(from, to, number), the
+// same twice over; put(place, from, to, number) is called after allot(count).
+template <class EachEntry, class Allot, class Put>
+std::vector<std::size_t> lay_out_rows(std::uint32_t rows, const EachEntry& each_entry, const Allot& allot,
+                                      const Put& put) {
+  std::vector<std::size_t> begin(rows + std::size_t{1}, 0);
+  each_entry([&](std::uint32_t from, std::uint32_t, const auto&) { ++begin[from + 1]; });
+  for (std::uint32_t i = 0; i < rows; ++i) begin[i + 1] += begin[i];
+  allot(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  each_entry([&](std::uint32_t from, std::uint32_t to, const auto& number) { put(next[from]++, from, to, number); });
+  return begin;
+}
+
+FactorEntry entry_of(std::uint32_t to, double factor) {
+  return {to, {factor, 0}, std::numeric_limits<double>::quiet_NaN()};
+}
+
 ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, MethodReport& report) {
   const Labels2 labels = labels_of(prepared);
   const double length_error = prepared.arrangement.vertices().length_error();
   SumCounts counts;
   const std::vector<PairSum> pairs =
       sum_visible_pairs(prepared.arrangement, labels, {}, std::numeric_limits<std::uint64_t>::max(), counts);
-  std::uint64_t undecided = 0;
-  double widest = 0;
-  std::vector<std::size_t> begin(labels.count() + 1, 0);
   const auto each_entry = [&](const auto& visit) {
     for (const PairSum& pair : pairs) {
-      if (pair.value == 0) continue;
+      if (pair.value == 0 && pair.inexact == 0) continue;
       if (labels.has_row(pair.i)) visit(pair.i, pair.j, pair);
       if (pair.j != pair.i && labels.has_row(pair.j)) visit(pair.j, pair.i, pair);
     }
   };
-  each_entry([&](std::uint32_t from, std::uint32_t, const PairSum&) { ++begin[from + 1]; });
-  for (std::uint32_t i = 0; i < labels.count(); ++i) begin[i + 1] += begin[i];
-  std::vector<FactorEntry> entries(begin.back());
-  std::vector<Enclosure> bounds(begin.back());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  each_entry([&](std::uint32_t from, std::uint32_t to, const PairSum& pair) {
-    const FixedSum sum = pair.sum(length_error), &length = labels.length(from);
-    const EnclosedQuotient factor = quotient(sum, {2 * length.value, 2 * length.error});
-    const std::size_t place = next[from]++;
-    entries[place] = {to, {factor.value, 0}, std::numeric_limits<double>::quiet_NaN()};
+  std::vector<FactorEntry> entries;
+  std::vector<Enclosure> bounds;
+  double widest = 0;
+  const auto allot = [&](std::size_t count) {
+    entries.resize(count);
+    bounds.resize(count);
+  };
+  const auto put = [&](std::size_t place, std::uint32_t from, std::uint32_t to, const PairSum& pair) {
+    const FixedSum& length = labels.length(from);
+    const EnclosedQuotient factor = quotient(pair.sum(length_error), {2 * length.value, 2 * length.error});
+    // Of a pair that may see each other something must be said.
+    entries[place] = entry_of(to, factor.value != 0 ? factor.value : factor.bounds.upper / 2);
     bounds[place] = factor.bounds;
     widest = std::max({widest, factor.value - factor.bounds.lower, factor.bounds.upper - factor.value});
-    undecided += double_near(sum.value) <= sum.error;
-  });
+  };
+  std::vector<std::size_t> begin = lay_out_rows(labels.count(), each_entry, allot, put);
+
   report.notes.push_back(fmt::format("every factor lies within {:.2g} of the real one", 1.06 * widest));
-  undecided += static_cast<std::uint64_t>(std::count_if(
-      pairs.begin(), pairs.end(), [](const PairSum& pair) { return pair.value == 0 && pair.inexact > 0; }));
+  const auto undecided = std::count_if(pairs.begin(), pairs.end(), [&](const PairSum& pair) {
+    return pair.inexact > 0 && double_near(pair.value) <= pair.sum(length_error).error;
+  });
   if (undecided > 0)
-    report.notes.push_back(fmt::format("of {} factors it is not decided whether they are zero", undecided));
+    report.notes.push_back(fmt::format("of {} pairs it is not decided whether they see each other", undecided));
   ExchangeMatrix matrix(labels.elements(), Guarantee::kEnclosed);
   matrix.assign(std::move(begin), std::move(entries), {}, std::move(bounds));
   return matrix;
@@ -208,7 +227,6 @@ std::optional<double> Arithmetic2::declared_error(const PreparedScene2& prepared
 }  // namespace
 
 ExchangeMatrix plain_matrix(const Labels2& labels, const PlainSums& sums, const std::vector<double>& lengths) {
-  std::vector<std::size_t> begin(labels.count() + 1, 0);
   const auto each_entry = [&](const auto& visit) {
     const auto visit_row = [&](std::uint32_t from, std::uint32_t to, double sum) {
       if (labels.has_row(from) && lengths[from] > 0) visit(from, to, sum / (2 * lengths[from]));
@@ -221,13 +239,12 @@ ExchangeMatrix plain_matrix(const Labels2& labels, const PlainSums& sums, const 
         if (j != i) visit_row(j, i, sum.value);
       }
   };
-  each_entry([&](std::uint32_t from, std::uint32_t, double) { ++begin[from + 1]; });
-  for (std::uint32_t i = 0; i < labels.count(); ++i) begin[i + 1] += begin[i];
-  std::vector<FactorEntry> entries(begin.back());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  each_entry([&](std::uint32_t from, std::uint32_t to, double factor) {
-    entries[next[from]++] = {to, {factor, 0}, std::numeric_limits<double>::quiet_NaN()};
-  });
+  std::vector<FactorEntry> entries;
+  std::vector<std::size_t> begin = lay_out_rows(
+      labels.count(), each_entry, [&](std::size_t count) { entries.resize(count); },
+      [&](std::size_t place, std::uint32_t, std::uint32_t to, double factor) {
+        entries[place] = entry_of(to, factor);
+      });
   ExchangeMatrix matrix(labels.elements(), Guarantee::kEstimated);
   matrix.assign(std::move(begin), std::move(entries));
   return matrix;
