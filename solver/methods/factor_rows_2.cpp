@@ -7,6 +7,18 @@
 
 namespace hottel {
 
+ExchangeMatrix matrix_of_rows(const ElementGeometry2& geometry, const std::vector<std::vector<FactorEntry>>& rows) {
+  std::vector<std::size_t> begin{0};
+  std::vector<FactorEntry> entries;
+  for (const auto& row : rows) {
+    entries.insert(entries.end(), row.begin(), row.end());
+    begin.push_back(entries.size());
+  }
+  ExchangeMatrix matrix(geometry.labels().elements(), Guarantee::kEstimated);
+  matrix.assign(std::move(begin), std::move(entries));
+  return matrix;
+}
+
 ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const FillRow& fill) {
   const std::uint32_t n = geometry.count();
   std::vector<std::vector<FactorEntry>> rows(n);
@@ -22,15 +34,7 @@ ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const FillRow& f
         if (by[j] != 0) rows[i].push_back({j, {by[j], 0}, std::numeric_limits<double>::quiet_NaN()});
     }
   });
-  std::vector<std::size_t> begin{0};
-  std::vector<FactorEntry> entries;
-  for (const auto& row : rows) {
-    entries.insert(entries.end(), row.begin(), row.end());
-    begin.push_back(entries.size());
-  }
-  ExchangeMatrix matrix(geometry.labels().elements(), Guarantee::kEstimated);
-  matrix.assign(std::move(begin), std::move(entries));
-  return matrix;
+  return matrix_of_rows(geometry, rows);
 }
 
 }  // namespace hottel

@@ -8,6 +8,9 @@
 
 namespace hottel {
 
+// Returns the estimated matrix with these rows, one for each element.
+ExchangeMatrix matrix_of_rows(const ElementGeometry2& geometry, const std::vector<std::vector<FactorEntry>>& rows);
+
 // Fills the row of an element: by[j] is 0 for every element j, the sky last, and receives F(from, j).
 using FillRow = std::function<void(std::uint32_t from, std::vector<double>& by)>;
 

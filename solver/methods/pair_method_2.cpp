@@ -8,6 +8,7 @@
 #include "geometry/exchange/unobstructed_2.h"
 #include "kernel/interrupt.h"
 #include "kernel/parallel.h"
+#include "solver/methods/factor_rows_2.h"
 #include "solver/methods/open_space_2.h"
 
 namespace hottel {
@@ -64,17 +65,10 @@ ExchangeMatrix PairMethod2::compute(const PreparedScene2& prepared, MethodReport
     }
 
   const std::vector<char> is_open = borders_open_space(prepared.arrangement, geometry.labels());
-  std::vector<std::size_t> begin{0};
-  std::vector<FactorEntry> entries;
-  for (std::uint32_t i = 0; i < n; ++i) {
+  for (std::uint32_t i = 0; i < n; ++i)
     if (geometry.has_row(i))
       report.row_defect = std::max(report.row_defect, close_row(rows[i], geometry.labels().sky(), is_open[i] != 0));
-    entries.insert(entries.end(), rows[i].begin(), rows[i].end());
-    begin.push_back(entries.size());
-  }
-  ExchangeMatrix matrix(geometry.labels().elements(), Guarantee::kEstimated);
-  matrix.assign(std::move(begin), std::move(entries));
-  return matrix;
+  return matrix_of_rows(geometry, rows);
 }
 
 double PairMethod2::error_of_free_runs(const Vertices2&, const ElementGeometry2&, const ElementRun2&,

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kFewElements = 100;
+constexpr std::uint32_t kFewElements = 60;
 
 const MethodCatalogue2& catalogue() {
   static const MethodCatalogue2 methods = planar_methods();
