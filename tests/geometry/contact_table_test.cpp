@@ -20,8 +20,8 @@
 
 #include <algorithm>
 
+#include "tests/comparison/engine_comparison_2.h"
 #include "tests/geometry/exchange_scenes.h"
-#include "tests/oracle/engine_comparison_2.h"
 #include "tests/oracle/laws_2.h"
 
 namespace hottel {

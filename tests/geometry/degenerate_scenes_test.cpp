@@ -11,8 +11,8 @@
 #include <set>
 
 #include "geometry/visibility/visibility_polygon_2.h"
+#include "tests/comparison/engine_comparison_2.h"
 #include "tests/geometry/exchange_scenes.h"
-#include "tests/oracle/engine_comparison_2.h"
 #include "tests/oracle/laws_2.h"
 
 namespace hottel {

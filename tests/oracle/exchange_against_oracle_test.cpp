@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-#include "tests/oracle/engine_comparison_2.h"
+#include "tests/comparison/engine_comparison_2.h"
 #include "tests/oracle/random_scene_2.h"
 
 #ifndef __has_feature

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "geometry/arrangement/point_index_2.h"
-#include "tests/oracle/engine_comparison_2.h"
+#include "tests/comparison/engine_comparison_2.h"
 #include "tests/oracle/random_scene_2.h"
 #include "tests/oracle/segment_2.h"
 

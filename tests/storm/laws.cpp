@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "tests/oracle/engine_comparison_2.h"
+#include "tests/comparison/engine_comparison_2.h"
 #include "tests/solver/exact_radiosity.h"
 
 namespace hottel::storm {

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "io/scene_json.h"
-#include "tests/oracle/engine_comparison_2.h"
+#include "tests/comparison/engine_comparison_2.h"
 
 namespace hottel::storm {
 

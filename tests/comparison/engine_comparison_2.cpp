@@ -1,4 +1,4 @@
-#include "tests/oracle/engine_comparison_2.h"
+#include "tests/comparison/engine_comparison_2.h"
 
 #include <fmt/core.h>
 
