@@ -74,7 +74,8 @@ Finding tell(const Scene2& scene, const NearMiss2& miss, const std::optional<Lea
   std::string text = fmt::format("{} is {} from {} of {}, {}", ends, distance,
                                  miss.is_at_end ? "the end" : "the nearest point", target, place_text(miss.foot));
   if (leak && leak->factor > 0)
-    text += fmt::format(": through the gap goes F = {} of the light of '{}'", shortest(leak->factor), leak->face);
+    text += fmt::format(": through the gap goes F = {} of the light of {}", shortest(leak->factor),
+                        quoted_name(leak->face));
   return {Severity::kWarning,
           "near-miss",
           surfaces,
