@@ -24,6 +24,12 @@ std::vector<WorkPoint> front(std::span<const WorkPoint> curve) {
   return best;
 }
 
+// "exact", "exact:normalised", "arithmetic:doubles"
+bool is_exact_again(const std::string& family) {
+  const std::string head = family.substr(0, family.find(':'));
+  return head == kExactFamily || head == kArithmeticFamily;
+}
+
 // "1.23 ms"
 std::string duration(double seconds) {
   for (const auto& [unit, scale] : {std::pair("s", 1.0), std::pair("ms", 1e3), std::pair("µs", 1e6)})
@@ -39,7 +45,7 @@ std::vector<WorkCurve> work_curves(std::span<const MethodResult> results) {
     auto curve = std::find_if(curves.begin(), curves.end(),
                               [&](const WorkCurve& each) { return each.family == result.info.family; });
     if (curve == curves.end()) curve = curves.insert(curve, WorkCurve{result.info.family, {}});
-    curve->points.push_back({result.info.name, result.timing.median, result.errors.max});
+    curve->points.push_back({result.info.name, result.timing.median, result.errors.max, result.info.parameter});
   }
   return curves;
 }
@@ -66,7 +72,7 @@ std::vector<WorkReading> read_off(std::span<const WorkCurve> curves, std::span<c
   for (const double error : errors) {
     WorkReading reading{error, exact->points.front().seconds, "", std::numeric_limits<double>::infinity()};
     for (const WorkCurve& curve : curves) {
-      if (curve.family == kExactFamily) continue;
+      if (is_exact_again(curve.family)) continue;
       const std::optional<double> seconds = seconds_to_reach(curve.points, error);
       if (seconds && *seconds < reading.seconds) {
         reading.seconds = *seconds;

@@ -10,11 +10,13 @@
 
 namespace hottel {
 
-inline constexpr const char* kExactFamily = "exact";  // the method that all others are held against
+inline constexpr const char* kExactFamily = "exact";            // the method that all others are held against
+inline constexpr const char* kArithmeticFamily = "arithmetic";  // the same sweep in other arithmetic
 
 struct WorkPoint {
   std::string method;
   double seconds = 0, error = 0;  // error: max |F - exact F|
+  double parameter = 0;           // MethodInfo::parameter
 };
 
 // The members of a family, in the order they were run.
@@ -31,11 +33,12 @@ std::vector<WorkCurve> work_curves(std::span<const MethodResult> results);
 // takes. REQUIRES error > 0.
 std::optional<double> seconds_to_reach(std::span<const WorkPoint> curve, double error);
 
-// What one reads off at an error: which family gets there first, and what the exact method takes.
+// What one reads off at an error: which approximation gets there first, and what the exact method takes. Families that
+// are the exact method once more, normalised or in other arithmetic, are no approximations.
 struct WorkReading {
   double error = 0;
   double exact_seconds = 0;
-  std::string family;  // the cheapest, the exact one aside; empty when none reaches the error
+  std::string family;  // the cheapest; empty when none reaches the error
   double seconds = 0;  // of that family
 };
 

@@ -11,7 +11,7 @@ class Exact2 final : public ExchangeMethod2 {
  public:
   const MethodInfo& info() const override { return info_; }
   ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport&) const override {
-    return exact_exchange(prepared, {.per = Per::kElement});
+    return exact_exchange(prepared, {.per = Per::kElement, .wants_visibility = false});
   }
   std::optional<double> declared_error(const PreparedScene2&) const override { return 0; }
 

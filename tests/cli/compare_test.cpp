@@ -79,6 +79,18 @@ TEST(Compare, DividesAsSolveDoes) {
   EXPECT_EQ(nlohmann::json::parse(outcome.out)["methods"][0]["pairs"], 4 * 3 * 3 * 3);
 }
 
+TEST(Compare, LeavesOutWhatFollowsInASweepThatTakesTooLong) {
+  const Workplace place;
+  const std::string line = "hottel compare '" + kSquare + "' --methods gauss --sweep --repeat 1 -o out";
+  ASSERT_EQ(place.run(line).code, 0);
+  const std::size_t all = lines_of(place.read("out/compare.csv")).size();
+  const Outcome outcome = place.run(line + " --at-most 1e-12");
+  ASSERT_EQ(outcome.code, 0);
+  EXPECT_GT(all, 3u);
+  EXPECT_EQ(lines_of(place.read("out/compare.csv")).size(), 2u);
+  EXPECT_THAT(outcome.err, HasSubstr("is left out"));
+}
+
 TEST(Compare, DrawsWhereAMethodIsWrong) {
   const Workplace place;
   ASSERT_EQ(place

@@ -160,8 +160,12 @@ TEST(SecondsToReach, JumpWhereAnErrorIsZeroOrInfinite) {
 }
 
 TEST(WorkReading, NamesTheCheapestFamilyAndTheFactor) {
-  const std::vector<WorkCurve> curves = {
-      {"exact", {{"exact", 4, 0}}}, {"m", kCurve}, {"n", {{"n", 2, 0.1}}}, {"slow", {{"slow", 1e3, 1e-6}}}};
+  const std::vector<WorkCurve> curves = {{"exact", {{"exact", 4, 0}}},
+                                         {"m", kCurve},
+                                         {"n", {{"n", 2, 0.1}}},
+                                         {"slow", {{"slow", 1e3, 1e-6}}},
+                                         {"exact:normalised", {{"exact:normalised", 1, 1e-16}}},
+                                         {"arithmetic:doubles", {{"arithmetic:doubles", 1, 1e-15}}}};
   const auto readings = read_off(curves, std::array{1e-2, 1e-3, 1e-6, 1e-9});
   ASSERT_EQ(readings.size(), 4u);
   EXPECT_EQ(readings[0].family, "m");

@@ -201,7 +201,7 @@ void LogPlotPainter::draw_curve(PictureCanvas& canvas, std::size_t k) const {
   for (const LogPlotPoint& point : points) draw_marker(canvas, k, at(point.x, point.y), Mark::kPoint);
 }
 
-// Each label right, left, above or below its point, where it first meets nothing that is there already.
+// Each label above, below, right or left of its point, where it first meets nothing that is there already.
 void LogPlotPainter::draw_labels(PictureCanvas& canvas) const {
   std::vector<std::array<Pixel, 2>> taken;
   for (const LogPlotCurve& curve : plot_.curves)
@@ -212,8 +212,8 @@ void LogPlotPainter::draw_labels(PictureCanvas& canvas) const {
       const TextStyle style{.size = 14 * unit_, .colour = colour(k)};
       const double wide = canvas.text_width(point.label, style), high = 14 * unit_, gap = 12 * unit_;
       const auto [x, y] = at(point.x, point.y);
-      for (const Pixel corner : {Pixel{x + gap, y - high / 2}, Pixel{x - wide / 2, y - gap - high},
-                                 Pixel{x - gap - wide, y - high / 2}, Pixel{x - wide / 2, y + gap}}) {
+      for (const Pixel corner : {Pixel{x - wide / 2, y - gap - high}, Pixel{x - wide / 2, y + gap},
+                                 Pixel{x + gap, y - high / 2}, Pixel{x - gap - wide, y - high / 2}}) {
         const std::array<Pixel, 2> box{{corner, {corner.x + wide, corner.y + high}}};
         const bool is_inside = box[0].x > top_left_.x && box[1].x < bottom_right_.x && box[0].y > top_left_.y &&
                                box[1].y < bottom_right_.y;
@@ -232,7 +232,8 @@ void LogPlotPainter::draw_legend(PictureCanvas& canvas) const {
   const double line = std::min(kLegendLine * unit_, (bottom_right_.y - top_left_.y) / count);
   for (std::size_t k = 0; k < plot_.curves.size(); ++k) {
     const double y = top_left_.y + (static_cast<double>(k) + 0.5) * line;
-    canvas.stroke(Mark::kLegend, {left, y}, {left + 40 * unit_, y}, colour(k), 2.6 * unit_);
+    if (plot_.curves[k].points.size() > 1)
+      canvas.stroke(Mark::kLegend, {left, y}, {left + 40 * unit_, y}, colour(k), 2.6 * unit_);
     draw_marker(canvas, k, {left + 20 * unit_, y}, Mark::kLegend);
     TextStyle style{.size = std::min(18 * unit_, 0.7 * line), .colour = palette::kInk};
     const double wide = canvas.text_width(plot_.curves[k].name, style);

@@ -1,5 +1,7 @@
 #include "viewer/picture/work_precision_plot.h"
 
+#include <fmt/format.h>
+
 namespace hottel {
 
 LogPlot work_precision_plot(std::span<const WorkCurve> curves, const std::string& title, const std::string& subtitle) {
@@ -13,12 +15,10 @@ LogPlot work_precision_plot(std::span<const WorkCurve> curves, const std::string
   for (const WorkCurve& curve : curves) {
     if (curve.family == kExactFamily) plot.emphasised = static_cast<int>(plot.curves.size());
     LogPlotCurve drawn{curve.family, {}};
-    for (const WorkPoint& point : curve.points) {
-      std::string label =
-          point.method.starts_with(curve.family) ? point.method.substr(curve.family.size()) : point.method;
-      if (label.starts_with(':')) label.erase(0, 1);
-      drawn.points.push_back({point.seconds, point.error, label});
-    }
+    for (const WorkPoint& point : curve.points)
+      drawn.points.push_back(
+          {point.seconds, point.error,
+           curve.points.size() > 1 && point.parameter > 0 ? fmt::format("{:g}", point.parameter) : ""});
     plot.curves.push_back(std::move(drawn));
   }
   return plot;

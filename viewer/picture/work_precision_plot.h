@@ -9,7 +9,7 @@
 
 namespace hottel {
 
-// Seconds along x, the largest error of a view factor along y, points labelled by what follows the family's name. The
+// Seconds along x, the largest error of a view factor along y, points labelled by their parameter. The
 // exact method, in ink, is a line down to its error: 0, on a level of its own.
 LogPlot work_precision_plot(std::span<const WorkCurve> curves, const std::string& title, const std::string& subtitle);
 
