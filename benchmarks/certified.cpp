@@ -7,7 +7,6 @@
 // difference of a plain factor from the correctly rounded one, `false_pairs` the pairs that the plain sums show and
 // that do not exchange anything.
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <bit>
@@ -17,6 +16,7 @@
 #include "benchmarks/clutter.h"
 #include "geometry/exchange/exchange_2.h"
 #include "geometry/exchange/gap_terms_2.h"
+#include "kernel/parallel.h"
 
 namespace hottel::benchmarks {
 namespace {
@@ -146,7 +146,7 @@ void compare(const ExchangeMatrix& exact, const PlainMatrix& plain, benchmark::S
 
 void certified(benchmark::State& state, View view, std::uint64_t edges) {
   using Clock = std::chrono::steady_clock;
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  const ThreadLimit limit(1);
   const PreparedScene2 prepared = prepare(clutter(view, edges));
   ExchangeOptions2 options;
   options.wants_visibility = false;

@@ -5,10 +5,10 @@
 // coordinates; `ratio` is that time over the time of the scene with short ones, `ratio_exchange` the same without the
 // preparation, per visible pair.
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
 
 #include "benchmarks/clutter.h"
 #include "geometry/exchange/exchange_2.h"
+#include "kernel/parallel.h"
 
 namespace hottel::benchmarks {
 namespace {
@@ -40,7 +40,7 @@ struct Cost {
 };
 
 void digits(benchmark::State& state, const Scene2& plain, const Scene2& detailed) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  const ThreadLimit limit(1);
   Cost plain_cost, detailed_cost;
   for (auto _ : state) {
     plain_cost.add(plain);

@@ -4,19 +4,19 @@
 // writing. Counters: visible pairs; microseconds of one core for each of them; milliseconds of each stage; bytes for
 // each pair, at the peak and in the matrix that remains.
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
 
 #include <map>
 
 #include "benchmarks/clutter.h"
 #include "benchmarks/peak_memory.h"
 #include "geometry/exchange/exchange_2.h"
+#include "kernel/parallel.h"
 
 namespace hottel::benchmarks {
 namespace {
 
 void factors(benchmark::State& state, View view, std::uint64_t edges, int threads) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  const ThreadLimit limit(threads);
   const Scene2 scene = clutter(view, edges);
   std::map<std::string, double> stages;
   double seconds = 0, pairs = 0, peak = 0, remains = 0;

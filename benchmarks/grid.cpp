@@ -6,13 +6,13 @@
 // core for each cell; vertices seen from a cell on average; the proven error of the averages over the largest
 // radiosity, 0 for points.
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
 
 #include <atomic>
 #include <string>
 
 #include "benchmarks/clutter.h"
 #include "io/scene_json.h"
+#include "kernel/parallel.h"
 #include "solver/illumination/average_illumination_2.h"
 #include "solver/illumination/cell_views_2.h"
 
@@ -24,7 +24,7 @@ constexpr std::uint32_t kChannels = 3;
 enum class Light : bool { kPoints, kAverages };
 
 void grid(benchmark::State& state, Light light, const Scene2& scene, std::uint32_t side, int threads) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  const ThreadLimit limit(threads);
   const PreparedScene2 prepared = prepare(scene);
   const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
   std::vector<double> radiosity;

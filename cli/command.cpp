@@ -1,7 +1,5 @@
 #include "cli/command.h"
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <new>
@@ -11,6 +9,7 @@
 #include "cli/signals.h"
 #include "kernel/failure.h"
 #include "kernel/interrupt.h"
+#include "kernel/parallel.h"
 #include "kernel/version.h"
 
 namespace hottel {
@@ -120,8 +119,8 @@ ExitCode Commands::parse_and_run(int argc, const char* const* argv) {
     print_error(after_colon(error.what()), {"`" + command + " --help` shows what there is"});
     return ExitCode::kUsage;
   }
-  std::optional<tbb::global_control> limit;
-  if (threads_ > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_));
+  std::optional<ThreadLimit> limit;
+  if (threads_ > 0) limit.emplace(threads_);
   Streams streams(is_quiet_);
   return chosen_(streams);
 }

@@ -1,15 +1,14 @@
 #include "geometry/exchange/exact_sums_2.h"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numeric>
 #include <unordered_map>
 
 #include "geometry/exchange/gap_terms_2.h"
+#include "kernel/parallel.h"
 
 namespace hottel {
 namespace {
@@ -94,7 +93,8 @@ std::vector<VertexId> vertices_between(const Arrangement2& arrangement, const La
   std::vector<Corridor> corridors;
   for (const LabelPair& pair : pairs) corridors.emplace_back(vertices, labels, pair);
   std::vector<char> is_between(n, 0);
-  tbb::parallel_for(VertexId{0}, n, [&](VertexId v) {
+  parallel_for(n, [&](std::size_t k) {
+    const auto v = static_cast<VertexId>(k);
     for (const Corridor& corridor : corridors)
       if (corridor.contains(vertices.approximate(v))) {
         is_between[v] = 1;
@@ -118,21 +118,23 @@ std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const Labels2& 
   for (std::size_t k = 0; k < pairs.size(); ++k) number.emplace(key(pairs[k].first, pairs[k].second), k);
 
   const std::vector<VertexId> between = vertices_between(arrangement, labels, pairs);
-  tbb::enumerable_thread_specific<std::vector<FoundTerm>> found;
-  tbb::parallel_for(std::size_t{0}, between.size(), [&](std::size_t k) {
-    thread_local View2 view;
-    auto& terms = found.local();
-    look_around(vertices, arrangement.triangulation(), between[k], view);
-    for_each_gap(vertices, between[k], view, true, [&](const Gap2& gap) {
-      for_each_term(gap, labels, [&](std::uint32_t i, std::uint32_t j, int sign) {
-        if (const auto place = number.find(key(i, j)); place != number.end())
-          terms.push_back({place->second, gap.v, gap.w, i == j ? 2 * sign : sign});
-      });
-    });
-  });
-
   std::vector<FoundTerm> terms;
-  for (const auto& some : found) terms.insert(terms.end(), some.begin(), some.end());
+  std::mutex together;
+  parallel_ranges(between.size(), 1, [&](std::size_t begin, std::size_t end) {
+    View2 view;
+    std::vector<FoundTerm> found;
+    for (std::size_t k = begin; k < end; ++k) {
+      look_around(vertices, arrangement.triangulation(), between[k], view);
+      for_each_gap(vertices, between[k], view, true, [&](const Gap2& gap) {
+        for_each_term(gap, labels, [&](std::uint32_t i, std::uint32_t j, int sign) {
+          if (const auto place = number.find(key(i, j)); place != number.end())
+            found.push_back({place->second, gap.v, gap.w, i == j ? 2 * sign : sign});
+        });
+      });
+    }
+    const std::lock_guard lock(together);
+    terms.insert(terms.end(), found.begin(), found.end());
+  });
   std::sort(terms.begin(), terms.end(), [](const FoundTerm& a, const FoundTerm& b) {
     return a.pair != b.pair ? a.pair < b.pair : a.v != b.v ? a.v < b.v : a.w < b.w;
   });
@@ -141,7 +143,7 @@ std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const Labels2& 
   for (std::size_t k = pairs.size(); k-- > 0;) begin[k] = std::min(begin[k], begin[k + 1]);
 
   std::vector<RootSum> sums(pairs.size());
-  tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t k) {
+  parallel_for(pairs.size(), [&](std::size_t k) {
     for (std::size_t t = begin[k]; t < begin[k + 1]; ++t)
       sums[k].add(terms[t].sign, vertices.squared_distance(terms[t].v, terms[t].w));
   });

@@ -1,16 +1,14 @@
 #include "geometry/exchange/exchange_2.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <limits>
+#include <mutex>
 
 #include "geometry/exchange/exchange_sums_2.h"
 #include "geometry/exchange/pair_rounding_2.h"
 #include "geometry/exchange/unobstructed_2.h"
 #include "kernel/failure.h"
+#include "kernel/parallel.h"
 #include "kernel/stopwatch.h"
 
 namespace hottel {
@@ -79,6 +77,7 @@ std::vector<RootSum> scaled_sums(const PreparedScene2& prepared, const Labels2& 
 }  // namespace
 
 PreparedScene2 prepare(Scene2 scene, Divided divided) {
+  const DefaultFloatingPoint arithmetic;
   Stopwatch watch;
   Division division;
   for (const Surface2& surface : scene.surfaces) division.push_back(divided == Divided::kYes ? surface.elements : 1);
@@ -89,6 +88,7 @@ PreparedScene2 prepare(Scene2 scene, Divided divided) {
 }
 
 ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOptions2& options, ExchangeReport* report) {
+  const DefaultFloatingPoint arithmetic;
   Stopwatch watch;
   ExchangeReport ignored;
   ExchangeReport& r = report != nullptr ? *report : ignored;
@@ -116,9 +116,15 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
 
   const PairRounding rounding(prepared, labels, options);
   std::vector<RoundedPair> rounded(pairs.size());
-  tbb::enumerable_thread_specific<TierCounts> tiers;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), 256), [&](const auto& range) {
-    for (std::size_t k = range.begin(); k != range.end(); ++k) rounded[k] = rounding.quick(pairs[k], tiers.local());
+  std::mutex tiers;
+  const auto count = [&r, &tiers](const TierCounts& some) {
+    const std::lock_guard lock(tiers);
+    r.tiers += some;
+  };
+  parallel_ranges(pairs.size(), 256, [&](std::size_t begin, std::size_t end) {
+    TierCounts some;
+    for (std::size_t k = begin; k < end; ++k) rounded[k] = rounding.quick(pairs[k], some);
+    count(some);
   });
   settle_lonely_rows(pairs, labels, rounded);
   r.seconds["round"] = watch.lap();
@@ -132,12 +138,13 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
     }
   if (!open.empty()) {
     const std::vector<RootSum> sums = exact_sums(arrangement, labels, open_pairs);
-    tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {
-      rounding.exactly(pairs[open[k]], sums[k], rounded[open[k]], tiers.local());
+    parallel_for(open.size(), [&](std::size_t k) {
+      TierCounts some;
+      rounding.exactly(pairs[open[k]], sums[k], rounded[open[k]], some);
+      count(some);
     });
     r.seconds["exact"] = watch.lap();
   }
-  for (const TierCounts& some : tiers) r.tiers += some;
 
   r.surfaces = prepared.scene.surfaces.size();
   r.vertices = arrangement.vertices().size();

@@ -56,6 +56,7 @@ double add_all(const Arrangement2& arrangement, const FaceRadiosity2& radiosity,
 
 AverageIllumination illuminate_averages(const PreparedScene2& prepared, const Grid2& grid,
                                         const FaceRadiosity2& radiosity, const std::function<void(double)>& progress) {
+  const DefaultFloatingPoint arithmetic;
   HOTTEL_REQUIRE(grid.nx > 0 && grid.ny > 0 && grid.min.x < grid.max.x && grid.min.y < grid.max.y);
   const Arrangement2& arrangement = prepared.arrangement;
   const std::uint32_t channels = radiosity.channels();

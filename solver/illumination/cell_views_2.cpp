@@ -1,13 +1,11 @@
 #include "solver/illumination/cell_views_2.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <vector>
 
 #include "kernel/failure.h"
 #include "kernel/interrupt.h"
+#include "kernel/parallel.h"
 
 namespace hottel {
 namespace {
@@ -40,10 +38,10 @@ void for_each_cell_view(const PreparedScene2& prepared, const Grid2& grid, const
   const std::size_t cells = std::size_t{grid.nx} * grid.ny;
   for (std::size_t begin = 0; begin < cells; begin += kCellsBetweenReports) {
     const std::size_t end = std::min(cells, begin + kCellsBetweenReports);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, kCellsInARow), [&](const auto& range) {
+    parallel_ranges(end - begin, kCellsInARow, [&](std::size_t from, std::size_t to) {
       View2 view;
       HalfEdgeId near = -1;
-      for (std::size_t cell = range.begin(); cell < range.end(); ++cell) {
+      for (std::size_t cell = begin + from; cell < begin + to; ++cell) {
         throw_if_interrupted();
         const Eye2 eye(vertices, columns[cell % grid.nx], rows[cell / grid.nx]);
         const Location2 place = location.look_around(eye, view, near);

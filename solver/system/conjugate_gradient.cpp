@@ -1,9 +1,9 @@
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "kernel/interrupt.h"
+#include "kernel/parallel.h"
 #include "solver/system/inner_solver.h"
 #include "solver/system/symmetric_rows.h"
 
@@ -103,8 +103,8 @@ class ConjugateGradient : public InnerSolver {
   }
 
   void multiply(const std::vector<double>& p, std::vector<double>& kp) const {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, p.size(), kGrain), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+    parallel_ranges(p.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
         double sum = 0;
         for (std::size_t e = rows_.begin[i]; e < rows_.begin[i + 1]; ++e)
           sum += rows_.coupling_of[e] * (p[i] - p[rows_.to[e]]);

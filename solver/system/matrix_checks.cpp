@@ -1,10 +1,10 @@
 #include "solver/system/matrix_checks.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+
+#include "kernel/parallel.h"
 
 namespace hottel {
 namespace {
@@ -12,14 +12,16 @@ namespace {
 // The largest of a number a row. A maximum is the same in any order.
 template <class OfRow>
 double largest_of_rows(const ExchangeMatrix& matrix, const OfRow& of_row) {
-  return tbb::parallel_reduce(
-      tbb::blocked_range<std::uint32_t>(0, matrix.size(), 16), 0.0,
-      [&](const auto& range, double largest) {
-        for (std::uint32_t i = range.begin(); i != range.end(); ++i)
-          if (matrix.has_row(i)) largest = std::max(largest, of_row(i));
-        return largest;
-      },
-      [](double a, double b) { return std::max(a, b); });
+  double largest = 0;
+  std::mutex mutex;
+  parallel_ranges(matrix.size(), 16, [&](std::size_t begin, std::size_t end) {
+    double here = 0;
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+      if (matrix.has_row(i)) here = std::max(here, of_row(i));
+    const std::lock_guard lock(mutex);
+    largest = std::max(largest, here);
+  });
+  return largest;
 }
 
 }  // namespace

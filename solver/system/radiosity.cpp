@@ -9,6 +9,7 @@
 #include <set>
 
 #include "kernel/failure.h"
+#include "kernel/parallel.h"
 #include "kernel/stopwatch.h"
 #include "solver/system/certificate.h"
 #include "solver/system/inner_solver.h"
@@ -299,6 +300,7 @@ std::optional<Solver> solver_named(std::string_view name) {
 RadiositySolution solve_radiosity_without(const ErrorTerms& terms, const ExchangeMatrix& matrix,
                                           const std::vector<Material>& materials, const Spectrum& sky_emission,
                                           const RadiosityOptions& options) {
+  const DefaultFloatingPoint arithmetic;
   const bool is_gray = sky_emission.is_scalar && std::all_of(materials.begin(), materials.end(), [](const Material& m) {
                          return m.reflectivity.is_scalar && m.emission.is_scalar;
                        });

@@ -1,10 +1,10 @@
 #include "solver/system/radiosity_system.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
 #include <numeric>
+
+#include "kernel/parallel.h"
 
 namespace hottel {
 namespace {
@@ -184,8 +184,8 @@ Enclosed RadiositySystem::value(const SplitVector& x, std::size_t unknown) const
 std::vector<Enclosed> RadiositySystem::residual(const Sources* sources, const SplitVector& x,
                                                 const std::vector<char>& is_wanted, const ErrorTerms& terms) const {
   std::vector<Enclosed> result(rows_.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows_.size(), kGrain), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+  parallel_ranges(rows_.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
       const SystemRow& row = rows_[i];
       if (!is_wanted[row.component]) continue;
       const Enclosed here = value(x, i);
@@ -209,8 +209,8 @@ std::vector<Enclosed> RadiositySystem::residual(const Sources* sources, const Sp
 
 std::vector<Enclosed> RadiositySystem::irradiance(const std::vector<Enclosed>& radiosity) const {
   std::vector<Enclosed> result(matrix_->size());
-  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, matrix_->size(), kGrain), [&](const auto& range) {
-    for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
+  parallel_ranges(matrix_->size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
       if (!matrix_->has_row(i) || matrix_->row(i).empty()) continue;
       // A row that sums to 1 is a mean. Differences to its smallest value lose nothing, and none is above the mean.
       Enclosed base;
@@ -268,8 +268,8 @@ double PlainSystem::gathered(std::size_t i, const std::vector<double>& x) const 
 
 std::vector<double> PlainSystem::residual(const std::vector<double>& of, const std::vector<double>& x) const {
   std::vector<double> result(of.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, of.size(), kGrain), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) result[i] = of[i] - (x[i] - gathered(i, x));
+  parallel_ranges(of.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) result[i] = of[i] - (x[i] - gathered(i, x));
   });
   return result;
 }

@@ -1,12 +1,12 @@
 // The numbered properties of exact_exchange, on scenes of every kind.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
 
+#include "kernel/parallel.h"
 #include "tests/geometry/exchange_scenes.h"
 
 namespace hottel {
@@ -145,8 +145,8 @@ TEST_P(ExactExchange2, DoesNotDependOnTheNumberOfThreads) {
   const PreparedScene2 prepared = prepare(scene(400));
   std::vector<Printed> results;
   std::vector<ExchangeReport> reports;
-  for (const std::size_t threads : {1, 2, 3, 7}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  for (const int threads : {1, 2, 3, 7}) {
+    const ThreadLimit limit(threads);
     reports.emplace_back();
     results.push_back(printed(exact_exchange(prepared, {}, &reports.back())));
   }

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 
 #include "kernel/failure.h"
+#include "kernel/parallel.h"
 #include "tests/solver/exact_radiosity.h"
 
 namespace hottel {
@@ -229,8 +229,8 @@ TEST(GrayExchange, OfFacesWithoutEmissivityIsZero) {
 TEST(GrayExchange, IsTheSameForAnyNumberOfThreads) {
   const ExactScene scene = random_exact_scene(7);
   std::vector<ExchangeMatrix> matrices;
-  for (const std::size_t threads : {1, 2, 3, 7}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  for (const int threads : {1, 2, 3, 7}) {
+    const ThreadLimit limit(threads);
     matrices.push_back(gray_exchange(scene.matrix(), scene.scene().materials));
   }
   for (const ExchangeMatrix& other : matrices)

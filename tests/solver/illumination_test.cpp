@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "geometry/scene/generators_2.h"
 #include "kernel/interrupt.h"
+#include "kernel/parallel.h"
 #include "solver/illumination/cell_views_2.h"
 #include "tests/solver/lit_scenes.h"
 
@@ -181,8 +181,8 @@ TEST(IlluminationGrid, DoesNotDependOnTheThreads) {
   const Lit lit(generate_2(request), 3);
   const Grid2 cells = default_grid(lit.prepared.scene, 150);
   const IlluminationGrid once = lit.grid(cells);
-  for (const std::size_t threads : {1u, 2u, 3u, 7u}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  for (const int threads : {1, 2, 3, 7}) {
+    const ThreadLimit limit(threads);
     EXPECT_EQ(lit.grid(cells).values, once.values) << threads;
   }
 }

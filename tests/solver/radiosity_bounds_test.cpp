@@ -1,12 +1,12 @@
 // Proven bounds against solutions to a hundred digits.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 
 #include "geometry/scene/generators_2.h"
 #include "kernel/failure.h"
+#include "kernel/parallel.h"
 #include "solver/system/radiosity_internal.h"
 #include "tests/solver/exact_radiosity.h"
 
@@ -171,8 +171,8 @@ TEST(RadiosityBounds, AreTheSameForAnyNumberOfThreads) {
     std::vector<Material> materials = scene.scene().materials;
     for (Material& m : materials) m.reflectivity = Spectrum::scalar(Rational(19, 20));
     std::vector<RadiositySolution> solutions;
-    for (const std::size_t threads : {1, 2, 3, 7}) {
-      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    for (const int threads : {1, 2, 3, 7}) {
+      const ThreadLimit limit(threads);
       solutions.push_back(scene.solve(materials, {solver, {}, {}, {}}));
     }
     for (const RadiositySolution& other : solutions)
