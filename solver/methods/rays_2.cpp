@@ -48,11 +48,12 @@ class RayStarts {
   // REQUIRES a row for the element, and a position in (0, 1).
   PieceRay2 at(std::uint32_t element, double position) const {
     const std::vector<Part>& parts = parts_[element];
+    if (parts.size() == 1) return start(parts.front(), position);
     const double distance = position * (parts.back().begin + parts.back().length);
     auto part = parts.end() - 1;
     while (part != parts.begin() && part->begin > distance) --part;
-    const double s = std::clamp((distance - part->begin) / part->length, 0x1p-53, 1 - 0x1p-53);
-    return {part->side, part->is_reversed ? 1 - s : s, 0, 0};
+    // Pieces that are shorter than the frame can tell are points: any place on them is the same.
+    return start(*part, part->length > 0 ? (distance - part->begin) / part->length : 0.5);
   }
 
  private:
@@ -61,6 +62,11 @@ class RayStarts {
     bool is_reversed;  // the piece runs against the element
     double length, begin, order;
   };
+  static PieceRay2 start(const Part& part, double position) {
+    const double s = std::clamp(position, 0x1p-53, 1 - 0x1p-53);
+    return {part.side, part.is_reversed ? 1 - s : s, 0, 0};
+  }
+
   std::vector<std::vector<Part>> parts_;  // by element
 };
 
