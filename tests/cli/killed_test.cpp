@@ -14,7 +14,10 @@ namespace {
 
 using testing_cli::Workplace;
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifndef __has_feature
+#define __has_feature(feature) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
 constexpr int kKills = 20;
 #else
 constexpr int kKills = 200;
