@@ -14,7 +14,7 @@
 namespace hottel {
 namespace {
 
-constexpr std::uint64_t kFewest = 3;  // pairs that a ratio nobody has heard of must explain
+constexpr std::uint64_t kFewest = 3;  // pairs that are no coincidence
 
 Reading nothing(Fault fault, const JudgedPairs& judged) {
   return {fault, std::vector<char>(judged.pairs().size(), 0), ""};
@@ -102,6 +102,16 @@ bool holds_for_all(const JudgedPairs& judged, double ratio) {
   });
 }
 
+// How many different factors a reading explains: what is symmetric repeats itself, and is no further evidence.
+std::size_t different_factors(const JudgedPairs& judged, const Reading& reading) {
+  std::vector<double> factors;
+  for (const JudgedPair& pair : judged.pairs())
+    if (reading.explains[judged.index_of(pair)]) factors.push_back(pair.exact);
+  std::sort(factors.begin(), factors.end());
+  const auto end = std::unique(factors.begin(), factors.end(), [](double a, double b) { return b - a <= 1e-12 * b; });
+  return static_cast<std::size_t>(end - factors.begin());
+}
+
 }  // namespace
 
 std::uint64_t Reading::count() const {
@@ -133,7 +143,7 @@ Reading read_constant_factor(const JudgedPairs& judged) {
   double ratio = 1;
   Reading best = most_common_ratio(judged, ratio);
   std::string named;
-  if (best.count() < kFewest) best = nothing(Fault::kConstantFactor, judged);
+  if (different_factors(judged, best) < kFewest) best = nothing(Fault::kConstantFactor, judged);
   for (const NamedFactor& factor : kNamedFactors) {
     Reading each = scaled_by(factor.value, judged);
     if (each.count() == 0 || each.count() < best.count() || (each.count() == best.count() && !named.empty())) continue;
@@ -141,9 +151,9 @@ Reading read_constant_factor(const JudgedPairs& judged) {
     ratio = factor.value;
     named = factor.words;
   }
-  best.words =
-      fmt::format("{} the exact ones times {}", holds_for_all(judged, ratio) ? "all factors are" : "factors are",
-                  named.empty() ? fmt::format("{:.6g}", ratio) : named);
+  const bool is_all = best.count() == judged.off() && holds_for_all(judged, ratio);
+  best.words = fmt::format("{} the exact ones times {}", is_all ? "all factors are" : "factors are",
+                           named.empty() ? fmt::format("{:.6g}", ratio) : named);
   return best;
 }
 
