@@ -96,7 +96,9 @@ void LogPlotPainter::draw(PictureCanvas& canvas) const {
   canvas.fill_rectangle(Mark::kPaper, {0, 0}, {double(plot_.width), double(plot_.height)}, palette::kPaper);
   draw_heading(canvas);
   draw_axes(canvas);
-  for (std::size_t k = 0; k < plot_.curves.size(); ++k) draw_curve(canvas, k);
+  for (std::size_t k = 0; k < plot_.curves.size(); ++k)
+    if (static_cast<int>(k) != plot_.emphasised) draw_curve(canvas, k);
+  if (plot_.emphasised >= 0) draw_curve(canvas, static_cast<std::size_t>(plot_.emphasised));
   draw_labels(canvas);
   draw_legend(canvas);
 }

@@ -27,7 +27,7 @@ struct LogPlot {
   bool x_is_seconds = false;  // numbers along x are durations: 1 ms instead of 10⁻³
   std::vector<LogPlotCurve> curves{};
   std::string zero_label = "0";  // of the level of values that are 0
-  int emphasised = -1;           // the curve that is drawn in ink, its points marked down to the axis
+  int emphasised = -1;           // the curve that is drawn in ink and on top, a dashed line through each point
 };
 
 // Draws a plot with a legend at its right.
