@@ -67,8 +67,10 @@ std::vector<std::uint32_t> Matching::by_name(const std::vector<ForeignName>& nam
   if (unknown.empty()) return places;
   std::vector<std::string> known;
   for (const std::uint32_t i : with_material_) known.push_back(elements_[i].name);
-  throw InputError({foreign_.names_file, line}, "the scene has no face " + listed_names(unknown),
-                   {"its faces are " + listed_names(known)});
+  std::vector<std::string> hints = {"its faces are " + listed_names(known)};
+  if (index.contains(unknown.front() + "#0"))
+    hints.push_back("the scene divides its faces: `hottel factors --per element` writes them as they are compared");
+  throw InputError({foreign_.names_file, line}, "the scene has no face " + listed_names(unknown), std::move(hints));
 }
 
 void Matching::require_all(const std::vector<std::uint32_t>& places, const char* what) const {

@@ -300,6 +300,19 @@ TEST_F(ForeignMatrixTest, SaysWhichNamesAreUnknownOrMissing) {
   EXPECT_EQ(why("g.npy", four), "g.npy.faces.csv:5: the scene has no face 'lamp'");
 }
 
+TEST_F(ForeignMatrixTest, SaysThatFacesAreDivided) {
+  Scene2 scene = read_scene_2(write("room.json", kRoom));
+  scene.surfaces[1].elements = 2;
+  const PreparedScene2 prepared = prepare(std::move(scene), Divided::kYes);
+  try {
+    matched(prepared, "f.csv", "from,to,factor\na,b,0.5\n");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the scene has no face 'b'"));
+    EXPECT_THAT(error.hints(), testing::Contains(HasSubstr("--per element")));
+  }
+}
+
 TEST_F(ForeignMatrixTest, RefusesWhatIsNoNumberAndWhatBreaksOff) {
   const auto with = [](const std::string& number) { return "from,to,factor\na,b,0.5\na,c," + number + "\n"; };
   EXPECT_EQ(why("f.csv", with("nan")), "f.csv:3: 'nan' is not a finite number");
