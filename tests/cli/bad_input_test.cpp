@@ -207,7 +207,7 @@ const BadLine kBadLines[] = {
     {"exact_forms_of_one", "hottel factors good.json --exact-form a", 2, "hottel: --exact-form"},
     {"exact_forms_of_nobody", "hottel factors good.json --exact-form a nobody -o earlier.csv", 2, "hottel: "},
     {"exact_forms_and_matrix", "hottel factors good.json --exact-form --matrix factor", 2, "hottel: "},
-    {"unknown_method", "hottel factors good.json --method magic", 2, "hottel: there is no method 'magic'"},
+    {"unknown_method", "hottel factors good.json --method magic", 2, "hottel: there is no method called 'magic'"},
     {"unknown_per", "hottel factors good.json --per room", 2, "hottel: --per"},
     {"unknown_pairs", "hottel factors good.json --pairs all", 2, "hottel: --pairs"},
     {"unknown_matrix", "hottel factors good.json --matrix view", 2, "hottel: --matrix"},
