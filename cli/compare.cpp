@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/command.h"
 #include "cli/foreign_results.h"
@@ -31,6 +33,7 @@ struct CompareOptions {
   bool sweep = false, json = false;
   std::size_t worst = 10;
   std::optional<int> repeat;
+  double at_most = 0;  // seconds; 0: no limit
   double beyond = 1e-6;
   std::string map;
   ElementOptions elements;
@@ -70,15 +73,6 @@ Methods methods_to_run(const MethodCatalogue2& catalogue, const CompareOptions& 
   Methods methods;
   for (const std::string& name : names_to_run(catalogue, options)) methods.push_back(catalogue.make(name));
   return methods;
-}
-
-void explain_worst(const PairExplainer2& explainer, const ExchangeMatrix& exact, const MethodResult& result,
-                   std::size_t count, std::vector<ExplainedPair>& explained) {
-  const auto name = [&](std::uint32_t element) {
-    return element == exact.sky() ? "sky" : exact.elements()[element].name;
-  };
-  for (const PairError& pair : worst_pairs(result.matrix, exact, count))
-    explained.push_back({result.info.name, name(pair.from), name(pair.to), pair, explainer.explain(pair)});
 }
 
 MethodResult run(const MethodComparison2& comparison, const ExchangeMethod2& method, const CompareOptions& options) {
@@ -144,10 +138,61 @@ std::string report_text(const MethodComparison2& comparison, std::span<const Met
                                  comparison.prepared().seconds) +
                      compare_table(results) + "\n";
   if (!comparison.exact_solution()) text += "no radiosities are compared: " + comparison.why_no_solution() + "\n";
+  std::vector<std::pair<std::string, std::string>> notes;  // what is said, of which methods
   for (const MethodResult& each : results)
-    for (const std::string& note : each.notes) text += each.info.name + ": " + note + "\n";
+    for (const std::string& note : each.notes) {
+      auto place = std::find_if(notes.begin(), notes.end(), [&](const auto& other) { return other.first == note; });
+      if (place == notes.end()) place = notes.insert(place, {note, ""});
+      place->second += (place->second.empty() ? "" : ", ") + each.info.name;
+    }
+  for (const auto& [note, whose] : notes) text += whose + ": " + note + "\n";
   for (const WorkReading& reading : readings) text += to_sentence(reading) + "\n";
   return text;
+}
+
+// What the methods came to, without their matrices.
+struct Outcome {
+  std::vector<MethodResult> results;
+  std::vector<ExplainedPair> worst;
+  std::string map;  // bytes of errors.png
+};
+
+std::vector<ExplainedPair> explain_worst(const PairExplainer2& explainer, const ExchangeMatrix& exact,
+                                         const MethodResult& result, std::size_t count) {
+  const auto name = [&](std::uint32_t element) {
+    return element == exact.sky() ? "sky" : exact.elements()[element].name;
+  };
+  std::vector<ExplainedPair> explained;
+  for (const PairError& pair : worst_pairs(result.matrix, exact, count))
+    explained.push_back({result.info.name, name(pair.from), name(pair.to), pair, explainer.explain(pair)});
+  return explained;
+}
+
+// Runs one method after the other. A matrix is looked at from all sides here, then dropped.
+Outcome run_all(const MethodComparison2& comparison, const Methods& methods, const CompareOptions& options,
+                const Streams& streams) {
+  const PairExplainer2 explainer(comparison.prepared(), comparison.exact());
+  const auto progress = streams.progress("methods");
+  Outcome outcome;
+  std::set<std::string> slow;  // families that have taken too long
+  for (std::size_t k = 0; k < methods.size(); ++k) {
+    if (progress) progress(static_cast<double>(k) / static_cast<double>(methods.size()));
+    const MethodInfo& info = methods[k]->info();
+    if (slow.contains(info.family)) {
+      streams.note(info.name + " is left out: " + info.family + " has taken longer than --at-most already");
+      continue;
+    }
+    MethodResult result = run(comparison, *methods[k], options);
+    if (options.at_most > 0 && result.timing.median > options.at_most) slow.insert(info.family);
+    std::ranges::move(explain_worst(explainer, comparison.exact(), result, options.worst),
+                      std::back_inserter(outcome.worst));
+    if (info.name == options.map) outcome.map = error_map_2(comparison, result, PictureFormat::kPng);
+    add_verdict(comparison, options.beyond, result);
+    result.matrix = {};
+    result.solution.reset();
+    outcome.results.push_back(std::move(result));
+  }
+  return outcome;
 }
 
 ExitCode compare(CompareOptions options, Streams& streams) {
@@ -157,7 +202,7 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   if (!radiosity_files.empty() && options.methods.empty()) options.methods.push_back("exact");
   const Methods methods = methods_to_run(methods_there_are, options);
   if (!options.map.empty() &&
-      std::none_of(methods.begin(), methods.end(), [&](const auto& m) { return m->info().name == options.map; }))
+      std::ranges::none_of(methods, [&](const auto& method) { return method->info().name == options.map; }))
     throw UsageError("--map takes one of the methods that are compared, not '" + options.map + "'");
 
   Scene2 scene = read_scene_2(options.scene);
@@ -165,50 +210,35 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   const std::string stem = std::filesystem::path(options.scene).stem().string();
   const std::filesystem::path directory = options.out.empty() ? stem + "-hottel" : options.out;
   std::filesystem::create_directories(directory);
-  std::vector<OutputFile> files;
-  const auto file = [&](const char* name) -> std::size_t {
-    files.emplace_back(directory / name);
-    return files.size() - 1;
-  };
-  const std::size_t csv = file("compare.csv"), worst = file("worst.csv"), read = file("readings.csv"),
-                    svg = file("compare.svg"), png = file("compare.png");
-  const std::size_t map = options.map.empty() ? 0 : file("errors.png");
+  OutputFile csv(directory / "compare.csv"), worst(directory / "worst.csv"), read(directory / "readings.csv"),
+      svg(directory / "compare.svg"), png(directory / "compare.png");
+  std::optional<OutputFile> map;
+  if (!options.map.empty()) map.emplace(directory / "errors.png");
 
   const PreparedScene2 prepared = prepare(std::move(scene), Divided::kYes);
   const MethodComparison2 comparison(prepared);
-  const PairExplainer2 explainer(prepared, comparison.exact());
-  std::vector<MethodResult> results;
-  std::vector<ExplainedPair> explained;
-  const auto progress = streams.progress("methods");
-  for (const auto& method : methods) {
-    MethodResult result = run(comparison, *method, options);
-    explain_worst(explainer, comparison.exact(), result, options.worst, explained);
-    if (result.info.name == options.map) files[map].write(error_map_2(comparison, result, PictureFormat::kPng));
-    add_verdict(comparison, options.beyond, result);
-    result.matrix = {};
-    result.solution.reset();
-    results.push_back(std::move(result));
-    if (progress) progress(static_cast<double>(results.size()) / static_cast<double>(methods.size()));
-  }
-
-  const std::vector<WorkCurve> curves = work_curves(results);
+  Outcome outcome = run_all(comparison, methods, options, streams);
+  const std::vector<WorkCurve> curves = work_curves(outcome.results);
   const std::vector<WorkReading> readings = read_off(curves, kErrorsReadOff);
   const LogPlot plot = work_precision_plot(curves, "What accuracy costs: " + stem, size_of(comparison.exact()));
+
   for (const std::string& name : radiosity_files)
-    results.push_back(judge_radiosity_file(name, comparison, options.beyond));
-  files[csv].write(compare_csv(results));
-  files[worst].write(worst_csv(explained));
-  files[read].write(readings_csv(curves, kErrorsReadOff));
-  files[svg].write(log_plot(plot, PictureFormat::kSvg));
-  files[png].write(log_plot(plot, PictureFormat::kPng));
-  for (OutputFile& each : files) each.finish();
-  if (options.json) streams.write("", report_json(options, comparison, results, readings));
+    outcome.results.push_back(judge_radiosity_file(name, comparison, options.beyond));
+  csv.write(compare_csv(outcome.results));
+  worst.write(worst_csv(outcome.worst));
+  read.write(readings_csv(curves, kErrorsReadOff));
+  svg.write(log_plot(plot, PictureFormat::kSvg));
+  png.write(log_plot(plot, PictureFormat::kPng));
+  if (map) map->write(outcome.map);
+  std::vector<OutputFile*> files = {&csv, &worst, &read, &svg, &png};
+  if (map) files.push_back(&*map);
+  for (OutputFile* file : files) file->finish();
+  for (OutputFile* file : files) file->commit();
+
+  if (options.json) streams.write("", report_json(options, comparison, outcome.results, readings));
   std::string names;
-  for (OutputFile& each : files) {
-    each.commit();
-    names += " " + std::filesystem::path(each.name()).filename().string();
-  }
-  streams.note(report_text(comparison, results, readings) + "\nin " + directory.string() + ":" + names);
+  for (const OutputFile* file : files) names += " " + std::filesystem::path(file->name()).filename().string();
+  streams.note(report_text(comparison, outcome.results, readings) + "\nin " + directory.string() + ":" + names);
   return ExitCode::kDone;
 }
 
@@ -241,6 +271,11 @@ void add_compare(Commands& commands) {
                   "time each method N times after a warm-up; without it at least 3 times and half a second")
       ->type_name("N")
       ->check(CLI::Range(1, 1'000'000));
+  command
+      .add_option("--at-most", options->at_most,
+                  "once a family takes more than S seconds, leave out what follows of it in the sweep")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
   command
       .add_option("--beyond", options->beyond,
                   "of file: and run:, call a pair off when it is wrong by more than X and the digits written")
