@@ -153,7 +153,7 @@ std::vector<std::string> verdict_sentences(const Verdict& verdict, const Exchang
                     verdict.off, verdict.pairs, verdict.options.beyond, verdict.max_error));
   }
   text.push_back(laws_sentence(verdict));
-  for (const Finding& finding : verdict.findings)
+  for (const FoundFault& finding : verdict.findings)
     text.push_back(fmt::format("{}: this explains {} of the {} pairs ({})", finding.words, finding.explained,
                                verdict.off, pairs_text(finding.worst, exact, finding.explained <= 2 ? 2 : 1)));
   if (verdict.unexplained > 0) {

@@ -27,7 +27,7 @@ enum class Fault {
 };
 
 // One fault, with its evidence.
-struct Finding {
+struct FoundFault {
   Fault fault;
   std::string words;            // one sentence
   std::uint64_t explained = 0;  // pairs that are off, and are not once this is allowed for
@@ -50,7 +50,7 @@ struct Verdict {
   double row_defect = 0;          // max |row sum - exact sum of the row over the columns there are|
   double least = 0, most = 0;     // factors
 
-  std::vector<Finding> findings;              // what explains most comes first; each pair is counted once
+  std::vector<FoundFault> findings;           // what explains most comes first; each pair is counted once
   std::uint64_t unexplained = 0;              // off, and by no fault that is known
   std::vector<JudgedPair> worst_unexplained;  // at most kPairsNamed, the worst first
 };

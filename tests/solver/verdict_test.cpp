@@ -94,7 +94,7 @@ struct Judged {
 
 std::vector<Fault> faults(const Verdict& verdict) {
   std::vector<Fault> result;
-  for (const Finding& finding : verdict.findings) result.push_back(finding.fault);
+  for (const FoundFault& finding : verdict.findings) result.push_back(finding.fault);
   return result;
 }
 
