@@ -6,6 +6,7 @@
 int main() {
   const hottel::ThreadLimit limit(2);
   long sum = 0;
-  hottel::parallel_for(1'000'000, [&sum](std::size_t k) { sum += static_cast<long>(k); }, 1000);
+  hottel::parallel_for(
+      1'000'000, [&sum](std::size_t k) { sum += static_cast<long>(k); }, 1000);
   std::printf("%ld\n", sum);
 }
