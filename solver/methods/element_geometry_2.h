@@ -62,6 +62,8 @@ class ElementGeometry2 {
   std::span<const ElementRun2> runs(std::uint32_t element) const {
     return {runs_.data() + begin_[element], runs_.data() + begin_[element + 1]};
   }
+  // Whether no run of an element was left out.
+  bool is_whole(std::uint32_t element) const { return runs(element).size() == labels_.runs(element).size(); }
   std::span<const ElementRun2> all_runs() const { return runs_; }
   std::size_t number_of(const ElementRun2& run) const { return static_cast<std::size_t>(&run - runs_.data()); }
   double length(std::uint32_t element) const { return length_[element]; }  // in local units

@@ -19,6 +19,7 @@ namespace hottel {
 namespace {
 
 constexpr std::uint32_t kMostPixels = 1u << 20;
+constexpr double kApart = 0x1p-16;
 constexpr const char* kReference = "Cohen and Greenberg 1985";
 
 // The scene as seen from the centre of a run: x along it, y over its front.
@@ -117,17 +118,39 @@ double distance_to_run(const LocalVector2& p, double run_length) {
   return std::hypot(beyond, p.y);
 }
 
+// Whether pieces that do not touch keep so far from each other, in parts of the scene's diagonal, that the buffer tells
+// which one is nearer. COST: vertices times pieces.
+bool are_apart(const Arrangement2& arrangement, const ElementGeometry2& geometry) {
+  const double least = kApart * geometry.diagonal();
+  for (const Segment2& piece : arrangement.pieces()) {
+    const LocalPoint2& from = geometry.place(piece.a);
+    const LocalVector2 along = geometry.place(piece.b) - from;
+    const double squared = dot(along, along);
+    for (VertexId v = 0; v < arrangement.vertices().size(); ++v) {
+      if (v == piece.a || v == piece.b) continue;
+      const LocalVector2 way = geometry.place(v) - from;
+      const double t = squared > 0 ? std::clamp(dot(way, along) / squared, 0.0, 1.0) : 0;
+      if (!(length({way.x - t * along.x, way.y - t * along.y}) > least)) return false;
+    }
+  }
+  return true;
+}
+
 // From the point x of a run, F_xj = 1/2 sum of sin phi_v over the vertices v between j and what is seen beside it, with
 // signs. A vertex between j and its neighbour is off by half a pixel at the most, and a pixel weighs 1 / resolution or
 // less. Along the run sin phi_v changes by y² / r³, and the mean distance from the centre is a quarter of the length.
+// Where two pieces meet in a vertex the nearer one is not told within R 2^-50 / kApart of its length, if they leave it
+// at an angle as small as kApart allows.
 std::optional<double> Hemicube2::declared_error(const PreparedScene2& prepared) const {
   if (options_.is_uniform) return std::nullopt;
   constexpr double kRounding = 1e-9;
   const ElementGeometry2 geometry(prepared);
   const Vertices2& vertices = prepared.arrangement.vertices();
+  const double of_vertex = 0.5 / options_.resolution + 2 * options_.resolution * 0x1p-50 / kApart;
   double largest = 0;
   for (std::uint32_t i = 0; i < geometry.count(); ++i) {
     if (!geometry.has_row(i)) continue;
+    if (!geometry.is_whole(i)) return std::nullopt;
     double error = 0;
     for (const ElementRun2& run : geometry.runs(i)) {
       const CentreFrame frame(vertices, geometry, run);
@@ -140,11 +163,11 @@ std::optional<double> Hemicube2::declared_error(const PreparedScene2& prepared) 
         in_front += 1;
         slopes += p.y / distance * (p.y / distance) / distance;
       }
-      error += run.share * (in_front / (2.0 * options_.resolution) + run.length / 8 * slopes);
+      error += run.share * (in_front * of_vertex + run.length / 8 * slopes);
     }
     largest = std::max(largest, error + kRounding);
   }
-  return largest < 1 ? std::optional(largest) : std::nullopt;
+  return largest < 1 && are_apart(prepared.arrangement, geometry) ? std::optional(largest) : std::nullopt;
 }
 
 std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {

@@ -15,6 +15,7 @@ namespace hottel {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
+constexpr double kHalfUlp = 0x1p-53;
 constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
 
 struct LaterFactors {
@@ -79,7 +80,7 @@ double PairMethod2::error_of_free_runs(const Vertices2&, const ElementGeometry2&
 double PairMethod2::error_of_free_pair(const Vertices2& vertices, const ElementGeometry2& geometry, std::uint32_t from,
                                        std::uint32_t to) const {
   for (const std::uint32_t element : {from, to})
-    if (geometry.runs(element).size() < geometry.labels().runs(element).size()) return kNothing;
+    if (!geometry.is_whole(element)) return kNothing;
   double error = 0;
   for (const ElementRun2& a : geometry.runs(from))
     for (const ElementRun2& b : geometry.runs(to))
@@ -108,8 +109,10 @@ ExchangeMethod2::ClaimedErrors PairMethod2::claimed_errors(const PreparedScene2&
              std::uint32_t from, std::uint32_t to) {
     if (to != known->geometry.labels().sky()) return of_pair(from, to);
     if (!is_open[from]) return 0.0;
-    double error = 0;  // what the sky gets is off by no more than all the others together
-    for (std::uint32_t other = 0; other < known->geometry.count(); ++other) error += of_pair(from, other);
+    // What the sky gets is off by no more than all the others together, and by the roundings of their sum and its rest.
+    double error = 0;
+    for (std::uint32_t other = 0; other < known->geometry.count(); ++other)
+      if (const double of_other = of_pair(from, other); of_other > 0) error += of_other + 2 * kHalfUlp;
     return error;
   };
 }

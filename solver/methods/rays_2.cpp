@@ -118,9 +118,11 @@ ExchangeMatrix Rays2::compute(const PreparedScene2& prepared, MethodReport& repo
 }
 
 std::optional<double> Rays2::declared_error(const PreparedScene2& prepared) const {
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
+  const ElementGeometry2 geometry(prepared);
+  for (std::uint32_t i = 0; i < geometry.count(); ++i)
+    if (geometry.has_row(i) && !geometry.is_whole(i)) return std::nullopt;
   const auto n = static_cast<double>(options_.rays);
-  const double columns = labels.count() + 1.0, pairs = columns * columns;
+  const double columns = geometry.count() + 1.0, pairs = columns * columns;
   double error = 1;
   if (options_.sampling != Sampling::kSobol) error = std::sqrt(std::log(2 * pairs / kChance) / (2 * n));
   // What is seen changes across the curves on which a vertex is seen: angles that fall from one end to the other.
