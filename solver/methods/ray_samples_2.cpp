@@ -47,7 +47,7 @@ RaySamples2::RaySamples2(Sampling sampling, std::uint64_t n, std::uint64_t seed)
 RaySamples2::Point RaySamples2::scrambled(std::uint64_t k, const RandomStream& random, const Point& jitter) const {
   const auto digits = [&](std::uint64_t axis, double below) {
     const std::uint32_t x = owen_scrambled(sobol_[2 * k + axis], static_cast<std::uint32_t>(random.bits(axis) >> 32));
-    return inside((x + below) * 0x1p-32);
+    return below_one((x + below) * 0x1p-32);
   };
   return {digits(0, jitter.position), digits(1, jitter.turn)};
 }

@@ -6,6 +6,9 @@
 
 namespace hottel {
 
+// What may have been rounded to 1, and is less.
+inline double below_one(double value) { return value < 1 ? value : 1 - 0x1p-53; }
+
 // A stream of random numbers that are addressed, not drawn: the k-th one is a hash of the stream and of k. So what is
 // computed from them depends neither on threads nor on order.
 // SEE: SplitMix64 (G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number generators, 2014).
@@ -14,8 +17,8 @@ class RandomStream {
   RandomStream(std::uint64_t seed, std::uint64_t stream) : start_(mix(mix(seed) + stream)) {}
 
   std::uint64_t bits(std::uint64_t k) const { return mix(start_ + (k + 1) * 0x9e3779b97f4a7c15ull); }
-  // Uniform in (0, 1), a multiple of 2^-54.
-  double uniform(std::uint64_t k) const { return (static_cast<double>(bits(k) >> 11) + 0.5) * 0x1p-53; }
+  // Uniform in (0, 1): a multiple of 2^-54, or the double nearest to one.
+  double uniform(std::uint64_t k) const { return below_one((static_cast<double>(bits(k) >> 11) + 0.5) * 0x1p-53); }
 
  private:
   static std::uint64_t mix(std::uint64_t z) {
@@ -63,11 +66,10 @@ class RaySamples2 {
       const std::uint64_t first = column * n_ / columns_, last = (column + 1) * n_ / columns_;
       const auto left = static_cast<double>(first), rows = static_cast<double>(last - first);
       for (; k < last; ++k)
-        visit(Point{inside((left + rows * random.uniform(2 * k + 2)) / n),
-                    inside((static_cast<double>(k - first) + random.uniform(2 * k + 3)) / rows)});
+        visit(Point{below_one((left + rows * random.uniform(2 * k + 2)) / n),
+                    below_one((static_cast<double>(k - first) + random.uniform(2 * k + 3)) / rows)});
     }
   }
-  static double inside(double value) { return value < 1 ? value : 1 - 0x1p-53; }  // a sum may round to 1
   Point scrambled(std::uint64_t k, const RandomStream& random, const Point& jitter) const;
 
   Sampling sampling_;
