@@ -21,6 +21,7 @@ namespace hottel {
 namespace {
 
 constexpr double kHalfUlp = 0x1p-53;
+constexpr double kConversion = 0x1p12;  // more than the error of a fixed-point number below 2^63 in doubles
 constexpr std::array<const char*, 5> kNames{"naive", "doubles", "bounds", "rounded", "cgal"};
 
 Labels2 labels_of(const PreparedScene2& prepared) {
@@ -76,8 +77,8 @@ ExchangeMatrix cgal_exchange(const PreparedScene2& prepared, MethodReport& repor
   return matrix;
 }
 
-// The quotient of two sums in doubles, and an interval that contains the real one. (Conversions are good to 2^-51, and
-// so is a quotient of what is; ends are moved outwards by more.)
+// The quotient of two sums in doubles, and an interval that contains it and the real one. (Conversions are good to
+// 2^-51, and so is a quotient of what is; ends are moved outwards by more.)
 struct EnclosedQuotient {
   double value;
   Enclosure bounds;
@@ -85,9 +86,10 @@ struct EnclosedQuotient {
 EnclosedQuotient quotient(const FixedSum& numerator, const FixedSum& denominator) {
   constexpr double kSlack = 0x1p-48;
   const double n = double_near(numerator.value), d = double_near(denominator.value);
-  const double n_error = numerator.error + 0x1p12, d_error = denominator.error + 0x1p12;
+  const double n_error = numerator.error + kConversion, d_error = denominator.error + kConversion;
   const double lower = (n - n_error) / (d + d_error), upper = (n + n_error) / (d - d_error);
-  return {n / d, {std::max(0.0, lower * (1 - kSlack)), d > d_error ? std::min(1.0, upper * (1 + kSlack)) : 1}};
+  const Enclosure bounds{std::max(0.0, lower * (1 - kSlack)), d > d_error ? std::min(1.0, upper * (1 + kSlack)) : 1};
+  return {d > 0 ? std::clamp(n / d, bounds.lower, bounds.upper) : bounds.lower, bounds};
 }
 
 // Entries of pairs that ascend by both labels, laid out by rows: each_entry(visit) calls visit(from, to, number), the
@@ -154,22 +156,25 @@ struct SumScale {
   double terms;          // at most so many in one sum
   double longest;        // no distance is longer
   double length_error;   // of a fixed-point length
+  double conversion;     // of a fixed-point sum to doubles, as quotient() allows for it
   double approximation;  // of a coordinate in doubles
 };
-SumScale scale_of(const PreparedScene2& prepared, const Labels2& labels) {
+// Nothing when no element has a row, or one is too short for fixed point.
+std::optional<SumScale> scale_of(const PreparedScene2& prepared, const Labels2& labels) {
   const Vertices2& vertices = prepared.arrangement.vertices();
-  Int128 smallest = 0;
+  std::optional<Int128> least;
   for (std::uint32_t label = 0; label < labels.count(); ++label)
-    if (labels.has_row(label) && (smallest == 0 || labels.length(label).value < smallest))
-      smallest = labels.length(label).value;
+    if (labels.has_row(label) && (!least || labels.length(label).value < *least)) least = labels.length(label).value;
+  if (!least || *least <= 0) return std::nullopt;
+  const Int128 smallest = *least;
   const Rational unit = vertices.fixed_unit();
   const double coordinate =
       to_double(scaled_by_power_of_two(Rational(1), vertices.exponent()) / (unit * Rational(to_integer(smallest))));
   const auto n = static_cast<double>(vertices.size());
   // Each of n (n - 1) / 2 gaps gives a pair four terms or fewer. Approximate coordinates are below 2^60 or 2^53 and
   // off by half a unit of their last place at most.
-  return {2 * n * n, 3 * coordinate, vertices.length_error() / double_near(smallest),
-          vertices.approximation_error() > 0 ? coordinate * 0x1p-52 : 0};
+  return SumScale{2 * n * n, 3 * coordinate, vertices.length_error() / double_near(smallest),
+                  kConversion / double_near(smallest), vertices.approximation_error() > 0 ? coordinate * 0x1p-52 : 0};
 }
 
 class Arithmetic2 final : public ExchangeMethod2 {
@@ -216,12 +221,16 @@ class Arithmetic2 final : public ExchangeMethod2 {
 std::optional<double> Arithmetic2::declared_error(const PreparedScene2& prepared) const {
   if (arithmetic_ == Arithmetic::kRounded) return 0;
   if (arithmetic_ == Arithmetic::kNaive || arithmetic_ == Arithmetic::kCgal) return std::nullopt;
-  const SumScale scale = scale_of(prepared, labels_of(prepared));
-  if (arithmetic_ == Arithmetic::kBounds) return 0x1p-48 + 2 * scale.terms * scale.length_error;
-  const double of_length = 8 * kHalfUlp * scale.longest + 4 * scale.approximation;
-  const double of_sum = scale.terms * (of_length + scale.terms * kHalfUlp * scale.longest);
+  const std::optional<SumScale> scale = scale_of(prepared, labels_of(prepared));
+  if (!scale) return std::nullopt;
   // Both the sum and the length it is divided by; a factor is at most 1.
-  return of_sum < 0.25 ? std::optional(4 * kHalfUlp + 2 * of_sum) : std::nullopt;
+  const auto of_quotient = [](double rounding, double of_sum) {
+    return of_sum < 0.25 ? std::optional(rounding + 2 * of_sum) : std::nullopt;
+  };
+  if (arithmetic_ == Arithmetic::kBounds)
+    return of_quotient(0x1p-48, scale->terms * scale->length_error + scale->conversion);
+  const double of_length = 8 * kHalfUlp * scale->longest + 4 * scale->approximation;
+  return of_quotient(4 * kHalfUlp, scale->terms * (of_length + scale->terms * kHalfUlp * scale->longest));
 }
 
 }  // namespace

@@ -12,13 +12,17 @@ class CgalPoints {
  public:
   explicit CgalPoints(const Vertices2& vertices) {
     points_.reserve(vertices.size());
+    // Below 1 where they are no doubles, so that squares stay in range.
+    const auto below_one = [shift = -vertices.exponent()](const Rational& value) {
+      return ExactKernel::FT(scaled_by_power_of_two(value, shift));
+    };
     for (VertexId v = 0; v < vertices.size(); ++v) {
       const Vertices2::Approximate& near = vertices.approximate(v);
       const ExactPoint2 exact = vertices.exact(v);
       if (vertices.approximation_error() == 0)
         points_.emplace_back(ExactKernel::FT(near.x), ExactKernel::FT(near.y));
       else
-        points_.emplace_back(ExactKernel::FT(exact.x), ExactKernel::FT(exact.y));
+        points_.emplace_back(below_one(exact.x), below_one(exact.y));
     }
   }
 
