@@ -252,6 +252,7 @@ ExchangeMatrix compute(const FactorsOptions& options, const ExchangeMethod2& met
                           {.per = per,
                            .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
                            .wants_measures = options.matrix == "exchange",
+                           .memory = memory_allowed(),
                            .progress = streams.progress("view factors")},
                           &report);
   ComputedFactors computed = factors_by(method, prepared, per);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "cli/command.h"
+#include "cli/memory.h"
 #include "cli/sha256.h"
 #include "io/factor_files.h"
 #include "io/radiosity_files.h"
@@ -48,7 +49,9 @@ SceneReference refer(const std::string& file, const std::string& name, const Str
   result.name = name;
   const PreparedScene2 prepared = prepare(read_scene_2(file), Divided::kYes);
   const ExchangeMatrix matrix = exact_exchange(
-      prepared, {.per = Per::kElement, .progress = streams.progress("view factors of " + name)}, &result.exchange);
+      prepared,
+      {.per = Per::kElement, .memory = memory_allowed(), .progress = streams.progress("view factors of " + name)},
+      &result.exchange);
   RadiosityOptions options;
   options.progress = streams.progress("radiosities of " + name);
   const RadiositySolution solution =
@@ -144,10 +147,14 @@ ExitCode reference(const ReferenceOptions& options, Streams& streams) {
   files.push_back({"SHA256SUMS", std::move(sums)});
 
   const std::filesystem::path directory = options.directory;
+  std::vector<OutputFile> outputs;
   for (const SetFile& file : files) {
     std::filesystem::create_directories((directory / file.path).parent_path());
-    write_output_file(directory / file.path, file.text);
+    outputs.emplace_back(directory / file.path).write(file.text);
   }
+  // All files are whole before the first one takes its name.
+  for (OutputFile& output : outputs) output.finish();
+  for (OutputFile& output : outputs) output.commit();
   streams.note(fmt::format("{} files in {}", files.size(), directory.string()));
   return ExitCode::kDone;
 }
