@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
+#include "geometry/check/contacts_2.h"
 #include "geometry/check/wording.h"
 #include "geometry/exchange/exchange_2.h"
 #include "geometry/scene/name.h"
@@ -30,26 +33,45 @@ void fill_gap(const NearMiss2& miss, Scene2& scene) {
   scene.surfaces.push_back(std::move(surface));
 }
 
-// By near miss; nothing where there is no gap, or no face with a material loses light there.
-std::vector<std::optional<Leak>> leaks(Scene2 scene, const std::vector<NearMiss2>& near_misses) {
-  const std::size_t own = scene.surfaces.size();
+Scene2 with_gaps_filled(Scene2 scene, const std::vector<NearMiss2>& near_misses, const std::vector<std::size_t>& gaps) {
   scene.materials.push_back({"gap", {}, {}});
-  std::vector<std::size_t> miss_of_gap;
-  for (std::size_t k = 0; k < near_misses.size(); ++k) {
-    if (near_misses[k].sticks_out) continue;
-    fill_gap(near_misses[k], scene);
-    miss_of_gap.push_back(k);
+  for (const std::size_t k : gaps) fill_gap(near_misses[k], scene);
+  return scene;
+}
+
+// Leaves out gaps that a surface lies along, in part: a side has one owner.
+void leave_out_covered(const Scene2& own, const std::vector<NearMiss2>& near_misses, std::vector<std::size_t>& gaps) {
+  std::vector<char> is_covered(gaps.size(), 0);
+  for (const Overlap2& overlap : find_contacts(with_gaps_filled(own, near_misses, gaps)).overlaps) {
+    const auto is_own = [&own](const PieceSource2& source) { return source.surface < own.surfaces.size(); };
+    if (std::none_of(overlap.covering.begin(), overlap.covering.end(), is_own)) continue;
+    for (const PieceSource2& source : overlap.covering)
+      if (!is_own(source)) is_covered[source.surface - own.surfaces.size()] = 1;
   }
+  std::vector<std::size_t> open;
+  for (std::size_t gap = 0; gap < gaps.size(); ++gap)
+    if (!is_covered[gap]) open.push_back(gaps[gap]);
+  gaps = std::move(open);
+}
+
+// By near miss; nothing where there is no gap, or no face with a material loses light there.
+std::vector<std::optional<Leak>> leaks(const Scene2& own, const std::vector<NearMiss2>& near_misses) {
+  std::vector<std::size_t> miss_of_gap;
+  for (std::size_t k = 0; k < near_misses.size(); ++k)
+    if (!near_misses[k].sticks_out) miss_of_gap.push_back(k);
+  if (!miss_of_gap.empty()) leave_out_covered(own, near_misses, miss_of_gap);
   std::vector<std::optional<Leak>> result(near_misses.size());
   if (miss_of_gap.empty()) return result;
-  const ExchangeMatrix matrix =
-      exact_exchange(prepare(std::move(scene)), {.per = Per::kFace, .wants_visibility = false});
+  const ExchangeMatrix matrix = exact_exchange(prepare(with_gaps_filled(own, near_misses, miss_of_gap)),
+                                               {.per = Per::kFace, .wants_visibility = false});
   for (std::uint32_t gap = 0; gap < matrix.size(); ++gap) {
     const std::uint32_t surface = matrix.elements()[gap].surface;
-    if (surface < own || !matrix.has_row(gap)) continue;
-    std::optional<Leak>& leak = result[miss_of_gap[surface - own]];
+    if (surface < own.surfaces.size() || !matrix.has_row(gap)) continue;
+    std::optional<Leak>& leak = result[miss_of_gap[surface - own.surfaces.size()]];
     for (const FactorEntry& entry : matrix.row(gap)) {
-      if (entry.to == matrix.sky() || matrix.elements()[entry.to].surface >= own || !matrix.has_row(entry.to)) continue;
+      if (entry.to == matrix.sky() || matrix.elements()[entry.to].surface >= own.surfaces.size() ||
+          !matrix.has_row(entry.to))
+        continue;
       const double factor = matrix.factor(entry.to, gap).value;
       if (!leak || factor > leak->factor) leak = {matrix.elements()[entry.to].name, factor};
     }

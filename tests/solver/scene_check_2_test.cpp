@@ -167,6 +167,18 @@ TEST(SceneCheck2, ALeakIsTheFactorTowardTheGap) {
   EXPECT_NEAR(leak, (crossed - uncrossed) / (2 * 2), 1e-14);
 }
 
+// From the end of 'a', which lies on 'stub', to 'wall': over the end of 'stub', which is no gap to be filled.
+TEST(SceneCheck2, ANearMissAlongASurfaceIsToldWithoutItsLeak) {
+  const Scene2 scene =
+      scene_of(edge("a", "[-1, 1], [0, 0]") + ", " + edge("stub", "[-1, 0], [0.00000001, 0]", "red", "red") + ", " +
+               edge("wall", "[0.0000001, -1], [0.0000001, 1]", "red", "red"));
+  const Findings findings = found(scene);
+  const auto miss = std::find_if(findings.begin(), findings.end(), [](auto& f) { return f.kind == "near-miss"; });
+  ASSERT_NE(miss, findings.end());
+  EXPECT_THAT(names(scene, *miss), ElementsAre("a", "wall"));
+  EXPECT_THAT(miss->message, testing::Not(HasSubstr("through the gap")));
+}
+
 TEST(SceneCheck2, ATipThatSticksOutIsAnOvershoot) {
   const Scene2 scene = scene_of(edge("door", "[2, 0], [2, 3.0001]", "white", "white") + ", " + kLamp, rings({kRoom}));
   const Findings findings = found(scene);
