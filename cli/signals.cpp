@@ -40,6 +40,7 @@ void install_signal_handlers() {
   struct sigaction before {};
   sigaction(SIGHUP, &action, &before);
   if (before.sa_handler == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // started by nohup
+  std::signal(SIGCHLD, SIG_DFL);                                   // where it is ignored a command's status is lost
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }

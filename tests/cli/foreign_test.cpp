@@ -86,6 +86,8 @@ TEST(Foreign, SolveRefusesNegativeFactorsAndFailsWithTheCommand) {
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.err, StartsWith("to nowhere\n"));
   EXPECT_THAT(outcome.err, HasSubstr("ended with status 5"));
+  outcome = place.run("trap '' CHLD; " + solve + "'run:exit 6'");
+  EXPECT_THAT(outcome.err, HasSubstr("ended with status 6"));
   outcome = place.run(solve + "file:missing.csv");
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, StartsWith("missing.csv: there is no such file"));
