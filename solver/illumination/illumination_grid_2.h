@@ -45,6 +45,7 @@ IlluminationGrid illuminate_points(const PreparedScene2& prepared, const Grid2& 
 // radiosity and depends on how edges are divided. The sky, which is at no distance, gives nothing; an edge on which the
 // centre lies is not seen from there.
 // by_element: as for FaceRadiosity2. [unit: that of radiosity / length²]
+// Throws RequestError when a value is beyond the range of doubles.
 IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const Grid2& grid, const Labels2& labels,
                                            std::span<const double> by_element, std::uint32_t channels,
                                            const std::function<void(double)>& progress = {});

@@ -95,6 +95,8 @@ IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const
     }
   };
   for_each_cell_view(prepared, grid, progress, visit);
+  if (std::any_of(result.values.begin(), result.values.end(), [](double value) { return !std::isfinite(value); }))
+    throw RequestError("the inverse square of lengths in this scene is beyond the range of doubles");
   return result;
 }
 

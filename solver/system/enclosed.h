@@ -20,7 +20,7 @@ namespace hottel {
 struct Enclosed {
   double hi = 0, lo = 0, radius = 0;
 
-  static Enclosed of(const Rational& value);
+  static Enclosed of(const Rational& value);  // any number, where it is beyond the range of doubles
   static Enclosed of(DoubleDouble value) { return {value.hi, value.lo, 0}; }
   static Enclosed of(const Rounded& value);  // on the side that is known, as far as half-way to the next double
   static Enclosed around(DoubleDouble value, const Enclosure& bounds);  // any number within the bounds
@@ -65,6 +65,7 @@ inline Enclosed product(const Enclosed& a, const Enclosed& b) {
 inline Enclosed Enclosed::of(const Rational& value) {
   Enclosed result;
   result.hi = to_double(value);
+  if (std::isinf(result.hi)) return {0, 0, std::numeric_limits<double>::infinity()};
   const Rational rest = value - Rational(result.hi);
   result.lo = to_double(rest);
   if (rest != Rational(result.lo)) result.radius = std::abs(result.lo) * (2 * kRoundoff) + kUnderflow;
@@ -84,6 +85,29 @@ inline Enclosed Enclosed::around(DoubleDouble value, const Enclosure& bounds) {
   const double reach = std::max(bounds.upper - value.hi, value.hi - bounds.lower);
   return {value.hi, value.lo, (reach + std::abs(value.lo)) * kOutward};
 }
+
+// Returns a 2^exponent; in the range of doubles nothing but what is below 2^-1070 is lost, in the radius.
+inline Enclosed scaled(const Enclosed& a, int exponent) {
+  if (exponent == 0 || a.size() == 0) return a;
+  return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent), std::ldexp(a.radius, exponent) + kUnderflow};
+}
+
+// Returns the exponent by which numbers up to `largest` are divided to keep sums and products of them in the range
+// of Enclosed: 0 unless they are very large or very small.
+inline int scale_of(double largest) {
+  constexpr int kOrdinary = 400;
+  const int exponent = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+  return std::abs(exponent) <= kOrdinary ? 0 : exponent;
+}
+
+// Return a double not above (not below) value 2^exponent.
+inline double lower_scaled(double value, int exponent) {
+  const double result = std::ldexp(value, exponent);
+  return std::isfinite(result) && std::ldexp(result, -exponent) <= value
+             ? result
+             : std::nextafter(result, -std::numeric_limits<double>::infinity());
+}
+inline double upper_scaled(double value, int exponent) { return -lower_scaled(-value, exponent); }
 
 inline double Enclosed::upper() const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "kernel/failure.h"
 #include "kernel/parallel.h"
 
 namespace hottel {
@@ -50,14 +51,35 @@ double reciprocity_defect(const ExchangeMatrix& matrix) {
   });
 }
 
-void EnergySum::add(const ExchangeMatrix& matrix, std::uint32_t row, double emission, double absorbed, double radiosity,
-                    double sky_emission) {
-  const Enclosed area{matrix.elements()[row].area.value, 0, 0};
+void require_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission, const RadiositySolution& solution) {
+  const auto require = [](bool is_a_double, const std::string& what) {
+    if (!is_a_double) throw RequestError(what + " is beyond the range of doubles");
+  };
+  for (const Rational& emission : sky_emission.value)
+    require(std::isfinite(to_double(emission)), "the emission of the sky");
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const Element& element = matrix.elements()[i];
+    require(element.area.value > 0 && std::isfinite(element.area.value), "the area of '" + element.name + "'");
+    for (const ChannelSolution& channel : solution.channels)
+      require(std::isfinite(channel.elements[i].radiosity) && std::isfinite(channel.elements[i].irradiance),
+              "the light of '" + element.name + "'");
+  }
+}
+
+double largest_area(const ExchangeMatrix& matrix) {
+  return largest_of_rows(matrix, [&](std::uint32_t i) { return matrix.elements()[i].area.value; });
+}
+
+EnergySum::EnergySum(const ExchangeMatrix& matrix) : matrix_(matrix), area_exponent_(scale_of(largest_area(matrix))) {}
+
+void EnergySum::add(std::uint32_t row, double emission, double absorbed, double radiosity, double sky_emission) {
+  const Enclosed area = scaled({matrix_.elements()[row].area.value, 0, 0}, -area_exponent_);
   emitted_ = sum(emitted_, product(area, {emission, 0, 0}));
   absorbed_ = sum(absorbed_, product(area, {absorbed, 0, 0}));
-  for (const FactorEntry& entry : matrix.row(row)) {
-    const bool is_sky = entry.to == matrix.sky();
-    if (!is_sky && matrix.has_row(entry.to)) continue;
+  for (const FactorEntry& entry : matrix_.row(row)) {
+    const bool is_sky = entry.to == matrix_.sky();
+    if (!is_sky && matrix_.has_row(entry.to)) continue;
     const Enclosed exchange = product(area, {entry.factor.value, 0, 0});
     Enclosed& taken = is_sky ? to_sky_ : absorbed_;
     taken = sum(taken, product(exchange, {radiosity, 0, 0}));
@@ -66,6 +88,7 @@ void EnergySum::add(const ExchangeMatrix& matrix, std::uint32_t row, double emis
 }
 
 EnergyBalance EnergySum::balance(int exponent) const {
+  exponent += area_exponent_;
   const Enclosed defect = difference(difference(emitted_, absorbed_), to_sky_);
   return {std::ldexp(emitted_.value(), exponent), std::ldexp(absorbed_.value(), exponent),
           std::ldexp(to_sky_.value(), exponent), std::ldexp(defect.value(), exponent)};

@@ -40,16 +40,6 @@ struct Printed {
   }
 };
 
-double lower_scaled(double value, int exponent) {
-  const double result = std::ldexp(value, exponent);
-  return std::isfinite(result) && std::ldexp(result, -exponent) <= value ? result : std::nextafter(result, -kInfinity);
-}
-
-double upper_scaled(double value, int exponent) {
-  const double result = std::ldexp(value, exponent);
-  return std::ldexp(result, -exponent) >= value ? result : std::nextafter(result, kInfinity);
-}
-
 bool is_symmetric_only(Solver solver) { return solver == Solver::kCholesky || solver == Solver::kCg; }
 
 // Everything for the channels of one reflectivity vector.
@@ -186,7 +176,7 @@ class Group {
     }
 
     const std::vector<Enclosed> irradiance = system_.irradiance(radiosity);
-    EnergySum energy;
+    EnergySum energy(matrix_);
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
       if (!matrix_.has_row(i)) continue;
       const Enclosed& taken = loss[*matrix_.elements()[i].material];
@@ -198,7 +188,7 @@ class Group {
       element.net = std::ldexp(net.value(), exponent);
       element.net_lower = std::isnan(net.radius) ? -kInfinity : lower_scaled(net.lower(), exponent);
       element.net_upper = std::isnan(net.radius) ? kInfinity : upper_scaled(net.upper(), exponent);
-      energy.add(matrix_, i, sources.emission[i].hi, absorbed.hi, radiosity[i].hi, sources.emission[matrix_.sky()].hi);
+      energy.add(i, sources.emission[i].hi, absorbed.hi, radiosity[i].hi, sources.emission[matrix_.sky()].hi);
     }
     solution.energy = energy.balance(exponent);
     lap("irradiance");

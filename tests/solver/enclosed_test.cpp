@@ -56,5 +56,11 @@ TEST(Enclosed, OfADoubleIsThatDouble) {
   }
 }
 
+TEST(Enclosed, ContainsANumberBeyondTheRangeOfDoubles) {
+  const Enclosed beyond = Enclosed::of(parse_rational("1e400").value());
+  EXPECT_EQ(beyond.lower(), -HUGE_VAL);
+  EXPECT_EQ(beyond.upper(), HUGE_VAL);
+}
+
 }  // namespace
 }  // namespace hottel
