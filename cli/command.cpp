@@ -1,6 +1,7 @@
 #include "cli/command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <new>
 #include <optional>
@@ -28,6 +29,16 @@ class ProgramFormatter : public CLI::Formatter {
     return text.str();
   }
 };
+
+CLI::Validator number_check(const std::string& wanted, bool (*is_wanted)(const std::string& text)) {
+  return CLI::Validator(
+      [=](std::string& text) { return is_wanted(text) ? "" : "expected " + wanted + ", not '" + text + "'"; }, "");
+}
+
+double number_or_nan(const std::string& text) {
+  double number = 0;
+  return CLI::detail::lexical_cast(text, number) && std::isfinite(number) ? number : std::nan("");
+}
 
 std::string after_colon(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -69,6 +80,20 @@ ExitCode report_failure() noexcept {
 }
 
 }  // namespace
+
+CLI::Validator positive_number() {
+  return number_check("a positive number", [](const std::string& text) { return number_or_nan(text) > 0; });
+}
+
+CLI::Validator number_not_below_zero() {
+  return number_check("a number not below 0", [](const std::string& text) { return number_or_nan(text) >= 0; });
+}
+
+CLI::Validator whole_number() {
+  return number_check("a whole number not below 0", [](const std::string& text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return '0' <= c && c <= '9'; });
+  });
+}
 
 Commands::Commands() : program_("hottel: the exact reference for diffuse light", "hottel") {
   program_.require_subcommand(1);

@@ -34,6 +34,11 @@ namespace hottel {
 
 enum class ExitCode : int { kDone = 0, kUnmet = 1, kUsage = 2, kFile = 3, kInterrupted = 130 };
 
+// Checks of an option's number, in words: CLI11's own let NaN pass and take -5 for a very large unsigned number.
+CLI::Validator positive_number();
+CLI::Validator number_not_below_zero();
+CLI::Validator whole_number();
+
 // The commands of the program. Each has --help, --quiet and --threads without doing anything for it.
 class Commands {
  public:

@@ -265,6 +265,7 @@ void add_compare(Commands& commands) {
   command.add_flag("--sweep", options->sweep, "run each family that is named through its parameters");
   command.add_option("--worst", options->worst, "how many of the worst pairs of each method worst.csv lists")
       ->type_name("K")
+      ->check(whole_number())
       ->capture_default_str();
   command
       .add_option("--repeat", options->repeat,
@@ -275,12 +276,12 @@ void add_compare(Commands& commands) {
       .add_option("--at-most", options->at_most,
                   "once a family takes more than S seconds, leave out what follows of it in the sweep")
       ->type_name("S")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   command
       .add_option("--beyond", options->beyond,
                   "of file: and run:, call a pair off when it is wrong by more than X and the digits written")
       ->type_name("X")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_not_below_zero())
       ->capture_default_str();
   command.add_option("--map", options->map, "draw errors.png: where this method gets the light wrong")
       ->type_name("METHOD");

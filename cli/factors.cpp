@@ -92,9 +92,11 @@ GrayFactors gray_factors(const FactorsOptions& options, const PreparedScene2& pr
   Stopwatch watch;
   GrayFactors gray;
   choose_channel(options, prepared, matrix, gray);
-  gray.matrix =
-      gray_exchange(matrix, prepared.scene.materials,
-                    {.channel = gray.channel, .memory = memory_allowed(), .progress = streams.progress("script-F")});
+  gray.matrix = naming_file(options.scene, [&] {
+    return gray_exchange(
+        matrix, prepared.scene.materials,
+        {.channel = gray.channel, .memory = memory_allowed(), .progress = streams.progress("script-F")});
+  });
   for (std::uint32_t i = 0; i < gray.matrix.size(); ++i)
     for (std::size_t k = 0; k < gray.matrix.row(i).size(); ++k)
       if (const double factor = gray.matrix.row(i)[k].factor.value; factor > 0)

@@ -7,6 +7,7 @@
 
 #include "cli/command.h"
 #include "cli/memory.h"
+#include "cli/scene_input.h"
 #include "cli/sha256.h"
 #include "io/factor_files.h"
 #include "io/radiosity_files.h"
@@ -14,6 +15,7 @@
 #include "io/text_file.h"
 #include "kernel/failure.h"
 #include "kernel/version.h"
+#include "solver/system/matrix_checks.h"
 #include "solver/system/radiosity.h"
 
 namespace hottel {
@@ -54,8 +56,12 @@ SceneReference refer(const std::string& file, const std::string& name, const Str
       &result.exchange);
   RadiosityOptions options;
   options.progress = streams.progress("radiosities of " + name);
-  const RadiositySolution solution =
-      solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission, options);
+  const Spectrum& sky = prepared.scene.sky_emission;
+  const RadiositySolution solution = naming_file(file, [&] {
+    RadiositySolution solved = solve_radiosity(matrix, prepared.scene.materials, sky, options);
+    require_doubles(matrix, sky, solved);
+    return solved;
+  });
   result.factors = matrix.entry_count();
   result.max_relative_width = solution.max_relative_width;
   const FactorTable table{prepared.scene, matrix, Per::kElement, {}, {}};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/exchange/exchange_2.h"
+#include "kernel/failure.h"
 
 namespace hottel {
 
@@ -18,6 +19,16 @@ struct ElementOptions {
   void add_to(CLI::App& command);
   void apply_to(Scene2& scene) const;  // throws UsageError for a size that is no positive number
 };
+
+// Returns what `work` returns. A RequestError of it, which knows no files, is told with the scene's file before it.
+template <class Work>
+auto naming_file(const std::string& file, const Work& work) {
+  try {
+    return work();
+  } catch (const RequestError& error) {
+    throw RequestError(file + ": " + error.what());
+  }
+}
 
 // Returns the surfaces whose name, or whose polyline's name, matches: equal, or equal up to a final '*'.
 // Throws UsageError when there is none.

@@ -16,6 +16,7 @@
 #include "solver/illumination/average_illumination_2.h"
 #include "solver/plan.h"
 #include "solver/system/crude_bounds.h"
+#include "solver/system/matrix_checks.h"
 #include "solver/system/radiosity.h"
 #include "viewer/picture/illumination_picture_2.h"
 
@@ -163,17 +164,23 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   if (is_exact) require_closed(prepared.scene, matrix);  // an error of the method is none of the scene
   seconds.insert(exchange.seconds.begin(), exchange.seconds.end());
 
-  RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission,
+  const std::vector<Material>& materials = prepared.scene.materials;
+  const Spectrum& sky = prepared.scene.sky_emission;
+  RadiositySolution solution = naming_file(options.scene, [&] {
+    RadiositySolution result = solve_radiosity(matrix, materials, sky,
                                                {.solver = *solver,
                                                 .iterations = options.iterations,
                                                 .until = options.until,
                                                 .progress = streams.progress("radiosity")});
+    require_doubles(matrix, sky, result);
+    return result;
+  });
   if (matrix.guarantee() == Guarantee::kEstimated) {
     notes.push_back(
         fmt::format("the equations of these factors are solved within {:.1e}; the bounds are those that hold "
                     "for any factors",
                     solution.max_relative_width));
-    set_crude_bounds(matrix, prepared.scene.materials, prepared.scene.sky_emission, solution);
+    set_crude_bounds(matrix, materials, sky, solution);
   }
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
   if ((options.iterations || options.until) && (solution.used == Solver::kCholesky || solution.used == Solver::kLu))
@@ -182,8 +189,9 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const NetFluxes fluxes(prepared.scene, matrix, solution);
 
   watch.lap();
-  const auto [light, light_error] =
-      illuminate(options.illumination, prepared, grid, per, solution, streams.progress("illumination"));
+  const auto [light, light_error] = naming_file(options.scene, [&] {
+    return illuminate(options.illumination, prepared, grid, per, solution, streams.progress("illumination"));
+  });
   seconds["illumination"] = watch.lap();
 
   const IlluminationPicture2 picture{.tone = *tone, .exposure = options.exposure};
@@ -241,7 +249,7 @@ void add_solve(Commands& commands) {
   command
       .add_option("--until", options->until, "stop it when the largest residual is below R times the largest source")
       ->type_name("R")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_not_below_zero());
   command.add_option("--grid", options->grid, "cells of the illumination over the scene's region")->type_name("NXxNY");
   command
       .add_option("--illumination", options->illumination,
@@ -254,7 +262,7 @@ void add_solve(Commands& commands) {
       ->capture_default_str();
   command.add_option("--exposure", options->exposure, "multiply the light by E before the tone curve")
       ->type_name("E")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->capture_default_str();
   command
       .add_option("--simulate", options->simulate,
@@ -263,7 +271,8 @@ void add_solve(Commands& commands) {
       ->capture_default_str();
   options->elements.add_to(command);
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
-      ->type_name("BYTES");
+      ->type_name("BYTES")
+      ->check(whole_number());
   command.add_flag("--json", options->json, "report.json on standard output too");
 }
 

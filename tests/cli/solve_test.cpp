@@ -295,5 +295,54 @@ TEST(Plan, SaysWhatIsLeftOutAndWhy) {
   EXPECT_EQ(plan_of(apartment)["sky"], "not");
 }
 
+// A square room as large as `side`, its lamp and its sky as bright as said.
+std::string room_of(const std::string& side, const std::string& lamp, const std::string& sky = "0") {
+  std::string text = R"({"hottel": 1, "dimension": 2,
+ "materials": {"wall": {"reflectivity": "1/2"}, "lamp": {"emission": "LAMP", "reflectivity": "1/2"}},
+ "edges": [{"name": "lamp", "points": [["S", 0], [0, 0]], "material": "lamp"}],
+ "polylines": [{"name": "walls", "points": [[0, 0], [0, "S"], ["S", "S"], ["S", 0]], "material": "wall"}],
+ "sky": {"emission": "SKY"}})";
+  for (const auto& [what, by] : std::map<std::string, std::string>{{"\"S\"", side}, {"LAMP", lamp}, {"SKY", sky}})
+    for (std::size_t at; (at = text.find(what)) != std::string::npos;)
+      text.replace(at, what.size(), what == "\"S\"" ? "\"" + by + "\" " : by);
+  return text;
+}
+
+TEST(Solve, BalancesNearTheEndsOfTheRangeOfDoubles) {
+  const Workplace place;
+  for (const auto& [side, lamp, emitted] :
+       {std::tuple("1e300", "1", 1e300), {"1", "1e305", 1e305}, {"1e-300", "1", 1e-300}, {"1e300", "1e-300", 1.0}}) {
+    place.write("room.json", room_of(side, lamp));
+    const Outcome outcome = place.run("hottel solve room.json -o room --grid 4x4 --quiet");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const std::string& line : lines_of(place.read("room/flux.csv"))) {
+      EXPECT_THAT(line, Not(HasSubstr("nan"))) << side << " " << lamp;
+      EXPECT_THAT(line, Not(HasSubstr("inf"))) << side << " " << lamp;
+    }
+    const auto report = nlohmann::json::parse(place.read("room/report.json"));
+    EXPECT_EQ(report.at("energy").at("emitted"), emitted);
+    EXPECT_NEAR(report.at("energy").at("absorbed").get<double>() / emitted, 1, 1e-14);
+  }
+}
+
+TEST(Solve, RefusesWhatDoublesCannotTellAndNamesTheFile) {
+  const Workplace place;
+  const std::string inverse_square = " --illumination inverse-square";
+  for (const auto& [scene, options] : {std::pair(room_of("1", "1e400"), std::string()),
+                                       {room_of("1", "1.7e308"), ""},
+                                       {room_of("1", "1e400"), " --method strings"},
+                                       {room_of("1", "1", "1e400"), ""},
+                                       {room_of("1e400", "1"), ""},
+                                       {room_of("1e-400", "1"), ""},
+                                       {room_of("1e-300", "1"), inverse_square}}) {
+    place.write("room.json", scene);
+    const Outcome outcome = place.run("hottel solve room.json -o room --grid 4x4 --quiet" + options);
+    EXPECT_EQ(outcome.code, 1) << scene << options;
+    EXPECT_THAT(outcome.err, StartsWith("room.json: "));
+    EXPECT_THAT(outcome.err, HasSubstr("beyond the range of doubles"));
+    EXPECT_TRUE(std::filesystem::is_empty(place.path("room"))) << scene << options;
+  }
+}
+
 }  // namespace
 }  // namespace hottel
