@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
@@ -11,6 +12,7 @@
 #include "io/scene_json.h"
 #include "kernel/failure.h"
 #include "solver/illumination/mean_irradiance_2.h"
+#include "solver/system/matrix_checks.h"
 #include "solver/system/radiosity.h"
 #include "viewer/picture/visibility_picture_2.h"
 
@@ -44,11 +46,16 @@ Json json_of(const Rounded& number) {
   return {{"value", number.value}, {"lower", bounds.lower}, {"upper", bounds.upper}};
 }
 
+bool is_a_double(const Rational& value) {
+  const double nearest = to_double(value);
+  return std::isfinite(nearest) && Rational(nearest) == value;
+}
+
 // "(1.5, 0.3333333333333333)", with "= (3/2, 1/3)" where a decimal would not say all.
 std::string text_of(const ExactPoint2& p) {
   const auto [x, y] = rounded(p);
   std::string text = fmt::format("({}, {})", shortest(x), shortest(y));
-  if (Rational(x) != p.x || Rational(y) != p.y) text += fmt::format(" = ({}, {})", to_string(p.x), to_string(p.y));
+  if (!is_a_double(p.x) || !is_a_double(p.y)) text += fmt::format(" = ({}, {})", to_string(p.x), to_string(p.y));
   return text;
 }
 
@@ -95,6 +102,7 @@ void add_mean_irradiance(const PreparedScene2& prepared, const VisibilityPolygon
   const Vertices2& vertices = prepared.arrangement.vertices();
   const ExchangeMatrix matrix = exact_exchange(prepared, {.per = Per::kFace, .wants_visibility = false});
   const RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission, {});
+  require_doubles(matrix, prepared.scene.sky_emission, solution);
   const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
   const std::vector<double> sky = sky_by_channel(prepared.scene.sky_emission, solution.channels.size());
   const FaceRadiosity2 faces(prepared.arrangement, labels, radiosity_by_element(solution), sky);
@@ -117,11 +125,9 @@ Answer from_point(const PreparedScene2& prepared, const ExactPoint2& eye, bool w
   answer.json["location"] = where(prepared, polygon);
   answer.json["area"] = polygon.area ? json_of(*polygon.area) : Json();
   answer.text = fmt::format("from {}, {}\n", text_of(eye), where(prepared, polygon));
-  answer.text +=
-      polygon.area
-          ? fmt::format("area {}{}\n", shortest(to_double(*polygon.area)),
-                        Rational(to_double(*polygon.area)) == *polygon.area ? "" : " = " + to_string(*polygon.area))
-          : "area unbounded: the sky is seen\n";
+  answer.text += polygon.area ? fmt::format("area {}{}\n", shortest(to_double(*polygon.area)),
+                                            is_a_double(*polygon.area) ? "" : " = " + to_string(*polygon.area))
+                              : "area unbounded: the sky is seen\n";
   const std::vector<ExactPoint2> corners = polygon.corners();
   answer.json["polygon"] = Json::array();
   answer.text += "\nvisibility polygon, counter-clockwise\n";

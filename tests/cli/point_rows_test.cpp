@@ -1,4 +1,4 @@
-// The view factors of points that analytic scenes know, as `hottel visibility --on` prints them.
+// What a point sees, as `hottel visibility` prints it: of analytic scenes, and beyond the range of doubles.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -34,6 +34,17 @@ TEST(PointRows, ArePrintedCorrectlyRounded) {
     }
   }
   EXPECT_GE(rows, 3u);
+}
+
+TEST(Visibility, OfNumbersBeyondTheRangeOfDoublesIsToldExactly) {
+  const Workplace place;
+  place.write("room.json", R"({"hottel": 1, "dimension": 2, "materials": {"m": {"emission": "1e400"}},
+ "polylines": [{"name": "p", "points": [[0, 0], [0, "1e200"], ["1e200", "1e200"], ["1e200", 0]], "closed": true,
+                "material": "m"}]})");
+  const Outcome outcome = place.run("hottel visibility room.json --at 1,1");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("= 1" + std::string(400, '0') + "\n"), std::string::npos) << outcome.out;  // the area
+  EXPECT_NE(outcome.out.find("no mean irradiance: "), std::string::npos) << outcome.out;
 }
 
 }  // namespace
