@@ -16,8 +16,9 @@ namespace hottel {
 //             orientations that differ from the exact ones.
 //   kDoubles  orientations exact (filtered), lengths and sums in doubles
 //   kBounds   orientations exact, sums in 128-bit fixed point with proven bounds; quotients in doubles, none is
-//             rounded correctly, and a sum that may be zero is taken for what it is in fixed point (a note counts
-//             these, another bounds the error of all factors); ExchangeMatrix::bounds() are proven
+//             rounded correctly, and a sum that may be zero is taken for what it is in fixed point, or for half of
+//             what it may be where that is not positive (a note counts these, another bounds the error of all factors);
+//             ExchangeMatrix::bounds() are proven, and the factor lies in them
 //   kRounded  orientations exact, every factor correctly rounded: the exact method
 //   kCgal     orientations and squared lengths in CGAL::Exact_predicates_exact_constructions_kernel, then std::sqrt of
 //             CGAL::to_double and sums in doubles
