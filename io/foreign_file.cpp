@@ -34,7 +34,7 @@ void put_in_order(ForeignMatrix& matrix) {
 void name_faces(ForeignMatrix& matrix) {
   const std::string beside = matrix.file + ".faces.csv";
   std::error_code ignored;
-  if (!matrix.column_names.empty() || !std::filesystem::exists(beside, ignored)) return;
+  if (matrix.is_list || !matrix.column_names.empty() || !std::filesystem::exists(beside, ignored)) return;
   std::vector<ForeignName> names = read_faces_csv(beside, read_text_file(beside));
   if (names.size() != matrix.columns || matrix.rows > names.size())
     throw InputError({beside, 0}, "names " + std::to_string(names.size()) + " faces for a matrix of " +

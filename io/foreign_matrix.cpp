@@ -30,7 +30,7 @@ class Matching {
   }
 
   Places places() const {
-    if (foreign_.column_names.empty()) return by_order();
+    if (foreign_.column_names.empty() && !foreign_.is_list) return by_order();
     Places places{by_name(foreign_.row_names), by_name(foreign_.column_names)};
     if (!foreign_.is_list) {
       require_all(places.row, "row");

@@ -75,6 +75,15 @@ TEST(Foreign, SolveBoundsHoldForTheTrueRadiosities) {
   EXPECT_THAT(report["notes"][0], StartsWith("view factors by center: estimated"));
 }
 
+TEST(Foreign, AListWithoutPairsIsAMatrixOfZeros) {
+  const Workplace place;
+  place.write("f.csv", "from,to,factor\n");
+  place.write("f.csv.faces.csv", "face\nwall\n");  // of another file
+  const Outcome outcome = place.run("hottel factors " + kBox + " --quiet --method file:f.csv");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "from,to,factor,lower,upper,visibility,guarantee\n");
+}
+
 TEST(Foreign, SolveRefusesNegativeFactorsAndFailsWithTheCommand) {
   const Workplace place;
   place.write("f.csv", "from,to,factor\nwall,floor,-0.25\n");
