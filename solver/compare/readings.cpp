@@ -164,8 +164,8 @@ struct ScaledRow {
   double ratio;
 };
 
-// Rows of which all factors, the sky's perhaps excepted, are off by one ratio; none when each of them has one factor
-// only, of which any number is some multiple.
+// Rows of which all factors, the sky's perhaps excepted, are off by one ratio other than 0; none when each of them has
+// one factor only, of which any number is some multiple.
 std::vector<ScaledRow> scaled_rows(const JudgedPairs& judged) {
   std::vector<ScaledRow> rows;
   bool is_evident = false;
@@ -178,7 +178,7 @@ std::vector<ScaledRow> scaled_rows(const JudgedPairs& judged) {
       off += pair.is_off;
       is_one_ratio = is_one_ratio && std::abs(pair.value - ratio * pair.exact) <= judged.tolerance(pair.value);
     }
-    if (off == 0 || !is_one_ratio) continue;
+    if (off == 0 || !is_one_ratio || ratio == 0) continue;
     rows.push_back({i, ratio});
     is_evident = is_evident || off >= 2;
   }

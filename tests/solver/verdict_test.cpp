@@ -275,6 +275,8 @@ TEST_P(VerdictTest, FindsWhatIsMissing) {
   const auto [a, b] = judged.pair_with([](double vis) { return vis == 1; });
   const auto without = [&, a = a, b = b](auto i, auto j, double e) { return i == a && j == b ? 0 : e; };
   expect_only(Fault::kMissing, judged, without, "missing or 0");
+  expect_only(
+      Fault::kMissing, judged, [](auto, auto, double) { return 0.0; }, "missing or 0");
 
   const auto with_rest = [&](auto i, auto j, double e) {
     return j == sky ? e + (i == a ? judged.exact.factor(a, b).value : 0) : without(i, j, e);
