@@ -22,7 +22,8 @@ void append(std::vector<std::string> sentences, MethodResult& result) {
 
 std::vector<std::string> take_radiosity_files(std::vector<std::string>& methods) {
   const auto first = std::stable_partition(methods.begin(), methods.end(), [](const std::string& name) {
-    return !name.starts_with(kFile) || name.ends_with(":normalised") || !holds_radiosities(name.substr(kFile.size()));
+    return !name.starts_with(kFile) || name == kFile || name.ends_with(":normalised") ||
+           !holds_radiosities(name.substr(kFile.size()));
   });
   std::vector<std::string> files(first, methods.end());
   methods.erase(first, methods.end());

@@ -227,6 +227,7 @@ const BadLine kBadLines[] = {
     {"until_no_number", "hottel solve good.json --until nan", 2, "hottel: --until"},
     {"memory_below_zero", "hottel solve good.json --memory -5", 2, "hottel: --memory"},
     {"worst_below_zero", "hottel compare good.json --methods exact --worst -1", 2, "hottel: --worst"},
+    {"file_of_no_name", "hottel compare good.json --methods file:", 2, "hottel: the method file: needs a path"},
     {"unknown_kind", "hottel generate castle", 2, "hottel: "},
     {"point_of_one_number", "hottel visibility good.json --at 1", 2, "hottel: --at"},
     {"point_of_nobody", "hottel visibility good.json --on nobody --at 1/2", 2, "hottel: "},
