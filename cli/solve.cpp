@@ -175,7 +175,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
     require_doubles(matrix, sky, result);
     return result;
   });
-  if (matrix.guarantee() == Guarantee::kEstimated) {
+  if (matrix.guarantee() != Guarantee::kExact) {  // enclosures of factors do not enter the equations
     notes.push_back(
         fmt::format("the equations of these factors are solved within {:.1e}; the bounds are those that hold "
                     "for any factors",

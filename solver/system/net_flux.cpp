@@ -97,7 +97,7 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
     for (std::size_t k = 0; k < result.size(); ++k)
       result[k].by_channel[c] = power_of(total[k], scale.area + scale.light);
     // What arrives at a black back or goes to the sky is known by factors alone, and those are estimates.
-    if (matrix.guarantee() == Guarantee::kEstimated)
+    if (matrix.guarantee() != Guarantee::kExact)
       for (std::uint32_t i = 0; i <= matrix.size(); ++i)
         if (is_listed[i] && (i == matrix.sky() || !matrix.has_row(i))) {
           NetFlux::Power& power = result[place[i]].by_channel[c];

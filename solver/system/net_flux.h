@@ -25,8 +25,8 @@ struct NetFlux {
 // over the elements for which `name_of` returns the same name, in the order of the first of them; the sky last.
 //
 //   (1) positive: more leaves than arrives, as from a lamp; negative: the difference is absorbed, or goes to the sky
-//   (2) lower <= true flux <= upper, and value lies between them; the same holds of sums over names. For an estimated
-//       matrix: given bounds that hold of the true radiosities (set_crude_bounds), and nothing is known of black backs
+//   (2) lower <= true flux <= upper, and value lies between them; the same holds of sums over names. For a matrix
+//       that is not exact: given bounds that hold of the true radiosities (set_crude_bounds), and nothing is known of black backs
 //       and the sky
 //   (3) the true fluxes of all names sum to 0: what is sent out arrives somewhere
 // REQUIRES a solution of this matrix with this sky. COST: one pass over the matrix a channel.

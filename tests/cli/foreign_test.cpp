@@ -75,6 +75,23 @@ TEST(Foreign, SolveBoundsHoldForTheTrueRadiosities) {
   EXPECT_THAT(report["notes"][0], StartsWith("view factors by center: estimated"));
 }
 
+// Where lengths are near the resolution of fixed point, enclosed factors are far from the exact ones.
+TEST(Foreign, SolveBoundsHoldForEnclosedFactors) {
+  const Workplace place;
+  place.write("s.json", R"({"hottel": 1, "dimension": 2, "materials": {"m": {"reflectivity": 0.5, "emission": 1}},
+      "edges": [{"name": "large", "points": [[1, 0], [-1, 0]], "material": "m"},
+                {"name": "small", "points": [["-1e-20", "1e-20"], ["1e-20", "1e-20"]], "material": "m"}]})");
+  for (const std::string method : {"exact", "arithmetic:bounds"})
+    ASSERT_EQ(place.run("hottel solve s.json --quiet --grid 4x4 -o " + method + " --method " + method).code, 0);
+  const auto exact = lines_of(place.read("exact/radiosity.csv")),
+             rough = lines_of(place.read("arithmetic:bounds/radiosity.csv"));
+  ASSERT_EQ(exact.size(), rough.size());
+  for (std::size_t k = 1; k < exact.size(); ++k) {
+    EXPECT_LE(number_from_end(rough[k], 4), number_from_end(exact[k], 4)) << rough[k];  // lower
+    EXPECT_GE(number_from_end(rough[k], 3), number_from_end(exact[k], 3)) << rough[k];  // upper
+  }
+}
+
 TEST(Foreign, AListWithoutPairsIsAMatrixOfZeros) {
   const Workplace place;
   place.write("f.csv", "from,to,factor\n");
