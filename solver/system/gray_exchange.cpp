@@ -109,7 +109,7 @@ ExchangeMatrix from_columns(const std::vector<Element>& elements,
 
 ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                              const GrayExchangeOptions& options) {
-  HOTTEL_REQUIRE(matrix.guarantee() != Guarantee::kEstimated);
+  HOTTEL_REQUIRE(matrix.guarantee() == Guarantee::kExact);
   const GraySystem system(matrix, materials, options.channel);
   std::vector<std::vector<ColumnEntry>> columns(matrix.size() + 1);
   std::atomic<std::uint64_t> done{0}, pairs{0};
