@@ -81,7 +81,8 @@ struct RadiositySolution {
 // Solves B_i = E_i + rho_i sum_j F_ij B_j in every channel.
 //
 //   (1) lower <= true B <= upper in every element, the true B being that of the exact factors, reflectivities and
-//       emissions; for an estimated matrix, of the doubles it holds
+//       emissions; for an estimated matrix, of the doubles it holds. Of an enclosed one nothing is proven: its bounds
+//       do not enter the equations (set_crude_bounds gives what holds)
 //   (2) lower = upper = 0 = B where no light reaches; B = E within half an ulp where rho = 0
 //   (3) widths of a few ulps after cholesky and cg, for any distance of rho from 1 (tried down to 2^-400) and for
 //       elements that next to no light reaches
