@@ -250,13 +250,15 @@ ExchangeMatrix compute(const FactorsOptions& options, const ExchangeMethod2& met
                        const Streams& streams, ExchangeReport& report, MethodReport& of_method) {
   const Per per = per_of(options.per);
   if (is_exact(options))
-    return exact_exchange(prepared,
-                          {.per = per,
-                           .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
-                           .wants_measures = options.matrix == "exchange",
-                           .memory = memory_allowed(),
-                           .progress = streams.progress("view factors")},
-                          &report);
+    return naming_file(options.scene, [&] {
+      return exact_exchange(prepared,
+                            {.per = per,
+                             .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
+                             .wants_measures = options.matrix == "exchange",
+                             .memory = memory_allowed(),
+                             .progress = streams.progress("view factors")},
+                            &report);
+    });
   ComputedFactors computed = factors_by(method, prepared, per);
   report = computed.counts;
   of_method = computed.report;

@@ -153,13 +153,16 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   ExchangeReport exchange;
   std::vector<std::string> notes;
   const bool is_exact = options.method == "exact";
-  const ExchangeMatrix matrix = is_exact ? exact_exchange(prepared,
-                                                          {.per = per,
-                                                           .wants_visibility = false,
-                                                           .occlusion = plan.uses(Plan::kOcclusion),
-                                                           .memory = memory_allowed(options.memory),
-                                                           .progress = streams.progress("view factors")},
-                                                          &exchange)
+  const auto exact_factors = [&] {
+    return exact_exchange(prepared,
+                          {.per = per,
+                           .wants_visibility = false,
+                           .occlusion = plan.uses(Plan::kOcclusion),
+                           .memory = memory_allowed(options.memory),
+                           .progress = streams.progress("view factors")},
+                          &exchange);
+  };
+  const ExchangeMatrix matrix = is_exact ? naming_file(options.scene, exact_factors)
                                          : approximate_factors(*method, prepared, per, exchange, notes);
   if (is_exact) require_closed(prepared.scene, matrix);  // an error of the method is none of the scene
   seconds.insert(exchange.seconds.begin(), exchange.seconds.end());

@@ -258,6 +258,7 @@ TEST(Solve, TooLittleMemoryIsAnUnmetRequestAndLeavesEarlierFiles) {
   const std::string before = place.read("out/radiosity.csv");
   const Outcome outcome = place.run(solve + " --memory 1000");
   EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, StartsWith(kScenes + "showcase/museum.json: "));
   EXPECT_THAT(outcome.err, HasSubstr("bytes"));
   EXPECT_EQ(place.read("out/radiosity.csv"), before);
 }
