@@ -314,6 +314,8 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   if (format) write_output_file(options.out, answer.draw(*format));
   if (options.json)
     streams.write("", answer.json.dump(2) + "\n");
+  else if (format)
+    streams.note(answer.text);
   else
     streams.write("", answer.text);
   return ExitCode::kDone;
@@ -337,7 +339,8 @@ void add_visibility(Commands& commands) {
       ->type_name("A");
   command.add_option("--to", options->to, "the other face")->type_name("B");
   command.add_flag("--json", options->json, "the answer as one JSON object");
-  command.add_option("-o", options->out, "draw it: .svg or .png")->type_name("FILE");
+  command.add_option("-o", options->out, "draw it: .svg or .png; the answer in words is a remark then, on stderr")
+      ->type_name("FILE");
 }
 
 }  // namespace hottel

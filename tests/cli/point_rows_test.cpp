@@ -47,5 +47,16 @@ TEST(Visibility, OfNumbersBeyondTheRangeOfDoublesIsToldExactly) {
   EXPECT_NE(outcome.out.find("no mean irradiance: "), std::string::npos) << outcome.out;
 }
 
+TEST(Visibility, IsToldOnStandardOutputOnlyWhereNoFileIsAskedFor) {
+  const Workplace place;
+  const std::string line = "hottel visibility " + std::string(HOTTEL_SOURCE_DIR) + "/scenes/analytic/triangle_345.json";
+  const Outcome told = place.run(line + " --at 1,1"), drawn = place.run(line + " --at 1,1 -o seen.svg"),
+                quiet = place.run(line + " --at 1,1 -o seen.svg --quiet");
+  EXPECT_EQ(told.err, "");
+  EXPECT_EQ(drawn.out, "");
+  EXPECT_NE(drawn.err.find("fraction of the full turn"), std::string::npos);
+  EXPECT_EQ(quiet.out + quiet.err, "");
+}
+
 }  // namespace
 }  // namespace hottel
