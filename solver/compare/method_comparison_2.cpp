@@ -16,7 +16,9 @@ double max_radiosity_error(const RadiositySolution& solution, const RadiositySol
     const auto &found = solution.channels[c].elements, &wanted = exact.channels[c].elements;
     HOTTEL_REQUIRE(found.size() == wanted.size());
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      difference = std::max(difference, std::abs(found[i].radiosity - wanted[i].radiosity));
+      const double here = std::abs(found[i].radiosity - wanted[i].radiosity);
+      if (std::isnan(here)) return std::numeric_limits<double>::infinity();
+      difference = std::max(difference, here);
       brightest = std::max(brightest, wanted[i].radiosity);
     }
   }
@@ -58,7 +60,7 @@ MethodResult MethodComparison2::run(const ExchangeMethod2& method, const std::op
   result.solution = solve(result.matrix, why_not);
   result.max_radiosity_error = result.solution ? max_radiosity_error(*result.solution, *exact_solution_)
                                                : std::numeric_limits<double>::infinity();
-  if (!result.solution) result.notes.push_back("no radiosities: " + why_not);
+  if (!result.solution) result.notes.push_back(why_not);
   return result;
 }
 

@@ -51,7 +51,8 @@ class InverseSquare2 final : public PairMethod2 {
  public:
   explicit InverseSquare2(const Rational& constant)
       : PairMethod2({"center-vis" + std::string(kInverseSquare) + to_string(constant), "center-vis:inverse-square",
-                     to_double(constant), Guarantee::kEstimated, "the first source system, literally"}),
+                     to_double(constant), Guarantee::kEstimated,
+                     "F = K/r^2 cos cos Vis as a planar radiosity program used it; see docs/accuracy.md"}),
         constant_(constant) {}
 
  protected:
