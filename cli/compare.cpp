@@ -15,6 +15,7 @@
 #include "io/comparison_files.h"
 #include "io/scene_json.h"
 #include "kernel/failure.h"
+#include "kernel/version.h"
 #include "solver/compare/method_comparison_2.h"
 #include "solver/compare/pair_explanation_2.h"
 #include "solver/compare/work_precision.h"
@@ -87,6 +88,7 @@ std::string report_json(const CompareOptions& options, const MethodComparison2& 
                         std::span<const MethodResult> results, std::span<const WorkReading> readings) {
   nlohmann::ordered_json json;
   json["hottel"] = 1;
+  json["version"] = kVersion;
   json["scene"] = options.scene;
   json["counts"] = {{"surfaces", comparison.prepared().scene.surfaces.size()},
                     {"elements", comparison.exact().size()},
