@@ -272,7 +272,8 @@ TEST_P(VerdictTest, FindsWhatIsMissing) {
   expect_only(
       Fault::kSkyMissing, judged, [&](auto, auto j, double e) { return j == sky ? 0 : e; }, "nothing goes to the sky");
 
-  const auto [a, b] = judged.pair_with([](double vis) { return vis == 1; });
+  const auto pair = judged.pair_with([](double vis) { return vis == 1; });
+  const std::uint32_t a = pair.first, b = pair.second;
   const auto without = [&, a = a, b = b](auto i, auto j, double e) { return i == a && j == b ? 0 : e; };
   expect_only(Fault::kMissing, judged, without, "missing or 0");
   expect_only(
