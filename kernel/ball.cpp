@@ -9,11 +9,25 @@
 #include "kernel/root_sum.h"
 
 namespace hottel {
+namespace {
+
+// FLINT keeps pools of memory for each thread and wants to be told when a thread ends.
+struct ThreadPools {
+  void use() {}
+  ~ThreadPools() { flint_cleanup(); }
+};
+thread_local ThreadPools pools;
+
+}  // namespace
 
 struct Ball::Hidden {
   arb_t x;
-  Hidden() { arb_init(x); }
+  Hidden() {
+    pools.use();
+    arb_init(x);
+  }
   Hidden(const Hidden& other) {
+    pools.use();
     arb_init(x);
     arb_set(x, other.x);
   }

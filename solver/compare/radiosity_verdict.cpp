@@ -86,7 +86,8 @@ RadiosityVerdict judge_radiosities(const ExchangeMatrix& exact, const RadiosityS
     }
   verdict.outside = outside.size();
   if (verdict.max_error > 0) verdict.max_error /= brightest;  // infinite in the dark
-  for (const RadiosityReading& reading : RadiosityJudge(exact, solution).readings()) {
+  const RadiosityJudge judge(exact, solution);
+  for (const RadiosityReading& reading : judge.readings()) {
     const auto explained =
         static_cast<std::uint64_t>(std::count_if(outside.begin(), outside.end(), [&](const JudgedRadiosity& each) {
           const double rest = std::abs(each.value - reading.value(each));

@@ -113,7 +113,8 @@ TEST(Solve, SimulatingEverythingGivesTheSameNumbers) {
     ASSERT_EQ(place.run(solve + "-o auto && " + solve + "-o all --simulate everything").code, 0) << scene;
     for (const std::string file : {"radiosity.csv", "flux.csv", "illumination.npy"})
       EXPECT_EQ(place.read("auto/" + file), place.read("all/" + file)) << scene << " " << file;
-    for (const auto& effect : nlohmann::json::parse(place.read("all/report.json"))["plan"])
+    const auto report = nlohmann::json::parse(place.read("all/report.json"));
+    for (const auto& effect : report["plan"])
       EXPECT_EQ(effect["used"], effect["effect"] != "lights") << scene << " " << effect["effect"];
   }
 }
