@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/oracle/gauss_rule.h"
+
 namespace hottel::oracle {
 namespace {
 
@@ -112,30 +114,8 @@ std::vector<Polygon> parts_of(const Polygon& rectangle, const std::vector<Place>
   return parts;
 }
 
-// Nodes and weights of Gauss and Legendre on (0, 1), by Newton's iteration.
-struct Gauss {
-  std::vector<Real> node, weight;
-  explicit Gauss(int n) {
-    for (int k = 0; k < n; ++k) {
-      Real x = std::cos(std::numbers::pi_v<Real> * (k + 0.75L) / (n + 0.5L)), slope = 1;
-      for (int step = 0; step < 60; ++step) {
-        Real p = 1, before = 0;
-        for (int m = 0; m < n; ++m) {
-          const Real next = ((2 * m + 1) * x * p - m * before) / (m + 1);
-          before = p;
-          p = next;
-        }
-        slope = n * (x * p - before) / (x * x - 1);
-        x -= p / slope;
-      }
-      node.push_back((1 + x) / 2);
-      weight.push_back(1 / ((1 - x * x) * slope * slope));
-    }
-  }
-};
-
 // Over a triangle at whose first corner the direction to an end point may jump: collapsed there.
-Real over_triangle(const View& view, const Gauss& rule, const Place& p, const Place& q, const Place& r) {
+Real over_triangle(const View& view, const GaussRule& rule, const Place& p, const Place& q, const Place& r) {
   Real sum = 0;
   for (std::size_t i = 0; i < rule.node.size(); ++i)
     for (std::size_t j = 0; j < rule.node.size(); ++j) {
@@ -154,7 +134,7 @@ long double mean_irradiance(const std::vector<LitSegment>& segments, double sky,
 
 MeanLight mean_light(const std::vector<LitSegment>& segments, double sky, long double x0, long double y0,
                      long double x1, long double y1) {
-  static const Gauss kLow(6), kHigh(10);
+  static const GaussRule kLow(6), kHigh(10);
   const Polygon rectangle{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
   Real low = 0, high = 0;
   for (const Polygon& part : parts_of(rectangle, end_points(segments))) {

@@ -7,7 +7,7 @@
 #include "kernel/interrupt.h"
 #include "kernel/parallel.h"
 #include "solver/illumination/average_illumination_2.h"
-#include "tests/solver/gauss_rule.h"
+#include "tests/oracle/gauss_rule.h"
 #include "tests/solver/lit_scenes.h"
 
 namespace hottel {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/solver/gauss_rule.h"
+#include "tests/oracle/gauss_rule.h"
 
 namespace hottel {
 namespace {
