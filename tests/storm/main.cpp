@@ -23,8 +23,12 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
 
   const auto start = std::chrono::steady_clock::now();
+  auto shown = start;
   options.progress = [&](std::uint64_t done) {
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - shown < std::chrono::seconds(1)) return;
+    shown = now;
+    const std::chrono::duration<double> taken = now - start;
     const double left = taken.count() * static_cast<double>(options.scenes - done) / static_cast<double>(done);
     fmt::print(stderr, "\r{} of {} scenes, {:.0f} s left  ", done, options.scenes, left);
   };
