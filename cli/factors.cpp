@@ -296,7 +296,7 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   if (gray) table.gray_channel = gray->channel;
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = hidden_pairs(prepared, per, matrix);
   if (drawing) drawing->write(draw_picture(options, prepared, *picture));
-  if (out) write_factors(options, prepared, table, format, *out, faces);
+  if (out) naming_file(options.scene, [&] { write_factors(options, prepared, table, format, *out, faces); });
 
   // All files are whole before the first one takes its name.
   for (std::optional<OutputFile>* file : {&out, &faces, &drawing})

@@ -30,6 +30,13 @@ auto naming_file(const std::string& file, const Work& work) {
   }
 }
 
+// The largest coordinate, and one over the smallest extent, that drawings with points in doubles take.
+inline constexpr double kLargestDrawn = 1e300;
+
+// Throws RequestError, naming a surface, where a drawing that places points by doubles could not: a coordinate beyond
+// their range, or a scene so far from the origin that they do not tell its points apart.
+void require_drawable(const Scene2& scene);
+
 // Returns the surfaces whose name, or whose polyline's name, matches: equal, or equal up to a final '*'.
 // Throws UsageError when there is none.
 std::vector<std::uint32_t> surfaces_matching(const Scene2& scene, const std::string& pattern);

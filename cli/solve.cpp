@@ -178,11 +178,12 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
     require_doubles(matrix, sky, result);
     return result;
   });
-  if (matrix.guarantee() != Guarantee::kExact) {  // enclosures of factors do not enter the equations
-    notes.push_back(
-        fmt::format("the equations of these factors are solved within {:.1e}; the bounds are those that hold "
-                    "for any factors",
-                    solution.max_relative_width));
+  if (matrix.guarantee() != Guarantee::kExact) {
+    notes.push_back(matrix.guarantee() == Guarantee::kEnclosed
+                        ? "the bounds hold for all factors within their enclosures that sum to 1"
+                        : fmt::format("the equations of these factors are solved within {:.1e}; the bounds are those "
+                                      "that hold for any factors",
+                                      solution.max_relative_width));
     set_crude_bounds(matrix, materials, sky, solution);
   }
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());

@@ -7,9 +7,11 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
+#include "geometry/exchange/pair_rounding_2.h"
 #include "geometry/visibility/critical_points_2.h"
 #include "geometry/visibility/visibility_polygon_2.h"
 #include "io/scene_json.h"
+#include "kernel/decimal.h"
 #include "kernel/failure.h"
 #include "solver/illumination/mean_irradiance_2.h"
 #include "solver/system/matrix_checks.h"
@@ -53,8 +55,7 @@ bool is_a_double(const Rational& value) {
 
 // "(1.5, 0.3333333333333333)", with "= (3/2, 1/3)" where a decimal would not say all.
 std::string text_of(const ExactPoint2& p) {
-  const auto [x, y] = rounded(p);
-  std::string text = fmt::format("({}, {})", shortest(x), shortest(y));
+  std::string text = fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y));
   if (!is_a_double(p.x) || !is_a_double(p.y)) text += fmt::format(" = ({}, {})", to_string(p.x), to_string(p.y));
   return text;
 }
@@ -125,7 +126,7 @@ Answer from_point(const PreparedScene2& prepared, const ExactPoint2& eye, bool w
   answer.json["location"] = where(prepared, polygon);
   answer.json["area"] = polygon.area ? json_of(*polygon.area) : Json();
   answer.text = fmt::format("from {}, {}\n", text_of(eye), where(prepared, polygon));
-  answer.text += polygon.area ? fmt::format("area {}{}\n", shortest(to_double(*polygon.area)),
+  answer.text += polygon.area ? fmt::format("area {}{}\n", decimal_text(*polygon.area),
                                             is_a_double(*polygon.area) ? "" : " = " + to_string(*polygon.area))
                               : "area unbounded: the sky is seen\n";
   const std::vector<ExactPoint2> corners = polygon.corners();
@@ -247,25 +248,27 @@ Answer between_faces(const PreparedScene2& prepared, const std::string& from, co
   answer.json["to"] = to;
   answer.text = fmt::format("'{}' and '{}'\n", from, to);
   const auto add = [&](const char* key, const std::string& label, const RootSum& numerator, const RootSum& denominator,
-                       const std::string& form) {
-    Json entry;
-    if (denominator.is_zero()) {
-      answer.json[key] = entry;
-      return;
-    }
-    const Rounded value = round_quotient(numerator, denominator).number;
-    entry = json_of(value);
-    if (!form.empty()) entry["exact"] = form;
-    answer.json[key] = entry;
-    answer.text += fmt::format("  {:<28} {:<22}{}\n", label, shortest(value.value), form.empty() ? "" : " = " + form);
+                       bool is_visibility) {
+    answer.json[key] = nullptr;
+    if (denominator.is_zero()) return;
+    Rounded value = round_quotient(numerator, denominator).number;
+    if (is_visibility) value.value = visibility_of(value);
+    answer.json[key] = json_of(value);
+    answer.text += fmt::format("  {:<28} {:<22}\n", label, shortest(value.value));
   };
-  add("exchange", "S, exchange measure", pair.exchange, one, pair.exchange.to_string());
-  add("unobstructed", "S0, everything else removed", pair.unobstructed, one, pair.unobstructed.to_string());
-  add("visibility", "Vis = S / S0", pair.exchange, pair.unobstructed, "");
-  add("area_from", "A of '" + from + "'", pair.area_from, one, pair.area_from.to_string());
-  add("area_to", "A of '" + to + "'", pair.area_to, one, pair.area_to.to_string());
-  add("factor", "F from '" + from + "'", pair.exchange, pair.area_from, "");
-  add("factor_back", "F from '" + to + "'", pair.exchange, pair.area_to, "");
+  const auto add_exact = [&](const char* key, const std::string& label, const RootSum& measure) {
+    const std::string form = measure.to_string();
+    answer.json[key] = json_of(round_quotient(measure, one).number);
+    answer.json[key]["exact"] = form;
+    answer.text += fmt::format("  {:<28} {:<22} = {}\n", label, decimal_text(measure), form);
+  };
+  add_exact("exchange", "S, exchange measure", pair.exchange);
+  add_exact("unobstructed", "S0, everything else removed", pair.unobstructed);
+  add("visibility", "Vis = S / S0", pair.exchange, pair.unobstructed, true);
+  add_exact("area_from", "A of '" + from + "'", pair.area_from);
+  add_exact("area_to", "A of '" + to + "'", pair.area_to);
+  add("factor", "F from '" + from + "'", pair.exchange, pair.area_from, false);
+  add("factor_back", "F from '" + to + "'", pair.exchange, pair.area_to, false);
 
   PairDrawing drawing;
   drawing.a = a.surface;
@@ -308,6 +311,9 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   const Rational t = options.on.empty() ? Rational(0) : number(options.at, "--at with --on");
 
   const PreparedScene2 prepared = prepare(read_scene_2(options.scene));
+  if (format) require_drawable(prepared.scene);
+  if (format && eye && std::max(std::abs(rounded(*eye)[0]), std::abs(rounded(*eye)[1])) > kLargestDrawn)
+    throw RequestError(options.scene + ": the point " + options.at + " is too far away to be drawn");
   const Answer answer = is_pair               ? between_faces(prepared, options.from, options.to)
                         : !options.on.empty() ? from_face(prepared, options.on, t)
                                               : from_point(prepared, *eye, true);

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "io/npy.h"
+#include "kernel/failure.h"
 #include "kernel/rational.h"
 
 namespace hottel {
@@ -55,6 +56,18 @@ std::vector<std::string> csv_names(const ExchangeMatrix& matrix) {
   std::vector<std::string> names;
   for (std::uint32_t i = 0; i <= matrix.size(); ++i) names.push_back(csv_field(name_of(matrix, i)));
   return names;
+}
+
+[[noreturn]] void refuse_beyond(const std::string& what, const char* range) {
+  throw RequestError(what + " is beyond the range of " + range);
+}
+
+void require_double(double value, const std::string& what) {
+  if (!std::isfinite(value)) refuse_beyond(what, "doubles");
+}
+
+std::string area_of(const ExchangeMatrix& matrix, std::uint32_t label) {
+  return "the area of '" + name_of(matrix, label) + "'";
 }
 
 // Calls visit(row as dense vector) for each of the size() + 1 rows; rows that do not exist are zeros.
@@ -169,6 +182,7 @@ void write_faces_csv(const FactorTable& table, const Sink& sink) {
     const Element& element = matrix.elements()[i];
     const Surface2& surface = table.scene.surfaces[element.surface];
     const std::string face = table.per == Per::kGroup ? element.name : face_name(table.scene, element);
+    require_double(element.area.value, area_of(matrix, i));
     out << fmt::format("{},{},{},", i + 1, csv_field(face), element.part) << element.area.value << ","
         << (element.material ? csv_field(table.scene.materials[*element.material].name) : "");
     if (table.per == Per::kGroup) {
@@ -178,8 +192,11 @@ void write_faces_csv(const FactorTable& table, const Sink& sink) {
     for (const std::uint32_t k : {element.part, element.part + 1}) {
       Rational t(k, element.parts);
       t.canonicalize();
-      out << "," << to_double(surface.from.x + t * (surface.to.x - surface.from.x)) << ","
-          << to_double(surface.from.y + t * (surface.to.y - surface.from.y));
+      const double x = to_double(surface.from.x + t * (surface.to.x - surface.from.x)),
+                   y = to_double(surface.from.y + t * (surface.to.y - surface.from.y));
+      require_double(x, "a coordinate of '" + element.name + "'");
+      require_double(y, "a coordinate of '" + element.name + "'");
+      out << "," << x << "," << y;
     }
     out << "\n";
   }
@@ -200,6 +217,7 @@ void write_factors_npy(const FactorTable& table, const Sink& sink) {
 void write_factors_view3d_text(const FactorTable& table, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   const std::vector<std::uint32_t> faces = radiating(matrix);
+  for (const std::uint32_t i : faces) require_double(matrix.elements()[i].area.value, area_of(matrix, i));
   Buffer out(sink);
   const auto line = [&](const auto& value_of) {
     for (std::size_t k = 0; k < faces.size(); ++k)
@@ -217,6 +235,9 @@ void write_factors_view3d_text(const FactorTable& table, const Sink& sink) {
 void write_factors_view3d_binary(const FactorTable& table, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   const std::vector<std::uint32_t> faces = radiating(matrix);
+  for (const std::uint32_t i : faces)
+    if (!(matrix.elements()[i].area.value <= std::numeric_limits<float>::max()))
+      refuse_beyond(area_of(matrix, i), "single precision, which is that of this format");
   Buffer out(sink);
   out << view3d_header(table, 1, faces.size()) << "\r\n";
   for (const std::uint32_t i : faces) out.raw(static_cast<float>(matrix.elements()[i].area.value));
@@ -240,6 +261,13 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
     return matrix.guarantee() == Guarantee::kEstimated ? matrix.elements()[i].area.value * matrix.row(i)[k].factor.value
                                                        : matrix.measures(i)[k];
   };
+  if (quantity == DenseQuantity::kExchange)  // before the first byte, which may go to standard output
+    for (std::uint32_t i = 0; i < matrix.size(); ++i)
+      for (std::size_t k = 0; k < matrix.row(i).size(); ++k)
+        if (!std::isfinite(measure(i, k)))
+          throw RequestError("the exchange measure of '" + name_of(matrix, i) + "' and '" +
+                             name_of(matrix, matrix.row(i)[k].to) +
+                             "' is beyond the range of doubles; --exact-form gives it");
   auto hidden = table.hidden.begin();
   for (std::uint32_t i = 0; i < names.size(); ++i) {
     std::fill(dense.begin(), dense.end(), absent);

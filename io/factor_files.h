@@ -12,6 +12,9 @@
 
 namespace hottel {
 
+// What a file cannot hold, for it is beyond the range of doubles (of single precision in View3D's binary format), is
+// refused by RequestError, naming the face: areas and coordinates in the files that have them, exchange measures.
+
 // Takes text piece by piece; whatever it throws stops the writing.
 using Sink = std::function<void(std::string_view)>;
 

@@ -15,10 +15,10 @@ class ContactTeller {
   ContactTeller(const Scene2& scene, const Contacts2& contacts) : scene_(scene), contacts_(contacts) {}
 
   Findings tell() {
-    for (const Overlap2& overlap : contacts_.overlaps) {
-      tell_conflicts(overlap);
-      tell_overlap(overlap);
-    }
+    for (const Overlap2& overlap : contacts_.overlaps) find_conflicts(overlap);
+    for (const Conflict& conflict : conflicts_) tell_conflict(conflict);
+    for (const Overlap2& overlap : contacts_.overlaps)
+      if (!is_in_conflict(surfaces_of(overlap))) tell_overlap(overlap);
     for (const auto& surfaces : contacts_.duplicates) tell_duplicate(surfaces);
     for (std::uint32_t s = 0; s < scene_.surfaces.size(); ++s) tell_nothing_left(s);
     for (const Junction2& junction : contacts_.junctions) tell_junction(junction);
@@ -38,21 +38,52 @@ class ContactTeller {
     return surfaces;
   }
 
-  void tell_conflicts(const Overlap2& overlap) {
+  // Two faces that claim one side of a stretch, whatever else lies on parts of it.
+  struct Conflict {
+    Claim2 owner, rival;
+    bool is_right = false;
+    Point2 from, to;
+  };
+
+  static bool are_same(const FacePart& a, const FacePart& b) {
+    return a.surface == b.surface && a.is_back == b.is_back;
+  }
+
+  void find_conflicts(const Overlap2& overlap) {
     for (const bool right : {false, true}) {
       const auto [owner, rival] = owner_of_side(scene_, overlap.covering, right);
       if (!rival) continue;
-      findings_.push_back(
-          {Severity::kError,
-           "conflicting-claims",
-           {owner.face.surface, rival->face.surface},
-           middle(overlap.from, overlap.to),
-           fmt::format("{} and {} claim the {} side from {} to {} with different materials, {} and {}: which of them "
-                       "light meets there is not defined",
-                       name(owner.face), name(rival->face), right ? "right" : "left", place_text(overlap.from),
-                       place_text(overlap.to), quoted_name(owner.material->name), quoted_name(rival->material->name)),
-           "give both the same material, or take one of the surfaces away there"});
+      const auto before = std::find_if(conflicts_.begin(), conflicts_.end(), [&](const Conflict& other) {
+        return other.to == overlap.from && are_same(other.owner.face, owner.face) &&
+               are_same(other.rival.face, rival->face);
+      });
+      if (before == conflicts_.end())
+        conflicts_.push_back({owner, *rival, right, overlap.from, overlap.to});
+      else
+        before->to = overlap.to;
     }
+  }
+
+  bool is_in_conflict(const std::vector<std::uint32_t>& surfaces) const {
+    const auto has = [&](const Claim2& claim) {
+      return std::find(surfaces.begin(), surfaces.end(), claim.face.surface) != surfaces.end();
+    };
+    return std::any_of(conflicts_.begin(), conflicts_.end(),
+                       [&](const Conflict& conflict) { return has(conflict.owner) && has(conflict.rival); });
+  }
+
+  void tell_conflict(const Conflict& conflict) {
+    const auto& [owner, rival, is_right, from, to] = conflict;
+    findings_.push_back(
+        {Severity::kError,
+         "conflicting-claims",
+         {owner.face.surface, rival.face.surface},
+         middle(from, to),
+         fmt::format("{} and {} claim the {} side from {} to {} with different materials, {} and {}: which of them "
+                     "light meets there is not defined",
+                     name(owner.face), name(rival.face), is_right ? "right" : "left", place_text(from), place_text(to),
+                     quoted_name(owner.material->name), quoted_name(rival.material->name)),
+         "give both the same material, or take one of the surfaces away there"});
   }
 
   bool is_duplicate(const Overlap2& overlap) const {
@@ -78,6 +109,7 @@ class ContactTeller {
   }
 
   void tell_duplicate(const std::vector<std::uint32_t>& surfaces) {
+    if (is_in_conflict(surfaces)) return;
     const Surface2& first = scene_.surfaces[surfaces.front()];
     const bool is_wall = surfaces.size() == 2 && scene_.surfaces[surfaces.back()].from == first.to;
     findings_.push_back(
@@ -125,6 +157,7 @@ class ContactTeller {
 
   const Scene2& scene_;
   const Contacts2& contacts_;
+  std::vector<Conflict> conflicts_;
   Findings findings_;
 };
 

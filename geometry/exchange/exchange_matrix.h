@@ -33,7 +33,8 @@ struct FactorEntry {
 //   (1) rows ascend by `to`; the sky is the last column, index sky()
 //   (2) kExact: every factor is correctly rounded, its enclosure at most one ulp wide, and reciprocity
 //       A_i F_ij = A_j F_ji holds for the real numbers behind the doubles
-//   (3) only elements with a material and an area have a row; pairs that exchange nothing have no entry
+//   (3) kEnclosed: the real factor and the double lie within bounds()
+//   (4) only elements with a material and an area have a row; pairs that exchange nothing have no entry
 // COST: 32 bytes an entry, two entries a visible pair of elements with materials.
 class ExchangeMatrix {
  public:
@@ -70,17 +71,17 @@ class ExchangeMatrix {
   // Returns the index of the element of that name; sky() for "sky"; nothing when there is none.
   std::optional<std::uint32_t> find(const std::string& name) const;
 
-  // For those who fill the matrix: entries by rows, row i in [begin[i], begin[i + 1]); their bounds where it is
-  // enclosed.
+  // For those who fill the matrix: entries by rows, row i in [begin[i], begin[i + 1]); for each entry its measure, or
+  // none at all, and its bounds where the matrix is enclosed.
+  // Throws ContractViolation, naming the row, where rows or columns are none of this matrix or do not ascend; where a
+  // factor of an exact matrix is not positive; where bounds of an enclosed one are not 0 <= lower <= double <= upper.
   void assign(std::vector<std::size_t> begin, std::vector<FactorEntry> entries, std::vector<double> measures = {},
-              std::vector<Enclosure> bounds = {}) {
-    begin_ = std::move(begin);
-    entries_ = std::move(entries);
-    measures_ = std::move(measures);
-    bounds_ = std::move(bounds);
-  }
+              std::vector<Enclosure> bounds = {});
 
  private:
+  void require_order() const;
+  void require_guarantee() const;
+
   std::vector<Element> elements_;
   std::vector<std::size_t> begin_;
   std::vector<FactorEntry> entries_;

@@ -7,17 +7,15 @@
 namespace hottel {
 namespace {
 
-// "Below 1 whenever something hides a part", above 0 always: a quotient that would round to 1 from below or to 0 from
-// above keeps its distance.
+FixedSum twice(const FixedSum& sum) { return {2 * sum.value, 2 * sum.error}; }
+
+}  // namespace
+
 double visibility_of(const Rounded& quotient) {
   if (quotient.value == 1.0 && quotient.side < 0) return std::nextafter(1.0, 0.0);
   if (quotient.value == 0.0 && quotient.side > 0) return std::numeric_limits<double>::denorm_min();
   return quotient.value;
 }
-
-FixedSum twice(const FixedSum& sum) { return {2 * sum.value, 2 * sum.error}; }
-
-}  // namespace
 
 PairRounding::PairRounding(const PreparedScene2& prepared, const Labels2& labels, const ExchangeOptions2& options)
     : prepared_(prepared),

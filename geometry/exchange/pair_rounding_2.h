@@ -22,6 +22,10 @@ struct RoundedPair {
   bool is_open() const { return is_forth_open || is_back_open || is_visibility_open || is_measure_open; }
 };
 
+// Vis of the correctly rounded S / S0: below 1 whenever something hides a part, above 0 whenever something is seen. A
+// quotient that would round to 1 from below or to 0 from above keeps its distance.
+double visibility_of(const Rounded& quotient);
+
 // Rounds pair sums correctly: by fixed point where that settles it, else from the exact sum.
 //
 //   (1) quick() leaves open what its error bounds do not settle; exactly() settles all of that

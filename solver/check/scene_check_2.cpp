@@ -80,7 +80,7 @@ SceneCheck2 check_scene(const Scene2& scene, const CheckOptions& options) {
     append(check.findings, gap_findings(scene, near_misses, check.factors.has_value()));
     if (check.factors) {
       append(check.findings, sight_findings(prepared, *check.factors));
-      append(check.findings, light_findings(scene, *check.factors));
+      append(check.findings, light_findings(scene, *check.factors, options.progress));
     }
   }
   sort_findings(check.findings);

@@ -38,6 +38,26 @@ std::optional<Rational> most_sent(const ExchangeMatrix& matrix, const std::vecto
   return most;
 }
 
+// Bounds that hold for any factors.
+struct CrudeBounds {
+  Enclosure radiosity, net;
+};
+
+CrudeBounds crude_bounds(const Rational& emission, const Rational& reflectivity, const std::optional<Rational>& most) {
+  const double least = rounded_down(emission);
+  return {{least, reflectivity == 0 ? rounded_up(emission)
+                  : most            ? rounded_up(emission + reflectivity * *most)
+                                    : kInfinity},
+          {reflectivity == 1 ? least
+           : most            ? rounded_down(emission - (1 - reflectivity) * *most)
+                             : -kInfinity,
+           rounded_up(emission)}};
+}
+
+Enclosure both(const Enclosure& a, const Enclosure& b) {
+  return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
+}
+
 }  // namespace
 
 void set_crude_bounds(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
@@ -52,14 +72,17 @@ void set_crude_bounds(const ExchangeMatrix& matrix, const std::vector<Material>&
       const Material& material = materials[*matrix.elements()[i].material];
       const Rational &emission = material.emission.value[c], &reflectivity = material.reflectivity.value[c];
       ElementRadiosity& element = channel.elements[i];
-      element.lower = rounded_down(emission);
-      element.upper = reflectivity == 0 ? rounded_up(emission)
-                      : most            ? rounded_up(emission + reflectivity * *most)
-                                        : kInfinity;
-      element.net_lower = reflectivity == 1 ? element.lower
-                          : most            ? rounded_down(emission - (1 - reflectivity) * *most)
-                                            : -kInfinity;
-      element.net_upper = rounded_up(emission);
+      CrudeBounds bounds = crude_bounds(emission, reflectivity, most);
+      if (matrix.guarantee() != Guarantee::kEstimated) {
+        bounds.radiosity = both(bounds.radiosity, {element.lower, element.upper});
+        bounds.net = both(bounds.net, {element.net_lower, element.net_upper});
+        element.radiosity = std::clamp(element.radiosity, bounds.radiosity.lower, bounds.radiosity.upper);
+        element.net = std::clamp(element.net, bounds.net.lower, bounds.net.upper);
+      }
+      element.lower = bounds.radiosity.lower;
+      element.upper = bounds.radiosity.upper;
+      element.net_lower = bounds.net.lower;
+      element.net_upper = bounds.net.upper;
       if (element.radiosity > 0)
         channel.max_relative_width =
             std::max(channel.max_relative_width, (element.upper - element.lower) / element.radiosity);

@@ -7,7 +7,7 @@
 
 namespace hottel {
 
-// Replaces the bounds of a solution by
+// Replaces the bounds of a solution, or where its matrix is not estimated and they are proven narrows them, by
 //
 //   E_i  <=  B_i  <=  E_i + rho_i M,    M = max(emission of the sky, E_j / (1 - rho_j) over all faces with a material)
 //

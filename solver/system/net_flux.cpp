@@ -50,11 +50,15 @@ std::vector<Enclosed> flux_by_element(const ExchangeMatrix& matrix, const Channe
     const Enclosed net =
         scaled(Enclosed::around({element.net, 0}, {element.net_lower, element.net_upper}), -scale.light);
     if (net.size() != 0) result[i] = product(area, net);
-    for (const FactorEntry& entry : matrix.row(i)) {
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+      const FactorEntry& entry = matrix.row(i)[k];
       const bool is_sky = entry.to == matrix.sky();
       if (!is_sky && matrix.has_row(entry.to)) continue;
+      const Enclosed factor = matrix.guarantee() == Guarantee::kEnclosed
+                                  ? Enclosed::around({entry.factor.value, 0}, matrix.bounds(i, k))
+                                  : Enclosed::of(entry.factor);
       const Enclosed sent = is_sky ? difference(scaled(sky_emission, -scale.light), radiosity) : negated(radiosity);
-      if (sent.size() != 0) add(result[entry.to], product(product(area, Enclosed::of(entry.factor)), sent));
+      if (sent.size() != 0) add(result[entry.to], product(product(area, factor), sent));
     }
   }
   return result;
@@ -97,7 +101,7 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
     for (std::size_t k = 0; k < result.size(); ++k)
       result[k].by_channel[c] = power_of(total[k], scale.area + scale.light);
     // What arrives at a black back or goes to the sky is known by factors alone, and those are estimates.
-    if (matrix.guarantee() != Guarantee::kExact)
+    if (matrix.guarantee() == Guarantee::kEstimated)
       for (std::uint32_t i = 0; i <= matrix.size(); ++i)
         if (is_listed[i] && (i == matrix.sky() || !matrix.has_row(i))) {
           NetFlux::Power& power = result[place[i]].by_channel[c];

@@ -12,6 +12,7 @@
 #include "kernel/parallel.h"
 #include "kernel/stopwatch.h"
 #include "solver/system/certificate.h"
+#include "solver/system/enclosed_radiosity.h"
 #include "solver/system/inner_solver.h"
 #include "solver/system/iterations.h"
 #include "solver/system/matrix_checks.h"
@@ -83,8 +84,9 @@ class Group {
     }
   }
 
-  // Prepares the solvers and returns the one that is used.
-  Solver prepare() {
+  // Prepares the solvers and returns the one that is used. Refuses factors for which light may not die out, unless
+  // bounds may be open.
+  Solver prepare(bool may_be_open) {
     std::uint32_t largest = 0;
     for (std::size_t c = 0; c < is_wanted_.size(); ++c)
       if (is_wanted_[c]) largest = std::max(largest, system_.components()[c].size);
@@ -96,14 +98,14 @@ class Group {
     } else {
       if (is_symmetric_only(options_.solver))
         throw RequestError(
-            fmt::format("'{}' needs a symmetric matrix, and an estimated one is not: use 'lu' or "
+            fmt::format("'{}' needs a symmetric matrix, and one whose rows do not sum to 1 is not: use 'lu' or "
                         "'bicgstab'",
                         to_string(options_.solver)));
       used_ = options_.solver != Solver::kAuto ? options_.solver : is_dense ? Solver::kLu : Solver::kBicgstab;
       const std::size_t components = system_.components().size();
       plain_ = PlainSystem(system_, is_wanted_);
       inner_ = is_dense ? make_lu(plain_, components) : make_bicgstab(plain_, components);
-      if (!spectral_radius_is_below_one(system_, *inner_, is_wanted_))
+      if (!may_be_open && !spectral_radius_is_below_one(system_, *inner_, is_wanted_))
         throw RequestError(
             "no radiosity: the spectral radius of reflectivity times factors is not below 1 (or too near it to tell); "
             "rows of the matrix sum to more than 1");
@@ -287,10 +289,12 @@ std::optional<Solver> solver_named(std::string_view name) {
   return std::nullopt;
 }
 
-RadiositySolution solve_radiosity_without(const ErrorTerms& terms, const ExchangeMatrix& matrix,
-                                          const std::vector<Material>& materials, const Spectrum& sky_emission,
-                                          const RadiosityOptions& options) {
-  const DefaultFloatingPoint arithmetic;
+namespace {
+
+// Solves for the factors as they are, their enclosures left aside.
+RadiositySolution solve_doubles(const ErrorTerms& terms, const ExchangeMatrix& matrix,
+                                const std::vector<Material>& materials, const Spectrum& sky_emission,
+                                const RadiosityOptions& options, bool may_be_open) {
   const bool is_gray = sky_emission.is_scalar && std::all_of(materials.begin(), materials.end(), [](const Material& m) {
                          return m.reflectivity.is_scalar && m.emission.is_scalar;
                        });
@@ -304,7 +308,7 @@ RadiositySolution solve_radiosity_without(const ErrorTerms& terms, const Exchang
     Group group(matrix, materials, sky_emission, std::move(channels_of_group), options, terms, solution.seconds);
     group.require_solution(notes);
     if (group.needs_solving()) {
-      solution.used = group.prepare();
+      solution.used = group.prepare(may_be_open);
       ++solution.factorizations;
     }
     solution.unknowns = std::max(solution.unknowns, static_cast<std::uint32_t>(group.system().size()));
@@ -326,6 +330,19 @@ RadiositySolution solve_radiosity_without(const ErrorTerms& terms, const Exchang
   solution.reciprocity_defect = reciprocity_defect(matrix);
   solution.notes.assign(notes.begin(), notes.end());
   return solution;
+}
+
+}  // namespace
+
+RadiositySolution solve_radiosity_without(const ErrorTerms& terms, const ExchangeMatrix& matrix,
+                                          const std::vector<Material>& materials, const Spectrum& sky_emission,
+                                          const RadiosityOptions& options) {
+  const DefaultFloatingPoint arithmetic;
+  const auto solve = [&](const ExchangeMatrix& of, const RadiosityOptions& with, bool is_whole) {
+    return solve_doubles(terms, of, materials, sky_emission, with, !is_whole);
+  };
+  return matrix.guarantee() == Guarantee::kEnclosed ? solve_enclosed(matrix, options, solve)
+                                                    : solve(matrix, options, true);
 }
 
 RadiositySolution solve_radiosity(const ExchangeMatrix& matrix, const std::vector<Material>& materials,

@@ -14,11 +14,11 @@
 
 namespace hottel {
 
-// kAuto:      cholesky for components of up to kMostDenseUnknowns, else cg; for estimated matrices lu, else bicgstab
-// kCholesky:  symmetric elimination without subtraction, refined in double-double
-// kCg:        conjugate gradients, refined in double-double
-// kShooting:  progressive refinement: the face with the most unshot light shoots (an iteration is one shot)
-// The others are what their names say, in plain doubles, as they are. Every result is certified alike.
+// kAuto:      cholesky for components of up to kMostDenseUnknowns, else cg; where rows do not sum to 1 lu, else
+// bicgstab kCholesky:  symmetric elimination without subtraction, refined in double-double kCg:        conjugate
+// gradients, refined in double-double kShooting:  progressive refinement: the face with the most unshot light shoots
+// (an iteration is one shot) The others are what their names say, in plain doubles, as they are. Every result is
+// certified alike.
 enum class Solver { kAuto, kCholesky, kCg, kLu, kBicgstab, kJacobi, kGaussSeidel, kShooting };
 
 inline constexpr std::uint32_t kMostDenseUnknowns = 500;
@@ -80,19 +80,22 @@ struct RadiositySolution {
 
 // Solves B_i = E_i + rho_i sum_j F_ij B_j in every channel.
 //
-//   (1) lower <= true B <= upper in every element, the true B being that of the exact factors, reflectivities and
-//       emissions; for an estimated matrix, of the doubles it holds. Of an enclosed one nothing is proven: its bounds
-//       do not enter the equations (set_crude_bounds gives what holds)
+//   (1) lower <= true B <= upper in every element, the true B being that of the exact reflectivities, emissions and
+//       factors; for an enclosed matrix, of any factors within its enclosures; for an estimated one, of the doubles it
+//       holds, which says nothing of the scene (set_crude_bounds gives what holds there)
 //   (2) lower = upper = 0 = B where no light reaches; B = E within half an ulp where rho = 0
 //   (3) widths of a few ulps after cholesky and cg, for any distance of rho from 1 (tried down to 2^-400) and for
-//       elements that next to no light reaches
+//       elements that next to no light reaches; for an enclosed matrix a few ulps more than the radiosities of its
+//       factors differ, and infinite where for some of them light need not die out (enclosed_radiosity.h)
 //   (4) the same bit for bit for any number of threads
 //
 // Throws RequestError when a component with reflectivity 1 throughout and no way out emits (one that does not is 0,
-// with a note), when an estimated matrix has a spectral radius that cannot be shown to be below 1, and when cholesky
-// or cg are asked of an estimated matrix, which is not symmetric.
+// with a note), when rows do not sum to 1 and the spectral radius cannot be shown to be below 1, when cholesky or cg
+// are asked of such a matrix, which is not symmetric, and when a factor is negative or no number. Rows sum to 1 in
+// exact matrices and are taken to where their enclosures allow it, which concerns the radiosity, not its bounds.
 // REQUIRES: the materials of the elements index into `materials`.
-// COST: one factorization a distinct reflectivity vector; then a few passes over the matrix a channel.
+// COST: one factorization a distinct reflectivity vector; then a few passes over the matrix a channel. Three times that
+// for an enclosed matrix.
 RadiositySolution solve_radiosity(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                                   const Spectrum& sky_emission, const RadiosityOptions& options = {});
 

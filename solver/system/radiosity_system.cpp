@@ -1,9 +1,11 @@
 #include "solver/system/radiosity_system.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
+#include "kernel/failure.h"
 #include "kernel/parallel.h"
 
 namespace hottel {
@@ -65,10 +67,44 @@ Rational times_power_of_two(const Rational& value, int exponent) {
   return result;
 }
 
+bool is_positive(const Rounded& factor) { return factor.value > 0 || factor.side > 0; }  // the double may underflow
+
+void require_factors(const ExchangeMatrix& matrix) {
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (const FactorEntry& entry : matrix.row(i))
+      if (!(entry.factor.value >= 0) || !std::isfinite(entry.factor.value))
+        throw RequestError(fmt::format("a factor of '{}' is {}: nothing can be solved", matrix.elements()[i].name,
+                                       entry.factor.value));
+}
+
+// True if factors within their bounds may sum to 1 in this row.
+bool may_be_closed(const ExchangeMatrix& matrix, std::uint32_t i) {
+  Enclosed least, most;
+  for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+    const Enclosure bounds = matrix.bounds(i, k);
+    least = sum(least, {bounds.lower, 0, 0});
+    most = sum(most, {bounds.upper, 0, 0});
+  }
+  return least.lower() <= 1 && most.upper() >= 1;
+}
+
+// See rows_are_closed().
+bool rows_may_be_closed(const ExchangeMatrix& matrix) {
+  if (matrix.guarantee() == Guarantee::kEstimated) return false;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i) || may_be_closed(matrix, i)) continue;
+    if (matrix.guarantee() == Guarantee::kExact)
+      throw ContractViolation(fmt::format("exact factors of '{}' must sum to 1", matrix.elements()[i].name));
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
-    : matrix_(&matrix), unknown_(matrix.size() + 1, -1) {
+    : matrix_(&matrix), rows_are_closed_(rows_may_be_closed(matrix)), unknown_(matrix.size() + 1, -1) {
+  require_factors(matrix);
   std::vector<Enclosed> reflectivity(materials.size()), loss(materials.size());
   for (std::size_t m = 0; m < materials.size(); ++m) {
     const Rational& rho = materials[m].reflectivity.value[channel];
@@ -78,6 +114,7 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
     const std::uint32_t m = *matrix.elements()[i].material;
+    HOTTEL_REQUIRE(m < materials.size());
     if (materials[m].reflectivity.value[channel] == 0) continue;
     unknown_[i] = static_cast<std::int32_t>(rows_.size());
     SystemRow row{i, 0, reflectivity[m], loss[m]};
@@ -107,7 +144,7 @@ void RadiositySystem::find_components() {
   for (std::uint32_t i = 0; i < rows_.size(); ++i)
     for (const FactorEntry& entry : matrix_->row(rows_[i].element)) {
       const std::int32_t j = unknown_[entry.to];
-      if (j < 0 || !(entry.factor.value > 0)) continue;
+      if (j < 0 || !is_positive(entry.factor)) continue;
       const std::uint32_t a = root(i), b = root(static_cast<std::uint32_t>(j));
       if (a != b) parent[std::max(a, b)] = std::min(a, b);
     }
@@ -171,7 +208,7 @@ std::vector<char> RadiositySystem::lit_by(const std::vector<char>& emits) const 
   for (const SystemRow& row : rows_) {
     bool lit = emits[row.element] != 0;
     for (const FactorEntry& entry : matrix_->row(row.element))
-      lit |= unknown_[entry.to] < 0 && emits[entry.to] != 0 && entry.factor.value > 0;
+      lit |= unknown_[entry.to] < 0 && emits[entry.to] != 0 && is_positive(entry.factor);
     if (lit) is_lit[row.component] = 1;
   }
   return is_lit;

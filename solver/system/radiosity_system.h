@@ -49,15 +49,21 @@ struct ErrorTerms {
 //
 //   (1) the unknowns are the rows with rho > 0, in the order of the matrix; all else is known: black backs are 0, the
 //       sky has its emission, and so have rows with rho = 0
-//   (2) unless the matrix is an estimate, rows sum to 1 exactly, so loss_i = 1 - rho_i, from the exact reflectivity
+//   (2) where rows_are_closed(), rows sum to 1 exactly, so loss_i = 1 - rho_i, from the exact reflectivity; else
+//       loss_i comes from the row as it is
 //   (3) components come from the pattern of F alone: F_ij > 0 or F_ji > 0
+//   (4) F is the factors themselves: real numbers where the matrix is exact, else the doubles. Enclosures of factors do
+//       not enter (enclosed_radiosity.h)
+// Throws RequestError where a factor is negative or no number, ContractViolation where the matrix says that it is exact
+// and a row does not sum to 1.
 // COST: about 20 ns an entry of the matrix for a residual, over all threads.
 class RadiositySystem {
  public:
   RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel);
 
   const ExchangeMatrix& matrix() const { return *matrix_; }
-  bool rows_are_closed() const { return matrix_->guarantee() != Guarantee::kEstimated; }
+  // True if the matrix is exact, and if it encloses factors that may sum to 1 in every row.
+  bool rows_are_closed() const { return rows_are_closed_; }
   std::size_t size() const { return rows_.size(); }
   const std::vector<SystemRow>& rows() const { return rows_; }
   const std::vector<SystemComponent>& components() const { return components_; }
@@ -86,6 +92,7 @@ class RadiositySystem {
   std::vector<char> lit_by(const std::vector<char>& emits) const;  // by component; emits is by element, the sky last
 
   const ExchangeMatrix* matrix_;
+  bool rows_are_closed_;
   std::vector<std::int32_t> unknown_;
   std::vector<SystemRow> rows_;
   std::vector<SystemComponent> components_;
