@@ -1,0 +1,19 @@
+// Numbers as decimals for people, also beyond the range of doubles.
+#pragma once
+
+#include <string>
+
+#include "kernel/rational.h"
+#include "kernel/root_sum.h"
+
+namespace hottel {
+
+// Returns the shortest decimal that reads back to the double nearest to `value`.
+//
+//   (1) beyond the range of doubles, where that would be inf or 0, the decimal goes on: "1.2e+801", "-3e-400"; it is
+//       off by less than 2^-52 of the number there
+//   (2) "0" iff the number is 0
+std::string decimal_text(const RootSum& value);
+std::string decimal_text(const Rational& value);
+
+}  // namespace hottel
