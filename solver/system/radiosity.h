@@ -30,8 +30,8 @@ struct RadiosityOptions {
   Solver solver = Solver::kAuto;
   // Iterative solvers stop after so many iterations, or when max |residual| <= until * max |source|. When either is
   // given, cg is not refined either. Default: 1e-12, and 10,000 iterations (100,000 shots).
-  std::optional<int> iterations;
-  std::optional<double> until;
+  std::optional<int> iterations = {};
+  std::optional<double> until = {};
   std::function<void(double)> progress = {};  // fraction done; may throw to stop
 };
 

@@ -53,16 +53,16 @@ ExactScene::ExactScene(Scene2 scene, Divided divided) : prepared_(prepare(std::m
   }
 }
 
-std::vector<mpf_class> ExactScene::radiosity(const std::vector<Material>& materials, const Spectrum& sky,
-                                             int channel) const {
-  const std::size_t n = matrix_.size();
+std::vector<mpf_class> radiosity_of(const ExchangeMatrix& matrix, const WideFactors& factors,
+                                    const std::vector<Material>& materials, const Spectrum& sky, int channel) {
+  const std::size_t n = matrix.size();
   std::vector<std::vector<mpf_class>> a(n, std::vector<mpf_class>(n + 1, mpf_class(0, kBits)));
   for (std::uint32_t i = 0; i < n; ++i) {
-    if (matrix_.has_row(i)) {
-      const Material& material = materials[*matrix_.elements()[i].material];
+    if (matrix.has_row(i)) {
+      const Material& material = materials[*matrix.elements()[i].material];
       const mpf_class rho = number(material.reflectivity.value[channel]);
-      for (std::size_t j = 0; j < n; ++j) a[i][j] = -rho * factors_[i][j];
-      a[i][n] = number(material.emission.value[channel]) + rho * factors_[i][n] * number(sky.value[channel]);
+      for (std::size_t j = 0; j < n; ++j) a[i][j] = -rho * factors[i][j];
+      a[i][n] = number(material.emission.value[channel]) + rho * factors[i][n] * number(sky.value[channel]);
     }
     a[i][i] += 1;
   }

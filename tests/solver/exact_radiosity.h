@@ -19,6 +19,13 @@ mpf_class number(const RootSum& sum);
 // The rows of A^-1 B from those of [A B], A square. REQUIRES that the diagonal of A dominates: no pivots are sought.
 std::vector<std::vector<mpf_class>> solve_dense(std::vector<std::vector<mpf_class>> rows);
 
+// Factors to kBits: [from][to], the sky last.
+using WideFactors = std::vector<std::vector<mpf_class>>;
+
+// Radiosities by element for factors of the rows of this matrix, by Gaussian elimination. REQUIRES a solution.
+std::vector<mpf_class> radiosity_of(const ExchangeMatrix& matrix, const WideFactors& factors,
+                                    const std::vector<Material>& materials, const Spectrum& sky, int channel);
+
 // A scene, its exact factors rounded, and the same factors to kBits.
 class ExactScene {
  public:
@@ -26,11 +33,12 @@ class ExactScene {
 
   const Scene2& scene() const { return prepared_.scene; }
   const ExchangeMatrix& matrix() const { return matrix_; }
-  const std::vector<std::vector<mpf_class>>& factors() const { return factors_; }  // [from][to], the sky last
+  const WideFactors& factors() const { return factors_; }
   const std::vector<mpf_class>& areas() const { return areas_; }
 
-  // Radiosities by element, by Gaussian elimination. REQUIRES a solution.
-  std::vector<mpf_class> radiosity(const std::vector<Material>& materials, const Spectrum& sky, int channel) const;
+  std::vector<mpf_class> radiosity(const std::vector<Material>& materials, const Spectrum& sky, int channel) const {
+    return radiosity_of(matrix_, factors_, materials, sky, channel);
+  }
 
   RadiositySolution solve(const std::vector<Material>& materials, RadiosityOptions options = {}) const {
     return solve_radiosity(matrix_, materials, scene().sky_emission, options);
@@ -41,7 +49,7 @@ class ExactScene {
   PreparedScene2 prepared_;
   ExchangeMatrix matrix_;
   std::vector<mpf_class> areas_;
-  std::vector<std::vector<mpf_class>> factors_;
+  WideFactors factors_;
 };
 
 // How well a solution's bounds hold.

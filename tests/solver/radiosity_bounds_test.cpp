@@ -1,5 +1,6 @@
 // Proven bounds against solutions to a hundred digits.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -235,6 +236,35 @@ TEST(EstimatedMatrices, AreNotSymmetrisedInSilence) {
   const std::vector<Material> materials{{"m", Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(1)}};
   EXPECT_THROW(solve_radiosity(foreign(1), materials, {}, {Solver::kCholesky, {}, {}, {}}), RequestError);
   EXPECT_THROW(solve_radiosity(foreign(1), materials, {}, {Solver::kCg, {}, {}, {}}), RequestError);
+}
+
+TEST(EstimatedMatrices, WithFactorsThatAreNoneAreRefused) {
+  const std::vector<Material> materials{{"m", Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(1)}};
+  EXPECT_THROW(solve_radiosity(foreign(-1), materials, {}), RequestError);
+  EXPECT_THROW(solve_radiosity(foreign(NAN), materials, {}), RequestError);
+  EXPECT_THROW(solve_radiosity(foreign(INFINITY), materials, {}), RequestError);
+}
+
+TEST(EstimatedMatrices, MayHoldZeros) {
+  const std::vector<Material> materials{{"m", Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(1)}};
+  for (const Solver solver : {Solver::kLu, Solver::kBicgstab, Solver::kJacobi, Solver::kShooting}) {
+    const RadiositySolution solution = solve_radiosity(foreign(0), materials, {}, {solver, {}, {}, {}});
+    EXPECT_EQ(solution.components, 3u);
+    for (const ElementRadiosity& e : solution.channels[0].elements) EXPECT_NEAR(e.radiosity, 1, 1e-15);
+  }
+}
+
+TEST(ExactMatrices, WithRowsThatDoNotSumToOneAreRefusedByName) {
+  const std::vector<Material> materials{{"m", Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(1)}};
+  for (const double gap : {0.0, 1e-12, -1e-12, 0.25}) {
+    ExchangeMatrix matrix(foreign(1).elements(), Guarantee::kExact);
+    matrix.assign({0, 2, 3, 4}, {{1, {0.5, 0}, 1}, {2, {0.5, 0}, 1}, {0, {1, 0}, 1}, {0, {1 - gap, 0}, 1}});
+    if (gap == 0)
+      EXPECT_NO_THROW(solve_radiosity(matrix, materials, {}));
+    else
+      EXPECT_THAT([&] { solve_radiosity(matrix, materials, {}); },
+                  ::testing::ThrowsMessage<ContractViolation>(::testing::HasSubstr("exact factors of 'f2'")));
+  }
 }
 
 TEST(Solvers, HaveNamesThatReadBack) {
