@@ -17,6 +17,8 @@
 namespace hottel {
 namespace {
 
+constexpr std::size_t kColumnsBetweenReports = 64;
+
 // One number of a column.
 struct ColumnEntry {
   std::uint32_t row = 0;
@@ -112,15 +114,19 @@ ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Mat
   HOTTEL_REQUIRE(matrix.guarantee() == Guarantee::kExact);
   const GraySystem system(matrix, materials, options.channel);
   std::vector<std::vector<ColumnEntry>> columns(matrix.size() + 1);
-  std::atomic<std::uint64_t> done{0}, pairs{0};
-  parallel_for(columns.size(), [&](std::size_t j) {
-    columns[j] = system.column(static_cast<std::uint32_t>(j));
-    const std::uint64_t bytes = (pairs += columns[j].size()) * kBytesPerGrayPair;
-    if (options.memory > 0 && bytes > options.memory)
-      throw RequestError(fmt::format("script-F has more than {} pairs, which is all that the {} bytes allowed hold",
-                                     options.memory / kBytesPerGrayPair, options.memory));
-    if (options.progress) options.progress(static_cast<double>(++done) / static_cast<double>(columns.size()));
-  });
+  std::atomic<std::uint64_t> pairs{0};
+  for (std::size_t begin = 0; begin < columns.size(); begin += kColumnsBetweenReports) {
+    const std::size_t end = std::min(columns.size(), begin + kColumnsBetweenReports);
+    parallel_for(end - begin, [&](std::size_t k) {
+      std::vector<ColumnEntry>& column = columns[begin + k];
+      column = system.column(static_cast<std::uint32_t>(begin + k));
+      const std::uint64_t bytes = (pairs += column.size()) * kBytesPerGrayPair;
+      if (options.memory > 0 && bytes > options.memory)
+        throw RequestError(fmt::format("script-F has more than {} pairs, which is all that the {} bytes allowed hold",
+                                       options.memory / kBytesPerGrayPair, options.memory));
+    });
+    if (options.progress) options.progress(static_cast<double>(end) / static_cast<double>(columns.size()));
+  }
   return from_columns(matrix.elements(), columns);
 }
 

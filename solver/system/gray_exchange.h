@@ -15,7 +15,7 @@ inline constexpr std::uint64_t kBytesPerGrayPair = 80;
 struct GrayExchangeOptions {
   int channel = 0;                            // 0 to 2: whose reflectivities are meant
   std::uint64_t memory = 0;                   // bytes the result may take, while it is made; 0: no limit
-  std::function<void(double)> progress = {};  // fraction done; may throw to stop
+  std::function<void(double)> progress = {};  // fraction done, called by the calling thread; may throw to stop
 };
 
 // Returns the gray-body exchange factors script-F_ij of a scene: of what a black body with the temperature of face i

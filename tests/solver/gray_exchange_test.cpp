@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "kernel/failure.h"
 #include "kernel/parallel.h"
@@ -191,6 +193,23 @@ TEST(GrayExchange, OfParallelPlatesTendsToTheClosedForm) {
     previous = error;
   }
   EXPECT_LT(previous, 1e-3);
+}
+
+TEST(GrayExchange, TellsHowFarItIsInOrderAndFromOneThread) {
+  const ExactScene scene(convex_polygon(70));
+  const auto caller = std::this_thread::get_id();
+  std::vector<double> told;
+  GrayExchangeOptions options;
+  options.progress = [&](double fraction) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    told.push_back(fraction);
+  };
+  gray_exchange(scene.matrix(), scene.scene().materials, options);
+  EXPECT_GE(told.size(), 3u);  // 70 fronts, 70 backs and the sky
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_EQ(told.back(), 1);
+  options.progress = [](double) { throw RequestError("enough"); };
+  EXPECT_THROW(gray_exchange(scene.matrix(), scene.scene().materials, options), RequestError);
 }
 
 TEST(GrayExchange, StaysNarrowAsReflectivityNearsOne) {
