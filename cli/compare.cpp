@@ -56,13 +56,11 @@ std::vector<std::string> names_to_run(const MethodCatalogue2& methods, const Com
     for (const MethodFamily& family : methods.families())
       if (!family.sweep.empty()) asked.push_back(options.sweep ? family.name : family.sweep[family.sweep.size() / 2]);
   for (const std::string& name : asked) {
-    constexpr std::string_view kNormalised = ":normalised";
-    const std::string variant = name.ends_with(kNormalised) ? std::string(kNormalised) : "";
-    const std::string raw = name.substr(0, name.size() - variant.size());
+    const auto [raw, normalised] = split_method_name(name);
     bool is_swept = false;
     for (const MethodFamily& family : methods.families())
       if (options.sweep && family.name == family_of(raw)) {
-        for (const std::string& point : family.sweep) add(point + variant);
+        for (const std::string& point : family.sweep) add(point + normalised);
         is_swept = !family.sweep.empty();
       }
     if (!is_swept || raw != family_of(raw)) add(name);

@@ -8,6 +8,7 @@
 #include "kernel/failure.h"
 #include "solver/compare/radiosity_verdict.h"
 #include "solver/compare/verdict.h"
+#include "solver/methods/method_catalogue_2.h"
 
 namespace hottel {
 namespace {
@@ -22,7 +23,7 @@ void append(std::vector<std::string> sentences, MethodResult& result) {
 
 std::vector<std::string> take_radiosity_files(std::vector<std::string>& methods) {
   const auto first = std::stable_partition(methods.begin(), methods.end(), [](const std::string& name) {
-    return !name.starts_with(kFile) || name == kFile || name.ends_with(":normalised") ||
+    return !name.starts_with(kFile) || name == kFile || !split_method_name(name).normalised.empty() ||
            !holds_radiosities(name.substr(kFile.size()));
   });
   std::vector<std::string> files(first, methods.end());

@@ -1,9 +1,12 @@
 #include "solver/methods/method_catalogue_2.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "kernel/failure.h"
+#include "solver/system/enclosed.h"
 
 namespace hottel {
 namespace {
@@ -28,19 +31,29 @@ class Normalised2 final : public ExchangeMethod2 {
   MethodInfo info_;
 };
 
-// Rows that sum to zero are left as they are.
+// See MethodCatalogue2.
+void normalise(std::span<FactorEntry> row) {
+  double total = 0;
+  for (const FactorEntry& entry : row) total += entry.factor.value;
+  if (!(total > 0)) return;
+  for (FactorEntry& entry : row) entry.factor = {entry.factor.value / total, 0};
+  Rounded& largest = std::max_element(row.begin(), row.end(), [](const FactorEntry& a, const FactorEntry& b) {
+                       return a.factor.value < b.factor.value;
+                     })->factor;
+  Enclosed rest{1, 0, 0};
+  for (const FactorEntry& entry : row)
+    if (&entry.factor != &largest) rest = difference(rest, {entry.factor.value, 0, 0});
+  largest.value = rest.lo < 0 ? std::nextafter(rest.hi, 0) : rest.hi;
+}
+
 ExchangeMatrix Normalised2::compute(const PreparedScene2& prepared, MethodReport& report) const {
   const ExchangeMatrix raw = raw_->compute(prepared, report);
   std::vector<std::size_t> begin(raw.size() + 1, 0);
   std::vector<FactorEntry> entries;
   entries.reserve(raw.entry_count());
   for (std::uint32_t i = 0; i < raw.size(); ++i) {
-    double sum = 0;
-    for (const FactorEntry& entry : raw.row(i)) sum += entry.factor.value;
-    for (FactorEntry entry : raw.row(i)) {
-      if (sum > 0) entry.factor = {entry.factor.value / sum, 0};
-      entries.push_back(entry);
-    }
+    entries.insert(entries.end(), raw.row(i).begin(), raw.row(i).end());
+    normalise(std::span(entries).subspan(begin[i]));
     begin[i + 1] = entries.size();
   }
   ExchangeMatrix normalised(raw.elements(), Guarantee::kEstimated);
@@ -78,9 +91,14 @@ ExchangeMethod2::ClaimedErrors Normalised2::claimed_errors(const PreparedScene2&
 
 }  // namespace
 
+SplitMethodName split_method_name(const std::string& name) {
+  const std::string_view normalised = name.ends_with(kNormalised) ? kNormalised : "";
+  return {name.substr(0, name.size() - normalised.size()), std::string(normalised)};
+}
+
 std::unique_ptr<ExchangeMethod2> MethodCatalogue2::make(const std::string& name) const {
-  if (name.ends_with(kNormalised))
-    return std::make_unique<Normalised2>(make(name.substr(0, name.size() - kNormalised.size())));
+  if (const SplitMethodName split = split_method_name(name); !split.normalised.empty())
+    return std::make_unique<Normalised2>(make(split.raw));
   const std::string family = name.substr(0, name.find(':'));
   for (const MethodFamily& each : families_)
     if (each.name == family) return each.make(std::string_view(name).substr(family.size()));

@@ -24,8 +24,16 @@ struct MethodFamily {
   std::function<std::unique_ptr<ExchangeMethod2>(std::string_view variant)> make;
 };
 
+// The name of a method without the ":normalised" at its end, and that, or nothing.
+struct SplitMethodName {
+  std::string raw, normalised;
+};
+SplitMethodName split_method_name(const std::string& name);
+
 // All methods by name. A name is a family, its variant, and at last perhaps ":normalised": the same with every row
-// divided by its sum (the sky included); MethodReport::row_defect then is that of the rows before.
+// divided by its sum (the sky included); MethodReport::row_defect then is that of the rows before. What roundings leave
+// is taken from the largest factor of a row, so that its doubles sum to 1 within an ulp of that factor and never to
+// more. Rows that do not sum to more than 0 stay as they are.
 class MethodCatalogue2 {
  public:
   void add(MethodFamily family) { families_.push_back(std::move(family)); }
