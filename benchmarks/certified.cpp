@@ -1,21 +1,22 @@
 // What the guarantee costs: exact_exchange against sums of plain doubles over the same gaps.
 //
 // The plain version is written here as one would write it without any promise: the same views and gaps, lengths by
-// sqrt, one hash table of doubles, one division for each factor, rows sorted. Nothing says how far off it is. Both run
-// on one thread, without visibilities, on the same prepared scene, one after the other in each iteration.
+// sqrt, one hash table of doubles (that of exact_exchange), one division for each factor. Nothing says how far off it
+// is. Both run on one thread, without visibilities, on the same prepared scene, one after the other in each iteration.
 // The time reported is that of exact_exchange; `ratio` is that time over the plain one's; `max_error` is the largest
 // difference of a plain factor from the correctly rounded one, `false_pairs` the pairs that the plain sums show and
 // that do not exchange anything.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 
 #include "benchmarks/clutter.h"
 #include "geometry/exchange/exchange_2.h"
 #include "geometry/exchange/gap_terms_2.h"
+#include "geometry/exchange/pair_table.h"
+#include "geometry/exchange/term_sums_2.h"
 #include "kernel/parallel.h"
 
 namespace hottel::benchmarks {
@@ -38,52 +39,6 @@ struct PlainMatrix {
   }
 };
 
-// Doubles by key: open addressing with linear probing, at most half full.
-class PlainTable {
- public:
-  struct Slot {
-    std::uint64_t key;
-    double value;
-  };
-
-  void add(std::uint64_t key, double value) {
-    if (2 * (count_ + 1) > slots_.size()) grow();
-    Slot& slot = find(key);
-    if (slot.key == kEmpty) {
-      slot = {key, 0};
-      ++count_;
-    }
-    slot.value += value;
-  }
-
-  std::vector<Slot> take() {
-    std::erase_if(slots_, [](const Slot& slot) { return slot.key == kEmpty; });
-    return std::move(slots_);
-  }
-
- private:
-  static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
-
-  Slot& find(std::uint64_t key) {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t place = (key * 0x9e3779b97f4a7c15ull) >> shift_;
-    while (slots_[place].key != kEmpty && slots_[place].key != key) place = (place + 1) & mask;
-    return slots_[place];
-  }
-
-  void grow() {
-    std::vector<Slot> old(std::max<std::size_t>(1024, 2 * slots_.size()), Slot{kEmpty, 0});
-    old.swap(slots_);
-    shift_ = 64 - std::countr_zero(slots_.size());
-    for (const Slot& slot : old)
-      if (slot.key != kEmpty) find(slot.key) = slot;
-  }
-
-  std::vector<Slot> slots_;
-  std::size_t count_ = 0;
-  int shift_ = 0;
-};
-
 PlainMatrix plain_exchange(const PreparedScene2& prepared) {
   const Arrangement2& arrangement = prepared.arrangement;
   const Labels2 labels(prepared.scene, arrangement, prepared.division, Per::kFace);
@@ -93,15 +48,14 @@ PlainMatrix plain_exchange(const PreparedScene2& prepared) {
     return std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y));
   };
 
-  PlainTable table;
+  PairTable<PlainTerm> table;
   View2 view;
   for (VertexId v = 0; v < vertices.size(); ++v) {
     look_around(vertices, arrangement.triangulation(), v, view);
     for_each_gap(vertices, v, view, true, [&](const Gap2& gap) {
       const double length = distance(gap.v, gap.w);
       for_each_term(gap, labels, [&](std::uint32_t i, std::uint32_t j, int sign) {
-        const std::uint64_t key = (static_cast<std::uint64_t>(std::min(i, j)) << 32) | std::max(i, j);
-        table.add(key, sign * (i == j ? 2 : 1) * length);
+        table.add({pair_key(i, j), sign * (i == j ? 2 : 1) * length});
       });
     });
   }
@@ -111,7 +65,7 @@ PlainMatrix plain_exchange(const PreparedScene2& prepared) {
     const Segment2& piece = arrangement.pieces()[side / 2];
     twice_length[labels.of(static_cast<PieceSideId>(side))] += 2 * distance(piece.a, piece.b);
   }
-  const std::vector<PlainTable::Slot> sums = table.take();
+  const std::vector<PlainTerm> sums = table.take();
   PlainMatrix matrix;
   matrix.begin.assign(labels.count() + 1, 0);
   const auto each_entry = [&](const auto& visit) {
@@ -124,14 +78,10 @@ PlainMatrix plain_exchange(const PreparedScene2& prepared) {
   each_entry([&](std::uint32_t i, std::uint32_t, double) { ++matrix.begin[i + 1]; });
   for (std::uint32_t i = 0; i < labels.count(); ++i) matrix.begin[i + 1] += matrix.begin[i];
   matrix.entries.resize(matrix.begin.back());
-  std::vector<std::size_t> next(matrix.begin.begin(), matrix.begin.end() - 1);
+  std::vector<std::size_t> next(matrix.begin.begin(), matrix.begin.end() - 1);  // rows ascend, as the keys do
   each_entry([&](std::uint32_t i, std::uint32_t j, double value) {
     matrix.entries[next[i]++] = {j, value / twice_length[i]};
   });
-  for (std::uint32_t i = 0; i < labels.count(); ++i)
-    std::sort(matrix.entries.begin() + static_cast<std::ptrdiff_t>(matrix.begin[i]),
-              matrix.entries.begin() + static_cast<std::ptrdiff_t>(matrix.begin[i + 1]),
-              [](const PlainEntry& a, const PlainEntry& b) { return a.to < b.to; });
   return matrix;
 }
 

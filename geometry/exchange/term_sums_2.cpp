@@ -3,66 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <deque>
 #include <mutex>
 
+#include "geometry/exchange/pair_table.h"
 #include "kernel/failure.h"
 #include "kernel/parallel.h"
 
 namespace hottel {
 namespace {
-
-// Sums by key: open addressing with linear probing.
-template <class Term>
-class PairTable {
- public:
-  void add(const Term& term) {
-    if (4 * (count_ + 1) > 3 * slots_.size()) grow();
-    Term& slot = find(term.key);
-    if (slot.key == kEmpty) {
-      slot = term;
-      ++count_;
-    } else {
-      slot.add(term);
-    }
-  }
-
-  std::size_t size() const { return count_; }
-
-  // Moves the sums out, sorted.
-  std::vector<Term> take() {
-    std::erase_if(slots_, [](const Term& slot) { return slot.key == kEmpty; });
-    std::sort(slots_.begin(), slots_.end(), [](const Term& a, const Term& b) { return a.key < b.key; });
-    slots_.shrink_to_fit();
-    count_ = 0;
-    return std::move(slots_);
-  }
-
- private:
-  static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
-
-  Term& find(std::uint64_t key) {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t place = (key * 0x9e3779b97f4a7c15ull) >> shift_;
-    while (slots_[place].key != kEmpty && slots_[place].key != key) place = (place + 1) & mask;
-    return slots_[place];
-  }
-
-  void grow() {
-    Term empty{};
-    empty.key = kEmpty;
-    std::vector<Term> old(std::max<std::size_t>(64, 2 * slots_.size()), empty);
-    old.swap(slots_);
-    shift_ = 64 - std::countr_zero(slots_.size());
-    for (const Term& slot : old)
-      if (slot.key != kEmpty) find(slot.key) = slot;
-  }
-
-  std::vector<Term> slots_;
-  std::size_t count_ = 0;
-  int shift_ = 0;
-};
 
 // A round of vertices is cut into so many runs, whoever sweeps them.
 constexpr std::size_t kRuns = 32;

@@ -1,0 +1,64 @@
+// Numbers summed by key, in a hash table.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace hottel {
+
+// Sums by key: open addressing with linear probing, at most three quarters full. A Term has a `key` other than
+// kEmptyKey and add(term), which adds the number of another term of the same key.
+// COST: about 10 ns a term where the table is in the cache; 1.3 to 2.7 times the size of a Term for each key.
+template <class Term>
+class PairTable {
+ public:
+  static constexpr std::uint64_t kEmptyKey = ~std::uint64_t{0};
+
+  void add(const Term& term) {
+    if (4 * (count_ + 1) > 3 * slots_.size()) grow();
+    Term& slot = find(term.key);
+    if (slot.key == kEmptyKey) {
+      slot = term;
+      ++count_;
+    } else {
+      slot.add(term);
+    }
+  }
+
+  std::size_t size() const { return count_; }
+
+  // Moves the sums out, sorted by key.
+  std::vector<Term> take() {
+    std::erase_if(slots_, [](const Term& slot) { return slot.key == kEmptyKey; });
+    std::sort(slots_.begin(), slots_.end(), [](const Term& a, const Term& b) { return a.key < b.key; });
+    slots_.shrink_to_fit();
+    count_ = 0;
+    return std::move(slots_);
+  }
+
+ private:
+  Term& find(std::uint64_t key) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t place = (key * 0x9e3779b97f4a7c15ull) >> shift_;
+    while (slots_[place].key != kEmptyKey && slots_[place].key != key) place = (place + 1) & mask;
+    return slots_[place];
+  }
+
+  void grow() {
+    Term empty{};
+    empty.key = kEmptyKey;
+    std::vector<Term> old(std::max<std::size_t>(64, 2 * slots_.size()), empty);
+    old.swap(slots_);
+    shift_ = 64 - std::countr_zero(slots_.size());
+    for (const Term& slot : old)
+      if (slot.key != kEmptyKey) find(slot.key) = slot;
+  }
+
+  std::vector<Term> slots_;
+  std::size_t count_ = 0;
+  int shift_ = 0;
+};
+
+}  // namespace hottel
