@@ -3,18 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "geometry/scene/name.h"
+#include "solver/compare/named_factors.h"
 
 namespace hottel {
 namespace {
 
 constexpr std::size_t kMostNamed = 5;
-constexpr double kPi = std::numbers::pi;
 
 // What another quantity would be in the place of a radiosity.
 struct RadiosityReading {
@@ -28,16 +26,9 @@ class RadiosityJudge {
 
   std::vector<RadiosityReading> readings() const {
     std::vector<RadiosityReading> all;
-    for (const auto& [factor, words] : std::array<std::pair<double, const char*>, 8>{{{kPi, "pi"},
-                                                                                      {1 / kPi, "1/pi"},
-                                                                                      {2, "2"},
-                                                                                      {0.5, "1/2"},
-                                                                                      {2 * kPi, "2 pi"},
-                                                                                      {1 / (2 * kPi), "1/(2 pi)"},
-                                                                                      {4, "4"},
-                                                                                      {0.25, "1/4"}}})
-      all.push_back({fmt::format("radiosities times {}", words),
-                     [factor = factor](const JudgedRadiosity& each) { return factor * each.exact; }});
+    for (const NamedFactor& factor : kNamedFactors)
+      all.push_back({fmt::format("radiosities times {}", factor.words),
+                     [by = factor.value](const JudgedRadiosity& each) { return by * each.exact; }});
     all.push_back({"irradiances H", [this](const JudgedRadiosity& each) { return of(each).irradiance; }});
     all.push_back({"radiosities without the emission, B - E",
                    [this](const JudgedRadiosity& each) { return each.exact - of(each).emission; }});

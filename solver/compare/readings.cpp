@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "geometry/scene/name.h"
+#include "solver/compare/named_factors.h"
 
 namespace hottel {
 namespace {
@@ -34,29 +33,6 @@ Reading reading(Fault fault, const JudgedPairs& judged, const Predict& predict) 
 std::string name(const JudgedPairs& judged, std::uint32_t i) {
   return i == judged.exact().sky() ? "sky" : judged.exact().elements()[i].name;
 }
-
-struct NamedFactor {
-  double value;
-  const char* words;
-};
-
-constexpr double kPi = std::numbers::pi;
-constexpr std::array kNamedFactors = {
-    NamedFactor{2, "2"},
-    NamedFactor{0.5, "1/2"},
-    NamedFactor{kPi, "pi"},
-    NamedFactor{1 / kPi, "1/pi"},
-    NamedFactor{kPi / 2, "pi/2"},
-    NamedFactor{2 / kPi, "2/pi"},
-    NamedFactor{2 * kPi, "2 pi"},
-    NamedFactor{1 / (2 * kPi), "1/(2 pi)"},
-    NamedFactor{4, "4"},
-    NamedFactor{0.25, "1/4"},
-    NamedFactor{3.14 / kPi, "3.14/pi (pi taken as 3.14)"},
-    NamedFactor{kPi / 3.14, "pi/3.14 (pi taken as 3.14)"},
-    NamedFactor{100, "100 (percent)"},
-    NamedFactor{-1, "-1 (the sign)"},
-};
 
 // The ratio that fits these pairs best: of the products value * exact to the squares.
 double best_ratio(std::span<const JudgedPair> pairs, const std::vector<char>* wanted, const JudgedPairs& judged) {
