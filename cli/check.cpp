@@ -3,6 +3,7 @@
 
 #include "cli/command.h"
 #include "cli/memory.h"
+#include "cli/scene_input.h"
 #include "io/check_report.h"
 #include "io/scene_json.h"
 #include "kernel/failure.h"
@@ -37,12 +38,16 @@ ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const
   const SceneCheck2 before = look_at(scene, streams);
   Repair2 repair = close_gaps(scene, distance);
   reverse_inside_out(repair);
-  const std::string text = write_scene_2(repair.scene);
+  restore_polylines(repair);
+  const std::string text = naming_file(options.scene, [&] { return write_scene_2(repair.scene); });
   const Scene2 repaired = parse_scene_2(text, options.fix);
   const SceneCheck2 after = look_at(repaired, streams);
 
   std::optional<std::vector<FactorChange>> changes;
-  if (before.factors && after.factors) changes = factor_changes(*before.factors, *after.factors);
+  if (before.factors && after.factors)
+    changes = factor_changes(*before.factors, *after.factors, [&](const Element& element) {
+      return repair.former_names[element.surface] + element.name.substr(repaired.surfaces[element.surface].name.size());
+    });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
   out.write(text);
   out.commit();

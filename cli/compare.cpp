@@ -13,6 +13,7 @@
 #include "cli/methods.h"
 #include "cli/scene_input.h"
 #include "io/comparison_files.h"
+#include "io/output_folder.h"
 #include "io/scene_json.h"
 #include "kernel/failure.h"
 #include "kernel/version.h"
@@ -197,7 +198,7 @@ Outcome run_all(const MethodComparison2& comparison, const Methods& methods, con
 
 ExitCode compare(CompareOptions options, Streams& streams) {
   const MethodCatalogue2 methods_there_are = program_methods();
-  options.methods = whole_names(options.methods, methods_there_are);
+  options.methods = method_names(options.methods, methods_there_are);
   const std::vector<std::string> radiosity_files = take_radiosity_files(options.methods);
   if (!radiosity_files.empty() && options.methods.empty()) options.methods.push_back("exact");
   const Methods methods = methods_to_run(methods_there_are, options);
@@ -205,11 +206,13 @@ ExitCode compare(CompareOptions options, Streams& streams) {
       std::ranges::none_of(methods, [&](const auto& method) { return method->info().name == options.map; }))
     throw UsageError("--map takes one of the methods that are compared, not '" + options.map + "'");
 
+  const std::filesystem::path directory = output_folder(options.out, options.scene);
+
   Scene2 scene = read_scene_2(options.scene);
   options.elements.apply_to(scene);
+  if (!options.map.empty()) require_drawable(scene);
   const std::string stem = std::filesystem::path(options.scene).stem().string();
-  const std::filesystem::path directory = options.out.empty() ? stem + "-hottel" : options.out;
-  std::filesystem::create_directories(directory);
+  const OutputFolder folder(directory);
   OutputFile csv(directory / "compare.csv"), worst(directory / "worst.csv"), read(directory / "readings.csv"),
       svg(directory / "compare.svg"), png(directory / "compare.png");
   std::optional<OutputFile> map;
@@ -217,13 +220,17 @@ ExitCode compare(CompareOptions options, Streams& streams) {
 
   const PreparedScene2 prepared = prepare(std::move(scene), Divided::kYes);
   const MethodComparison2 comparison(prepared);
+  if (map && !comparison.exact_solution())
+    throw RequestError(options.scene + ": --map draws errors of the light, and there is none to compare: " +
+                       comparison.why_no_solution());
   Outcome outcome = run_all(comparison, methods, options, streams);
   const std::vector<WorkCurve> curves = work_curves(outcome.results);
   const std::vector<WorkReading> readings = read_off(curves, kErrorsReadOff);
   const LogPlot plot = work_precision_plot(curves, "What accuracy costs: " + stem, size_of(comparison.exact()));
 
   for (const std::string& name : radiosity_files)
-    outcome.results.push_back(judge_radiosity_file(name, comparison, options.beyond));
+    outcome.results.push_back(
+        naming_file(options.scene, [&] { return judge_radiosity_file(name, comparison, options.beyond); }));
   csv.write(compare_csv(outcome.results));
   worst.write(worst_csv(outcome.worst));
   read.write(readings_csv(curves, kErrorsReadOff));
@@ -261,7 +268,7 @@ void add_compare(Commands& commands) {
                   "one of each family" +
                       methods_text(methods))
       ->type_name("A,B,...")
-      ->delimiter(',');
+      ->allow_extra_args(false);  // what follows may be the scene
   command.add_flag("--sweep", options->sweep, "run each family that is named through its parameters");
   command.add_option("--worst", options->worst, "how many of the worst pairs of each method worst.csv lists")
       ->type_name("K")

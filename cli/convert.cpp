@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/command.h"
+#include "cli/scene_input.h"
 #include "io/scene_json.h"
 #include "io/svg_reader.h"
 #include "kernel/failure.h"
@@ -31,7 +32,7 @@ ExitCode convert(const ConvertOptions& options, Streams& streams) {
   if (!is_drawing && in.extension() != ".json")
     throw UsageError("convert reads a drawing (.svg) or a scene (.json), not '" + options.in + "'");
   const Scene2 scene = is_drawing ? read_svg_2(in) : read_scene_2(in);
-  streams.write(options.out, write_scene_2(scene));
+  streams.write(options.out, naming_file(options.in, [&] { return write_scene_2(scene); }));
   if (is_drawing) note_materials(scene, streams);
   return ExitCode::kDone;
 }

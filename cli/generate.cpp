@@ -57,13 +57,20 @@ void add_generate(Commands& commands) {
   command.description(description());
   GeneratorRequest& request = options->request;
   command.add_option("KIND", request.kind, "one of the kinds above")->required();
-  command.add_option("--n", request.n, "number of edges; see the kinds")->type_name("N")->capture_default_str();
-  command.add_option("--seed", request.seed, "other seeds give other scenes")->type_name("S")->capture_default_str();
+  command.add_option("--n", request.n, "number of edges; see the kinds")
+      ->type_name("N")
+      ->check(whole_number())
+      ->capture_default_str();
+  command.add_option("--seed", request.seed, "other seeds give other scenes")
+      ->type_name("S")
+      ->check(whole_number())
+      ->capture_default_str();
   command
       .add_option("--digits", request.digits,
                   fmt::format("significant digits of every coordinate, at most {}; without it as few as needed",
                               kMaxGeneratedDigits))
-      ->type_name("D");
+      ->type_name("D")
+      ->check(whole_number());
   CLI::Option* view = command.add_option("--view", options->view,
                                          "clutter: short (segments as long as they are apart) or long (a fifth of it)");
   view->type_name("VIEW")->check(CLI::IsMember({"short", "long"}));
@@ -71,7 +78,8 @@ void add_generate(Commands& commands) {
       ->type_name("L")
       ->excludes(view);
   command.add_option("--k", request.k, "lattice: points from 0 to K; without it the root of N, at least 4")
-      ->type_name("K");
+      ->type_name("K")
+      ->check(whole_number());
   command.add_option("-o", options->out, "the scene file to write; without it, or with -, standard output")
       ->type_name("FILE");
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/foreign_matrix.h"
+#include "kernel/failure.h"
 #include "kernel/stopwatch.h"
 #include "solver/methods/coarsened.h"
 
@@ -28,15 +29,23 @@ std::string methods_text(const MethodCatalogue2& methods) {
   return text;
 }
 
-std::vector<std::string> whole_names(const std::vector<std::string>& split, const MethodCatalogue2& methods) {
+std::vector<std::string> method_names(const std::vector<std::string>& lists, const MethodCatalogue2& methods) {
   std::vector<std::string> names;
-  for (const std::string& part : split) {
+  const auto add = [&](const std::string& part) {
     const bool is_method = std::any_of(methods.families().begin(), methods.families().end(),
                                        [&](const MethodFamily& family) { return family.name == family_of(part); });
     if (!is_method && !names.empty() && has_rows_of_its_own(names.back()))
       names.back() += "," + part;
+    else if (part.empty())
+      throw UsageError("--methods has an empty name; names are separated by single commas");
     else
       names.push_back(part);
+  };
+  for (const std::string& list : lists) {
+    std::size_t begin = 0;
+    for (std::size_t comma = 0; (comma = list.find(',', begin)) != std::string::npos; begin = comma + 1)
+      add(list.substr(begin, comma - begin));
+    add(list.substr(begin));
   }
   return names;
 }

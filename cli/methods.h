@@ -14,9 +14,9 @@ MethodCatalogue2 program_methods();
 // The families for --help, a line each.
 std::string methods_text(const MethodCatalogue2& methods);
 
-// Puts names together again that were split at commas: what follows `run:` or `file:` and begins no method belongs to
-// the command or the path.
-std::vector<std::string> whole_names(const std::vector<std::string>& split, const MethodCatalogue2& methods);
+// The names in lists "A,B,...". What follows `run:` or `file:` after a comma and begins no method belongs to the
+// command or the path. Throws UsageError for an empty name.
+std::vector<std::string> method_names(const std::vector<std::string>& lists, const MethodCatalogue2& methods);
 
 // What a method made of a scene, for a report.
 struct ComputedFactors {

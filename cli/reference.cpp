@@ -10,6 +10,7 @@
 #include "cli/scene_input.h"
 #include "cli/sha256.h"
 #include "io/factor_files.h"
+#include "io/output_folder.h"
 #include "io/radiosity_files.h"
 #include "io/scene_json.h"
 #include "io/text_file.h"
@@ -130,6 +131,7 @@ std::string name_of(const std::string& file) {
 }
 
 ExitCode reference(const ReferenceOptions& options, Streams& streams) {
+  if (options.directory == "-") throw UsageError("a set is a folder of files, not standard output");
   std::set<std::string> names;
   for (const std::string& file : options.scenes)
     if (!names.insert(name_of(file)).second)
@@ -153,9 +155,11 @@ ExitCode reference(const ReferenceOptions& options, Streams& streams) {
   files.push_back({"SHA256SUMS", std::move(sums)});
 
   const std::filesystem::path directory = options.directory;
+  const OutputFolder whole(directory);
+  std::vector<OutputFolder> folders;
   std::vector<OutputFile> outputs;
   for (const SetFile& file : files) {
-    std::filesystem::create_directories((directory / file.path).parent_path());
+    folders.emplace_back((directory / file.path).parent_path());
     outputs.emplace_back(directory / file.path).write(file.text);
   }
   // All files are whole before the first one takes its name.

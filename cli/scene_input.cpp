@@ -45,6 +45,11 @@ void ElementOptions::apply_to(Scene2& scene) const {
   }
 }
 
+std::filesystem::path output_folder(const std::string& option, const std::string& scene) {
+  if (option == "-") throw UsageError("results are several files: -o takes a folder, not standard output");
+  return option.empty() ? std::filesystem::path(scene).stem().string() + "-hottel" : option;
+}
+
 void require_drawable(const Scene2& scene) {
   if (scene.surfaces.empty()) return;
   Point2 low = scene.surfaces.front().from, high = low;
@@ -65,8 +70,9 @@ void require_drawable(const Scene2& scene) {
                     : extent * kMostExtentsAway < largest   ? "too large for the size of the scene"
                                                             : nullptr;
   if (why)
-    throw RequestError(fmt::format("{}:{}: the coordinates of '{}' are {}: a drawing like this places points by doubles",
-                                   scene.file, farthest->line, farthest->name, why));
+    throw RequestError(
+        fmt::format("{}:{}: the coordinates of '{}' are {}: a drawing like this places points by doubles", scene.file,
+                    farthest->line, farthest->name, why));
 }
 
 std::vector<std::uint32_t> surfaces_matching(const Scene2& scene, const std::string& pattern) {

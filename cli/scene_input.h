@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,10 @@ struct ElementOptions {
   void add_to(CLI::App& command);
   void apply_to(Scene2& scene) const;  // throws UsageError for a size that is no positive number
 };
+
+// The folder of an option -o: `option`, or ./STEM-hottel for a scene STEM.json. Throws UsageError for "-": results of
+// several files do not go to standard output.
+std::filesystem::path output_folder(const std::string& option, const std::string& scene);
 
 // Returns what `work` returns. A RequestError of it, which knows no files, is told with the scene's file before it.
 template <class Work>

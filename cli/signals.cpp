@@ -5,7 +5,7 @@
 #include <csignal>
 
 #include "io/foreign_command.h"
-#include "io/output_file.h"
+#include "io/pending_removal.h"
 #include "kernel/interrupt.h"
 
 namespace hottel {
@@ -13,7 +13,7 @@ namespace {
 
 [[noreturn]] void end_now(int signal) {
   kill_foreign_command();
-  remove_temporary_files();
+  remove_pending();
   ::_exit(128 + signal);
 }
 

@@ -9,6 +9,7 @@
 #include "cli/scene_input.h"
 #include "io/factor_files.h"
 #include "io/npy.h"
+#include "io/output_folder.h"
 #include "io/radiosity_files.h"
 #include "io/scene_json.h"
 #include "kernel/failure.h"
@@ -131,6 +132,8 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const auto tone = tone_of(options.tone);
   if (!tone) throw UsageError("there is no tone curve called '" + options.tone + "': linear, reinhard, log, max");
 
+  const std::filesystem::path directory = output_folder(options.out, options.scene);
+
   Stopwatch watch;
   std::map<std::string, double> seconds;
   Scene2 scene = read_scene_2(options.scene);
@@ -144,9 +147,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const Per per = is_divided ? Per::kElement : Per::kFace;
   const PreparedScene2 prepared = prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
 
-  const std::filesystem::path directory =
-      options.out.empty() ? std::filesystem::path(options.scene).stem().string() + "-hottel" : options.out;
-  std::filesystem::create_directories(directory);
+  const OutputFolder folder(directory);
   OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), npy(directory / "illumination.npy"),
       png(directory / "illumination.png"), json(directory / "report.json");
 

@@ -303,9 +303,9 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
     throw UsageError("--from A and --to B go together, without --at and --on");
   if (!is_pair && options.at.empty())
     throw UsageError("visibility needs --at X,Y or --on NAME --at T or --from A --to B");
-  const auto format = options.out.empty() ? std::nullopt : picture_format(options.out);
-  if (!options.out.empty() && !format)
-    throw UsageError("a drawing is written as .svg or .png, not '" + options.out + "'");
+  const bool is_drawn = !options.out.empty() && options.out != "-";
+  const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
+  if (is_drawn && !format) throw UsageError("a drawing is written as .svg or .png, not '" + options.out + "'");
   const std::optional<ExactPoint2> eye =
       is_pair || !options.on.empty() ? std::nullopt : std::optional(point(options.at));
   const Rational t = options.on.empty() ? Rational(0) : number(options.at, "--at with --on");
@@ -345,7 +345,10 @@ void add_visibility(Commands& commands) {
       ->type_name("A");
   command.add_option("--to", options->to, "the other face")->type_name("B");
   command.add_flag("--json", options->json, "the answer as one JSON object");
-  command.add_option("-o", options->out, "draw it: .svg or .png; the answer in words is a remark then, on stderr")
+  command
+      .add_option("-o", options->out,
+                  "draw it: .svg or .png; the answer in words is a remark then, on stderr. Without it, or with -, the "
+                  "answer is on standard output")
       ->type_name("FILE");
 }
 

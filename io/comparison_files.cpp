@@ -15,6 +15,11 @@ namespace {
 // Empty for what is not known.
 std::string field(const std::optional<double>& value) { return value && !std::isnan(*value) ? shortest(*value) : ""; }
 
+// Empty also for a length beyond the range of doubles.
+std::string length_field(const std::optional<double>& value) {
+  return field(value && std::isfinite(*value) ? value : std::nullopt);
+}
+
 }  // namespace
 
 std::string compare_csv(std::span<const MethodResult> results) {
@@ -46,7 +51,7 @@ std::string worst_csv(std::span<const ExplainedPair> pairs) {
   for (const auto& [method, from, to, error, explanation] : pairs)
     text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_field(method), csv_field(from), csv_field(to),
                         shortest(error.value), shortest(error.exact), shortest(error.error()),
-                        field(explanation.visibility), field(explanation.distance), field(explanation.angle),
+                        field(explanation.visibility), length_field(explanation.distance), field(explanation.angle),
                         csv_field(explanation.reason));
   return text;
 }

@@ -160,6 +160,7 @@ ScratchFolder::ScratchFolder() {
     throw RequestError("no folder can be made in " + std::filesystem::temp_directory_path().string() + ": " +
                        std::strerror(errno));
   path_ = pattern;
+  pending_ = PendingRemoval(pattern, Removal::kFolder);
 }
 
 ScratchFolder::~ScratchFolder() {
@@ -189,7 +190,10 @@ CommandRun run_foreign_command(const std::string& command, const std::string& sc
 }
 
 void kill_foreign_command() noexcept {
-  if (const pid_t group = running_group; group > 0) ::kill(-group, SIGKILL);
+  const pid_t group = running_group;
+  if (group <= 0) return;
+  ::kill(-group, SIGKILL);
+  while (::waitpid(group, nullptr, 0) < 0 && errno == EINTR) continue;
 }
 
 }  // namespace hottel

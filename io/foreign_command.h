@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <string>
 
+#include "io/pending_removal.h"
+
 namespace hottel {
 
-// A folder for the output of one command; removed at the end, whatever is in it.
+// A folder for the output of one command; removed at the end, also by a signal, whatever is in it.
 class ScratchFolder {
  public:
   ScratchFolder();
@@ -18,6 +20,7 @@ class ScratchFolder {
 
  private:
   std::filesystem::path path_;
+  PendingRemoval pending_;
 };
 
 struct CommandRun {
@@ -39,7 +42,7 @@ struct CommandRun {
 // it started have been told to end, and killed where they do not within half a second.
 CommandRun run_foreign_command(const std::string& command, const std::string& scene, const ScratchFolder& scratch);
 
-// Kills the command that is running, if any, with all it started. Async-signal-safe.
+// Kills the command that is running, if any, with all it started, and waits for its end. Async-signal-safe.
 void kill_foreign_command() noexcept;
 
 }  // namespace hottel

@@ -26,6 +26,14 @@ const char* kind_name(JsonKind kind) {
   return "";
 }
 
+// True for a decimal that would be read if its exponent were smaller.
+bool has_large_exponent(std::string_view text) {
+  const std::size_t e = text.find_first_of("eE");
+  if (e == std::string_view::npos || text.find('/') != std::string_view::npos) return false;
+  const auto exponent = parse_rational(text.substr(e + 1));
+  return parse_rational(text.substr(0, e)) && exponent && abs(*exponent) > kMaxNumberExponent;
+}
+
 [[noreturn]] void refuse_kind(const JsonValue& value, const std::string& expected, const Subject& subject) {
   refuse(value, subject.text() + " must be " + expected + ", not " + kind_name(value.kind()));
 }
@@ -85,6 +93,9 @@ Rational read_number(const JsonValue& value, const Subject& subject) {
     refuse(value, subject.text() + " has " + std::to_string(text.size()) + " characters; a number may have " +
                       std::to_string(kMaxNumberLength));
   std::optional<Rational> number = parse_rational(text);
+  if (!number && has_large_exponent(text))
+    refuse(value, subject.text() + " is beyond the range in which numbers are read: " + quoted_name(text),
+           {"an exponent is at most " + std::to_string(kMaxNumberExponent) + " in absolute value"});
   if (!number)
     refuse(value, subject.text() + " is not a number: " + quoted_name(text),
            {"numbers are written like 12, -0.1, 2.5e-3 or 4/3, with an exponent of at most " +

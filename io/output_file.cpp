@@ -4,11 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <atomic>
 #include <cerrno>
-#include <climits>
 #include <cstring>
 #include <utility>
 
@@ -20,32 +16,6 @@ namespace {
 
 constexpr std::size_t kBufferBytes = 1 << 16;
 constexpr int kMostNames = 1000;  // tried before giving up
-
-// Names of temporary files where a signal handler can read them.
-struct TemporaryName {
-  std::atomic<bool> is_used{false};   // taken by an OutputFile
-  std::atomic<bool> is_ready{false};  // path is complete
-  std::array<char, PATH_MAX> path{};
-};
-std::array<TemporaryName, 16> temporaries;
-
-// Returns the slot, or -1 when there are more files at once than slots: the destructor still removes those.
-int register_temporary(const std::string& path) {
-  if (path.size() >= PATH_MAX) return -1;
-  for (std::size_t i = 0; i < temporaries.size(); ++i) {
-    if (temporaries[i].is_used.exchange(true)) continue;
-    std::copy_n(path.c_str(), path.size() + 1, temporaries[i].path.begin());
-    temporaries[i].is_ready = true;
-    return static_cast<int>(i);
-  }
-  return -1;
-}
-
-void unregister_temporary(int slot) {
-  if (slot < 0) return;
-  temporaries[static_cast<std::size_t>(slot)].is_ready = false;
-  temporaries[static_cast<std::size_t>(slot)].is_used = false;
-}
 
 std::string text_of(int error) { return "cannot be written: " + std::string(std::strerror(error)); }
 
@@ -65,7 +35,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
     : name_(std::move(other.name_)),
       target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {})),
-      slot_(std::exchange(other.slot_, -1)),
+      pending_(std::move(other.pending_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
       is_owned_(other.is_owned_),
       buffer_(std::move(other.buffer_)) {}
@@ -73,7 +43,6 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0 && is_owned_) ::close(descriptor_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
-  unregister_temporary(slot_);
 }
 
 void OutputFile::fail(int error) { throw OutputError(name_, text_of(error)); }
@@ -98,11 +67,11 @@ void OutputFile::open() {
   for (int k = 0; descriptor_ < 0; ++k) {
     const std::string name = ".hottel-" + std::to_string(::getpid()) + "-" + std::to_string(k) + ".tmp";
     temporary_ = (directory / name).string();
-    slot_ = register_temporary(temporary_);
+    pending_ = PendingRemoval(temporary_, Removal::kFile);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ >= 0) break;
     const int error = errno;
-    unregister_temporary(std::exchange(slot_, -1));
+    pending_ = {};
     temporary_.clear();
     if (error == ENOENT)
       throw OutputError(name_, "cannot be written: there is no directory '" + directory.string() + "'");
@@ -150,12 +119,7 @@ void OutputFile::commit() {
   throw_if_interrupted();
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();
-  unregister_temporary(std::exchange(slot_, -1));
-}
-
-void remove_temporary_files() noexcept {
-  for (const TemporaryName& temporary : temporaries)
-    if (temporary.is_ready) ::unlink(temporary.path.data());
+  pending_ = {};
 }
 
 void write_output_file(const std::filesystem::path& file, std::string_view bytes) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/pending_removal.h"
+
 namespace hottel {
 
 // A file cannot be written. what() is "FILE: text", one line.                                       (exit code 3)
@@ -28,7 +30,7 @@ class ReaderGone : public std::exception {
 // Writes a file under a temporary name in the same directory and renames it on commit().
 //
 //   (1) until commit() returns, a file that was there before is untouched
-//   (2) without commit() the temporary file is removed by the destructor (or by remove_temporary_files)
+//   (2) without commit() the temporary file is removed by the destructor (or by remove_pending)
 //   (3) every error of opening, writing, flushing to disk, closing and renaming throws OutputError
 //   (4) an existing file keeps its permissions, a symbolic link stays one
 //
@@ -61,14 +63,11 @@ class OutputFile {
   std::string name_;  // for messages
   std::filesystem::path target_;
   std::string temporary_;  // empty: written to directly
-  int slot_ = -1;          // where the signal handler finds the temporary
+  PendingRemoval pending_;
   int descriptor_ = -1;
   bool is_owned_ = true;  // the descriptor is ours to close
   std::string buffer_;
 };
-
-// Removes the temporary files of all outputs that are not committed. Async-signal-safe.
-void remove_temporary_files() noexcept;
 
 // Writes a whole file; see OutputFile.
 void write_output_file(const std::filesystem::path& file, std::string_view bytes);

@@ -107,6 +107,7 @@ class Vertices2 {
   friend class EyeCoordinate2;
   friend class Eye2;
   friend class EyeLine2;
+  friend class EyeTile2;
   struct Small {
     std::int64_t x, y;
   };
@@ -143,6 +144,7 @@ class EyeCoordinate2 {
  private:
   friend class Eye2;
   friend class EyeLine2;
+  friend class EyeTile2;
   Rational exact_;
   double approximate_, error_;
   std::int64_t numerator_ = 0, denominator_ = 0;  // when 128 bits suffice for a product of two differences, else 0

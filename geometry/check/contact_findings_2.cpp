@@ -45,20 +45,16 @@ class ContactTeller {
     Point2 from, to;
   };
 
-  static bool are_same(const FacePart& a, const FacePart& b) {
-    return a.surface == b.surface && a.is_back == b.is_back;
-  }
-
   void find_conflicts(const Overlap2& overlap) {
     for (const bool right : {false, true}) {
-      const auto [owner, rival] = owner_of_side(scene_, overlap.covering, right);
-      if (!rival) continue;
+      const SideOwner2 side = owner_of_side(scene_, overlap.covering, right);
+      if (!side.rival) continue;
       const auto before = std::find_if(conflicts_.begin(), conflicts_.end(), [&](const Conflict& other) {
-        return other.to == overlap.from && are_same(other.owner.face, owner.face) &&
-               are_same(other.rival.face, rival->face);
+        return other.is_right == right && other.to == overlap.from && other.owner.face == side.owner.face &&
+               other.rival.face == side.rival->face;
       });
       if (before == conflicts_.end())
-        conflicts_.push_back({owner, *rival, right, overlap.from, overlap.to});
+        conflicts_.push_back({side.owner, *side.rival, right, overlap.from, overlap.to});
       else
         before->to = overlap.to;
     }

@@ -7,17 +7,17 @@
 namespace hottel {
 namespace {
 
+using FormerName = std::function<std::string(const Element&)>;
+
 // The faces of both matrices, by name; the sky last.
 class FaceTable {
  public:
-  FaceTable(const ExchangeMatrix& before, const ExchangeMatrix& after) {
-    for (const Element& element : before.elements()) number_of(element.name);
-    for (const Element& element : after.elements()) number_of(element.name);
-    number_of("sky");
-    before_.assign(names_.size(), std::nullopt);
-    after_.assign(names_.size(), std::nullopt);
-    fill(before, before_, of_before_);
-    fill(after, after_, of_after_);
+  FaceTable(const ExchangeMatrix& before, const ExchangeMatrix& after, const FormerName& former_name) {
+    for (const Element& element : before.elements()) of_before_.push_back(number_of(element.name));
+    for (const Element& element : after.elements()) of_after_.push_back(number_of(former_name(element)));
+    for (auto* here : {&of_before_, &of_after_}) here->push_back(number_of("sky"));
+    before_ = indices(of_before_);
+    after_ = indices(of_after_);
   }
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(names_.size()); }
@@ -40,12 +40,10 @@ class FaceTable {
     if (is_new) names_.push_back(name);
     return place->second;
   }
-  void fill(const ExchangeMatrix& matrix, std::vector<std::optional<std::uint32_t>>& own,
-            std::vector<std::uint32_t>& here) {
-    for (std::uint32_t i = 0; i <= matrix.sky(); ++i) {
-      here.push_back(number_of(i == matrix.sky() ? "sky" : matrix.elements()[i].name));
-      own[here.back()] = i;
-    }
+  std::vector<std::optional<std::uint32_t>> indices(const std::vector<std::uint32_t>& here) const {
+    std::vector<std::optional<std::uint32_t>> own(names_.size());
+    for (std::uint32_t i = 0; i < here.size(); ++i) own[here[i]] = i;
+    return own;
   }
 
   std::vector<std::string> names_;
@@ -56,8 +54,9 @@ class FaceTable {
 
 }  // namespace
 
-std::vector<FactorChange> factor_changes(const ExchangeMatrix& before, const ExchangeMatrix& after) {
-  const FaceTable faces(before, after);
+std::vector<FactorChange> factor_changes(const ExchangeMatrix& before, const ExchangeMatrix& after,
+                                         const FormerName& former_name) {
+  const FaceTable faces(before, after, former_name);
   std::vector<FactorChange> changes;
   for (std::uint32_t from = 0; from < faces.count(); ++from) {
     const auto old_row = faces.row(before, false, from), new_row = faces.row(after, true, from);

@@ -1,6 +1,7 @@
 // What a change of the scene did to its view factors.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,8 @@ struct FactorChange {
 };
 
 // Returns every pair whose correctly rounded factor is not what it was, in the order of the first matrix, new faces
-// last. Faces are matched by name.
-std::vector<FactorChange> factor_changes(const ExchangeMatrix& before, const ExchangeMatrix& after);
+// last. Faces are matched by name: `former_name` says what an element of the second matrix was called in the first.
+std::vector<FactorChange> factor_changes(const ExchangeMatrix& before, const ExchangeMatrix& after,
+                                         const std::function<std::string(const Element&)>& former_name);
 
 }  // namespace hottel

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "geometry/arrangement/overlay_2.h"
@@ -46,7 +48,8 @@ Point2 short_point_near(const Point2& a, const Point2& b, const Point2& p, const
 
 class GapCloser {
  public:
-  GapCloser(const Scene2& scene, const Rational& distance) : scene_(scene), squared_(distance * distance) {
+  GapCloser(const Scene2& scene, const Rational& distance)
+      : scene_(scene), distance_(distance), squared_(distance * distance) {
     PointIndex2 index;
     for (const Surface2& surface : scene.surfaces)
       segments_.push_back({index.insert(to_exact(surface.from)), index.insert(to_exact(surface.to))});
@@ -65,7 +68,7 @@ class GapCloser {
   Repair2 close() {
     for (int pass = 0; pass < kMostPasses && improve(); ++pass) {
     }
-    Repair2 repair{scene_, {}};
+    Repair2 repair{scene_, {}, {}};
     tell_moves(repair.steps);
     rebuild(repair);
     for (const auto& [v, s] : left_)
@@ -87,23 +90,29 @@ class GapCloser {
                        [&](VertexId m) { return squared_distance(origin_[m], to) <= squared_; });
   }
 
+  // At least the distance, in the units of the approximate coordinates: as it compares with the width of the scene.
+  double reach_in(const Vertices2& vertices) const {
+    VertexId left = 0, right = 0, low = 0, high = 0;
+    for (VertexId v = 0; v < place_.size(); ++v) {
+      if (place_[v].x < place_[left].x) left = v;
+      if (place_[v].x > place_[right].x) right = v;
+      if (place_[v].y < place_[low].y) low = v;
+      if (place_[v].y > place_[high].y) high = v;
+    }
+    const Rational wide = place_[right].x - place_[left].x, tall = place_[high].y - place_[low].y;
+    const double approximate = wide > tall ? vertices.approximate(right).x - vertices.approximate(left).x
+                                           : vertices.approximate(high).y - vertices.approximate(low).y;
+    const double reach = 2 * approximate * to_double(distance_ / std::max(wide, tall));
+    return std::nextafter(reach, std::numeric_limits<double>::infinity());
+  }
+
   std::vector<std::vector<std::uint32_t>> candidates() const {
     std::vector<ExactPoint2> points;
     std::vector<Segment2> now;
     for (const Point2& p : place_) points.push_back(to_exact(p));
     const Vertices2 vertices(points, points.size());
-    // How long the distance is in the units of the approximate coordinates: by comparing with the longest surface.
-    double reach = 0, longest = 0;
-    for (std::uint32_t s = 0; s < segments_.size(); ++s) {
-      now.push_back(segment(s));
-      const auto &p = vertices.approximate(now.back().a), &q = vertices.approximate(now.back().b);
-      const double length = std::hypot(q.x - p.x, q.y - p.y);
-      if (length <= longest) continue;
-      longest = length;
-      reach =
-          4 * length * std::sqrt(to_double(squared_ / squared_distance(place_[now.back().a], place_[now.back().b])));
-    }
-    return segments_near_vertices(vertices, now, std::vector<double>(place_.size(), reach));
+    for (std::uint32_t s = 0; s < segments_.size(); ++s) now.push_back(segment(s));
+    return segments_near_vertices(vertices, now, std::vector<double>(place_.size(), reach_in(vertices)));
   }
 
   // One pass over all points; true when something moved.
@@ -116,18 +125,19 @@ class GapCloser {
     return moved;
   }
 
-  // Joins v with the nearest end within reach.
+  // Joins v with the nearest end within reach with which it can be joined.
   bool merge(VertexId v, const std::vector<std::uint32_t>& near) {
-    std::optional<std::pair<Rational, VertexId>> nearest;
+    std::set<std::pair<Rational, VertexId>> ends;
     for (const std::uint32_t s : near)
       for (const VertexId u : {segment(s).a, segment(s).b}) {
-        if (u == v) continue;
-        auto found = std::pair(squared_distance(place_[v], place_[u]), u);
-        if (found.first <= squared_ && (!nearest || found < *nearest)) nearest = std::move(found);
+        Rational squared = squared_distance(place_[v], place_[u]);
+        if (u != v && squared <= squared_) ends.emplace(std::move(squared), u);
       }
-    if (!nearest) return false;
+    const auto nearest = std::find_if(ends.begin(), ends.end(), [&](const auto& end) {
+      return may_move(std::max(v, end.second), place_[std::min(v, end.second)]);
+    });
+    if (nearest == ends.end()) return false;
     const VertexId keep = std::min(v, nearest->second), gone = std::max(v, nearest->second);
-    if (!may_move(gone, place_[keep])) return false;
     for (const VertexId m : members_[gone]) into_[m] = keep;
     members_[keep].insert(members_[keep].end(), members_[gone].begin(), members_[gone].end());
     ending_[keep].insert(ending_[keep].end(), ending_[gone].begin(), ending_[gone].end());
@@ -204,6 +214,7 @@ class GapCloser {
       kept.back().from = place_[now.a];
       kept.back().to = place_[now.b];
     }
+    for (const Surface2& surface : kept) repair.former_names.push_back(surface.name);
     repair.scene.surfaces = std::move(kept);
   }
 
@@ -214,7 +225,7 @@ class GapCloser {
   }
 
   const Scene2& scene_;
-  const Rational squared_;
+  const Rational distance_, squared_;
   std::vector<Segment2> segments_;  // as they were
   std::vector<Point2> origin_, place_;
   std::vector<VertexId> into_;                      // the vertex that each was joined into

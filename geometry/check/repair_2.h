@@ -8,7 +8,8 @@
 
 namespace hottel {
 
-// One thing that was done to a surface, or that was not: "merged", "snapped", "dropped", "reversed", "not-repaired".
+// One thing that was done to a surface, or that was not: "merged", "snapped", "dropped", "reversed", "renumbered",
+// "split", "not-repaired".
 struct RepairStep {
   std::string kind;
   std::string surface;
@@ -18,6 +19,7 @@ struct RepairStep {
 struct Repair2 {
   Scene2 scene;
   std::vector<RepairStep> steps;
+  std::vector<std::string> former_names;  // by surface: what it was called before the repair
 };
 
 // Returns the scene with ends that are within `distance` of each other merged (into the one listed first), ends within
@@ -25,7 +27,7 @@ struct Repair2 {
 // everything but the name, dropped.
 //
 //   (1) no end point moves farther than `distance`; without a gap, stub or repetition the scene is returned as it is
-//   (2) names, materials, order and all else stay; surfaces that leave a polyline do not rename the others
+//   (2) names, materials, order and all else stay (restore_polylines follows)
 //   (3) an end that meets a surface exactly and stays within reach meets it afterwards
 //   (4) an end of a surface that makes an angle with another at their common end is not put onto it: the angle may be
 //       meant (not-repaired)
@@ -35,5 +37,13 @@ Repair2 close_gaps(const Scene2& scene, const Rational& distance);
 // Reverses surfaces that are certainly the wrong way round (CellFindings2::certainly_reversed) and adds a step for
 // each. Nothing is done where claims conflict.
 void reverse_inside_out(Repair2& repair);
+
+// Makes polylines of the pieces of polylines again after the other repairs.
+//
+//   (1) pieces that still follow each other, in their order or against it, are a polyline of the same name: its pieces
+//       are NAME[0], NAME[1], ... in the order in which they follow each other now (renumbered)
+//   (2) pieces of others keep their names as edges of their own, which stand before all polylines (split)
+//   (3) polylines that were not changed stay as they are
+void restore_polylines(Repair2& repair);
 
 }  // namespace hottel

@@ -1,7 +1,7 @@
 #include "geometry/check/wording.h"
 
 #include "geometry/scene/name.h"
-#include "kernel/rounding.h"
+#include "kernel/decimal.h"
 
 namespace hottel {
 namespace {
@@ -12,7 +12,7 @@ constexpr std::size_t kMostNames = 4;
 }  // namespace
 
 std::string short_text(const Rational& value) {
-  std::string decimal = shortest(to_double(value));
+  std::string decimal = decimal_text(value);
   if (const auto read = parse_rational(decimal); read && *read == value) return decimal;
   std::string fraction = to_string(value);
   return fraction.size() <= kShortFraction ? fraction : decimal;
@@ -23,7 +23,7 @@ std::string place_text(const Point2& point) { return "(" + short_text(point.x) +
 std::string length_text(const Rational& squared) {
   RootSum length;
   length.add(1, squared);
-  return shortest(round_quotient(length, RootSum(Rational(1))).number.value);
+  return decimal_text(length);
 }
 
 std::string names_text(const Scene2& scene, const std::vector<std::uint32_t>& surfaces) {

@@ -12,7 +12,7 @@
 namespace hottel {
 
 // Returns the number as shortly as it can be said: the decimal when that is exact, p/q when that is short, otherwise
-// the shortest decimal of the nearest double.
+// a decimal (kernel/decimal.h).
 std::string short_text(const Rational& value);
 
 // "(2, 3/7)"

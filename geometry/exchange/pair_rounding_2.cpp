@@ -9,6 +9,20 @@ namespace {
 
 FixedSum twice(const FixedSum& sum) { return {2 * sum.value, 2 * sum.error}; }
 
+// 2 S0 of two labels; nothing when two of their runs cross.
+std::optional<FixedSum> unobstructed(const Vertices2& vertices, const Labels2& labels, std::uint32_t i,
+                                     std::uint32_t j) {
+  FixedSum total;
+  for (const Segment2& f : labels.runs(i))
+    for (const Segment2& g : labels.runs(j)) {
+      const auto sum = unobstructed_sum(vertices, f, g);
+      if (!sum) return std::nullopt;
+      total.value += sum->value;
+      total.error += sum->error;
+    }
+  return total;
+}
+
 }  // namespace
 
 double visibility_of(const Rounded& quotient) {
@@ -52,7 +66,7 @@ RoundedPair PairRounding::quick(const PairSum& pair, TierCounts& tiers) const {
     tiers.count(Tier::kDouble);
   } else {
     Rounded visibility;
-    const auto free = unobstructed(pair);
+    const auto free = unobstructed(vertices, labels_, pair.i, pair.j);
     if (free && static_cast<double>(free->value) > free->error)
       settle(*free, visibility, result.is_visibility_open);
     else
@@ -90,18 +104,6 @@ void PairRounding::exactly(const PairSum& pair, const RootSum& sum, RoundedPair&
     tiers.count(rounded.tier);
     result.visibility = visibility_of(rounded.number);
   }
-}
-
-std::optional<FixedSum> PairRounding::unobstructed(const PairSum& pair) const {
-  FixedSum total;
-  for (const Segment2& f : labels_.runs(pair.i))
-    for (const Segment2& g : labels_.runs(pair.j)) {
-      const auto sum = unobstructed_sum(prepared_.arrangement.vertices(), f, g);
-      if (!sum) return std::nullopt;
-      total.value += sum->value;
-      total.error += sum->error;
-    }
-  return total;
 }
 
 void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels, std::vector<RoundedPair>& rounded) {
@@ -146,6 +148,18 @@ RootSum unobstructed_exchange(const PreparedScene2& prepared, const Labels2& lab
     if (two_labels.elements()[label].name == labels.elements()[j].name) pair.second = label;
   }
   return exact_exchange_measures(two, per, {pair}).front();
+}
+
+double unobstructed_factor(const PreparedScene2& prepared, const Labels2& labels, std::uint32_t i, std::uint32_t j) {
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  const auto free = unobstructed(vertices, labels, i, j);
+  if (free && free->value == 0 && free->error == 0) return 0;
+  const FixedSum length = twice(labels.length(i));
+  if (free && static_cast<double>(length.value) > length.error)
+    if (const auto rounded = round_quotient(*free, length)) return rounded->number.value;
+  const RootSum exact = unobstructed_exchange(prepared, labels, Per::kElement, i, j);
+  if (exact.is_zero()) return 0;
+  return round_quotient(exact, labels.exact_length(i, vertices) * vertices.scale()).number.value;
 }
 
 }  // namespace hottel

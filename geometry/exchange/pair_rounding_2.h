@@ -40,8 +40,6 @@ class PairRounding {
   void exactly(const PairSum& pair, const RootSum& sum, RoundedPair& result, TierCounts& tiers) const;
 
  private:
-  std::optional<FixedSum> unobstructed(const PairSum& pair) const;
-
   const PreparedScene2& prepared_;
   const Labels2& labels_;
   const ExchangeOptions2& options_;
@@ -54,5 +52,10 @@ void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels
 // S0(i, j) of two labels (neither the sky) in scene units: everything but the two taken away.
 RootSum unobstructed_exchange(const PreparedScene2& prepared, const Labels2& labels, Per per, std::uint32_t i,
                               std::uint32_t j);
+
+// F0(i, j) = S0(i, j) / A_i of two faces or elements (not groups), correctly rounded; 0 when they do not face each
+// other. REQUIRES a row for i.
+// COST: four lengths a pair of runs in fixed point; the exact sum only where these cancel, or the two cross.
+double unobstructed_factor(const PreparedScene2& prepared, const Labels2& labels, std::uint32_t i, std::uint32_t j);
 
 }  // namespace hottel

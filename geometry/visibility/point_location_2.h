@@ -30,6 +30,8 @@ class PointLocation2 {
   // near: where the walk begins, a triangle of another location; changed to where it ends. -1: nowhere yet.
   Location2 locate(const Eye2& eye, HalfEdgeId& near) const;
 
+  const Triangulation2& triangulation() const { return triangulation_; }
+
   // Fills the view from the eye; from a point on an edge or vertex both sides are seen, the edges at it edge-on.
   // Returns where the eye is.
   Location2 look_around(const Eye2& eye, View2& view) const;

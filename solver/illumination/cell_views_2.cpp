@@ -1,8 +1,10 @@
 #include "solver/illumination/cell_views_2.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
+#include "geometry/visibility/tile_views_2.h"
 #include "kernel/failure.h"
 #include "kernel/interrupt.h"
 #include "kernel/parallel.h"
@@ -10,8 +12,7 @@
 namespace hottel {
 namespace {
 
-constexpr std::size_t kCellsBetweenReports = 1 << 12;
-constexpr std::size_t kCellsInARow = 64;  // walked through from one to the next
+constexpr std::size_t kTilesBetweenReports = 128;
 
 Rational centre(const Rational& min, const Rational& max, std::uint32_t index, std::uint32_t count) {
   return min + (max - min) * Rational(Integer(2 * static_cast<unsigned long>(index) + 1)) /
@@ -35,20 +36,30 @@ void for_each_cell_view(const PreparedScene2& prepared, const Grid2& grid, const
   for (std::uint32_t iy = 0; iy < grid.ny; ++iy)
     rows.emplace_back(vertices, vertices.from_scene(cell_centre(grid, 0, iy)).y);
 
-  const std::size_t cells = std::size_t{grid.nx} * grid.ny;
-  for (std::size_t begin = 0; begin < cells; begin += kCellsBetweenReports) {
-    const std::size_t end = std::min(cells, begin + kCellsBetweenReports);
-    parallel_ranges(end - begin, kCellsInARow, [&](std::size_t from, std::size_t to) {
-      View2 view;
-      HalfEdgeId near = -1;
-      for (std::size_t cell = begin + from; cell < begin + to; ++cell) {
+  const auto tiles_along = [](std::uint32_t cells) { return (cells + EyeTile2::kSide - 1) / EyeTile2::kSide; };
+  const auto tile_of = [](const std::vector<EyeCoordinate2>& all, std::size_t index) {
+    const std::size_t first = index * EyeTile2::kSide;
+    return std::span(all).subspan(first, std::min(EyeTile2::kSide, all.size() - first));
+  };
+  const std::size_t tiles_in_a_row = tiles_along(grid.nx), tiles = tiles_in_a_row * tiles_along(grid.ny);
+  for (std::size_t begin = 0; begin < tiles; begin += kTilesBetweenReports) {
+    const std::size_t end = std::min(tiles, begin + kTilesBetweenReports);
+    parallel_ranges(end - begin, 1, [&](std::size_t from, std::size_t to) {
+      thread_local TileViews2 views;
+      for (std::size_t index = begin + from; index < begin + to; ++index) {
         throw_if_interrupted();
-        const Eye2 eye(vertices, columns[cell % grid.nx], rows[cell / grid.nx]);
-        const Location2 place = location.look_around(eye, view, near);
-        visit(cell, eye, place, view);
+        const std::size_t tile_x = index % tiles_in_a_row, tile_y = index / tiles_in_a_row;
+        const EyeTile2 tile(vertices, tile_of(columns, tile_x), tile_of(rows, tile_y));
+        views.look_around(location, tile);
+        for (std::size_t row = 0; row < tile.rows(); ++row)
+          for (std::size_t column = 0; column < tile.columns(); ++column) {
+            const std::size_t k = row * EyeTile2::kSide + column;
+            visit((tile_y * EyeTile2::kSide + row) * grid.nx + tile_x * EyeTile2::kSide + column, tile.eye(k),
+                  views.location(k), views.view(k));
+          }
       }
     });
-    if (progress) progress(static_cast<double>(end) / static_cast<double>(cells));
+    if (progress) progress(static_cast<double>(end) / static_cast<double>(tiles));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "solver/methods/factor_rows_2.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "kernel/interrupt.h"
@@ -19,19 +20,29 @@ ExchangeMatrix matrix_of_rows(const ElementGeometry2& geometry, const std::vecto
   return matrix;
 }
 
-ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const FillRow& fill) {
+std::vector<FactorEntry> RowSums::take() {
+  std::sort(touched_.begin(), touched_.end());
+  std::vector<FactorEntry> row;
+  for (const std::uint32_t column : touched_) {
+    if (sums_[column] != 0) row.push_back({column, {sums_[column], 0}, std::numeric_limits<double>::quiet_NaN()});
+    sums_[column] = 0;
+  }
+  touched_.clear();
+  return row;
+}
+
+ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<FillRow()>& make_fill) {
   const std::uint32_t n = geometry.count();
   std::vector<std::vector<FactorEntry>> rows(n);
   parallel_ranges(n, 1, [&](std::size_t first, std::size_t last) {
-    std::vector<double> by;
+    const FillRow fill = make_fill();
+    RowSums by(n + std::size_t{1});
     for (std::size_t from = first; from != last; ++from) {
       throw_if_interrupted();
       const auto i = static_cast<std::uint32_t>(from);
       if (!geometry.has_row(i) || geometry.runs(i).empty()) continue;
-      by.assign(n + std::size_t{1}, 0);
       fill(i, by);
-      for (std::uint32_t j = 0; j <= n; ++j)
-        if (by[j] != 0) rows[i].push_back({j, {by[j], 0}, std::numeric_limits<double>::quiet_NaN()});
+      rows[i] = by.take();
     }
   });
   return matrix_of_rows(geometry, rows);

@@ -13,6 +13,7 @@
 #include "kernel/int128.h"
 #include "solver/methods/factor_rows_2.h"
 #include "solver/methods/method_catalogue_2.h"
+#include "solver/methods/place_tree_2.h"
 #include "solver/system/matrix_checks.h"
 
 namespace hottel {
@@ -101,13 +102,14 @@ ExchangeMatrix Hemicube2::compute(const PreparedScene2& prepared, MethodReport& 
   if (!options_.is_uniform)
     for (std::size_t k = 0; k < weight.size(); ++k) weight[k] = square.weight(k);
   const Labels2& labels = geometry.labels();
-  ExchangeMatrix matrix = matrix_by_rows(geometry, [&](std::uint32_t from, std::vector<double>& by) {
-    const std::unique_ptr<ItemBuffer2> buffer = make_buffer_(options_.resolution);
-    for (const ElementRun2& run : geometry.runs(from)) {
-      const CentreFrame frame(prepared.arrangement.vertices(), geometry, run);
-      const auto image = buffer->draw(items_of(prepared.arrangement, labels, frame), labels.sky());
-      for (std::size_t k = 0; k < image.size(); ++k) by[image[k]] += run.share * weight[k];
-    }
+  ExchangeMatrix matrix = matrix_by_rows(geometry, [&]() -> FillRow {
+    return [&, buffer = std::shared_ptr(make_buffer_(options_.resolution))](std::uint32_t from, RowSums& by) {
+      for (const ElementRun2& run : geometry.runs(from)) {
+        const CentreFrame frame(prepared.arrangement.vertices(), geometry, run);
+        const auto image = buffer->draw(items_of(prepared.arrangement, labels, frame), labels.sky());
+        for (std::size_t k = 0; k < image.size(); ++k) by.add(image[k], run.share * weight[k]);
+      }
+    };
   });
   report.row_defect = closure_defect(matrix);
   return matrix;
@@ -119,21 +121,20 @@ double distance_to_run(const LocalVector2& p, double run_length) {
 }
 
 // Whether pieces that do not touch keep so far from each other, in parts of the scene's diagonal, that the buffer tells
-// which one is nearer. COST: vertices times pieces.
-bool are_apart(const Arrangement2& arrangement, const ElementGeometry2& geometry) {
+// which one is nearer.
+bool are_apart(const Arrangement2& arrangement, const ElementGeometry2& geometry, const PlaceTree2& tree) {
   const double least = kApart * geometry.diagonal();
-  for (const Segment2& piece : arrangement.pieces()) {
+  return std::all_of(arrangement.pieces().begin(), arrangement.pieces().end(), [&](const Segment2& piece) {
     const LocalPoint2& from = geometry.place(piece.a);
     const LocalVector2 along = geometry.place(piece.b) - from;
     const double squared = dot(along, along);
-    for (VertexId v = 0; v < arrangement.vertices().size(); ++v) {
-      if (v == piece.a || v == piece.b) continue;
+    return tree.visit_near(from, along, least, [&](VertexId v) {
+      if (v == piece.a || v == piece.b) return true;
       const LocalVector2 way = geometry.place(v) - from;
       const double t = squared > 0 ? std::clamp(dot(way, along) / squared, 0.0, 1.0) : 0;
-      if (!(length({way.x - t * along.x, way.y - t * along.y}) > least)) return false;
-    }
-  }
-  return true;
+      return length({way.x - t * along.x, way.y - t * along.y}) > least;
+    });
+  });
 }
 
 // From the point x of a run, F_xj = 1/2 sum of sin phi_v over the vertices v between j and what is seen beside it, with
@@ -146,28 +147,30 @@ std::optional<double> Hemicube2::declared_error(const PreparedScene2& prepared) 
   constexpr double kRounding = 1e-9;
   const ElementGeometry2 geometry(prepared);
   const Vertices2& vertices = prepared.arrangement.vertices();
+  const PlaceTree2 tree(geometry, vertices.size());
   const double of_vertex = 0.5 / options_.resolution + 2 * options_.resolution * 0x1p-50 / kApart;
   double largest = 0;
   for (std::uint32_t i = 0; i < geometry.count(); ++i) {
     if (!geometry.has_row(i)) continue;
     if (!geometry.is_whole(i)) return std::nullopt;
-    double error = 0;
+    double error = kRounding;
     for (const ElementRun2& run : geometry.runs(i)) {
       const CentreFrame frame(vertices, geometry, run);
-      double in_front = 0, slopes = 0;
-      for (VertexId v = 0; v < vertices.size(); ++v) {
+      // An error of 1 claims nothing, so no more vertices are looked at than make it 1.
+      const bool is_claimed = tree.visit_before(run, [&](VertexId v) {
         const LocalVector2 p = frame(v);
-        if (p.y == 0 && vertices.is_between(run.ends.a, run.ends.b, v)) return std::nullopt;
-        if (p.y <= 0) continue;
+        if (p.y == 0 && vertices.is_between(run.ends.a, run.ends.b, v)) return false;
+        if (p.y <= 0) return true;
         const double distance = distance_to_run(p, run.length);
-        in_front += 1;
-        slopes += p.y / distance * (p.y / distance) / distance;
-      }
-      error += run.share * (in_front * of_vertex + run.length / 8 * slopes);
+        const double slope = p.y / distance * (p.y / distance) / distance;
+        error += run.share * (of_vertex + run.length / 8 * slope);
+        return error < 1;
+      });
+      if (!is_claimed) return std::nullopt;
     }
-    largest = std::max(largest, error + kRounding);
+    largest = std::max(largest, error);
   }
-  return largest < 1 && are_apart(prepared.arrangement, geometry) ? std::optional(largest) : std::nullopt;
+  return are_apart(prepared.arrangement, geometry, tree) ? std::optional(largest) : std::nullopt;
 }
 
 std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {

@@ -23,8 +23,9 @@ struct HemicubeOptions2 {
 
 // declared_error: half a pixel for each vertex in front of an element, and the variation of what is seen along the
 // element. Of the software buffer, which takes depths that differ by less than roundings as they come: nothing where
-// pieces are nearer to each other than 2^-16 of the scene, nor where another edge touches an element or pixels are
-// plain counts.
+// pieces are nearer to each other than 2^-16 of the scene, nor where another edge touches an element, pixels are plain
+// counts, or 2 R vertices and more stand in front of an element. COST: at most 2 R vertices for each element, besides
+// a tree of all of them.
 std::unique_ptr<ExchangeMethod2> hemicube_method_2(const HemicubeOptions2& options,
                                                    MakeItemBuffer2 make_buffer = software_item_buffer_2);
 

@@ -50,8 +50,10 @@ class RayStarts {
     const std::vector<Part>& parts = parts_[element];
     if (parts.size() == 1) return start(parts.front(), position);
     const double distance = position * (parts.back().begin + parts.back().length);
-    auto part = parts.end() - 1;
-    while (part != parts.begin() && part->begin > distance) --part;
+    // The first part begins at 0, and the distance is not below.
+    const auto part = std::upper_bound(parts.begin() + 1, parts.end(), distance,
+                                       [](double d, const Part& p) { return d < p.begin; }) -
+                      1;
     // Pieces that are shorter than the frame can tell are points: any place on them is the same.
     return start(*part, part->length > 0 ? (distance - part->begin) / part->length : 0.5);
   }
@@ -95,17 +97,18 @@ ExchangeMatrix Rays2::compute(const PreparedScene2& prepared, MethodReport& repo
   const FirstHit2 first_hit(prepared.arrangement);
   const RaySamples2 samples(options_.sampling, options_.rays, options_.seed);
   const auto n = static_cast<double>(options_.rays);
-  ExchangeMatrix matrix = matrix_by_rows(geometry, [&](std::uint32_t from, std::vector<double>& by) {
+  const FillRow shoot = [&](std::uint32_t from, RowSums& by) {
     const LocalVector2 along = geometry.runs(from).front().direction, up = geometry.runs(from).front().normal();
     samples.for_each(from, [&](const RaySamples2::Point& point) {
       const double sine = 2 * point.turn - 1, cosine = 2 * std::sqrt(point.turn * (1 - point.turn));
       PieceRay2 ray = starts.at(from, point.position);
       ray.dx = sine * along.x + cosine * up.x;
       ray.dy = sine * along.y + cosine * up.y;
-      by[geometry.labels().of(first_hit(ray))] += 1;
+      by.add(geometry.labels().of(first_hit(ray)), 1);
     });
-    for (double& factor : by) factor /= n;
-  });
+    by.divide_by(n);
+  };
+  ExchangeMatrix matrix = matrix_by_rows(geometry, [&] { return shoot; });
 
   double variance = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)

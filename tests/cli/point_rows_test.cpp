@@ -56,6 +56,11 @@ TEST(Visibility, IsToldOnStandardOutputOnlyWhereNoFileIsAskedFor) {
   EXPECT_EQ(drawn.out, "");
   EXPECT_NE(drawn.err.find("fraction of the full turn"), std::string::npos);
   EXPECT_EQ(quiet.out + quiet.err, "");
+  const Outcome dash = place.run(line + " --at 1,1 -o -"), json = place.run(line + " --at 1,1 --json -o -");
+  EXPECT_EQ(dash.code, 0);
+  EXPECT_EQ(dash.out, told.out);
+  EXPECT_EQ(json.out, place.run(line + " --at 1,1 --json").out);
+  EXPECT_EQ(place.files(), std::vector<std::string>{"seen.svg"});
 }
 
 }  // namespace

@@ -80,6 +80,120 @@ TEST(Repair2, MovesNothingFartherThanAsked) {
   }
 }
 
+TEST(Repair2, JoinsWithTheNextEndWhereTheNearestCannotBeJoined) {
+  // After the first joints (k n), (g m), (q r), (h p) the nearest of k is g, which m, too far from k, keeps in place;
+  // so does p keep h, the nearest of q. k and q can be joined.
+  const Scene2 scene = scene_of({{"k", "0", "0", "-100", "-100"},
+                                 {"n", "-0.1", "0", "-100", "-110"},
+                                 {"g", "0.9", "0", "190", "-100"},
+                                 {"m", "1.5", "0", "200", "-110"},
+                                 {"q", "0", "0.95", "-100", "100"},
+                                 {"r", "0", "1", "-100", "110"},
+                                 {"h", "0.92", "0.95", "190", "100"},
+                                 {"p", "1.5", "0.95", "200", "110"}});
+  const Repair2 repair = close_gaps(scene, number("1"));
+  const auto first_end = [&](const char* name) { return repair.scene.surfaces[*repair.scene.find(name)].from; };
+  for (const char* name : {"k", "n", "q", "r"}) EXPECT_EQ(first_end(name), (Point2{0, 0})) << name;
+  for (const char* name : {"g", "m"}) EXPECT_EQ(first_end(name), scene.surfaces[2].from) << name;
+  for (const char* name : {"h", "p"}) EXPECT_EQ(first_end(name), scene.surfaces[6].from) << name;
+}
+
+TEST(Repair2, ReachesAsFarAsAskedInAnyScale) {
+  for (const std::string e : {"e-300", "e-30", "e0", "e300"}) {
+    const std::string scale = "1" + e;
+    // Edges that are nothing beside the gap, an end before an end, an end before an edge.
+    for (const char* length : {"1e-500", "1e-30", "1"}) {
+      const Scene2 scene = scene_of({{"far", "10" + e, "0", "11" + e, "0"},
+                                     {"a", "0", "0", "0", to_string(number(length) * number(scale))},
+                                     {"b", "0.4" + e, "0", "0.4" + e, to_string(-number(length) * number(scale))}});
+      const Repair2 repair = close_gaps(scene, number("0.5") * number(scale));
+      ASSERT_GE(repair.scene.surfaces.size(), 1u);
+      EXPECT_EQ(repair.scene.surfaces[0].from, scene.surfaces[0].from);
+      if (const auto found = repair.scene.find("b")) {
+        EXPECT_EQ(repair.scene.surfaces[*found].from, (Point2{0, 0})) << scale << ", " << length;
+      }
+      EXPECT_EQ(repair.scene.surfaces.size(), std::string(length) == "1" ? 3u : 1u) << scale << ", " << length;
+    }
+    const Scene2 gap = scene_of({{"wall", "0", "0", "4" + e, "0"},
+                                 {"fin", "2" + e, to_string(number("1e-300") * number(scale)), "2" + e, "3" + e}});
+    EXPECT_THAT(kinds(close_gaps(gap, number("1e-300") * number(scale))), ElementsAre("snapped fin")) << scale;
+    EXPECT_THAT(kinds(close_gaps(gap, number("9e-301") * number(scale))), IsEmpty()) << scale;
+  }
+}
+
+Repair2 with_polylines(const Scene2& scene, const char* distance) {
+  Repair2 repair = close_gaps(scene, number(distance));
+  restore_polylines(repair);
+  return repair;
+}
+
+// Polylines "p", "q" and "r" of the given points, each its own group as the reader makes them.
+Scene2 polylines(const std::vector<std::vector<Point2>>& of) {
+  Scene2 scene = scene_of({});
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    const std::string name(1, static_cast<char>('p' + k));
+    scene.groups.push_back(name);
+    for (std::size_t i = 0; i + 1 < of[k].size(); ++i) {
+      Surface2 piece;
+      piece.name = name + "[" + std::to_string(i) + "]";
+      piece.from = of[k][i];
+      piece.to = of[k][i + 1];
+      piece.group = static_cast<std::uint32_t>(scene.groups.size() - 1);
+      scene.surfaces.push_back(piece);
+    }
+  }
+  return scene;
+}
+
+std::vector<std::string> surface_names(const Scene2& scene) {
+  std::vector<std::string> names;
+  for (const Surface2& surface : scene.surfaces) names.push_back(surface.name);
+  return names;
+}
+
+const Rational kTiny = Rational(1, 1000000);
+
+TEST(RestoredPolylines, AreCountedAnewWhereAPieceBecameAPoint) {
+  const Scene2 scene = polylines({{{0, 0}, {0, 3}, {kTiny, 3}, {4, 3}, {4, 0}, {0, 0}}, {{1, 1}, {2, 1}, {2, 2}}});
+  const Repair2 repair = with_polylines(scene, "1e-3");
+  EXPECT_THAT(kinds(repair), ElementsAre("merged p[1]", "dropped p[1]", "renumbered p"));
+  EXPECT_EQ(repair.steps.back().message, "the pieces of 'p' are counted anew: 'p[2]' is 'p[1]' now");
+  EXPECT_THAT(surface_names(repair.scene), ElementsAre("p[0]", "p[1]", "p[2]", "p[3]", "q[0]", "q[1]"));
+  EXPECT_THAT(repair.former_names, ElementsAre("p[0]", "p[2]", "p[3]", "p[4]", "q[0]", "q[1]"));
+  EXPECT_EQ(repair.scene.surfaces[1].from, (Point2{0, 3}));
+}
+
+TEST(RestoredPolylines, AreListedTheOtherWayRoundWhereAllWasReversed) {
+  Repair2 repair{polylines({{{0, 0}, {4, 0}, {4, 3}, {0, 3}}}), {}, {"p[0]", "p[1]", "p[2]"}};
+  for (Surface2& surface : repair.scene.surfaces) std::swap(surface.from, surface.to);
+  restore_polylines(repair);
+  EXPECT_THAT(kinds(repair), ElementsAre("renumbered p"));
+  EXPECT_EQ(repair.steps.back().message, "the pieces of 'p' are listed the other way round: 'p[2]' is 'p[0]' now");
+  EXPECT_THAT(surface_names(repair.scene), ElementsAre("p[0]", "p[1]", "p[2]"));
+  EXPECT_THAT(repair.former_names, ElementsAre("p[2]", "p[1]", "p[0]"));
+  EXPECT_EQ(repair.scene.surfaces[0].from, (Point2{0, 3}));
+  EXPECT_EQ(repair.scene.surfaces[2].to, (Point2{0, 0}));
+}
+
+TEST(RestoredPolylines, OfOthersThePiecesAreEdgesBeforeAllPolylines) {
+  // The second piece of q repeats the first of p.
+  const Scene2 scene = polylines({{{0, 0}, {4, 0}, {4, 3}}, {{0, 1}, {0, 0}, {4, 0}, {4, -1}}, {{1, 1}, {2, 2}}});
+  const Repair2 repair = with_polylines(scene, "1e-3");
+  EXPECT_THAT(kinds(repair), ElementsAre("dropped q[1]", "split q"));
+  EXPECT_THAT(surface_names(repair.scene), ElementsAre("q[0]", "q[2]", "p[0]", "p[1]", "r[0]"));
+  EXPECT_EQ(repair.former_names, surface_names(repair.scene));
+}
+
+TEST(RestoredPolylines, AreAsTheyWereWithoutAChange) {
+  for (const Scene2& scene : all_kinds(60)) {
+    Repair2 repair{scene, {}, surface_names(scene)};
+    restore_polylines(repair);
+    EXPECT_THAT(repair.steps, IsEmpty()) << scene.about;
+    EXPECT_TRUE(same_places(repair.scene, scene)) << scene.about;
+    EXPECT_EQ(repair.former_names, surface_names(scene)) << scene.about;
+  }
+}
+
 TEST(Repair2, DropsWhatBecameAPointOrRepeats) {
   const Scene2 scene = scene_of({{"a", "0", "0", "1", "0"},
                                  {"tiny", "1", "0", "1.0000001", "0"},

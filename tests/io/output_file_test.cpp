@@ -67,7 +67,7 @@ TEST_F(OutputFileTest, LeavesNothingBehindWithoutCommit) {
 TEST_F(OutputFileTest, LeavesNothingBehindWhenASignalEndsTheProgram) {
   OutputFile output(file("a.csv"));
   output.write("new");
-  remove_temporary_files();
+  remove_pending();
   EXPECT_EQ(files(), 0u);
 }
 

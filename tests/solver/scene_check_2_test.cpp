@@ -11,6 +11,7 @@
 
 #include "geometry/check/repair_2.h"
 #include "io/scene_json.h"
+#include "solver/system/matrix_checks.h"
 #include "solver/system/radiosity.h"
 #include "tests/geometry/exchange_scenes.h"
 
@@ -80,15 +81,24 @@ TEST(SceneCheck2, ConflictingClaimsAreAnErrorAtThePiece) {
       scene_of(edge("a", "[0, 0], [2, 0]") + ", " + edge("b", "[1, 0], [3, 0]", "lamp") + ", " +
                edge("c", "[5, 0], [6, 0]", "white", "red") + ", " + edge("d", "[6, 0], [5, 0]", "lamp", "white"));
   const Findings findings = found(scene);
-  EXPECT_THAT(kinds(findings),
-              ElementsAre("error conflicting-claims", "error conflicting-claims", "warning nothing-left",
-                          "note overlap", "note duplicate", "note light-not-checked"));
+  EXPECT_THAT(kinds(findings), ElementsAre("error conflicting-claims", "error conflicting-claims",
+                                           "warning nothing-left", "note light-not-checked"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("a", "b"));
   EXPECT_EQ(findings[0].at, (Point2{Rational(3, 2), 0}));
   EXPECT_THAT(findings[0].message, AllOf(HasSubstr("the front of 'a' and the front of 'b' claim the right side"),
                                          HasSubstr("from (1, 0) to (2, 0)"), HasSubstr("'white' and 'lamp'")));
   EXPECT_THAT(names(scene, findings[1]), ElementsAre("c", "d"));
   EXPECT_THAT(findings[1].message, HasSubstr("the back of 'c' and the front of 'd' claim the left side"));
+}
+
+TEST(SceneCheck2, AConflictIsToldOnceWhateverLiesOnPartsOfIt) {
+  const Scene2 scene = scene_of(edge("a", "[0, 0], [4, 0]") + ", " + edge("b", "[4, 0], [0, 0]", "white", "lamp") +
+                                ", " + edge("c", "[1, 0], [3, 0]") + ", " + edge("d", "[2, 0], [2, 1]"));
+  const Findings findings = found(scene);
+  EXPECT_THAT(kinds(findings), ElementsAre("error conflicting-claims", "warning nothing-left", "note t-junction",
+                                           "note light-not-checked"));
+  EXPECT_EQ(findings[0].at, (Point2{2, 0}));
+  EXPECT_THAT(findings[0].message, HasSubstr("claim the right side from (0, 0) to (4, 0)"));
 }
 
 TEST(SceneCheck2, ARepeatedSurfaceIsADuplicateOfWhichNothingIsLeft) {
@@ -334,7 +344,7 @@ bool cannot_be_solved(const Scene2& scene) {
     for (std::uint32_t i = 0; i < matrix.size() && scene.closed; ++i)
       for (const FactorEntry& entry : matrix.row(i))
         if (matrix.has_row(i) && !matrix.elements()[i].is_back && entry.to == matrix.sky()) return true;
-    solve_radiosity(matrix, scene.materials, scene.sky_emission);
+    require_doubles(matrix, scene.sky_emission, solve_radiosity(matrix, scene.materials, scene.sky_emission));
   } catch (const InputError&) {
     return true;
   } catch (const RequestError&) {
@@ -360,6 +370,61 @@ TEST(SceneCheck2, TellsAnErrorIffTheSceneCannotBeSolved) {
     }
   EXPECT_GT(errors, 10u);
   EXPECT_LT(errors, scenes);
+}
+
+TEST(SceneCheck2, ForeseesWhatDoublesCannotTell) {
+  const auto number = [](const std::string& text) { return parse_rational(text).value(); };
+  std::size_t errors = 0, scenes = 0;
+  for (const char* scale : {"1e-400", "1e-200", "1", "1e200", "1e308", "1e400"})
+    for (const char* emission : {"1e-400", "1", "1e150", "1e308", "1e400"})
+      for (const char* loss : {"1e-400", "1e-320", "1e-200", "1e-100", "1/2", "1"})
+        for (const bool is_open : {false, true}) {
+          Scene2 scene = scene_of(kLamp, rings({kRoom}));
+          if (is_open) scene.surfaces.back().from.x -= number("1e-180");  // a slit in the floor
+          for (Surface2& surface : scene.surfaces)
+            for (Point2* point : {&surface.from, &surface.to})
+              *point = {point->x * number(scale), point->y * number(scale)};
+          for (const std::uint32_t used : {scene.surfaces.front().material, scene.surfaces.back().material}) {
+            scene.materials[used].reflectivity = Spectrum::scalar(1 - number(loss));
+            scene.materials[used].emission = Spectrum::scalar(number(emission));
+          }
+          const Findings findings = check_scene(scene).findings;
+          EXPECT_EQ(has_error(findings), cannot_be_solved(scene))
+              << "scale " << scale << ", emission " << emission << ", loss " << loss << (is_open ? ", open" : "");
+          for (const Finding& finding : findings)
+            if (finding.severity == Severity::kError) {
+              EXPECT_EQ(finding.kind, "beyond-doubles");
+              EXPECT_FALSE(finding.surfaces.empty());
+            }
+          errors += has_error(findings);
+          ++scenes;
+        }
+  EXPECT_GT(errors, scenes / 4);
+  EXPECT_LT(errors, scenes * 3 / 4);
+}
+
+TEST(SceneCheck2, NamesWhatIsBeyondDoubles) {
+  const auto with = [](auto&& change) {
+    Scene2 scene = scene_of(kLamp, rings({kRoom}));
+    change(scene);
+    return scene;
+  };
+  const Rational large = parse_rational("1e400").value();
+  const Scene2 bright =
+      with([&](Scene2& scene) { scene.materials[scene.surfaces.front().material].emission = Spectrum::scalar(large); });
+  EXPECT_THAT(kinds(found(bright)), ElementsAre("error beyond-doubles"));
+  EXPECT_THAT(names(bright, found(bright).front()), ElementsAre("lamp"));
+  EXPECT_THAT(found(bright).front().message, HasSubstr("the emission of 'lamp' is beyond the range of doubles"));
+  const Scene2 sky = with([&](Scene2& scene) { scene.sky_emission = Spectrum::scalar(large); });
+  EXPECT_THAT(found(sky).front().message, HasSubstr("the emission of the sky is beyond the range of doubles"));
+  const Scene2 wide = with([&](Scene2& scene) { scene.surfaces.front().to.x = large; });
+  EXPECT_THAT(names(wide, found(wide).front()), ElementsAre("lamp"));
+  const Scene2 mirrors = with([&](Scene2& scene) {
+    for (Material& material : scene.materials) material.reflectivity = Spectrum::scalar(1 - 1 / large);
+  });
+  EXPECT_THAT(kinds(found(mirrors)), ElementsAre("error beyond-doubles"));
+  EXPECT_THAT(found(mirrors).front().message, HasSubstr("loses next to no light"));
+  EXPECT_EQ(found(mirrors).front().surfaces.size(), 5u);
 }
 
 TEST(SceneCheck2, FindsTheGapThatWasCutIntoAClosedRoom) {

@@ -12,7 +12,6 @@
 #include "geometry/exchange/pair_rounding_2.h"
 #include "geometry/scene/generators_2.h"
 #include "io/scene_json.h"
-#include "solver/compare/radiosity_verdict.h"
 
 namespace hottel {
 namespace {
@@ -351,57 +350,6 @@ TEST(Verdict, ColumnsThatTheFileDoesNotHaveAreNotJudged) {
   const Verdict verdict = judge(judged.prepared, judged.exact, radiating, options);
   EXPECT_EQ(verdict.off, 0u) << judged.sentences(verdict);
   EXPECT_EQ(verdict.rows_off, 0u);
-}
-
-// Radiosities of the contract's box, changed.
-class RadiosityVerdictTest : public testing::Test {
- protected:
-  using Value = std::function<double(const ElementRadiosity&)>;
-  RadiosityVerdict judged(const Value& value, const WrittenDigits& digits = {}) const {
-    std::vector<std::vector<double>> values;
-    for (const ChannelSolution& channel : solution_.channels) {
-      values.emplace_back();
-      for (const ElementRadiosity& element : channel.elements) values.back().push_back(value(element));
-    }
-    return judge_radiosities(box_.exact, solution_, values, digits, 1e-6);
-  }
-
-  Judged box_{box_under_a_lamp()};
-  RadiositySolution solution_ = solve_radiosity(box_.exact, box_.prepared.scene.materials, {});
-};
-
-TEST_F(RadiosityVerdictTest, FindsNothingWithinTheBoundsAndTheDigitsWritten) {
-  const RadiosityVerdict verdict = judged([](const ElementRadiosity& each) { return each.radiosity; });
-  EXPECT_EQ(verdict.outside, 0u);
-  EXPECT_EQ(verdict.count, 9u * 3);
-  const auto rounded = [](const ElementRadiosity& each) { return std::stod(fmt::format("{:.5f}", each.radiosity)); };
-  EXPECT_GT(judged(rounded).outside, 0u);
-  EXPECT_EQ(judged(rounded, {5, 6, 0}).outside, 0u);
-}
-
-TEST_F(RadiosityVerdictTest, NamesWhatStandsForRadiosities) {
-  const std::pair<const char*, Value> kReadings[] = {
-      {"irradiances H", [](const ElementRadiosity& each) { return each.irradiance; }},
-      {"radiosities without the emission, B - E",
-       [](const ElementRadiosity& each) { return each.radiosity - each.emission; }},
-      {"net fluxes B - H", [](const ElementRadiosity& each) { return each.net; }},
-      {"emissions: nothing is reflected", [](const ElementRadiosity& each) { return each.emission; }},
-      {"radiosities times pi", [](const ElementRadiosity& each) { return std::numbers::pi * each.radiosity; }},
-      {"radiosities times 1/2", [](const ElementRadiosity& each) { return each.radiosity / 2; }}};
-  for (const auto& [words, value] : kReadings) {
-    const RadiosityVerdict verdict = judged(value);
-    EXPECT_EQ(verdict.reading, words);
-    EXPECT_EQ(verdict.explained, verdict.outside);
-  }
-}
-
-TEST_F(RadiosityVerdictTest, NamesTheFaceThatIsWrong) {
-  const double wall = solution_.channels[1].elements[6].radiosity;
-  const RadiosityVerdict verdict =
-      judged([&](const ElementRadiosity& each) { return each.radiosity == wall ? 1.01 * wall : each.radiosity; });
-  EXPECT_EQ(verdict.outside, 1u);
-  EXPECT_EQ(verdict.reading, "");
-  EXPECT_THAT(verdict_sentences(verdict, box_.exact, solution_)[0], HasSubstr("('wall' (g): "));
 }
 
 }  // namespace
