@@ -17,8 +17,8 @@ struct Direction {
 double cross(const Direction& a, const Direction& b) { return a.x * b.y - a.y * b.x; }
 double dot(const Direction& a, const Direction& b) { return a.x * b.x + a.y * b.y; }
 
-// The angle from a to b, known to lie in [0, pi]: rounding must not turn a small one around. Small ones, which are most,
-// by the series of the arc tangent, less than 2^-57 of which is left out.
+// The angle from a to b, known to lie in [0, pi]: rounding must not turn a small one around. Small ones, which are
+// most, by the series of the arc tangent, less than 2^-57 of which is left out.
 double angle_up_to_half_turn(const Direction& a, const Direction& b) {
   const double y = std::max(cross(a, b), 0.0), x = dot(a, b);
   if (!(y < x / 8)) return std::atan2(y, x);
