@@ -11,10 +11,13 @@
 #include "geometry/exchange/pair_rounding_2.h"
 #include "geometry/scene/name.h"
 #include "kernel/failure.h"
+#include "kernel/parallel.h"
 #include "solver/compare/readings.h"
 
 namespace hottel {
 namespace {
+
+constexpr std::size_t kPairsATask = 256;
 
 Reading nothing(Fault fault, const JudgedPairs& judged) {
   return {fault, std::vector<char>(judged.pairs().size(), 0), ""};
@@ -61,17 +64,15 @@ class BothSides {
 std::vector<double> unobstructed_factors(const PreparedScene2& prepared, const JudgedPairs& judged) {
   const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
   std::vector<double> result(judged.pairs().size(), 0);
-  for (const JudgedPair& pair : judged.pairs()) {
-    if (!pair.is_off || pair.to == labels.sky()) continue;
-    double& factor = result[judged.index_of(pair)];
-    if (pair.exact > 0) {
-      factor = pair.exact / pair.visibility;
-    } else {
-      const RootSum free = unobstructed_exchange(prepared, labels, Per::kElement, pair.from, pair.to);
-      if (!free.is_zero())
-        factor = round_quotient(free, RootSum(Rational(1))).number.value / labels.elements()[pair.from].area.value;
-    }
-  }
+  parallel_for(
+      result.size(),
+      [&](std::size_t k) {
+        const JudgedPair& pair = judged.pairs()[k];
+        if (!pair.is_off || pair.to == labels.sky()) return;
+        result[k] =
+            pair.exact > 0 ? pair.exact / pair.visibility : unobstructed_factor(prepared, labels, pair.from, pair.to);
+      },
+      kPairsATask);
   return result;
 }
 

@@ -24,7 +24,7 @@ std::vector<FactorEntry> RowSums::take() {
   std::sort(touched_.begin(), touched_.end());
   std::vector<FactorEntry> row;
   for (const std::uint32_t column : touched_) {
-    if (sums_[column] != 0) row.push_back({column, {sums_[column], 0}, std::numeric_limits<double>::quiet_NaN()});
+    row.push_back({column, {sums_[column], 0}, std::numeric_limits<double>::quiet_NaN()});
     sums_[column] = 0;
   }
   touched_.clear();

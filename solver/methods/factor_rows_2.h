@@ -17,7 +17,8 @@ class RowSums {
  public:
   explicit RowSums(std::size_t columns) : sums_(columns, 0) {}
 
-  void add(std::uint32_t column, double amount) {
+  void add(std::uint32_t column, double amount) {  // REQUIRES amount >= 0
+    if (amount == 0) return;
     if (sums_[column] == 0) touched_.push_back(column);
     sums_[column] += amount;
   }
@@ -29,7 +30,7 @@ class RowSums {
 
  private:
   std::vector<double> sums_;
-  std::vector<std::uint32_t> touched_;  // each once, but for those that were still 0 after an addition
+  std::vector<std::uint32_t> touched_;  // columns that are not 0
 };
 
 // Fills the row of an element: adds F(from, j) to column j, the sky last.
