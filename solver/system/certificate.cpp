@@ -144,6 +144,11 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, I
       lower = difference(value, product(v, {down[c], 0, 0})).lower();
       upper = sum(value, product(v, {up[c], 0, 0})).upper();
     }
+    if (system.has_negative_factors()) {
+      result.lower.push_back(-kInfinity);
+      result.upper.push_back(kInfinity);
+      continue;
+    }
     // B >= E always.
     const double emission = sources.emission[system.rows()[i].element].lower();
     result.lower.push_back(std::max(std::isfinite(lower) ? lower : 0, emission));

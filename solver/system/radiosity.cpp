@@ -105,7 +105,8 @@ class Group {
       const std::size_t components = system_.components().size();
       plain_ = PlainSystem(system_, is_wanted_);
       inner_ = is_dense ? make_lu(plain_, components) : make_bicgstab(plain_, components);
-      if (!may_be_open && !spectral_radius_is_below_one(system_, *inner_, is_wanted_))
+      if (!may_be_open && !system_.has_negative_factors() &&
+          !spectral_radius_is_below_one(system_, *inner_, is_wanted_))
         throw RequestError(
             "no radiosity: the spectral radius of reflectivity times factors is not below 1 (or too near it to tell); "
             "rows of the matrix sum to more than 1");

@@ -91,7 +91,8 @@ struct RadiositySolution {
 //
 // Throws RequestError when a component with reflectivity 1 throughout and no way out emits (one that does not is 0,
 // with a note), when rows do not sum to 1 and the spectral radius cannot be shown to be below 1, when cholesky or cg
-// are asked of such a matrix, which is not symmetric, and when a factor is negative or no number. Rows sum to 1 in
+// are asked of such a matrix, which is not symmetric, and when a factor is no number. Where a factor of an estimated
+// matrix is negative the equations are solved and all bounds are infinite. Rows sum to 1 in
 // exact matrices and are taken to where their enclosures allow it, which concerns the radiosity, not its bounds.
 // REQUIRES: the materials of the elements index into `materials`.
 // COST: one factorization a distinct reflectivity vector; then a few passes over the matrix a channel. Three times that

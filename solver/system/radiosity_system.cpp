@@ -29,9 +29,9 @@ class DifferenceSum {
     const double from_low = factor.value * d_low, from_shift = real.lo * d;
     low_ += (pe + se) + (from_low + from_shift);
     low_size_ += std::abs(pe) + std::abs(se) + std::abs(from_shift) +
-                 factor.value * (std::abs(e) + std::abs(a.lo) + std::abs(b.lo));
+                 std::abs(factor.value) * (std::abs(e) + std::abs(a.lo) + std::abs(b.lo));
     factor_radius_ += real.radius * (std::abs(d) + 2 * std::abs(d_low));
-    other_radius_ += factor.value * radius_of_difference;
+    other_radius_ += std::abs(factor.value) * radius_of_difference;
     ++count_;
   }
 
@@ -69,14 +69,6 @@ Rational times_power_of_two(const Rational& value, int exponent) {
 
 bool is_positive(const Rounded& factor) { return factor.value > 0 || factor.side > 0; }  // the double may underflow
 
-void require_factors(const ExchangeMatrix& matrix) {
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (const FactorEntry& entry : matrix.row(i))
-      if (!(entry.factor.value >= 0) || !std::isfinite(entry.factor.value))
-        throw RequestError(fmt::format("a factor of '{}' is {}: nothing can be solved", matrix.elements()[i].name,
-                                       entry.factor.value));
-}
-
 // True if factors within their bounds may sum to 1 in this row.
 bool may_be_closed(const ExchangeMatrix& matrix, std::uint32_t i) {
   Enclosed least, most;
@@ -104,7 +96,13 @@ bool rows_may_be_closed(const ExchangeMatrix& matrix) {
 
 RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
     : matrix_(&matrix), rows_are_closed_(rows_may_be_closed(matrix)), unknown_(matrix.size() + 1, -1) {
-  require_factors(matrix);
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (const FactorEntry& entry : matrix.row(i)) {
+      if (!std::isfinite(entry.factor.value))
+        throw RequestError(fmt::format("a factor of '{}' is {}: nothing can be solved", matrix.elements()[i].name,
+                                       entry.factor.value));
+      has_negative_factors_ |= entry.factor.value < 0;
+    }
   std::vector<Enclosed> reflectivity(materials.size()), loss(materials.size());
   for (std::size_t m = 0; m < materials.size(); ++m) {
     const Rational& rho = materials[m].reflectivity.value[channel];

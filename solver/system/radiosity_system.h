@@ -54,8 +54,8 @@ struct ErrorTerms {
 //   (3) components come from the pattern of F alone: F_ij > 0 or F_ji > 0
 //   (4) F is the factors themselves: real numbers where the matrix is exact, else the doubles. Enclosures of factors do
 //       not enter (enclosed_radiosity.h)
-// Throws RequestError where a factor is negative or no number, ContractViolation where the matrix says that it is exact
-// and a row does not sum to 1.
+// Throws RequestError where a factor is no number, ContractViolation where the matrix says that it is exact and a row
+// does not sum to 1.
 // COST: about 20 ns an entry of the matrix for a residual, over all threads.
 class RadiositySystem {
  public:
@@ -64,6 +64,8 @@ class RadiositySystem {
   const ExchangeMatrix& matrix() const { return *matrix_; }
   // True if the matrix is exact, and if it encloses factors that may sum to 1 in every row.
   bool rows_are_closed() const { return rows_are_closed_; }
+  // Some factor is below 0, as only estimates may be: nothing is proven of the solution.
+  bool has_negative_factors() const { return has_negative_factors_; }
   std::size_t size() const { return rows_.size(); }
   const std::vector<SystemRow>& rows() const { return rows_; }
   const std::vector<SystemComponent>& components() const { return components_; }
@@ -92,7 +94,7 @@ class RadiositySystem {
   std::vector<char> lit_by(const std::vector<char>& emits) const;  // by component; emits is by element, the sky last
 
   const ExchangeMatrix* matrix_;
-  bool rows_are_closed_;
+  bool rows_are_closed_, has_negative_factors_ = false;
   std::vector<std::int32_t> unknown_;
   std::vector<SystemRow> rows_;
   std::vector<SystemComponent> components_;

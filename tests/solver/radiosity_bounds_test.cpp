@@ -240,9 +240,24 @@ TEST(EstimatedMatrices, AreNotSymmetrisedInSilence) {
 
 TEST(EstimatedMatrices, WithFactorsThatAreNoneAreRefused) {
   const std::vector<Material> materials{{"m", Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(1)}};
-  EXPECT_THROW(solve_radiosity(foreign(-1), materials, {}), RequestError);
   EXPECT_THROW(solve_radiosity(foreign(NAN), materials, {}), RequestError);
   EXPECT_THROW(solve_radiosity(foreign(INFINITY), materials, {}), RequestError);
+}
+
+TEST(EstimatedMatrices, WithNegativeFactorsAreSolvedAndNothingIsProven) {
+  const std::vector<Material> materials{{"m", Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(1)}};
+  for (const Solver solver : {Solver::kLu, Solver::kBicgstab, Solver::kJacobi}) {
+    const RadiositySolution solution = solve_radiosity(foreign(-1), materials, {}, {solver, {}, {}, {}});
+    const auto& elements = solution.channels[0].elements;
+    const double factors[3][3] = {{0, 0.5, 0.25}, {0.375, 0, 0.5}, {0.25, 0.75, 0}};
+    for (int i = 0; i < 3; ++i) {
+      double irradiance = 0;
+      for (int j = 0; j < 3; ++j) irradiance -= factors[i][j] * elements[j].radiosity;
+      EXPECT_NEAR(elements[i].radiosity, 1 + irradiance / 2, 1e-11) << to_string(solver);
+      EXPECT_EQ(elements[i].lower, -INFINITY);
+      EXPECT_EQ(elements[i].upper, INFINITY);
+    }
+  }
 }
 
 TEST(EstimatedMatrices, MayHoldZeros) {
