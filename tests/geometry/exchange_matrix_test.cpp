@@ -1,0 +1,85 @@
+// What an exchange matrix refuses to hold.
+#include "geometry/exchange/exchange_matrix.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "kernel/failure.h"
+
+namespace hottel {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+// Two faces and the sky.
+ExchangeMatrix two_faces(Guarantee guarantee) {
+  std::vector<Element> elements(2);
+  elements[0].name = "floor";
+  elements[1].name = "wall";
+  return ExchangeMatrix(elements, guarantee);
+}
+
+using Entries = std::vector<FactorEntry>;
+const Entries kGood = {{1, {0.5, 0}, 1}, {2, {0.5, 0}, 1}, {0, {1, 0}, 1}};
+
+TEST(ExchangeMatrix, HoldsRowsThatAscend) {
+  for (const Guarantee guarantee : {Guarantee::kExact, Guarantee::kEstimated}) {
+    ExchangeMatrix matrix = two_faces(guarantee);
+    matrix.assign({0, 2, 3}, kGood);
+    EXPECT_EQ(matrix.factor(0, matrix.sky()).value, 0.5);
+    EXPECT_EQ(matrix.factor(1, 0).value, 1);
+    EXPECT_EQ(matrix.factor(1, matrix.sky()).value, 0);
+  }
+}
+
+TEST(ExchangeMatrix, RefusesABrokenPattern) {
+  const auto assigned = [](std::vector<std::size_t> begin, Entries entries) {
+    return [begin = std::move(begin), entries = std::move(entries)] {
+      two_faces(Guarantee::kEstimated).assign(begin, entries);
+    };
+  };
+  EXPECT_THAT(assigned({0, 3}, kGood), ThrowsMessage<ContractViolation>(HasSubstr("2 rows that begin in 2 places")));
+  EXPECT_THAT(assigned({0, 2, 4}, kGood), ThrowsMessage<ContractViolation>(HasSubstr("3 entries")));
+  EXPECT_THAT(assigned({1, 2, 3}, kGood), ThrowsMessage<ContractViolation>(HasSubstr("not an exchange matrix")));
+  EXPECT_THAT(assigned({0, 4, 3}, kGood), ThrowsMessage<ContractViolation>(HasSubstr("ends before it begins")));
+  EXPECT_THAT(assigned({0, 1, 1}, {{3, {1, 0}, 1}}),
+              ThrowsMessage<ContractViolation>(HasSubstr("the columns of 'floor' do not ascend to 2 at most: 3")));
+  EXPECT_THAT(assigned({0, 0, 2}, {{2, {1, 0}, 1}, {0, {1, 0}, 1}}),
+              ThrowsMessage<ContractViolation>(HasSubstr("the columns of 'wall' do not ascend to 2 at most: 2, 0")));
+  EXPECT_THAT(assigned({0, 2, 2}, {{1, {1, 0}, 1}, {1, {1, 0}, 1}}),
+              ThrowsMessage<ContractViolation>(HasSubstr("'floor'")));
+}
+
+TEST(ExchangeMatrix, RefusesWhatItsGuaranteeRulesOut) {
+  const auto exact = [](const Rounded& factor) {
+    return [factor] { two_faces(Guarantee::kExact).assign({0, 1, 1}, {{1, factor, 1}}); };
+  };
+  EXPECT_NO_THROW(exact({0, 1})());  // positive, but below the smallest double
+  for (const Rounded& none :
+       {Rounded{0, 0}, Rounded{0, -1}, Rounded{-0.5, 0}, Rounded{-0.5, 1},
+        Rounded{std::numeric_limits<double>::quiet_NaN(), 0}, Rounded{std::numeric_limits<double>::infinity(), 0}})
+    EXPECT_THAT(exact(none), ThrowsMessage<ContractViolation>(HasSubstr("an exact factor of 'floor' is")));
+
+  const auto enclosed = [](std::vector<Enclosure> bounds) {
+    return [bounds = std::move(bounds)] {
+      two_faces(Guarantee::kEnclosed).assign({0, 1, 1}, {{1, {0.5, 0}, 1}}, {}, bounds);
+    };
+  };
+  EXPECT_NO_THROW(enclosed({{0, 1}})());
+  EXPECT_NO_THROW(enclosed({{0.5, 0.5}})());
+  EXPECT_THAT(enclosed({}), ThrowsMessage<ContractViolation>(HasSubstr("1 entries, and bounds of 0")));
+  for (const Enclosure& none : {Enclosure{-0.1, 1}, Enclosure{0.6, 1}, Enclosure{0, 0.4}, Enclosure{1, 0},
+                                Enclosure{0, std::numeric_limits<double>::infinity()}})
+    EXPECT_THAT(enclosed({none}), ThrowsMessage<ContractViolation>(HasSubstr("a factor of 'floor' is 0.5 within")));
+  EXPECT_THAT(
+      [] {
+        two_faces(Guarantee::kExact).assign({0, 2, 3}, kGood, {1, 2});
+      },
+      ThrowsMessage<ContractViolation>(HasSubstr("3 entries, and measures of 2")));
+}
+
+}  // namespace
+}  // namespace hottel

@@ -1,0 +1,73 @@
+// A room, and files and commands that say what its view factors are.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "io/foreign_command.h"
+#include "io/foreign_matrix.h"
+#include "io/output_file.h"
+#include "io/scene_json.h"
+#include "kernel/failure.h"
+
+namespace hottel {
+
+// A room of four walls, each with a material in front only: 8 faces.
+inline constexpr char kRoom[] = R"({"hottel": 1, "dimension": 2, "materials": {"white": {"reflectivity": 0.5}},
+  "edges": [{"name": "a", "points": [[0, 0], [0, 3]], "material": "white"},
+            {"name": "b", "points": [[0, 3], [4, 3]], "material": "white"},
+            {"name": "c", "points": [[4, 3], [4, 0]], "material": "white"},
+            {"name": "d", "points": [[4, 0], [0, 0]], "material": "white"}]})";
+
+class ForeignRoomTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (std::filesystem::temp_directory_path() / "hottel-foreign-XXXXXX").string();
+    directory_ = ::mkdtemp(pattern.data());
+  }
+  void TearDown() override { std::filesystem::remove_all(directory_); }
+
+  std::string path(const std::string& name) const { return (directory_ / name).string(); }
+  std::string write(const std::string& name, std::string_view text) const {
+    write_output_file(path(name), text);
+    return path(name);
+  }
+
+  PreparedScene2 room() const { return prepare(read_scene_2(write("room.json", kRoom))); }
+
+  ExchangeMatrix matched(const PreparedScene2& prepared, const std::string& name, std::string_view text) {
+    write(name, text);
+    report_ = {};
+    return planar().make("file:" + path(name))->compute(prepared, report_);
+  }
+
+  // The message of reading a file and matching it with the room, without the folder.
+  std::string why(const std::string& name, std::string_view text) {
+    const PreparedScene2 prepared = room();
+    try {
+      matched(prepared, name, text);
+    } catch (const InputError& error) {
+      std::string message = error.what();
+      EXPECT_THAT(message, testing::StartsWith(path("")));
+      return message.substr(path("").size());
+    }
+    return "nothing is wrong";
+  }
+
+  static MethodCatalogue2 planar() {
+    MethodCatalogue2 methods;
+    methods.add(file_family_2());
+    methods.add(run_family_2());
+    return methods;
+  }
+
+  std::filesystem::path directory_;
+  MethodReport report_;
+};
+
+}  // namespace hottel
