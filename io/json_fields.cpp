@@ -30,7 +30,9 @@ const char* kind_name(JsonKind kind) {
 bool has_large_exponent(std::string_view text) {
   const std::size_t e = text.find_first_of("eE");
   if (e == std::string_view::npos || text.find('/') != std::string_view::npos) return false;
-  const auto exponent = parse_rational(text.substr(e + 1));
+  const std::string_view digits = text.substr(e + 1);
+  if (digits.find_first_not_of("+-0123456789") != std::string_view::npos) return false;
+  const auto exponent = parse_rational(digits);
   return parse_rational(text.substr(0, e)) && exponent && abs(*exponent) > kMaxNumberExponent;
 }
 
