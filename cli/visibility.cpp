@@ -251,10 +251,11 @@ Answer between_faces(const PreparedScene2& prepared, const std::string& from, co
                        bool is_visibility) {
     answer.json[key] = nullptr;
     if (denominator.is_zero()) return;
-    Rounded value = round_quotient(numerator, denominator).number;
-    if (is_visibility) value.value = visibility_of(value);
-    answer.json[key] = json_of(value);
-    answer.text += fmt::format("  {:<28} {:<22}\n", label, shortest(value.value));
+    const Rounded quotient = round_quotient(numerator, denominator).number;
+    const double value = is_visibility ? visibility_of(quotient) : quotient.value;
+    answer.json[key] = json_of(quotient);
+    answer.json[key]["value"] = value;
+    answer.text += fmt::format("  {:<28} {:<22}\n", label, shortest(value));
   };
   const auto add_exact = [&](const char* key, const std::string& label, const RootSum& measure) {
     const std::string form = measure.to_string();

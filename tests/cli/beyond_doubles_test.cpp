@@ -1,0 +1,201 @@
+// Scenes larger than doubles, through every command: told exactly, or refused in words; never inf.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/cli/program.h"
+
+namespace hottel {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+using testing_cli::Outcome;
+using testing_cli::Workplace;
+using Json = nlohmann::ordered_json;
+
+// A room of 4 by 3 times 10^exponent.
+std::string room(const std::string& exponent) {
+  const std::string three = "\"3e" + exponent + "\"", four = "\"4e" + exponent + "\"";
+  return R"({"hottel": 1, "dimension": 2, "materials": {"m": {"emission": 1, "reflectivity": 0.5}},
+ "polylines": [{"name": "room", "points": [[0, 0], [0, )" +
+         three + "], [" + four + ", " + three + "], [" + four +
+         R"(, 0]], "closed": true, "material": "m"}]}
+)";
+}
+
+class BeyondDoubles : public testing::Test {
+ protected:
+  BeyondDoubles() {
+    place_.write("large.json", room("400"));
+    place_.write("single.json", room("39"));  // beyond single precision
+    place_.write("small.json", room("-400"));
+  }
+
+  // Exits with 1, says so in one line that begins so, and writes nothing anywhere.
+  void expect_refused(const std::string& line, const std::string& message) const {
+    const auto before = place_.files();
+    const Outcome outcome = place_.run("hottel " + line);
+    EXPECT_EQ(outcome.code, 1) << line;
+    EXPECT_EQ(outcome.out, "") << line;
+    EXPECT_THAT(outcome.err, StartsWith(message)) << line;
+    EXPECT_THAT(outcome.err, EndsWith("\n")) << line;
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << line;
+    EXPECT_EQ(place_.files(), before) << line;
+  }
+
+  Workplace place_;
+};
+
+TEST_F(BeyondDoubles, FactorsAreWhatTheyAreInAnyScale) {
+  place_.write("plain.json", room("0"));
+  for (const std::string options : {"", " --exact-form room[0] room[1]"})
+    for (const std::string scene : {"large", "small"}) {
+      const Outcome outcome = place_.run("hottel factors " + scene + ".json --quiet" + options);
+      EXPECT_EQ(outcome.code, 0);
+      EXPECT_THAT(outcome.out, Not(HasSubstr("inf")));
+      if (options.empty()) {
+        EXPECT_EQ(outcome.out, place_.run("hottel factors plain.json --quiet").out);
+      }
+    }
+}
+
+TEST_F(BeyondDoubles, WhatHoldsLengthsIsRefusedNamingTheFace) {
+  expect_refused("factors large.json --matrix exchange",
+                 "large.json: the exchange measure of 'room[0]' and 'room[1]' is beyond the range of doubles; "
+                 "--exact-form gives it");
+  expect_refused("factors large.json --matrix exchange --method gauss:4",
+                 "large.json: the exchange measure of 'room[0]' and 'room[1]' is beyond the range of doubles");
+  for (const std::string ending : {"mtx", "txt"})
+    expect_refused("factors large.json -o x." + ending,
+                   "large.json: the area of 'room[0]' is beyond the range of doubles");
+  expect_refused("factors single.json -o x.bin",
+                 "single.json: the area of 'room[0]' is beyond the range of single precision");
+  EXPECT_EQ(place_.run("hottel factors single.json -o x.txt").code, 0);
+}
+
+TEST_F(BeyondDoubles, CoordinatesOfFacesFarAwayAreRefused) {
+  place_.write("far.json", R"({"hottel": 1, "dimension": 2, "materials": {"m": {}}, "edges": [
+ {"name": "near", "points": [[0, 0], [1, 0]], "material": "m"},
+ {"name": "far", "points": [["1e309", 0], ["1e309", 1]], "material": "m"}]})");
+  expect_refused("factors far.json -o x.mtx", "far.json: a coordinate of 'far' is beyond the range of doubles");
+}
+
+TEST_F(BeyondDoubles, MethodsAreComparedWithoutDistancesAndWithoutLight) {
+  const Outcome outcome = place_.run("hottel compare large.json --methods center,strings --repeat 1 -o out --quiet");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(place_.read("out/compare.csv"), Not(HasSubstr("inf")));
+  EXPECT_THAT(place_.read("out/worst.csv"), Not(HasSubstr("inf")));
+  EXPECT_THAT(place_.read("out/worst.csv"), HasSubstr("center,room[1],room[3],0.6666666666666666,0.5,"));
+  expect_refused("compare large.json --methods strings --map strings -o map",
+                 "large.json:2: the coordinates of 'room[1]' are larger than 1e300");
+}
+
+TEST_F(BeyondDoubles, ErrorsOfNoLightAreNotDrawn) {
+  std::string mirrors = room("0");
+  mirrors.replace(mirrors.find("0.5"), 3, "1");
+  place_.write("mirrors.json", mirrors);
+  expect_refused(
+      "compare mirrors.json --methods strings --map strings -o map",
+      "mirrors.json: --map draws errors of the light, and there is none to compare: no radiosity: 'room[0]'");
+}
+
+TEST_F(BeyondDoubles, CheckForeseesWhatSolveRefuses) {
+  const auto scene = [](const std::string& material) {
+    std::string text = room("0");
+    return text.replace(text.find("\"emission\""), text.find('}') - text.find("\"emission\""), material);
+  };
+  place_.write("bright.json", scene("\"emission\": \"1e400\""));
+  place_.write("mirrors.json", scene("\"emission\": 1, \"reflectivity\": \"0." + std::string(400, '9') + "\""));
+  place_.write("plain.json", scene("\"emission\": 1e300, \"reflectivity\": 0.5"));
+  for (const std::string name : {"large", "small", "bright", "mirrors"}) {
+    const Outcome outcome = place_.run("hottel check " + name + ".json --json");
+    EXPECT_EQ(outcome.code, 1) << name;
+    const Json findings = Json::parse(outcome.out)["findings"];
+    ASSERT_EQ(findings.size(), 1u) << name;
+    EXPECT_EQ(findings[0]["kind"], "beyond-doubles") << name;
+    EXPECT_EQ(findings[0]["severity"], "error") << name;
+    EXPECT_EQ(findings[0]["line"], 2) << name;
+    EXPECT_THAT(place_.run("hottel check " + name + ".json").out, Not(HasSubstr("inf"))) << name;
+    expect_refused("solve " + name + ".json -o out --quiet", name + ".json: ");
+  }
+  EXPECT_EQ(place_.run("hottel check plain.json").out, "0 errors, 0 warnings, 0 notes\n");
+  EXPECT_EQ(place_.run("hottel solve plain.json --quiet -o out").code, 0);
+}
+
+TEST_F(BeyondDoubles, AnExponentBeyondWhatIsReadIsNamed) {
+  for (const std::string number : {"\"1e5000\"", "1e4500", "\"-2.5E-4097\""}) {
+    std::string text = room("0");
+    place_.write("s.json", text.replace(text.find("[0, 0]"), 6, "[0, " + number + "]"));
+    const Outcome outcome = place_.run("hottel plan s.json");
+    EXPECT_EQ(outcome.code, 3) << number;
+    EXPECT_THAT(outcome.err,
+                StartsWith("s.json:2: polyline 'room': coordinate is beyond the range in which numbers are "
+                           "read: '"))
+        << number;
+    EXPECT_THAT(outcome.err, EndsWith("\n  an exponent is at most 4096 in absolute value\n")) << number;
+  }
+}
+
+TEST_F(BeyondDoubles, VisibilityTellsDecimalsThatGoOnAndExactForms) {
+  const Outcome pair = place_.run("hottel visibility large.json --from room[0] --to room[1]");
+  EXPECT_EQ(pair.code, 0) << pair.err;
+  EXPECT_THAT(pair.out,
+              HasSubstr("S, exchange measure          1e+400                 = 1" + std::string(400, '0') + "\n"));
+  EXPECT_THAT(pair.out,
+              HasSubstr("A of 'room[0]'               3e+400                 = 3" + std::string(400, '0') + "\n"));
+  EXPECT_THAT(pair.out, HasSubstr("F from 'room[0]'             0.3333333333333333 "));
+  const Outcome point = place_.run("hottel visibility large.json --at 1,1");
+  EXPECT_EQ(point.code, 0) << point.err;
+  EXPECT_THAT(point.out, HasSubstr("\narea 1.2e+801 = 12" + std::string(800, '0') + "\n"));
+  EXPECT_THAT(point.out, HasSubstr("\n  (4e+400, 3e+400) = (4" + std::string(400, '0') + ", 3"));
+  const Outcome on = place_.run("hottel visibility large.json --on room[0] --at 1/2");
+  EXPECT_THAT(on.out, HasSubstr("of 'room[0]', (0, 1.5e+400) = (0, 15" + std::string(399, '0') + ")"));
+  for (const Outcome& outcome : {pair, point, on}) EXPECT_THAT(outcome.out, Not(HasSubstr("inf")));
+}
+
+TEST_F(BeyondDoubles, VisibilityHasNullForADoubleAndTheExactForm) {
+  const Outcome outcome = place_.run("hottel visibility large.json --from room[0] --to room[1] --json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const Json answer = Json::parse(outcome.out);
+  EXPECT_TRUE(answer["exchange"]["value"].is_null());
+  EXPECT_EQ(answer["exchange"]["exact"], "1" + std::string(400, '0'));
+  EXPECT_EQ(answer["visibility"]["value"], 1.0);
+}
+
+TEST_F(BeyondDoubles, VisibilityIsBelowOneWhereAnythingIsHidden) {
+  // A wall of length 1e-30 stands before a corner.
+  place_.write("s.json", R"({"hottel": 1, "dimension": 2, "materials": {"m": {}}, "edges": [
+ {"name": "a", "points": [[1, 0], [0, 0]], "material": "m"}, {"name": "b", "points": [[0, 1], [1, 1]], "material": "m"},
+ {"name": "speck", "points": [["1/2", 0.5], ["1/2", "0.500000000000000000000000000001"]], "material": "m"}]})");
+  const Outcome outcome = place_.run("hottel visibility s.json --from b --to a --json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const Json answer = Json::parse(outcome.out);
+  EXPECT_NE(answer["exchange"]["exact"], answer["unobstructed"]["exact"]);
+  EXPECT_LT(answer["visibility"]["value"].get<double>(), 1.0);
+  EXPECT_EQ(answer["visibility"]["lower"], answer["visibility"]["value"]);
+  EXPECT_EQ(answer["visibility"]["upper"], 1.0);
+}
+
+TEST_F(BeyondDoubles, WhatIsSeenIsNotDrawn) {
+  for (const std::string what : {"--at 1,1", "--on room[0] --at 1/2", "--from room[0] --to room[1]"})
+    for (const std::string ending : {"png", "svg"}) {
+      expect_refused("visibility large.json " + what + " -o x." + ending,
+                     "large.json:2: the coordinates of 'room[1]' are larger than 1e300");
+      expect_refused("visibility small.json " + what + " -o x." + ending,
+                     "small.json:2: the coordinates of 'room[1]' are smaller than 1e-300");
+    }
+  expect_refused("visibility single.json --at 1e305,1 -o x.png", "single.json: the point 1e305,1 is too far away");
+  place_.write("far.json", R"({"hottel": 1, "dimension": 2, "materials": {"m": {}}, "edges": [
+ {"name": "a", "points": [[1e20, 0], ["100000000000000000001", 0]], "material": "m"}]})");
+  expect_refused("visibility far.json --at 1e20,1 -o x.png",
+                 "far.json:2: the coordinates of 'a' are too large for the size of the scene");
+}
+
+}  // namespace
+}  // namespace hottel
