@@ -40,9 +40,8 @@ class EyeTile2 {
     const double ax = q.x - group.x, ay = q.y - group.y, bx = r.x - group.x, by = r.y - group.y;
     const double determinant = ax * by - ay * bx;
     const double bound = error_anywhere_ + group.radius_x * std::fabs(by - ay) + group.radius_y * std::fabs(bx - ax);
-    if (determinant > bound) return group.eyes;
-    if (determinant < -bound) return 0;
-    return seeing_left_turn_each(group, j, k);
+    if (!(std::fabs(determinant) > bound)) return seeing_left_turn_each(group, j, k);
+    return group.eyes & -Set{determinant > 0};
   }
 
  private:

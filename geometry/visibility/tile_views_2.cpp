@@ -21,6 +21,8 @@ Group part(const EyeTile2& tile, const Group& group, Set eyes) { return eyes == 
 
 void TileViews2::look_around(const PointLocation2& location, const EyeTile2& tile) {
   const Triangulation2& triangulation = location.triangulation();
+  openings_.clear();
+  cones_.clear();
   locate(location, tile);
   while (!homes_.empty()) {
     join_homes(triangulation);
@@ -38,12 +40,13 @@ void TileViews2::look_around(const PointLocation2& location, const EyeTile2& til
 // Eyes on edges, at vertices and outside look around by themselves.
 void TileViews2::locate(const PointLocation2& location, const EyeTile2& tile) {
   homes_.clear();
+  HalfEdgeId near = -1;
   for (std::size_t row = 0; row < tile.rows(); ++row)
     for (std::size_t column = 0; column < tile.columns(); ++column) {
       const std::size_t k = EyeTile2::kSide * row + column;
-      places_[k] = location.locate(tile.eye(k), near_);
+      places_[k] = location.locate(tile.eye(k), near);
       if (places_[k].kind != Location2::Kind::kInTriangle) {
-        location.look_around(tile.eye(k), views_[k], near_);
+        location.look_around(tile.eye(k), views_[k], near);
         continue;
       }
       views_[k].seen.clear();
@@ -124,17 +127,12 @@ void TileViews2::enter(const Triangulation2& triangulation, const EyeTile2& tile
   for (auto cone = first; cone != cones_.end(); ++cone) {
     const Set eyes = cone->group.eyes, not_left = tile.seeing_left_turn(cone->group, cone->right, apex);
     cone->passing_left = eyes & ~not_left;
-    cone->divided = 0;
-    if (not_left != 0) cone->divided = tile.seeing_left_turn(part(tile, cone->group, not_left), apex, cone->left);
+    cone->divided = not_left == 0 ? 0 : not_left & tile.seeing_left_turn(cone->group, apex, cone->left);
     any_left |= cone->passing_left | cone->divided;
     any_right |= not_left;
   }
-  if (any_right == 0) {
-    openings_.back().half_edge = previous_half_edge(entry);
-    return;
-  }
-  if (any_left == 0) {
-    openings_.back().half_edge = next_half_edge(entry);
+  if (any_left == 0 || any_right == 0) {
+    openings_.back().half_edge = any_right == 0 ? previous_half_edge(entry) : next_half_edge(entry);
     return;
   }
   entering_.assign(first, cones_.end());

@@ -19,7 +19,6 @@ namespace hottel {
 // COST: what one eye sees, what changes between the eyes, and about 4 ns for each vertex that each of them sees.
 class TileViews2 {
  public:
-  // REQUIRES that location outlives the views it is asked for.
   void look_around(const PointLocation2& location, const EyeTile2& tile);
 
   const View2& view(std::size_t k) const { return views_[k]; }
@@ -59,7 +58,6 @@ class TileViews2 {
 
   std::array<View2, EyeTile2::kSide * EyeTile2::kSide> views_;
   std::array<Location2, EyeTile2::kSide * EyeTile2::kSide> places_;
-  HalfEdgeId near_ = -1;
   std::vector<Home> homes_;          // those not yet looked around from
   std::vector<Home> joined_;         // some that are connected
   std::vector<HalfEdgeId> borders_;  // of the joined ones, counter-clockwise, as seen from inside

@@ -86,7 +86,7 @@ class Together {
   Arrangement2 arrangement_;
   PointLocation2 location_;
   ExactPoint2 low_, high_;
-  TileViews2 together_;
+  inline static TileViews2 together_;  // for one scene after the other
 };
 
 class TileViews2OfAScene : public testing::TestWithParam<std::string> {};
