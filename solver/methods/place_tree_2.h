@@ -29,7 +29,7 @@ class PlaceTree2 {
   PlaceTree2(const ElementGeometry2& geometry, std::size_t vertices);
 
   // Visits the vertices that do not lie behind the line of a run, until visit returns false. Returns false if it did.
-  // COST: O(log n + visited), but for vertices near the line.
+  // COST: that of the boxes that the line cuts, O(sqrt n) or so, and of what is visited.
   bool visit_before(const ElementRun2& run, const Visit& visit) const;
 
   // The same for the vertices within a distance of a segment.

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "geometry/exchange/pair_rounding_2.h"
+#include "geometry/scene/generators_2.h"
 #include "tests/geometry/exchange_scenes.h"
 
 namespace hottel {
@@ -61,6 +63,29 @@ TEST(RoundingOfFactors2, KnowsWhichFactorsAreDoubles) {
   EXPECT_EQ(exact.factor("up", "along").value, 1.0 / 3);
   EXPECT_EQ(exact.factor("slope", "along"), (Rounded{0.6, 1}));
   EXPECT_EQ(count(exact.report(), Tier::kBall) + count(exact.report(), Tier::kRootSum), 0u);
+}
+
+TEST(RoundingOfFactors2, OfUnobstructedPairsAreThoseOfTheExactSums) {
+  std::size_t facing = 0, pairs = 0;
+  for (const char* kind : {"clutter", "lattice", "comb", "plates"}) {
+    const PreparedScene2 prepared = prepare(generate_2({.kind = kind, .n = 60, .seed = 2}), Divided::kYes);
+    const Vertices2& vertices = prepared.arrangement.vertices();
+    const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
+    for (std::uint32_t i = 0; i < labels.count(); ++i)
+      for (std::uint32_t j = 0; j < labels.count() && labels.has_row(i); ++j) {
+        const RootSum exact = unobstructed_exchange(prepared, labels, Per::kElement, i, j);
+        const double factor = unobstructed_factor(prepared, labels, i, j);
+        ++pairs;
+        if (exact.is_zero()) {
+          EXPECT_EQ(factor, 0) << kind;
+          continue;
+        }
+        ++facing;
+        EXPECT_EQ(factor, round_quotient(exact, labels.exact_length(i, vertices) * vertices.scale()).number.value);
+      }
+  }
+  EXPECT_GT(facing, 1000u);
+  EXPECT_GT(pairs, 2 * facing);
 }
 
 TEST(RoundingOfFactors2, RoundsMeasuresAndAreasToo) {
