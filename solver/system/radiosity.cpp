@@ -101,10 +101,11 @@ class Group {
             fmt::format("'{}' needs a symmetric matrix, and one whose rows do not sum to 1 is not: use 'lu' or "
                         "'bicgstab'",
                         to_string(options_.solver)));
-      used_ = options_.solver != Solver::kAuto ? options_.solver : is_dense ? Solver::kLu : Solver::kBicgstab;
+      const bool is_small = system_.size() <= kMostDenseUnknowns;  // lu takes all components at once
+      used_ = options_.solver != Solver::kAuto ? options_.solver : is_small ? Solver::kLu : Solver::kBicgstab;
       const std::size_t components = system_.components().size();
       plain_ = PlainSystem(system_, is_wanted_);
-      inner_ = is_dense ? make_lu(plain_, components) : make_bicgstab(plain_, components);
+      inner_ = is_small ? make_lu(plain_, components) : make_bicgstab(plain_, components);
       if (!may_be_open && !system_.has_negative_factors() &&
           !spectral_radius_is_below_one(system_, *inner_, is_wanted_))
         throw RequestError(

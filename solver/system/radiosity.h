@@ -14,11 +14,12 @@
 
 namespace hottel {
 
-// kAuto:      cholesky for components of up to kMostDenseUnknowns, else cg; where rows do not sum to 1 lu, else
-// bicgstab kCholesky:  symmetric elimination without subtraction, refined in double-double kCg:        conjugate
-// gradients, refined in double-double kShooting:  progressive refinement: the face with the most unshot light shoots
-// (an iteration is one shot) The others are what their names say, in plain doubles, as they are. Every result is
-// certified alike.
+// kAuto:      cholesky for components of up to kMostDenseUnknowns, else cg; where rows do not sum to 1 lu for so many
+//             unknowns in all, else bicgstab
+// kCholesky:  symmetric elimination without subtraction, refined in double-double
+// kCg:        conjugate gradients, refined in double-double
+// kShooting:  progressive refinement: the face with the most unshot light shoots (an iteration is one shot)
+// The others are what their names say, in plain doubles, as they are. Every result is certified alike.
 enum class Solver { kAuto, kCholesky, kCg, kLu, kBicgstab, kJacobi, kGaussSeidel, kShooting };
 
 inline constexpr std::uint32_t kMostDenseUnknowns = 500;
@@ -92,8 +93,8 @@ struct RadiositySolution {
 // Throws RequestError when a component with reflectivity 1 throughout and no way out emits (one that does not is 0,
 // with a note), when rows do not sum to 1 and the spectral radius cannot be shown to be below 1, when cholesky or cg
 // are asked of such a matrix, which is not symmetric, and when a factor is no number. Where a factor of an estimated
-// matrix is negative the equations are solved and all bounds are infinite. Rows sum to 1 in
-// exact matrices and are taken to where their enclosures allow it, which concerns the radiosity, not its bounds.
+// matrix is negative the equations are solved and all bounds are infinite. Rows sum to 1 in exact matrices, and are
+// taken to where their enclosures allow it, which concerns the radiosity, not its bounds.
 // REQUIRES: the materials of the elements index into `materials`.
 // COST: one factorization a distinct reflectivity vector; then a few passes over the matrix a channel. Three times that
 // for an enclosed matrix.

@@ -6,10 +6,13 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
+#include <string>
 
 #include "kernel/failure.h"
 #include "solver/system/crude_bounds.h"
+#include "solver/system/net_flux.h"
 #include "tests/solver/exact_radiosity.h"
 
 namespace hottel {
@@ -253,6 +256,49 @@ TEST(EnclosedFactors, TellHowFarTheyAreThreeTimesOver) {
   ASSERT_EQ(told.size(), 3u);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_EQ(told.back(), 1);
+}
+
+TEST(EnclosedFactors, BoundNetFluxesOfAllFactorsWithin) {
+  std::size_t checked = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    std::mt19937_64 random(seed);
+    const ExactScene scene = random_exact_scene(seed);
+    const Scene2& plan = scene.scene();
+    const ExchangeMatrix matrix = widened(scene, seed % 2 == 0 ? 0.01 : 1e-10, random);
+    RadiositySolution solution;
+    try {
+      solution = solve_radiosity(matrix, plan.materials, plan.sky_emission);
+    } catch (const RequestError&) {
+      continue;
+    }
+    if (!is_bounded(solution)) continue;
+    const mpf_class sky = number(plan.sky_emission.value[0]);
+    const auto fluxes = net_flux(matrix, solution, plan.sky_emission, [](const Element& e) { return e.name; });
+    for (const WideFactors& factors : {scene.factors(), random_factors(matrix, random)}) {
+      const auto radiosity = radiosity_of(matrix, factors, plan.materials, plan.sky_emission, 0);
+      std::map<std::string, mpf_class> flux;
+      for (std::uint32_t i = 0; i < matrix.size(); ++i)
+        for (std::uint32_t j = 0; j <= matrix.sky() && matrix.has_row(i); ++j) {
+          const bool is_sky = j == matrix.sky();
+          const std::string from = matrix.elements()[i].name, to = is_sky ? "sky" : matrix.elements()[j].name;
+          for (const std::string& name : {from, to}) flux.try_emplace(name, 0, kBits);
+          const mpf_class share = scene.areas()[i] * factors[i][j];
+          const mpf_class arrives = is_sky ? sky : radiosity[j];
+          flux[from] -= share * arrives;
+          if (j == 0) flux[from] += scene.areas()[i] * radiosity[i];
+          if (is_sky || !matrix.has_row(j)) flux[to] += share * ((is_sky ? sky : mpf_class(0, kBits)) - radiosity[i]);
+        }
+      for (const NetFlux& each : fluxes) {
+        const NetFlux::Power& power = each.by_channel[0];
+        const mpf_class real = flux.at(each.name), slack = (abs(real) + 1) * 1e-60;
+        ++checked;
+        EXPECT_LE(mpf_class(power.lower, kBits), real + slack) << seed << " " << each.name;
+        EXPECT_GE(mpf_class(power.upper, kBits), real - slack) << seed << " " << each.name;
+        EXPECT_LT(power.upper - power.lower, kInfinity);
+      }
+    }
+  }
+  EXPECT_GT(checked, 500u);
 }
 
 TEST(CrudeBounds, NarrowThoseOfEnclosedFactorsAndHold) {
