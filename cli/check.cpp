@@ -50,9 +50,10 @@ ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const
     });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
   out.write(text);
-  out.commit();
+  out.finish();
   streams.write("", options.json ? check_json(repaired, after.findings, &report)
                                  : repair_text(scene, report) + check_text(repaired, after.findings));
+  out.commit();
   return exit_code(after);
 }
 

@@ -240,9 +240,8 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   std::vector<OutputFile*> files = {&csv, &worst, &read, &svg, &png};
   if (map) files.push_back(&*map);
   for (OutputFile* file : files) file->finish();
-  for (OutputFile* file : files) file->commit();
-
   if (options.json) streams.write("", report_json(options, comparison, outcome.results, readings));
+  for (OutputFile* file : files) file->commit();
   std::string names;
   for (const OutputFile* file : files) names += " " + std::filesystem::path(file->name()).filename().string();
   streams.note(report_text(comparison, outcome.results, readings) + "\nin " + directory.string() + ":" + names);

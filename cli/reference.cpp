@@ -55,6 +55,7 @@ SceneReference refer(const std::string& file, const std::string& name, const Str
       prepared,
       {.per = Per::kElement, .memory = memory_allowed(), .progress = streams.progress("view factors of " + name)},
       &result.exchange);
+  require_closed(prepared.scene, matrix);
   RadiosityOptions options;
   options.progress = streams.progress("radiosities of " + name);
   const Spectrum& sky = prepared.scene.sky_emission;

@@ -45,6 +45,20 @@ void ElementOptions::apply_to(Scene2& scene) const {
   }
 }
 
+void require_closed(const Scene2& scene, const ExchangeMatrix& matrix) {
+  if (!scene.closed) return;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    const Element& element = matrix.elements()[i];
+    if (element.is_back || !matrix.has_row(i)) continue;
+    const Rounded sky = matrix.factor(i, matrix.sky());
+    if (sky.value == 0 && sky.side == 0) continue;
+    const Surface2& surface = scene.surfaces[element.surface];
+    throw RequestError(
+        fmt::format("{}:{}: the scene promises to be closed, but the front of '{}' sees the sky (F = {})", scene.file,
+                    surface.line, surface.name, shortest(sky.value)));
+  }
+}
+
 std::filesystem::path output_folder(const std::string& option, const std::string& scene) {
   if (option == "-") throw UsageError("results are several files: -o takes a folder, not standard output");
   return option.empty() ? std::filesystem::path(scene).stem().string() + "-hottel" : option;

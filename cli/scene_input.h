@@ -35,6 +35,10 @@ auto naming_file(const std::string& file, const Work& work) {
   }
 }
 
+// Throws RequestError, naming the first front, where a scene promises to be closed and a front with a material sees the
+// sky. REQUIRES the exact matrix of the scene.
+void require_closed(const Scene2& scene, const ExchangeMatrix& matrix);
+
 // The largest coordinate, and one over the smallest extent, that drawings with points in doubles take.
 inline constexpr double kLargestDrawn = 1e300;
 

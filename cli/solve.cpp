@@ -52,21 +52,6 @@ Grid2 grid_of(const Scene2& scene, const std::string& text) {
   return grid_over(scene, nx, ny);
 }
 
-// A scene that promises to be closed and is not: the first front that sees the sky.
-void require_closed(const Scene2& scene, const ExchangeMatrix& matrix) {
-  if (!scene.closed) return;
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    const Element& element = matrix.elements()[i];
-    if (element.is_back || !matrix.has_row(i)) continue;
-    const Rounded sky = matrix.factor(i, matrix.sky());
-    if (sky.value == 0 && sky.side == 0) continue;
-    const Surface2& surface = scene.surfaces[element.surface];
-    throw RequestError(
-        fmt::format("{}:{}: the scene promises to be closed, but the front of '{}' sees the sky (F = {})", scene.file,
-                    surface.line, surface.name, shortest(sky.value)));
-  }
-}
-
 // The factor matrix and the radiosities in full, for scenes that fit on a screen.
 std::string small_scene_text(const ExchangeMatrix& matrix, const RadiositySolution& solution) {
   std::string text = fmt::format("\n{:<16}", "factor to");
@@ -215,10 +200,10 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const SolveReport report{options.scene,          &plan,      &exchange, &solution, &fluxes, seconds,
                            painter.tone().scale(), light_error};
   json.write(report_json(report));
+  // All files are whole before the first one takes its name.
   for (OutputFile* file : {&csv, &flux, &npy, &png, &json}) file->finish();
-  for (OutputFile* file : {&csv, &flux, &npy, &png, &json}) file->commit();
-
   if (options.json) streams.write("", report_json(report));
+  for (OutputFile* file : {&csv, &flux, &npy, &png, &json}) file->commit();
   std::string text = report_text(report);
   if (matrix.elements().size() <= 2 * kFacesOnAScreen && prepared.scene.surfaces.size() <= kFacesOnAScreen)
     text += small_scene_text(matrix, solution);

@@ -19,8 +19,11 @@ Streams::Streams(bool is_quiet) : is_quiet_(is_quiet) {}
 
 void Streams::write(const std::string& option, std::string_view text) const {
   OutputFile file = output(option);
-  file.write(text);
-  file.commit();
+  try {
+    file.write(text);
+    file.commit();
+  } catch (const ReaderGone&) {  // what else there is to be done is done
+  }
 }
 
 void Streams::note(std::string_view text) const {

@@ -20,7 +20,7 @@ class Streams {
   // Where data goes for the value of an option -o: standard output for "" and "-". Commit it when all is written.
   OutputFile output(const std::string& option) const { return OutputFile(option.empty() ? "-" : option); }
 
-  // Writes a whole text there, and commits.
+  // Writes a whole text there, and commits. That nobody reads standard output any more is no reason to stop.
   void write(const std::string& option, std::string_view text) const;
 
   // A remark on stderr, unless --quiet. Lines; a final newline is added where there is none.

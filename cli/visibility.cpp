@@ -318,13 +318,19 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   const Answer answer = is_pair               ? between_faces(prepared, options.from, options.to)
                         : !options.on.empty() ? from_face(prepared, options.on, t)
                                               : from_point(prepared, *eye, true);
-  if (format) write_output_file(options.out, answer.draw(*format));
+  std::optional<OutputFile> drawing;
+  if (format) {
+    drawing.emplace(options.out);
+    drawing->write(answer.draw(*format));
+    drawing->finish();
+  }
   if (options.json)
     streams.write("", answer.json.dump(2) + "\n");
   else if (format)
     streams.note(answer.text);
   else
     streams.write("", answer.text);
+  if (drawing) drawing->commit();
   return ExitCode::kDone;
 }
 

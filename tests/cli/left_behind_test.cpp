@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/cli/program.h"
@@ -58,6 +59,25 @@ TEST(LeftBehind, ASetThatCannotBeWrittenLeavesNoFolder) {
   const Outcome outcome = place.run("ulimit -f 4; hottel reference new " + kBox + " --quiet");
   EXPECT_EQ(outcome.code, 3) << outcome.err;
   EXPECT_THAT(place.files(), ElementsAre("set"));
+}
+
+TEST(LeftBehind, EarlierOutputsWhereStandardOutputCannotBeWritten) {
+  const Workplace place;
+  const std::vector<std::pair<std::string, std::string>> lines = {
+      {"solve " + kBox + " -o out --json --quiet", "out/radiosity.csv"},
+      {"compare " + kBox + " --methods strings -o out --json --quiet", "out/compare.csv"},
+      {"check " + kBox + " --fix repaired.json --within 1e-6", "repaired.json"},
+      {"visibility " + kBox + " --at 1,1 --json -o seen.png", "seen.png"},
+      {"factors " + kBox + " --json -o factors.csv", "factors.csv"}};
+  for (const auto& [line, file] : lines) {
+    std::filesystem::create_directory(place.path("out"));
+    place.write(file, "earlier");
+    EXPECT_EQ(place.run("hottel " + line + " > /dev/full").code, 3) << line;
+    EXPECT_EQ(place.read(file), "earlier") << line;
+    // A reader that has gone is no failure: the file is there.
+    EXPECT_EQ(place.run("exec 3> >(true); sleep 0.1; hottel " + line + " >&3").code, 0) << line;
+    EXPECT_NE(place.read(file), "earlier") << line;
+  }
 }
 
 // A command that does not end when it is told to; the run is ended once more, by Ctrl-C or otherwise.

@@ -55,6 +55,16 @@ TEST(Reference, AgreesWithCompare) {
   EXPECT_THAT(outcome.err, HasSubstr("pairs agree with the exact factors"));
 }
 
+TEST(Reference, ABrokenPromiseToBeClosedIsRefused) {
+  const Workplace place;
+  place.write("open.json", R"({"hottel": 1, "dimension": 2, "materials": {"m": {"emission": 1}}, "closed": true,
+ "polylines": [{"name": "r", "points": [[0, 0], [0, 3], [4, 3], [4, 0]], "material": "m"}]})");
+  const Outcome outcome = place.run("hottel reference set open.json");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("open.json:2: the scene promises to be closed, but the front of 'r[0]' sees the"));
+  EXPECT_EQ(place.files(), std::vector<std::string>{"open.json"});
+}
+
 TEST(Reference, NamesMustDiffer) {
   const Workplace place;
   const std::string scene = kScenes + "analytic/hexagon.json";
