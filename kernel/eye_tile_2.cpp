@@ -70,16 +70,18 @@ EyeTile2::Set EyeTile2::seeing_left_turn_each(const Group& group, VertexId j, Ve
   if (std::fabs(determinant) > (bound + across) * kUp) return determinant > 0 ? group.eyes : 0;
   bound =
       (bound + error_of_eyes_ * (std::fabs(dx) + std::fabs(dy)) + 0x1p-50 * (across + std::fabs(determinant))) * kUp;
-  Set result = 0, undecided = 0;
+  Set result = 0;
+  double smallest = HUGE_VAL;
   for (Set rest = group.eyes; rest != 0; rest &= rest - 1) {
     const auto one = static_cast<std::size_t>(std::countr_zero(rest));
     const double there = determinant + ((y_[one / kSide] - group.y) * dx - (x_[one % kSide] - group.x) * dy);
-    result |= Set{there > bound} << one;
-    undecided |= Set{!(std::fabs(there) > bound)} << one;
+    result |= Set{there > 0} << one;
+    smallest = std::min(smallest, std::fabs(there));
   }
-  for (; undecided != 0; undecided &= undecided - 1)
-    if (eye(static_cast<std::size_t>(std::countr_zero(undecided))).orientation(j, k) > 0)
-      result |= undecided & -undecided;
+  if (smallest > bound) return result;
+  result = 0;
+  for (Set rest = group.eyes; rest != 0; rest &= rest - 1)
+    if (eye(static_cast<std::size_t>(std::countr_zero(rest))).orientation(j, k) > 0) result |= rest & -rest;
   return result;
 }
 

@@ -60,11 +60,14 @@ void TileViews2::locate(const PointLocation2& location, const EyeTile2& tile) {
     }
 }
 
-// Takes a home and those that can be reached from it through homes; each is entered through one edge only, so that what
-// is joined has no holes.
+// Takes a home and those that can be reached from it through homes. Each is entered through one edge only, so that what
+// is joined has no holes: every eye meets its borders in their order.
 void TileViews2::join_homes(const Triangulation2& triangulation) {
-  joined_.assign(1, homes_.back());
-  homes_.pop_back();
+  const auto largest = std::max_element(homes_.begin(), homes_.end(), [](const Home& a, const Home& b) {
+    return std::popcount(a.eyes) < std::popcount(b.eyes);
+  });
+  joined_.assign(1, *largest);
+  homes_.erase(largest);
   const HalfEdgeId first = joined_.front().triangle;
   borders_.assign({first, first + 1, first + 2});
   for (std::size_t k = 0; k < borders_.size();) {
@@ -82,7 +85,7 @@ void TileViews2::join_homes(const Triangulation2& triangulation) {
   }
 }
 
-// Looks from each of the joined homes up to their borders.
+// Looks from each of the joined homes up to their borders. Beyond, their eyes go together.
 void TileViews2::leave_homes(const Triangulation2& triangulation, const EyeTile2& tile) {
   crossed_.clear();
   for (const Home& home : joined_)

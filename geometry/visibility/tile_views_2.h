@@ -16,7 +16,7 @@ namespace hottel {
 // Neighbours see nearly the same, so they look around together: by triangular expansion (view_2.h), but with cones that
 // many eyes share. Where a line through two vertices passes between the eyes of a cone it is divided; cones between the
 // same two vertices are united again.
-// COST: what one eye sees, what changes between the eyes, and about 4 ns for each vertex that each of them sees.
+// COST: that of the view from one eye, of what changes between the eyes, and about 3 ns for each vertex an eye sees.
 class TileViews2 {
  public:
   void look_around(const PointLocation2& location, const EyeTile2& tile);
@@ -41,6 +41,7 @@ class TileViews2 {
     HalfEdgeId triangle;
     EyeTile2::Set eyes;
   };
+  // A cone that leaves the joined homes through one of their borders.
   struct CrossedBorder {
     HalfEdgeId half_edge;
     Cone cone;

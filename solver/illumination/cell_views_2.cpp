@@ -45,7 +45,7 @@ void for_each_cell_view(const PreparedScene2& prepared, const Grid2& grid, const
   for (std::size_t begin = 0; begin < tiles; begin += kTilesBetweenReports) {
     const std::size_t end = std::min(tiles, begin + kTilesBetweenReports);
     parallel_ranges(end - begin, 1, [&](std::size_t from, std::size_t to) {
-      thread_local TileViews2 views;
+      thread_local TileViews2 views;  // its memory serves many tiles
       for (std::size_t index = begin + from; index < begin + to; ++index) {
         throw_if_interrupted();
         const std::size_t tile_x = index % tiles_in_a_row, tile_y = index / tiles_in_a_row;

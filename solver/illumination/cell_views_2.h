@@ -18,7 +18,7 @@ ExactPoint2 cell_centre(const Grid2& grid, std::uint32_t ix, std::uint32_t iy);
 //   (1) what visit is given depends on the cell's centre alone, not on the grid around it or on the threads
 // progress: fraction done, called by the calling thread; may throw to stop. Throws Interrupted when asked to stop.
 // REQUIRES at least one cell, min < max.
-// COST: one view a cell; numbers of a row and of a column are prepared once.
+// COST: that of tile_views_2.h for each eight by eight cells; numbers of a row and of a column are prepared once.
 using CellVisit = std::function<void(std::size_t, const Eye2&, const Location2&, const View2&)>;
 void for_each_cell_view(const PreparedScene2& prepared, const Grid2& grid, const std::function<void(double)>& progress,
                         const CellVisit& visit);

@@ -35,7 +35,7 @@ Grid2 default_grid(const Scene2& scene, std::uint32_t longer = 256);
 //   (1) visibility is exact, from the exact centre; a cell does not depend on the others
 //   (2) bit-identical for any number of threads
 // progress: fraction done; may throw to stop. Throws Interrupted when asked to stop.
-// COST: about 1 µs a cell and core in a furnished apartment of 300 edges.
+// COST: about 0.5 µs a cell and core in a furnished apartment of 400 edges, 8 µs where a cell sees 250 vertices.
 IlluminationGrid illuminate_points(const PreparedScene2& prepared, const Grid2& grid, const FaceRadiosity2& radiosity,
                                    const std::function<void(double)>& progress = {});
 

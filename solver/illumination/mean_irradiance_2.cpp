@@ -19,7 +19,7 @@ double dot(const Direction& a, const Direction& b) { return a.x * b.x + a.y * b.
 
 // The angle from a to b, known to lie in [0, pi]: rounding must not turn a small one around. Small ones, which are
 // most, by the series of the arc tangent, less than 2^-57 of which is left out.
-double angle_up_to_half_turn(const Direction& a, const Direction& b) {
+inline double angle_up_to_half_turn(const Direction& a, const Direction& b) {
   const double y = std::max(cross(a, b), 0.0), x = dot(a, b);
   if (!(y < x / 8)) return std::atan2(y, x);
   const double t = y / x, z = t * t;
@@ -65,8 +65,8 @@ class Integral {
     std::fill(sum_.begin(), sum_.end(), 0.0);
   }
   void add(std::uint32_t shade, double weight) {
-    const double* const value = radiosity_.of_shade(shade).data();
-    for (std::size_t c = 0; c < sum_.size(); ++c) sum_[c] += value[c] * weight;
+    const double* value = radiosity_.of_shade(shade).data();
+    for (double& sum : sum_) sum += *value++ * weight;
   }
   void scale(double factor) {
     for (double& value : sum_) value *= factor;
@@ -79,27 +79,27 @@ class Integral {
 
 // Neighbouring steps of one shade are taken together as long as they stay within half a turn.
 void add_turn(const Panorama& around, const FaceRadiosity2& radiosity, std::size_t first, Integral& integral) {
-  const std::size_t m = around.size();
-  std::size_t k = first, done = 0;
-  const auto advance = [&] {
-    k = around.next(k);
-    ++done;
-  };
+  std::size_t k = first, left = around.size();
+  std::uint32_t shade = radiosity.shade(around[k].behind);
   Direction from = around.direction(k);
-  while (done < m) {
-    const std::uint32_t shade = radiosity.shade(around[k].behind);
-    const bool is_sky = around[k].behind == kSky;
-    if (is_sky && shade != 0) integral.add(shade, around.angle(k));
+  while (left > 0) {
+    const std::size_t step = k;
+    const std::uint32_t step_shade = shade;
+    Direction to;
+    const auto advance = [&] {
+      k = around.next(k);
+      --left;
+      shade = radiosity.shade(around[k].behind);
+      to = around.direction(k);
+    };
     advance();
-    Direction to = around.direction(k);
-    if (!is_sky && shade != 0) {
-      while (done < m && radiosity.shade(around[k].behind) == shade && around[k].behind != kSky && dot(from, to) > 0) {
-        const Direction further = around.direction(around.next(k));
-        if (cross(from, further) <= 0) break;
-        to = further;
+    if (step_shade != 0 && around[step].behind == kSky) {
+      integral.add(step_shade, around.angle(step));
+    } else if (step_shade != 0) {
+      while (shade == step_shade && left > 0 && around[k].behind != kSky && dot(from, to) > 0 &&
+             cross(from, around.direction(around.next(k))) > 0)
         advance();
-      }
-      integral.add(shade, angle_up_to_half_turn(from, to));
+      integral.add(step_shade, angle_up_to_half_turn(from, to));
     }
     from = to;
   }
