@@ -7,6 +7,7 @@
 
 #include "geometry/scene/name.h"
 #include "io/scene_json.h"
+#include "kernel/decimal.h"
 
 namespace hottel {
 namespace {
@@ -73,7 +74,7 @@ std::string number(const Rational& value) {
   if (text.size() > kMaxNumberLength)
     throw RequestError(
         fmt::format("a number of {} characters, about {}, does not fit into a scene file: at most {} are allowed",
-                    text.size(), shortest(to_double(value)), kMaxNumberLength));
+                    text.size(), decimal_text(value), kMaxNumberLength));
   return fmt::format("\"{}\"", text);
 }
 

@@ -12,6 +12,7 @@
 #include "geometry/scene/name.h"
 #include "kernel/failure.h"
 #include "solver/plan.h"
+#include "solver/system/matrix_checks.h"
 #include "solver/system/radiosity.h"
 #include "solver/system/radiosity_system.h"
 
@@ -108,11 +109,21 @@ class LightTeller {
       tell_beyond(faces_where([&](std::uint32_t i) { return !is_finite(solution, i); }),
                   "the light of {} is beyond the range of doubles",
                   "choose another unit of light, or let more of it be absorbed");
+      if (!has_error(findings_)) tell_power(solution);
     } catch (const RequestError& error) {
       const auto least =
           std::min_element(fates.begin(), fates.end(), [](auto& a, auto& b) { return a.second.loss < b.second.loss; });
       add(Severity::kError, "beyond-doubles", least == fates.end() ? Faces{} : surfaces_of(least->first), error.what(),
           "give one of them a smaller reflectivity, or open a wider way out");
+    }
+  }
+
+  void tell_power(const RadiositySolution& solution) {
+    try {
+      require_doubles(matrix_, scene_.sky_emission, solution);
+    } catch (const RequestError& error) {
+      add(Severity::kError, "beyond-doubles", surfaces_of(faces_where([](std::uint32_t) { return true; })),
+          error.what(), "choose another unit of length or of light");
     }
   }
 

@@ -65,6 +65,9 @@ void require_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission,
       require(std::isfinite(channel.elements[i].radiosity) && std::isfinite(channel.elements[i].irradiance),
               "the light of '" + element.name + "'");
   }
+  const EnergyBalance& energy = solution.energy;
+  require(std::isfinite(energy.emitted) && std::isfinite(energy.absorbed) && std::isfinite(energy.to_sky),
+          "the power of the light in all");
 }
 
 double largest_area(const ExchangeMatrix& matrix) {

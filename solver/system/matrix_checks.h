@@ -13,8 +13,8 @@ double closure_defect(const ExchangeMatrix& matrix);
 // max |A_i F_ij - A_j F_ji| / min(A_i, A_j) over all pairs of rows, of the doubles.
 double reciprocity_defect(const ExchangeMatrix& matrix);
 
-// Throws RequestError, naming what, where areas of rows, the sky's emission or the light of a solution are too large
-// to be written as doubles, or areas too small.
+// Throws RequestError, naming what, where areas of rows, the sky's emission, the light of a solution or its power are
+// too large to be written as doubles, or areas too small.
 void require_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission, const RadiositySolution& solution);
 
 // The largest area of a row; 0 without rows.

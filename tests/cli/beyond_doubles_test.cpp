@@ -112,8 +112,10 @@ TEST_F(BeyondDoubles, CheckForeseesWhatSolveRefuses) {
   };
   place_.write("bright.json", scene("\"emission\": \"1e400\""));
   place_.write("mirrors.json", scene("\"emission\": 1, \"reflectivity\": \"0." + std::string(400, '9') + "\""));
+  std::string wide = room("200");
+  place_.write("wide.json", wide.replace(wide.find("\"emission\": 1"), 13, "\"emission\": 1e200"));
   place_.write("plain.json", scene("\"emission\": 1e300, \"reflectivity\": 0.5"));
-  for (const std::string name : {"large", "small", "bright", "mirrors"}) {
+  for (const std::string name : {"large", "small", "bright", "mirrors", "wide"}) {
     const Outcome outcome = place_.run("hottel check " + name + ".json --json");
     EXPECT_EQ(outcome.code, 1) << name;
     const Json findings = Json::parse(outcome.out)["findings"];
@@ -126,6 +128,14 @@ TEST_F(BeyondDoubles, CheckForeseesWhatSolveRefuses) {
   }
   EXPECT_EQ(place_.run("hottel check plain.json").out, "0 errors, 0 warnings, 0 notes\n");
   EXPECT_EQ(place_.run("hottel solve plain.json --quiet -o out").code, 0);
+}
+
+TEST_F(BeyondDoubles, ANumberTooLongToBeWrittenIsToldByItsSize) {
+  std::string text = room("0");
+  place_.write("s.json",
+               text.replace(text.find("\"emission\": 1"), 34, "\"emissivity\": \"1/3\", \"temperature\": \"1e2000\""));
+  expect_refused("convert s.json out.json", "s.json: a number of ");
+  EXPECT_THAT(place_.run("hottel convert s.json out.json").err, HasSubstr("e+7992, does not fit into a scene file"));
 }
 
 TEST_F(BeyondDoubles, AnExponentBeyondWhatIsReadIsNamed) {
