@@ -7,6 +7,10 @@
 
 namespace hottel {
 
+// Exact, and fast where the products of coordinates are doubles: filtered by intervals.
 using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
+
+// Exact for numbers of any size: rational arithmetic throughout.
+using RationalKernel = ExactKernel::Exact_kernel;
 
 }  // namespace hottel

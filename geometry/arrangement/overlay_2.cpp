@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/arrangement/point_index_2.h"
 #include "kernel/kernels.h"
@@ -14,11 +15,10 @@
 namespace hottel {
 namespace {
 
-using Traits = CGAL::Arr_consolidated_curve_data_traits_2<CGAL::Arr_segment_traits_2<ExactKernel>, std::uint32_t>;
-using Arrangement = CGAL::Arrangement_2<Traits>;
 using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Segment2*>;
 
-Rational to_rational(const ExactKernel::FT& value) { return CGAL::exact(value); }
+// CGAL 5.5 does not survive intervals that leave the range of doubles. Constructions multiply at most six coordinates.
+constexpr int kMostBitsForIntervals = 1020 / 6;
 
 // Do the two segments meet in more than common end points?
 bool are_entangled(const Vertices2& v, const Segment2& s, const Segment2& t) {
@@ -54,6 +54,45 @@ std::vector<char> find_entangled(const Vertices2& vertices, const std::vector<Se
   return entangled;
 }
 
+const Rational& to_rational(const Rational& value) { return value; }
+const Rational& to_rational(const ExactKernel::FT& value) { return value.exact(); }
+
+struct ArrangedEdge {
+  Segment2 piece;
+  std::vector<std::uint32_t> sources;
+};
+
+// The edges of the arrangement of the entangled segments, by CGAL on the integer form of their ends.
+template <class Kernel, class IdOf>
+std::vector<ArrangedEdge> arrange(const Vertices2& vertices, const std::vector<Segment2>& segments,
+                                  const std::vector<char>& entangled, const IdOf& id_of) {
+  using SegmentTraits = CGAL::Arr_segment_traits_2<Kernel>;
+  using Traits = CGAL::Arr_consolidated_curve_data_traits_2<SegmentTraits, std::uint32_t>;
+  using Arrangement = CGAL::Arrangement_2<Traits>;
+  const auto to_point = [&vertices](VertexId i) {
+    const ExactPoint2 p = vertices.exact(i);
+    return typename Kernel::Point_2(typename Kernel::FT(p.x), typename Kernel::FT(p.y));
+  };
+  std::vector<typename Traits::Curve_2> curves;
+  for (std::uint32_t i = 0; i < segments.size(); ++i)
+    if (entangled[i])
+      curves.emplace_back(typename SegmentTraits::Curve_2(to_point(segments[i].a), to_point(segments[i].b)), i);
+  Arrangement arrangement;
+  CGAL::insert(arrangement, curves.begin(), curves.end());
+
+  const auto id_of_vertex = [&id_of](const typename Arrangement::Vertex_handle& v) {
+    return id_of(ExactPoint2{to_rational(v->point().x()), to_rational(v->point().y())});
+  };
+  std::vector<ArrangedEdge> edges;
+  for (auto edge = arrangement.edges_begin(); edge != arrangement.edges_end(); ++edge) {
+    edges.push_back(ArrangedEdge{Segment2{id_of_vertex(edge->source()), id_of_vertex(edge->target())}, {}});
+    for (auto data = edge->curve().data().begin(); data != edge->curve().data().end(); ++data)
+      edges.back().sources.push_back(*data);
+    std::sort(edges.back().sources.begin(), edges.back().sources.end());
+  }
+  return edges;
+}
+
 }  // namespace
 
 void Overlay2::set_total_length() {
@@ -76,60 +115,32 @@ Overlay2 overlay(const std::vector<ExactPoint2>& points, const std::vector<Segme
     result.pieces.push_back(piece);
     result.source_begin.push_back(static_cast<std::uint32_t>(result.source_list.size()));
   };
-  std::vector<Traits::Curve_2> curves;
-  // CGAL works on the integer form, which its interval filters like best, scaled down where its exponents would take
-  // intervals beyond the range of double (CGAL 5.5 does not survive that).
-  const int shift = result.vertices.exponent() > 400 ? result.vertices.exponent() : 0;
-  const auto to_point = [&result, shift](VertexId i) {
-    ExactPoint2 p = result.vertices.exact(i);
-    if (shift > 0) p = {scaled_by_power_of_two(p.x, -shift), scaled_by_power_of_two(p.y, -shift)};
-    return ExactKernel::Point_2(ExactKernel::FT(p.x), ExactKernel::FT(p.y));
-  };
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    if (entangled[i]) {
-      const ExactKernel::Segment_2 segment(to_point(segments[i].a), to_point(segments[i].b));
-      curves.emplace_back(CGAL::Arr_segment_traits_2<ExactKernel>::Curve_2(segment), i);
-    } else {
-      result.source_list.push_back(i);
-      add_piece(segments[i]);
-    }
+    if (entangled[i]) continue;
+    result.source_list.push_back(i);
+    add_piece(segments[i]);
   }
-  if (curves.empty()) return result;
+  if (result.pieces.size() == segments.size()) return result;
 
-  Arrangement arrangement;
-  CGAL::insert(arrangement, curves.begin(), curves.end());
   PointIndex2 index(points);
-  const auto id_of = [&](const Arrangement::Vertex_handle& v) {
-    const Rational x = scaled_by_power_of_two(to_rational(v->point().x()), shift);
-    const Rational y = scaled_by_power_of_two(to_rational(v->point().y()), shift);
-    return index.insert(result.vertices.to_scene({x, y}));
-  };
-  struct Found {
-    Segment2 piece;
-    std::vector<std::uint32_t> sources;
-  };
-  std::vector<Found> found;
-  for (auto edge = arrangement.edges_begin(); edge != arrangement.edges_end(); ++edge) {
-    Found f{{id_of(edge->source()), id_of(edge->target())}, {}};
-    for (auto data = edge->curve().data().begin(); data != edge->curve().data().end(); ++data)
-      f.sources.push_back(*data);
-    std::sort(f.sources.begin(), f.sources.end());
-    found.push_back(std::move(f));
-  }
+  const auto id_of = [&](const ExactPoint2& p) { return index.insert(result.vertices.to_scene(p)); };
+  std::vector<ArrangedEdge> found = result.vertices.exponent() <= kMostBitsForIntervals
+                                        ? arrange<ExactKernel>(result.vertices, segments, entangled, id_of)
+                                        : arrange<RationalKernel>(result.vertices, segments, entangled, id_of);
   if (index.points().size() > points.size()) result.vertices = Vertices2(index.points(), points.size());
   // One order for the pieces whatever CGAL's: by first source, then along it.
   const Vertices2& v = result.vertices;
-  for (Found& f : found) {
+  for (ArrangedEdge& f : found) {
     const Segment2& source = segments[f.sources.front()];
     if (v.precedes(f.piece.a, f.piece.b) != v.precedes(source.a, source.b)) std::swap(f.piece.a, f.piece.b);
   }
-  std::sort(found.begin(), found.end(), [&](const Found& a, const Found& b) {
+  std::sort(found.begin(), found.end(), [&](const ArrangedEdge& a, const ArrangedEdge& b) {
     if (a.sources.front() != b.sources.front()) return a.sources.front() < b.sources.front();
     if (a.piece.a == b.piece.a) return false;
     const Segment2& source = segments[a.sources.front()];
     return v.precedes(a.piece.a, b.piece.a) == v.precedes(source.a, source.b);
   });
-  for (const Found& f : found) {
+  for (const ArrangedEdge& f : found) {
     result.source_list.insert(result.source_list.end(), f.sources.begin(), f.sources.end());
     add_piece(f.piece);
   }

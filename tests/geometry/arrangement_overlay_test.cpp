@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "geometry/arrangement/overlay_2.h"
@@ -157,6 +158,27 @@ TEST(Overlay2, CutsACrossingAtItsRationalPoint) {
   EXPECT_EQ(result.pieces.size(), 4u);
   ASSERT_EQ(result.vertices.size(), 5u);
   EXPECT_EQ(result.vertices.to_scene(result.vertices.exact(4)), (ExactPoint2{fraction(6, 5), fraction(2, 5)}));
+}
+
+// A shear by 10^-digits changes no incidence, whatever the size of the numbers that it takes.
+TEST(Overlay2, IsTheSameOfNumbersOfAnyLength) {
+  const Input plain = lattice(14, 5, 3, 1, 0);
+  const Overlay2 expected = overlay(plain.index.points(), plain.segments);
+  for (int digits = 4; digits <= 420; digits += digits < 90 || digits > 130 ? 13 : 1) {
+    Rational slant(1, Integer("1" + std::string(static_cast<std::size_t>(digits), '0')));
+    const auto sheared = [&slant](const ExactPoint2& p) { return ExactPoint2{p.x + p.y * slant, p.y}; };
+    std::vector<ExactPoint2> points;
+    for (const ExactPoint2& p : plain.index.points()) points.push_back(sheared(p));
+    const Overlay2 result = overlay(points, plain.segments);
+    ASSERT_EQ(result.pieces.size(), expected.pieces.size()) << digits;
+    for (std::size_t k = 0; k < result.pieces.size(); ++k) {
+      const auto at = [](const Overlay2& o, VertexId v) { return o.vertices.to_scene(o.vertices.exact(v)); };
+      EXPECT_EQ(at(result, result.pieces[k].a), sheared(at(expected, expected.pieces[k].a))) << digits;
+      EXPECT_EQ(at(result, result.pieces[k].b), sheared(at(expected, expected.pieces[k].b))) << digits;
+      const auto sources = result.sources(k), same = expected.sources(k);
+      EXPECT_TRUE(std::equal(sources.begin(), sources.end(), same.begin(), same.end())) << digits;
+    }
+  }
 }
 
 TEST(Overlay2, HoldsNothing) {
