@@ -4,6 +4,7 @@
 #include <limits>
 #include <mutex>
 
+#include "geometry/exchange/convex_sums_2.h"
 #include "geometry/exchange/exchange_sums_2.h"
 #include "geometry/exchange/pair_rounding_2.h"
 #include "geometry/exchange/unobstructed_2.h"
@@ -13,26 +14,6 @@
 
 namespace hottel {
 namespace {
-
-// Every pair of faces as if nothing stood between them. COST: O(n²) strings.
-std::vector<PairSum> sum_all_pairs(const Arrangement2& arrangement, const Labels2& labels) {
-  const Vertices2& vertices = arrangement.vertices();
-  std::vector<PairSum> pairs;
-  for (std::uint32_t i = 0; i < labels.count(); ++i)
-    for (std::uint32_t j = i; j < labels.count(); ++j) {
-      if (!labels.has_row(i) || !labels.has_row(j)) continue;
-      PairSum pair{i, j, 0, false, 0};
-      for (const Segment2& f : labels.runs(i))
-        for (const Segment2& g : labels.runs(j)) {
-          const auto sum = unobstructed_sum(vertices, f, g);
-          HOTTEL_REQUIRE(sum.has_value());
-          pair.value += sum->value;
-          pair.inexact += static_cast<std::uint32_t>(std::lround(sum->error / vertices.length_error()));
-        }
-      if (pair.value != 0 || pair.inexact != 0) pairs.push_back(pair);
-    }
-  return pairs;
-}
 
 std::uint64_t count_all_pairs(const Labels2& labels) {
   std::uint64_t rows = 0;
@@ -109,7 +90,7 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   SumCounts counts;
   const std::vector<PairSum> pairs = options.occlusion
                                          ? sum_visible_pairs(arrangement, labels, options.progress, most_pairs, counts)
-                                         : sum_all_pairs(arrangement, labels);
+                                         : sum_convex_pairs(arrangement, labels);
   r.seconds[options.occlusion ? "sweep" : "strings"] = watch.lap();
   r.closure_is_exact = closure_defect(pairs, labels) == 0;
   HOTTEL_REQUIRE(r.closure_is_exact);
