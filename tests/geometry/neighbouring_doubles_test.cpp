@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "geometry/exchange/labels_2.h"
 #include "geometry/visibility/point_location_2.h"
+#include "geometry/visibility/segment_visibility_2.h"
 #include "tests/geometry/exchange_scenes.h"
 #include "tests/neighbouring_doubles/grid.h"
 
@@ -53,6 +55,40 @@ TEST(NeighbouringDoublesOfVisibility, TheTargetIsSeenIffItBeginsLeftOfTheTip) {
   }
 }
 
+// From p on one wall to r on another, past the tip q of a blocker that stands below: seen iff the tip is not above the
+// line. Between the walls nothing else stands.
+//
+//   │            . │ r
+//   │      q  .    │
+//   │      .       │
+//   │   .   ╲      │
+//   │ p      ╲     │
+TEST(NeighbouringDoublesOfVisibility, PointsOfTwoWallsSeeEachOtherIffTheTipIsNotAboveTheLine) {
+  for (const Grid& grid : kettner_grids()) {
+    int failures = 0, seen = 0;
+    for (int i = 0; i < kSide; ++i) {
+      const double x = grid.at(i, 0).x;
+      const PreparedScene2 prepared =
+          prepare(scene_of({line("p", {x, 0}, {x, 1}), line("blocker", grid.q, {2 * grid.q.x, -1}),
+                            line("r", {grid.r.x, 2 * grid.r.y}, {grid.r.x, 0})}));
+      const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+      const Segment2 from = labels.runs(0).front(), to = labels.runs(4).front();
+      const SegmentVisibility2 visibility(prepared.arrangement);
+      const RunPoint2 r(prepared.arrangement, to, Rational(1, 2));
+      for (int j = 0; j < kSide; ++j) {
+        const RunPoint2 p(prepared.arrangement, from, Rational(grid.at(i, j).y));
+        const bool sees = visibility.see_each_other(p, r);
+        seen += sees;
+        failures += sees != (exact_orientation(exact(grid.at(i, j)), exact(grid.q), exact(grid.r)) >= 0);
+        failures += sees != visibility.see_each_other(r, p);
+      }
+    }
+    EXPECT_EQ(failures, 0) << grid.name;
+    EXPECT_GT(seen, 10000) << "on one side of the diagonal";
+    EXPECT_LT(seen, kSide * kSide - 10000);
+  }
+}
+
 // Light from a to b passes above the tips p and r and below the tip q between them: iff q is left of p, r.
 //
 //   │        │q      │
@@ -62,7 +98,7 @@ TEST(NeighbouringDoublesOfVisibility, TheTargetIsSeenIffItBeginsLeftOfTheTip) {
 TEST(NeighbouringDoublesOfVisibility, LightPassesIffTheMiddleTipIsAboveTheOthers) {
   for (const Grid& grid : kettner_grids()) {
     const double far = 4 * grid.r.x;
-    const int step = &grid == &kettner_grids().front() ? 1 : 8;  // a scene a point: one grid whole, for time
+    const int step = &grid == &kettner_grids().front() ? 1 : 8;  // a scene a point takes time: the others whole above
     int scenes = 0, failures = 0, passes = 0;
     for (int j = 0; j < kSide; j += step)
       for (int i = 0; i < kSide; i += step) {

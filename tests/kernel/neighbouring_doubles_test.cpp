@@ -1,8 +1,12 @@
 // Every predicate on 256 x 256 adjacent doubles about a degeneracy: right everywhere, where plain doubles are not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <span>
 
+#include "kernel/eye_line_2.h"
+#include "kernel/eye_tile_2.h"
 #include "kernel/root_sum.h"
 #include "kernel/vertices_2.h"
 #include "tests/neighbouring_doubles/grid.h"
@@ -99,6 +103,73 @@ TEST_P(NeighbouringDoubles, OrientationFromAnEyeIsRight) {
               0)
         << grid.name;
   }
+}
+
+TEST_P(NeighbouringDoubles, SideOfALineThroughTwoEyesIsRight) {
+  for (const Grid& grid : kettner_grids()) {
+    const Points points({grid.q, grid.r}, grid, GetParam());
+    const Vertices2& v = points.vertices();
+    const Eye2 q(v, v.from_scene(exact(grid.q))), r(v, v.from_scene(exact(grid.r)));
+    const EyeLine2 forth(q, r), back(r, q);
+    EXPECT_EQ(count_failures(points,
+                             [&](int i, int j, VertexId p) {
+                               const Eye2 eye(v, v.from_scene(exact(grid.at(i, j))));
+                               const EyeLine2 from(eye, q), to(q, eye);
+                               const int sign = exact_orientation(points.exact_point(p), points.exact_point(0),
+                                                                  points.exact_point(1));
+                               return forth.side(p) == sign && back.side(p) == -sign && from.side(1) == sign &&
+                                      to.side(1) == -sign && from.side(p) == 0 && to.side(0) == 0;
+                             }),
+              0)
+        << grid.name;
+  }
+}
+
+TEST_P(NeighbouringDoubles, LeftTurnsSeenFromATileOfEyesAreRight) {
+  constexpr int kTile = static_cast<int>(EyeTile2::kSide);
+  for (const Grid& grid : kettner_grids()) {
+    const Points points({grid.q, grid.r}, grid, GetParam());
+    const Vertices2& v = points.vertices();
+    std::vector<EyeCoordinate2> x, y;
+    for (int k = 0; k < kSide; ++k) {
+      const ExactPoint2 p = v.from_scene(exact(grid.at(k, k)));
+      x.emplace_back(v, p.x);
+      y.emplace_back(v, p.y);
+    }
+    int failures = 0;
+    for (std::size_t j = 0; j < kSide; j += kTile)
+      for (std::size_t i = 0; i < kSide; i += kTile) {
+        const EyeTile2 tile(v, std::span(x).subspan(i, kTile), std::span(y).subspan(j, kTile));
+        const EyeTile2::Set left = tile.seeing_left_turn(tile.group(~EyeTile2::Set{0}), 0, 1);
+        const EyeTile2::Set right = tile.seeing_left_turn(tile.group(~EyeTile2::Set{0}), 1, 0);
+        for (std::size_t k = 0; k < kTile * kTile; ++k) {
+          const VertexId p = points.id(static_cast<int>(i + k % kTile), static_cast<int>(j + k / kTile));
+          const int sign = exact_orientation(points.exact_point(p), points.exact_point(0), points.exact_point(1));
+          failures += static_cast<int>(left >> k & 1) - static_cast<int>(right >> k & 1) != sign;
+        }
+      }
+    EXPECT_EQ(failures, 0) << grid.name;
+  }
+}
+
+// Between two of 256 adjacent points on a row, a column or the diagonal, every two of them.
+TEST_P(NeighbouringDoubles, BetweennessIsRight) {
+  const Grid grid{"about a point", {0.5, 0.5}, {}, {}, 0};
+  const Points points({}, grid, GetParam());
+  const Vertices2& v = points.vertices();
+  constexpr int kMiddle = 100;
+  const auto on_row = [&](int k) { return points.id(k, kMiddle); };
+  const auto on_column = [&](int k) { return points.id(kMiddle, k); };
+  const auto on_diagonal = [&](int k) { return points.id(k, k); };
+  EXPECT_EQ(count_failures(points,
+                           [&](int i, int j, VertexId) {
+                             const bool is_between = std::min(i, j) < kMiddle && kMiddle < std::max(i, j);
+                             const VertexId middle = points.id(kMiddle, kMiddle);
+                             return v.is_between(on_row(i), on_row(j), middle) == is_between &&
+                                    v.is_between(on_column(i), on_column(j), middle) == is_between &&
+                                    v.is_between(on_diagonal(i), on_diagonal(j), middle) == is_between;
+                           }),
+            0);
 }
 
 TEST_P(NeighbouringDoubles, DirectionIsRight) {
