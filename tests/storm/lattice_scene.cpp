@@ -1,5 +1,7 @@
 #include "tests/storm/lattice_scene.h"
 
+#include <algorithm>
+#include <numeric>
 #include <random>
 
 #include "tests/oracle/random_scene_2.h"
@@ -8,9 +10,22 @@ namespace hottel::storm {
 
 namespace {
 
-bool are_on_one_line(const LatticeEdge& e, const LatticeEdge& f) {
-  const auto turn = [&](long x, long y) { return (e.bx - e.ax) * (y - e.ay) - (e.by - e.ay) * (x - e.ax); };
-  return turn(f.ax, f.ay) == 0 && turn(f.bx, f.by) == 0;
+// Edges beyond the first three: a lattice with more points has room for more, but the oracles' time grows as the cube.
+constexpr int kMostMore = 12;
+
+struct Point {
+  long x, y;
+};
+
+// All points of the lattice on the line of an edge.
+std::vector<Point> points_on_line_of(const LatticeEdge& e, int k) {
+  const long steps = std::gcd(e.bx - e.ax, e.by - e.ay), dx = (e.bx - e.ax) / steps, dy = (e.by - e.ay) / steps;
+  const auto is_on_lattice = [k](const Point& p) { return p.x >= 0 && p.x <= k && p.y >= 0 && p.y <= k; };
+  Point p{e.ax, e.ay};
+  while (is_on_lattice({p.x - dx, p.y - dy})) p = {p.x - dx, p.y - dy};
+  std::vector<Point> points;
+  for (; is_on_lattice(p); p = {p.x + dx, p.y + dy}) points.push_back(p);
+  return points;
 }
 
 }  // namespace
@@ -18,20 +33,22 @@ bool are_on_one_line(const LatticeEdge& e, const LatticeEdge& f) {
 LatticeScene lattice_scene(std::uint64_t number, int k) {
   std::mt19937_64 random(number * 1009 + static_cast<std::uint64_t>(k));
   const auto below = [&](int count) { return static_cast<long>(random() % static_cast<std::uint64_t>(count)); };
+  const auto index_in = [&](const auto& list) {
+    return static_cast<std::size_t>(below(static_cast<int>(list.size())));
+  };
   LatticeScene scene;
   scene.number = number;
   scene.k = k;
   if (number % 3 == 0) scene.lattice = {{0, 0, 0, k}, {0, k, k, k}, {k, k, k, 0}, {k, 0, 0, 0}};
-  const std::size_t count = scene.lattice.size() + 3 + static_cast<std::size_t>(below(2 * k + 1));
+  const std::size_t count = scene.lattice.size() + 3 + static_cast<std::size_t>(below(std::min(2 * k, kMostMore) + 1));
   while (scene.lattice.size() < count) {
-    // One in eight lies on the line of another.
-    const bool is_on_line = !scene.lattice.empty() && below(8) == 0;
-    const LatticeEdge* other =
-        is_on_line ? &scene.lattice[static_cast<std::size_t>(below(static_cast<int>(scene.lattice.size())))] : nullptr;
-    LatticeEdge edge{};
-    do edge = {below(k + 1), below(k + 1), below(k + 1), below(k + 1)};
-    while ((edge.ax == edge.bx && edge.ay == edge.by) || (other && !are_on_one_line(*other, edge)));
-    scene.lattice.push_back(edge);
+    std::vector<Point> points;  // to draw from, where not from all: one edge in eight lies on the line of another
+    if (!scene.lattice.empty() && below(8) == 0) points = points_on_line_of(scene.lattice[index_in(scene.lattice)], k);
+    const auto draw = [&] { return points.empty() ? Point{below(k + 1), below(k + 1)} : points[index_in(points)]; };
+    const Point from = draw();
+    Point to = draw();
+    while (to.x == from.x && to.y == from.y) to = draw();
+    scene.lattice.push_back({from.x, from.y, to.x, to.y});
   }
   for (const LatticeEdge& edge : scene.lattice)
     scene.edges.push_back(

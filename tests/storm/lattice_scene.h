@@ -21,9 +21,9 @@ struct LatticeScene {
   std::vector<oracle::InputSegment> edges;  // the same with materials
 };
 
-// Returns three to 3 + 2 k edges whose ends are drawn from the lattice, every point being as likely, one in eight on
-// the line of another; every third scene has the walls of [0, k]^2 around it, fronts inside. Materials 0, 1, 2, backs
-// also none; no two claims conflict. REQUIRES 1 <= k <= 100.
+// Returns three to 3 + min(2 k, 12) edges whose ends are drawn from the lattice, every point being as likely, one in
+// eight on the line of another; every third scene has the walls of [0, k]^2 around it, fronts inside. Materials 0, 1,
+// 2, backs also none; no two claims conflict. REQUIRES 1 <= k <= 100.
 LatticeScene lattice_scene(std::uint64_t number, int k);
 
 }  // namespace hottel::storm

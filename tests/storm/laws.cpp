@@ -4,11 +4,14 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <random>
 
 #include "tests/comparison/engine_comparison_2.h"
 #include "tests/solver/exact_radiosity.h"
+#include "tests/storm/division_laws.h"
+#include "tests/storm/long_map.h"
 
 namespace hottel::storm {
 
@@ -16,52 +19,17 @@ namespace {
 
 using oracle::InputSegment;
 
-using Relabelling = std::function<std::uint32_t(std::uint32_t)>;
-
-Numbers numbers_of(
-    const ExchangeMatrix& matrix, const Relabelling& label = [](std::uint32_t i) { return i; }) {
-  Numbers result;
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (const FactorEntry& entry : matrix.row(i))
-      result[{label(i), entry.to == matrix.sky() ? entry.to : label(entry.to)}] = {entry.factor.value,
-                                                                                   entry.factor.side, entry.visibility};
-  return result;
-}
-
-Numbers numbers_of(const Edges& edges) { return numbers_of(exact_exchange(prepare(oracle::to_scene(edges)))); }
-Numbers numbers_of(const Edges& edges, const Relabelling& label) {
-  return numbers_of(exact_exchange(prepare(oracle::to_scene(edges))), label);
-}
-
-std::string difference(const Numbers& before, const Numbers& after) {
-  std::string wrong;
-  const auto look = [&](const Numbers& these, const Numbers& those, const char* which) {
-    for (const auto& [pair, number] : these) {
-      const auto place = those.find(pair);
-      if (place == those.end() || place->second != number)
-        wrong += fmt::format("F({}, {}) = {:.17g} {}\n", pair.first, pair.second, std::get<0>(number), which);
-    }
-  };
-  look(before, after, "before");
-  look(after, before, "after");
-  return wrong;
-}
-
 std::string closure_is_broken(const Subject& subject) {
   return subject.report().closure_is_exact ? "" : "rows do not close as integers\n";
 }
 
 std::string range_is_broken(const Subject& subject) {
   const ExchangeMatrix& matrix = subject.matrix();
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> measures;
   std::string wrong;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     double sum = 0;
-    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
-      const auto& [to, factor, visibility] = matrix.row(i)[k];
+    for (const auto& [to, factor, visibility] : matrix.row(i)) {
       sum += factor.value;
-      const auto [place, is_first] = measures.try_emplace(std::minmax({i, to}), matrix.measures(i)[k]);
-      if (place->second != matrix.measures(i)[k]) wrong += fmt::format("S({}, {}) is not symmetric\n", i, to);
       if (!(factor.value > 0 && factor.enclosure().lower >= 0 && factor.enclosure().upper <= 1))
         wrong += fmt::format("F({}, {}) = {}\n", i, to, factor.value);
       if (!(visibility > 0 && visibility <= 1)) wrong += fmt::format("Vis({}, {}) = {}\n", i, to, visibility);
@@ -70,15 +38,6 @@ std::string range_is_broken(const Subject& subject) {
       wrong += fmt::format("row {} sums to {:.17g}\n", i, sum);
   }
   return wrong;
-}
-
-// All points moved.
-Edges moved(Edges edges, const std::function<void(mpq_class& x, mpq_class& y)>& move) {
-  for (InputSegment& edge : edges) {
-    move(edge.ax, edge.ay);
-    move(edge.bx, edge.by);
-  }
-  return edges;
 }
 
 void turn_round(InputSegment& edge) {
@@ -137,6 +96,53 @@ bool overlap(const InputSegment& e, const InputSegment& f) {
   return std::max(reach(e).first, reach(f).first) < std::min(reach(e).second, reach(f).second);
 }
 
+// Of each edge whether it overlaps no other: where edges overlap, the first listed of equal claims owns the piece. The
+// sky, as the last, is alone.
+std::vector<char> alone(const Edges& edges) {
+  std::vector<char> is_alone(edges.size() + 1, 1);
+  for (std::size_t k = 0; k < edges.size(); ++k)
+    for (std::size_t other = 0; other < edges.size(); ++other)
+      if (other != k && overlap(edges[k], edges[other])) is_alone[k] = 0;
+  return is_alone;
+}
+
+// S and Vis of each pair of edges that overlap no other, from the one to the other: keys (i, j) with i < j, or those
+// with i > j the other way round.
+using Exchanges = std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<double, double>>;
+Exchanges exchanges(const ExchangeMatrix& matrix, const std::vector<char>& is_alone, bool backwards,
+                    const Relabelling& label) {
+  Exchanges result;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+      const FactorEntry& entry = matrix.row(i)[k];
+      if (entry.to == matrix.sky() || !matrix.has_row(entry.to)) continue;
+      std::pair<std::uint32_t, std::uint32_t> pair{label(i), label(entry.to)};
+      if (backwards) std::swap(pair.first, pair.second);
+      if (pair.first < pair.second && is_alone[pair.first / 2] && is_alone[pair.second / 2])
+        result[pair] = {matrix.measures(i)[k], entry.visibility};
+    }
+  return result;
+}
+
+std::string symmetry_is_broken(const Subject& subject) {
+  const Edges& edges = subject.edges();
+  const std::vector<char> is_alone = alone(edges);
+  const auto last = static_cast<std::uint32_t>(edges.size() - 1);
+  const Subject reversed(Edges(edges.rbegin(), edges.rend()), subject.chance());
+  const Exchanges forth = exchanges(subject.matrix(), is_alone, false, [](std::uint32_t i) { return i; });
+  const Exchanges back =
+      exchanges(reversed.matrix(), is_alone, true, [&](std::uint32_t i) { return 2 * (last - i / 2) + i % 2; });
+  std::string wrong;
+  for (const auto& [pair, exchange] : forth) {
+    const auto place = back.find(pair);
+    if (place == back.end() || place->second != exchange)
+      wrong += fmt::format("S({}, {}) = {:.17g}, Vis = {:.17g}, but not from there\n", pair.first, pair.second,
+                           exchange.first, exchange.second);
+  }
+  if (back.size() != forth.size()) wrong += "other pairs see each other the other way round\n";
+  return wrong;
+}
+
 std::string permutation_is_broken(const Subject& subject) {
   const Edges& edges = subject.edges();
   std::vector<std::uint32_t> place(edges.size());  // of each edge in the other order
@@ -149,11 +155,7 @@ std::string permutation_is_broken(const Subject& subject) {
     permuted[place[k]] = edges[k];
     original[place[k]] = k;
   }
-  // Where edges overlap, the first listed of equal claims owns the piece.
-  std::vector<char> is_alone(edges.size() + 1, 1);  // the sky too
-  for (std::size_t k = 0; k < edges.size(); ++k)
-    for (std::size_t other = 0; other < edges.size(); ++other)
-      if (other != k && overlap(edges[k], edges[other])) is_alone[k] = 0;
+  const std::vector<char> is_alone = alone(edges);
   Numbers before = subject.numbers();
   Numbers after = numbers_of(permuted, [&](std::uint32_t label) { return 2 * original[label / 2] + label % 2; });
   const auto is_shared = [&](const auto& entry) {
@@ -197,6 +199,25 @@ std::string splitting_is_broken(const Subject& subject) {
   return wrong;
 }
 
+// Who sees whom, and whether wholly.
+std::map<std::pair<std::uint32_t, std::uint32_t>, bool> sights(const Numbers& numbers, std::size_t edges) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> result;
+  for (const auto& [pair, number] : numbers)
+    result[pair] = pair.second < 2 * edges && std::get<2>(number) == 1;  // Vis of the sky is its factor
+  return result;
+}
+
+std::string digits_are_broken(const Subject& subject) {
+  std::mt19937_64 random(subject.chance());
+  const Edges& edges = subject.edges();
+  const std::string wrong =
+      difference(subject.numbers(), numbers_of(moved(edges, long_similarity(random, random() % 2 == 0))));
+  const Numbers mapped = numbers_of(moved(edges, long_affine_map(random)));
+  return sights(mapped, edges.size()) == sights(subject.numbers(), edges.size())
+             ? wrong
+             : wrong + "others see each other under an affine map\n";
+}
+
 std::string radiosity_is_broken(const Subject& subject) {
   const testing_radiosity::ExactScene scene(oracle::to_scene(subject.edges()));
   testing_radiosity::BoundsCheck check;
@@ -221,10 +242,12 @@ Subject::Subject(const Edges& edges, std::uint64_t chance) : edges_(edges), chan
 const std::vector<Law>& laws() {
   static const std::vector<Law> list{
       {"closure", closure_is_broken, 1},         {"range", range_is_broken, 1},
-      {"translation", translation_is_broken, 7}, {"scaling", scaling_is_broken, 7},
-      {"rotation", rotation_is_broken, 7},       {"reflection", reflection_is_broken, 7},
-      {"reversal", reversal_is_broken, 7},       {"permutation", permutation_is_broken, 7},
-      {"splitting", splitting_is_broken, 7},     {"radiosity", radiosity_is_broken, 10},
+      {"symmetry", symmetry_is_broken, 7},       {"translation", translation_is_broken, 7},
+      {"scaling", scaling_is_broken, 7},         {"rotation", rotation_is_broken, 7},
+      {"reflection", reflection_is_broken, 7},   {"reversal", reversal_is_broken, 7},
+      {"permutation", permutation_is_broken, 7}, {"splitting", splitting_is_broken, 7},
+      {"many digits", digits_are_broken, 10},    {"elements", elements_are_broken, 10},
+      {"convex room", convex_room_is_broken, 7}, {"radiosity", radiosity_is_broken, 10},
       {"brute force", brute_force_differs, 10},
   };
   return list;

@@ -2,21 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
-#include <tuple>
-#include <utility>
 #include <vector>
 
-#include "geometry/exchange/exchange_2.h"
-#include "tests/oracle/split_2.h"
+#include "tests/storm/numbers.h"
 
 namespace hottel::storm {
-
-using Edges = std::vector<oracle::InputSegment>;
-
-// Everything printed of a scene, down to the last bit. Labels: 2 k the front of edge k, 2 k + 1 its back; last the sky.
-using Numbers = std::map<std::pair<std::uint32_t, std::uint32_t>, std::tuple<double, int, double>>;
 
 // A scene under test, with what is computed of it once.
 class Subject {
@@ -48,7 +39,9 @@ struct Law {
 // The laws, in order.
 //
 //   closure       sum over j of 2 S(i, j) = 2 A_i as an identity of integers, in every row
-//   range         S(i, j) = S(j, i) bit for bit, 0 < F, 0 < Vis <= 1, rows of doubles sum to 1 within rounding
+//   range         0 < F <= 1, 0 < Vis <= 1, rows of doubles sum to 1 within rounding
+//   symmetry      S(i, j) and Vis(i, j) are S(j, i) and Vis(j, i) of the edges in reverse order, bit for bit, where
+//                 each pair is computed the other way round
 //   translation   all doubles are the same for x + 2^53 + 1, y - 2^60 + 7
 //   scaling       all doubles are the same for 2^20 x
 //   rotation      by 90 degrees
@@ -56,6 +49,11 @@ struct Law {
 //   reversal      each edge with two materials listed from the other end: fronts and backs change places
 //   permutation   in another order: between faces that overlap no other edge nothing changes
 //   splitting     an edge cut in its middle: S of its parts adds up to S, as exact sums
+//   many digits   all doubles are the same under a similarity with numbers of 30 to 120 digits; under an affine map
+//                 with such numbers the same pairs see each other, and the same wholly
+//   elements      S of elements adds up to S of faces, as exact sums, and their doubles as far as they are rounded
+//   convex room   the hull of the ends, its walls divided: all doubles are the same without a look at occlusion, for
+//                 faces and elements, with few digits and many
 //   radiosity     the true radiosities, to 100 digits, lie within their bounds
 //   brute force   every pair is the same exact sum, every double the nearest one, as the oracle has it
 const std::vector<Law>& laws();

@@ -10,7 +10,10 @@
 #include <thread>
 
 #include "io/scene_json.h"
+#include "kernel/parallel.h"
 #include "tests/comparison/engine_comparison_2.h"
+#include "tests/storm/crash_notice.h"
+#include "tests/storm/shrink.h"
 
 namespace hottel::storm {
 
@@ -36,12 +39,13 @@ class Storm {
     const auto start = std::chrono::steady_clock::now();
     const int k = options_.k > 0 ? options_.k : 2 + static_cast<int>(number % 5);
     const LatticeScene scene = lattice_scene(number, k);
+    CrashNotice::is_at(number, k, "any");
     try {
       const Subject subject(scene.edges, number);
       for (std::size_t l = 0; l < laws_.size(); ++l)
         if (options_.all_laws || (number + l) % laws_[l].every == 0)
-          if (!check(l, subject)) break;  // what follows rests on it
-    } catch (const std::exception&) {     // there are no factors to hold against any law
+          if (!check(l, subject, k)) break;  // what follows rests on it
+    } catch (const std::exception&) {        // there are no factors to hold against any law
       ++result_.checks[0];
       add_failure(0, scene.edges, number);
     }
@@ -56,7 +60,8 @@ class Storm {
   const StormResult& result() const { return result_; }
 
  private:
-  bool check(std::size_t l, const Subject& subject) {
+  bool check(std::size_t l, const Subject& subject, int k) {
+    CrashNotice::is_at(subject.chance(), k, laws_[l].name);
     ++result_.checks[l];
     std::string what;
     try {
@@ -109,15 +114,21 @@ void StormResult::add(const StormResult& other) {
 }
 
 StormResult run_storm(const StormOptions& options, const std::vector<Law>& which) {
-  constexpr std::uint64_t kAtOnce = 64;
   const unsigned count = std::max(1U, options.threads);
-  std::atomic<std::uint64_t> next{0};
+  const std::uint64_t at_once = std::clamp<std::uint64_t>(options.scenes / (8 * count), 1, 64);
+  const CrashNotice notice;
+  const ThreadLimit limit(1);  // a scene stays on its thread, which knows its number should it die
+  std::atomic<std::uint64_t> next{0}, done{0};
   std::vector<Storm> storms(count, Storm(options, which));
   const auto work = [&](unsigned thread) {
-    for (std::uint64_t from; (from = next.fetch_add(kAtOnce)) < options.scenes;) {
-      const std::uint64_t to = std::min(from + kAtOnce, options.scenes);
-      for (std::uint64_t k = from; k < to; ++k) storms[thread].run(options.first + k);
-      if (thread == 0 && options.progress) options.progress(std::min(next.load(), options.scenes));
+    const SignalStack stack;
+    for (std::uint64_t from; (from = next.fetch_add(at_once)) < options.scenes;) {
+      const std::uint64_t to = std::min(from + at_once, options.scenes);
+      for (std::uint64_t k = from; k < to; ++k) {
+        storms[thread].run(options.first + k);
+        ++done;
+        if (thread == 0 && options.progress) options.progress(done.load());
+      }
     }
   };
   std::vector<std::thread> threads;
@@ -127,20 +138,6 @@ StormResult run_storm(const StormOptions& options, const std::vector<Law>& which
   StormResult result;
   for (const Storm& storm : storms) result.add(storm.result());
   return result;
-}
-
-Edges shrunk(Edges edges, const std::function<bool(const Edges&)>& fails) {
-  for (std::size_t k = 0; k < edges.size() && edges.size() > 1;) {
-    Edges fewer = edges;
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
-    if (fails(fewer)) {
-      edges = std::move(fewer);
-      k = 0;
-    } else {
-      ++k;
-    }
-  }
-  return edges;
 }
 
 std::string report(const StormResult& result, const std::vector<Law>& which) {

@@ -21,7 +21,7 @@ struct StormOptions {
   std::function<void(std::uint64_t done)> progress = {};  // called by one thread
 };
 
-// A scene that breaks a law, with nothing in it that could be left out.
+// A scene that breaks a law, with nothing in it that could be left out or moved nearer to the origin.
 struct Failure {
   std::uint64_t number = 0;
   std::string law, what;
@@ -41,11 +41,8 @@ struct StormResult {
 };
 
 // Holds scenes first, first + 1, ... against `which` laws, each up to the first that it breaks. The result does not
-// depend on the number of threads, but for its times.
+// depend on the number of threads, but for its times. What ends the program tells the number of its scene first.
 StormResult run_storm(const StormOptions& options, const std::vector<Law>& which = laws());
-
-// Leaves out edges as long as what is left still fails. REQUIRES fails(edges).
-Edges shrunk(Edges edges, const std::function<bool(const Edges&)>& fails);
 
 // The result as text: counts, times, contacts, and each failure as a scene file.
 std::string report(const StormResult& result, const std::vector<Law>& which = laws());

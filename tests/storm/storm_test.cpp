@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdio>
 
 namespace hottel::storm {
@@ -61,6 +62,8 @@ TEST(LatticeStorm, ShrinksAFailureToItsCauseAndPrintsItAsAScene) {
   ASSERT_EQ(result.examples.size(), 1u);
   EXPECT_EQ(result.examples[0].edges.size(), 1u);
   EXPECT_TRUE(has_steep_edge(result.examples[0].edges));
+  const auto& edge = result.examples[0].edges[0];
+  EXPECT_EQ(edge.ax + edge.ay + edge.bx + edge.by, 1) << "from (0, 0) to (0, 1) or back";
   const std::string text = report(result, planted);
   EXPECT_THAT(text, testing::HasSubstr("breaks no steep edges"));
   EXPECT_THAT(text, testing::HasSubstr("\"hottel\": 1"));
@@ -75,6 +78,33 @@ TEST(LatticeStorm, TakesAnExceptionForAFailure) {
   EXPECT_EQ(result.all_failures(), 3u);
   ASSERT_EQ(result.examples.size(), 1u);
   EXPECT_THAT(result.examples[0].what, testing::HasSubstr("too much"));
+}
+
+std::string dies(const Subject& subject) {
+  if (subject.chance() == 21) std::raise(SIGSEGV);
+  return "";
+}
+
+TEST(LatticeStormDeathTest, TellsTheSceneAtWhichItDies) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  StormOptions options;
+  options.first = 20;
+  options.scenes = 3;
+  EXPECT_DEATH(run_storm(options, {{"alive", dies, 1}}),
+               "at scene 21, law: alive\nagain: hottel_storm --seed 21 --scenes 1 --all --k 3");
+}
+
+TEST(LatticeStorm, TellsHowManyScenesAreDone) {
+  StormOptions options;
+  options.scenes = 5;
+  std::vector<std::uint64_t> told;
+  options.progress = [&](std::uint64_t done) { told.push_back(done); };
+  run_storm(options, {});
+  EXPECT_EQ(told, (std::vector<std::uint64_t>{1, 2, 3, 4, 5}));
+}
+
+TEST(LatticeScenes, HaveFewEdgesOnLargeLattices) {
+  for (std::uint64_t number = 0; number < 100; ++number) EXPECT_LE(lattice_scene(number, 100).edges.size(), 19u);
 }
 
 TEST(LatticeContacts, AreToldApart) {

@@ -1,0 +1,15 @@
+// The least of a scene that still fails.
+#pragma once
+
+#include <functional>
+
+#include "tests/storm/numbers.h"
+
+namespace hottel::storm {
+
+// Leaves out edges, then moves all of the scene, one end, or all ends that are in one point, to points of the lattice
+// nearer to the origin, and begins anew, as long as what is left still fails. Claims that did not conflict do not then.
+// REQUIRES fails(edges), coordinates >= 0.
+Edges shrunk(Edges edges, const std::function<bool(const Edges&)>& fails);
+
+}  // namespace hottel::storm
