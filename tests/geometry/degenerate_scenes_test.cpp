@@ -10,6 +10,7 @@
 #include <iterator>
 #include <set>
 
+#include "geometry/exchange/gap_terms_2.h"
 #include "geometry/visibility/visibility_polygon_2.h"
 #include "tests/comparison/engine_comparison_2.h"
 #include "tests/geometry/exchange_scenes.h"
@@ -97,6 +98,44 @@ TEST_P(DegenerateScenes, AgreeWithTheBruteForceInEveryPair) {
   EXPECT_GT(counts.factors, 0u);
 }
 
+// 2 S(i, j) as coefficients of the lengths of gaps, before gaps on one line or of one class of roots are put together.
+oracle::Measures coefficients_by_gap(const PreparedScene2& prepared) {
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  const auto label = [&](std::uint32_t i) { return i == labels.sky() ? oracle::kInfinity : static_cast<int>(i); };
+  oracle::Measures measures;
+  View2 view;
+  for (VertexId v = 0; v < vertices.size(); ++v) {
+    look_around(vertices, prepared.arrangement.triangulation(), v, view);
+    for_each_gap(vertices, v, view, true, [&](const Gap2& gap) {
+      const Rational squared_length = vertices.squared_distance(gap.v, gap.w) * vertices.scale() * vertices.scale();
+      for_each_term(gap, labels, [&](std::uint32_t i, std::uint32_t j, int sign) {
+        measures[std::minmax({label(i), label(j)})][squared_length] += i == j ? 2 * sign : sign;
+      });
+    });
+  }
+  return measures;
+}
+
+// Pairs of which one has a row, and coefficients other than 0.
+void tidy(oracle::Measures& measures, const ExchangeMatrix& matrix) {
+  const auto has_row = [&](int i) { return i != oracle::kInfinity && matrix.has_row(static_cast<std::uint32_t>(i)); };
+  for (auto& [pair, lengths] : measures) std::erase_if(lengths, [](const auto& term) { return term.second == 0; });
+  std::erase_if(measures, [&](const auto& entry) {
+    return entry.second.empty() || !(has_row(entry.first.first) || has_row(entry.first.second));
+  });
+}
+
+TEST_P(DegenerateScenes, HaveTheCoefficientsOfTheBruteForceForEachLengthOfGap) {
+  const Exact exact(degenerate(GetParam()));
+  oracle::Measures mine = coefficients_by_gap(exact.prepared());
+  oracle::Measures other = oracle::exchange_measures(oracle::split(oracle::to_edges(exact.prepared().scene)).pieces);
+  tidy(mine, exact.matrix());
+  tidy(other, exact.matrix());
+  EXPECT_FALSE(mine.empty());
+  EXPECT_TRUE(mine == other);
+}
+
 TEST_P(DegenerateScenes, ObeyTheLawsOfTheOracles) {
   const Scene2 scene = degenerate(GetParam());
   const std::vector<oracle::Segment> pieces = oracle::split(oracle::to_edges(scene)).pieces;
@@ -178,10 +217,27 @@ TEST_P(DegenerateScenes, AreTheSumsOfTheirElements) {
     EXPECT_TRUE((sums[faces[k]] - expected[k]).is_zero()) << faces[k].first << " " << faces[k].second;
 }
 
-TEST_P(DegenerateScenes, AreDescribedInTheReadme) {
+// The section of a scene in the README: from its heading to the next one.
+std::string section_of(const std::string& scene) {
   std::ifstream file(degenerate_folder() / "README.md");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_NE(text.find("\n## " + GetParam() + "\n"), std::string::npos);
+  const std::size_t begin = text.find("\n## " + scene + "\n");
+  return begin == std::string::npos ? "" : text.substr(begin + 1, text.find("\n## ", begin + 1) - begin);
+}
+
+TEST_P(DegenerateScenes, AreDescribedAndSketchedInTheReadme) {
+  const std::string section = section_of(GetParam());
+  EXPECT_NE(section, "");
+  const std::size_t begin = section.find("\n```\n"), end = section.find("\n```\n", begin + 1);
+  ASSERT_NE(end, std::string::npos) << "a sketch is a block of code";
+  EXPECT_GT(begin, GetParam().size() + 20) << "a sentence stands before it";
+  EXPECT_GT(end, begin + 10);
+}
+
+TEST_P(DegenerateScenes, SayWhatIsExpectedOfThem) {
+  const std::vector<Expectation> rows = degenerate(GetParam()).expect;
+  EXPECT_TRUE(
+      std::any_of(rows.begin(), rows.end(), [](const Expectation& row) { return row.quantity != "radiosity"; }));
 }
 
 INSTANTIATE_TEST_SUITE_P(, DegenerateScenes, testing::ValuesIn(degenerate_stems()),
