@@ -14,7 +14,9 @@ constexpr int kMostSteps = 25;
 constexpr int kMostRounds = 8;
 constexpr double kWorthwhile = 0.5;  // a step that reduces the residual less is the last
 
+// What a solver has lost to the range of doubles corrects nothing.
 DoubleDouble plus(DoubleDouble a, double b) {
+  if (!std::isfinite(b)) return a;
   double s, e;
   two_sum(a.hi, b, s, e);
   DoubleDouble result;
@@ -43,6 +45,30 @@ double largest_source(const Sources& sources) {
   return result > 0 ? result : 1;
 }
 
+// The sizes of residuals, in each component times the power of two that brings the largest near 1: a vector of which
+// they are the image then stays clear of underflow, however small they are.
+std::vector<double> near_one(const RadiositySystem& system, const std::vector<char>& is_wanted,
+                             const std::vector<Enclosed>& r) {
+  std::vector<double> size(r.size(), 0), largest(system.components().size(), kUnderflow);
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const std::uint32_t c = system.rows()[i].component;
+    if (!is_wanted[c]) continue;
+    size[i] = std::max(r[i].size(), kUnderflow);
+    if (std::isfinite(size[i])) largest[c] = std::max(largest[c], size[i]);
+  }
+  for (std::size_t i = 0; i < r.size(); ++i)
+    if (size[i] > 0)
+      size[i] = std::max(std::ldexp(size[i], -std::ilogb(largest[system.rows()[i].component])), kUnderflow);
+  return size;
+}
+
+// A number that is not below a / b, though that may underflow; at least 0. What is not a number proves nothing.
+double quotient_above(double a, double b) {
+  if (a <= 0 && b > 0) return 0;
+  const double nearest = a / b;
+  return std::isnan(nearest) ? kInfinity : std::nextafter(nearest * kOutward, kInfinity);
+}
+
 // A positive vector v with lower bounds w of A v.
 struct PositiveVector {
   SplitVector v;
@@ -50,12 +76,22 @@ struct PositiveVector {
   std::vector<char> is_proven;  // by component: w > 0 and v > 0
 };
 
+// 1 in components that the solver has left out: enough where every row loses light.
+void start_where_nothing_is(const RadiositySystem& system, SplitVector& v) {
+  std::vector<char> is_started(system.components().size(), 0);
+  for (std::size_t i = 0; i < system.size(); ++i)
+    if (system.value(v, i).hi != 0) is_started[system.rows()[i].component] = 1;
+  for (std::size_t c = 0; c < is_started.size(); ++c)
+    if (!is_started[c]) v.constant[c] = {1, 0};
+}
+
 // Looks for v > 0 with A v near `target` > 0.
 PositiveVector positive_vector(const RadiositySystem& system, InnerSolver& inner, const std::vector<char>& is_wanted,
                                std::vector<double> target, const ErrorTerms& terms) {
   const std::size_t n = system.size();
   PositiveVector result{zero_of(system), std::vector<double>(n, 0), {}};
   add(inner.solve(target), result.v);
+  start_where_nothing_is(system, result.v);
   for (int round = 0;; ++round) {
     throw_if_interrupted();
     const std::vector<Enclosed> minus_image = system.residual(nullptr, result.v, is_wanted, terms);
@@ -114,19 +150,15 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, I
                         const ErrorTerms& terms) {
   const std::size_t n = system.size();
   const std::vector<Enclosed> r = system.residual(&sources, x, sources.is_lit, terms);
-  std::vector<double> target(n, 0);
-  for (std::size_t i = 0; i < n; ++i)
-    if (sources.is_lit[system.rows()[i].component]) target[i] = std::max(r[i].size(), kUnderflow);
-  const PositiveVector positive = positive_vector(system, inner, sources.is_lit, target, {});
+  const PositiveVector positive =
+      positive_vector(system, inner, sources.is_lit, near_one(system, sources.is_lit, r), {});
 
   std::vector<double> up(system.components().size(), 0), down(system.components().size(), 0);
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t c = system.rows()[i].component;
     if (!sources.is_lit[c]) continue;
-    const double above = r[i].upper() / positive.image[i], below = -r[i].lower() / positive.image[i];
-    // What is not a number proves nothing.
-    up[c] = std::isnan(above) ? kInfinity : std::max(up[c], above * kOutward);
-    down[c] = std::isnan(below) ? kInfinity : std::max(down[c], below * kOutward);
+    up[c] = std::max(up[c], quotient_above(r[i].upper(), positive.image[i]));
+    down[c] = std::max(down[c], quotient_above(-r[i].lower(), positive.image[i]));
   }
   CertifiedBounds result;
   for (std::size_t i = 0; i < n; ++i) {
@@ -151,8 +183,9 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, I
     }
     // B >= E always.
     const double emission = sources.emission[system.rows()[i].element].lower();
-    result.lower.push_back(std::max(std::isfinite(lower) ? lower : 0, emission));
-    result.upper.push_back(std::max(std::isnan(upper) ? kInfinity : upper, result.lower.back()));
+    const Enclosure& range = sources.range[c];
+    result.lower.push_back(std::max({std::isfinite(lower) ? lower : 0, emission, range.lower}));
+    result.upper.push_back(std::max(std::isnan(upper) ? kInfinity : std::min(upper, range.upper), result.lower.back()));
   }
   return result;
 }

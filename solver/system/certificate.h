@@ -31,8 +31,8 @@ std::vector<double> refine(const RadiositySystem& system, const Sources& sources
 // elements far from the light have bounds as narrow, relatively, as the others.
 //
 //   (1) the bounds hold whatever x is, whatever `inner` returns, and for any reflectivities with an exact loss
-//   (2) infinite upper bounds in components where A v > 0 could not be proven; infinite ones on both sides everywhere
-//       when some factor is negative
+//   (2) no wider than Sources::range; else infinite upper bounds in components where A v > 0 could not be proven;
+//       infinite ones on both sides everywhere when some factor is negative
 //   (3) never wrong, but possibly infinite, when a reflectivity is so near 1 that the loss underflows
 // COST: two matrix passes and one inner solve; up to twice as much again a further round when A v > 0 is not settled.
 CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, const SplitVector& x,

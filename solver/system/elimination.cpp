@@ -1,10 +1,7 @@
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/failure.h"
 #include "kernel/interrupt.h"
 #include "solver/system/inner_solver.h"
 #include "solver/system/symmetric_rows.h"
@@ -38,15 +35,13 @@ class DenseComponent {
       }
     }
     eliminate();
-    for (Eigen::Index k = 0; k < n; ++k)
-      if (!(pivot_[k] > 0) || !std::isfinite(pivot_[k]))
-        throw RequestError(
-            fmt::format("radiosity near '{}' is beyond the range of doubles: its component loses next to no light",
-                        system.matrix().elements()[system.rows()[unknowns_.front()].element].name));
+    is_done_ =
+        std::all_of(pivot_.begin(), pivot_.end(), [](double pivot) { return pivot > 0 && std::isfinite(pivot); });
   }
 
   // weight_i r_i in, corrections out.
   void solve(const SymmetricRows& rows, const std::vector<double>& r, Correction& x, std::uint32_t component) const {
+    if (!is_done_) return;
     const Eigen::Index n = pivot_.size();
     Eigen::VectorXd b(n);
     for (Eigen::Index k = 0; k < n; ++k) b[k] = rows.weight[unknowns_[k]] * r[unknowns_[k]];
@@ -99,6 +94,7 @@ class DenseComponent {
   std::vector<std::uint32_t> unknowns_;
   Eigen::MatrixXd coupling_;
   Eigen::VectorXd defect_, pivot_;
+  bool is_done_ = false;  // no pivot was lost to the range of doubles
 };
 
 class Elimination : public InnerSolver {

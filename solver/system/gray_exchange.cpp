@@ -13,6 +13,7 @@
 #include "solver/system/certificate.h"
 #include "solver/system/inner_solver.h"
 #include "solver/system/radiosity_system.h"
+#include "solver/system/wide_elimination.h"
 
 namespace hottel {
 namespace {
@@ -30,7 +31,7 @@ struct ColumnEntry {
 class GraySystem {
  public:
   GraySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
-      : matrix_(matrix), system_(matrix, materials, channel) {
+      : matrix_(matrix), system_(matrix, materials, channel), wide_(system_) {
     for (const Material& material : materials)
       emissivity_.push_back(Enclosed::of(Rational(1 - material.reflectivity.value[channel])));
     // Components that lose nothing have no column: all their emissivities are 0.
@@ -46,14 +47,15 @@ class GraySystem {
   // The numbers of one column that are not 0, by rows.
   std::vector<ColumnEntry> column(std::uint32_t to) const {
     std::vector<ColumnEntry> result;
-    const Enclosed source = emissivity_of(to);
-    if (source.size() == 0) return result;
-    const std::vector<Enclosed> irradiance = system_.irradiance(radiosity(to));
+    if (emissivity_of(to).size() == 0) return result;
+    const Sources sources = system_.unit_source(to);
+    const Enclosed source = scaled(emissivity_of(to), sources.exponent);
+    const std::vector<Enclosed> irradiance = system_.irradiance(radiosity(sources));
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
       if (!matrix_.has_row(i)) continue;
       const Enclosed emissivity = emissivity_of(i);
       if (irradiance[i].size() == 0 || emissivity.size() == 0) continue;
-      const Enclosed factor = product(product(emissivity, source), irradiance[i]);
+      const Enclosed factor = product(emissivity, product(source, irradiance[i]));
       Enclosure bounds{0, emissivity.upper()};
       if (std::isfinite(factor.radius))
         bounds = {std::max(bounds.lower, factor.lower()), std::min(bounds.upper, factor.upper())};
@@ -69,20 +71,22 @@ class GraySystem {
     return emissivity_[*matrix_.elements()[element].material];
   }
 
-  // G_kj of all elements k, the sky last, for one column j.
-  std::vector<Enclosed> radiosity(std::uint32_t to) const {
-    const Sources sources = system_.unit_source(to);
+  // G_kj of all elements k, the sky last, for the column j that is the source; scaled as that is.
+  std::vector<Enclosed> radiosity(const Sources& sources) const {
     std::vector<Enclosed> result = sources.emission;
     if (!inner_) return result;
     SplitVector x{std::vector<DoubleDouble>(system_.components().size()), std::vector<DoubleDouble>(system_.size())};
     refine(system_, sources, *inner_, x);
-    const CertifiedBounds bounds = certify(system_, sources, *inner_, x);
+    CertifiedBounds bounds = certify(system_, sources, *inner_, x);
+    wide_.narrow(sources, {}, bounds);
+    require_bounds(system_, bounds);
     for (std::size_t u = 0; u < system_.size(); ++u) result[system_.rows()[u].element] = bounds.enclosed(u);
     return result;
   }
 
   const ExchangeMatrix& matrix_;
   RadiositySystem system_;
+  WideElimination wide_;
   std::vector<Enclosed> emissivity_;  // by material
   std::unique_ptr<InnerSolver> inner_;
 };

@@ -40,7 +40,7 @@ struct GrayExchangeOptions {
 //   (6) no entry iff the real number is 0; the same bit for bit for any number of threads
 //
 // REQUIRES view factors that are exact, and materials of the elements that index into `materials`.
-// Throws RequestError when losses are so small that they vanish in doubles, and when the result takes more memory than
+// Throws RequestError when factors are so small that no bounds can be given, and when the result takes more memory than
 // is allowed. COST: one elimination (n^3 / 3 for a component of n faces); for each column with e > 0 about ten passes
 // over the matrix and five back substitutions (n^2); 80 bytes a pair of the result, which is dense within each
 // component. SEE: Hottel and Sarofim, Radiative Transfer, 1967, chapter 3; Walton, NISTIR 6925, 2002 (View3D,

@@ -26,8 +26,8 @@ class InnerSolver {
 // of its row (Grassmann, Taksar, Heyman 1985). Every entry is right to a few hundred ulps however near to 1 the
 // reflectivities are; the last unknown is the constant, found from the sum of all defects.
 // solve() may be called by many threads at once.
+// A component whose areas, couplings or losses leave the range of doubles is not solved: it stays 0.
 // REQUIRES rows that are closed. COST: n^3 / 3 for a component of n unknowns, in dense blocks, and 8 n^2 bytes.
-// Throws RequestError when losses vanish in doubles.
 std::unique_ptr<InnerSolver> make_elimination(const RadiositySystem& system, const std::vector<char>& is_wanted);
 
 // Conjugate gradients on the symmetric form, preconditioned by the diagonal, the constant of each component deflated.

@@ -18,6 +18,7 @@
 #include "solver/system/matrix_checks.h"
 #include "solver/system/radiosity_internal.h"
 #include "solver/system/radiosity_system.h"
+#include "solver/system/wide_elimination.h"
 
 namespace hottel {
 namespace {
@@ -56,6 +57,7 @@ class Group {
         terms_(terms),
         seconds_(seconds),
         system_(matrix, materials, channels_.front()),
+        wide_(system_),
         is_wanted_(system_.components().size(), 0) {
     for (const int channel : channels_) {
       sources_.push_back(system_.sources(materials, sky_emission, channel));
@@ -133,7 +135,9 @@ class Group {
       run_as_named(sources, x, solution.residual_history, notes);
     lap("radiosity");
     CertifiedBounds bounds = certify(system_, sources, *inner_, x, terms_);
+    if (system_.rows_are_closed()) wide_.narrow(sources, {is_refined(), !is_refined()}, bounds);
     lap("certificate");
+    if (matrix_.guarantee() == Guarantee::kExact) require_bounds(system_, bounds);
     if (const auto open = std::count(bounds.upper.begin(), bounds.upper.end(), kInfinity); open > 0)
       notes.insert(fmt::format("no upper bound could be proven for {} of {} radiosities", open, bounds.upper.size()));
     return bounds;
@@ -251,6 +255,7 @@ class Group {
   std::map<std::string, double>& seconds_;
   Stopwatch watch_;
   RadiositySystem system_;
+  WideElimination wide_;
   std::vector<char> is_wanted_;
   PlainSystem plain_;
   std::vector<Sources> sources_;

@@ -85,13 +85,15 @@ struct RadiositySolution {
 //       factors; for an enclosed matrix, of any factors within its enclosures; for an estimated one, of the doubles it
 //       holds, which says nothing of the scene (set_crude_bounds gives what holds there)
 //   (2) lower = upper = 0 = B where no light reaches; B = E within half an ulp where rho = 0
-//   (3) widths of a few ulps after cholesky and cg, for any distance of rho from 1 (tried down to 2^-400) and for
-//       elements that next to no light reaches; for an enclosed matrix a few ulps more than the radiosities of its
-//       factors differ, and infinite where for some of them light need not die out (enclosed_radiosity.h)
+//   (3) widths of a few ulps after cholesky and cg, or up to 3 n ulps for n unknowns where doubles do not do
+//       (wide_elimination.h), for any distance of rho from 1 and for elements that next to no light reaches; for an
+//       enclosed matrix a few ulps more than the radiosities of its factors differ, and infinite where for some of them
+//       light need not die out (enclosed_radiosity.h)
 //   (4) the same bit for bit for any number of threads
 //
 // Throws RequestError when a component with reflectivity 1 throughout and no way out emits (one that does not is 0,
-// with a note), when rows do not sum to 1 and the spectral radius cannot be shown to be below 1, when cholesky or cg
+// with a note), when an upper bound of an exact matrix is infinite (factors that underflow, or more light than doubles
+// can tell), when rows do not sum to 1 and the spectral radius cannot be shown to be below 1, when cholesky or cg
 // are asked of such a matrix, which is not symmetric, and when a factor is no number. Where a factor of an estimated
 // matrix is negative the equations are solved and all bounds are infinite. Rows sum to 1 in exact matrices, and are
 // taken to where their enclosures allow it, which concerns the radiosity, not its bounds.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <numeric>
 
 #include "kernel/failure.h"
@@ -12,6 +14,7 @@ namespace hottel {
 namespace {
 
 constexpr std::size_t kGrain = 16;  // rows a task
+constexpr int kMostAbove = 500;     // 2^kMostAbove: how far radiosities may be above emissions
 
 // sum_j F_j (a_j - b_j), enclosed.
 class DifferenceSum {
@@ -96,6 +99,40 @@ bool rows_may_be_closed(const ExchangeMatrix& matrix) {
   return true;
 }
 
+// Of what a component emits and sees, as far as it decides on its radiosities.
+struct Extremes {
+  bool are_known = true, is_any = false;
+  Rational least, most;
+
+  void meet(const Rational& radiosity) {
+    if (!is_any || radiosity < least) least = radiosity;
+    if (!is_any || radiosity > most) most = radiosity;
+    is_any = true;
+  }
+};
+
+// By component. At the brightest unknown nothing that it sees is brighter, so (1 - rho) B <= E there; unless it absorbs
+// and emits nothing, and then all that it sees is as bright. So for the darkest.
+std::vector<Extremes> extremes_of(const RadiositySystem& system, const std::vector<const Rational*>& emission) {
+  const Rational zero = 0;
+  const auto emitted = [&](std::uint32_t element) -> const Rational& {
+    return emission[element] ? *emission[element] : zero;
+  };
+  std::vector<Extremes> result(system.components().size());
+  for (const SystemRow& row : system.rows()) {
+    Extremes& extremes = result[row.component];
+    const Rational &own = emitted(row.element), &taken = system.absorptivity(row);
+    if (taken > 0)
+      extremes.meet(own == 0 ? zero : Rational(own / taken));
+    else if (own > 0)
+      extremes.are_known = false;
+    for (const FactorEntry& entry : system.matrix().row(row.element))
+      if (system.unknown(entry.to) < 0) extremes.meet(emitted(entry.to));
+  }
+  for (Extremes& extremes : result) extremes.are_known &= extremes.is_any && system.rows_are_closed();
+  return result;
+}
+
 }  // namespace
 
 RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
@@ -111,7 +148,8 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
   for (std::size_t m = 0; m < materials.size(); ++m) {
     const Rational& rho = materials[m].reflectivity.value[channel];
     reflectivity[m] = Enclosed::of(rho);
-    loss[m] = Enclosed::of(Rational(1 - rho));
+    absorptivity_.push_back(1 - rho);
+    loss[m] = Enclosed::of(absorptivity_.back());
   }
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
@@ -164,53 +202,55 @@ void RadiositySystem::find_components() {
 
 Sources RadiositySystem::sources(const std::vector<Material>& materials, const Spectrum& sky_emission,
                                  int channel) const {
-  const ExchangeMatrix& matrix = *matrix_;
-  const auto emission = [&](std::uint32_t i) -> const Rational& {
-    return materials[*matrix.elements()[i].material].emission.value[channel];
-  };
-  Sources result;
-  std::optional<int> exponent;
-  const auto look_at = [&](const Rational& value) {
-    if (value > 0) exponent = std::max(exponent.value_or(exponent_of(value)), exponent_of(value));
-  };
-  look_at(sky_emission.value[channel]);
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    if (matrix.has_row(i)) look_at(emission(i));
-  result.exponent = exponent.value_or(0);
-
-  std::vector<Enclosed> of_material(materials.size());
-  for (std::size_t m = 0; m < materials.size(); ++m)
-    of_material[m] = Enclosed::of(times_power_of_two(materials[m].emission.value[channel], -result.exponent));
-  result.emission.resize(matrix.size() + 1);
-  std::vector<char> emits(matrix.size() + 1, 0);
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    if (matrix.has_row(i)) {
-      result.emission[i] = of_material[*matrix.elements()[i].material];
-      emits[i] = emission(i) > 0;
-    }
-  result.emission[matrix.sky()] = Enclosed::of(times_power_of_two(sky_emission.value[channel], -result.exponent));
-  emits[matrix.sky()] = sky_emission.value[channel] > 0;
-
-  result.is_lit = lit_by(emits);
-  return result;
+  std::vector<const Rational*> emission(matrix_->size() + 1, nullptr);
+  for (std::uint32_t i = 0; i < matrix_->size(); ++i)
+    if (matrix_->has_row(i)) emission[i] = &materials[*matrix_->elements()[i].material].emission.value[channel];
+  emission[matrix_->sky()] = &sky_emission.value[channel];
+  return sources_of(emission);
 }
 
 Sources RadiositySystem::unit_source(std::uint32_t element) const {
+  const Rational one = 1;
+  std::vector<const Rational*> emission(matrix_->size() + 1, nullptr);
+  emission[element] = &one;
+  return sources_of(emission);
+}
+
+Sources RadiositySystem::sources_of(const std::vector<const Rational*>& emission) const {
   Sources result;
-  result.emission.resize(matrix_->size() + 1);
-  result.emission[element] = {1, 0, 0};
-  std::vector<char> emits(matrix_->size() + 1, 0);
-  emits[element] = 1;
-  result.is_lit = lit_by(emits);
+  std::optional<int> exponent;
+  for (const Rational* e : emission)
+    if (e && *e > 0) exponent = std::max(exponent.value_or(exponent_of(*e)), exponent_of(*e));
+  result.exponent = exponent.value_or(0);
+
+  result.is_lit = lit_by(emission);
+  const std::vector<Extremes> extremes = extremes_of(*this, emission);
+  int excess = 0;
+  for (const Extremes& e : extremes)
+    if (e.are_known && e.most > 0) excess = std::max(excess, exponent_of(e.most) - result.exponent - kMostAbove);
+  result.exponent += std::min(excess, kMostAbove);
+  const auto enclosed = [&](const Rational& value) {
+    return Enclosed::of(times_power_of_two(value, -result.exponent));
+  };
+  for (const Extremes& e : extremes)
+    result.range.push_back(e.are_known ? Enclosure{enclosed(e.least).lower(), enclosed(e.most).upper()}
+                                       : Enclosure{0, std::numeric_limits<double>::infinity()});
+
+  std::map<const Rational*, Enclosed> scaled;  // materials are few
+  for (const Rational* e : emission) {
+    if (e && !scaled.contains(e)) scaled[e] = enclosed(*e);
+    result.emission.push_back(e ? scaled[e] : Enclosed());
+  }
   return result;
 }
 
-std::vector<char> RadiositySystem::lit_by(const std::vector<char>& emits) const {
+std::vector<char> RadiositySystem::lit_by(const std::vector<const Rational*>& emission) const {
+  const auto emits = [&](std::uint32_t element) { return emission[element] && *emission[element] > 0; };
   std::vector<char> is_lit(components_.size(), 0);
   for (const SystemRow& row : rows_) {
-    bool lit = emits[row.element] != 0;
+    bool lit = emits(row.element);
     for (const FactorEntry& entry : matrix_->row(row.element))
-      lit |= unknown_[entry.to] < 0 && emits[entry.to] != 0 && is_positive(entry.factor);
+      lit |= unknown_[entry.to] < 0 && emits(entry.to) && is_positive(entry.factor);
     if (lit) is_lit[row.component] = 1;
   }
   return is_lit;

@@ -19,11 +19,13 @@ struct SplitVector {
   std::vector<DoubleDouble> rest;      // by unknown
 };
 
-// The sources of one channel, as the system wants them: scaled by 2^-exponent so that the largest is near 1.
+// The sources of one channel, as the system wants them: scaled by 2^-exponent so that the largest is near 1, or less
+// where radiosities may be so much larger that they would leave the range of doubles.
 struct Sources {
   int exponent = 0;
   std::vector<Enclosed> emission;  // by element, the sky last; 0 for black backs
   std::vector<char> is_lit;        // by component: some light reaches it
+  std::vector<Enclosure> range;    // by component: all its radiosities lie within
 };
 
 // Unknowns that exchange light with each other, directly or not.
@@ -52,7 +54,10 @@ struct ErrorTerms {
 //   (2) where rows_are_closed(), rows sum to 1 exactly, so loss_i = 1 - rho_i, from the exact reflectivity; else
 //       loss_i comes from the row as it is
 //   (3) components come from the pattern of F alone: F_ij > 0 or F_ji > 0
-//   (4) F is the factors themselves: real numbers where the matrix is exact, else the doubles. Enclosures of factors do
+//   (4) Sources::range is that of E_j / (1 - rho_j), over the unknowns of a component, and of the emissions of all that
+//       is known and that they see: no extremum can be elsewhere. REQUIRES a component that loses light; [0, infinity]
+//       where an unknown with rho = 1 emits, and where rows are not closed
+//   (5) F is the factors themselves: real numbers where the matrix is exact, else the doubles. Enclosures of factors do
 //       not enter (enclosed_radiosity.h)
 // Throws RequestError where a factor is no number, ContractViolation where the matrix says that it is exact and a row
 // does not sum to 1.
@@ -69,6 +74,10 @@ class RadiositySystem {
   std::size_t size() const { return rows_.size(); }
   const std::vector<SystemRow>& rows() const { return rows_; }
   const std::vector<SystemComponent>& components() const { return components_; }
+  // Returns 1 - rho of an unknown.
+  const Rational& absorptivity(const SystemRow& row) const {
+    return absorptivity_[*matrix_->elements()[row.element].material];
+  }
   // Returns the unknown of an element (or of the sky), -1 when it is known.
   std::int32_t unknown(std::uint32_t element) const { return unknown_[element]; }
 
@@ -91,10 +100,12 @@ class RadiositySystem {
 
  private:
   void find_components();
-  std::vector<char> lit_by(const std::vector<char>& emits) const;  // by component; emits is by element, the sky last
+  Sources sources_of(const std::vector<const Rational*>& emission) const;  // by element, the sky last; null: 0
+  std::vector<char> lit_by(const std::vector<const Rational*>& emission) const;
 
   const ExchangeMatrix* matrix_;
   bool rows_are_closed_, has_negative_factors_ = false;
+  std::vector<Rational> absorptivity_;  // by material
   std::vector<std::int32_t> unknown_;
   std::vector<SystemRow> rows_;
   std::vector<SystemComponent> components_;

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "kernel/failure.h"
+#include "solver/system/matrix_checks.h"
 #include "tests/solver/exact_radiosity.h"
 
 namespace hottel {
@@ -163,12 +165,26 @@ TEST(Radiosity, OfWhatReflectsNearlyAllIsNotTakenForAMirror) {
   const ExactScene scene(analytic_scene("furnace"));
   std::vector<Material> materials = scene.scene().materials;
   for (Material& m : materials) m.reflectivity = Spectrum::scalar(1 - Rational(1, Integer(1) << 1100));
+  const RadiositySolution bright = scene.solve(materials);
+  for (const ElementRadiosity& e : bright.channels[0].elements) {
+    if (e.reflectivity == 0) continue;  // the backs
+    EXPECT_EQ(e.lower, std::numeric_limits<double>::max());
+    EXPECT_EQ(e.upper, HUGE_VAL);
+  }
   try {
-    scene.solve(materials);
+    require_doubles(scene.matrix(), {}, bright);
     FAIL();
   } catch (const RequestError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the light of"));
     EXPECT_THAT(error.what(), HasSubstr("beyond the range of doubles"));
   }
+  for (Material& m : materials) m.emission = Spectrum::scalar(Rational(1, Integer(1) << 1100));
+  const RadiositySolution moderate = scene.solve(materials);
+  for (const ElementRadiosity& e : moderate.channels[0].elements)
+    if (e.reflectivity != 0) {
+      EXPECT_EQ(e.lower, 1);
+      EXPECT_EQ(e.upper, 1);
+    }
 }
 
 TEST(Radiosity, OfPerfectReflectorsIsOrdinaryWhereLightGetsOut) {

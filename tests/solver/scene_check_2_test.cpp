@@ -423,7 +423,8 @@ TEST(SceneCheck2, NamesWhatIsBeyondDoubles) {
     for (Material& material : scene.materials) material.reflectivity = Spectrum::scalar(1 - 1 / large);
   });
   EXPECT_THAT(kinds(found(mirrors)), ElementsAre("error beyond-doubles"));
-  EXPECT_THAT(found(mirrors).front().message, HasSubstr("loses next to no light"));
+  EXPECT_THAT(found(mirrors).front().message,
+              HasSubstr("the light of 'lamp', 'room[0]', 'room[1]' and 2 more is beyond"));
   EXPECT_EQ(found(mirrors).front().surfaces.size(), 5u);
 }
 
