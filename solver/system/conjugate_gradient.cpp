@@ -53,24 +53,43 @@ class ConjugateGradient : public InnerSolver {
       }
     }
     history_ = nullptr;
-    fold(x);
+    fold(r_of_rows, x);
     return x;
   }
 
  private:
-  // Where differences to the constant are as large as it, values are kept instead.
-  void fold(Correction& x) const {
-    std::vector<double> largest_difference(x.constant.size(), 0);
+  // The constant is a mean by defects. Where it is huge it is moved to the value at the unknown that is coupled best,
+  // so that what most unknowns have in common drops out of their differences even if the defects are elsewhere.
+  void centre(const std::vector<double>& right_side, Correction& x) const {
+    const std::size_t components = x.constant.size();
+    std::vector<double> largest(components, 0), best(components, 0), shift(components, 0);
     for (std::size_t i = 0; i < x.rest.size(); ++i) {
-      double& largest = largest_difference[rows_.component[i]];
-      largest = std::max(largest, std::abs(x.rest[i]));
+      const std::uint32_t c = rows_.component[i];
+      largest[c] = std::max(largest[c], std::abs(right_side[i]));
+      if (rows_.coupling[i] <= best[c]) continue;
+      best[c] = rows_.coupling[i];
+      shift[c] = x.rest[i];
+    }
+    for (std::size_t c = 0; c < components; ++c)
+      if (!is_huge(x.constant[c], largest[c])) shift[c] = 0;
+    for (std::size_t c = 0; c < components; ++c) x.constant[c] += shift[c];
+    for (std::size_t i = 0; i < x.rest.size(); ++i) x.rest[i] -= shift[rows_.component[i]];
+  }
+
+  // Values instead of differences to the constant, where that is better.
+  void fold(const std::vector<double>& right_side, Correction& x) const {
+    centre(right_side, x);
+    std::vector<FormOfSolution> form(x.constant.size());
+    for (std::size_t i = 0; i < x.rest.size(); ++i) {
+      const std::uint32_t c = rows_.component[i];
+      form[c].meet(x.constant[c], x.rest[i], right_side[i]);
     }
     for (std::size_t i = 0; i < x.rest.size(); ++i) {
       const std::uint32_t c = rows_.component[i];
-      if (largest_difference[c] > std::abs(x.constant[c]) / 2) x.rest[i] += x.constant[c];
+      if (!form[c].keeps(x.constant[c])) x.rest[i] += x.constant[c];
     }
     for (std::size_t c = 0; c < x.constant.size(); ++c)
-      if (largest_difference[c] > std::abs(x.constant[c]) / 2) x.constant[c] = 0;
+      if (!form[c].keeps(x.constant[c])) x.constant[c] = 0;
   }
 
   bool wanted(std::size_t i) const { return is_wanted_[rows_.component[i]] != 0; }

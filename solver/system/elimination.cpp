@@ -47,12 +47,13 @@ class DenseComponent {
     for (Eigen::Index k = 0; k < n; ++k) b[k] = rows.weight[unknowns_[k]] * r[unknowns_[k]];
     for (Eigen::Index k = 0; k + 1 < n; ++k) b.tail(n - k - 1) += coupling_.col(k).tail(n - k - 1) * (b[k] / pivot_[k]);
     const double constant = b[n - 1] / pivot_[n - 1];
-    // Differences to the constant; or, when they are as large, values: for r >= 0 nothing is subtracted there, so that
-    // what is far from the light keeps its digits.
+    // Differences to the constant; or values: for r >= 0 nothing is subtracted there.
     const Eigen::VectorXd differences = substituted_back(b - defect_ * constant, 0);
-    const bool are_small = differences.cwiseAbs().maxCoeff() <= std::abs(constant) / 2;
-    const Eigen::VectorXd values = are_small ? differences : substituted_back(b, constant);
-    x.constant[component] = are_small ? constant : 0;
+    FormOfSolution form;
+    for (Eigen::Index k = 0; k < n; ++k) form.meet(constant, differences[k], r[unknowns_[k]]);
+    const bool keeps_constant = form.keeps(constant);
+    const Eigen::VectorXd values = keeps_constant ? differences : substituted_back(b, constant);
+    x.constant[component] = keeps_constant ? constant : 0;
     for (Eigen::Index k = 0; k < n; ++k) x.rest[unknowns_[k]] = values[k];
   }
 

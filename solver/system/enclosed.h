@@ -77,7 +77,8 @@ inline Enclosed Enclosed::of(const Rounded& value) {
   // The real number lies between the double and half-way to its neighbour on that side.
   const auto bits = std::bit_cast<std::uint64_t>(value.value);
   const double neighbour = std::bit_cast<double>(value.side > 0 ? bits + 1 : bits - 1);
-  const double quarter = std::max(std::abs(neighbour - value.value) / 4, kUnderflow);
+  const double quarter = std::abs(neighbour - value.value) / 4;
+  if (quarter < kUnderflow) return {value.value, 0, kUnderflow};
   return {value.value, value.side > 0 ? quarter : -quarter, quarter};
 }
 

@@ -1,7 +1,10 @@
 // The symmetric form of a radiosity system in doubles: rows times A_i / rho_i.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "solver/system/radiosity_system.h"
@@ -22,6 +25,28 @@ struct SymmetricRows {
   std::vector<std::uint32_t> component;
 
   explicit SymmetricRows(const RadiositySystem& system);
+};
+
+// Light stays so long that a constant is huge to what is sent out.
+inline bool is_huge(double constant, double right_side) { return std::abs(constant) > 0x1p24 * right_side; }
+
+// Whether a solution is to be kept as a constant and differences to it, or as values: differences that are as large
+// cost the digits of what is far from the light. Where light stays very long, so that the constant is huge, values
+// would cost those of the differences; it is kept unless something is very much darker.
+class FormOfSolution {
+ public:
+  void meet(double constant, double difference, double right_side) {
+    largest_difference_ = std::max(largest_difference_, std::abs(difference));
+    least_value_ = std::min(least_value_, std::abs(constant + difference));
+    right_side_ = std::max(right_side_, std::abs(right_side));
+  }
+  bool keeps(double constant) const {
+    const double size = std::abs(constant);
+    return largest_difference_ <= size / 2 || (is_huge(constant, right_side_) && least_value_ > 0x1p-10 * size);
+  }
+
+ private:
+  double largest_difference_ = 0, least_value_ = std::numeric_limits<double>::infinity(), right_side_ = 0;
 };
 
 }  // namespace hottel

@@ -12,7 +12,7 @@
 
 namespace hottel {
 
-inline constexpr std::uint32_t kMostWideUnknowns = 1000;
+inline constexpr std::uint32_t kMostWideUnknowns = 2000;
 
 // Bounds that need no certificate, for whatever losses, areas and conditioning. With a_ij = rho_i F_ij and l_i what row
 // i loses, B = N / D, where D is a sum of products, all positive, with one a_ij or l_i from each row, and N one of
@@ -26,7 +26,8 @@ inline constexpr std::uint32_t kMostWideUnknowns = 1000;
 //   (2) those of components with a factor that underflows are [0, infinity], as are those of more than
 //       kMostWideUnknowns
 // narrow() may be called by many threads at once. REQUIRES rows that are closed.
-// COST: for each component that needs it n^3 / 3 wide products, once (5 s for 500 unknowns), and 64 n^2 bytes.
+// COST: for each component that needs it n^3 / 3 wide products, once (2 s for 500 unknowns, 2 min for 2000), and 64 n^2
+// bytes.
 class WideElimination {
  public:
   explicit WideElimination(const RadiositySystem& system);
