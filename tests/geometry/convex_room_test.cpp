@@ -32,7 +32,7 @@ Scene2 convex_room(const Room& room, std::uint64_t seed) {
     corners.push_back({3 * (1 - t * t) / one, 2 * t / one});
   }
   Scene2 scene;
-  scene.materials.push_back({"wall", {0.5, 0.5, 0.5}, {}});
+  scene.materials.push_back({"wall", Spectrum{{0.5, 0.5, 0.5}}, {}});
   scene.groups.emplace_back("room");
   const auto add = [&](const ExactPoint2& from, const ExactPoint2& to) {
     Surface2 surface;
@@ -59,6 +59,24 @@ Scene2 convex_room(const Room& room, std::uint64_t seed) {
   }
   if (room.divides_walls) std::rotate(scene.surfaces.begin(), scene.surfaces.begin() + 1, scene.surfaces.end());
   return scene;
+}
+
+TEST(IsConvexRoom, NotWithACornerThatJutsIn) {
+  const auto room = [](const std::vector<ExactPoint2>& corners) {
+    Scene2 scene;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const ExactPoint2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
+      Surface2& surface = scene.surfaces.emplace_back();
+      surface.from = {a.x, a.y};
+      surface.to = {b.x, b.y};
+    }
+    return scene;
+  };
+  EXPECT_TRUE(is_convex_room(room({{0, 0}, {0, 2}, {1, 2}, {2, 1}, {2, 0}})));
+  EXPECT_FALSE(
+      is_convex_room(room({{0, 0}, {0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}})));  // its direction goes around once
+  EXPECT_FALSE(is_convex_room(room({{0, 0}, {0, 2}, {1, 1}, {2, 2}, {2, 0}})));
+  EXPECT_FALSE(is_convex_room(room({{0, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 2}})));  // inside out
 }
 
 class ConvexRoom : public testing::TestWithParam<Room> {};
