@@ -8,8 +8,8 @@
 namespace hottel {
 namespace {
 
-// The pieces of a convex room in the order of its outline, which starts at a corner. Side k goes from vertex k to k +
-// 1, and lies on wall wall(k).
+// The pieces of a convex room in the order of its outline, which starts at a corner. Side k begins at vertex k and lies
+// on wall wall(k).
 class Outline {
  public:
   struct Length {
