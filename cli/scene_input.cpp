@@ -95,7 +95,7 @@ std::vector<std::uint32_t> surfaces_matching(const Scene2& scene, const std::str
   const auto matches = [&](const std::string& name) { return is_prefix ? name.starts_with(prefix) : name == pattern; };
   std::vector<std::uint32_t> result;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-    if (matches(scene.surfaces[s].name) || matches(scene.groups[scene.surfaces[s].group])) result.push_back(s);
+    if (matches(scene.surfaces[s].name) || matches(scene.groups[scene.surfaces[s].group].name)) result.push_back(s);
   if (result.empty()) throw UsageError("no surface of " + scene.file + " is called '" + pattern + "'");
   return result;
 }

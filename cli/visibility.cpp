@@ -62,6 +62,7 @@ std::string text_of(const ExactPoint2& p) {
 
 std::string name_of(const Scene2& scene, const Arrangement2& arrangement, PieceSideId side) {
   if (side == kSky) return "sky";
+  if (arrangement.is_covered(side)) return "";
   const FacePart& owner = arrangement.owner(side);
   return scene.surfaces[owner.surface].name + (owner.is_back ? ":back" : "");
 }
@@ -91,7 +92,8 @@ std::string where(const PreparedScene2& prepared, const VisibilityPolygon2& poly
     case Location2::Kind::kOnEdge: {
       const HalfEdgeId h = polygon.location.half_edge;
       if (arrangement.triangulation().twin(h) >= 0 || arrangement.triangulation().side(h) == kSky) return "in the open";
-      return "on '" + prepared.scene.surfaces[arrangement.owner(arrangement.triangulation().side(h)).surface].name +
+      const auto piece = static_cast<std::size_t>(arrangement.triangulation().side(h) / 2);
+      return "on '" + prepared.scene.surfaces[arrangement.sources(piece).front().surface].name +
              "'; both sides are seen";
     }
   }

@@ -47,7 +47,7 @@ void write_fluxes(const char* per, const std::vector<NetFlux>& fluxes, const std
 NetFluxes::NetFluxes(const Scene2& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution)
     : faces(net_flux(matrix, solution, scene.sky_emission, [&](const Element& e) { return face_name(scene, e); })),
       groups(net_flux(matrix, solution, scene.sky_emission, [&](const Element& e) {
-        return scene.groups[scene.surfaces[e.surface].group] + (e.is_back ? ":back" : "");
+        return scene.groups[scene.surfaces[e.surface].group].name + (e.is_back ? ":back" : "");
       })) {}
 
 void write_flux_csv(const NetFluxes& fluxes, const std::vector<std::string>& channel_names,

@@ -160,8 +160,8 @@ class SceneReader {
     // keys begin with these; "closed" follows for polylines.
     const auto members = read_members(value, {entry.owner}, keys);
     const JsonValue points = members[1], material = members[2], back = members[3], elements = members[4],
-                    about = members[5];
-    if constexpr (N > 6) entry.closed = members[6];
+                    about = members[5], behind = members[6];
+    if constexpr (N > 7) entry.closed = members[7];
     require_member(points, "points", value, {entry.owner});
     require_member(material, "material", value, {entry.owner});
     require_kind(points, JsonKind::kArray, {entry.owner, "points"});
@@ -172,14 +172,21 @@ class SceneReader {
     if (about) read_string(about, {entry.owner, "about"});
 
     entry.surface.group = static_cast<std::uint32_t>(scene_.groups.size());
-    scene_.groups.push_back(entry.name);
+    scene_.groups.emplace_back(entry.name, behind ? read_behind(behind, {entry.owner, "behind"}) : Behind::kByOutline);
     return entry;
   }
 
+  static Behind read_behind(const JsonValue& value, const Subject& subject) {
+    const std::string text = read_string(value, subject);
+    if (text == "solid") return Behind::kSolid;
+    if (text == "open") return Behind::kOpen;
+    refuse(value, subject.text() + " is " + quoted_name(text) + "; it may be \"solid\" or \"open\"");
+  }
+
   void read_edge(const JsonValue& value, const std::string& default_name) {
-    Entry entry =
-        read_entry(value, default_name, "edge",
-                   std::array<std::string_view, 6>{"name", "points", "material", "back", "elements", "about"});
+    Entry entry = read_entry(
+        value, default_name, "edge",
+        std::array<std::string_view, 7>{"name", "points", "material", "back", "elements", "about", "behind"});
     if (entry.points.size() < 2) refuse(entry.points, entry.owner + " has fewer than two points");
     if (entry.points.size() > 2)
       refuse(entry.points, entry.owner + " has " + std::to_string(entry.points.size()) + " points; an edge has two",
@@ -199,7 +206,7 @@ class SceneReader {
   void read_polyline(const JsonValue& value, const std::string& default_name) {
     const Entry entry = read_entry(
         value, default_name, "polyline",
-        std::array<std::string_view, 7>{"name", "points", "material", "back", "elements", "about", "closed"});
+        std::array<std::string_view, 8>{"name", "points", "material", "back", "elements", "about", "behind", "closed"});
     polyline_line_.emplace_back(value.line());
     const bool closed = entry.closed && read_boolean(entry.closed, {entry.owner, "closed"});
     if (entry.points.size() < 2) refuse(entry.points, entry.owner + " has fewer than two points");
@@ -237,10 +244,10 @@ class SceneReader {
     const std::size_t edges = scene_.groups.size() - polyline_line_.size();
     std::unordered_map<std::string_view, int> polylines;
     for (std::size_t i = 0; i < polyline_line_.size(); ++i)
-      polylines.emplace(scene_.groups[edges + i], polyline_line_[i]);
+      polylines.emplace(scene_.groups[edges + i].name, polyline_line_[i]);
     if (polylines.empty()) return;
     for (std::size_t i = 0; i < edges; ++i)
-      if (const auto found = polylines.find(scene_.groups[i]); found != polylines.end())
+      if (const auto found = polylines.find(scene_.groups[i].name); found != polylines.end())
         throw InputError({scene_.file, found->second}, "polyline " + quoted_name(found->first) +
                                                            " has the name of an edge, the one in line " +
                                                            std::to_string(scene_.surfaces[i].line));

@@ -147,7 +147,7 @@ class SceneWriter {
   // The index after the run of surfaces that begins at `first` and is one polyline; `first` itself if it is none.
   std::size_t end_of_polyline(std::size_t first) const {
     const std::vector<Surface2>& s = scene_.surfaces;
-    const std::string& group = scene_.groups[s[first].group];
+    const std::string& group = scene_.groups[s[first].group].name;
     if (!name_problem(group).empty()) return first;
     std::size_t i = first;
     while (i < s.size() && s[i].group == s[first].group) {
@@ -188,7 +188,7 @@ class SceneWriter {
       const bool closed = end - first > 1 && s[end - 1].to == s[first].from;
       std::string points = fmt::format("[{}", point(s[first].from));
       for (std::size_t i = first; i + (closed ? 1 : 0) < end; ++i) points += fmt::format(", {}", point(s[i].to));
-      block.add(entry(scene_.groups[s[first].group], points + "]", closed, s[first]));
+      block.add(entry(scene_.groups[s[first].group].name, points + "]", closed, s[first]));
       first = end;
     }
     block.end();
@@ -199,6 +199,8 @@ class SceneWriter {
         fmt::format("{{\"name\": {}, \"points\": {}{}, \"material\": {}", json_string(name), points,
                     closed ? ", \"closed\": true" : "", json_string(scene_.materials[surface.material].name));
     if (surface.back) text += fmt::format(", \"back\": {}", json_string(scene_.materials[*surface.back].name));
+    if (const Behind behind = scene_.groups[surface.group].behind; behind != Behind::kByOutline)
+      text += behind == Behind::kSolid ? ", \"behind\": \"solid\"" : ", \"behind\": \"open\"";
     if (surface.elements != 1) text += fmt::format(", \"elements\": {}", surface.elements);
     return text + "}";
   }

@@ -1,5 +1,6 @@
 #include "geometry/arrangement/arrangement_2.h"
 
+#include "geometry/arrangement/cells_2.h"
 #include "geometry/arrangement/hilbert_order_2.h"
 #include "geometry/arrangement/point_index_2.h"
 #include "kernel/failure.h"
@@ -50,8 +51,9 @@ Arrangement2::Arrangement2(const Scene2& scene, const Division& division) {
   }
   overlay_ = overlay(index.points(), segments_);
   overlay_.set_total_length();
-  assign_owners(scene);
   triangulation_ = Triangulation2(overlay_.vertices, overlay_.pieces);
+  find_solids(scene);
+  assign_owners(scene);
 }
 
 std::vector<PieceSource2> Arrangement2::sources(std::size_t piece) const {
@@ -64,28 +66,58 @@ std::vector<PieceSource2> Arrangement2::sources(std::size_t piece) const {
   return result;
 }
 
+void Arrangement2::find_solids(const Scene2& scene) {
+  if (!may_have_solids(scene)) return;
+  const Cells2 cells(triangulation_, 2 * pieces().size());
+  solids_ = Solids2({scene, overlay_, cells, [this](std::size_t piece) { return sources(piece); }});
+}
+
 void Arrangement2::assign_owners(const Scene2& scene) {
   owner_.resize(2 * pieces().size());
   for (std::size_t piece = 0; piece < pieces().size(); ++piece) {
     const std::vector<PieceSource2> covering = sources(piece);
-    for (const bool right : {false, true}) {
-      const auto [owner, rival] = owner_of_side(scene, covering, right);
-      if (rival) {
-        const Surface2 &first = scene.surfaces[owner.face.surface], &other = scene.surfaces[rival->face.surface];
-        const Segment2& p = pieces()[piece];
-        throw InputError({scene.file, other.line},
-                         "'" + first.name + "' (" + (owner.face.is_back ? "back" : "front") + ") and '" + other.name +
-                             "' (" + (rival->face.is_back ? "back" : "front") +
-                             ") claim the same side with different materials along " +
-                             text(vertices().to_scene(vertices().exact(p.a))) + " to " +
-                             text(vertices().to_scene(vertices().exact(p.b))),
-                         {"materials '" + owner.material->name + "' and '" + rival->material->name + "', on the " +
-                              (right ? "right" : "left") + " of that piece",
-                          "give both the same material, or take one of the surfaces away"});
-      }
-      owner_[2 * piece + (right ? 1 : 0)] = owner.face;
-    }
+    for (const PieceSideId side : {2 * static_cast<PieceSideId>(piece), 2 * static_cast<PieceSideId>(piece) + 1})
+      if (!is_covered(side)) assign_owner(scene, side, covering);
   }
+}
+
+void Arrangement2::assign_owner(const Scene2& scene, PieceSideId side, const std::vector<PieceSource2>& covering) {
+  const bool right = side % 2 == 1;
+  const PieceSideId behind = side ^ 1;
+  const SilentGroups is_silent = [&](std::uint32_t group) { return solids_.is_inside_of(behind, group); };
+  const bool lies_on_solid = is_covered(behind) && has_material_on(scene, covering, !right);
+  const auto [owner, rival] = owner_of_side(scene, covering, right, lies_on_solid ? is_silent : SilentGroups());
+  if (rival) {
+    const Surface2 &first = scene.surfaces[owner.face.surface], &other = scene.surfaces[rival->face.surface];
+    const Segment2& p = pieces()[static_cast<std::size_t>(side / 2)];
+    throw InputError({scene.file, other.line},
+                     "'" + first.name + "' (" + (owner.face.is_back ? "back" : "front") + ") and '" + other.name +
+                         "' (" + (rival->face.is_back ? "back" : "front") +
+                         ") claim the same side with different materials along " +
+                         text(vertices().to_scene(vertices().exact(p.a))) + " to " +
+                         text(vertices().to_scene(vertices().exact(p.b))),
+                     {"materials '" + owner.material->name + "' and '" + rival->material->name + "', on the " +
+                          (right ? "right" : "left") + " of that piece",
+                      "give both the same material, or take one of the surfaces away"});
+  }
+  owner_[static_cast<std::size_t>(side)] = owner.face;
+}
+
+Arrangement2 Arrangement2::restricted_to(const std::vector<std::uint32_t>& kept) const {
+  Arrangement2 result;
+  PointIndex2 index;
+  const auto id_of = [&](VertexId v) { return index.insert(vertices().to_scene(vertices().exact(v))); };
+  result.overlay_.source_begin.push_back(0);
+  for (const std::uint32_t piece : kept) {
+    result.overlay_.pieces.push_back({id_of(pieces()[piece].a), id_of(pieces()[piece].b)});
+    result.overlay_.source_begin.push_back(0);
+    for (const std::uint32_t side : {2 * piece, 2 * piece + 1}) result.owner_.push_back(owner_[side]);
+  }
+  result.overlay_.vertices = Vertices2(index.points(), index.points().size());
+  result.overlay_.set_total_length();
+  result.solids_ = solids_.restricted_to(kept);
+  result.triangulation_ = Triangulation2(result.vertices(), result.pieces());
+  return result;
 }
 
 }  // namespace hottel

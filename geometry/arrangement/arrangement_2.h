@@ -6,41 +6,61 @@
 
 #include "geometry/arrangement/claims_2.h"
 #include "geometry/arrangement/overlay_2.h"
+#include "geometry/arrangement/solids_2.h"
 #include "geometry/arrangement/triangulation_2.h"
 #include "geometry/scene/scene_2.h"
+#include "kernel/failure.h"
 
 namespace hottel {
 
 // How many equal parts each surface is cut into.
 using Division = std::vector<std::uint32_t>;
 
-// The scene after overlay: every piece side belongs to exactly one side of one surface.
+// The scene after overlay: every piece side looks into a solid or belongs to exactly one side of one surface.
 //
 //   (1) each side of a piece takes the claims made on it: a front claims for its material, a back only when it has
 //       one; no claim: the black back of the first listed surface there; one: that face; several with equal material:
 //       the first listed surface
 //   (2) pieces, vertices and owners do not depend on how the pieces were found
+//   (3) sides that look into a solid are covered: they belong to no face and stay opaque. Where a face with a material
+//       looks into a solid and lies on a front of it, that front makes no claim: the other side is of what lies on it
 class Arrangement2 {
  public:
-  // Throws InputError naming both surfaces, the side and the piece when claims with different materials meet.
+  // Throws InputError naming both surfaces, the side and the piece when claims with different materials meet, and for a
+  // "behind" that cannot be obeyed (Solids2).
   Arrangement2(const Scene2& scene, const Division& division);
 
   const Vertices2& vertices() const { return overlay_.vertices; }
   const std::vector<Segment2>& pieces() const { return overlay_.pieces; }
   const Triangulation2& triangulation() const { return triangulation_; }
-  const FacePart& owner(PieceSideId side) const { return owner_[static_cast<std::size_t>(side)]; }
+  const Solids2& solids() const { return solids_; }
+  bool is_covered(PieceSideId side) const { return solids_.is_covered(side); }
+  // REQUIRES that the side is not covered.
+  const FacePart& owner(PieceSideId side) const {
+    HOTTEL_REQUIRE(!is_covered(side));
+    return owner_[static_cast<std::size_t>(side)];
+  }
   std::size_t side_count() const { return owner_.size(); }
 
   // Input segments that cover a piece, in the order of the scene.
   std::vector<PieceSource2> sources(std::size_t piece) const;
 
+  // The arrangement of some pieces (ascending numbers), which keep their order: the others taken away, nothing given
+  // back. Owners are as they were, what was covered stays so, and sources are not known. COST: that of a triangulation
+  // of these pieces.
+  Arrangement2 restricted_to(const std::vector<std::uint32_t>& pieces) const;
+
  private:
+  Arrangement2() = default;
+  void find_solids(const Scene2& scene);
   void assign_owners(const Scene2& scene);
+  void assign_owner(const Scene2& scene, PieceSideId side, const std::vector<PieceSource2>& covering);
 
   Overlay2 overlay_;
   std::vector<Segment2> segments_;      // input of the overlay
   std::vector<FacePart> segment_part_;  // surface and part of each
   std::vector<FacePart> owner_;         // by piece side
+  Solids2 solids_;
   Triangulation2 triangulation_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -35,8 +36,15 @@ struct SideOwner2 {
   std::optional<Claim2> rival;  // the first claim for another material: then the scene is refused
 };
 
+// Groups whose fronts on a side make no claim there.
+using SilentGroups = std::function<bool(std::uint32_t group)>;
+
 // Returns the owner of the right (left) side of a piece: the first face there that claims it, the first black back
-// when none does. REQUIRES: `covering` is not empty and in the order of the scene.
-SideOwner2 owner_of_side(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right);
+// when none does. REQUIRES: `covering` is not empty, not silent altogether, and in the order of the scene.
+SideOwner2 owner_of_side(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right,
+                         const SilentGroups& is_silent = {});
+
+// Returns whether a face with a material is on the right (left) side of a piece.
+bool has_material_on(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right);
 
 }  // namespace hottel

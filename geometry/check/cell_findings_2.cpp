@@ -39,6 +39,7 @@ class CellTeller {
       : scene_(prepared.scene), arrangement_(prepared.arrangement), cells_(cells) {
     cell_of_face_.assign(2 * scene_.surfaces.size(), kNone);
     for (std::size_t side = 0; side < arrangement_.side_count(); ++side) {
+      if (arrangement_.is_covered(static_cast<PieceSideId>(side))) continue;
       std::uint32_t& cell = cell_of_face_[face(static_cast<PieceSideId>(side))];
       const std::uint32_t here = cells.of(static_cast<PieceSideId>(side));
       cell = cell == kNone || cell == here ? here : kSeveral;
@@ -52,7 +53,7 @@ class CellTeller {
     auto rooms = std::count_if(residents_.begin() + 1, residents_.end(), [](auto& faces) { return !faces.empty(); });
     if (has_outsider()) ++rooms;
     for (std::uint32_t cell = 1; cell < cells_.count(); ++cell) {
-      if (residents_[cell].empty()) continue;
+      if (residents_[cell].empty()) continue;  // solid cells too
       const std::vector<PieceSideId> walls = outer_walls(cell);
       if (tell_black(walls)) continue;
       if (is_reversed_solid(cell, walls))
@@ -122,8 +123,8 @@ class CellTeller {
     const std::uint32_t around = cells_.of(walls.front() ^ 1);
     if (residents_[around].empty() || cells_.sides(cell).size() != walls.size()) return false;
     return std::all_of(walls.begin(), walls.end(), [&](PieceSideId side) {
-      return face(side) % 2 == 0 && material(face(side))->emission.is_zero() && cells_.of(side ^ 1) == around &&
-             material(face(side ^ 1)) == nullptr;
+      return face(side) % 2 == 0 && !arrangement_.is_covered(side ^ 1) && material(face(side))->emission.is_zero() &&
+             cells_.of(side ^ 1) == around && material(face(side ^ 1)) == nullptr;
     });
   }
 
@@ -212,6 +213,7 @@ class CellTeller {
     std::vector<char> is_told(cell_of_face_.size(), 0);
     for (std::size_t k = 0; k < arrangement_.side_count(); ++k) {
       const auto side = static_cast<PieceSideId>(k);
+      if (arrangement_.is_covered(side)) continue;
       const std::uint32_t cell = cells_.of(side), f = face(side);
       if (cell_of_face_[f] != kSeveral || material(f) == nullptr || residents_[cell].empty()) continue;
       for (const Integer& element : end_elements(side)) {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/check/cells_2.h"
+#include "geometry/arrangement/cells_2.h"
 #include "geometry/check/finding.h"
 #include "geometry/exchange/exchange_2.h"
 

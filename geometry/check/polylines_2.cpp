@@ -35,7 +35,7 @@ class PolylineRestorer {
       Pieces pieces;
       for (; end < scene_.surfaces.size() && scene_.surfaces[end].group == group; ++end)
         pieces.push_back({scene_.surfaces[end], repair_.former_names[end]});
-      const std::string& name = scene_.groups[group];
+      const std::string& name = scene_.groups[group].name;
       const bool was_polyline = pieces.front().surface.name.starts_with(name + "[");
       Pieces& list = was_polyline && is_restored(name, pieces) ? polylines_ : edges_;
       std::move(pieces.begin(), pieces.end(), std::back_inserter(list));

@@ -12,7 +12,7 @@ void reverse_inside_out(Repair2& repair) {
   CellFindings2 told;
   try {
     const PreparedScene2 prepared = prepare(repair.scene);
-    told = cell_findings(prepared, Cells2(prepared.arrangement));
+    told = cell_findings(prepared, Cells2(prepared.arrangement.triangulation(), prepared.arrangement.side_count()));
   } catch (const InputError&) {
     return;
   }

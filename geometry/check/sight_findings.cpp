@@ -37,6 +37,7 @@ OpenFronts fronts_by_opening(const PreparedScene2& prepared, const ExchangeMatri
   std::vector<std::uint32_t> opening(prepared.scene.surfaces.size(), kNoOpening);
   for (std::size_t k = 0; k < arrangement.side_count(); ++k) {
     const auto side = static_cast<PieceSideId>(k);
+    if (arrangement.is_covered(side)) continue;
     const FacePart& owner = arrangement.owner(side);
     if (const auto found = openings.behind(side); found && !owner.is_back)
       opening[owner.surface] = std::min(opening[owner.surface], *found);

@@ -6,8 +6,8 @@
 
 #include "geometry/exchange/convex_sums_2.h"
 #include "geometry/exchange/exchange_sums_2.h"
+#include "geometry/exchange/pair_alone_2.h"
 #include "geometry/exchange/pair_rounding_2.h"
-#include "geometry/exchange/unobstructed_2.h"
 #include "kernel/failure.h"
 #include "kernel/parallel.h"
 #include "kernel/stopwatch.h"
@@ -159,7 +159,7 @@ ExactPair2 exact_pair(const PreparedScene2& prepared, const Labels2& labels, Per
     result.unobstructed = result.area_from;
   } else {
     result.area_to = labels.exact_length(to, vertices) * vertices.scale();
-    result.unobstructed = unobstructed_exchange(prepared, labels, per, from, to);
+    result.unobstructed = PairsAlone2(prepared, labels, per).exact(from, to);
   }
   return result;
 }
@@ -175,14 +175,7 @@ std::vector<RootSum> exact_areas(const PreparedScene2& prepared, Per per) {
 
 std::vector<LabelPair> hidden_pairs(const PreparedScene2& prepared, Per per, const ExchangeMatrix& matrix) {
   const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
-  const Vertices2& vertices = prepared.arrangement.vertices();
-  const auto would_exchange = [&](std::uint32_t i, std::uint32_t j) {
-    if (per == Per::kGroup) return !unobstructed_exchange(prepared, labels, per, i, j).is_zero();
-    for (const Segment2& f : labels.runs(i))
-      for (const Segment2& g : labels.runs(j))
-        if (face_each_other(vertices, f, g)) return true;
-    return false;
-  };
+  const PairsAlone2 alone(prepared, labels, per);
   std::vector<LabelPair> result;
   for (std::uint32_t i = 0; i < labels.count(); ++i) {
     if (!matrix.has_row(i)) continue;
@@ -191,7 +184,7 @@ std::vector<LabelPair> hidden_pairs(const PreparedScene2& prepared, Per per, con
     for (std::uint32_t j = 0; j < labels.count(); ++j) {
       while (entry != row.end() && entry->to < j) ++entry;
       if (entry != row.end() && entry->to == j) continue;
-      if (would_exchange(i, j)) result.emplace_back(i, j);
+      if (alone.is_positive(i, j)) result.emplace_back(i, j);
     }
     if (row.empty() || row.back().to != labels.sky()) result.emplace_back(i, labels.sky());
   }

@@ -46,7 +46,7 @@ class Sweep {
 std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const Labels2& labels,
                                        const std::function<void(double)>& progress, std::uint64_t most_pairs,
                                        SumCounts& counts) {
-  const std::size_t label_count = labels.count() + 1;  // the sky too
+  const std::size_t label_count = labels.covered() + 1;
   auto sums = sum_terms<FixedTerm>(arrangement.vertices().size(), label_count, Sweep(arrangement, labels), progress,
                                    most_pairs, counts);
   std::size_t total = 0;
@@ -83,7 +83,7 @@ std::uint64_t estimated_pairs(const Arrangement2& arrangement, const Labels2& la
 }
 
 Int128 closure_defect(const std::vector<PairSum>& pairs, const Labels2& labels) {
-  std::vector<Int128> sum(labels.count() + 1, 0);
+  std::vector<Int128> sum(labels.sky() + 1, 0);
   for (const PairSum& pair : pairs) {
     sum[pair.i] += pair.value;
     if (pair.j != pair.i) sum[pair.j] += pair.value;

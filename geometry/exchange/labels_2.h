@@ -23,10 +23,17 @@ class Labels2 {
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(elements_.size()); }
   std::uint32_t sky() const { return count(); }
+  // The label of sides that belong to no element: they look into a solid. It has no row.
+  std::uint32_t covered() const { return count() + 1; }
   const std::vector<Element>& elements() const { return elements_; }
 
   std::uint32_t of(PieceSideId side) const { return of_side_[static_cast<std::size_t>(side + 1)]; }
   bool has_row(std::uint32_t label) const { return has_row_[label] != 0; }
+
+  // The labels i and j alone (0, and 1 where j is another), on the arrangement of some pieces (ascending numbers) of
+  // the one that these are of. All other sides are covered.
+  Labels2 restricted_to(std::uint32_t i, std::uint32_t j, const std::vector<std::uint32_t>& pieces,
+                        const Arrangement2& arrangement_of_pieces) const;
 
   // The element's straight runs: its owned pieces, joined where they follow each other, front on the right.
   std::span<const Segment2> runs(std::uint32_t label) const {
@@ -40,11 +47,14 @@ class Labels2 {
   RootSum exact_length(std::uint32_t label, const Vertices2& vertices) const;  // in integer form
 
  private:
-  void find_runs(const Arrangement2& arrangement, bool labels_are_straight);
+  Labels2() = default;
+  void measure(const Arrangement2& arrangement);
+  void find_runs(const Arrangement2& arrangement);
 
   std::vector<Element> elements_;
   std::vector<std::uint32_t> of_side_;  // by PieceSideId + 1; the sky first
-  std::vector<char> has_row_;           // one more than elements: the sky has none
+  std::vector<char> has_row_;           // two more than elements: the sky and what is covered have none
+  bool are_straight_ = true;
   std::vector<Segment2> runs_;
   std::vector<std::size_t> runs_begin_;
   std::vector<VertexId> end_;

@@ -2,26 +2,10 @@
 
 #include <cmath>
 
-#include "geometry/exchange/unobstructed_2.h"
-
 namespace hottel {
 namespace {
 
 FixedSum twice(const FixedSum& sum) { return {2 * sum.value, 2 * sum.error}; }
-
-// 2 S0 of two labels; nothing when two of their runs cross.
-std::optional<FixedSum> unobstructed(const Vertices2& vertices, const Labels2& labels, std::uint32_t i,
-                                     std::uint32_t j) {
-  FixedSum total;
-  for (const Segment2& f : labels.runs(i))
-    for (const Segment2& g : labels.runs(j)) {
-      const auto sum = unobstructed_sum(vertices, f, g);
-      if (!sum) return std::nullopt;
-      total.value += sum->value;
-      total.error += sum->error;
-    }
-  return total;
-}
 
 }  // namespace
 
@@ -35,6 +19,7 @@ PairRounding::PairRounding(const PreparedScene2& prepared, const Labels2& labels
     : prepared_(prepared),
       labels_(labels),
       options_(options),
+      alone_(prepared, labels, options.per),
       half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {}
 
 RoundedPair PairRounding::quick(const PairSum& pair, TierCounts& tiers) const {
@@ -59,14 +44,14 @@ RoundedPair PairRounding::quick(const PairSum& pair, TierCounts& tiers) const {
     if (rounded) result.measure = rounded->number.value;
   }
   if (!options_.wants_visibility || pair.j == labels_.sky()) return result;
-  if (options_.per == Per::kGroup) {
+  if (!alone_.are_straight(pair.i, pair.j)) {
     result.is_visibility_open = true;
   } else if (!pair.is_obstructed && !may_be_zero) {
     result.visibility = 1;
     tiers.count(Tier::kDouble);
   } else {
     Rounded visibility;
-    const auto free = unobstructed(vertices, labels_, pair.i, pair.j);
+    const auto free = alone_.quick(pair.i, pair.j);
     if (free && static_cast<double>(free->value) > free->error)
       settle(*free, visibility, result.is_visibility_open);
     else
@@ -94,8 +79,7 @@ void PairRounding::exactly(const PairSum& pair, const RootSum& sum, RoundedPair&
   if (result.is_measure_open)
     result.measure = round_quotient(sum * (vertices.scale() / 2), RootSum(Rational(1))).number.value;
   if (!result.is_visibility_open) return;
-  const RootSum free =
-      unobstructed_exchange(prepared_, labels_, options_.per, pair.i, pair.j) * (Rational(2) / vertices.scale());
+  const RootSum free = alone_.exact(pair.i, pair.j) * (Rational(2) / vertices.scale());
   if ((free - sum).is_zero()) {
     result.visibility = 1;
     tiers.count(Tier::kRootSum);
@@ -123,43 +107,6 @@ void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels
       pair.is_back_open = false;
     }
   }
-}
-
-RootSum unobstructed_exchange(const PreparedScene2& prepared, const Labels2& labels, Per per, std::uint32_t i,
-                              std::uint32_t j) {
-  const Vertices2& vertices = prepared.arrangement.vertices();
-  RootSum sum;
-  if (per != Per::kGroup) {
-    for (const Segment2& f : labels.runs(i))
-      for (const Segment2& g : labels.runs(j)) sum += unobstructed_exact(vertices, f, g);
-    sum *= vertices.scale() / 2;
-    return sum;
-  }
-  // Two groups alone: a scene of its own.
-  const std::uint32_t group[2] = {prepared.scene.surfaces[labels.elements()[i].surface].group,
-                                  prepared.scene.surfaces[labels.elements()[j].surface].group};
-  Scene2 alone = prepared.scene;
-  std::erase_if(alone.surfaces, [&](const Surface2& s) { return s.group != group[0] && s.group != group[1]; });
-  const PreparedScene2 two = prepare(std::move(alone));
-  const Labels2 two_labels(two.scene, two.arrangement, two.division, per);
-  LabelPair pair{0, 0};
-  for (std::uint32_t label = 0; label < two_labels.count(); ++label) {
-    if (two_labels.elements()[label].name == labels.elements()[i].name) pair.first = label;
-    if (two_labels.elements()[label].name == labels.elements()[j].name) pair.second = label;
-  }
-  return exact_exchange_measures(two, per, {pair}).front();
-}
-
-double unobstructed_factor(const PreparedScene2& prepared, const Labels2& labels, std::uint32_t i, std::uint32_t j) {
-  const Vertices2& vertices = prepared.arrangement.vertices();
-  const auto free = unobstructed(vertices, labels, i, j);
-  if (free && free->value == 0 && free->error == 0) return 0;
-  const FixedSum length = twice(labels.length(i));
-  if (free && static_cast<double>(length.value) > length.error)
-    if (const auto rounded = round_quotient(*free, length)) return rounded->number.value;
-  const RootSum exact = unobstructed_exchange(prepared, labels, Per::kElement, i, j);
-  if (exact.is_zero()) return 0;
-  return round_quotient(exact, labels.exact_length(i, vertices) * vertices.scale()).number.value;
 }
 
 }  // namespace hottel

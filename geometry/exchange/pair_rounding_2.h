@@ -7,6 +7,7 @@
 #include "geometry/exchange/exchange_2.h"
 #include "geometry/exchange/exchange_sums_2.h"
 #include "geometry/exchange/labels_2.h"
+#include "geometry/exchange/pair_alone_2.h"
 #include "kernel/rounding.h"
 
 namespace hottel {
@@ -43,19 +44,11 @@ class PairRounding {
   const PreparedScene2& prepared_;
   const Labels2& labels_;
   const ExchangeOptions2& options_;
+  const PairsAlone2 alone_;
   const FixedScale half_unit_;  // 2 S in fixed point to S in scene units
 };
 
 // A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it.
 void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels, std::vector<RoundedPair>& rounded);
-
-// S0(i, j) of two labels (neither the sky) in scene units: everything but the two taken away.
-RootSum unobstructed_exchange(const PreparedScene2& prepared, const Labels2& labels, Per per, std::uint32_t i,
-                              std::uint32_t j);
-
-// F0(i, j) = S0(i, j) / A_i of two faces or elements (not groups), correctly rounded; 0 when they do not face each
-// other. REQUIRES a row for i.
-// COST: four lengths a pair of runs in fixed point; the exact sum only where these cancel, or the two cross.
-double unobstructed_factor(const PreparedScene2& prepared, const Labels2& labels, std::uint32_t i, std::uint32_t j);
 
 }  // namespace hottel

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/scene/material.h"
@@ -27,6 +28,23 @@ struct Surface2 {
   std::uint32_t elements = 1;         // equal parts the edge is divided into
   std::uint32_t group = 0;            // index into Scene2::groups
   int line = 0;                       // where it stands in the file, 0 if nowhere
+};
+
+// What is behind the backs of a group.
+enum class Behind : unsigned char {
+  kByOutline,  // nothing is said: a solid where the group is a closed outline with its fronts outward
+  kSolid,      // the bounded regions that its black backs look into are solid
+  kOpen,       // the group makes nothing solid
+};
+
+// An edge of its own, or a polyline.
+struct Group2 {
+  std::string name;
+  Behind behind = Behind::kByOutline;
+
+  Group2(std::string n, Behind b = Behind::kByOutline) : name(std::move(n)), behind(b) {}
+  Group2(const char* n) : name(n) {}
+  friend bool operator==(const Group2&, const Group2&) = default;
 };
 
 struct Grid2 {
@@ -57,7 +75,7 @@ struct Scene2 {
   std::string about;
   std::vector<Material> materials;
   std::vector<Surface2> surfaces;
-  std::vector<std::string> groups;  // an edge of its own, or a polyline
+  std::vector<Group2> groups;
   Spectrum sky_emission;
   bool closed = false;
   std::optional<Grid2> grid;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "geometry/arrangement/cells_2.h"
 #include "geometry/check/cell_findings_2.h"
-#include "geometry/check/cells_2.h"
 #include "geometry/check/contact_findings_2.h"
 #include "geometry/check/gap_findings_2.h"
 #include "geometry/check/near_misses_2.h"
@@ -66,7 +66,9 @@ SceneCheck2 check_scene(const Scene2& scene, const CheckOptions& options) {
   } else {
     const PreparedScene2 prepared = prepare(scene);
     append(check.findings, needle_findings(scene, prepared.arrangement));
-    append(check.findings, cell_findings(prepared, Cells2(prepared.arrangement)).findings);
+    append(check.findings,
+           cell_findings(prepared, Cells2(prepared.arrangement.triangulation(), prepared.arrangement.side_count()))
+               .findings);
     try {
       check.factors = factors_as_solved(prepared, options);
     } catch (const RequestError& error) {

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "geometry/exchange/labels_2.h"
-#include "geometry/exchange/pair_rounding_2.h"
+#include "geometry/exchange/pair_alone_2.h"
 #include "geometry/scene/name.h"
 #include "kernel/failure.h"
 #include "kernel/parallel.h"
@@ -63,14 +63,14 @@ class BothSides {
 
 std::vector<double> unobstructed_factors(const PreparedScene2& prepared, const JudgedPairs& judged) {
   const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
+  const PairsAlone2 alone(prepared, labels, Per::kElement);
   std::vector<double> result(judged.pairs().size(), 0);
   parallel_for(
       result.size(),
       [&](std::size_t k) {
         const JudgedPair& pair = judged.pairs()[k];
         if (!pair.is_off || pair.to == labels.sky()) return;
-        result[k] =
-            pair.exact > 0 ? pair.exact / pair.visibility : unobstructed_factor(prepared, labels, pair.from, pair.to);
+        result[k] = pair.exact > 0 ? pair.exact / pair.visibility : alone.factor(pair.from, pair.to);
       },
       kPairsATask);
   return result;

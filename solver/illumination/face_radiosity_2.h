@@ -13,7 +13,7 @@ namespace hottel {
 
 // Radiosity by piece side, per channel, and the emission of the sky.              [unit: that of radiosity]
 //
-//   (1) a side sends out what the element that owns it sends out; a black back nothing
+//   (1) a side sends out what the element that owns it sends out; a black back or what looks into a solid nothing
 //   (2) two sides have the same shade exactly when they send out the same in every channel; shade 0 is black
 class FaceRadiosity2 {
  public:

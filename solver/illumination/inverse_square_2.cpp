@@ -19,7 +19,7 @@ Spot rounded(const ExactPoint2& p) { return {to_double(p.x), to_double(p.y)}; }
 class Lengths {
  public:
   Lengths(const Arrangement2& arrangement, const Labels2& labels) : arrangement_(arrangement) {
-    of_label_.assign(labels.count(), 0.0);
+    of_label_.assign(labels.covered() + std::size_t{1}, 0.0);
     for (std::size_t side = 0; side < arrangement.side_count(); ++side)
       of_label_[labels.of(static_cast<PieceSideId>(side))] += piece(side / 2);
   }
@@ -87,7 +87,7 @@ IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const
     for (std::size_t k = 0; k < m; ++k) {
       if (view.seen[k].behind == kSky) continue;
       const std::uint32_t label = labels.of(view.seen[k].behind);
-      if (!labels.elements()[label].material) continue;
+      if (label == labels.covered() || !labels.elements()[label].material) continue;
       const double r = std::max(std::hypot(middle[label].x - cx, middle[label].y - cy), nearest);
       const double weight =
           lengths.seen_fraction(eye, view.seen[k], view.seen[k + 1 == m ? 0 : k + 1].vertex, label) / (r * r);

@@ -30,7 +30,7 @@ PlainSums plain_sums(const Arrangement2& arrangement, const Labels2& labels, con
     });
   };
   SumCounts counts;
-  return sum_terms<PlainTerm>(arrangement.vertices().size(), labels.count() + 1, sweep, {},
+  return sum_terms<PlainTerm>(arrangement.vertices().size(), labels.covered() + std::size_t{1}, sweep, {},
                               std::numeric_limits<std::uint64_t>::max(), counts);
 }
 
@@ -39,8 +39,10 @@ template <class Points>
 std::vector<double> plain_lengths(const Arrangement2& arrangement, const Labels2& labels, const Points& points) {
   std::vector<double> lengths(labels.count(), 0);
   for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
+    const std::uint32_t label = labels.of(static_cast<PieceSideId>(side));
+    if (label == labels.covered()) continue;
     const Segment2& piece = arrangement.pieces()[side / 2];
-    lengths[labels.of(static_cast<PieceSideId>(side))] += points.distance(piece.a, piece.b);
+    lengths[label] += points.distance(piece.a, piece.b);
   }
   return lengths;
 }

@@ -69,8 +69,10 @@ std::vector<BufferItem2> items_of(const Arrangement2& arrangement, const Labels2
     // The frame mirrors the scene (y points to the right of x): a piece that runs counter-clockwise in it shows the
     // side that is its right one in the scene.
     const auto left_side = static_cast<PieceSideId>(2 * k);
-    if (turn > 0) items.push_back({a, b, labels.of(left_side + 1)});
-    if (turn < 0) items.push_back({b, a, labels.of(left_side)});
+    if (turn == 0) continue;
+    const std::uint32_t label = labels.of(turn > 0 ? left_side + 1 : left_side);
+    if (label == labels.covered()) continue;
+    items.push_back(turn > 0 ? BufferItem2{a, b, label} : BufferItem2{b, a, label});
   }
   return items;
 }

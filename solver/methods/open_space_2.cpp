@@ -1,11 +1,11 @@
 #include "solver/methods/open_space_2.h"
 
-#include "geometry/check/cells_2.h"
+#include "geometry/arrangement/cells_2.h"
 
 namespace hottel {
 
 std::vector<char> borders_open_space(const Arrangement2& arrangement, const Labels2& labels) {
-  const Cells2 cells(arrangement);
+  const Cells2 cells(arrangement.triangulation(), arrangement.side_count());
   std::vector<char> result(labels.count(), 0);
   for (const PieceSideId side : cells.sides(0)) result[labels.of(side)] = 1;
   return result;

@@ -267,7 +267,7 @@ TEST_P(ExactExchange2, IsTheSumOverGroups) {
   const auto group = [&](std::uint32_t i) {
     if (i == faces.matrix().sky()) return groups.matrix().sky();
     const Element& e = faces.matrix().elements()[i];
-    return number_of.at(grouped.groups[grouped.surfaces[e.surface].group] + (e.is_back ? ":back" : ""));
+    return number_of.at(grouped.groups[grouped.surfaces[e.surface].group].name + (e.is_back ? ":back" : ""));
   };
   std::map<LabelPair, RootSum> total;
   std::vector<LabelPair> wholes;

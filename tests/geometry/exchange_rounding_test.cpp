@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "geometry/exchange/pair_alone_2.h"
 #include "geometry/exchange/pair_rounding_2.h"
 #include "geometry/scene/generators_2.h"
 #include "tests/geometry/exchange_scenes.h"
@@ -71,10 +72,11 @@ TEST(RoundingOfFactors2, OfUnobstructedPairsAreThoseOfTheExactSums) {
     const PreparedScene2 prepared = prepare(generate_2({.kind = kind, .n = 60, .seed = 2}), Divided::kYes);
     const Vertices2& vertices = prepared.arrangement.vertices();
     const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
+    const PairsAlone2 alone(prepared, labels, Per::kElement);
     for (std::uint32_t i = 0; i < labels.count(); ++i)
       for (std::uint32_t j = 0; j < labels.count() && labels.has_row(i); ++j) {
-        const RootSum exact = unobstructed_exchange(prepared, labels, Per::kElement, i, j);
-        const double factor = unobstructed_factor(prepared, labels, i, j);
+        const RootSum exact = alone.exact(i, j);
+        const double factor = alone.factor(i, j);
         ++pairs;
         if (exact.is_zero()) {
           EXPECT_EQ(factor, 0) << kind;

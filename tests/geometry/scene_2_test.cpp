@@ -16,7 +16,7 @@ Scene2 two_edges() {
   scene.groups = {"a", "b"};
   scene.surfaces.resize(2);
   for (std::uint32_t i = 0; i < 2; ++i) {
-    scene.surfaces[i].name = scene.groups[i];
+    scene.surfaces[i].name = scene.groups[i].name;
     scene.surfaces[i].to = {1, Rational(i)};
     scene.surfaces[i].group = i;
     scene.surfaces[i].line = static_cast<int>(i) + 5;

@@ -72,7 +72,7 @@ Scene2 random_scene(Random& random) {
   };
   for (std::size_t i = below(6, random); i > 0; --i) {
     Surface2 edge = random_surface("ed\\ge " + std::to_string(i));
-    edge.name = scene.groups.back();
+    edge.name = scene.groups.back().name;
     edge.from = random_point(random);
     edge.to = random_point(random);
     if (edge.from == edge.to) edge.to.x += 1;
@@ -84,7 +84,7 @@ Scene2 random_scene(Random& random) {
     piece.from = random_point(random);
     const Point2 first = piece.from;
     for (std::size_t k = 0; k < pieces; ++k) {
-      piece.name = scene.groups.back() + "[" + std::to_string(k) + "]";
+      piece.name = scene.groups.back().name + "[" + std::to_string(k) + "]";
       piece.to = k > 0 && k + 1 == pieces && below(2, random) ? first : random_point(random);
       if (piece.from == piece.to) piece.to.x += 1;
       scene.surfaces.push_back(piece);

@@ -9,7 +9,7 @@
 #include <functional>
 #include <numbers>
 
-#include "geometry/exchange/pair_rounding_2.h"
+#include "geometry/exchange/pair_alone_2.h"
 #include "geometry/scene/generators_2.h"
 #include "io/scene_json.h"
 
@@ -73,7 +73,7 @@ struct Judged {
   // Factor without obstacles.
   double free(std::uint32_t i, std::uint32_t j) const {
     if (const FactorEntry* known = entry(i, j)) return known->factor.value / known->visibility;
-    const RootSum sum = unobstructed_exchange(prepared, labels, Per::kFace, i, j);
+    const RootSum sum = PairsAlone2(prepared, labels, Per::kFace).exact(i, j);
     return sum.is_zero() ? 0 : round_quotient(sum, RootSum(Rational(1))).number.value / exact.elements()[i].area.value;
   }
   // A pair of faces with rows, of unequal areas and with a visibility that satisfies the condition.

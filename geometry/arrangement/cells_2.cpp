@@ -1,4 +1,4 @@
-#include "geometry/check/cells_2.h"
+#include "geometry/arrangement/cells_2.h"
 
 namespace hottel {
 namespace {
@@ -7,8 +7,7 @@ constexpr std::uint32_t kNone = 0xffffffff;
 
 }  // namespace
 
-Cells2::Cells2(const Arrangement2& arrangement) : of_side_(arrangement.side_count(), 0) {
-  const Triangulation2& triangulation = arrangement.triangulation();
+Cells2::Cells2(const Triangulation2& triangulation, std::size_t side_count) : of_side_(side_count, 0) {
   const auto triangles = static_cast<HalfEdgeId>(triangulation.triangle_count());
   std::vector<std::uint32_t> of_triangle(static_cast<std::size_t>(triangles), kNone);
   const auto cell_of = [&](HalfEdgeId triangle) -> std::uint32_t& {

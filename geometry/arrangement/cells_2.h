@@ -1,15 +1,15 @@
-// The connected parts of the space between surfaces.
+// The connected parts of the plane without the pieces of an arrangement.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "geometry/arrangement/arrangement_2.h"
+#include "geometry/arrangement/triangulation_2.h"
 
 namespace hottel {
 
-// Cells of free space, and the sides of pieces around each.
+// Cells, and the sides of pieces around each.
 //
 //   (1) cell 0 is the one that reaches infinity; the others are bounded
 //   (2) two sides are in one cell iff light can go from one to the other, perhaps by way of other sides and of the sky:
@@ -18,9 +18,11 @@ namespace hottel {
 // COST: linear in the triangles.
 class Cells2 {
  public:
-  explicit Cells2(const Arrangement2& arrangement);
+  // REQUIRES the triangulation of an arrangement that has so many sides.
+  Cells2(const Triangulation2& triangulation, std::size_t side_count);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(begin_.size() - 1); }
+  std::size_t side_count() const { return of_side_.size(); }
   std::uint32_t of(PieceSideId side) const { return of_side_[static_cast<std::size_t>(side)]; }
   std::span<const PieceSideId> sides(std::uint32_t cell) const {
     return {sides_.data() + begin_[cell], sides_.data() + begin_[cell + 1]};
