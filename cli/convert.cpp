@@ -47,8 +47,8 @@ void add_convert(Commands& commands) {
       "From an .svg: lines, polylines, polygons, rects and paths of straight pieces, exactly, y pointing up. The "
       "front\n"
       "of a line is its right side as drawn (a rect is a room); data-front=\"left\" turns it round. Names are ids,\n"
-      "materials classes or data-material, data-back is the material of the back. Curves and whatever else cannot be\n"
-      "read exactly are refused, never dropped.\n"
+      "materials classes or data-material, data-back is the material of the back. Curves, styles that move, resize or\n"
+      "hide, other data- keys and whatever else cannot be read exactly are refused, never dropped.\n"
       "From a .json: the same scene in normal form, numbers shortest, one surface a line.",
       {"hottel convert scenes/drawings/two_rooms.svg /tmp/two_rooms.json",
        "hottel convert scenes/analytic/triangle_345.json -"},
