@@ -25,9 +25,8 @@ void note_materials(const Scene2& scene, const Streams& streams) {
 }
 
 ExitCode convert(const ConvertOptions& options, Streams& streams) {
-  const std::filesystem::path in = options.in, out = options.out;
-  if (out != "-" && out.extension() != ".json")
-    throw UsageError("convert writes a scene (.json, or - for standard output), not '" + options.out + "'");
+  const std::filesystem::path in = options.in;
+  require_scene_ending("convert", options.out);
   const bool is_drawing = in.extension() == ".svg";
   if (!is_drawing && in.extension() != ".json")
     throw UsageError("convert reads a drawing (.svg) or a scene (.json), not '" + options.in + "'");
