@@ -184,14 +184,19 @@ ExitCode Commands::parse_and_run(int argc, const char* const* argv) {
     const std::string name = chosen.empty() ? "hottel" : "hottel " + command.get_name();
     std::string message = error.what();
     std::vector<std::string> hints;
-    if (const auto extras = program_.remaining(true); !extras.empty()) {
-      const bool is_option = extras.front().starts_with("-");
-      hints = near_name_hints(extras.front(), is_option ? option_names(command) : command_names(program_));
-      if (chosen.empty())
-        message =
-            std::string("there is no ") + (is_option ? "option" : "command") + " '" + one_line(extras.front()) + "'";
-      else if (!is_option)
-        hints.clear();
+    if (auto extras = program_.remaining(true);
+        !extras.empty() && (chosen.empty() || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)) {
+      // The first option is what is wrong, the rest perhaps its values; CLI11 lists them in another order.
+      const auto is_option = [](const std::string& text) { return text.starts_with("-"); };
+      const auto option = std::find_if(extras.begin(), extras.end(), is_option);
+      const std::string& extra = chosen.empty() || option == extras.end() ? extras.front() : *option;
+      const char* what = is_option(extra) ? "option" : chosen.empty() ? "command" : "argument";
+      message = (chosen.empty() ? "there is no " : command.get_name() + " has no ") + std::string(what) + " '" +
+                one_line(extra) + "'";
+      if (is_option(extra))
+        hints = near_name_hints(extra, option_names(command));
+      else if (chosen.empty())
+        hints = near_name_hints(extra, command_names(program_));
     }
     hints.push_back("`" + name + " --help` shows what there is");
     print_error(after_colon(message), hints);

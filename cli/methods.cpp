@@ -29,12 +29,12 @@ std::unique_ptr<ExchangeMethod2> make_method(const MethodCatalogue2& methods, co
   std::vector<std::string> known;
   for (const MethodFamily& each : methods.families()) {
     if (each.name == family) return methods.make(name);
-    known.push_back(each.name + name.substr(family.size()));
+    known.push_back(each.name);
   }
   try {
     return methods.make(name);
   } catch (const UsageError& error) {
-    throw UnknownName(error.what(), name, known);
+    throw UnknownName(error.what(), family, known);
   }
 }
 

@@ -37,7 +37,8 @@ struct SolveOptions {
   bool json = false;
 };
 
-// The solver asked for. Where iterations are, auto is one that iterates: what cg can solve it solves best.
+// The solver asked for. With --iterations or --until, auto is one that iterates: cg, or bicgstab where rows of other
+// methods need not be symmetric.
 Solver solver_of(const SolveOptions& options) {
   const auto solver = solver_named(options.solver);
   if (!solver) {

@@ -196,6 +196,7 @@ Answer from_point(const PreparedScene2& prepared, const ExactPoint2& eye, bool w
 
 Answer from_face(const PreparedScene2& prepared, const std::string& name, const Rational& t) {
   if (t < 0 || t > 1) throw UsageError("--at is a position on the edge, between 0 and 1, not " + to_string(t));
+  if (name == "sky") throw UsageError("--on is a face, which the sky is not");
   const Arrangement2& arrangement = prepared.arrangement;
   const FaceName face = face_of(prepared.scene, name);
   const Surface2& surface = prepared.scene.surfaces[face.surface];
