@@ -25,7 +25,7 @@ class OptionPlace {
   OptionPlace() {
     std::filesystem::create_directory_symlink(std::filesystem::path(HOTTEL_SOURCE_DIR) / "scenes",
                                               place_.path("scenes"));
-    for (const auto& [name, text] : kOptionScenes) place_.write(name, text);
+    for (const auto& [name, text] : option_scenes()) place_.write(name, text);
   }
   Outcome run(const std::string& line) const { return place_.run(kOptionVariables + ("; " + line)); }
 
@@ -47,14 +47,14 @@ std::set<std::string> options_of(const std::string& help) {
 TEST(Options, OfEveryCommandAreInTheTable) {
   const OptionPlace place;
   std::set<std::string> there, listed;
-  for (const OptionCommand& command : kOptionCommands) {
+  for (const OptionCommand& command : option_commands()) {
     const std::string name = command.name;
     for (const std::string& option : options_of(place.run("hottel " + name + " --help").out))
       there.insert(name + " " + option);
     for (const char* option : {"--help", "--quiet", "--threads"}) listed.insert(name + " " + option);
   }
-  for (const OptionEntry& entry : kOptionEntries) listed.insert(entry.command + (" " + std::string(entry.option)));
-  EXPECT_EQ(there, listed) << "an option that is new needs an entry in tests/cli/option_table.h";
+  for (const OptionEntry& entry : option_entries()) listed.insert(entry.command + (" " + std::string(entry.option)));
+  EXPECT_EQ(there, listed) << "an option that is new needs an entry in tests/cli/option_table.cpp";
 }
 
 TEST(Options, OfEveryCommandThereIsAreLookedAt) {
@@ -65,7 +65,7 @@ TEST(Options, OfEveryCommandThereIsAreLookedAt) {
   std::set<std::string> there, listed;
   for (auto line = head + 1; line != help.end() && line->starts_with("  "); ++line)
     if ((*line)[2] != ' ') there.insert(line->substr(2, line->find(' ', 2) - 2));
-  for (const OptionCommand& command : kOptionCommands) listed.insert(command.name);
+  for (const OptionCommand& command : option_commands()) listed.insert(command.name);
   EXPECT_EQ(there, listed);
 }
 
@@ -98,7 +98,7 @@ TEST_P(EveryOption, HasAnEffectOrIsRefused) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, EveryOption, testing::ValuesIn(kOptionEntries), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(, EveryOption, testing::ValuesIn(option_entries()), [](const auto& test) {
   return test_name(std::string(test.param.command) + test.param.option);
 });
 
@@ -123,7 +123,7 @@ TEST_P(EveryCommand, IsQuietAndTheSameForAnyNumberOfThreads) {
 TEST_P(EveryCommand, RefusesValuesThatAreEmpty) {
   const OptionPlace place;
   const std::string line = GetParam().line, name = GetParam().name;
-  for (const OptionEntry& entry : kOptionEntries) {
+  for (const OptionEntry& entry : option_entries()) {
     if (entry.command != name) continue;
     const std::string option = entry.option;
     const Outcome outcome = place.run(line + " " + option + " ''");
@@ -137,7 +137,7 @@ TEST_P(EveryCommand, RefusesValuesThatAreEmpty) {
   EXPECT_THAT(argument.err, StartsWith("hottel: an argument is empty\n"));
 }
 
-INSTANTIATE_TEST_SUITE_P(, EveryCommand, testing::ValuesIn(kOptionCommands),
+INSTANTIATE_TEST_SUITE_P(, EveryCommand, testing::ValuesIn(option_commands()),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Options, NumbersAreDecimalAndRefusedWhereTheyWouldBeCut) {
