@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/factor_picture.h"
 #include "cli/memory.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
@@ -17,7 +18,6 @@
 #include "kernel/stopwatch.h"
 #include "kernel/version.h"
 #include "solver/system/gray_exchange.h"
-#include "viewer/picture/scene_picture_2.h"
 
 namespace hottel {
 namespace {
@@ -28,7 +28,7 @@ struct FactorsOptions {
   std::optional<std::string> tolerance;
   ElementOptions elements;
   std::vector<std::string> exact_form;
-  const CLI::Option* exact_form_option = nullptr;
+  const CLI::Option *exact_form_option = nullptr, *pairs_option = nullptr;
   bool wants_exact_form = false, json = false, script_f = false;
   std::string channel;
   std::string picture, toward;
@@ -151,42 +151,6 @@ std::string report_text(const FactorsOptions& options, const ExchangeReport& rep
   return text;
 }
 
-// What fraction of each face's light goes to the surfaces that --toward names.
-FaceColouring colouring_toward(const PreparedScene2& prepared, const std::vector<std::uint32_t>& targets) {
-  const ExchangeMatrix matrix = exact_exchange(prepared, {.per = Per::kFace, .wants_visibility = false});
-  std::vector<char> is_target(prepared.scene.surfaces.size(), 0);
-  for (const std::uint32_t s : targets) is_target[s] = 1;
-  FaceColouring colouring;
-  colouring.front.resize(is_target.size());
-  colouring.back.resize(is_target.size());
-  double largest = 0;
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    const Element& from = matrix.elements()[i];
-    if (!matrix.has_row(i) || is_target[from.surface]) continue;
-    double fraction = 0;
-    for (const FactorEntry& entry : matrix.row(i))
-      if (entry.to != matrix.sky() && is_target[matrix.elements()[entry.to].surface] &&
-          !matrix.elements()[entry.to].is_back)
-        fraction += entry.factor.value;
-    (from.is_back ? colouring.back : colouring.front)[from.surface] = fraction;
-    largest = std::max(largest, fraction);
-  }
-  colouring.scale = {1e-3, std::max(largest, 2e-3), true};
-  return colouring;
-}
-
-std::string draw_picture(const FactorsOptions& options, const PreparedScene2& prepared, PictureFormat format) {
-  const std::vector<std::uint32_t> targets = surfaces_matching(prepared.scene, options.toward);
-  std::string what = options.toward;
-  if (what.ends_with("*")) what.pop_back();
-  ScenePicture2 picture;
-  picture.targets = targets;
-  picture.target_label = what;
-  picture.colouring = colouring_toward(prepared, targets);
-  picture.colouring->title = "view factor to " + what;
-  return scene_picture_2(prepared.scene, picture, format);
-}
-
 // Sorts out what --exact-form took: its two names, or the scene, or both.
 void take_exact_form(FactorsOptions& options) {
   options.wants_exact_form = options.exact_form_option->count() > 0;
@@ -209,11 +173,22 @@ void require_sense(const FactorsOptions& options) {
     if (!tolerance || *tolerance <= 0)
       throw UsageError("--tolerance must be a positive number, not '" + *options.tolerance + "'");
   }
+  if (options.pairs_option->count() > 0) {
+    const Format format = format_of(options);
+    if (!options.matrix.empty() || (format != Format::kCsv && format != Format::kMtx))
+      throw UsageError("--pairs says which pairs are listed: --matrix, .npy, .txt and .bin hold all");
+    if (!options.exact_form.empty()) throw UsageError("--pairs says which pairs are listed: --exact-form A B is one");
+  }
+  if (options.json && options.out.empty() &&
+      (!options.matrix.empty() || options.wants_exact_form || options.pairs_option->count() > 0))
+    throw UsageError("with --json the factors need a file: --matrix, --exact-form and --pairs want -o FILE");
   if (options.json && options.out == "-") throw UsageError("--json and -o - both want standard output; give -o a file");
   if (options.script_f && options.matrix != "" && options.matrix != "factor")
     throw UsageError("--script-f is written as --matrix factor, not --matrix " + options.matrix);
   if (options.script_f && options.pairs != "visible") throw UsageError("--script-f lists all pairs that exchange heat");
   if (options.picture.empty() != options.toward.empty()) throw UsageError("--picture and --toward go together");
+  if (!options.picture.empty() && options.per != "face")
+    throw UsageError("--picture colours whole faces: it is drawn --per face, not --per " + options.per);
 }
 
 // Writes the factors to `out`, and for .mtx their faces to `faces`.
@@ -268,17 +243,25 @@ ExchangeMatrix compute(const FactorsOptions& options, const ExchangeMethod2& met
 ExitCode factors(FactorsOptions options, Streams& streams) {
   take_exact_form(options);
   require_sense(options);
-  const std::unique_ptr<ExchangeMethod2> method = program_methods().make(options.method);
+  const std::unique_ptr<ExchangeMethod2> method = make_method(program_methods(), options.method);
   const Format format = format_of(options);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   if (!options.picture.empty() && !picture)
     throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
 
   Scene2 scene = read_scene_2(options.scene);
+  if (options.tolerance)
+    throw UsageError(
+        "--tolerance is for scenes in space: in the plane every factor is correctly rounded, and those of "
+        "other methods are as good as the method");
   options.elements.apply_to(scene);
   const Per per = per_of(options.per);
+  const PictureTargets targets = picture ? picture_targets(scene, options.toward) : PictureTargets{};
   // An approximate method works on elements, whatever is asked for in the end.
   const bool is_divided = per == Per::kElement || !(is_exact(options) || has_rows_of_its_own(options.method));
+  if (!is_divided && options.elements.is_given())
+    streams.note("elements change nothing here: rows are those of whole " + options.per +
+                 "s; --per element has a row each");
   const PreparedScene2 prepared = prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
 
   // Opened before the work: a path that cannot be written is found at once.
@@ -295,7 +278,8 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   FactorTable table{prepared.scene, gray ? gray->matrix : matrix, per, {}, {}};
   if (gray) table.gray_channel = gray->channel;
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = hidden_pairs(prepared, per, matrix);
-  if (drawing) drawing->write(draw_picture(options, prepared, *picture));
+  if (drawing)
+    drawing->write(factor_picture(prepared.scene, table.matrix, targets, gray ? "script-F" : "view factor", *picture));
   if (out) naming_file(options.scene, [&] { write_factors(options, prepared, table, format, *out, faces); });
 
   // All files are whole before the first one takes its name.
@@ -333,14 +317,19 @@ void add_factors(Commands& commands) {
                   "how to compute, each also as METHOD:normalised" + methods_text(program_methods()))
       ->type_name("METHOD")
       ->capture_default_str();
-  command.add_option("--tolerance", options->tolerance, "for scenes in space; in the plane every factor is exact")
+  command
+      .add_option(
+          "--tolerance", options->tolerance,
+          "for scenes in space, which this version does not read: refused in the plane, where factors are exact")
       ->type_name("T");
   command.add_option("--per", options->per, "one row per face, element or group (polyline)")
       ->check(CLI::IsMember({"face", "element", "group"}))
       ->capture_default_str();
-  command.add_option("--pairs", options->pairs, "visible: S > 0; facing: also pairs that something hides completely")
-      ->check(CLI::IsMember({"visible", "facing"}))
-      ->capture_default_str();
+  options->pairs_option =
+      command
+          .add_option("--pairs", options->pairs, "visible: S > 0; facing: also pairs that something hides completely")
+          ->check(CLI::IsMember({"visible", "facing"}))
+          ->capture_default_str();
   CLI::Option* matrix =
       command.add_option("--matrix", options->matrix, "a dense matrix of this quantity instead of a list");
   matrix->check(CLI::IsMember({"factor", "exchange", "visibility"}));
@@ -362,7 +351,7 @@ void add_factors(Commands& commands) {
       .add_option("--picture", options->picture,
                   "draw the scene (.png, .svg), faces coloured by their factor to --toward")
       ->type_name("FILE");
-  command.add_option("--toward", options->toward, "a face, a polyline, or all whose names begin with NAME*")
+  command.add_option("--toward", options->toward, "a face, a polyline, all whose names begin with NAME*, or sky")
       ->type_name("NAME");
   command.add_flag("--json", options->json, "a report on standard output as one JSON object (factors then need -o)");
 }

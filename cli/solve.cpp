@@ -7,6 +7,7 @@
 #include "cli/memory.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
+#include "cli/unknown_name.h"
 #include "io/factor_files.h"
 #include "io/npy.h"
 #include "io/output_folder.h"
@@ -31,25 +32,25 @@ struct SolveOptions {
   std::optional<double> until;
   std::string grid, illumination = "point", tone = "log";
   double exposure = 1;
-  std::uint64_t memory = 0;
+  std::optional<std::uint64_t> memory;
   ElementOptions elements;
   bool json = false;
 };
 
-// "400x300"
-Grid2 grid_of(const Scene2& scene, const std::string& text) {
-  if (text.empty()) return default_grid(scene);
-  const auto x = text.find('x');
-  const auto number = [](const std::string& digits) -> std::uint32_t {
-    const auto value = parse_rational(digits);
-    if (!value || value->get_den() != 1 || *value < 1 || *value > kMaxGridCells) return 0;
-    return static_cast<std::uint32_t>(value->get_num().get_ui());
-  };
-  const std::uint32_t nx = x == std::string::npos ? 0 : number(text.substr(0, x));
-  const std::uint32_t ny = x == std::string::npos ? 0 : number(text.substr(x + 1));
-  if (nx == 0 || ny == 0)
-    throw UsageError(fmt::format("--grid takes NXxNY with numbers from 1 to {}, not '{}'", kMaxGridCells, text));
-  return grid_over(scene, nx, ny);
+// The solver asked for. With --iterations or --until, auto is one that iterates: cg, or bicgstab where rows of other
+// methods need not be symmetric.
+Solver solver_of(const SolveOptions& options) {
+  const auto solver = solver_named(options.solver);
+  if (!solver) {
+    std::vector<std::string> known;
+    for (int k = 0; k <= static_cast<int>(Solver::kShooting); ++k) known.push_back(to_string(static_cast<Solver>(k)));
+    throw UnknownName("there is no solver called '" + options.solver + "'", options.solver, known);
+  }
+  if (!options.iterations && !options.until) return *solver;
+  if (*solver == Solver::kCholesky || *solver == Solver::kLu)
+    throw UsageError("--iterations and --until do not apply to " + options.solver + ", which is direct");
+  if (*solver == Solver::kAuto) return options.method == "exact" ? Solver::kCg : Solver::kBicgstab;
+  return *solver;
 }
 
 // The factor matrix and the radiosities in full, for scenes that fit on a screen.
@@ -111,11 +112,14 @@ ExchangeMatrix approximate_factors(const ExchangeMethod2& method, const Prepared
 }
 
 ExitCode solve(const SolveOptions& options, Streams& streams) {
-  const std::unique_ptr<ExchangeMethod2> method = program_methods().make(options.method);
-  const auto solver = solver_named(options.solver);
-  if (!solver) throw UsageError("there is no solver called '" + options.solver + "'");
+  const std::unique_ptr<ExchangeMethod2> method = make_method(program_methods(), options.method);
+  const Solver solver = solver_of(options);
   const auto tone = tone_of(options.tone);
-  if (!tone) throw UsageError("there is no tone curve called '" + options.tone + "': linear, reinhard, log, max");
+  if (!tone)
+    throw UnknownName("there is no tone curve called '" + options.tone + "': linear, reinhard, log, max", options.tone,
+                      std::vector<std::string>{"linear", "reinhard", "log", "max"});
+  if (options.memory && options.method != "exact")
+    throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
 
   const std::filesystem::path directory = output_folder(options.out, options.scene);
 
@@ -144,7 +148,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
                           {.per = per,
                            .wants_visibility = false,
                            .occlusion = plan.uses(Plan::kOcclusion),
-                           .memory = memory_allowed(options.memory),
+                           .memory = memory_allowed(options.memory.value_or(0)),
                            .progress = streams.progress("view factors")},
                           &exchange);
   };
@@ -157,7 +161,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const Spectrum& sky = prepared.scene.sky_emission;
   RadiositySolution solution = naming_file(options.scene, [&] {
     RadiositySolution result = solve_radiosity(matrix, materials, sky,
-                                               {.solver = *solver,
+                                               {.solver = solver,
                                                 .iterations = options.iterations,
                                                 .until = options.until,
                                                 .progress = streams.progress("radiosity")});
@@ -173,8 +177,6 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
     set_crude_bounds(matrix, materials, sky, solution);
   }
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
-  if ((options.iterations || options.until) && (solution.used == Solver::kCholesky || solution.used == Solver::kLu))
-    streams.note(fmt::format("--iterations and --until do not apply to {}, which is direct", to_string(solution.used)));
   seconds.insert(solution.seconds.begin(), solution.seconds.end());
   const NetFluxes fluxes(prepared.scene, matrix, solution);
 
@@ -233,9 +235,11 @@ void add_solve(Commands& commands) {
   command.add_option("--solver", options->solver, "auto cholesky cg lu bicgstab jacobi gauss-seidel shooting")
       ->type_name("SOLVER")
       ->capture_default_str();
-  command.add_option("--iterations", options->iterations, "stop an iterative solver after N iterations")
+  command
+      .add_option("--iterations", options->iterations,
+                  "stop an iterative solver (of which auto is one then) after N iterations")
       ->type_name("N")
-      ->check(CLI::Range(0, 1'000'000'000));
+      ->transform(whole_number(0, 1'000'000'000));
   command
       .add_option("--until", options->until, "stop it when the largest residual is below R times the largest source")
       ->type_name("R")
@@ -262,7 +266,7 @@ void add_solve(Commands& commands) {
   options->elements.add_to(command);
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
-      ->check(whole_number());
+      ->transform(whole_number(1));
   command.add_flag("--json", options->json, "report.json on standard output too");
 }
 
