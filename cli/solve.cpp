@@ -174,7 +174,8 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   }
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
   if ((options.iterations || options.until) && (solution.used == Solver::kCholesky || solution.used == Solver::kLu))
-    streams.note(fmt::format("--iterations and --until do not apply to {}, which is direct", to_string(solution.used)));
+    solution.notes.push_back(
+        fmt::format("--iterations and --until do not apply to {}, which is direct", to_string(solution.used)));
   seconds.insert(solution.seconds.begin(), solution.seconds.end());
   const NetFluxes fluxes(prepared.scene, matrix, solution);
 

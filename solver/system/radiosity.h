@@ -41,9 +41,12 @@ struct ElementRadiosity {
   double emission = 0, reflectivity = 0;  // correctly rounded
   double radiosity = 0;
   double lower = 0, upper = 0;          // proven bounds of the radiosity of the exact system
-  double irradiance = 0;                // sum_j F_ij B_j, where there is no reflection too
-  double net = 0;                       // radiosity - irradiance, formed as emission - (1 - reflectivity) irradiance
-  double net_lower = 0, net_upper = 0;  // proven bounds of the net of the exact system
+  double irradiance = 0;                // sum_j F_ij B_j of these radiosities, where there is no reflection too
+  double net_lower = 0, net_upper = 0;  // proven bounds of radiosity - irradiance of the exact system
+  double net_value = 0;                 // within them, without what cancels in the difference of two doubles
+
+  // Returns the difference of these two doubles, rounded once: what is printed as net.
+  double net() const { return radiosity - irradiance; }
 };
 
 // Power [W; W per metre of depth in the plane], sums over the rows of the matrix. What the sky sends in counts as
