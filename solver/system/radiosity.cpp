@@ -28,6 +28,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kDefaultUntil = 1e-12;
 constexpr int kDefaultIterations = 10'000;
 constexpr int kDefaultShots = 100'000;
+constexpr double kWorthANote = 1e-9;  // a relative residual, where it was not said how small it should be
 
 constexpr std::array<const char*, 8> kNames{"auto",     "cholesky", "cg",           "lu",
                                             "bicgstab", "jacobi",   "gauss-seidel", "shooting"};
@@ -242,9 +243,11 @@ class Group {
                                                : make_bicgstab(plain_, components, limits, &history);
       take(solve_by_component(system_, *solver, plain_.source), x);
     }
-    if (!(history.back() <= until) && !options_.iterations)
-      notes.insert(fmt::format("{} stopped after {} iterations with a relative residual of {:.2g}", to_string(used_),
-                               history.size() - 1, history.back()));
+    if (!(history.back() <= (options_.until || !options_.iterations ? until : kWorthANote)))
+      notes.insert(fmt::format(
+          "{} stopped after {} iterations with a relative residual of {:.2g}: by so much radiosities differ "
+          "from emission + reflectivity * irradiance",
+          to_string(used_), history.size() - 1, history.back()));
   }
 
   static void take(const Correction& from, SplitVector& x) {
