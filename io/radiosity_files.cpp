@@ -22,7 +22,7 @@ void write_radiosity_csv(const Scene2& scene, const ExchangeMatrix& matrix, cons
       const ElementRadiosity& r = solution.channels[c].elements[i];
       std::string line = fmt::format("{},{},{}", face, element.part, solution.channel_names[c]);
       for (const double value :
-           {element.area.value, r.emission, r.reflectivity, r.radiosity, r.lower, r.upper, r.irradiance, r.net})
+           {element.area.value, r.emission, r.reflectivity, r.radiosity, r.lower, r.upper, r.irradiance, r.net()})
         line += "," + shortest(value);
       sink(line + "\n");
     }

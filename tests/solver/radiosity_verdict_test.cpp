@@ -48,7 +48,7 @@ TEST_F(RadiosityVerdictTest, NamesWhatStandsForRadiosities) {
       {"irradiances H", [](const ElementRadiosity& each) { return each.irradiance; }},
       {"radiosities without the emission, B - E",
        [](const ElementRadiosity& each) { return each.radiosity - each.emission; }},
-      {"net fluxes B - H", [](const ElementRadiosity& each) { return each.net; }},
+      {"net fluxes B - H", [](const ElementRadiosity& each) { return each.net(); }},
       {"emissions: nothing is reflected", [](const ElementRadiosity& each) { return each.emission; }},
       {"radiosities times pi", [](const ElementRadiosity& each) { return std::numbers::pi * each.radiosity; }},
       {"radiosities times 1/2", [](const ElementRadiosity& each) { return each.radiosity / 2; }},
