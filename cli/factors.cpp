@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/disk_space.h"
 #include "cli/factor_picture.h"
 #include "cli/memory.h"
 #include "cli/methods.h"
@@ -32,6 +33,7 @@ struct FactorsOptions {
   bool wants_exact_form = false, json = false, script_f = false;
   std::string channel;
   std::string picture, toward;
+  std::uint64_t memory = 0;
 };
 
 enum class Format { kCsv, kMtx, kNpy, kView3dText, kView3dBinary };
@@ -95,7 +97,7 @@ GrayFactors gray_factors(const FactorsOptions& options, const PreparedScene2& pr
   gray.matrix = naming_file(options.scene, [&] {
     return gray_exchange(
         matrix, prepared.scene.materials,
-        {.channel = gray.channel, .memory = memory_allowed(), .progress = streams.progress("script-F")});
+        {.channel = gray.channel, .memory = memory_allowed(options.memory), .progress = streams.progress("script-F")});
   });
   for (std::uint32_t i = 0; i < gray.matrix.size(); ++i)
     for (std::size_t k = 0; k < gray.matrix.row(i).size(); ++k)
@@ -221,6 +223,22 @@ void write_factors(const FactorsOptions& options, const PreparedScene2& prepared
   }
 }
 
+// Throws RequestError where a dense file of the scene would not fit on its disk.
+void require_room_for(const FactorsOptions& options, const Scene2& scene, Format format) {
+  std::optional<DenseFormat> dense;
+  if (!options.matrix.empty()) dense = DenseFormat::kCsv;
+  if (format == Format::kNpy) dense = DenseFormat::kNpy;
+  if (format == Format::kView3dText) dense = DenseFormat::kView3dText;
+  if (format == Format::kView3dBinary) dense = DenseFormat::kView3dBinary;
+  if (!dense || (options.json && options.out.empty())) return;
+  const DenseSize size = dense_size(scene, per_of(options.per), *dense);
+  const bool is_text = *dense == DenseFormat::kCsv || *dense == DenseFormat::kView3dText;
+  require_space(options.out.empty() ? "-" : options.out, size.bytes,
+                fmt::format("{}: a dense matrix of {} x {} numbers takes {}", options.scene, size.rows, size.rows,
+                            is_text ? "at least" : "exactly"),
+                "; lists of the pairs that see each other, -o FILE.csv or FILE.mtx without --matrix, are smaller");
+}
+
 ExchangeMatrix compute(const FactorsOptions& options, const ExchangeMethod2& method, const PreparedScene2& prepared,
                        const Streams& streams, ExchangeReport& report, MethodReport& of_method) {
   const Per per = per_of(options.per);
@@ -230,7 +248,7 @@ ExchangeMatrix compute(const FactorsOptions& options, const ExchangeMethod2& met
                             {.per = per,
                              .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
                              .wants_measures = options.matrix == "exchange",
-                             .memory = memory_allowed(),
+                             .memory = memory_allowed(options.memory),
                              .progress = streams.progress("view factors")},
                             &report);
     });
@@ -255,6 +273,7 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
         "--tolerance is for scenes in space: in the plane every factor is correctly rounded, and those of "
         "other methods are as good as the method");
   options.elements.apply_to(scene);
+  require_room_for(options, scene, format);
   const Per per = per_of(options.per);
   const PictureTargets targets = picture ? picture_targets(scene, options.toward) : PictureTargets{};
   // An approximate method works on elements, whatever is asked for in the end.
@@ -347,6 +366,9 @@ void add_factors(Commands& commands) {
                                    ->excludes(matrix)
                                    ->excludes(script_f)
                                    ->type_name("[A B]");
+  command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
+      ->type_name("BYTES")
+      ->check(whole_number());
   command
       .add_option("--picture", options->picture,
                   "draw the scene (.png, .svg), faces coloured by their factor to --toward")

@@ -114,7 +114,7 @@ std::string report_json(const SolveReport& report) {
                     {"defect", solution.energy.defect}};
   json["bounds"] = {{"max_relative_width", solution.max_relative_width}};
   if (report.illumination_max_error) json["bounds"]["illumination_max_error"] = *report.illumination_max_error;
-  json["picture"] = {{"scale", report.picture_scale}};
+  if (report.picture_scale) json["picture"] = {{"scale", *report.picture_scale}};
   json["notes"] = solution.notes;
   return json.dump(2) + "\n";
 }
