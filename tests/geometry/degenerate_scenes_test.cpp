@@ -119,7 +119,9 @@ oracle::Measures coefficients_by_gap(const PreparedScene2& prepared) {
 
 // Pairs of which one has a row, and coefficients other than 0.
 void tidy(oracle::Measures& measures, const ExchangeMatrix& matrix) {
-  const auto has_row = [&](int i) { return i != oracle::kInfinity && matrix.has_row(static_cast<std::uint32_t>(i)); };
+  const auto has_row = [&](int i) {
+    return 0 <= i && static_cast<std::uint32_t>(i) < matrix.size() && matrix.has_row(static_cast<std::uint32_t>(i));
+  };
   for (auto& [pair, lengths] : measures) std::erase_if(lengths, [](const auto& term) { return term.second == 0; });
   std::erase_if(measures, [&](const auto& entry) {
     return entry.second.empty() || !(has_row(entry.first.first) || has_row(entry.first.second));
