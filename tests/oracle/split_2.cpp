@@ -20,33 +20,43 @@ mpq_class dot(const Point& o, const Point& a, const Point& b) {
   return (a.first - o.first) * (b.first - o.first) + (a.second - o.second) * (b.second - o.second);
 }
 
-Point start(const InputSegment& s) { return {s.ax, s.ay}; }
-Point end(const InputSegment& s) { return {s.bx, s.by}; }
+// A point, exact and rounded.
+struct End {
+  Point p;
+  double x, y;
+};
+struct Ends {
+  End a, b;
+};
+
+Ends ends_of(const InputSegment& s) {
+  return {{{s.ax, s.ay}, s.ax.get_d(), s.ay.get_d()}, {{s.bx, s.by}, s.bx.get_d(), s.by.get_d()}};
+}
 
 // The sign of cross(o, a, b), by doubles where their errors leave no doubt: each coordinate is off by at most 2^-52 of
 // the largest, the differences by 2^-50, and the determinant by less than 2^-45 of the largest squared.
-int side(const Point& o, const Point& a, const Point& b) {
-  const double ox = o.first.get_d(), oy = o.second.get_d(), ax = a.first.get_d(), ay = a.second.get_d(),
-               bx = b.first.get_d(), by = b.second.get_d();
-  const double guess = (ax - ox) * (by - oy) - (ay - oy) * (bx - ox);
-  const double largest = std::max({std::abs(ox), std::abs(oy), std::abs(ax), std::abs(ay), std::abs(bx), std::abs(by)});
+int side(const End& o, const End& a, const End& b) {
+  const double guess = (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+  const double largest =
+      std::max({std::abs(o.x), std::abs(o.y), std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
   const double doubt = std::ldexp(largest * largest, -45);
   if (guess > doubt) return 1;
   if (guess < -doubt) return -1;
-  return sgn(cross(o, a, b));
+  return sgn(cross(o.p, a.p, b.p));
 }
 
 // Adds where t touches s, as points of s.
-void add_contacts(const InputSegment& s, const InputSegment& t, std::vector<Point>& contacts) {
-  const Point a = start(s), b = end(s), c = start(t), d = end(t);
-  const int c_side = side(a, b, c), d_side = side(a, b, d);
+void add_contacts(const Ends& s, const Ends& t, std::vector<Point>& contacts) {
+  const int c_side = side(s.a, s.b, t.a), d_side = side(s.a, s.b, t.b);
+  if (c_side * d_side > 0) return;
+  const Point &a = s.a.p, &b = s.b.p, &c = t.a.p, &d = t.b.p;
   const auto add_if_inside = [&](const Point& p) {
     const mpq_class along = dot(a, b, p);
     if (along > 0 && along < dot(a, b, b)) contacts.push_back(p);
   };
   if (c_side == 0) add_if_inside(c);
   if (d_side == 0) add_if_inside(d);
-  if (c_side * d_side >= 0 || side(c, d, a) * side(c, d, b) >= 0) return;
+  if (c_side * d_side == 0 || side(t.a, t.b, s.a) * side(t.a, t.b, s.b) >= 0) return;
   const mpq_class c_area = cross(a, b, c), share = c_area / (c_area - cross(a, b, d));
   contacts.emplace_back(c.first + share * (d.first - c.first), c.second + share * (d.second - c.second));
 }
@@ -140,18 +150,20 @@ class Settlement {
 
 Cut cut(const std::vector<InputSegment>& edges) {
   std::map<std::pair<Point, Point>, std::vector<Lying>> pieces;
+  std::vector<Ends> ends;
+  for (const InputSegment& edge : edges) ends.push_back(ends_of(edge));
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    std::vector<Point> points{start(edges[i]), end(edges[i])};
+    std::vector<Point> points{ends[i].a.p, ends[i].b.p};
     for (std::size_t j = 0; j < edges.size(); ++j)
-      if (j != i) add_contacts(edges[i], edges[j], points);
+      if (j != i) add_contacts(ends[i], ends[j], points);
     const bool is_forwards = points[0] < points[1];
     std::sort(points.begin(), points.end());  // along the edge: the order of points is that of their projections
     points.erase(std::unique(points.begin(), points.end()), points.end());
     for (std::size_t k = 0; k + 1 < points.size(); ++k) pieces[{points[k], points[k + 1]}].push_back({i, is_forwards});
   }
   Cut result;
-  for (const auto& [ends, lying] : pieces) {
-    result.pieces.push_back({ends.first, ends.second});
+  for (const auto& [piece, lying] : pieces) {
+    result.pieces.push_back({piece.first, piece.second});
     result.lying.push_back(lying);
   }
   if (may_have_solids(edges)) result.regions = regions_of(result.pieces);
