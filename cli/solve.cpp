@@ -7,6 +7,7 @@
 #include "cli/memory.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
+#include "io/check_report.h"
 #include "io/factor_files.h"
 #include "io/npy.h"
 #include "io/output_folder.h"
@@ -14,6 +15,7 @@
 #include "io/scene_json.h"
 #include "kernel/failure.h"
 #include "kernel/stopwatch.h"
+#include "solver/check/scene_check_2.h"
 #include "solver/illumination/average_illumination_2.h"
 #include "solver/plan.h"
 #include "solver/system/crude_bounds.h"
@@ -153,6 +155,9 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   if (is_exact) require_closed(prepared.scene, matrix);  // an error of the method is none of the scene
   seconds.insert(exchange.seconds.begin(), exchange.seconds.end());
 
+  const Findings lost_light = lost_light_warnings(prepared, matrix);
+  if (!lost_light.empty()) streams.note(findings_text(prepared.scene, lost_light));
+
   const std::vector<Material>& materials = prepared.scene.materials;
   const Spectrum& sky = prepared.scene.sky_emission;
   RadiositySolution solution = naming_file(options.scene, [&] {
@@ -197,8 +202,15 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   write_npy(shape, light.values, [&npy](std::string_view bytes) { npy.write(bytes); });
   png.write(pixels);
   seconds["write"] = watch.lap();
-  const SolveReport report{options.scene,          &plan,      &exchange, &solution, &fluxes, seconds,
-                           painter.tone().scale(), light_error};
+  const SolveReport report{options.scene,
+                           &plan,
+                           &exchange,
+                           &solution,
+                           &fluxes,
+                           seconds,
+                           painter.tone().scale(),
+                           light_error,
+                           finding_notes(lost_light)};
   json.write(report_json(report));
   // All files are whole before the first one takes its name.
   for (OutputFile* file : {&csv, &flux, &npy, &png, &json}) file->finish();
