@@ -235,7 +235,7 @@ void add_visibility(Commands& commands) {
                    {"hottel visibility scenes/analytic/triangle_345.json --at 1,1",
                     "hottel visibility scenes/analytic/triangle_345.json --on three --at 1/2",
                     "hottel visibility scenes/analytic/strip_obstructed.json --from bottom --to top --json",
-                    "hottel visibility scenes/showcase/apartment.json --at 6,3 -o /tmp/seen.png"},
+                    "hottel visibility scenes/showcase/apartment.json --at 4,3 -o /tmp/seen.png"},
                    [options](Streams& streams) { return visibility(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_option("--at", options->at, "a point X,Y, or with --on a position T from 0 to 1 (numbers may be p/q)");

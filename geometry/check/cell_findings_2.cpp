@@ -53,15 +53,20 @@ class CellTeller {
   CellFindings2 tell() {
     auto rooms = std::count_if(residents_.begin() + 1, residents_.end(), [](auto& faces) { return !faces.empty(); });
     if (has_outsider()) ++rooms;
+    std::vector<std::uint32_t> whole;  // rooms that are not inside out
     for (std::uint32_t cell = 1; cell < cells_.count(); ++cell) {
       if (residents_[cell].empty()) continue;  // solid cells too
       const std::vector<PieceSideId> walls = outer_walls(cell);
       if (tell_black(walls)) continue;
-      if (is_reversed_solid(cell, walls))
+      if (is_reversed_solid(cell, walls)) {
         tell_reversed_solid(walls);
-      else if (rooms > 1)
-        tell_isolated(cell);
+        --rooms;
+      } else {
+        whole.push_back(cell);
+      }
     }
+    if (rooms > 1)
+      for (const std::uint32_t cell : whole) tell_isolated(cell);
     tell_spanning();
     return std::move(told_);
   }

@@ -70,21 +70,25 @@ Cells2 cells_of(const PreparedScene2& prepared) {
   return {prepared.arrangement.triangulation(), prepared.arrangement.side_count()};
 }
 
-// Leaves out what follows from it that a solid holds the rest of the scene.
-void leave_out_consequences(const Scene2& scene, const FaceCover2& cover, Findings& findings) {
-  std::vector<char> is_holder(scene.groups.size(), 0);
+// Leaves out what follows from it that a solid holds the rest of the scene, or that a room is inside out.
+void leave_out_consequences(const Scene2& scene, const FaceCover2& cover, const std::vector<char>& is_inside_out,
+                            Findings& findings) {
+  std::vector<char> is_asked_about(scene.groups.size(), 0);
   bool holds_light = false;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Surface2& surface = scene.surfaces[s];
     const std::uint32_t holder = cover.holder[surface.group];
     if (holder == Solids2::kNone) continue;
-    is_holder[holder] = 1;
+    is_asked_about[holder] = is_asked_about[surface.group] = 1;
     holds_light |= !scene.materials[surface.material].emission.is_zero();
     holds_light |= surface.back && !scene.materials[*surface.back].emission.is_zero();
   }
   std::erase_if(findings, [&](const Finding& finding) {
     if (finding.kind == "no-light") return holds_light;
-    return finding.kind == "sees-only-sky" && is_holder[scene.surfaces[finding.surfaces.front()].group] != 0;
+    if (finding.kind != "sees-only-sky" && finding.kind != "dark") return false;
+    return std::all_of(finding.surfaces.begin(), finding.surfaces.end(), [&](std::uint32_t s) {
+      return is_inside_out[s] != 0 || is_asked_about[scene.surfaces[s].group] != 0;
+    });
   });
 }
 
@@ -113,7 +117,7 @@ void check_light(const PreparedScene2& prepared, const FaceCover2& cover, const 
   check.black_backs = std::move(black.surfaces);
   append(check.findings, sight_findings(prepared, *check.factors));
   append(check.findings, light_findings(scene, *check.factors, options.progress));
-  leave_out_consequences(scene, cover, check.findings);
+  leave_out_consequences(scene, cover, rooms.is_inside_out, check.findings);
 }
 
 }  // namespace
