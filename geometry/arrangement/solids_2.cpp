@@ -53,16 +53,19 @@ class SolidFinder {
   std::vector<Groups> regions_behind() {
     std::vector<Groups> regions(group_count_);
     for (auto& [group, sight] : sight_) {
-      if (behind(group) != Behind::kByOutline || role_[group] == Role::kSolid) continue;
+      if (behind(group) != Behind::kByOutline || is_contested(group)) continue;
       std::sort(sight.fronted.begin(), sight.fronted.end());
       Groups& region = regions[group];
-      for (const PieceSideId side : sight.backs)
-        if (is_behind(sight, cells_.of(side)) && solid_[cells_.of(side)] == Solids2::kNone)
-          region.push_back(cells_.of(side));
+      bool is_refused = false;
+      for (const PieceSideId side : sight.backs) {
+        const std::uint32_t cell = cells_.of(side);
+        if (!is_behind(sight, cell)) continue;
+        is_refused |= open_[cell] != Solids2::kNone;
+        if (solid_[cell] == Solids2::kNone) region.push_back(cell);
+      }
       std::sort(region.begin(), region.end());
       region.erase(std::unique(region.begin(), region.end()), region.end());
-      if (std::any_of(region.begin(), region.end(), [&](std::uint32_t cell) { return open_[cell] != Solids2::kNone; }))
-        region.clear();
+      if (is_refused) region.clear();
     }
     return regions;
   }
@@ -83,6 +86,12 @@ class SolidFinder {
   // A bounded cell that no front of the group looks into. REQUIRES sorted fronted cells.
   static bool is_behind(const Sight& sight, std::uint32_t cell) {
     return cell != 0 && !std::binary_search(sight.fronted.begin(), sight.fronted.end(), cell);
+  }
+
+  // Does the outline of a group enclose what another one says is open?
+  bool is_contested(std::uint32_t group) const {
+    return std::any_of(outlined_.lower_bound({group, 0}), outlined_.lower_bound({group + 1, 0}),
+                       [&](const auto& outlined) { return open_[outlined.second] != Solids2::kNone; });
   }
 
   void find_roles() {
@@ -191,8 +200,10 @@ class SolidFinder {
         [&](std::uint32_t cell) {
           if (!makers[0].empty()) solid_[cell] = *makers[0].begin();
           if (!makers[1].empty()) open_[cell] = *makers[1].begin();
-          for (const std::uint32_t maker : makers[0])
+          for (const std::uint32_t maker : makers[0]) {
             if (behind(maker) == Behind::kSolid) stated_solid_.emplace(cell, maker);
+            if (looks_ == Looks::kAll) outlined_.emplace(maker, cell);
+          }
           if (makers[0].empty()) return;
           for (const PieceSideId side : cells_.sides(cell)) {
             const auto piece = static_cast<std::size_t>(side / 2);
@@ -245,6 +256,7 @@ class SolidFinder {
   std::vector<std::uint32_t> solid_;                                // by cell: the first group that makes it solid
   std::vector<std::uint32_t> open_;                                 // by cell: the first group that says it is open
   std::set<std::pair<std::uint32_t, std::uint32_t>> stated_solid_;  // cell and group that says so
+  std::set<std::pair<std::uint32_t, std::uint32_t>> outlined_;      // group and cell that its outline makes solid
   std::vector<std::pair<PieceSideId, std::uint32_t>> bounding_;
 };
 

@@ -60,7 +60,7 @@ class Solids2 {
 };
 
 // Returns for each group the free cells, ascending, that "behind": "solid" would make solid if the group said so: none
-// where it says something already, encloses a solid, or would be refused. REQUIRES pieces that Solids2 accepts.
+// where it says something already or would be refused. REQUIRES pieces that Solids2 accepts.
 // COST: linear in the sides of pieces.
 std::vector<std::vector<std::uint32_t>> regions_behind(const BarePieces2& pieces);
 
