@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 #include "geometry/scene/name.h"
 #include "kernel/decimal.h"
@@ -50,7 +52,25 @@ struct LooseEnd {
   bool is_own;  // of the group
 };
 
-// The loose ends around the cells that the backs look into: those of the group, or else those of others.
+// The vertices that pieces connect with some of them, themselves included.
+std::unordered_set<VertexId> connected_with(const Overlay2& overlay, std::vector<VertexId> some) {
+  std::unordered_map<VertexId, std::vector<VertexId>> neighbours;
+  for (const Segment2& piece : overlay.pieces) {
+    neighbours[piece.a].push_back(piece.b);
+    neighbours[piece.b].push_back(piece.a);
+  }
+  std::unordered_set<VertexId> connected(some.begin(), some.end());
+  while (!some.empty()) {
+    const VertexId v = some.back();
+    some.pop_back();
+    for (const VertexId w : neighbours[v])
+      if (connected.insert(w).second) some.push_back(w);
+  }
+  return connected;
+}
+
+// The loose ends around the cells that the backs look into: those of the group, or else those of others that it
+// touches, perhaps by way of others.
 std::vector<LooseEnd> loose_ends(const UnboundedBehind2& behind) {
   const Vertices2& vertices = behind.overlay.vertices;
   std::unordered_map<VertexId, int> degree;
@@ -59,10 +79,14 @@ std::vector<LooseEnd> loose_ends(const UnboundedBehind2& behind) {
     ++degree[piece.b];
   }
   std::vector<LooseEnd> ends;
+  const auto piece_of = [&](PieceSideId side) { return behind.overlay.pieces[static_cast<std::size_t>(side / 2)]; };
+  std::vector<VertexId> own;
+  for (const PieceSideId side : behind.backs) own.insert(own.end(), {piece_of(side).a, piece_of(side).b});
+  const std::unordered_set<VertexId> connected = connected_with(behind.overlay, std::move(own));
   const auto add = [&](PieceSideId side, bool is_own) {
-    const Segment2& piece = behind.overlay.pieces[static_cast<std::size_t>(side / 2)];
+    const Segment2 piece = piece_of(side);
     for (const VertexId v : {piece.a, piece.b}) {
-      if (degree[v] != 1) continue;
+      if (degree[v] != 1 || !connected.contains(v)) continue;
       const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
       const Point2 at{p.x, p.y};
       if (std::none_of(ends.begin(), ends.end(), [&](const LooseEnd& end) { return end.at == at; }))
@@ -109,11 +133,14 @@ void refuse_unbounded(const UnboundedBehind2& behind) {
                      {"take the \"back\" or the \"behind\" away"});
   const bool is_open = std::all_of(behind.backs.begin(), behind.backs.end(),
                                    [&](PieceSideId side) { return behind.cells.of(side) == 0; });
+  const bool is_reversed = is_open && std::all_of(behind.backs.begin(), behind.backs.end(),
+                                                  [&](PieceSideId side) { return behind.cells.of(side ^ 1) != 0; });
   std::vector<std::string> hints = gap_hints(behind);
   if (is_open) {
-    hints.emplace_back(
-        hints.empty() ? "close the region, or list the points the other way round where its backs look away from it"
-                      : "close the gap, or draw the solid as a closed polyline, counter-clockwise");
+    hints.emplace_back(is_reversed
+                           ? "close the gap; or, if its fronts look into the solid, list its points the other way "
+                             "round: the front is on the right"
+                           : "close the gap, or draw the solid as a closed polyline, counter-clockwise");
     throw InputError(where, name + ": \"behind\" is \"solid\", but the region behind it is open to infinity",
                      std::move(hints));
   }
