@@ -23,11 +23,10 @@ Rational rational(std::uint32_t n) { return Rational(Integer(static_cast<unsigne
 // The part of a convex polygon on the left of a -> b, or on it.
 std::vector<ExactPoint2> left_part(const std::vector<ExactPoint2>& polygon, const ExactPoint2& a,
                                    const ExactPoint2& b) {
-  const auto height = [&](const ExactPoint2& p) -> Rational {
-    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-  };
+  const Rational dx = b.x - a.x, dy = b.y - a.y;
   std::vector<Rational> heights;
-  for (const ExactPoint2& p : polygon) heights.push_back(height(p));
+  for (const ExactPoint2& p : polygon) heights.push_back(dx * (p.y - a.y) - dy * (p.x - a.x));
+  if (std::all_of(heights.begin(), heights.end(), [](const Rational& height) { return height >= 0; })) return polygon;
   std::vector<ExactPoint2> kept;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const std::size_t next = k + 1 == polygon.size() ? 0 : k + 1;
@@ -58,7 +57,13 @@ class FreeShares {
         regions_(arrangement),
         width_((grid.max.x - grid.min.x) / rational(grid.nx)),
         height_((grid.max.y - grid.min.y) / rational(grid.ny) / width_),
-        shares_(std::size_t{grid.nx} * grid.ny, kUnknown) {}
+        shares_(std::size_t{grid.nx} * grid.ny, kUnknown) {
+    const Vertices2& vertices = arrangement.vertices();
+    for (VertexId v = 0; v < vertices.size(); ++v) {
+      const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
+      exact_.push_back({(p.x - grid.min.x) / width_, (p.y - grid.min.y) / width_});
+    }
+  }
 
   std::vector<double> find() {
     find_cells_at_borders();
@@ -119,12 +124,6 @@ class FreeShares {
     return {triangulation_.corner(h), triangulation_.corner(h + 1), triangulation_.corner(h + 2)};
   }
 
-  // In cells from the first corner of the grid.
-  ExactPoint2 exact(VertexId v) const {
-    const ExactPoint2 p = arrangement_.vertices().to_scene(arrangement_.vertices().exact(v));
-    return {(p.x - grid_.min.x) / width_, (p.y - grid_.min.y) / width_};
-  }
-
   double measured(std::size_t cell, const std::vector<HalfEdgeId>& triangles) const {
     const Rational left(Integer(static_cast<unsigned long>(cell % grid_.nx))),
         bottom = height_ * Rational(Integer(static_cast<unsigned long>(cell / grid_.nx)));
@@ -133,7 +132,7 @@ class FreeShares {
     Rational rest = 2 * height_;
     for (const HalfEdgeId h : triangles) {
       const std::array<VertexId, 3> of_triangle = corners(h);
-      const ExactPoint2 a = exact(of_triangle[0]), b = exact(of_triangle[1]), c = exact(of_triangle[2]);
+      const ExactPoint2 &a = exact_[of_triangle[0]], &b = exact_[of_triangle[1]], &c = exact_[of_triangle[2]];
       rest -= doubled_area(left_part(left_part(left_part(whole, a, b), b, c), c, a));
     }
     if (rest == 0) return 0;
@@ -170,7 +169,8 @@ class FreeShares {
   const Grid2& grid_;
   const CellFrame2& frame_;
   const SolidRegions2 regions_;
-  const Rational width_, height_;  // of a cell: in the scene; in its own width
+  const Rational width_, height_;   // of a cell: in the scene; in its own width
+  std::vector<ExactPoint2> exact_;  // vertices, in cells from the first corner of the grid
   std::vector<double> shares_;
   std::vector<std::size_t> at_border_;              // cells that a border may come near
   std::vector<std::uint32_t> place_;                // by cell: 1 + where it is in at_border_, else 0
