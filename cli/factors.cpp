@@ -184,7 +184,7 @@ std::string draw_picture(const FactorsOptions& options, const PreparedScene2& pr
   picture.target_label = what;
   picture.colouring = colouring_toward(prepared, targets);
   picture.colouring->title = "view factor to " + what;
-  return scene_picture_2(prepared.scene, picture, format);
+  return scene_picture_2(prepared, picture, format);
 }
 
 // Sorts out what --exact-form took: its two names, or the scene, or both.

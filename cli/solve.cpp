@@ -185,7 +185,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   seconds["illumination"] = watch.lap();
 
   const IlluminationPicture2 picture{.tone = *tone, .exposure = options.exposure};
-  const IlluminationPainter2 painter(prepared.scene, light, picture);
+  const IlluminationPainter2 painter(prepared, light, picture);
   CairoCanvas canvas(PictureFormat::kPng, painter.width(), painter.height());
   painter.draw(canvas);
   const std::string pixels = canvas.finish();

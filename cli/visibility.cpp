@@ -191,7 +191,7 @@ Answer from_point(const PreparedScene2& prepared, const ExactPoint2& eye, bool w
       }
       drawing.polygon.push_back(rounded(part.to));
     }
-    return visibility_picture_2(prepared.scene, drawing, format);
+    return visibility_picture_2(prepared, drawing, format);
   };
   return answer;
 }
@@ -296,7 +296,7 @@ Answer between_faces(const PreparedScene2& prepared, const std::string& from, co
     drawing.critical_on_a.push_back(rounded(c.point));
     drawing.lines.emplace_back(rounded(c.point), rounded(c.far));
   }
-  answer.draw = [&prepared, drawing](PictureFormat format) { return pair_picture_2(prepared.scene, drawing, format); };
+  answer.draw = [&prepared, drawing](PictureFormat format) { return pair_picture_2(prepared, drawing, format); };
   return answer;
 }
 

@@ -86,12 +86,12 @@ void LightPixels2::blend(double x, double y, std::uint32_t ix, std::uint32_t iy,
     for (int corner = 0; corner < 4; ++corner) {
       const double cx = std::clamp(left + corner % 2, 0.0, cells.nx - 1.0);
       const double cy = std::clamp(below + corner / 2, 0.0, cells.ny - 1.0);
-      if (has_walls && is_barred(x, y, cx + 0.5, cy + 0.5, own)) continue;
+      const double* value =
+          grid_.values.data() + (static_cast<std::size_t>(cy) * cells.nx + static_cast<std::size_t>(cx)) * channels;
+      if (std::isnan(*value) || (has_walls && is_barred(x, y, cx + 0.5, cy + 0.5, own))) continue;
       const double weight =
           only_seen_counts ? 1
                            : (corner % 2 ? right_share : 1 - right_share) * (corner / 2 ? top_share : 1 - top_share);
-      const double* value =
-          grid_.values.data() + (static_cast<std::size_t>(cy) * cells.nx + static_cast<std::size_t>(cx)) * channels;
       for (std::uint32_t c = 0; c < channels; ++c) pixel[c] += weight * value[c];
       total += weight;
       ++seen;
