@@ -97,7 +97,7 @@ struct Ours {
       for (std::size_t k = 0; k < ring.size(); ++k) {
         const Spot &a = ring[k], &b = ring[(k + 1) % ring.size()];
         Surface2 surface;
-        surface.name = scene.groups.back() + "[" + std::to_string(k) + "]";
+        surface.name = scene.groups.back().name + "[" + std::to_string(k) + "]";
         surface.from = {Rational(a.x), Rational(a.y)};
         surface.to = {Rational(b.x), Rational(b.y)};
         surface.group = group;

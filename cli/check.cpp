@@ -21,6 +21,7 @@ Rational distance_of(const CheckCommandOptions& options) {
   if (options.fix.empty() != options.within.empty()) throw UsageError("--fix OUT and --within D go together");
   if (options.fix == "-") throw UsageError("--fix writes a scene file; standard output has the findings");
   if (options.fix.empty()) return 0;
+  require_scene_ending("--fix", options.fix);
   const auto distance = parse_rational(options.within);
   if (!distance || *distance <= 0) throw UsageError("--within must be a positive number, not '" + options.within + "'");
   return *distance;

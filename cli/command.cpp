@@ -1,6 +1,7 @@
 #include "cli/command.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <new>
@@ -8,6 +9,8 @@
 #include <sstream>
 
 #include "cli/signals.h"
+#include "cli/unknown_name.h"
+#include "io/near_names.h"
 #include "kernel/failure.h"
 #include "kernel/interrupt.h"
 #include "kernel/parallel.h"
@@ -16,7 +19,7 @@
 namespace hottel {
 namespace {
 
-constexpr int kMostThreads = 4096;
+constexpr std::uint64_t kMostThreads = 4096;
 
 // In the list of commands a command has one line: the first of its description.
 class ProgramFormatter : public CLI::Formatter {
@@ -30,7 +33,7 @@ class ProgramFormatter : public CLI::Formatter {
   }
 };
 
-CLI::Validator number_check(const std::string& wanted, bool (*is_wanted)(const std::string& text)) {
+CLI::Validator number_check(const std::string& wanted, std::function<bool(std::string& text)> is_wanted) {
   return CLI::Validator(
       [=](std::string& text) { return is_wanted(text) ? "" : "expected " + wanted + ", not '" + text + "'"; }, "");
 }
@@ -38,6 +41,33 @@ CLI::Validator number_check(const std::string& wanted, bool (*is_wanted)(const s
 double number_or_nan(const std::string& text) {
   double number = 0;
   return CLI::detail::lexical_cast(text, number) && std::isfinite(number) ? number : std::nan("");
+}
+
+// Nothing is meant by an empty name, path or number: it comes of a variable that is not set.
+void refuse_empty_arguments(int argc, const char* const* argv) {
+  for (int k = 1; k < argc; ++k) {
+    const std::string_view argument = argv[k], before = argv[k - 1];
+    const bool is_empty_value = argument.starts_with("--") && argument.find('=') == argument.size() - 1;
+    if (!argument.empty() && !is_empty_value) continue;
+    const std::string_view option = is_empty_value                     ? argument.substr(0, argument.size() - 1)
+                                    : k > 1 && before.starts_with('-') ? before
+                                                                       : "";
+    throw UsageError((option.empty() ? "an argument" : one_line(option)) + std::string(" is empty"));
+  }
+}
+
+// The names of all commands, or of the options of one.
+std::vector<std::string> command_names(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
 }
 
 std::string after_colon(std::string text) {
@@ -59,6 +89,9 @@ ExitCode report_failure() noexcept {
   } catch (const std::filesystem::filesystem_error& error) {
     print_error(error.path1().string() + ": " + error.code().message());
     return ExitCode::kFile;
+  } catch (const UnknownName& error) {
+    print_error(after_colon(error.what()), error.hints());
+    return ExitCode::kUsage;
   } catch (const UsageError& error) {
     print_error(after_colon(error.what()));
     return ExitCode::kUsage;
@@ -89,10 +122,22 @@ CLI::Validator number_not_below_zero() {
   return number_check("a number not below 0", [](const std::string& text) { return number_or_nan(text) >= 0; });
 }
 
-CLI::Validator whole_number() {
-  return number_check("a whole number not below 0", [](const std::string& text) {
-    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return '0' <= c && c <= '9'; });
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+  const bool has_most = most < std::numeric_limits<std::uint64_t>::max();
+  const std::string wanted = has_most ? "a whole number from " + std::to_string(least) + " to " + std::to_string(most)
+                                      : "a whole number not below " + std::to_string(least) + " and below 2^64";
+  return number_check(wanted, [least, most](std::string& text) {
+    if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos) return false;
+    text.erase(0, std::min(text.find_first_not_of('0'), text.size() - 1));
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && least <= number && number <= most;
   });
+}
+
+void require_scene_ending(const std::string& command, const std::string& file) {
+  if (!file.empty() && file != "-" && std::filesystem::path(file).extension() != ".json")
+    throw UsageError(command + " writes a scene (.json, or - for standard output), not '" + file + "'");
 }
 
 Commands::Commands() : program_("hottel: the exact reference for diffuse light", "hottel") {
@@ -110,7 +155,7 @@ void Commands::add_common_options(CLI::App& app) {
   app.add_flag("--quiet", is_quiet_, "No remarks and no progress bar on stderr, only errors");
   app.add_option("--threads", threads_, "Number of threads; results do not depend on it")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
+      ->transform(whole_number(1, kMostThreads));
 }
 
 CLI::App& Commands::add(const std::string& name, const std::string& summary, const std::vector<std::string>& examples,
@@ -125,6 +170,7 @@ CLI::App& Commands::add(const std::string& name, const std::string& summary, con
 }
 
 ExitCode Commands::parse_and_run(int argc, const char* const* argv) {
+  refuse_empty_arguments(argc, argv);
   try {
     program_.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version
@@ -134,16 +180,31 @@ ExitCode Commands::parse_and_run(int argc, const char* const* argv) {
     return ExitCode::kDone;
   } catch (const CLI::ParseError& error) {
     const auto chosen = program_.get_subcommands();
-    if (const auto extras = program_.remaining(); chosen.empty() && !extras.empty()) {
-      const std::string what = extras.front().starts_with("-") ? "option" : "command";
-      print_error(after_colon("there is no " + what + " '" + one_line(extras.front()) + "'"),
-                  {"`hottel --help` shows what there is"});
-      return ExitCode::kUsage;
+    const CLI::App& command = chosen.empty() ? program_ : *chosen.front();
+    const std::string name = chosen.empty() ? "hottel" : "hottel " + command.get_name();
+    std::string message = error.what();
+    std::vector<std::string> hints;
+    if (auto extras = program_.remaining(true);
+        !extras.empty() && (chosen.empty() || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)) {
+      // The first option is what is wrong, the rest perhaps its values; CLI11 lists them in another order.
+      const auto is_option = [](const std::string& text) { return text.starts_with("-"); };
+      const auto option = std::find_if(extras.begin(), extras.end(), is_option);
+      const std::string& extra = chosen.empty() || option == extras.end() ? extras.front() : *option;
+      const char* what = is_option(extra) ? "option" : chosen.empty() ? "command" : "argument";
+      message = (chosen.empty() ? "there is no " : command.get_name() + " has no ") + std::string(what) + " '" +
+                one_line(extra) + "'";
+      if (is_option(extra))
+        hints = near_name_hints(extra, option_names(command));
+      else if (chosen.empty())
+        hints = near_name_hints(extra, command_names(program_));
     }
-    const std::string command = chosen.empty() ? "hottel" : "hottel " + chosen.front()->get_name();
-    print_error(after_colon(error.what()), {"`" + command + " --help` shows what there is"});
+    hints.push_back("`" + name + " --help` shows what there is");
+    print_error(after_colon(message), hints);
     return ExitCode::kUsage;
   }
+  const CLI::App* const chosen = program_.get_subcommands().front();
+  if (program_.count("--threads") > 0 && chosen->count("--threads") > 0)
+    throw UsageError("--threads is given twice, before and after the command");
   std::optional<ThreadLimit> limit;
   if (threads_ > 0) limit.emplace(threads_);
   Streams streams(is_quiet_);

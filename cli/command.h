@@ -15,14 +15,16 @@
 // What run() throws becomes one line (and hints) on stderr and the exit code:
 //   0    it returns ExitCode::kDone, or standard output was closed by its reader
 //   1    RequestError, std::bad_alloc, anything unforeseen
-//   2    UsageError (CLI11 throws its own for unknown commands and options, before run)
+//   2    UsageError (CLI11 throws its own for unknown commands and options, before run); an argument that is empty
 //   3    InputError, OutputError, std::filesystem::filesystem_error
 //   130  Interrupted. Work that polls kernel/interrupt.h stops by itself; other work is ended after a second, or at
 //        the second Ctrl-C, without a trace: temporary files of OutputFile are removed in the signal handler.
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -37,7 +39,13 @@ enum class ExitCode : int { kDone = 0, kUnmet = 1, kUsage = 2, kFile = 3, kInter
 // Checks of an option's number, in words: CLI11's own let NaN pass and take -5 for a very large unsigned number.
 CLI::Validator positive_number();
 CLI::Validator number_not_below_zero();
-CLI::Validator whole_number();
+
+// A whole number in this range, for CLI::Option::transform: leading zeros are dropped, which CLI11 takes for the mark
+// of octal numbers.
+CLI::Validator whole_number(std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+
+// Throws UsageError unless a scene is written to standard output ("" or "-") or to a file that ends in .json.
+void require_scene_ending(const std::string& command, const std::string& file);
 
 // The commands of the program. Each has --help, --quiet and --threads without doing anything for it.
 class Commands {

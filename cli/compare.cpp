@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -12,6 +13,7 @@
 #include "cli/foreign_results.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
+#include "cli/unknown_name.h"
 #include "io/comparison_files.h"
 #include "io/output_folder.h"
 #include "io/scene_json.h"
@@ -27,6 +29,7 @@
 namespace hottel {
 namespace {
 
+constexpr double kBeyond = 1e-6;
 constexpr std::array kErrorsReadOff = {1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9};
 
 struct CompareOptions {
@@ -36,7 +39,7 @@ struct CompareOptions {
   std::size_t worst = 10;
   std::optional<int> repeat;
   double at_most = 0;  // seconds; 0: no limit
-  double beyond = 1e-6;
+  std::optional<double> beyond;
   std::string map;
   ElementOptions elements;
 };
@@ -71,8 +74,38 @@ std::vector<std::string> names_to_run(const MethodCatalogue2& methods, const Com
 
 Methods methods_to_run(const MethodCatalogue2& catalogue, const CompareOptions& options) {
   Methods methods;
-  for (const std::string& name : names_to_run(catalogue, options)) methods.push_back(catalogue.make(name));
+  for (const std::string& name : names_to_run(catalogue, options)) methods.push_back(make_method(catalogue, name));
   return methods;
+}
+
+// Throws UsageError where an option would change nothing.
+void require_effect(const CompareOptions& options, const MethodCatalogue2& catalogue, const Methods& methods,
+                    const std::vector<std::string>& radiosity_files) {
+  std::vector<std::string> names;
+  std::map<std::string, int> members;
+  bool is_foreign = !radiosity_files.empty();
+  for (const auto& method : methods) {
+    names.push_back(method->info().name);
+    ++members[method->info().family];
+    is_foreign = is_foreign || has_rows_of_its_own(method->info().name);
+  }
+  if (!options.map.empty() && std::ranges::find(names, options.map) == names.end())
+    throw UnknownName("--map takes one of the methods that are compared, not '" + options.map + "'", options.map,
+                      names);
+  if (options.beyond && !is_foreign)
+    throw UsageError("--beyond is about results of others: none of the methods is file: or run:");
+  if (options.at_most > 0 && std::ranges::none_of(members, [](const auto& each) { return each.second > 1; }))
+    throw UsageError(
+        "--at-most leaves out the rest of a family: --sweep, or several methods of one, give it something "
+        "to leave out");
+  if (options.sweep) {
+    CompareOptions plain = options;
+    plain.sweep = false;
+    if (names_to_run(catalogue, plain) == names_to_run(catalogue, options))
+      throw UsageError(
+          "--sweep runs families through their parameters: name one that has any by its name alone, as in "
+          "--methods gauss");
+  }
 }
 
 MethodResult run(const MethodComparison2& comparison, const ExchangeMethod2& method, const CompareOptions& options) {
@@ -188,7 +221,7 @@ Outcome run_all(const MethodComparison2& comparison, const Methods& methods, con
     std::ranges::move(explain_worst(explainer, comparison.exact(), result, options.worst),
                       std::back_inserter(outcome.worst));
     if (info.name == options.map) outcome.map = error_map_2(comparison, result, PictureFormat::kPng);
-    add_verdict(comparison, options.beyond, result);
+    add_verdict(comparison, options.beyond.value_or(kBeyond), result);
     result.matrix = {};
     result.solution.reset();
     outcome.results.push_back(std::move(result));
@@ -202,9 +235,7 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   const std::vector<std::string> radiosity_files = take_radiosity_files(options.methods);
   if (!radiosity_files.empty() && options.methods.empty()) options.methods.push_back("exact");
   const Methods methods = methods_to_run(methods_there_are, options);
-  if (!options.map.empty() &&
-      std::ranges::none_of(methods, [&](const auto& method) { return method->info().name == options.map; }))
-    throw UsageError("--map takes one of the methods that are compared, not '" + options.map + "'");
+  require_effect(options, methods_there_are, methods, radiosity_files);
 
   const std::filesystem::path directory = output_folder(options.out, options.scene);
 
@@ -229,13 +260,15 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   const LogPlot plot = work_precision_plot(curves, "What accuracy costs: " + stem, size_of(comparison.exact()));
 
   for (const std::string& name : radiosity_files)
-    outcome.results.push_back(
-        naming_file(options.scene, [&] { return judge_radiosity_file(name, comparison, options.beyond); }));
+    outcome.results.push_back(naming_file(
+        options.scene, [&] { return judge_radiosity_file(name, comparison, options.beyond.value_or(kBeyond)); }));
   csv.write(compare_csv(outcome.results));
   worst.write(worst_csv(outcome.worst));
   read.write(readings_csv(curves, kErrorsReadOff));
   svg.write(log_plot(plot, PictureFormat::kSvg));
   png.write(log_plot(plot, PictureFormat::kPng));
+  if (map && outcome.map.empty())
+    throw RequestError(options.scene + ": --at-most left out " + options.map + ", which --map draws");
   if (map) map->write(outcome.map);
   std::vector<OutputFile*> files = {&csv, &worst, &read, &svg, &png};
   if (map) files.push_back(&*map);
@@ -253,11 +286,12 @@ ExitCode compare(CompareOptions options, Streams& streams) {
 void add_compare(Commands& commands) {
   const auto options = std::make_shared<CompareOptions>();
   const MethodCatalogue2 methods = program_methods();
-  CLI::App& command = commands.add(
-      "compare", "Methods side by side: how wrong their view factors are, and how long they take",
-      {"hottel compare scenes/analytic/square_radiosity.json --elements 4 -o /tmp/square",
-       "hottel compare scenes/analytic/strip_obstructed.json --methods exact --sweep --worst 3 -o /tmp/strip --json"},
-      [options](Streams& streams) { return compare(*options, streams); });
+  CLI::App& command =
+      commands.add("compare", "Methods side by side: how wrong their view factors are, and how long they take",
+                   {"hottel compare scenes/analytic/square_radiosity.json --elements 4 -o /tmp/square",
+                    "hottel compare scenes/analytic/strip_obstructed.json --methods exact,gauss --sweep --worst 3 -o "
+                    "/tmp/strip --json"},
+                   [options](Streams& streams) { return compare(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_option("-o", options->out, "the folder to write into, created; without it ./STEM-hottel/")
       ->type_name("DIR");
@@ -271,13 +305,13 @@ void add_compare(Commands& commands) {
   command.add_flag("--sweep", options->sweep, "run each family that is named through its parameters");
   command.add_option("--worst", options->worst, "how many of the worst pairs of each method worst.csv lists")
       ->type_name("K")
-      ->check(whole_number())
+      ->transform(whole_number())
       ->capture_default_str();
   command
       .add_option("--repeat", options->repeat,
                   "time each method N times after a warm-up; without it at least 3 times and half a second")
       ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000));
+      ->transform(whole_number(1, 1'000'000));
   command
       .add_option("--at-most", options->at_most,
                   "once a family takes more than S seconds, leave out what follows of it in the sweep")
@@ -285,10 +319,10 @@ void add_compare(Commands& commands) {
       ->check(positive_number());
   command
       .add_option("--beyond", options->beyond,
-                  "of file: and run:, call a pair off when it is wrong by more than X and the digits written")
+                  "of file: and run:, call a pair off when it is wrong by more than X (without it " +
+                      shortest(kBeyond) + ") and the digits written")
       ->type_name("X")
-      ->check(number_not_below_zero())
-      ->capture_default_str();
+      ->check(number_not_below_zero());
   command.add_option("--map", options->map, "draw errors.png: where this method gets the light wrong")
       ->type_name("METHOD");
   options->elements.add_to(command);

@@ -25,9 +25,8 @@ void note_materials(const Scene2& scene, const Streams& streams) {
 }
 
 ExitCode convert(const ConvertOptions& options, Streams& streams) {
-  const std::filesystem::path in = options.in, out = options.out;
-  if (out != "-" && out.extension() != ".json")
-    throw UsageError("convert writes a scene (.json, or - for standard output), not '" + options.out + "'");
+  const std::filesystem::path in = options.in;
+  require_scene_ending("convert", options.out);
   const bool is_drawing = in.extension() == ".svg";
   if (!is_drawing && in.extension() != ".json")
     throw UsageError("convert reads a drawing (.svg) or a scene (.json), not '" + options.in + "'");
@@ -47,8 +46,8 @@ void add_convert(Commands& commands) {
       "From an .svg: lines, polylines, polygons, rects and paths of straight pieces, exactly, y pointing up. The "
       "front\n"
       "of a line is its right side as drawn (a rect is a room); data-front=\"left\" turns it round. Names are ids,\n"
-      "materials classes or data-material, data-back is the material of the back. Curves and whatever else cannot be\n"
-      "read exactly are refused, never dropped.\n"
+      "materials classes or data-material, data-back is the material of the back. Curves, styles that move, resize or\n"
+      "hide, other data- keys and whatever else cannot be read exactly are refused, never dropped.\n"
       "From a .json: the same scene in normal form, numbers shortest, one surface a line.",
       {"hottel convert scenes/drawings/two_rooms.svg /tmp/two_rooms.json",
        "hottel convert scenes/analytic/triangle_345.json -"},

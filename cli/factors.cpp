@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/disk_space.h"
+#include "cli/factor_picture.h"
 #include "cli/memory.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
@@ -17,7 +19,6 @@
 #include "kernel/stopwatch.h"
 #include "kernel/version.h"
 #include "solver/system/gray_exchange.h"
-#include "viewer/picture/scene_picture_2.h"
 
 namespace hottel {
 namespace {
@@ -28,10 +29,11 @@ struct FactorsOptions {
   std::optional<std::string> tolerance;
   ElementOptions elements;
   std::vector<std::string> exact_form;
-  const CLI::Option* exact_form_option = nullptr;
+  const CLI::Option *exact_form_option = nullptr, *pairs_option = nullptr;
   bool wants_exact_form = false, json = false, script_f = false;
   std::string channel;
   std::string picture, toward;
+  std::uint64_t memory = 0;
 };
 
 enum class Format { kCsv, kMtx, kNpy, kView3dText, kView3dBinary };
@@ -95,7 +97,7 @@ GrayFactors gray_factors(const FactorsOptions& options, const PreparedScene2& pr
   gray.matrix = naming_file(options.scene, [&] {
     return gray_exchange(
         matrix, prepared.scene.materials,
-        {.channel = gray.channel, .memory = memory_allowed(), .progress = streams.progress("script-F")});
+        {.channel = gray.channel, .memory = memory_allowed(options.memory), .progress = streams.progress("script-F")});
   });
   for (std::uint32_t i = 0; i < gray.matrix.size(); ++i)
     for (std::size_t k = 0; k < gray.matrix.row(i).size(); ++k)
@@ -151,42 +153,6 @@ std::string report_text(const FactorsOptions& options, const ExchangeReport& rep
   return text;
 }
 
-// What fraction of each face's light goes to the surfaces that --toward names.
-FaceColouring colouring_toward(const PreparedScene2& prepared, const std::vector<std::uint32_t>& targets) {
-  const ExchangeMatrix matrix = exact_exchange(prepared, {.per = Per::kFace, .wants_visibility = false});
-  std::vector<char> is_target(prepared.scene.surfaces.size(), 0);
-  for (const std::uint32_t s : targets) is_target[s] = 1;
-  FaceColouring colouring;
-  colouring.front.resize(is_target.size());
-  colouring.back.resize(is_target.size());
-  double largest = 0;
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    const Element& from = matrix.elements()[i];
-    if (!matrix.has_row(i) || is_target[from.surface]) continue;
-    double fraction = 0;
-    for (const FactorEntry& entry : matrix.row(i))
-      if (entry.to != matrix.sky() && is_target[matrix.elements()[entry.to].surface] &&
-          !matrix.elements()[entry.to].is_back)
-        fraction += entry.factor.value;
-    (from.is_back ? colouring.back : colouring.front)[from.surface] = fraction;
-    largest = std::max(largest, fraction);
-  }
-  colouring.scale = {1e-3, std::max(largest, 2e-3), true};
-  return colouring;
-}
-
-std::string draw_picture(const FactorsOptions& options, const PreparedScene2& prepared, PictureFormat format) {
-  const std::vector<std::uint32_t> targets = surfaces_matching(prepared.scene, options.toward);
-  std::string what = options.toward;
-  if (what.ends_with("*")) what.pop_back();
-  ScenePicture2 picture;
-  picture.targets = targets;
-  picture.target_label = what;
-  picture.colouring = colouring_toward(prepared, targets);
-  picture.colouring->title = "view factor to " + what;
-  return scene_picture_2(prepared, picture, format);
-}
-
 // Sorts out what --exact-form took: its two names, or the scene, or both.
 void take_exact_form(FactorsOptions& options) {
   options.wants_exact_form = options.exact_form_option->count() > 0;
@@ -209,11 +175,22 @@ void require_sense(const FactorsOptions& options) {
     if (!tolerance || *tolerance <= 0)
       throw UsageError("--tolerance must be a positive number, not '" + *options.tolerance + "'");
   }
+  if (options.pairs_option->count() > 0) {
+    const Format format = format_of(options);
+    if (!options.matrix.empty() || (format != Format::kCsv && format != Format::kMtx))
+      throw UsageError("--pairs says which pairs are listed: --matrix, .npy, .txt and .bin hold all");
+    if (!options.exact_form.empty()) throw UsageError("--pairs says which pairs are listed: --exact-form A B is one");
+  }
+  if (options.json && options.out.empty() &&
+      (!options.matrix.empty() || options.wants_exact_form || options.pairs_option->count() > 0))
+    throw UsageError("with --json the factors need a file: --matrix, --exact-form and --pairs want -o FILE");
   if (options.json && options.out == "-") throw UsageError("--json and -o - both want standard output; give -o a file");
   if (options.script_f && options.matrix != "" && options.matrix != "factor")
     throw UsageError("--script-f is written as --matrix factor, not --matrix " + options.matrix);
   if (options.script_f && options.pairs != "visible") throw UsageError("--script-f lists all pairs that exchange heat");
   if (options.picture.empty() != options.toward.empty()) throw UsageError("--picture and --toward go together");
+  if (!options.picture.empty() && options.per != "face")
+    throw UsageError("--picture colours whole faces: it is drawn --per face, not --per " + options.per);
 }
 
 // Writes the factors to `out`, and for .mtx their faces to `faces`.
@@ -246,6 +223,22 @@ void write_factors(const FactorsOptions& options, const PreparedScene2& prepared
   }
 }
 
+// Throws RequestError where a dense file of the scene would not fit on its disk.
+void require_room_for(const FactorsOptions& options, const Scene2& scene, Format format) {
+  std::optional<DenseFormat> dense;
+  if (!options.matrix.empty()) dense = DenseFormat::kCsv;
+  if (format == Format::kNpy) dense = DenseFormat::kNpy;
+  if (format == Format::kView3dText) dense = DenseFormat::kView3dText;
+  if (format == Format::kView3dBinary) dense = DenseFormat::kView3dBinary;
+  if (!dense || (options.json && options.out.empty())) return;
+  const DenseSize size = dense_size(scene, per_of(options.per), *dense);
+  const bool is_text = *dense == DenseFormat::kCsv || *dense == DenseFormat::kView3dText;
+  require_space(options.out.empty() ? "-" : options.out, size.bytes,
+                fmt::format("{}: a dense matrix of {} x {} numbers takes {}", options.scene, size.rows, size.rows,
+                            is_text ? "at least" : "exactly"),
+                "; lists of the pairs that see each other, -o FILE.csv or FILE.mtx without --matrix, are smaller");
+}
+
 ExchangeMatrix compute(const FactorsOptions& options, const ExchangeMethod2& method, const PreparedScene2& prepared,
                        const Streams& streams, ExchangeReport& report, MethodReport& of_method) {
   const Per per = per_of(options.per);
@@ -255,7 +248,7 @@ ExchangeMatrix compute(const FactorsOptions& options, const ExchangeMethod2& met
                             {.per = per,
                              .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
                              .wants_measures = options.matrix == "exchange",
-                             .memory = memory_allowed(),
+                             .memory = memory_allowed(options.memory),
                              .progress = streams.progress("view factors")},
                             &report);
     });
@@ -268,17 +261,26 @@ ExchangeMatrix compute(const FactorsOptions& options, const ExchangeMethod2& met
 ExitCode factors(FactorsOptions options, Streams& streams) {
   take_exact_form(options);
   require_sense(options);
-  const std::unique_ptr<ExchangeMethod2> method = program_methods().make(options.method);
+  const std::unique_ptr<ExchangeMethod2> method = make_method(program_methods(), options.method);
   const Format format = format_of(options);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   if (!options.picture.empty() && !picture)
     throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
 
   Scene2 scene = read_scene_2(options.scene);
+  if (options.tolerance)
+    throw UsageError(
+        "--tolerance is for scenes in space: in the plane every factor is correctly rounded, and those of "
+        "other methods are as good as the method");
   options.elements.apply_to(scene);
+  require_room_for(options, scene, format);
   const Per per = per_of(options.per);
+  const PictureTargets targets = picture ? picture_targets(scene, options.toward) : PictureTargets{};
   // An approximate method works on elements, whatever is asked for in the end.
   const bool is_divided = per == Per::kElement || !(is_exact(options) || has_rows_of_its_own(options.method));
+  if (!is_divided && options.elements.is_given())
+    streams.note("elements change nothing here: rows are those of whole " + options.per +
+                 "s; --per element has a row each");
   const PreparedScene2 prepared = prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
 
   // Opened before the work: a path that cannot be written is found at once.
@@ -295,7 +297,8 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   FactorTable table{prepared.scene, gray ? gray->matrix : matrix, per, {}, {}};
   if (gray) table.gray_channel = gray->channel;
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = hidden_pairs(prepared, per, matrix);
-  if (drawing) drawing->write(draw_picture(options, prepared, *picture));
+  if (drawing)
+    drawing->write(factor_picture(prepared, table.matrix, targets, gray ? "script-F" : "view factor", *picture));
   if (out) naming_file(options.scene, [&] { write_factors(options, prepared, table, format, *out, faces); });
 
   // All files are whole before the first one takes its name.
@@ -333,14 +336,19 @@ void add_factors(Commands& commands) {
                   "how to compute, each also as METHOD:normalised" + methods_text(program_methods()))
       ->type_name("METHOD")
       ->capture_default_str();
-  command.add_option("--tolerance", options->tolerance, "for scenes in space; in the plane every factor is exact")
+  command
+      .add_option(
+          "--tolerance", options->tolerance,
+          "for scenes in space, which this version does not read: refused in the plane, where factors are exact")
       ->type_name("T");
   command.add_option("--per", options->per, "one row per face, element or group (polyline)")
       ->check(CLI::IsMember({"face", "element", "group"}))
       ->capture_default_str();
-  command.add_option("--pairs", options->pairs, "visible: S > 0; facing: also pairs that something hides completely")
-      ->check(CLI::IsMember({"visible", "facing"}))
-      ->capture_default_str();
+  options->pairs_option =
+      command
+          .add_option("--pairs", options->pairs, "visible: S > 0; facing: also pairs that something hides completely")
+          ->check(CLI::IsMember({"visible", "facing"}))
+          ->capture_default_str();
   CLI::Option* matrix =
       command.add_option("--matrix", options->matrix, "a dense matrix of this quantity instead of a list");
   matrix->check(CLI::IsMember({"factor", "exchange", "visibility"}));
@@ -358,11 +366,14 @@ void add_factors(Commands& commands) {
                                    ->excludes(matrix)
                                    ->excludes(script_f)
                                    ->type_name("[A B]");
+  command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
+      ->type_name("BYTES")
+      ->check(whole_number());
   command
       .add_option("--picture", options->picture,
                   "draw the scene (.png, .svg), faces coloured by their factor to --toward")
       ->type_name("FILE");
-  command.add_option("--toward", options->toward, "a face, a polyline, or all whose names begin with NAME*")
+  command.add_option("--toward", options->toward, "a face, a polyline, all whose names begin with NAME*, or sky")
       ->type_name("NAME");
   command.add_flag("--json", options->json, "a report on standard output as one JSON object (factors then need -o)");
 }

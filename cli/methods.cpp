@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cli/unknown_name.h"
 #include "io/foreign_matrix.h"
 #include "kernel/failure.h"
 #include "kernel/stopwatch.h"
@@ -21,6 +22,20 @@ MethodCatalogue2 program_methods() {
   methods.add(file_family_2());
   methods.add(run_family_2());
   return methods;
+}
+
+std::unique_ptr<ExchangeMethod2> make_method(const MethodCatalogue2& methods, const std::string& name) {
+  const std::string family = family_of(name);
+  std::vector<std::string> known;
+  for (const MethodFamily& each : methods.families()) {
+    if (each.name == family) return methods.make(name);
+    known.push_back(each.name);
+  }
+  try {
+    return methods.make(name);
+  } catch (const UsageError& error) {
+    throw UnknownName(error.what(), family, known);
+  }
 }
 
 std::string methods_text(const MethodCatalogue2& methods) {

@@ -1,6 +1,7 @@
 // The methods that the program knows, for the commands that compute by any of them.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,10 @@ namespace hottel {
 
 // Those of the library, and file: and run:.
 MethodCatalogue2 program_methods();
+
+// The method of this name. Throws UnknownName with near names when there is none, UsageError when its variant makes no
+// sense.
+std::unique_ptr<ExchangeMethod2> make_method(const MethodCatalogue2& methods, const std::string& name);
 
 // The families for --help, a line each.
 std::string methods_text(const MethodCatalogue2& methods);

@@ -3,13 +3,12 @@
 #include "cli/scene_input.h"
 #include "io/radiosity_files.h"
 #include "io/scene_json.h"
-#include "solver/illumination/illumination_grid_2.h"
 
 namespace hottel {
 namespace {
 
 struct PlanOptions {
-  std::string scene;
+  std::string scene, grid;
   ElementOptions elements;
   bool json = false;
 };
@@ -17,7 +16,7 @@ struct PlanOptions {
 ExitCode plan(const PlanOptions& options, Streams& streams) {
   Scene2 scene = read_scene_2(options.scene);
   options.elements.apply_to(scene);
-  const Grid2 grid = default_grid(scene);
+  const Grid2 grid = grid_of(scene, options.grid);
   const Plan plan(scene, {.everything = false, .grid_cells = std::uint64_t{grid.nx} * grid.ny});
   streams.write("", options.json ? plan_json(options.scene, plan) : plan_text(plan));
   return ExitCode::kDone;
@@ -33,6 +32,8 @@ void add_plan(Commands& commands) {
       [options](Streams& streams) { return plan(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   options->elements.add_to(command);
+  command.add_option("--grid", options->grid, "cells of the illumination, as solve would be asked for them")
+      ->type_name("NXxNY");
   command.add_flag("--json", options->json, "as one JSON object");
 }
 

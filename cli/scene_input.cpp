@@ -4,13 +4,39 @@
 
 #include <algorithm>
 
+#include "cli/command.h"
+#include "cli/unknown_name.h"
 #include "io/scene_json.h"
 #include "kernel/failure.h"
+#include "solver/illumination/illumination_grid_2.h"
 
 namespace hottel {
 namespace {
 
 constexpr long kMostExtentsAway = 1'000'000'000;  // from the origin: then a double tells a millionth of a pixel
+
+// What may be named in a scene: the fronts and backs of its surfaces, or its surfaces and groups; and the sky.
+std::vector<std::string> names_of(const Scene2& scene, bool of_faces) {
+  std::vector<std::string> names;
+  for (const Surface2& surface : scene.surfaces) {
+    names.push_back(surface.name);
+    if (of_faces) names.push_back(surface.name + ":back");
+  }
+  for (const Group2& group : scene.groups)
+    if (!of_faces) names.push_back(group.name);
+  names.emplace_back("sky");
+  return names;
+}
+
+// "window*" for "window3", "room*" for "room[0]".
+std::vector<std::string> beginnings(const Scene2& scene) {
+  std::vector<std::string> names = names_of(scene, false);
+  for (std::string& name : names) {
+    name.resize(std::min(name.size(), name.find_last_not_of("0123456789[].") + 1));
+    name += '*';
+  }
+  return names;
+}
 
 }  // namespace
 
@@ -20,7 +46,7 @@ void ElementOptions::add_to(CLI::App& command) {
   element_size->type_name("H");
   command.add_option("--elements", count, "divide every edge into N equal parts")
       ->type_name("N")
-      ->check(CLI::Range(1u, kMaxElements))
+      ->transform(whole_number(1, kMaxElements))
       ->excludes(element_size);
 }
 
@@ -89,6 +115,21 @@ void require_drawable(const Scene2& scene) {
                     farthest->line, farthest->name, why));
 }
 
+Grid2 grid_of(const Scene2& scene, const std::string& option) {
+  if (option.empty()) return default_grid(scene);
+  const auto x = option.find('x');
+  const auto number = [](const std::string& digits) -> std::uint32_t {
+    const auto value = parse_rational(digits);
+    if (!value || value->get_den() != 1 || *value < 1 || *value > kMaxGridCells) return 0;
+    return static_cast<std::uint32_t>(value->get_num().get_ui());
+  };
+  const std::uint32_t nx = x == std::string::npos ? 0 : number(option.substr(0, x));
+  const std::uint32_t ny = x == std::string::npos ? 0 : number(option.substr(x + 1));
+  if (nx == 0 || ny == 0)
+    throw UsageError(fmt::format("--grid takes NXxNY with numbers from 1 to {}, not '{}'", kMaxGridCells, option));
+  return grid_over(scene, nx, ny);
+}
+
 std::vector<std::uint32_t> surfaces_matching(const Scene2& scene, const std::string& pattern) {
   const bool is_prefix = !pattern.empty() && pattern.back() == '*';
   const std::string prefix = pattern.substr(0, pattern.size() - (is_prefix ? 1 : 0));
@@ -96,20 +137,25 @@ std::vector<std::uint32_t> surfaces_matching(const Scene2& scene, const std::str
   std::vector<std::uint32_t> result;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
     if (matches(scene.surfaces[s].name) || matches(scene.groups[scene.surfaces[s].group].name)) result.push_back(s);
-  if (result.empty()) throw UsageError("no surface of " + scene.file + " is called '" + pattern + "'");
+  if (result.empty())
+    throw UnknownName("no surface of " + scene.file + " is called '" + pattern + "'", pattern,
+                      is_prefix ? beginnings(scene) : names_of(scene, false));
   return result;
 }
 
 std::uint32_t require_element(const ExchangeMatrix& matrix, const std::string& name) {
   if (const auto found = matrix.find(name)) return *found;
-  throw UsageError("there is no face called '" + name + "'");
+  std::vector<std::string> known;
+  for (const Element& element : matrix.elements()) known.push_back(element.name);
+  known.emplace_back("sky");
+  throw UnknownName("there is no face called '" + name + "'", name, known);
 }
 
 FaceName face_of(const Scene2& scene, const std::string& name) {
   if (const auto surface = scene.find(name)) return {*surface, false};
   if (name.ends_with(":back"))
     if (const auto surface = scene.find(name.substr(0, name.size() - 5))) return {*surface, true};
-  throw UsageError("no face of " + scene.file + " is called '" + name + "'");
+  throw UnknownName("no face of " + scene.file + " is called '" + name + "'", name, names_of(scene, true));
 }
 
 }  // namespace hottel

@@ -18,6 +18,7 @@ struct ElementOptions {
   std::optional<std::string> size;
 
   void add_to(CLI::App& command);
+  bool is_given() const { return count || size; }
   void apply_to(Scene2& scene) const;  // throws UsageError for a size that is no positive number
 };
 
@@ -46,14 +47,18 @@ inline constexpr double kLargestDrawn = 1e300;
 // their range, or a scene so far from the origin that they do not tell its points apart.
 void require_drawable(const Scene2& scene);
 
+// The grid of an option --grid, "400x300" cells over the region of the scene's own grid or else of its surfaces;
+// without the option that of default_grid. Throws UsageError.
+Grid2 grid_of(const Scene2& scene, const std::string& option);
+
 // Returns the surfaces whose name, or whose polyline's name, matches: equal, or equal up to a final '*'.
-// Throws UsageError when there is none.
+// Throws UnknownName when there is none.
 std::vector<std::uint32_t> surfaces_matching(const Scene2& scene, const std::string& pattern);
 
-// "SCENE" as the message of a usage error when a name is not found, with near names as hints.
+// The place of an element (or of the sky, matrix.sky()) by name. Throws UnknownName when there is none.
 std::uint32_t require_element(const ExchangeMatrix& matrix, const std::string& name);
 
-// One face of the scene by name, "wall" or "wall:back". Throws UsageError when there is none.
+// One face of the scene by name, "wall" or "wall:back". Throws UnknownName when there is none.
 struct FaceName {
   std::uint32_t surface = 0;
   bool is_back = false;

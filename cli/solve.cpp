@@ -4,9 +4,11 @@
 #include <filesystem>
 
 #include "cli/command.h"
+#include "cli/disk_space.h"
 #include "cli/memory.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
+#include "cli/unknown_name.h"
 #include "io/factor_files.h"
 #include "io/npy.h"
 #include "io/output_folder.h"
@@ -31,25 +33,38 @@ struct SolveOptions {
   std::optional<double> until;
   std::string grid, illumination = "point", tone = "log";
   double exposure = 1;
-  std::uint64_t memory = 0;
+  std::uint32_t size = 0;
+  bool no_picture = false, no_illumination = false;
+  std::optional<std::uint64_t> memory;
   ElementOptions elements;
   bool json = false;
 };
 
-// "400x300"
-Grid2 grid_of(const Scene2& scene, const std::string& text) {
-  if (text.empty()) return default_grid(scene);
-  const auto x = text.find('x');
-  const auto number = [](const std::string& digits) -> std::uint32_t {
-    const auto value = parse_rational(digits);
-    if (!value || value->get_den() != 1 || *value < 1 || *value > kMaxGridCells) return 0;
-    return static_cast<std::uint32_t>(value->get_num().get_ui());
-  };
-  const std::uint32_t nx = x == std::string::npos ? 0 : number(text.substr(0, x));
-  const std::uint32_t ny = x == std::string::npos ? 0 : number(text.substr(x + 1));
-  if (nx == 0 || ny == 0)
-    throw UsageError(fmt::format("--grid takes NXxNY with numbers from 1 to {}, not '{}'", kMaxGridCells, text));
-  return grid_over(scene, nx, ny);
+// The solver asked for. With --iterations or --until, auto is one that iterates: cg, or bicgstab where rows of other
+// methods need not be symmetric.
+Solver solver_of(const SolveOptions& options) {
+  const auto solver = solver_named(options.solver);
+  if (!solver) {
+    std::vector<std::string> known;
+    for (int k = 0; k <= static_cast<int>(Solver::kShooting); ++k) known.push_back(to_string(static_cast<Solver>(k)));
+    throw UnknownName("there is no solver called '" + options.solver + "'", options.solver, known);
+  }
+  if (!options.iterations && !options.until) return *solver;
+  if (*solver == Solver::kCholesky || *solver == Solver::kLu)
+    throw UsageError("--iterations and --until do not apply to " + options.solver + ", which is direct");
+  if (*solver == Solver::kAuto) return options.method == "exact" ? Solver::kCg : Solver::kBicgstab;
+  return *solver;
+}
+
+// Throws RequestError where the light of a grid needs more memory or disk than there is.
+void require_room_for(const Grid2& grid, int channels, const SolveOptions& options,
+                      const std::filesystem::path& directory) {
+  const std::uint64_t bytes = std::uint64_t{grid.nx} * grid.ny * static_cast<std::uint64_t>(channels) * sizeof(double);
+  const std::string what = fmt::format("{}: light on {} x {} cells", options.scene, grid.nx, grid.ny);
+  const std::string advice = "; take a coarser --grid, or --no-illumination";
+  if (const std::uint64_t allowed = memory_allowed(options.memory.value_or(0)); bytes > allowed)
+    throw RequestError(fmt::format("{} takes {} bytes of memory; allowed are {}{}", what, bytes, allowed, advice));
+  require_space(directory / "illumination.npy", bytes, what + " takes", advice);
 }
 
 // The factor matrix and the radiosities in full, for scenes that fit on a screen.
@@ -93,6 +108,17 @@ Light illuminate(const std::string& way, const PreparedScene2& prepared, const G
   return {std::move(averages.grid), averages.max_error};
 }
 
+// Draws the light as the bytes of a PNG file; tells what the tone curve multiplied values by.
+std::string draw(const SolveOptions& options, Tone tone, const PreparedScene2& prepared, const IlluminationGrid& light,
+                 std::optional<double>& scale) {
+  const IlluminationPainter2 painter(prepared, light,
+                                     {.tone = tone, .exposure = options.exposure, .wanted_width = options.size});
+  CairoCanvas canvas(PictureFormat::kPng, painter.width(), painter.height());
+  painter.draw(canvas);
+  scale = painter.tone().scale();
+  return canvas.finish();
+}
+
 constexpr std::size_t kFacesOnAScreen = 12;
 
 // View factors by another method than the exact one; what is to be said of it.
@@ -111,12 +137,18 @@ ExchangeMatrix approximate_factors(const ExchangeMethod2& method, const Prepared
 }
 
 ExitCode solve(const SolveOptions& options, Streams& streams) {
-  const std::unique_ptr<ExchangeMethod2> method = program_methods().make(options.method);
-  const auto solver = solver_named(options.solver);
-  if (!solver) throw UsageError("there is no solver called '" + options.solver + "'");
+  const std::unique_ptr<ExchangeMethod2> method = make_method(program_methods(), options.method);
+  const Solver solver = solver_of(options);
   const auto tone = tone_of(options.tone);
-  if (!tone) throw UsageError("there is no tone curve called '" + options.tone + "': linear, reinhard, log, max");
+  if (!tone)
+    throw UnknownName("there is no tone curve called '" + options.tone + "': linear, reinhard, log, max", options.tone,
+                      std::vector<std::string>{"linear", "reinhard", "log", "max"});
+  if (options.memory && options.method != "exact")
+    throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
 
+  if (options.no_illumination && options.simulate == "everything")
+    throw UsageError("--simulate everything and --no-illumination exclude each other");
+  const bool wants_light = !options.no_illumination, wants_picture = wants_light && !options.no_picture;
   const std::filesystem::path directory = output_folder(options.out, options.scene);
 
   Stopwatch watch;
@@ -126,15 +158,19 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const Grid2 grid = grid_of(scene, options.grid);
   seconds["read"] = watch.lap();
 
-  const Plan plan(scene, {options.simulate == "everything", std::uint64_t{grid.nx} * grid.ny});
+  if (wants_light) require_room_for(grid, channel_count(scene), options, directory);
+
+  const Plan plan(scene, {options.simulate == "everything", wants_light ? std::uint64_t{grid.nx} * grid.ny : 0});
   streams.note(plan_text(plan));
   const bool is_divided = plan.uses(Plan::kSubdivision);
   const Per per = is_divided ? Per::kElement : Per::kFace;
   const PreparedScene2 prepared = prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
 
   const OutputFolder folder(directory);
-  OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), npy(directory / "illumination.npy"),
-      png(directory / "illumination.png"), json(directory / "report.json");
+  OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), json(directory / "report.json");
+  std::optional<OutputFile> npy, png;
+  if (wants_light) npy.emplace(directory / "illumination.npy");
+  if (wants_picture) png.emplace(directory / "illumination.png");
 
   ExchangeReport exchange;
   std::vector<std::string> notes;
@@ -144,7 +180,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
                           {.per = per,
                            .wants_visibility = false,
                            .occlusion = plan.uses(Plan::kOcclusion),
-                           .memory = memory_allowed(options.memory),
+                           .memory = memory_allowed(options.memory.value_or(0)),
                            .progress = streams.progress("view factors")},
                           &exchange);
   };
@@ -157,7 +193,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const Spectrum& sky = prepared.scene.sky_emission;
   RadiositySolution solution = naming_file(options.scene, [&] {
     RadiositySolution result = solve_radiosity(matrix, materials, sky,
-                                               {.solver = *solver,
+                                               {.solver = solver,
                                                 .iterations = options.iterations,
                                                 .until = options.until,
                                                 .progress = streams.progress("radiosity")});
@@ -173,42 +209,48 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
     set_crude_bounds(matrix, materials, sky, solution);
   }
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
-  if ((options.iterations || options.until) && (solution.used == Solver::kCholesky || solution.used == Solver::kLu))
-    streams.note(fmt::format("--iterations and --until do not apply to {}, which is direct", to_string(solution.used)));
   seconds.insert(solution.seconds.begin(), solution.seconds.end());
   const NetFluxes fluxes(prepared.scene, matrix, solution);
 
   watch.lap();
-  const auto [light, light_error] = naming_file(options.scene, [&] {
-    return illuminate(options.illumination, prepared, grid, per, solution, streams.progress("illumination"));
-  });
-  seconds["illumination"] = watch.lap();
-
-  const IlluminationPicture2 picture{.tone = *tone, .exposure = options.exposure};
-  const IlluminationPainter2 painter(prepared, light, picture);
-  CairoCanvas canvas(PictureFormat::kPng, painter.width(), painter.height());
-  painter.draw(canvas);
-  const std::string pixels = canvas.finish();
-  seconds["picture"] = watch.lap();
+  std::optional<Light> light;
+  if (wants_light) {
+    light = naming_file(options.scene, [&] {
+      return illuminate(options.illumination, prepared, grid, per, solution, streams.progress("illumination"));
+    });
+    seconds["illumination"] = watch.lap();
+  }
+  std::string pixels;
+  std::optional<double> picture_scale;
+  if (wants_picture) {
+    pixels = draw(options, *tone, prepared, light->grid, picture_scale);
+    seconds["picture"] = watch.lap();
+  }
 
   write_radiosity_csv(prepared.scene, matrix, solution, [&csv](std::string_view text) { csv.write(text); });
   write_flux_csv(fluxes, solution.channel_names, [&flux](std::string_view text) { flux.write(text); });
-  const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
-  write_npy(shape, light.values, [&npy](std::string_view bytes) { npy.write(bytes); });
-  png.write(pixels);
+  if (npy) {
+    const std::size_t shape[3] = {grid.ny, grid.nx, light->grid.channels};
+    write_npy(shape, light->grid.values, [&npy](std::string_view bytes) { npy->write(bytes); });
+  }
+  if (png) png->write(pixels);
   seconds["write"] = watch.lap();
-  const SolveReport report{options.scene,          &plan,      &exchange, &solution, &fluxes, seconds,
-                           painter.tone().scale(), light_error};
+  const SolveReport report{options.scene, &plan,   &exchange,     &solution,
+                           &fluxes,       seconds, picture_scale, light ? light->max_error : std::nullopt};
   json.write(report_json(report));
   // All files are whole before the first one takes its name.
-  for (OutputFile* file : {&csv, &flux, &npy, &png, &json}) file->finish();
+  std::vector<OutputFile*> files{&csv, &flux};
+  if (npy) files.push_back(&*npy);
+  if (png) files.push_back(&*png);
+  files.push_back(&json);
+  for (OutputFile* file : files) file->finish();
   if (options.json) streams.write("", report_json(report));
-  for (OutputFile* file : {&csv, &flux, &npy, &png, &json}) file->commit();
+  for (OutputFile* file : files) file->commit();
   std::string text = report_text(report);
   if (matrix.elements().size() <= 2 * kFacesOnAScreen && prepared.scene.surfaces.size() <= kFacesOnAScreen)
     text += small_scene_text(matrix, solution);
-  streams.note(text + "\nin " + directory.string() +
-               ": radiosity.csv flux.csv illumination.npy illumination.png report.json");
+  streams.note(text + "\nin " + directory.string() + ": radiosity.csv flux.csv" + (npy ? " illumination.npy" : "") +
+               (png ? " illumination.png" : "") + " report.json");
   return ExitCode::kDone;
 }
 
@@ -219,7 +261,8 @@ void add_solve(Commands& commands) {
   CLI::App& command = commands.add(
       "solve", "Radiosities with proven bounds, the light in the rooms, and a picture of it",
       {"hottel solve scenes/showcase/apartment.json -o /tmp/apartment",
-       "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --grid 64x64 --tone max",
+       "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --grid 64x64 --tone max --size 320",
+       "hottel solve scenes/showcase/museum.json -o /tmp/museum --no-illumination",
        "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --solver jacobi --iterations 20 --json"},
       [options](Streams& streams) { return solve(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
@@ -233,9 +276,11 @@ void add_solve(Commands& commands) {
   command.add_option("--solver", options->solver, "auto cholesky cg lu bicgstab jacobi gauss-seidel shooting")
       ->type_name("SOLVER")
       ->capture_default_str();
-  command.add_option("--iterations", options->iterations, "stop an iterative solver after N iterations")
+  command
+      .add_option("--iterations", options->iterations,
+                  "stop an iterative solver (of which auto is one then) after N iterations")
       ->type_name("N")
-      ->check(CLI::Range(0, 1'000'000'000));
+      ->transform(whole_number(0, 1'000'000'000));
   command
       .add_option("--until", options->until, "stop it when the largest residual is below R times the largest source")
       ->type_name("R")
@@ -254,6 +299,16 @@ void add_solve(Commands& commands) {
       ->type_name("E")
       ->check(positive_number())
       ->capture_default_str();
+  CLI::Option* size =
+      command.add_option("--size", options->size, "pixels of the picture across, rounded to whole pixels a cell");
+  size->type_name("W")->check(CLI::Range(1u, kMaxPictureSide));
+  CLI::Option* no_picture =
+      command.add_flag("--no-picture", options->no_picture, "no illumination.png; one that is there stays as it is");
+  CLI::Option* no_illumination = command.add_flag("--no-illumination", options->no_illumination,
+                                                  "no light in space: neither illumination.npy nor illumination.png");
+  for (const char* of_picture : {"--size", "--tone", "--exposure"})
+    for (CLI::Option* none : {no_picture, no_illumination}) none->excludes(command.get_option(of_picture));
+  for (const char* of_light : {"--grid", "--illumination"}) no_illumination->excludes(command.get_option(of_light));
   command
       .add_option("--simulate", options->simulate,
                   "auto: what the scene calls for; everything: all effects, same numbers")
@@ -262,7 +317,7 @@ void add_solve(Commands& commands) {
   options->elements.add_to(command);
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
-      ->check(whole_number());
+      ->transform(whole_number(1));
   command.add_flag("--json", options->json, "report.json on standard output too");
 }
 

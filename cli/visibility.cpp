@@ -198,6 +198,7 @@ Answer from_point(const PreparedScene2& prepared, const ExactPoint2& eye, bool w
 
 Answer from_face(const PreparedScene2& prepared, const std::string& name, const Rational& t) {
   if (t < 0 || t > 1) throw UsageError("--at is a position on the edge, between 0 and 1, not " + to_string(t));
+  if (name == "sky") throw UsageError("--on is a face, which the sky is not");
   const Arrangement2& arrangement = prepared.arrangement;
   const FaceName face = face_of(prepared.scene, name);
   const Surface2& surface = prepared.scene.surfaces[face.surface];
@@ -233,17 +234,33 @@ Answer from_face(const PreparedScene2& prepared, const std::string& name, const 
   return answer;
 }
 
-Answer between_faces(const PreparedScene2& prepared, const std::string& from, const std::string& to) {
-  const FaceName a = face_of(prepared.scene, from), b = face_of(prepared.scene, to);
+// A face of --from or --to by name; nothing for the sky.
+std::optional<FaceName> face_or_sky(const Scene2& scene, const std::string& name) {
+  if (name == "sky") return std::nullopt;
+  return face_of(scene, name);
+}
+
+// The pair in closed form; one of the two may be the sky, whose area is left 0 and which takes all there is: S0 = A.
+ExactPair2 exact_pair_of(const PreparedScene2& prepared, const std::optional<FaceName>& a,
+                         const std::optional<FaceName>& b) {
   const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
-  const auto label_of = [&](const FaceName& face) {
+  const auto label_of = [&](const std::optional<FaceName>& face) {
+    if (!face) return labels.sky();
     const auto& elements = labels.elements();
     return static_cast<std::uint32_t>(
         std::find_if(elements.begin(), elements.end(),
-                     [&](const Element& e) { return e.surface == face.surface && e.is_back == face.is_back; }) -
+                     [&](const Element& e) { return e.surface == face->surface && e.is_back == face->is_back; }) -
         elements.begin());
   };
-  const ExactPair2 pair = exact_pair(prepared, labels, Per::kFace, label_of(a), label_of(b));
+  if (a) return exact_pair(prepared, labels, Per::kFace, label_of(a), label_of(b));
+  ExactPair2 pair = exact_pair(prepared, labels, Per::kFace, label_of(b), label_of(a));
+  std::swap(pair.area_from, pair.area_to);
+  return pair;
+}
+
+Answer between_faces(const PreparedScene2& prepared, const std::string& from, const std::string& to) {
+  const std::optional<FaceName> a = face_or_sky(prepared.scene, from), b = face_or_sky(prepared.scene, to);
+  const ExactPair2 pair = exact_pair_of(prepared, a, b);
   const RootSum one{Rational(1)};
   Answer answer;
   answer.json["from"] = from;
@@ -268,22 +285,32 @@ Answer between_faces(const PreparedScene2& prepared, const std::string& from, co
   add_exact("exchange", "S, exchange measure", pair.exchange);
   add_exact("unobstructed", "S0, everything else removed", pair.unobstructed);
   add("visibility", "Vis = S / S0", pair.exchange, pair.unobstructed, true);
-  add_exact("area_from", "A of '" + from + "'", pair.area_from);
-  add_exact("area_to", "A of '" + to + "'", pair.area_to);
+  const auto add_area = [&](const char* key, const std::string& name, const RootSum& area, bool is_sky) {
+    if (is_sky)
+      answer.json[key] = nullptr;
+    else
+      add_exact(key, "A of '" + name + "'", area);
+  };
+  add_area("area_from", from, pair.area_from, !a);
+  add_area("area_to", to, pair.area_to, !b);
   add("factor", "F from '" + from + "'", pair.exchange, pair.area_from, false);
   add("factor_back", "F from '" + to + "'", pair.exchange, pair.area_to, false);
 
-  PairDrawing drawing;
-  drawing.a = a.surface;
-  drawing.b = b.surface;
-  drawing.a_is_back = a.is_back;
-  drawing.b_is_back = b.is_back;
-  drawing.a_label = from;
-  drawing.b_label = to;
+  PairDrawing drawing;  // the sky is not drawn: its place is taken by the face, under it
+  drawing.a = (a ? a : b)->surface;
+  drawing.b = (b ? b : a)->surface;
+  drawing.a_is_back = (a ? a : b)->is_back;
+  drawing.b_is_back = (b ? b : a)->is_back;
+  drawing.a_label = a ? from : to;
+  drawing.b_label = a && b ? to : "";
   answer.json["critical_points"] = Json::array();
-  const auto critical =
-      critical_points(prepared.arrangement, prepared.scene, {a.surface, a.is_back}, {b.surface, b.is_back});
-  answer.text += fmt::format("critical points on '{}': {}\n", from, critical.size());
+  if (!a) answer.text += "critical points are those of a face: the sky has none\n";
+  std::vector<CriticalPoint2> critical;
+  if (a) {
+    const FaceSide2 toward = b ? FaceSide2{b->surface, b->is_back} : FaceSide2{.is_sky = true};
+    critical = critical_points(prepared.arrangement, prepared.scene, {a->surface, a->is_back}, toward);
+    answer.text += fmt::format("critical points on '{}': {}\n", from, critical.size());
+  }
   for (const CriticalPoint2& c : critical) {
     Json entry;
     entry["t"] = json_of(c.t);
@@ -306,6 +333,8 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
     throw UsageError("--from A and --to B go together, without --at and --on");
   if (!is_pair && options.at.empty())
     throw UsageError("visibility needs --at X,Y or --on NAME --at T or --from A --to B");
+  if (options.from == "sky" && options.to == "sky")
+    throw UsageError("--from or --to is a face: the sky exchanges nothing with itself");
   const bool is_drawn = !options.out.empty() && options.out != "-";
   const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
   if (is_drawn && !format) throw UsageError("a drawing is written as .svg or .png, not '" + options.out + "'");
@@ -350,9 +379,10 @@ void add_visibility(Commands& commands) {
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_option("--at", options->at, "a point X,Y, or with --on a position T from 0 to 1 (numbers may be p/q)");
   command.add_option("--on", options->on, "a face: view factors from its point --at T")->type_name("NAME");
-  command.add_option("--from", options->from, "a face; with --to: their exchange and the critical points on it")
+  command
+      .add_option("--from", options->from, "a face, or sky; with --to: their exchange and the critical points on it")
       ->type_name("A");
-  command.add_option("--to", options->to, "the other face")->type_name("B");
+  command.add_option("--to", options->to, "the other face, or sky")->type_name("B");
   command.add_flag("--json", options->json, "the answer as one JSON object");
   command
       .add_option("-o", options->out,

@@ -292,6 +292,48 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
   out.flush();
 }
 
+DenseSize dense_size(const Scene2& scene, Per per, DenseFormat format) {
+  std::uint64_t all = 0, radiating = 0;  // labels, and those with a material
+  const auto add = [&](std::uint64_t count, bool radiates) {
+    all += count;
+    if (radiates) radiating += count;
+  };
+  if (per == Per::kGroup) {
+    std::vector<char> has_back(scene.groups.size(), 0);
+    for (const Surface2& surface : scene.surfaces)
+      if (surface.back) has_back[surface.group] = 1;
+    for (const char back : has_back) {
+      add(1, true);
+      add(1, back != 0);
+    }
+  } else {
+    for (const Surface2& surface : scene.surfaces) {
+      const std::uint64_t parts = per == Per::kElement ? surface.elements : 1;
+      add(parts, true);
+      add(surface.back ? parts : 1, surface.back.has_value());
+    }
+  }
+  const std::uint64_t n = all + 1, m = radiating;  // the sky too; View3D knows faces with a material only
+  const auto size = [](std::uint64_t side, std::uint64_t head, std::uint64_t each, std::uint64_t more) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+    const double about = static_cast<double>(side) * static_cast<double>(side) * static_cast<double>(each);
+    return DenseSize{side, about < 1e19 ? head + each * (side * side + more * side) : kMost};
+  };
+  switch (format) {
+    case DenseFormat::kNpy: {
+      const auto side = static_cast<std::size_t>(n);
+      return size(n, npy_header(std::array{side, side}).size(), sizeof(double), 0);
+    }
+    case DenseFormat::kView3dBinary:
+      return size(m, 32, sizeof(float), 2);
+    case DenseFormat::kView3dText:
+      return size(m, 0, 2, 0);
+    case DenseFormat::kCsv:
+      break;
+  }
+  return size(n, 0, 2, 0);
+}
+
 void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared,
                            const std::optional<LabelPair>& only, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;

@@ -1,6 +1,7 @@
 // View factors as files: one function a format, each writing through a sink.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -50,6 +51,17 @@ void write_factors_view3d_binary(const FactorTable& table, const Sink& sink);
 // ExchangeMatrix::measures) or visibilities (NaN where S0 = 0; needs `hidden`).
 enum class DenseQuantity { kFactor, kExchange, kVisibility };
 void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sink& sink);
+
+// The formats that hold every pair, be it visible or not.
+enum class DenseFormat { kCsv, kNpy, kView3dText, kView3dBinary };
+
+// Returns how large such a file becomes for all faces, elements or groups of a scene: how many rows it has, and its
+// bytes, exactly for the binary formats, at the least for text.
+struct DenseSize {
+  std::uint64_t rows = 0;
+  std::uint64_t bytes = 0;
+};
+DenseSize dense_size(const Scene2& scene, Per per, DenseFormat format);
 
 // `from,to,exchange,area`: S(from, to) and A_from as sums of square roots, in scene units; of all pairs that are
 // listed, or of one pair (from, to), be it listed or not.

@@ -9,6 +9,7 @@
 #include "geometry/exchange/labels_2.h"
 #include "geometry/scene/name.h"
 #include "io/foreign_command.h"
+#include "io/near_names.h"
 #include "kernel/rational.h"
 
 namespace hottel {
@@ -67,7 +68,8 @@ std::vector<std::uint32_t> Matching::by_name(const std::vector<ForeignName>& nam
   if (unknown.empty()) return places;
   std::vector<std::string> known;
   for (const std::uint32_t i : with_material_) known.push_back(elements_[i].name);
-  std::vector<std::string> hints = {"its faces are " + listed_names(known)};
+  std::vector<std::string> hints = near_name_hints(unknown.front(), known);
+  hints.push_back("its faces are " + listed_names(known));
   if (index.contains(unknown.front() + "#0"))
     hints.push_back("the scene divides its faces: `hottel factors --per element` writes them as they are compared");
   throw InputError({foreign_.names_file, line}, "the scene has no face " + listed_names(unknown), std::move(hints));

@@ -8,6 +8,7 @@
 #include "io/csv_reader.h"
 #include "io/foreign_file.h"
 #include "io/foreign_number.h"
+#include "io/near_names.h"
 #include "io/text_file.h"
 
 namespace hottel {
@@ -34,6 +35,14 @@ std::optional<std::uint32_t> element_named(const std::unordered_map<std::string,
   for (const std::string& name : {face, face + "#" + part})
     if (const auto found = index.find(name); found != index.end()) return found->second;
   return std::nullopt;
+}
+
+[[noreturn]] void refuse_name(const FileLine& where, const std::string& name, const ExchangeMatrix& matrix) {
+  std::vector<std::string> known;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    if (matrix.has_row(i)) known.push_back(matrix.elements()[i].name);
+  throw InputError(where, "the scene has no face with a material called " + quoted_name(name),
+                   near_name_hints(name, known));
 }
 
 void require_all(const std::string& file, const ExchangeMatrix& matrix,
@@ -78,7 +87,7 @@ ForeignRadiosities read_foreign_radiosities(const std::filesystem::path& file, c
                                         " are expected");
     const std::string of(fields[*face]);
     const auto element = element_named(index, of, part ? std::string(fields[*part]) : "");
-    if (!element) throw InputError(csv.where(), "the scene has no face with a material called " + quoted_name(of));
+    if (!element) refuse_name(csv.where(), of, matrix);
     std::size_t c = 0;
     if (channels.size() > 1)
       c = static_cast<std::size_t>(std::find(channels.begin(), channels.end(), fields[*channel]) - channels.begin());

@@ -22,7 +22,7 @@ void write_radiosity_csv(const Scene2& scene, const ExchangeMatrix& matrix, cons
       const ElementRadiosity& r = solution.channels[c].elements[i];
       std::string line = fmt::format("{},{},{}", face, element.part, solution.channel_names[c]);
       for (const double value :
-           {element.area.value, r.emission, r.reflectivity, r.radiosity, r.lower, r.upper, r.irradiance, r.net})
+           {element.area.value, r.emission, r.reflectivity, r.radiosity, r.lower, r.upper, r.irradiance, r.net()})
         line += "," + shortest(value);
       sink(line + "\n");
     }
@@ -114,7 +114,7 @@ std::string report_json(const SolveReport& report) {
                     {"defect", solution.energy.defect}};
   json["bounds"] = {{"max_relative_width", solution.max_relative_width}};
   if (report.illumination_max_error) json["bounds"]["illumination_max_error"] = *report.illumination_max_error;
-  json["picture"] = {{"scale", report.picture_scale}};
+  if (report.picture_scale) json["picture"] = {{"scale", *report.picture_scale}};
   json["notes"] = solution.notes;
   return json.dump(2) + "\n";
 }

@@ -43,7 +43,7 @@ struct SolveReport {
   const RadiositySolution* solution = nullptr;
   const NetFluxes* fluxes = nullptr;
   std::map<std::string, double> seconds{};         // of stages that ran, and of no others
-  double picture_scale = 1;                        // what a value was multiplied by before the tone curve
+  std::optional<double> picture_scale{};           // what a value was multiplied by before the tone curve
   std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
 };
 

@@ -4,6 +4,7 @@
 #include "geometry/scene/name.h"
 #include "io/exact_json.h"
 #include "io/json_fields.h"
+#include "io/near_names.h"
 #include "io/scene_json.h"
 #include "io/text_file.h"
 
@@ -275,7 +276,11 @@ class SceneReader {
     for (std::size_t i = 0; i < scene_.materials.size() && i < kMost; ++i)
       defined += (i > 0 ? ", " : " ") + quoted_name(scene_.materials[i].name);
     if (scene_.materials.size() > kMost) defined += ", ...";
-    refuse(value, subject.text() + " " + quoted_name(value.text()) + " is not defined", {defined});
+    std::vector<std::string> names;
+    for (const Material& material : scene_.materials) names.push_back(material.name);
+    std::vector<std::string> hints = near_name_hints(value.text(), names);
+    hints.push_back(defined);
+    refuse(value, subject.text() + " " + quoted_name(value.text()) + " is not defined", std::move(hints));
   }
 
   static void refuse_space_only(const JsonValue& polygons, const JsonValue& mesh, const JsonValue& camera) {

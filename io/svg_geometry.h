@@ -28,6 +28,7 @@ struct SvgTransform {
   Rational a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
 
   Point2 apply(const Point2& p) const;
+  bool is_mirrored() const { return a * d < b * c; }
   // The transform that applies `inner` first.
   SvgTransform after(const SvgTransform& inner) const;
 };

@@ -8,12 +8,15 @@
 
 #include "geometry/scene/name.h"
 #include "io/svg_geometry.h"
+#include "io/svg_style.h"
 #include "io/text_file.h"
+#include "io/xml_references.h"
 
 namespace hottel {
 namespace {
 
 constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
+constexpr std::string_view kHtmlNamespace = "http://www.w3.org/1999/xhtml";
 constexpr int kMaxSvgDepth = 256;
 
 template <std::size_t N>
@@ -25,27 +28,8 @@ bool is_one_of(std::string_view word, const std::array<std::string_view, N>& wor
 constexpr std::array<std::string_view, 13> kUndrawn{"title",          "desc",           "metadata", "defs",   "symbol",
                                                     "clipPath",       "mask",           "marker",   "filter", "pattern",
                                                     "linearGradient", "radialGradient", "view"};
-// Properties that hide, cut or move what is drawn, each with the value that does nothing.
-struct Property {
-  std::string_view name, harmless;
-};
-constexpr std::array<Property, 10> kRefusedProperties{{{"display", "inline"},
-                                                       {"visibility", "visible"},
-                                                       {"clip-path", "none"},
-                                                       {"clip", "auto"},
-                                                       {"mask", "none"},
-                                                       {"filter", "none"},
-                                                       {"transform", ""},
-                                                       {"transform-origin", ""},
-                                                       {"transform-box", ""},
-                                                       {"offset-path", "none"}}};
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\n\r\f";
-  const auto begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
+// The attributes data-... that mean something here.
+constexpr std::array<std::string_view, 3> kDataKeys{"data-material", "data-back", "data-front"};
 
 std::string_view local_name(std::string_view name) {
   const auto colon = name.find(':');
@@ -66,15 +50,18 @@ class SvgReader {
 
   Scene2 read() {
     if (const auto nul = text_.find('\0'); nul != std::string_view::npos) refuse(line_at(nul), "has a NUL byte");
-    const auto result = document_.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
+    const auto result =
+        document_.load_buffer(text_.data(), text_.size(), pugi::parse_default | pugi::parse_pi, pugi::encoding_utf8);
     if (!result) {
       const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
       refuse(line_at(at), std::string("is not well-formed XML: ") + result.description());
     }
+    if (const auto problem = unresolved_reference(text_)) refuse(line_at(problem->offset), problem->text);
     const pugi::xml_node root = document_.document_element();
     if (!is_svg(root) || local_name(root.name()) != "svg") refuse(line_of(root), "the outermost element is not <svg>");
     for (pugi::xml_node other = root.next_sibling(); other; other = other.next_sibling())
       if (other.type() == pugi::node_element) refuse(line_of(other), "there is a second outermost element");
+    check_style_sheets();
     walk(root, group(root, {}), 0);
     if (scene_.surfaces.empty()) refuse(0, "has no lines");
     // Edges stand before polylines, as in a scene file.
@@ -105,21 +92,32 @@ class SvgReader {
     return offset < 0 ? 0 : line_at(static_cast<std::size_t>(offset));
   }
 
-  std::string subject(pugi::xml_node node) const {
-    const std::string element = "<" + std::string(node.name()) + ">";
+  // "<line id='a'>"
+  static std::string tag(pugi::xml_node node) {
     const std::string_view id = node.attribute("id").value();
-    return id.empty() ? element : element + " " + quoted_name(id);
+    return "<" + std::string(node.name()) + (id.empty() ? "" : " id=" + quoted_name(id)) + ">";
   }
 
-  bool is_svg(pugi::xml_node node) const {
+  // "<text> in <g id='labels'>": the element, and the nearest element around it that has an id, or else its parent,
+  // unless that is the whole drawing.
+  static std::string subject(pugi::xml_node node) {
+    const auto is_inside = [](pugi::xml_node outer) { return outer.parent().type() == pugi::node_element; };
+    pugi::xml_node container = node.parent();
+    while (is_inside(container) && !container.attribute("id")) container = container.parent();
+    if (!is_inside(container)) container = node.parent();
+    return tag(node) + (is_inside(container) ? " in " + tag(container) : "");
+  }
+
+  std::string_view namespace_of(pugi::xml_node node) const {
     const std::string_view name = node.name();
     const auto colon = name.find(':');
     const std::string key = colon == std::string_view::npos ? "xmlns" : "xmlns:" + std::string(name.substr(0, colon));
     for (pugi::xml_node at = node; at; at = at.parent())
-      if (const auto declared = at.attribute(key.c_str())) return declared.value() == kSvgNamespace;
+      if (const auto declared = at.attribute(key.c_str())) return declared.value();
     if (colon != std::string_view::npos) refuse(node, "has a prefix that is not declared");
-    return true;
+    return kSvgNamespace;
   }
+  bool is_svg(pugi::xml_node node) const { return namespace_of(node) == kSvgNamespace; }
 
   // Calls parse(text) for an attribute, and puts its errors in place.
   template <class Parse>
@@ -135,36 +133,55 @@ class SvgReader {
     return attribute(node, name, parse_svg_length);
   }
 
-  void check_property(pugi::xml_node node, std::string_view name, std::string_view value) const {
-    for (const Property& property : kRefusedProperties)
-      if (name == property.name && value != property.harmless && !(name == "display" && value == "block"))
-        refuse(node, "has " + std::string(name) + " '" + std::string(value) + "', which a scene cannot express");
-  }
-
   void check_attributes(pugi::xml_node node) const {
     std::unordered_set<std::string_view> seen;
     for (const pugi::xml_attribute a : node.attributes()) {
       const std::string_view name = a.name();
       if (!seen.insert(name).second) refuse(node, "has the attribute '" + std::string(name) + "' twice");
-      if (name != "transform") check_property(node, name, trimmed(a.value()));
+      if (const auto problem = property_problem(name, trimmed(a.value()), StylePlace::kAttribute))
+        refuse(node, *problem);
+      if (name.starts_with("data-") && !is_one_of(name, kDataKeys))
+        refuse(node,
+               "has " + quoted_name(name) + ": of such keys only data-material, data-back and data-front are known");
     }
-    std::string_view style = node.attribute("style").value();
-    while (!style.empty()) {
-      const std::string_view declaration = style.substr(0, style.find(';'));
-      style.remove_prefix(std::min(declaration.size() + 1, style.size()));
-      const auto colon = declaration.find(':');
-      if (colon != std::string_view::npos)
-        check_property(node, trimmed(declaration.substr(0, colon)), trimmed(declaration.substr(colon + 1)));
-    }
+    const bool is_outermost = node == document_.document_element();
+    if (const auto problem =
+            style_problem(node.attribute("style").value(), is_outermost ? StylePlace::kViewport : StylePlace::kStyle))
+      refuse(node, problem->text);
   }
 
-  // A style sheet is passed over when it only paints.
+  // A style sheet holds for the whole drawing wherever it stands, and is passed over when it only paints.
   void check_style_sheet(pugi::xml_node node) const {
-    const std::string_view sheet = node.text().get();
-    for (const Property& property : kRefusedProperties)
-      if (sheet.find(property.name) != std::string_view::npos)
-        refuse(node, "speaks of '" + std::string(property.name) + "', which may hide or move lines");
-    if (sheet.find("@import") != std::string_view::npos) refuse(node, "imports another style sheet");
+    std::string sheet;
+    std::vector<std::pair<std::size_t, pugi::xml_node>> parts;  // where each begins in the sheet
+    for (const pugi::xml_node part : node.children()) {
+      if (part.type() != pugi::node_pcdata && part.type() != pugi::node_cdata) continue;
+      parts.emplace_back(sheet.size(), part);
+      sheet += part.value();
+    }
+    const auto problem = style_sheet_problem(sheet);
+    if (!problem) return;
+    auto part = parts.end() - 1;
+    while (part->first > problem->offset) --part;
+    const auto begin = sheet.begin() + static_cast<std::ptrdiff_t>(part->first);
+    const auto lines = std::count(begin, sheet.begin() + static_cast<std::ptrdiff_t>(problem->offset), '\n');
+    refuse(line_of(part->second) + static_cast<int>(lines), subject(node) + " " + problem->text);
+  }
+
+  // Refuses what changes the drawing from outside of its elements.
+  void check_style_sheets() const {
+    for (const pugi::xml_node node : document_.children())
+      if (node.type() == pugi::node_pi && std::string_view(node.name()) == "xml-stylesheet")
+        refuse(line_of(node), "refers to another style sheet (<?xml-stylesheet?>)");
+    document_.find_node([&](pugi::xml_node node) {
+      const std::string_view kind = local_name(node.name());
+      if (node.type() != pugi::node_element || (kind != "style" && kind != "script" && kind != "link")) return false;
+      const std::string_view space = namespace_of(node);
+      if (space != kSvgNamespace && space != kHtmlNamespace) return false;
+      if (kind != "style") refuse(node, "may change the drawing in ways that are not read");
+      check_style_sheet(node);
+      return false;
+    });
   }
 
   Inherited group(pugi::xml_node node, const Inherited& outer) const {
@@ -190,9 +207,8 @@ class SvgReader {
       if (node.type() != pugi::node_element || !is_svg(node)) continue;
       const std::string_view kind = local_name(node.name());
       if (is_one_of(kind, kUndrawn)) continue;
-      if (kind == "style") {
-        check_style_sheet(node);
-      } else if (kind == "g") {
+      if (kind == "style") continue;  // see check_style_sheets
+      if (kind == "g") {
         walk(node, group(node, outer), depth + 1);
       } else {
         add_shape(node, kind, group(node, outer));
@@ -213,7 +229,7 @@ class SvgReader {
     if (kind == "polyline" || kind == "polygon")
       runs = {points(node, kind == "polygon")};
     else if (kind == "rect")
-      runs = {rectangle(node)};
+      runs = {rectangle(node, style.transform)};
     else if (kind == "path")
       runs = attribute(node, "d", parse_svg_path);
     else
@@ -236,14 +252,17 @@ class SvgReader {
     return run;
   }
 
-  SvgRun rectangle(pugi::xml_node node) const {
+  // As a room seen from inside, also where the drawing is mirrored.
+  SvgRun rectangle(pugi::xml_node node, const SvgTransform& transform) const {
     for (const char* radius : {"rx", "ry"})
       if (std::string_view(node.attribute(radius).value()) != "auto" && length(node, radius) != 0)
         refuse(node, "has rounded corners");
     const Rational x = length(node, "x"), y = length(node, "y");
     const Rational right = x + length(node, "width"), bottom = y + length(node, "height");
     if (right <= x || bottom <= y) refuse(node, "has no positive width and height");
-    return {{{x, y}, {right, y}, {right, bottom}, {x, bottom}}, true};
+    SvgRun run{{{x, y}, {right, y}, {right, bottom}, {x, bottom}}, true};
+    if (transform.is_mirrored()) std::reverse(run.points.begin() + 1, run.points.end());
+    return run;
   }
 
   static std::string id_or_number(pugi::xml_node node, const char* kind, std::size_t number) {

@@ -91,13 +91,13 @@ void refuse_unbounded(const UnboundedBehind2& behind) {
                      {"take the \"back\" or the \"behind\" away"});
   const bool is_open = std::all_of(behind.backs.begin(), behind.backs.end(),
                                    [&](PieceSideId side) { return behind.cells.of(side) == 0; });
-  if (!is_open)
-    throw InputError(where, name + ": \"behind\" is \"solid\", but its own fronts look into the region behind it",
-                     {"divide it where the solid begins, or draw the solid as a closed polyline"});
   std::vector<std::string> hints = gap_hints(behind);
   hints.emplace_back("close the gap, or draw the solid as a closed polyline, counter-clockwise");
-  throw InputError(where, name + ": \"behind\" is \"solid\", but the region behind it is open to infinity",
-                   std::move(hints));
+  throw InputError(
+      where,
+      name + ": \"behind\" is \"solid\", but " +
+          (is_open ? "the region behind it is open to infinity" : "its own fronts look into the region behind it"),
+      std::move(hints));
 }
 
 void refuse_conflict(const Scene2& scene, std::uint32_t solid, std::uint32_t open) {

@@ -3,69 +3,48 @@
 #include <CGAL/Arr_consolidated_curve_data_traits_2.h>
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
-#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <utility>
 
+#include "geometry/arrangement/entangled_2.h"
+#include "geometry/arrangement/line_overlaps_2.h"
 #include "geometry/arrangement/point_index_2.h"
 #include "kernel/kernels.h"
 
 namespace hottel {
 namespace {
 
-using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Segment2*>;
-
 // CGAL 5.5 does not survive intervals that leave the range of doubles. Constructions multiply at most six coordinates.
 constexpr int kMostBitsForIntervals = 1020 / 6;
-
-// Do the two segments meet in more than common end points?
-bool are_entangled(const Vertices2& v, const Segment2& s, const Segment2& t) {
-  const int ta = v.orientation(s.a, s.b, t.a), tb = v.orientation(s.a, s.b, t.b);
-  if (ta * tb > 0) return false;
-  const int sa = v.orientation(t.a, t.b, s.a), sb = v.orientation(t.a, t.b, s.b);
-  if (sa * sb > 0) return false;
-  if (ta * tb < 0 && sa * sb < 0) return true;
-  if ((s.a == t.a && s.b == t.b) || (s.a == t.b && s.b == t.a)) return true;
-  return (ta == 0 && v.is_between(s.a, s.b, t.a)) || (tb == 0 && v.is_between(s.a, s.b, t.b)) ||
-         (sa == 0 && v.is_between(t.a, t.b, s.a)) || (sb == 0 && v.is_between(t.a, t.b, s.b));
-}
-
-std::vector<char> find_entangled(const Vertices2& vertices, const std::vector<Segment2>& segments) {
-  std::vector<Box> boxes;
-  boxes.reserve(segments.size());
-  for (const Segment2& s : segments) {
-    const auto &p = vertices.approximate(s.a), &q = vertices.approximate(s.b);
-    const double error = vertices.approximation_error();
-    const auto below = [error](double x) { return x - error; };
-    const auto above = [error](double x) { return x + error; };
-    double low[2] = {below(std::min(p.x, q.x)), below(std::min(p.y, q.y))};
-    double high[2] = {above(std::max(p.x, q.x)), above(std::max(p.y, q.y))};
-    boxes.emplace_back(low, high, &s);
-  }
-  std::vector<char> entangled(segments.size(), 0);
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& one, const Box& two) {
-    const auto i = static_cast<std::size_t>(one.handle() - segments.data());
-    const auto j = static_cast<std::size_t>(two.handle() - segments.data());
-    if (entangled[i] && entangled[j]) return;
-    if (are_entangled(vertices, segments[i], segments[j])) entangled[i] = entangled[j] = 1;
-  });
-  return entangled;
-}
 
 const Rational& to_rational(const Rational& value) { return value; }
 const Rational& to_rational(const ExactKernel::FT& value) { return value.exact(); }
 
-struct ArrangedEdge {
-  Segment2 piece;
-  std::vector<std::uint32_t> sources;
-};
+// Those that begin at one point on the left from the uppermost down: CGAL takes each into a list that it reads from
+// below.
+std::vector<std::uint32_t> top_down_at_left_ends(const Vertices2& vertices,
+                                                 const std::vector<CoveredSegment2>& segments) {
+  std::vector<Segment2> from_left;
+  for (const CoveredSegment2& s : segments)
+    from_left.push_back(vertices.precedes(s.segment.a, s.segment.b) ? s.segment : Segment2{s.segment.b, s.segment.a});
+  std::vector<std::uint32_t> order(segments.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    const Segment2 &s = from_left[i], &t = from_left[j];
+    return s.a != t.a ? s.a < t.a : vertices.orientation(s.a, s.b, t.b) < 0;
+  });
+  return order;
+}
 
-// The edges of the arrangement of the entangled segments, by CGAL on the integer form of their ends.
+// The edges of the arrangement of segments that do not cover each other, by CGAL on the integer form of their ends;
+// each with the sources of the segment it lies on.
 template <class Kernel, class IdOf>
-std::vector<ArrangedEdge> arrange(const Vertices2& vertices, const std::vector<Segment2>& segments,
-                                  const std::vector<char>& entangled, const IdOf& id_of) {
+std::vector<CoveredSegment2> arrange(const Vertices2& vertices, const std::vector<CoveredSegment2>& segments,
+                                     const IdOf& id_of) {
   using SegmentTraits = CGAL::Arr_segment_traits_2<Kernel>;
   using Traits = CGAL::Arr_consolidated_curve_data_traits_2<SegmentTraits, std::uint32_t>;
   using Arrangement = CGAL::Arrangement_2<Traits>;
@@ -74,22 +53,20 @@ std::vector<ArrangedEdge> arrange(const Vertices2& vertices, const std::vector<S
     return typename Kernel::Point_2(typename Kernel::FT(p.x), typename Kernel::FT(p.y));
   };
   std::vector<typename Traits::Curve_2> curves;
-  for (std::uint32_t i = 0; i < segments.size(); ++i)
-    if (entangled[i])
-      curves.emplace_back(typename SegmentTraits::Curve_2(to_point(segments[i].a), to_point(segments[i].b)), i);
+  for (const std::uint32_t i : top_down_at_left_ends(vertices, segments)) {
+    const Segment2& s = segments[i].segment;
+    curves.emplace_back(typename SegmentTraits::Curve_2(to_point(s.a), to_point(s.b)), i);
+  }
   Arrangement arrangement;
   CGAL::insert(arrangement, curves.begin(), curves.end());
 
   const auto id_of_vertex = [&id_of](const typename Arrangement::Vertex_handle& v) {
     return id_of(ExactPoint2{to_rational(v->point().x()), to_rational(v->point().y())});
   };
-  std::vector<ArrangedEdge> edges;
-  for (auto edge = arrangement.edges_begin(); edge != arrangement.edges_end(); ++edge) {
-    edges.push_back(ArrangedEdge{Segment2{id_of_vertex(edge->source()), id_of_vertex(edge->target())}, {}});
-    for (auto data = edge->curve().data().begin(); data != edge->curve().data().end(); ++data)
-      edges.back().sources.push_back(*data);
-    std::sort(edges.back().sources.begin(), edges.back().sources.end());
-  }
+  std::vector<CoveredSegment2> edges;
+  for (auto edge = arrangement.edges_begin(); edge != arrangement.edges_end(); ++edge)
+    edges.push_back({Segment2{id_of_vertex(edge->source()), id_of_vertex(edge->target())},
+                     segments[*edge->curve().data().begin()].sources});
   return edges;
 }
 
@@ -108,42 +85,53 @@ void Overlay2::set_total_length() {
 Overlay2 overlay(const std::vector<ExactPoint2>& points, const std::vector<Segment2>& segments) {
   Overlay2 result;
   result.vertices = Vertices2(points, points.size());
-  const std::vector<char> entangled = find_entangled(result.vertices, segments);
+  const EqualSegments2 equal(segments);
+  std::vector<Segment2> distinct;
+  for (std::size_t g = 0; g < equal.size(); ++g) distinct.push_back(segments[equal.members(g).front()]);
+  const std::vector<char> entangled = find_entangled(result.vertices, distinct);
 
   result.source_begin.push_back(0);
-  const auto add_piece = [&result](Segment2 piece) {
+  const auto add_piece = [&result](Segment2 piece, std::span<const std::uint32_t> sources) {
     result.pieces.push_back(piece);
+    result.source_list.insert(result.source_list.end(), sources.begin(), sources.end());
     result.source_begin.push_back(static_cast<std::uint32_t>(result.source_list.size()));
   };
-  for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    if (entangled[i]) continue;
-    result.source_list.push_back(i);
-    add_piece(segments[i]);
+  std::vector<CoveredSegment2> found;  // the pieces that are no whole segment, or several
+  std::vector<std::span<const std::uint32_t>> rest;
+  for (std::size_t g = 0; g < equal.size(); ++g) {
+    const auto sources = equal.members(g);
+    if (entangled[g])
+      rest.push_back(sources);
+    else if (sources.size() == 1)
+      add_piece(distinct[g], sources);
+    else
+      found.push_back({distinct[g], {sources.begin(), sources.end()}});
   }
   if (result.pieces.size() == segments.size()) return result;
 
   PointIndex2 index(points);
-  const auto id_of = [&](const ExactPoint2& p) { return index.insert(result.vertices.to_scene(p)); };
-  std::vector<ArrangedEdge> found = result.vertices.exponent() <= kMostBitsForIntervals
-                                        ? arrange<ExactKernel>(result.vertices, segments, entangled, id_of)
-                                        : arrange<RationalKernel>(result.vertices, segments, entangled, id_of);
+  if (!rest.empty()) {
+    const std::vector<CoveredSegment2> uncovered = cut_along_lines(result.vertices, segments, rest);
+    const auto id_of = [&](const ExactPoint2& p) { return index.insert(result.vertices.to_scene(p)); };
+    std::vector<CoveredSegment2> arranged = result.vertices.exponent() <= kMostBitsForIntervals
+                                                ? arrange<ExactKernel>(result.vertices, uncovered, id_of)
+                                                : arrange<RationalKernel>(result.vertices, uncovered, id_of);
+    std::move(arranged.begin(), arranged.end(), std::back_inserter(found));
+  }
   if (index.points().size() > points.size()) result.vertices = Vertices2(index.points(), points.size());
   // One order for the pieces whatever CGAL's: by first source, then along it.
   const Vertices2& v = result.vertices;
-  for (ArrangedEdge& f : found) {
+  for (CoveredSegment2& f : found) {
     const Segment2& source = segments[f.sources.front()];
-    if (v.precedes(f.piece.a, f.piece.b) != v.precedes(source.a, source.b)) std::swap(f.piece.a, f.piece.b);
+    if (v.precedes(f.segment.a, f.segment.b) != v.precedes(source.a, source.b)) std::swap(f.segment.a, f.segment.b);
   }
-  std::sort(found.begin(), found.end(), [&](const ArrangedEdge& a, const ArrangedEdge& b) {
+  std::sort(found.begin(), found.end(), [&](const CoveredSegment2& a, const CoveredSegment2& b) {
     if (a.sources.front() != b.sources.front()) return a.sources.front() < b.sources.front();
-    if (a.piece.a == b.piece.a) return false;
+    if (a.segment.a == b.segment.a) return false;
     const Segment2& source = segments[a.sources.front()];
-    return v.precedes(a.piece.a, b.piece.a) == v.precedes(source.a, source.b);
+    return v.precedes(a.segment.a, b.segment.a) == v.precedes(source.a, source.b);
   });
-  for (const ArrangedEdge& f : found) {
-    result.source_list.insert(result.source_list.end(), f.sources.begin(), f.sources.end());
-    add_piece(f.piece);
-  }
+  for (const CoveredSegment2& f : found) add_piece(f.segment, f.sources);
   return result;
 }
 

@@ -35,8 +35,8 @@ struct Overlay2 {
 };
 
 // REQUIRES distinct points, and segments that are not points.
-// COST: segments that touch others in end points only (found by box intersection and exact predicates) pass straight
-// through; the others go through CGAL's arrangement over exact rationals: O((n + k) log n) with a larger constant.
+// COST: O(n log n) for segments that equal others, or touch them in end points only; the others go through CGAL's
+// arrangement over exact rationals: O((n + k) log n) with a larger constant, for k crossings and sources of pieces.
 Overlay2 overlay(const std::vector<ExactPoint2>& points, const std::vector<Segment2>& segments);
 
 }  // namespace hottel

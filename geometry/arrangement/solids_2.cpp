@@ -24,6 +24,7 @@ class SolidFinder {
     find_roles();
     const std::size_t piece_count = cells_.side_count() / 2;
     for (std::size_t piece = 0; piece < piece_count; ++piece) look_at(piece, pieces.sources(piece));
+    std::sort(backs_.begin(), backs_.end());
   }
 
   void find() {
@@ -76,6 +77,8 @@ class SolidFinder {
         if (!surface.back) sight.backs.push_back(source.is_reversed ? right : left);
       }
       if (role_[surface.group] == Role::kNone) continue;
+      if (role_[surface.group] == Role::kSolid)
+        backs_.emplace_back(2 * static_cast<PieceSideId>(piece) + (source.is_reversed ? 1 : 0), surface.group);
       const auto run =
           std::find_if(runs.begin(), runs.end(), [&](const NetRun2& r) { return r.group == surface.group; });
       const std::int32_t step = source.is_reversed ? -1 : 1;
@@ -98,10 +101,9 @@ class SolidFinder {
         [](std::uint32_t) {});
   }
 
-  bool is_solid_run(const NetRun2& run) const { return role_[run.group] == Role::kSolid; }
-  // The side of a piece where the winding number of the group is not 0.
-  static PieceSideId inner_side(std::size_t piece, const NetRun2& run, Role role) {
-    return static_cast<PieceSideId>(2 * piece + ((run.net > 0) == (role == Role::kSolid) ? 0 : 1));
+  // The side of a piece where the winding number of a room is not 0.
+  static PieceSideId inner_side_of_room(std::size_t piece, const NetRun2& run) {
+    return static_cast<PieceSideId>(2 * piece + (run.net > 0 ? 1 : 0));
   }
 
   // For each room the solids that it is in.
@@ -123,7 +125,7 @@ class SolidFinder {
           for (const PieceSideId side : cells_.sides(cell))
             for (const NetRun2& run : runs_.of(static_cast<std::size_t>(side / 2))) {
               if (role_[run.group] != Role::kRoom ||
-                  inner_side(static_cast<std::size_t>(side / 2), run, Role::kRoom) != side)
+                  inner_side_of_room(static_cast<std::size_t>(side / 2), run) != side)
                 continue;
               Groups& within = within_[run.group];
               if (is_known[run.group] == 0)
@@ -166,12 +168,10 @@ class SolidFinder {
           for (const std::uint32_t maker : makers[0])
             if (behind(maker) == Behind::kSolid) stated_solid_.emplace(cell, maker);
           if (makers[0].empty()) return;
-          for (const PieceSideId side : cells_.sides(cell)) {
-            const auto piece = static_cast<std::size_t>(side / 2);
-            for (const NetRun2& run : runs_.of(piece))
-              if (is_solid_run(run) && makers[0].contains(run.group) && inner_side(piece, run, Role::kSolid) == side)
-                bounding_.emplace_back(side, run.group);
-          }
+          for (const PieceSideId side : cells_.sides(cell))
+            for (auto back = std::lower_bound(backs_.begin(), backs_.end(), std::pair(side, std::uint32_t{0}));
+                 back != backs_.end() && back->first == side; ++back)
+              if (makers[0].contains(back->second)) bounding_.push_back(*back);
         });
   }
 
@@ -210,6 +210,7 @@ class SolidFinder {
   const std::size_t group_count_;
   std::vector<Role> role_;  // by group
   NetRuns2 runs_;
+  std::vector<std::pair<PieceSideId, std::uint32_t>> backs_;        // of outlines: side and group, sorted
   std::map<std::uint32_t, Sight> sight_;                            // by group with a "behind"
   std::vector<Groups> within_;                                      // by room: the solids it is in
   std::vector<std::uint32_t> solid_;                                // by cell: the first group that makes it solid

@@ -48,7 +48,7 @@ class Solids2 {
     return maker_.empty() ? kNone : maker_[static_cast<std::size_t>(side)];
   }
   bool is_covered(PieceSideId side) const { return maker(side) != kNone; }
-  // Is the side on the inside of a solid that this group makes, with the group's own surface on the piece?
+  // Does the side look into a solid that this group makes, and is a back of the group on it?
   bool is_inside_of(PieceSideId side, std::uint32_t group) const;
 
   // The sides of some pieces, in their order: as if the other pieces had never been there, but covered as before.

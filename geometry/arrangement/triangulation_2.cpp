@@ -116,6 +116,20 @@ std::vector<VertexId> insertion_order(const Vertices2& vertices) {
   return order;
 }
 
+// Makes the edge u-v a constraint. CGAL looks for it among all neighbours of the first end; where these are many, it is
+// told the end that has fewer. In a planar graph the sum over all edges of the smaller degree is linear (Chiba,
+// Nishizeki 1985), however many meet at one vertex.
+void insert_constraint(Cdt& cdt, Cdt::Vertex_handle u, Cdt::Vertex_handle v) {
+  constexpr int kFew = 64;
+  auto around_u = cdt.incident_faces(u), around_v = cdt.incident_faces(v);
+  const auto first_u = around_u, first_v = around_v;
+  bool has_fewer_at_v = false;
+  for (int k = 0; ++around_u != first_u; ++k)
+    if (k >= kFew && (has_fewer_at_v = ++around_v == first_v)) break;
+  if (has_fewer_at_v) std::swap(u, v);
+  cdt.insert_constraint(u, v);
+}
+
 }  // namespace
 
 Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segment2>& pieces) {
@@ -147,7 +161,7 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
     return;
   }
 
-  for (const Segment2& piece : pieces) cdt.insert_constraint(handle[piece.a], handle[piece.b]);
+  for (const Segment2& piece : pieces) insert_constraint(cdt, handle[piece.a], handle[piece.b]);
 
   HalfEdgeId next = 0;
   for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face, next += 3) face->info() = next;

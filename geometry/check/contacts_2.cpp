@@ -64,16 +64,19 @@ class ContactFinder {
   }
 
   void add_point(VertexId v, const std::vector<std::uint32_t>& inside, const std::vector<std::uint32_t>& ending) {
-    const auto crosses_any = [this](std::uint32_t s, const std::vector<std::uint32_t>& others) {
-      return std::any_of(others.begin(), others.end(), [&](std::uint32_t t) { return !are_parallel(s, t); });
+    // All that share a point and are parallel lie on one line: one of them stands for the others.
+    const auto are_on_one_line = [this](const std::vector<std::uint32_t>& surfaces) {
+      return std::all_of(surfaces.begin(), surfaces.end(),
+                         [&](std::uint32_t t) { return are_parallel(surfaces.front(), t); });
     };
-    if (crosses_any(inside.front(), inside)) found_.crossings.push_back({place(v), inside});
+    const bool through_one_line = are_on_one_line(inside), ends_on_one_line = are_on_one_line(ending);
+    if (!through_one_line) found_.crossings.push_back({place(v), inside});
     Junction2 junction;
     for (const std::uint32_t s : ending)
-      if (crosses_any(s, inside)) junction.ends.push_back(s);
+      if (!through_one_line || !are_parallel(s, inside.front())) junction.ends.push_back(s);
     if (junction.ends.empty()) return;
     for (const std::uint32_t s : inside)
-      if (crosses_any(s, ending)) junction.through.push_back(s);
+      if (!ends_on_one_line || !are_parallel(s, ending.front())) junction.through.push_back(s);
     junction.at = place(v);
     found_.junctions.push_back(std::move(junction));
   }

@@ -87,12 +87,17 @@ class NearMissFinder {
   std::optional<Target> nearest_target(VertexId v, const std::vector<std::uint32_t>& candidates) const {
     std::vector<Target> nearest;  // all at the same distance
     std::vector<std::uint32_t> meeting = ending_[v];
+    double least_upper = std::numeric_limits<double>::infinity();  // of the distances of those that do not meet v
+    for (const std::uint32_t s : candidates)
+      if (const DistanceBounds d = distance_bounds(vertices_, segments_[s], v); d.lower > 0)
+        least_upper = std::min(least_upper, d.upper);
     for (const std::uint32_t s : candidates) {
-      Foot2 foot = foot_on(point(segments_[s].a), point(segments_[s].b), point(v));
-      if (foot.squared == 0) {
+      if (distance_bounds(vertices_, segments_[s], v).lower > least_upper) continue;
+      if (is_on(segments_[s], v)) {
         meeting.push_back(s);
         continue;
       }
+      Foot2 foot = foot_on(point(segments_[s].a), point(segments_[s].b), point(v));
       if (!nearest.empty() && foot.squared > nearest.front().foot.squared) continue;
       if (!nearest.empty() && foot.squared < nearest.front().foot.squared) nearest.clear();
       nearest.push_back({s, std::move(foot)});

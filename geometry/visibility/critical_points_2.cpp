@@ -34,6 +34,7 @@ class Collector {
 
  private:
   bool is(PieceSideId side, const FaceSide2& face) const {
+    if (face.is_sky) return side == kSky;
     return side != kSky && !arrangement_.is_covered(side) && arrangement_.owner(side).surface == face.surface &&
            arrangement_.owner(side).is_back == face.is_back;
   }

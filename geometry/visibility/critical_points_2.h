@@ -16,12 +16,15 @@ struct CriticalPoint2 {
   bool is_jump = false;   // D0: something touches the face here; otherwise D1, a kink
 };
 
-// Returns the critical points of face a (a side of a surface) with respect to face b, by ascending t; several lines may
-// pass through one point. COST: one sweep about every vertex.
+// A side of a surface, or the sky.
 struct FaceSide2 {
   std::uint32_t surface = 0;
   bool is_back = false;
+  bool is_sky = false;
 };
+
+// Returns the critical points of face a with respect to b, another face or the sky, by ascending t; several lines may
+// pass through one point. COST: one sweep about every vertex.
 std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, const Scene2& scene, const FaceSide2& a,
                                             const FaceSide2& b);
 

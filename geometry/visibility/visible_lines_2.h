@@ -22,10 +22,11 @@ template <class Points, class Visit>
 void for_each_gap(const Points& points, VertexId v, const View2& view, bool each_once, const Visit& visit) {
   const auto& seen = view.seen;
   const std::size_t m = seen.size();
-  thread_local std::vector<std::size_t> incident;
+  thread_local std::vector<std::size_t> incident;  // vertices joined to v by a piece
   incident.clear();
   for (std::size_t k = 0; k < m; ++k)
     if (seen[k].left != kNoPiece) incident.push_back(k);
+  std::size_t passed = 0;  // how many of them come up to vertex k
 
   const auto wrapped = [m](std::size_t k) { return k < m ? k : k - m; };
   // last = k + number of vertices seen at an angle in (0, pi) counter-clockwise from vertex k
@@ -55,20 +56,14 @@ void for_each_gap(const Points& points, VertexId v, const View2& view, bool each
     gap.behind_left = has_opposite ? seen[wrapped(last + 1)].behind : gap.behind_right;
     // Pieces at v that lie strictly on one side of the line hide what is behind v on that side; the one nearest to the
     // gap is met first.
-    const std::size_t on_left = last - k;
-    std::size_t nearest_left = m, nearest_right = 0;
-    for (const std::size_t i : incident) {
-      const std::size_t turn = i >= k ? i - k : i + m - k;
-      if (turn == 0) continue;
-      if (turn <= on_left) {
-        if (turn < nearest_left) {
-          nearest_left = turn;
-          gap.behind_right = seen[i].right;
-        }
-      } else if (!(has_opposite && turn == on_left + 1) && turn > nearest_right) {
-        nearest_right = turn;
-        gap.behind_left = seen[i].left;
-      }
+    while (passed < incident.size() && incident[passed] <= k) ++passed;
+    if (!incident.empty()) {
+      const auto turn_to = [m, k](std::size_t i) { return i >= k ? i - k : i + m - k; };
+      const std::size_t on_left = last - k, before = passed - (seen[k].left == kNoPiece ? 0 : 1);
+      const std::size_t next = incident[passed < incident.size() ? passed : 0];
+      const std::size_t previous = incident[(before > 0 ? before : incident.size()) - 1];
+      if (turn_to(next) > 0 && turn_to(next) <= on_left) gap.behind_right = seen[next].right;
+      if (turn_to(previous) > on_left + (has_opposite ? 1 : 0)) gap.behind_left = seen[previous].left;
     }
     visit(gap);
   }

@@ -32,7 +32,7 @@ class RadiosityJudge {
     all.push_back({"irradiances H", [this](const JudgedRadiosity& each) { return of(each).irradiance; }});
     all.push_back({"radiosities without the emission, B - E",
                    [this](const JudgedRadiosity& each) { return each.exact - of(each).emission; }});
-    all.push_back({"net fluxes B - H", [this](const JudgedRadiosity& each) { return of(each).net; }});
+    all.push_back({"net fluxes B - H", [this](const JudgedRadiosity& each) { return of(each).net(); }});
     all.push_back(
         {"emissions: nothing is reflected", [this](const JudgedRadiosity& each) { return of(each).emission; }});
     all.push_back({"radiosities after one reflection", [this](const JudgedRadiosity& each) { return once(each); }});

@@ -24,6 +24,19 @@ DoubleDouble plus(DoubleDouble a, double b) {
   return result;
 }
 
+// The power of two by which each component is divided so that the largest of its numbers is near 1.
+std::vector<int> exponents_by_component(const RadiositySystem& system, const std::vector<double>& of) {
+  std::vector<double> largest(system.components().size(), 0);
+  for (std::size_t i = 0; i < of.size(); ++i)
+    if (std::isfinite(of[i])) {
+      double& most = largest[system.rows()[i].component];
+      most = std::max(most, std::abs(of[i]));
+    }
+  std::vector<int> result;
+  for (const double most : largest) result.push_back(most > 0 ? std::ilogb(most) : 0);
+  return result;
+}
+
 void add(const Correction& correction, SplitVector& x) {
   for (std::size_t c = 0; c < x.constant.size(); ++c) x.constant[c] = plus(x.constant[c], correction.constant[c]);
   for (std::size_t i = 0; i < x.rest.size(); ++i) x.rest[i] = plus(x.rest[i], correction.rest[i]);
@@ -33,32 +46,16 @@ SplitVector zero_of(const RadiositySystem& system) {
   return {std::vector<DoubleDouble>(system.components().size()), std::vector<DoubleDouble>(system.size())};
 }
 
-std::vector<double> middles(const std::vector<Enclosed>& r) {
-  std::vector<double> result(r.size());
-  for (std::size_t i = 0; i < r.size(); ++i) result[i] = r[i].hi;
-  return result;
-}
-
-double largest_source(const Sources& sources) {
-  double result = 0;
-  for (const Enclosed& e : sources.emission) result = std::max(result, e.hi);
-  return result > 0 ? result : 1;
-}
-
 // The sizes of residuals, in each component times the power of two that brings the largest near 1: a vector of which
 // they are the image then stays clear of underflow, however small they are.
 std::vector<double> near_one(const RadiositySystem& system, const std::vector<char>& is_wanted,
                              const std::vector<Enclosed>& r) {
-  std::vector<double> size(r.size(), 0), largest(system.components().size(), kUnderflow);
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    const std::uint32_t c = system.rows()[i].component;
-    if (!is_wanted[c]) continue;
-    size[i] = std::max(r[i].size(), kUnderflow);
-    if (std::isfinite(size[i])) largest[c] = std::max(largest[c], size[i]);
-  }
+  std::vector<double> size(r.size(), 0);
   for (std::size_t i = 0; i < r.size(); ++i)
-    if (size[i] > 0)
-      size[i] = std::max(std::ldexp(size[i], -std::ilogb(largest[system.rows()[i].component])), kUnderflow);
+    if (is_wanted[system.rows()[i].component]) size[i] = std::max(r[i].size(), kUnderflow);
+  const std::vector<int> exponent = exponents_by_component(system, size);
+  for (std::size_t i = 0; i < r.size(); ++i)
+    if (size[i] > 0) size[i] = std::max(std::ldexp(size[i], -exponent[system.rows()[i].component]), kUnderflow);
   return size;
 }
 
@@ -118,32 +115,54 @@ PositiveVector positive_vector(const RadiositySystem& system, InnerSolver& inner
 
 }  // namespace
 
+Correction solve_by_component(const RadiositySystem& system, InnerSolver& inner, std::vector<double> r) {
+  const std::vector<int> exponent = exponents_by_component(system, r);
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = std::ldexp(r[i], -exponent[system.rows()[i].component]);
+  Correction x = inner.solve(r);
+  for (std::size_t c = 0; c < exponent.size(); ++c) x.constant[c] = std::ldexp(x.constant[c], exponent[c]);
+  for (std::size_t i = 0; i < r.size(); ++i) x.rest[i] = std::ldexp(x.rest[i], exponent[system.rows()[i].component]);
+  return x;
+}
+
 std::vector<double> refine(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, SplitVector& x) {
   std::vector<double> history;
-  const double source = largest_source(sources);
-  double best = kInfinity;
+  const std::size_t count = system.components().size();
+  std::vector<char> is_open = sources.is_lit;
+  std::vector<double> best(count, kInfinity), relative(count, 0);
   for (int step = 0;; ++step) {
     throw_if_interrupted();
-    const std::vector<Enclosed> r = system.residual(&sources, x, sources.is_lit);
-    double largest = 0, excess = 0;
+    const std::vector<Enclosed> r = system.residual(&sources, x, is_open);
+    std::vector<double> largest(count, 0), excess(count, 0), right_side(r.size(), 0);
     for (std::size_t i = 0; i < r.size(); ++i) {
-      largest = std::max(largest, std::abs(r[i].hi));
-      if (r[i].hi != 0) excess = std::max(excess, std::abs(r[i].hi) / r[i].radius);
+      const std::uint32_t c = system.rows()[i].component;
+      if (!is_open[c]) continue;
+      largest[c] = std::max(largest[c], std::abs(r[i].hi));
+      if (r[i].hi != 0) excess[c] = std::max(excess[c], std::abs(r[i].hi) / r[i].radius);
+      right_side[i] = r[i].hi;
     }
-    history.push_back(largest / source);
-    const bool is_worthwhile = step == 0 || excess < kWorthwhile * best;
-    if (excess < kWorthwhile || !is_worthwhile || step == kMostSteps) return history;
-    best = excess;
-    add(inner.solve(middles(r)), x);
+    bool is_any_open = false;
+    for (std::size_t c = 0; c < count; ++c) {
+      if (!is_open[c]) continue;
+      relative[c] = largest[c] / (sources.largest[c] > 0 ? sources.largest[c] : 1);
+      const bool is_worthwhile = step == 0 || excess[c] < kWorthwhile * best[c];
+      is_open[c] = excess[c] >= kWorthwhile && is_worthwhile && step < kMostSteps;
+      is_any_open |= is_open[c] != 0;
+      best[c] = excess[c];
+    }
+    history.push_back(count == 0 ? 0 : *std::max_element(relative.begin(), relative.end()));
+    if (!is_any_open) return history;
+    for (std::size_t i = 0; i < r.size(); ++i)
+      if (!is_open[system.rows()[i].component]) right_side[i] = 0;
+    add(solve_by_component(system, inner, std::move(right_side)), x);
   }
 }
 
-Enclosed CertifiedBounds::enclosed(std::size_t unknown) const {
+ScaledEnclosed CertifiedBounds::enclosed(std::size_t unknown) const {
   const double from = lower[unknown], to = upper[unknown];
   if (to == 0) return {};
   const Enclosed& x = value[unknown];
   const double inside = std::isnan(x.hi) ? from : std::clamp(x.hi, from, to);
-  return Enclosed::around({inside, inside == x.hi ? x.lo : 0}, {from, to});
+  return ScaledEnclosed::of(Enclosed::around({inside, inside == x.hi ? x.lo : 0}, {from, to}), exponent[unknown]);
 }
 
 CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, const SplitVector& x,
@@ -165,6 +184,7 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, I
     const std::uint32_t c = system.rows()[i].component;
     const Enclosed value = system.value(x, i);
     result.value.push_back(value);
+    result.exponent.push_back(sources.exponent[c]);
     if (!sources.is_lit[c]) {
       result.lower.push_back(0);
       result.upper.push_back(0);
@@ -182,7 +202,7 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, I
       continue;
     }
     // B >= E always.
-    const double emission = sources.emission[system.rows()[i].element].lower();
+    const double emission = sources.emission_in(c, system.rows()[i].element).lower();
     const Enclosure& range = sources.range[c];
     result.lower.push_back(std::max({std::isfinite(lower) ? lower : 0, emission, range.lower}));
     result.upper.push_back(std::max(std::isnan(upper) ? kInfinity : std::min(upper, range.upper), result.lower.back()));

@@ -8,17 +8,22 @@
 
 namespace hottel {
 
-// Bounds of one solution: by unknown, in the scaled unit of the sources.
+// Bounds of one solution: by unknown, each in a unit 2^exponent. That is the unit of its component, or one in which
+// what is far darker than the brightest there is near 1.
 struct CertifiedBounds {
   std::vector<Enclosed> value;       // x_i
   std::vector<double> lower, upper;  // of the true radiosity; infinite when nothing could be proven
+  std::vector<int> exponent;
 
   // The radiosity of an unknown, enclosed: x_i moved into its bounds, with a radius that reaches both. 0 if both are.
-  Enclosed enclosed(std::size_t unknown) const;
+  ScaledEnclosed enclosed(std::size_t unknown) const;
 };
 
-// Adds corrections to x until the residual is below its own error bound, or no longer falls. Returns max |residual| /
-// max |source| before each correction and after the last.
+// Solves A x = r, the right side of each component brought near 1 first: none is solved by the scale of another.
+Correction solve_by_component(const RadiositySystem& system, InnerSolver& inner, std::vector<double> r);
+
+// Adds corrections to x, in each component until its residual is below its own error bound, or no longer falls. Returns
+// max |residual| before each correction and after the last, each relative to the largest source of its component.
 // COST: one residual and one inner solve a step; two or three steps after an elimination.
 std::vector<double> refine(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, SplitVector& x);
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "kernel/rational.h"
+#include "solver/system/irradiance.h"
 
 namespace hottel {
 namespace {
@@ -67,6 +68,7 @@ void set_crude_bounds(const ExchangeMatrix& matrix, const std::vector<Material>&
     ChannelSolution& channel = solution.channels[c];
     channel.max_relative_width = 0;
     const std::optional<Rational> most = most_sent(matrix, materials, sky_emission, c);
+    bool is_any_moved = false;
     for (std::uint32_t i = 0; i < matrix.size(); ++i) {
       if (!matrix.has_row(i)) continue;
       const Material& material = materials[*matrix.elements()[i].material];
@@ -76,8 +78,10 @@ void set_crude_bounds(const ExchangeMatrix& matrix, const std::vector<Material>&
       if (matrix.guarantee() != Guarantee::kEstimated) {
         bounds.radiosity = both(bounds.radiosity, {element.lower, element.upper});
         bounds.net = both(bounds.net, {element.net_lower, element.net_upper});
-        element.radiosity = std::clamp(element.radiosity, bounds.radiosity.lower, bounds.radiosity.upper);
-        element.net = std::clamp(element.net, bounds.net.lower, bounds.net.upper);
+        const double moved = std::clamp(element.radiosity, bounds.radiosity.lower, bounds.radiosity.upper);
+        is_any_moved |= moved != element.radiosity;
+        element.radiosity = moved;
+        element.net_value = std::clamp(element.net_value, bounds.net.lower, bounds.net.upper);
       }
       element.lower = bounds.radiosity.lower;
       element.upper = bounds.radiosity.upper;
@@ -87,6 +91,7 @@ void set_crude_bounds(const ExchangeMatrix& matrix, const std::vector<Material>&
         channel.max_relative_width =
             std::max(channel.max_relative_width, (element.upper - element.lower) / element.radiosity);
     }
+    if (is_any_moved) set_irradiances(matrix, sky_emission.value[c], channel);
     solution.max_relative_width = std::max(solution.max_relative_width, channel.max_relative_width);
   }
 }

@@ -17,6 +17,7 @@ namespace hottel {
 //   (1) the radiosities of the exact factors lie within, for any matrix that the solution was computed from: rows of
 //       exact factors sum to 1, so that no face receives more than the brightest thing in the scene sends out
 //   (2) upper is infinite where a face with reflectivity 1 emits
+//   (3) where a radiosity is moved into its bounds the irradiances are summed anew
 // REQUIRES: the solution of `matrix` with these materials and this sky.
 void set_crude_bounds(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                       const Spectrum& sky_emission, RadiositySolution& solution);

@@ -87,18 +87,15 @@ inline Enclosed Enclosed::around(DoubleDouble value, const Enclosure& bounds) {
   return {value.hi, value.lo, (reach + std::abs(value.lo)) * kOutward};
 }
 
-// Returns a 2^exponent; in the range of doubles nothing but what is below 2^-1070 is lost, in the radius.
+// Returns a 2^exponent, exactly where doubles allow it. REQUIRES a result within their range; what is below 2^-1070 is
+// lost, in the radius.
 inline Enclosed scaled(const Enclosed& a, int exponent) {
   if (exponent == 0 || a.size() == 0) return a;
-  return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent), std::ldexp(a.radius, exponent) + kUnderflow};
-}
-
-// Returns the exponent by which numbers up to `largest` are divided to keep sums and products of them in the range
-// of Enclosed: 0 unless they are very large or very small.
-inline int scale_of(double largest) {
-  constexpr int kOrdinary = 400;
-  const int exponent = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
-  return std::abs(exponent) <= kOrdinary ? 0 : exponent;
+  Enclosed result{std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent), std::ldexp(a.radius, exponent)};
+  const auto is_kept = [exponent](double from, double to) { return std::ldexp(to, -exponent) == from; };
+  if (!is_kept(a.hi, result.hi) || !is_kept(a.lo, result.lo) || !is_kept(a.radius, result.radius))
+    result.radius += kUnderflow;
+  return result;
 }
 
 // Return a double not above (not below) value 2^exponent.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernel/failure.h"
+#include "solver/system/irradiance.h"
 
 namespace hottel {
 namespace {
@@ -27,7 +28,7 @@ ExchangeMatrix matrix_of_ends(const ExchangeMatrix& matrix, double Enclosure::*e
 
 // The bounds of one channel from those of the least and the most light.
 void set_bounds(const ExchangeMatrix& matrix, const ChannelSolution& least, const ChannelSolution& most,
-                ChannelSolution& channel) {
+                const Rational& sky_emission, ChannelSolution& channel) {
   channel.max_relative_width = 0;
   channel.dark = most.dark;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
@@ -36,19 +37,20 @@ void set_bounds(const ExchangeMatrix& matrix, const ChannelSolution& least, cons
     element.lower = least.elements[i].lower;
     element.upper = most.elements[i].upper;
     element.radiosity = std::clamp(element.radiosity, element.lower, element.upper);
-    element.net_lower = most.elements[i].net_lower;  // more light, more of it absorbed
+    // More light, more of it absorbed.
+    element.net_lower = most.elements[i].net_lower;
     element.net_upper = least.elements[i].net_upper;
-    element.net = std::clamp(element.net, element.net_lower, element.net_upper);
     if (element.radiosity > 0)
       channel.max_relative_width =
           std::max(channel.max_relative_width, (element.upper - element.lower) / element.radiosity);
   }
+  set_irradiances(matrix, sky_emission, channel);
 }
 
 }  // namespace
 
-RadiositySolution solve_enclosed(const ExchangeMatrix& matrix, const RadiosityOptions& options,
-                                 const SolveDoubles& solve) {
+RadiositySolution solve_enclosed(const ExchangeMatrix& matrix, const Spectrum& sky_emission,
+                                 const RadiosityOptions& options, const SolveDoubles& solve) {
   HOTTEL_REQUIRE(matrix.guarantee() == Guarantee::kEnclosed);
   int solved = 0;
   const auto progress = [&](double fraction) { options.progress((solved + fraction) / 3); };
@@ -63,7 +65,7 @@ RadiositySolution solve_enclosed(const ExchangeMatrix& matrix, const RadiosityOp
 
   solution.max_relative_width = 0;
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
-    set_bounds(matrix, least.channels[c], most.channels[c], solution.channels[c]);
+    set_bounds(matrix, least.channels[c], most.channels[c], sky_emission.value[c], solution.channels[c]);
     solution.max_relative_width = std::max(solution.max_relative_width, solution.channels[c].max_relative_width);
   }
   for (const RadiositySolution* bound : {&least, &most})

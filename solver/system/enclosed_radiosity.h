@@ -19,9 +19,10 @@ using SolveDoubles =
 //   (1) lower <= B_i <= upper and net_lower <= net_i <= net_upper for all factors within the enclosures for which light
 //       dies out (spectral radius of rho F below 1); an upper bound that is finite proves that it does for all of them
 //   (2) no bounds are narrower, but for the few ulps of the two solutions
-//   (3) `dark`, and a radiosity of exactly 0, is what no light reaches for any of these factors
+//   (3) the radiosities of the doubles are moved into these bounds, the irradiances are those of what is then there
+//   (4) `dark`, and a radiosity of exactly 0, is what no light reaches for any of these factors
 // REQUIRES: an enclosed matrix. COST: three solutions, and copies of the factors of two.
-RadiositySolution solve_enclosed(const ExchangeMatrix& matrix, const RadiosityOptions& options,
-                                 const SolveDoubles& solve);
+RadiositySolution solve_enclosed(const ExchangeMatrix& matrix, const Spectrum& sky_emission,
+                                 const RadiosityOptions& options, const SolveDoubles& solve);
 
 }  // namespace hottel

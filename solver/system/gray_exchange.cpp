@@ -33,7 +33,7 @@ class GraySystem {
   GraySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
       : matrix_(matrix), system_(matrix, materials, channel), wide_(system_) {
     for (const Material& material : materials)
-      emissivity_.push_back(Enclosed::of(Rational(1 - material.reflectivity.value[channel])));
+      emissivity_.push_back(ScaledEnclosed::of(Rational(1 - material.reflectivity.value[channel])));
     // Components that lose nothing have no column: all their emissivities are 0.
     std::vector<char> is_wanted;
     bool is_any_wanted = false;
@@ -47,33 +47,30 @@ class GraySystem {
   // The numbers of one column that are not 0, by rows.
   std::vector<ColumnEntry> column(std::uint32_t to) const {
     std::vector<ColumnEntry> result;
-    if (emissivity_of(to).size() == 0) return result;
-    const Sources sources = system_.unit_source(to);
-    const Enclosed source = scaled(emissivity_of(to), sources.exponent);
-    const std::vector<Enclosed> irradiance = system_.irradiance(radiosity(sources));
+    const ScaledEnclosed source = emissivity_of(to);
+    if (source.is_zero()) return result;
+    const std::vector<ScaledEnclosed> irradiance = system_.irradiance(radiosity(system_.unit_source(to)));
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
       if (!matrix_.has_row(i)) continue;
-      const Enclosed emissivity = emissivity_of(i);
-      if (irradiance[i].size() == 0 || emissivity.size() == 0) continue;
-      const Enclosed factor = product(emissivity, product(source, irradiance[i]));
-      Enclosure bounds{0, emissivity.upper()};
-      if (std::isfinite(factor.radius))
-        bounds = {std::max(bounds.lower, factor.lower()), std::min(bounds.upper, factor.upper())};
-      result.push_back({i, std::clamp(factor.value(), bounds.lower, bounds.upper), bounds});
+      const ScaledEnclosed emissivity = emissivity_of(i);
+      if (irradiance[i].is_zero() || emissivity.is_zero()) continue;
+      const ScaledEnclosed factor = product(emissivity, product(source, irradiance[i]));
+      const Enclosure bounds{std::max(0.0, factor.lower()), std::min(emissivity.upper(), factor.upper())};
+      result.push_back({i, std::clamp(factor.nearest(), bounds.lower, bounds.upper), bounds});
     }
     return result;
   }
 
  private:
   // Of a face, a black back or the sky.
-  Enclosed emissivity_of(std::uint32_t element) const {
-    if (element == matrix_.sky() || !matrix_.elements()[element].material) return {1, 0, 0};
+  ScaledEnclosed emissivity_of(std::uint32_t element) const {
+    if (element == matrix_.sky() || !matrix_.elements()[element].material) return ScaledEnclosed::of(Enclosed{1, 0, 0});
     return emissivity_[*matrix_.elements()[element].material];
   }
 
-  // G_kj of all elements k, the sky last, for the column j that is the source; scaled as that is.
-  std::vector<Enclosed> radiosity(const Sources& sources) const {
-    std::vector<Enclosed> result = sources.emission;
+  // G_kj of all elements k, the sky last, for the column j that is the source.
+  std::vector<ScaledEnclosed> radiosity(const Sources& sources) const {
+    std::vector<ScaledEnclosed> result = sources.emission;
     if (!inner_) return result;
     SplitVector x{std::vector<DoubleDouble>(system_.components().size()), std::vector<DoubleDouble>(system_.size())};
     refine(system_, sources, *inner_, x);
@@ -87,7 +84,7 @@ class GraySystem {
   const ExchangeMatrix& matrix_;
   RadiositySystem system_;
   WideElimination wide_;
-  std::vector<Enclosed> emissivity_;  // by material
+  std::vector<ScaledEnclosed> emissivity_;  // by material
   std::unique_ptr<InnerSolver> inner_;
 };
 

@@ -8,17 +8,6 @@
 namespace hottel {
 namespace {
 
-double largest(const std::vector<double>& v) {
-  double result = 0;
-  for (const double value : v) result = std::max(result, std::abs(value));
-  return result;
-}
-
-double relative_to(const std::vector<double>& source) {
-  const double size = largest(source);
-  return size > 0 ? 1 / size : 1;
-}
-
 bool is_done(const IterationLimits& limits, int iteration, double residual) {
   return iteration >= limits.iterations || residual <= limits.until || !std::isfinite(residual);
 }
@@ -48,11 +37,10 @@ struct Columns {
 
 IterationResult jacobi(const PlainSystem& system, const IterationLimits& limits) {
   IterationResult result{system.source, {}};
-  const double unit = relative_to(system.source);
   for (int iteration = 0;; ++iteration) {
     throw_if_interrupted();
     const std::vector<double> r = system.residual(system.source, result.x);
-    result.history.push_back(largest(r) * unit);
+    result.history.push_back(system.relative(r));
     if (is_done(limits, iteration, result.history.back())) return result;
     for (std::size_t i = 0; i < r.size(); ++i) result.x[i] += r[i];
   }
@@ -60,10 +48,9 @@ IterationResult jacobi(const PlainSystem& system, const IterationLimits& limits)
 
 IterationResult gauss_seidel(const PlainSystem& system, const IterationLimits& limits) {
   IterationResult result{system.source, {}};
-  const double unit = relative_to(system.source);
   for (int iteration = 0;; ++iteration) {
     throw_if_interrupted();
-    result.history.push_back(largest(system.residual(system.source, result.x)) * unit);
+    result.history.push_back(system.relative(system.residual(system.source, result.x)));
     if (is_done(limits, iteration, result.history.back())) return result;
     for (std::size_t i = 0; i < result.x.size(); ++i) result.x[i] = system.source[i] + system.gathered(i, result.x);
   }
@@ -73,19 +60,18 @@ IterationResult shooting(const PlainSystem& system, const IterationLimits& limit
   const Columns columns(system);
   IterationResult result{system.source, {}};
   std::vector<double> unshot = system.source;
-  const double unit = relative_to(system.source);
   for (int shot = 0;; ++shot) {
     if (shot % 64 == 0) throw_if_interrupted();
     std::size_t brightest = 0;
     double most = 0, residual = 0;
     for (std::size_t i = 0; i < unshot.size(); ++i) {
-      residual = std::max(residual, unshot[i]);
+      residual = std::max(residual, unshot[i] * system.per_source[i]);
       if (unshot[i] * system.area[i] > most) {
         most = unshot[i] * system.area[i];
         brightest = i;
       }
     }
-    result.history.push_back(residual * unit);
+    result.history.push_back(residual);
     if (is_done(limits, shot, result.history.back()) || most == 0) return result;
     const double light = unshot[brightest];
     unshot[brightest] = 0;

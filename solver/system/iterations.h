@@ -10,12 +10,12 @@ namespace hottel {
 
 struct IterationLimits {
   int iterations;
-  double until;  // max |residual| / max |source|
+  double until;  // max |residual|, each relative to the largest source of its component
 };
 
 struct IterationResult {
   std::vector<double> x;
-  std::vector<double> history;  // max |residual| / max |source|, the start first
+  std::vector<double> history;  // max |residual| as above, the start first
 };
 
 // x <- E + rho F x, from x = source. Each iteration is one more bounce of light.
@@ -25,7 +25,8 @@ IterationResult jacobi(const PlainSystem& system, const IterationLimits& limits)
 IterationResult gauss_seidel(const PlainSystem& system, const IterationLimits& limits);
 
 // Progressive refinement (Cohen, Chen, Wallace, Greenberg 1988), without an ambient term: the element with the most
-// unshot power shoots to all that it sees. The result is what was received, the unshot light included.
+// unshot power, in the unit of its component, shoots to all that it sees. The result is what was received, the unshot
+// light included.
 IterationResult shooting(const PlainSystem& system, const IterationLimits& limits);
 
 }  // namespace hottel

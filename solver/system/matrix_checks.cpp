@@ -70,31 +70,33 @@ void require_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission,
           "the power of the light in all");
 }
 
-double largest_area(const ExchangeMatrix& matrix) {
-  return largest_of_rows(matrix, [&](std::uint32_t i) { return matrix.elements()[i].area.value; });
+namespace {
+
+ScaledEnclosed middle(const ScaledEnclosed& value) {
+  return ScaledEnclosed::of(Enclosed{value.mantissa.hi, 0, 0}, value.exponent);
 }
 
-EnergySum::EnergySum(const ExchangeMatrix& matrix) : matrix_(matrix), area_exponent_(scale_of(largest_area(matrix))) {}
+}  // namespace
 
-void EnergySum::add(std::uint32_t row, double emission, double absorbed, double radiosity, double sky_emission) {
-  const Enclosed area = scaled({matrix_.elements()[row].area.value, 0, 0}, -area_exponent_);
-  emitted_ = sum(emitted_, product(area, {emission, 0, 0}));
-  absorbed_ = sum(absorbed_, product(area, {absorbed, 0, 0}));
+void EnergySum::add(std::uint32_t row, const ScaledEnclosed& emission, const ScaledEnclosed& absorbed,
+                    const ScaledEnclosed& radiosity, const ScaledEnclosed& sky_emission) {
+  const ScaledEnclosed area = ScaledEnclosed::of(Enclosed{matrix_.elements()[row].area.value, 0, 0});
+  const ScaledEnclosed sent = middle(radiosity);
+  emitted_ = sum(emitted_, product(area, middle(emission)));
+  absorbed_ = sum(absorbed_, product(area, middle(absorbed)));
   for (const FactorEntry& entry : matrix_.row(row)) {
     const bool is_sky = entry.to == matrix_.sky();
     if (!is_sky && matrix_.has_row(entry.to)) continue;
-    const Enclosed exchange = product(area, {entry.factor.value, 0, 0});
-    Enclosed& taken = is_sky ? to_sky_ : absorbed_;
-    taken = sum(taken, product(exchange, {radiosity, 0, 0}));
-    if (is_sky) emitted_ = sum(emitted_, product(exchange, {sky_emission, 0, 0}));
+    const ScaledEnclosed exchange = product(area, ScaledEnclosed::of(Enclosed{entry.factor.value, 0, 0}));
+    ScaledEnclosed& taken = is_sky ? to_sky_ : absorbed_;
+    taken = sum(taken, product(exchange, sent));
+    if (is_sky) emitted_ = sum(emitted_, product(exchange, middle(sky_emission)));
   }
 }
 
-EnergyBalance EnergySum::balance(int exponent) const {
-  exponent += area_exponent_;
-  const Enclosed defect = difference(difference(emitted_, absorbed_), to_sky_);
-  return {std::ldexp(emitted_.value(), exponent), std::ldexp(absorbed_.value(), exponent),
-          std::ldexp(to_sky_.value(), exponent), std::ldexp(defect.value(), exponent)};
+EnergyBalance EnergySum::balance() const {
+  const ScaledEnclosed defect = difference(difference(emitted_, absorbed_), to_sky_);
+  return {emitted_.nearest(), absorbed_.nearest(), to_sky_.nearest(), defect.nearest()};
 }
 
 }  // namespace hottel

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/exchange/exchange_matrix.h"
-#include "solver/system/enclosed.h"
 #include "solver/system/radiosity.h"
+#include "solver/system/scaled_enclosed.h"
 
 namespace hottel {
 
@@ -17,23 +17,20 @@ double reciprocity_defect(const ExchangeMatrix& matrix);
 // too large to be written as doubles, or areas too small.
 void require_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission, const RadiositySolution& solution);
 
-// The largest area of a row; 0 without rows.
-double largest_area(const ExchangeMatrix& matrix);
-
 // Sums the energy of a channel, row by row, without rounding that matters.
 class EnergySum {
  public:
-  explicit EnergySum(const ExchangeMatrix& matrix);
+  explicit EnergySum(const ExchangeMatrix& matrix) : matrix_(matrix) {}
 
-  // All per area; `absorbed` is (1 - reflectivity) irradiance.
-  void add(std::uint32_t row, double emission, double absorbed, double radiosity, double sky_emission);
+  // All per area; `absorbed` is (1 - reflectivity) irradiance. Only the middles count.
+  void add(std::uint32_t row, const ScaledEnclosed& emission, const ScaledEnclosed& absorbed,
+           const ScaledEnclosed& radiosity, const ScaledEnclosed& sky_emission);
 
-  EnergyBalance balance(int exponent) const;  // times 2^exponent
+  EnergyBalance balance() const;
 
  private:
   const ExchangeMatrix& matrix_;
-  int area_exponent_;  // areas are summed times 2^-area_exponent_
-  Enclosed emitted_, absorbed_, to_sky_;
+  ScaledEnclosed emitted_, absorbed_, to_sky_;
 };
 
 }  // namespace hottel

@@ -5,51 +5,29 @@
 #include <limits>
 #include <unordered_map>
 
-#include "solver/system/enclosed.h"
-#include "solver/system/matrix_checks.h"
+#include "solver/system/scaled_enclosed.h"
 
 namespace hottel {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Powers of two by which areas and light are divided, so that products stay in the range of Enclosed.
-struct Scale {
-  int area = 0, light = 0;
-};
-
-Scale scale_of(const ExchangeMatrix& matrix, const ChannelSolution& solution, const Enclosed& sky_emission) {
-  double brightest = sky_emission.value();
-  for (const ElementRadiosity& element : solution.elements)
-    brightest = std::max({brightest, element.radiosity, element.irradiance});
-  return {hottel::scale_of(largest_area(matrix)), hottel::scale_of(brightest)};
+ScaledEnclosed within(double value, double lower, double upper) {
+  return ScaledEnclosed::of(Enclosed::around({value, 0}, {lower, upper}));
 }
 
-NetFlux::Power power_of(const Enclosed& flux, int exponent) {
-  const double lower = lower_scaled(flux.lower(), exponent), upper = upper_scaled(flux.upper(), exponent);
-  return {std::ldexp(flux.value(), exponent), std::isnan(lower) ? -kInfinity : lower,
-          std::isnan(upper) ? kInfinity : upper};
-}
+NetFlux::Power power_of(const ScaledEnclosed& flux) { return {flux.nearest(), flux.lower(), flux.upper()}; }
 
-// What is exactly 0 leaves a sum as it is.
-void add(Enclosed& total, const Enclosed& term) {
-  if (term.size() == 0) return;
-  total = total.size() == 0 ? term : sum(total, term);
-}
-
-// Of every element, the sky last; scaled.
-std::vector<Enclosed> flux_by_element(const ExchangeMatrix& matrix, const ChannelSolution& solution,
-                                      const Enclosed& sky_emission, const Scale& scale) {
-  std::vector<Enclosed> result(matrix.size() + 1);
+// Of every element, the sky last.
+std::vector<ScaledEnclosed> flux_by_element(const ExchangeMatrix& matrix, const ChannelSolution& solution,
+                                            const ScaledEnclosed& sky_emission) {
+  std::vector<ScaledEnclosed> result(matrix.size() + 1);
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
     const ElementRadiosity& element = solution.elements[i];
-    const Enclosed area = scaled(Enclosed::of(matrix.elements()[i].area), -scale.area);
-    const Enclosed radiosity =
-        scaled(Enclosed::around({element.radiosity, 0}, {element.lower, element.upper}), -scale.light);
-    const Enclosed net =
-        scaled(Enclosed::around({element.net, 0}, {element.net_lower, element.net_upper}), -scale.light);
-    if (net.size() != 0) result[i] = product(area, net);
+    const ScaledEnclosed area = ScaledEnclosed::of(Enclosed::of(matrix.elements()[i].area));
+    const ScaledEnclosed radiosity = within(element.radiosity, element.lower, element.upper);
+    result[i] = product(area, within(element.net_value, element.net_lower, element.net_upper));
     for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
       const FactorEntry& entry = matrix.row(i)[k];
       const bool is_sky = entry.to == matrix.sky();
@@ -57,8 +35,8 @@ std::vector<Enclosed> flux_by_element(const ExchangeMatrix& matrix, const Channe
       const Enclosed factor = matrix.guarantee() == Guarantee::kEnclosed
                                   ? Enclosed::around({entry.factor.value, 0}, matrix.bounds(i, k))
                                   : Enclosed::of(entry.factor);
-      const Enclosed sent = is_sky ? difference(scaled(sky_emission, -scale.light), radiosity) : negated(radiosity);
-      if (sent.size() != 0) add(result[entry.to], product(product(area, factor), sent));
+      const ScaledEnclosed sent = is_sky ? difference(sky_emission, radiosity) : negated(radiosity);
+      result[entry.to] = sum(result[entry.to], product(product(area, ScaledEnclosed::of(factor)), sent));
     }
   }
   return result;
@@ -76,7 +54,7 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
   }
   std::vector<NetFlux> result;
   std::vector<std::size_t> place(matrix.size() + 1);  // of an element, in the result
-  std::vector<Enclosed> area;
+  std::vector<ScaledEnclosed> area;
   std::unordered_map<std::string, std::size_t> place_of;
   for (std::uint32_t i = 0; i <= matrix.size(); ++i) {
     if (!is_listed[i]) continue;
@@ -88,18 +66,16 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
     }
     place[i] = known->second;
     if (i == matrix.sky()) continue;
-    add(area[place[i]], Enclosed::of(matrix.elements()[i].area));
-    result[place[i]].area = area[place[i]].value();
+    area[place[i]] = sum(area[place[i]], ScaledEnclosed::of(Enclosed::of(matrix.elements()[i].area)));
+    result[place[i]].area = area[place[i]].nearest();
   }
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
-    const Enclosed sky = Enclosed::of(sky_emission.value[c]);
-    const Scale scale = scale_of(matrix, solution.channels[c], sky);
-    const std::vector<Enclosed> flux = flux_by_element(matrix, solution.channels[c], sky, scale);
-    std::vector<Enclosed> total(result.size());
+    const std::vector<ScaledEnclosed> flux =
+        flux_by_element(matrix, solution.channels[c], ScaledEnclosed::of(sky_emission.value[c]));
+    std::vector<ScaledEnclosed> total(result.size());
     for (std::uint32_t i = 0; i <= matrix.size(); ++i)
-      if (is_listed[i]) add(total[place[i]], flux[i]);
-    for (std::size_t k = 0; k < result.size(); ++k)
-      result[k].by_channel[c] = power_of(total[k], scale.area + scale.light);
+      if (is_listed[i]) total[place[i]] = sum(total[place[i]], flux[i]);
+    for (std::size_t k = 0; k < result.size(); ++k) result[k].by_channel[c] = power_of(total[k]);
     // What arrives at a black back or goes to the sky is known by factors alone, and those are estimates.
     if (matrix.guarantee() == Guarantee::kEstimated)
       for (std::uint32_t i = 0; i <= matrix.size(); ++i)

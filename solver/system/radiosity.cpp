@@ -13,6 +13,7 @@
 #include "kernel/stopwatch.h"
 #include "solver/system/certificate.h"
 #include "solver/system/enclosed_radiosity.h"
+#include "solver/system/faint_radiosities.h"
 #include "solver/system/inner_solver.h"
 #include "solver/system/iterations.h"
 #include "solver/system/matrix_checks.h"
@@ -27,6 +28,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kDefaultUntil = 1e-12;
 constexpr int kDefaultIterations = 10'000;
 constexpr int kDefaultShots = 100'000;
+constexpr double kWorthANote = 1e-9;  // a relative residual, where it was not said how small it should be
 
 constexpr std::array<const char*, 8> kNames{"auto",     "cholesky", "cg",           "lu",
                                             "bicgstab", "jacobi",   "gauss-seidel", "shooting"};
@@ -146,19 +148,19 @@ class Group {
   // What follows from them.
   void fill(std::size_t k, const CertifiedBounds& bounds, ChannelSolution& solution) {
     const Sources& sources = sources_[k];
-    const int channel = channels_[k], exponent = sources.exponent;
+    const int channel = channels_[k];
     for (std::size_t c = 0; c < sources.is_lit.size(); ++c)
       if (!sources.is_lit[c])
         solution.dark.push_back({system_.components()[c].first_element, system_.components()[c].size});
 
     std::vector<Printed> emission, reflectivity;
-    std::vector<Enclosed> loss;
+    std::vector<ScaledEnclosed> loss;
     for (const Material& m : materials_) {
       emission.emplace_back(m.emission.value[channel]);
       reflectivity.emplace_back(m.reflectivity.value[channel]);
-      loss.push_back(Enclosed::of(Rational(1 - m.reflectivity.value[channel])));
+      loss.push_back(ScaledEnclosed::of(Rational(1 - m.reflectivity.value[channel])));
     }
-    std::vector<Enclosed> radiosity = sources.emission;  // scaled; right for all that is known
+    std::vector<ScaledEnclosed> radiosity = sources.emission;  // right for all that is known
     solution.elements.resize(matrix_.size());
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
       if (!matrix_.has_row(i)) continue;
@@ -174,31 +176,39 @@ class Group {
       } else if (sources.is_lit[system_.rows()[static_cast<std::size_t>(u)].component]) {
         const auto place = static_cast<std::size_t>(u);
         radiosity[i] = bounds.enclosed(place);
-        element.lower = lower_scaled(bounds.lower[place], exponent);
-        element.upper = upper_scaled(bounds.upper[place], exponent);
-        element.radiosity = std::clamp(std::ldexp(radiosity[i].hi, exponent), element.lower, element.upper);
+        element.lower = lower_scaled(bounds.lower[place], bounds.exponent[place]);
+        element.upper = upper_scaled(bounds.upper[place], bounds.exponent[place]);
+        if (!system_.has_negative_factors()) element.lower = std::max(element.lower, e.lower);  // B >= E
+        const double value = std::ldexp(radiosity[i].mantissa.hi, radiosity[i].exponent);
+        element.radiosity = std::clamp(value, element.lower, element.upper);
+        if (value < e.lower)
+          radiosity[i] = ScaledEnclosed::of(Enclosed::around({element.radiosity, 0}, {element.lower, element.upper}));
         if (element.radiosity > 0)
           solution.max_relative_width =
               std::max(solution.max_relative_width, (element.upper - element.lower) / element.radiosity);
       }
     }
 
-    const std::vector<Enclosed> irradiance = system_.irradiance(radiosity);
+    const std::vector<ScaledEnclosed> irradiance = system_.irradiance(radiosity);
     EnergySum energy(matrix_);
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
       if (!matrix_.has_row(i)) continue;
-      const Enclosed& taken = loss[*matrix_.elements()[i].material];
-      const bool absorbs = taken.size() != 0 && irradiance[i].size() != 0;
-      const Enclosed absorbed = absorbs ? product(taken, irradiance[i]) : Enclosed();
-      const Enclosed net = absorbs ? difference(sources.emission[i], absorbed) : sources.emission[i];
+      const std::uint32_t material = *matrix_.elements()[i].material;
+      const ScaledEnclosed absorbed = product(loss[material], irradiance[i]);
+      // Two forms of one number. Where the equations are not solved, the second is what the radiosities exchange.
+      const ScaledEnclosed net = difference(sources.emission[i], absorbed);
+      const ScaledEnclosed exchanged = is_refined() ? net : difference(radiosity[i], irradiance[i]);
       ElementRadiosity& element = solution.elements[i];
-      element.irradiance = std::ldexp(std::max(0.0, irradiance[i].value()), exponent);
-      element.net = std::ldexp(net.value(), exponent);
-      element.net_lower = std::isnan(net.radius) ? -kInfinity : lower_scaled(net.lower(), exponent);
-      element.net_upper = std::isnan(net.radius) ? kInfinity : upper_scaled(net.upper(), exponent);
-      energy.add(i, sources.emission[i].hi, absorbed.hi, radiosity[i].hi, sources.emission[matrix_.sky()].hi);
+      element.irradiance = std::max(0.0, irradiance[i].nearest());
+      element.net_value = exchanged.nearest();
+      element.net_lower = std::min(net.lower(), element.net_value);
+      element.net_upper = net.upper();
+      if (!system_.has_negative_factors())  // H >= 0
+        element.net_upper = std::min(element.net_upper, emission[material].upper);
+      element.net_upper = std::max(element.net_upper, element.net_value);
+      energy.add(i, sources.emission[i], absorbed, radiosity[i], sources.emission[matrix_.sky()]);
     }
-    solution.energy = energy.balance(exponent);
+    solution.energy = energy.balance();
     lap("irradiance");
   }
 
@@ -225,20 +235,19 @@ class Group {
       history = std::move(result.history);
     } else if (used_ == Solver::kLu) {
       const Correction result = make_lu(plain_, components)->solve(plain_.source);
-      double residual = 0, source = 0;
-      for (const double r : plain_.residual(plain_.source, result.rest)) residual = std::max(residual, std::abs(r));
-      for (const double s : plain_.source) source = std::max(source, s);
-      history.push_back(source > 0 ? residual / source : 0);
+      history.push_back(plain_.relative(plain_.residual(plain_.source, result.rest)));
       take(result, x);
       return;
     } else {
       const auto solver = used_ == Solver::kCg ? make_conjugate_gradient(system_, is_wanted_, limits, &history)
                                                : make_bicgstab(plain_, components, limits, &history);
-      take(solver->solve(plain_.source), x);
+      take(solve_by_component(system_, *solver, plain_.source), x);
     }
-    if (!(history.back() <= until) && !options_.iterations)
-      notes.insert(fmt::format("{} stopped after {} iterations with a relative residual of {:.2g}", to_string(used_),
-                               history.size() - 1, history.back()));
+    if (!(history.back() <= (options_.until || !options_.iterations ? until : kWorthANote)))
+      notes.insert(fmt::format(
+          "{} stopped after {} iterations with a relative residual of {:.2g}: by so much radiosities differ "
+          "from emission + reflectivity * irradiance",
+          to_string(used_), history.size() - 1, history.back()));
   }
 
   static void take(const Correction& from, SplitVector& x) {
@@ -348,8 +357,12 @@ RadiositySolution solve_radiosity_without(const ErrorTerms& terms, const Exchang
   const auto solve = [&](const ExchangeMatrix& of, const RadiosityOptions& with, bool is_whole) {
     return solve_doubles(terms, of, materials, sky_emission, with, !is_whole);
   };
-  return matrix.guarantee() == Guarantee::kEnclosed ? solve_enclosed(matrix, options, solve)
-                                                    : solve(matrix, options, true);
+  RadiositySolution solution = matrix.guarantee() == Guarantee::kEnclosed
+                                   ? solve_enclosed(matrix, sky_emission, options, solve)
+                                   : solve(matrix, options, true);
+  if (matrix.guarantee() != Guarantee::kEstimated)  // whose bounds are those of its own equations
+    for (std::string& note : notes_of_faint_radiosities(matrix, solution)) solution.notes.push_back(std::move(note));
+  return solution;
 }
 
 RadiositySolution solve_radiosity(const ExchangeMatrix& matrix, const std::vector<Material>& materials,

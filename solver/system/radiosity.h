@@ -29,8 +29,8 @@ std::optional<Solver> solver_named(std::string_view name);  // "auto", "cholesky
 
 struct RadiosityOptions {
   Solver solver = Solver::kAuto;
-  // Iterative solvers stop after so many iterations, or when max |residual| <= until * max |source|. When either is
-  // given, cg is not refined either. Default: 1e-12, and 10,000 iterations (100,000 shots).
+  // Iterative solvers stop after so many iterations, or when |residual| <= until * (largest source of the component)
+  // everywhere. When either is given, cg is not refined either. Default: 1e-12, 10,000 iterations (100,000 shots).
   std::optional<int> iterations = {};
   std::optional<double> until = {};
   std::function<void(double)> progress = {};  // fraction done; may throw to stop
@@ -41,9 +41,12 @@ struct ElementRadiosity {
   double emission = 0, reflectivity = 0;  // correctly rounded
   double radiosity = 0;
   double lower = 0, upper = 0;          // proven bounds of the radiosity of the exact system
-  double irradiance = 0;                // sum_j F_ij B_j, where there is no reflection too
-  double net = 0;                       // radiosity - irradiance, formed as emission - (1 - reflectivity) irradiance
-  double net_lower = 0, net_upper = 0;  // proven bounds of the net of the exact system
+  double irradiance = 0;                // sum_j F_ij B_j of these radiosities, where there is no reflection too
+  double net_lower = 0, net_upper = 0;  // proven bounds of radiosity - irradiance of the exact system
+  double net_value = 0;                 // within them, without what cancels in the difference of two doubles
+
+  // Returns the difference of these two doubles, rounded once: what is printed as net.
+  double net() const { return radiosity - irradiance; }
 };
 
 // Power [W; W per metre of depth in the plane], sums over the rows of the matrix. What the sky sends in counts as
@@ -59,7 +62,7 @@ struct DarkComponent {
 
 struct ChannelSolution {
   std::vector<ElementRadiosity> elements;  // by element of the matrix; those without a row are 0
-  std::vector<double> residual_history;    // max |residual| / max |source|, the start first
+  std::vector<double> residual_history;    // max |residual| / largest source of its component, the start first
   std::vector<DarkComponent> dark;
   EnergyBalance energy;
   double max_relative_width = 0;  // of the bounds, over elements with radiosity > 0
@@ -84,12 +87,18 @@ struct RadiositySolution {
 //   (1) lower <= true B <= upper in every element, the true B being that of the exact reflectivities, emissions and
 //       factors; for an enclosed matrix, of any factors within its enclosures; for an estimated one, of the doubles it
 //       holds, which says nothing of the scene (set_crude_bounds gives what holds there)
-//   (2) lower = upper = 0 = B where no light reaches; B = E within half an ulp where rho = 0
+//   (2) lower = upper = 0 = B where no light reaches; B = E within half an ulp where rho = 0; lower is never below the
+//       largest double that is not above E, net_upper never above the smallest that is not below it (unless a factor is
+//       negative)
 //   (3) widths of a few ulps after cholesky and cg, or up to 3 n ulps for n unknowns where doubles do not do
 //       (wide_elimination.h), for any distance of rho from 1 and for elements that next to no light reaches; for an
 //       enclosed matrix a few ulps more than the radiosities of its factors differ, and infinite where for some of them
 //       light need not die out (enclosed_radiosity.h)
-//   (4) the same bit for bit for any number of threads
+//   (4) each component is bounded on its own scale, whatever shines elsewhere; a note names faces that remain wide
+//       relative to themselves (faint_radiosities.h)
+//   (5) irradiance is that of the radiosities as given, so net() is what they exchange; where iterations were stopped
+//       early B = E + rho H holds within the residual only, and a note says so
+//   (6) the same bit for bit for any number of threads
 //
 // Throws RequestError when a component with reflectivity 1 throughout and no way out emits (one that does not is 0,
 // with a note), when an upper bound of an exact matrix is infinite (factors that underflow, or more light than doubles

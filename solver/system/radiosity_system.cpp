@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
-#include <map>
+#include <climits>
 #include <numeric>
+#include <span>
 
 #include "kernel/failure.h"
 #include "kernel/parallel.h"
@@ -14,7 +14,7 @@ namespace hottel {
 namespace {
 
 constexpr std::size_t kGrain = 16;  // rows a task
-constexpr int kMostAbove = 500;     // 2^kMostAbove: how far radiosities may be above emissions
+constexpr double kFar = 0x1p-400;   // below it a number is looked at in a unit of its own
 
 // sum_j F_j (a_j - b_j), enclosed.
 class DifferenceSum {
@@ -55,23 +55,6 @@ class DifferenceSum {
   std::size_t count_ = 0;
 };
 
-// 2^exponent near value > 0.
-int exponent_of(const Rational& value) {
-  return static_cast<int>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) -
-         static_cast<int>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
-}
-
-Rational times_power_of_two(const Rational& value, int exponent) {
-  Rational result;
-  if (exponent >= 0)
-    mpq_mul_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else
-    mpq_div_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return result;
-}
-
-bool is_positive(const Rounded& factor) { return factor.value > 0 || factor.side > 0; }  // the double may underflow
-
 // True if factors within their bounds may sum to 1 in this row.
 bool may_be_closed(const ExchangeMatrix& matrix, std::uint32_t i) {
   Enclosed least, most;
@@ -97,40 +80,6 @@ bool rows_may_be_closed(const ExchangeMatrix& matrix) {
     return false;
   }
   return true;
-}
-
-// Of what a component emits and sees, as far as it decides on its radiosities.
-struct Extremes {
-  bool are_known = true, is_any = false;
-  Rational least, most;
-
-  void meet(const Rational& radiosity) {
-    if (!is_any || radiosity < least) least = radiosity;
-    if (!is_any || radiosity > most) most = radiosity;
-    is_any = true;
-  }
-};
-
-// By component. At the brightest unknown nothing that it sees is brighter, so (1 - rho) B <= E there; unless it absorbs
-// and emits nothing, and then all that it sees is as bright. So for the darkest.
-std::vector<Extremes> extremes_of(const RadiositySystem& system, const std::vector<const Rational*>& emission) {
-  const Rational zero = 0;
-  const auto emitted = [&](std::uint32_t element) -> const Rational& {
-    return emission[element] ? *emission[element] : zero;
-  };
-  std::vector<Extremes> result(system.components().size());
-  for (const SystemRow& row : system.rows()) {
-    Extremes& extremes = result[row.component];
-    const Rational &own = emitted(row.element), &taken = system.absorptivity(row);
-    if (taken > 0)
-      extremes.meet(own == 0 ? zero : Rational(own / taken));
-    else if (own > 0)
-      extremes.are_known = false;
-    for (const FactorEntry& entry : system.matrix().row(row.element))
-      if (system.unknown(entry.to) < 0) extremes.meet(emitted(entry.to));
-  }
-  for (Extremes& extremes : result) extremes.are_known &= extremes.is_any && system.rows_are_closed();
-  return result;
 }
 
 }  // namespace
@@ -200,62 +149,6 @@ void RadiositySystem::find_components() {
   }
 }
 
-Sources RadiositySystem::sources(const std::vector<Material>& materials, const Spectrum& sky_emission,
-                                 int channel) const {
-  std::vector<const Rational*> emission(matrix_->size() + 1, nullptr);
-  for (std::uint32_t i = 0; i < matrix_->size(); ++i)
-    if (matrix_->has_row(i)) emission[i] = &materials[*matrix_->elements()[i].material].emission.value[channel];
-  emission[matrix_->sky()] = &sky_emission.value[channel];
-  return sources_of(emission);
-}
-
-Sources RadiositySystem::unit_source(std::uint32_t element) const {
-  const Rational one = 1;
-  std::vector<const Rational*> emission(matrix_->size() + 1, nullptr);
-  emission[element] = &one;
-  return sources_of(emission);
-}
-
-Sources RadiositySystem::sources_of(const std::vector<const Rational*>& emission) const {
-  Sources result;
-  std::optional<int> exponent;
-  for (const Rational* e : emission)
-    if (e && *e > 0) exponent = std::max(exponent.value_or(exponent_of(*e)), exponent_of(*e));
-  result.exponent = exponent.value_or(0);
-
-  result.is_lit = lit_by(emission);
-  const std::vector<Extremes> extremes = extremes_of(*this, emission);
-  int excess = 0;
-  for (const Extremes& e : extremes)
-    if (e.are_known && e.most > 0) excess = std::max(excess, exponent_of(e.most) - result.exponent - kMostAbove);
-  result.exponent += std::min(excess, kMostAbove);
-  const auto enclosed = [&](const Rational& value) {
-    return Enclosed::of(times_power_of_two(value, -result.exponent));
-  };
-  for (const Extremes& e : extremes)
-    result.range.push_back(e.are_known ? Enclosure{enclosed(e.least).lower(), enclosed(e.most).upper()}
-                                       : Enclosure{0, std::numeric_limits<double>::infinity()});
-
-  std::map<const Rational*, Enclosed> scaled;  // materials are few
-  for (const Rational* e : emission) {
-    if (e && !scaled.contains(e)) scaled[e] = enclosed(*e);
-    result.emission.push_back(e ? scaled[e] : Enclosed());
-  }
-  return result;
-}
-
-std::vector<char> RadiositySystem::lit_by(const std::vector<const Rational*>& emission) const {
-  const auto emits = [&](std::uint32_t element) { return emission[element] && *emission[element] > 0; };
-  std::vector<char> is_lit(components_.size(), 0);
-  for (const SystemRow& row : rows_) {
-    bool lit = emits(row.element);
-    for (const FactorEntry& entry : matrix_->row(row.element))
-      lit |= unknown_[entry.to] < 0 && emits(entry.to) && is_positive(entry.factor);
-    if (lit) is_lit[row.component] = 1;
-  }
-  return is_lit;
-}
-
 Enclosed RadiositySystem::value(const SplitVector& x, std::size_t unknown) const {
   return sum(Enclosed::of(x.constant[rows_[unknown].component]), Enclosed::of(x.rest[unknown]));
 }
@@ -274,41 +167,75 @@ std::vector<Enclosed> RadiositySystem::residual(const Sources* sources, const Sp
         if (j >= 0) {
           exchanged.add(entry.factor, x.rest[i], x.rest[static_cast<std::size_t>(j)]);
         } else {
-          const Enclosed there = sources ? sources->emission[entry.to] : Enclosed();
+          const Enclosed there = sources ? sources->emission_in(row.component, entry.to) : Enclosed();
           exchanged.add(entry.factor, {here.hi, here.lo}, {there.hi, there.lo}, here.radius + there.radius);
         }
       }
       const Enclosed left = sum(product(row.loss, here), product(row.reflectivity, exchanged.result()));
-      result[i] = difference(sources ? sources->emission[row.element] : Enclosed(), left);
+      result[i] = difference(sources ? sources->emission_in(row.component, row.element) : Enclosed(), left);
       if (!terms.roundings && !terms.factors) result[i].radius = 0;
     }
   });
   return result;
 }
 
-std::vector<Enclosed> RadiositySystem::irradiance(const std::vector<Enclosed>& radiosity) const {
-  std::vector<Enclosed> result(matrix_->size());
+namespace {
+
+// The irradiance of one row. A row that sums to 1 is a mean: differences to its smallest value lose nothing, and none
+// is above the mean.
+Enclosed gathered(std::span<const FactorEntry> row, const std::vector<Enclosed>& radiosity, bool is_mean) {
+  Enclosed base;
+  if (is_mean) {
+    base = radiosity[std::min_element(row.begin(), row.end(), [&](const FactorEntry& a, const FactorEntry& b) {
+                       return radiosity[a.to].hi < radiosity[b.to].hi;
+                     })->to];
+    base.radius = 0;
+  }
+  DifferenceSum above(ErrorTerms{});
+  bool is_dark = base.size() == 0;
+  for (const FactorEntry& entry : row) {
+    const Enclosed& there = radiosity[entry.to];
+    if (there.size() == 0 && base.size() == 0) continue;
+    is_dark = false;
+    above.add(entry.factor, {there.hi, there.lo}, {base.hi, base.lo}, there.radius);
+  }
+  return is_dark ? Enclosed() : sum(base, above.result());
+}
+
+// The same, whatever the sizes of factors and radiosities. Nothing is subtracted: what is far from others in size has
+// little in common with them.
+ScaledEnclosed gathered_far(std::span<const FactorEntry> row, const std::vector<ScaledEnclosed>& radiosity) {
+  ScaledEnclosed result;
+  for (const FactorEntry& entry : row)
+    result = sum(result, product(ScaledEnclosed::of(Enclosed::of(entry.factor)), radiosity[entry.to]));
+  return result;
+}
+
+}  // namespace
+
+std::vector<ScaledEnclosed> RadiositySystem::irradiance(const std::vector<ScaledEnclosed>& radiosity) const {
+  int unit = INT_MIN;
+  for (const ScaledEnclosed& b : radiosity)
+    if (!b.is_zero()) unit = std::max(unit, b.exponent);
+  std::vector<ScaledEnclosed> result(matrix_->size());
+  if (unit == INT_MIN) return result;
+  std::vector<Enclosed> in_unit;
+  std::vector<char> is_far;
+  bool is_any_far = false;
+  for (const ScaledEnclosed& b : radiosity) {
+    in_unit.push_back(b.in_unit(unit));
+    is_far.push_back(!b.is_zero() && in_unit.back().size() < kFar);
+    is_any_far |= is_far.back() != 0;
+  }
   parallel_ranges(matrix_->size(), kGrain, [&](std::size_t first, std::size_t last) {
     for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
-      if (!matrix_->has_row(i) || matrix_->row(i).empty()) continue;
-      // A row that sums to 1 is a mean. Differences to its smallest value lose nothing, and none is above the mean.
-      Enclosed base;
-      if (rows_are_closed()) {
-        const auto row = matrix_->row(i);
-        base = radiosity[std::min_element(row.begin(), row.end(), [&](const FactorEntry& a, const FactorEntry& b) {
-                           return radiosity[a.to].hi < radiosity[b.to].hi;
-                         })->to];
-        base.radius = 0;
-      }
-      DifferenceSum above(ErrorTerms{});
-      bool is_dark = base.size() == 0;
-      for (const FactorEntry& entry : matrix_->row(i)) {
-        const Enclosed& there = radiosity[entry.to];
-        if (there.size() == 0 && base.size() == 0) continue;
-        is_dark = false;
-        above.add(entry.factor, {there.hi, there.lo}, {base.hi, base.lo}, there.radius);
-      }
-      if (!is_dark) result[i] = sum(base, above.result());
+      const auto row = matrix_->row(i);
+      if (!matrix_->has_row(i) || row.empty()) continue;
+      const bool sees_far =
+          is_any_far && std::any_of(row.begin(), row.end(), [&](const FactorEntry& e) { return is_far[e.to]; });
+      const Enclosed near = gathered(row, in_unit, rows_are_closed());
+      result[i] = sees_far || (near.size() != 0 && near.size() < kFar) ? gathered_far(row, radiosity)
+                                                                       : ScaledEnclosed::of(near, unit);
     }
   });
   return result;
@@ -334,9 +261,24 @@ void PlainSystem::set_source(const RadiositySystem& system, const Sources& sourc
     const SystemRow& row = system.rows()[i];
     double from_known = 0;
     for (const FactorEntry& entry : system.matrix().row(row.element))
-      if (system.unknown(entry.to) < 0) from_known += entry.factor.value * sources.emission[entry.to].hi;
-    source[i] = sources.emission[row.element].hi + row.reflectivity.hi * from_known;
+      if (system.unknown(entry.to) < 0)
+        from_known += entry.factor.value * sources.emission_in(row.component, entry.to).hi;
+    source[i] = sources.emission_in(row.component, row.element).hi + row.reflectivity.hi * from_known;
   }
+  std::vector<double> largest(system.components().size(), 0);
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    double& most = largest[system.rows()[i].component];
+    most = std::max(most, std::abs(source[i]));
+  }
+  per_source.clear();
+  for (const SystemRow& row : system.rows())
+    per_source.push_back(largest[row.component] > 0 ? 1 / largest[row.component] : 1);
+}
+
+double PlainSystem::relative(const std::vector<double>& r) const {
+  double result = 0;
+  for (std::size_t i = 0; i < r.size(); ++i) result = std::max(result, std::abs(r[i]) * per_source[i]);
+  return result;
 }
 
 double PlainSystem::gathered(std::size_t i, const std::vector<double>& x) const {

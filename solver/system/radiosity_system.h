@@ -8,7 +8,7 @@
 
 #include "geometry/exchange/exchange_matrix.h"
 #include "geometry/scene/material.h"
-#include "solver/system/enclosed.h"
+#include "solver/system/scaled_enclosed.h"
 
 namespace hottel {
 
@@ -19,13 +19,20 @@ struct SplitVector {
   std::vector<DoubleDouble> rest;      // by unknown
 };
 
-// The sources of one channel, as the system wants them: scaled by 2^-exponent so that the largest is near 1, or less
-// where radiosities may be so much larger that they would leave the range of doubles.
+// The sources of one channel. Components are independent of each other, so each has a unit of its own, 2^exponent: the
+// largest emission in it or seen from it is near 1, or less where radiosities may be so much larger that they would
+// leave the range of doubles. What shines elsewhere does not matter to it.
 struct Sources {
-  int exponent = 0;
-  std::vector<Enclosed> emission;  // by element, the sky last; 0 for black backs
-  std::vector<char> is_lit;        // by component: some light reaches it
-  std::vector<Enclosure> range;    // by component: all its radiosities lie within
+  std::vector<ScaledEnclosed> emission;  // by element, the sky last; 0 for black backs
+  std::vector<int> exponent;             // of the unit, by component
+  std::vector<double> largest;           // by component: the largest emission in it or seen from it, in its unit
+  std::vector<char> is_lit;              // by component: some light reaches it
+  std::vector<Enclosure> range;          // by component: all its radiosities lie within, in its unit
+
+  // The emission of an element that is in the component or seen from it, in the unit of the component.
+  Enclosed emission_in(std::uint32_t component, std::uint32_t element) const {
+    return emission[element].in_unit(exponent[component]);
+  }
 };
 
 // Unknowns that exchange light with each other, directly or not.
@@ -96,12 +103,11 @@ class RadiositySystem {
   // Returns the irradiance H_i = sum_j F_ij B_j of every row, by element; `radiosity` >= 0 is by element, the sky last.
   // Its width is that of the radiosities and half an ulp or so of H_i, however much the radiosities differ; it is
   // exactly 0 where all of them are.
-  std::vector<Enclosed> irradiance(const std::vector<Enclosed>& radiosity) const;
+  std::vector<ScaledEnclosed> irradiance(const std::vector<ScaledEnclosed>& radiosity) const;
 
  private:
   void find_components();
   Sources sources_of(const std::vector<const Rational*>& emission) const;  // by element, the sky last; null: 0
-  std::vector<char> lit_by(const std::vector<const Rational*>& emission) const;
 
   const ExchangeMatrix* matrix_;
   bool rows_are_closed_, has_negative_factors_ = false;
@@ -111,13 +117,17 @@ class RadiositySystem {
   std::vector<SystemComponent> components_;
 };
 
-// The same system in plain doubles: x = source + scatter x. Rows of components that are not wanted scatter nothing.
+inline bool is_positive(const Rounded& factor) { return factor.value > 0 || factor.side > 0; }  // it may underflow
+
+// The same system in plain doubles: x = source + scatter x, each component in its unit. Rows of components that are not
+// wanted scatter nothing.
 struct PlainSystem {
   std::vector<std::size_t> begin;  // by unknown, one more at the end
   std::vector<std::uint32_t> to;   // unknowns
   std::vector<double> scatter;     // rho_i F_ij
   std::vector<double> source;      // E_i + rho_i sum of F_ij B_j over all that is known
   std::vector<double> area;
+  std::vector<double> per_source;  // 1 / the largest source of the component; 1 where there is none
 
   PlainSystem() = default;
   PlainSystem(const RadiositySystem& system, const std::vector<char>& is_wanted);
@@ -126,6 +136,8 @@ struct PlainSystem {
   double gathered(std::size_t i, const std::vector<double>& x) const;
   // Returns source - (I - scatter) x for any source.
   std::vector<double> residual(const std::vector<double>& of, const std::vector<double>& x) const;
+  // Returns max |r_i|, each relative to the largest source of its component.
+  double relative(const std::vector<double>& r) const;
 };
 
 }  // namespace hottel

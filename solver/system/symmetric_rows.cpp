@@ -12,15 +12,16 @@ constexpr double kSmallestReflectivity = 0x1p-800;  // below it the weight stays
 SymmetricRows::SymmetricRows(const RadiositySystem& system) {
   const ExchangeMatrix& matrix = system.matrix();
   const std::size_t n = system.size();
-  double largest = 0;
-  for (const SystemRow& row : system.rows()) largest = std::max(largest, matrix.elements()[row.element].area.value);
+  std::vector<double> largest(system.components().size(), 0);
+  for (const SystemRow& row : system.rows())
+    largest[row.component] = std::max(largest[row.component], matrix.elements()[row.element].area.value);
   coupling.assign(n, 0);
   defect.assign(n, 0);
   weight.assign(n, 0);
   begin.push_back(0);
   for (std::size_t i = 0; i < n; ++i) {
     const SystemRow& row = system.rows()[i];
-    const double area = matrix.elements()[row.element].area.value / largest;
+    const double area = matrix.elements()[row.element].area.value / largest[row.component];
     const double reflectivity = std::max(row.reflectivity.hi, kSmallestReflectivity);
     weight[i] = area / reflectivity;
     component.push_back(row.component);

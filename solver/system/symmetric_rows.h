@@ -12,7 +12,8 @@
 namespace hottel {
 
 // K = D + L: couplings S_ij = A_i F_ij between different unknowns (equal to S_ji but for roundings), defects
-// d_i = A_i (loss_i / rho_i + sum of F_ij over all that is known), areas in units of the largest.
+// d_i = A_i (loss_i / rho_i + sum of F_ij over all that is known), areas in units of the
+// largest of the component.
 //
 //   (K x)_i = d_i x_i + sum_j S_ij (x_i - x_j)
 //

@@ -17,8 +17,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr unsigned kBits = 256;
 constexpr double kWideRoundoff = 0x1p-240;  // of one operation, relative: more than truncation to kBits loses
 
-constexpr double kLeast = 0x1p-1060;  // narrower bounds are those of denormal numbers
-
 // From where on wide elimination is worth it for a component of n unknowns: relative width.
 double much(std::uint32_t n) { return std::max(0x1p-44, n * 0x1p-50); }
 
@@ -31,6 +29,31 @@ double rounded_down(const mpf_class& value) {
 }
 
 double rounded_up(const mpf_class& value) { return std::nextafter(rounded_down(value), kInfinity); }
+
+// value 2^exponent
+mpf_class scaled(const mpf_class& value, long exponent) {
+  mpf_class result(0, kBits);
+  if (exponent >= 0)
+    mpf_mul_2exp(result.get_mpf_t(), value.get_mpf_t(), static_cast<mp_bitcnt_t>(exponent));
+  else
+    mpf_div_2exp(result.get_mpf_t(), value.get_mpf_t(), static_cast<mp_bitcnt_t>(-exponent));
+  return result;
+}
+
+// Two numbers >= 0 of any size, one not above, one not below the real one.
+struct WideEnclosure {
+  mpf_class lower, upper;
+
+  // The exponent that brings the upper one to between 1/2 and 1; 0 for 0.
+  int exponent() const {
+    long result = 0;
+    mpf_get_d_2exp(&result, upper.get_mpf_t());
+    return static_cast<int>(result);
+  }
+  Enclosure in_unit(int unit) const {
+    return {rounded_down(scaled(lower, -long{unit})), rounded_up(scaled(upper, -long{unit}))};
+  }
+};
 
 }  // namespace
 
@@ -54,12 +77,12 @@ class WideElimination::Component {
   const std::vector<std::uint32_t>& unknowns() const { return unknowns_; }
 
   // Bounds of all unknowns of the component, in their order. REQUIRES is_known().
-  std::vector<Enclosure> bounds(const Sources& sources) const {
+  std::vector<WideEnclosure> bounds(const Sources& sources) const {
     const std::vector<mpf_class> least = solved(sources, &Enclosed::lower), most = solved(sources, &Enclosed::upper);
     const mpf_class part = pow2(mpf_class(1 - wide(spread_), kBits));
-    std::vector<Enclosure> result;
+    std::vector<WideEnclosure> result;
     for (std::size_t k = 0; k < least.size(); ++k)
-      result.push_back({rounded_down(mpf_class(least[k] * part, kBits)), rounded_up(mpf_class(most[k] / part, kBits))});
+      result.push_back({mpf_class(least[k] * part, kBits), mpf_class(most[k] / part, kBits)});
     return result;
   }
 
@@ -121,7 +144,8 @@ class WideElimination::Component {
     for (const std::uint32_t u : unknowns_) {
       const SystemRow& row = system_.rows()[u];
       const auto emission = [&](std::uint32_t element) {
-        return wide(std::max(0.0, (sources.emission[element].*end)()));
+        const ScaledEnclosed& e = sources.emission[element];
+        return scaled(wide(std::max(0.0, (e.mantissa.*end)())), e.exponent);
       };
       mpf_class received = wide(0);
       for (const FactorEntry& entry : system_.matrix().row(row.element))
@@ -163,22 +187,31 @@ void WideElimination::narrow(const Sources& sources, const Wanted& wanted, Certi
   for (std::size_t u = 0; u < system_.size(); ++u) {
     const std::uint32_t c = system_.rows()[u].component;
     const double width = bounds.upper[u] - bounds.lower[u];
+    const double least = std::ldexp(1.0, -1074 - bounds.exponent[u]);  // what a double can tell
     if (bounds.upper[u] == kInfinity ||
-        (wanted.narrow && width > much(system_.components()[c].size) * bounds.upper[u] + kLeast))
+        (wanted.narrow && width > much(system_.components()[c].size) * bounds.upper[u] + least))
       is_wide[c] = 1;
   }
   for (std::uint32_t c = 0; c < is_wide.size(); ++c) {
     if (!is_wide[c]) continue;
     const Component& component = eliminated(c);
     if (!component.is_known()) continue;
-    const std::vector<Enclosure> narrowed = component.bounds(sources);
+    const std::vector<WideEnclosure> narrowed = component.bounds(sources);
     for (std::size_t k = 0; k < narrowed.size(); ++k) {
       const std::uint32_t u = component.unknowns()[k];
       double &lower = bounds.lower[u], &upper = bounds.upper[u];
-      lower = std::max(lower, narrowed[k].lower);
-      upper = std::max(lower, std::min(upper, narrowed[k].upper));
       Enclosed& value = bounds.value[u];
-      if (wanted.keeps_value && std::isfinite(value.hi) && value.hi >= 0) {
+      const bool is_kept = wanted.keeps_value && std::isfinite(value.hi) && value.hi >= 0;
+      // From here on in a unit of its own.
+      int unit = narrowed[k].upper > 0 ? narrowed[k].exponent() : bounds.exponent[u];
+      if (is_kept && value.hi > 0) unit = std::max(unit, bounds.exponent[u] + std::ilogb(value.hi));
+      const Enclosure within = narrowed[k].in_unit(unit);
+      const int shift = bounds.exponent[u] - unit;
+      lower = std::max(lower_scaled(lower, shift), within.lower);
+      upper = std::max(lower, std::min(upper_scaled(upper, shift), within.upper));
+      value = scaled(value, shift);
+      bounds.exponent[u] = unit;
+      if (is_kept) {
         lower = std::min(lower, value.hi);
         upper = std::max(upper, value.hi);
       } else if (!(value.hi >= lower && value.hi <= upper)) {

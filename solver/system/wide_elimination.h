@@ -34,7 +34,8 @@ class WideElimination {
   ~WideElimination();
 
   // Narrows the bounds in lit components in which an upper one is infinite or, if wanted, any is wider than 2^-44 of
-  // itself (n 2^-50 for many unknowns). A value outside is replaced by the middle, or kept and enclosed too.
+  // itself (n 2^-50 for many unknowns), however small that is. They are then in units of their own. A value outside is
+  // replaced by the middle, or kept and enclosed too.
   struct Wanted {
     bool narrow = true;        // not only open bounds are narrowed
     bool keeps_value = false;  // bounds are widened to hold the value

@@ -231,7 +231,7 @@ const BadLine kBadLines[] = {
     {"empty_method", "hottel compare good.json --methods exact,", 2, "hottel: --methods has an empty name"},
     {"empty_method_between", "hottel compare good.json --methods exact,,strings", 2, "hottel: --methods has an empty"},
     {"empty_method_first", "hottel compare good.json --methods ,exact", 2, "hottel: --methods has an empty name"},
-    {"no_method", "hottel compare good.json --methods ''", 2, "hottel: --methods has an empty name"},
+    {"no_method", "hottel compare good.json --methods ''", 2, "hottel: --methods is empty"},
     {"solve_to_standard_output", "hottel solve good.json -o -", 2, "hottel: results are several files"},
     {"compare_to_standard_output", "hottel compare good.json -o -", 2, "hottel: results are several files"},
     {"seed_below_zero", "hottel generate room --seed -1", 2, "hottel: --seed"},

@@ -226,6 +226,37 @@ TEST(Solve, AFewIterationsGiveWideButTrueBounds) {
   EXPECT_GT(report["bounds"]["max_relative_width"].get<double>(), 1e-3);
 }
 
+TEST(Solve, NetIsTheDifferenceOfWhatIsPrinted) {
+  const Workplace place;
+  for (const std::string options :
+       {"", "--solver jacobi --iterations 3", "--solver shooting --iterations 5", "--method hemicube:64",
+        "--method arithmetic:bounds", "--method gauss:4:normalised --solver bicgstab --iterations 1"}) {
+    const Outcome outcome =
+        place.run("hottel solve " + kScenes + "../tests/contract/box.json -o out --grid 2x2 --quiet " + options);
+    ASSERT_EQ(outcome.code, 0) << options << ": " << outcome.err;
+    const auto lines = lines_of(place.read("out/radiosity.csv"));
+    for (std::size_t k = 1; k < lines.size(); ++k) {
+      std::vector<double> last;  // net first
+      std::istringstream line(lines[k]);
+      for (std::string field; std::getline(line, field, ',');) last.insert(last.begin(), std::atof(field.c_str()));
+      EXPECT_EQ(last[0], last[4] - last[1]) << options << ": " << lines[k];
+      EXPECT_GE(last[3], last[6]) << options << ": " << lines[k];
+    }
+  }
+}
+
+TEST(Solve, NotesAreInTheReportAndOnTheTerminal) {
+  const Workplace place;
+  for (const std::string options : {"--solver jacobi --iterations 3", "--solver cholesky --iterations 3"}) {
+    const Outcome outcome =
+        place.run("hottel solve " + kScenes + "analytic/square_radiosity.json -o out --grid 2x2 " + options);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto report = nlohmann::json::parse(place.read("out/report.json"));
+    ASSERT_EQ(report["notes"].size(), 1u) << options;
+    EXPECT_THAT(outcome.err, HasSubstr("note: " + report["notes"][0].get<std::string>() + "\n"));
+  }
+}
+
 TEST(Solve, ABrokenPromiseToBeClosedNamesTheFace) {
   const Workplace place;
   std::string open = square(R"({"reflectivity": "1/2"})", R"(, "closed": true)");

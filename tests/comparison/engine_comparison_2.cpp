@@ -43,95 +43,119 @@ bool is_nearest(double rounded, const mpf_class& real) {
 
 std::string digits(const mpf_class& value) { return fmt::format("{:.17g}", value.get_d()); }
 
+// The labels of the engine, and the label of each face of the oracle among them.
+class Labelling {
+ public:
+  Labelling(const Scene2& scene, Per per) {
+    std::vector<std::uint32_t> first_of_group(scene.groups.size(), kNone);
+    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+      const Surface2& surface = scene.surfaces[s];
+      const std::uint32_t set = per == Per::kGroup ? surface.group : s;
+      std::uint32_t first = per == Per::kGroup ? first_of_group[surface.group] : kNone;
+      const bool is_known = first != kNone;
+      if (!is_known) first = count();
+      first_of_group[surface.group] = first;
+      const std::uint32_t parts = per == Per::kElement ? surface.elements : 1;
+      const std::uint32_t backs = surface.back ? parts : 1, first_back = first + (per == Per::kGroup ? 1 : parts);
+      if (!is_known) {
+        set_.insert(set_.end(), parts + backs, set);
+        has_material_.insert(has_material_.end(), parts, 1);
+        has_material_.insert(has_material_.end(), backs, 0);
+      }
+      for (std::uint32_t k = 0; k < parts; ++k) {
+        of_.push_back(first + k);
+        of_.push_back(first_back + (backs > 1 ? k : 0));
+        if (surface.back) has_material_[of_.back()] = 1;
+        set_of_edge_.push_back(set);
+      }
+    }
+  }
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(set_.size()); }
+  bool has_material(std::uint32_t label) const { return has_material_[label] != 0; }
+  // Which surfaces are kept for it: a surface, or those of a group.
+  std::uint32_t set(std::uint32_t label) const { return set_[label]; }
+  std::uint32_t set_of_edge(std::size_t edge) const { return set_of_edge_[edge]; }
+
+  // The pieces with these labels; what is covered keeps its own.
+  std::vector<Segment> relabelled(std::vector<Segment> pieces) const {
+    for (Segment& piece : pieces)
+      for (int* label : {&piece.left, &piece.right})
+        if (*label >= 0) *label = static_cast<int>(of_[static_cast<std::size_t>(*label)]);
+    return pieces;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  std::vector<std::uint32_t> of_;           // by label of the oracle
+  std::vector<std::uint32_t> set_;          // by label
+  std::vector<char> has_material_;          // by label
+  std::vector<std::uint32_t> set_of_edge_;  // by edge of the oracle
+};
+
 // One scene, both ways.
 class Comparison {
  public:
-  Comparison(const Scene2& scene, ComparisonCounts& counts)
-      : edges_(to_edges(scene)),
+  Comparison(const Scene2& scene, ComparisonCounts& counts, Per per, Hidden hidden)
+      : per_(per),
+        hidden_(hidden),
         counts_(counts),
-        split_(split(edges_)),
-        measures_(exchange_measures(split_.pieces)),
-        prepared_(prepare(scene)),
-        matrix_(exact_exchange(prepared_)),
+        labelling_(scene, per),
+        split_(split(to_edges(scene, divided()))),
+        pieces_(labelling_.relabelled(split_.pieces)),
+        measures_(exchange_measures(pieces_)),
+        prepared_(prepare(scene, divided())),
+        matrix_(exact_exchange(prepared_, {.per = per})),
         sky_(matrix_.sky()) {
-    for (const Segment& piece : split_.pieces) {
+    for (const Segment& piece : pieces_) {
       const Rational x = piece.bx - piece.ax, y = piece.by - piece.ay;
-      for (const int label : {piece.left, piece.right}) {
-        ++length_[label][x * x + y * y];
-        owned_[label] += abs(x) + abs(y);
-      }
+      for (const int label : {piece.left, piece.right}) ++length_[label][x * x + y * y];
     }
   }
 
   std::string run() {
     ++counts_.scenes;
-    check_ownership();
+    wrong_ = ownership_differs(prepared_, split_);
+    demand(matrix_.size() == labelling_.count(), [&] { return fmt::format("{} labels", matrix_.size()); });
+    for (const auto& [pair, lengths] : measures_)
+      demand((pair.first == kCovered) == (pair.second == kCovered) || exact_sum(lengths).terms().empty(),
+             [&] { return fmt::format("{} sees {} and one is in a solid", pair.first, pair.second); });
     if (!wrong_.empty()) return wrong_;
     check_sums();
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
       demand(matrix_.has_row(i) == has_row(i), [&] { return fmt::format("row {}: there or not", i); });
       if (matrix_.has_row(i) && has_row(i)) check_row(i);
     }
+    if (hidden_ == Hidden::kYes) check_hidden();
     return wrong_;
   }
 
  private:
+  Divided divided() const { return per_ == Per::kElement ? Divided::kYes : Divided::kNo; }
+
   template <class Message>
   void demand(bool holds, const Message& message) {
     if (!holds) wrong_ += message() + "\n";
   }
 
-  // The oracle's label of an engine's label: fronts and backs alternate in both.
+  // The oracle's label of an engine's label.
   int label(std::uint32_t i) const { return i == sky_ ? kInfinity : static_cast<int>(i); }
 
-  bool has_row(std::uint32_t i) const {
-    if (i == sky_) return false;
-    const InputSegment& edge = edges_[i / 2];
-    return (i % 2 == 0 ? edge.front_material : edge.back_material) >= 0 && owned_.contains(label(i));
-  }
+  bool has_row(std::uint32_t i) const { return i != sky_ && labelling_.has_material(i) && length_.contains(label(i)); }
 
-  const LengthSum& measure(std::uint32_t i, std::uint32_t j) const {
+  static const LengthSum& of_pair(const Measures& measures, int i, int j) {
     static const LengthSum nothing;
-    const auto place = measures_.find(std::minmax({label(i), label(j)}));
-    return place == measures_.end() ? nothing : place->second;
+    const auto place = measures.find(std::minmax({i, j}));
+    return place == measures.end() ? nothing : place->second;
   }
-
-  void check_ownership() {
-    const Arrangement2& arrangement = prepared_.arrangement;
-    using End = std::pair<Rational, Rational>;
-    std::map<std::pair<End, End>, std::pair<int, int>> expected;
-    for (const Segment& s : split_.pieces) expected[{{s.ax, s.ay}, {s.bx, s.by}}] = {s.left, s.right};
-    demand(arrangement.pieces().size() == expected.size(),
-           [&] { return fmt::format("{} pieces, the oracle has {}", arrangement.pieces().size(), expected.size()); });
-    const auto owner = [&](PieceSideId side) {
-      const FacePart& face = arrangement.owner(side);
-      return static_cast<int>(2 * face.surface + (face.is_back ? 1 : 0));
-    };
-    for (std::size_t k = 0; k < arrangement.pieces().size(); ++k) {
-      const Vertices2& vertices = arrangement.vertices();
-      const auto end = [&](VertexId v) {
-        const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
-        return End{p.x, p.y};
-      };
-      End a = end(arrangement.pieces()[k].a), b = end(arrangement.pieces()[k].b);
-      std::pair<int, int> sides{owner(static_cast<PieceSideId>(2 * k)), owner(static_cast<PieceSideId>(2 * k + 1))};
-      if (b < a) {
-        std::swap(a, b);
-        std::swap(sides.first, sides.second);
-      }
-      const auto place = expected.find({a, b});
-      demand(place != expected.end() && place->second == sides, [&] {
-        return fmt::format("piece {}: not there, or owned by others than {} and {}", k, sides.first, sides.second);
-      });
-    }
-  }
+  const LengthSum& measure(std::uint32_t i, std::uint32_t j) const { return of_pair(measures_, label(i), label(j)); }
 
   void check_sums() {
     std::vector<hottel::LabelPair> pairs;
     for (std::uint32_t i = 0; i < sky_; ++i)
       for (std::uint32_t j = i; j <= sky_; ++j)
         if (has_row(i) || has_row(j)) pairs.emplace_back(i, j);
-    const std::vector<RootSum> sums = exact_exchange_measures(prepared_, Per::kFace, pairs);
+    const std::vector<RootSum> sums = exact_exchange_measures(prepared_, per_, pairs);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const std::uint32_t i = pairs[k].first, j = pairs[k].second;
       ++counts_.pairs;
@@ -158,7 +182,7 @@ class Comparison {
       check_factor(from, to, entry->factor, mpf_class(value_of(measure(from, to)) / twice_length, kBits));
       if (to == sky_)
         demand(entry->visibility == entry->factor.value, [&] { return fmt::format("Vis({}, sky) is not F", from); });
-      else if (owns_all(from) && owns_all(to))
+      else
         check_visibility(entry->visibility, from, to);
       ++entry;
     }
@@ -178,19 +202,33 @@ class Comparison {
     });
   }
 
-  bool owns_all(std::uint32_t i) const {
-    const InputSegment& edge = edges_[i / 2];
-    const auto place = owned_.find(label(i));
-    return place != owned_.end() && place->second == abs(edge.bx - edge.ax) + abs(edge.by - edge.ay);
+  // 2 S0, by the brute force on the pieces that lie on a surface of i or j, all others taken away. All labels of the
+  // same surfaces are measured at once; what belongs to none of them is black.
+  const LengthSum& free_measure(std::uint32_t i, std::uint32_t j) {
+    const auto [first, second] = std::minmax({labelling_.set(i), labelling_.set(j)});
+    const auto [place, is_new] = alone_.try_emplace({first, second});
+    if (is_new) {
+      std::vector<Segment> kept;
+      for (std::size_t p = 0; p < pieces_.size(); ++p) {
+        const auto is_of_either = [&, low = first, high = second](std::uint32_t set) {
+          return set == low || set == high;
+        };
+        if (std::none_of(split_.lying[p].begin(), split_.lying[p].end(),
+                         [&](const Lying& lying) { return is_of_either(labelling_.set_of_edge(lying.edge)); }))
+          continue;
+        Segment piece = pieces_[p];
+        for (int* label : {&piece.left, &piece.right})
+          if (*label >= 0 && !is_of_either(labelling_.set(static_cast<std::uint32_t>(*label)))) *label = kCovered;
+        kept.push_back(piece);
+      }
+      place->second = exchange_measures(kept);
+    }
+    return of_pair(place->second, label(i), label(j));
   }
 
-  // S / S0, with S0 by the brute force on the two edges alone.
   void check_visibility(double visibility, std::uint32_t from, std::uint32_t to) {
     ++counts_.visibilities;
-    const std::vector<InputSegment> alone{edges_[from / 2], edges_[to / 2]};
-    const Measures measures = exchange_measures(split(alone).pieces);
-    const LengthSum& free = measures.at(std::minmax({static_cast<int>(from % 2), static_cast<int>(2 + to % 2)}));
-    const mpf_class real(value_of(measure(from, to)) / value_of(free), kBits);
+    const mpf_class real(value_of(measure(from, to)) / value_of(free_measure(from, to)), kBits);
     const bool is_whole = compare(real, mpf_class(1, kBits)) == 0;
     const double largest = std::nextafter(1.0, 0.0);  // of what is hidden in part
     const bool is_rounded = visibility == largest ? compare(real, half_way(std::nextafter(largest, 0.0), largest)) > 0
@@ -199,59 +237,36 @@ class Comparison {
            [&] { return fmt::format("Vis({}, {}) = {}, the oracle has {}", from, to, visibility, digits(real)); });
   }
 
-  std::vector<InputSegment> edges_;
+  void check_hidden() {
+    const std::vector<hottel::LabelPair> found = hidden_pairs(prepared_, per_, matrix_);
+    std::vector<hottel::LabelPair> expected;
+    for (std::uint32_t i = 0; i < sky_; ++i)
+      for (std::uint32_t j = 0; j <= sky_; ++j)
+        if (has_row(i) && is_zero_.at(std::minmax({i, j})) &&
+            (j == sky_ || !exact_sum(free_measure(i, j)).terms().empty()))
+          expected.emplace_back(i, j);
+    counts_.hidden += expected.size();
+    demand(found == expected,
+           [&] { return fmt::format("{} hidden pairs, the oracle has {}", found.size(), expected.size()); });
+  }
+
+  const Per per_;
+  const Hidden hidden_;
   ComparisonCounts& counts_;
+  Labelling labelling_;
   Split split_;
+  std::vector<Segment> pieces_;  // with labels of the engine
   Measures measures_;
   PreparedScene2 prepared_;
   ExchangeMatrix matrix_;
   std::uint32_t sky_;
   std::map<int, LengthSum> length_;  // by label, as lengths of owned pieces
-  std::map<int, Rational> owned_;    // by label, |x| + |y| of the owned pieces
   std::map<hottel::LabelPair, bool> is_zero_;
+  std::map<hottel::LabelPair, Measures> alone_;  // by pair of sets
   std::string wrong_;
 };
 
 }  // namespace
-
-Scene2 to_scene(const std::vector<InputSegment>& edges) {
-  Scene2 scene;
-  scene.file = "edges";
-  for (int m = 0; m < 3; ++m) {
-    Material material;
-    material.name = "material " + std::to_string(m);
-    Rational reflectivity(m, 4);
-    reflectivity.canonicalize();
-    material.reflectivity = Spectrum::scalar(reflectivity);
-    material.emission = Spectrum::scalar(m == 2 ? 1 : 0);
-    scene.materials.push_back(material);
-  }
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const InputSegment& edge = edges[k];
-    Surface2 surface;
-    surface.name = "e" + std::to_string(k);
-    surface.from = {edge.ax, edge.ay};
-    surface.to = {edge.bx, edge.by};
-    surface.material = static_cast<std::uint32_t>(edge.front_material);
-    if (edge.back_material >= 0) surface.back = static_cast<std::uint32_t>(edge.back_material);
-    surface.group = static_cast<std::uint32_t>(k);
-    scene.surfaces.push_back(surface);
-    scene.groups.push_back(surface.name);
-  }
-  validate(scene);
-  return scene;
-}
-
-std::vector<InputSegment> to_edges(const Scene2& scene) {
-  const auto& materials = scene.materials;
-  const auto number = [&](std::uint32_t material) {  // materials that act alike have one number
-    return static_cast<int>(std::find(materials.begin(), materials.end(), materials[material]) - materials.begin());
-  };
-  std::vector<InputSegment> edges;
-  for (const Surface2& s : scene.surfaces)
-    edges.push_back({s.from.x, s.from.y, s.to.x, s.to.y, number(s.material), s.back ? number(*s.back) : -1});
-  return edges;
-}
 
 ExactSum to_exact_sum(const RootSum& sum) {
   ExactSum result;
@@ -259,6 +274,8 @@ ExactSum to_exact_sum(const RootSum& sum) {
   return result;
 }
 
-std::string disagreement(const Scene2& scene, ComparisonCounts& counts) { return Comparison(scene, counts).run(); }
+std::string disagreement(const Scene2& scene, ComparisonCounts& counts, Per per, Hidden hidden) {
+  return Comparison(scene, counts, per, hidden).run();
+}
 
 }  // namespace hottel::oracle

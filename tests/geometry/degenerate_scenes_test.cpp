@@ -52,6 +52,13 @@ std::vector<LabelPair> all_pairs(const ExchangeMatrix& matrix) {
   return pairs;
 }
 
+// Vis(from, to), NaN where there is no entry.
+double visibility(const ExchangeMatrix& matrix, const std::string& from, const std::string& to) {
+  for (const FactorEntry& entry : matrix.row(matrix.find(from).value()))
+    if (entry.to == matrix.find(to).value()) return entry.visibility;
+  return std::nan("");
+}
+
 class DegenerateScenes : public testing::TestWithParam<std::string> {};
 
 TEST_P(DegenerateScenes, HaveTheClosedFormsOfTheirFile) {
@@ -83,6 +90,11 @@ TEST_P(DegenerateScenes, HaveTheValuesOfTheirFile) {
   };
   for (const Expectation& row : scene.expect) {
     if (row.quantity == "radiosity") continue;  // tests/solver/degenerate_radiosity_test.cpp
+    if (row.quantity == "group_visibility") {
+      const ExchangeMatrix groups = exact_exchange(exact.prepared(), {.per = Per::kGroup});
+      EXPECT_EQ(visibility(groups, row.of.at(0), row.of.at(1)), to_double(number(row.value))) << row.name;
+      continue;
+    }
     ASSERT_EQ(row.kind, row.quantity == "factor" ? "exact" : "point");
     const Rounded rounded = computed(row);
     const Rational value = number(row.value);
@@ -119,7 +131,9 @@ oracle::Measures coefficients_by_gap(const PreparedScene2& prepared) {
 
 // Pairs of which one has a row, and coefficients other than 0.
 void tidy(oracle::Measures& measures, const ExchangeMatrix& matrix) {
-  const auto has_row = [&](int i) { return i != oracle::kInfinity && matrix.has_row(static_cast<std::uint32_t>(i)); };
+  const auto has_row = [&](int i) {
+    return 0 <= i && static_cast<std::uint32_t>(i) < matrix.size() && matrix.has_row(static_cast<std::uint32_t>(i));
+  };
   for (auto& [pair, lengths] : measures) std::erase_if(lengths, [](const auto& term) { return term.second == 0; });
   std::erase_if(measures, [&](const auto& entry) {
     return entry.second.empty() || !(has_row(entry.first.first) || has_row(entry.first.second));
@@ -189,12 +203,24 @@ double printed_measure(const ExchangeMatrix& matrix, const std::string& from, co
   return 0;
 }
 
+// The last group first; polylines stay what they are.
+void reverse_groups(std::vector<Surface2>& surfaces) {
+  std::vector<Surface2> reversed;
+  for (auto end = surfaces.end(); end != surfaces.begin();) {
+    auto begin = std::prev(end);
+    while (begin != surfaces.begin() && std::prev(begin)->group == begin->group) --begin;
+    reversed.insert(reversed.end(), begin, end);
+    end = begin;
+  }
+  surfaces = std::move(reversed);
+}
+
 // Of a scene and of its edges in reverse order, where each pair is computed the other way round. Not of faces that own
 // something else then: where edges overlap, the first listed of equal claims owns the piece.
 TEST_P(DegenerateScenes, AreSymmetric) {
   Scene2 scene = degenerate(GetParam());
   const Exact forth(scene);
-  std::reverse(scene.surfaces.begin(), scene.surfaces.end());
+  reverse_groups(scene.surfaces);
   const Exact back(scene);
   const ExchangeMatrix &matrix = forth.matrix(), &other = back.matrix();
   const auto owns_the_same = [&](std::uint32_t i) {
@@ -245,6 +271,36 @@ TEST_P(DegenerateScenes, AreTheSumsOfTheirElements) {
   const std::vector<RootSum> expected = exact_exchange_measures(whole.prepared(), Per::kFace, faces);
   for (std::size_t k = 0; k < faces.size(); ++k)
     EXPECT_TRUE((sums[faces[k]] - expected[k]).is_zero()) << faces[k].first << " " << faces[k].second;
+}
+
+// The walls of the canyon cut by hand: what the balconies cover of them, and of the balconies what lies on them, is not
+// listed. The parts of a wall are a group, so that they have one row.
+TEST(CanyonWithBalconies, IsTheOneWhoseWallsAreCutByHand) {
+  const Scene2 canyon = degenerate("canyon_with_balconies");
+  Scene2 cut = canyon;
+  cut.surfaces.clear();
+  const auto add_parts = [&](const std::string& name, const std::vector<std::pair<int, int>>& heights) {
+    for (const auto& [from, to] : heights) {
+      Surface2 part = canyon.surfaces[canyon.find(name).value()];
+      part.name += " " + std::to_string(from);
+      part.from.y = from;
+      part.to.y = to;
+      cut.surfaces.push_back(part);
+    }
+  };
+  add_parts("west", {{0, 2}, {3, 5}, {6, 8}});
+  add_parts("east", {{8, 4}, {3, 0}});
+  for (const Surface2& surface : canyon.surfaces) {
+    const bool is_wall = surface.name == "west" || surface.name == "east";
+    if (is_wall || surface.name == "low[3]" || surface.name == "high[3]" || surface.name == "opposite[1]") continue;
+    Surface2 alone = surface;
+    if (surface.group > 1) {  // of a balcony: a group of its own
+      alone.group = static_cast<std::uint32_t>(cut.groups.size());
+      cut.groups.push_back(surface.name);
+    }
+    cut.surfaces.push_back(alone);
+  }
+  EXPECT_TRUE(printed(canyon) == printed(exact_exchange(prepare(cut), {.per = Per::kGroup})));
 }
 
 // The section of a scene in the README: from its heading to the next one.

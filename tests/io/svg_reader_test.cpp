@@ -12,6 +12,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
 
 std::string svg(const std::string& body) {
   return "<svg xmlns='http://www.w3.org/2000/svg' xmlns:other='urn:other'>\n" + body + "\n</svg>\n";
@@ -49,6 +50,25 @@ TEST(SvgReader, ReadsNumbersAsTheTextSays) {
 TEST(SvgReader, ListsARectAsARoomSeenFromInside) {
   EXPECT_THAT(lines("<rect id='r' x='1' y='2' width='3' height='4'/>"),
               ElementsAre("r[0]: 1,-2 4,-2", "r[1]: 4,-2 4,-6", "r[2]: 4,-6 1,-6", "r[3]: 1,-6 1,-2"));
+}
+
+TEST(SvgReader, KeepsTheInsideOfARectThatIsMirrored) {
+  const std::string rect = "<rect id='r' x='1' y='2' width='3' height='4'/>";
+  EXPECT_THAT(lines("<g transform='scale(-1 1)'>" + rect + "</g>"),
+              ElementsAre("r[0]: -1,-2 -1,-6", "r[1]: -1,-6 -4,-6", "r[2]: -4,-6 -4,-2", "r[3]: -4,-2 -1,-2"));
+  EXPECT_EQ(lines("<g transform='scale(-1 1)'><g transform='scale(-1 1)'>" + rect + "</g></g>"), lines(rect));
+  // Twice the area to the right of the outline, by the formula of the shoelace: positive for a room.
+  const auto twice_the_area_inside = [](const std::string& body) {
+    Rational sum = 0;
+    for (const Surface2& s : scene(body).surfaces) sum += s.to.x * s.from.y - s.from.x * s.to.y;
+    return sum;
+  };
+  for (const char* transform :
+       {"scale(1)", "scale(-1 1)", "scale(1 -1)", "scale(-1)", "matrix(0 1 1 0 0 0)", "rotate(90) scale(1 -1)"}) {
+    const std::string group = "<g transform='" + std::string(transform) + "'>";
+    EXPECT_EQ(twice_the_area_inside(group + rect + "</g>"), 24) << transform;
+    EXPECT_EQ(twice_the_area_inside(group + "<g data-front='left'>" + rect + "</g></g>"), -24) << transform;
+  }
 }
 
 TEST(SvgReader, TurnsAnElementRoundOnRequest) {
@@ -152,11 +172,96 @@ TEST(SvgReader, RefusesWhatItCannotReadExactlyAtItsLine) {
   expect_refusal("<line x2='1' display='none'/>", "display 'none'");
   expect_refusal("<g style='fill:none;display:none'><line x2='1'/></g>", "display 'none'");
   expect_refusal("<g clip-path='url(#c)'><line x2='1'/></g>", "clip-path");
-  expect_refusal("<style>line { transform: scale(2) }</style>", "may hide or move lines");
+  expect_refusal("<style>line { transform: scale(2) }</style>", "for 'line' has transform 'scale(2)'");
   expect_refusal("<line x2='1'><animate/></line>", "cannot be read here");
   expect_refusal("<line id='sky' x2='1'/>", "the id is kept for the sky");
   expect_refusal("<line x2='1' x2='2'/>", "twice");
   expect_refusal("<line x2='1' data-front='up'/>", "neither 'left' nor 'right'");
+}
+
+TEST(SvgReader, NamesWhatItCannotReadWithItsContainer) {
+  const auto message = [](const std::string& body) { return refusal(svg(body)); };
+  EXPECT_THAT(message("<text/>"), HasSubstr("plan.svg:2: <text> is not"));
+  EXPECT_THAT(message("<g><text/></g>"), HasSubstr("<text> in <g> is not"));
+  EXPECT_THAT(message("<g id='labels'><text id='t'/></g>"), HasSubstr("<text id='t'> in <g id='labels'> is not"));
+  EXPECT_THAT(message("<g id='labels'><g><text/></g></g>"), HasSubstr("<text> in <g id='labels'> is not"));
+  EXPECT_THAT(message("<line id='a' x2='1'><set/></line>"), HasSubstr("<set> in <line id='a'> cannot be read here"));
+}
+
+// Each property of CSS that hides, moves or resizes, in a style attribute and in a style sheet.
+TEST(SvgReader, RefusesStylesThatHideMoveOrResize) {
+  for (const char* declaration : {"display: none",
+                                  "visibility:hidden",
+                                  "clip-path: circle()",
+                                  "mask: url(#m)",
+                                  "filter: url('#f')",
+                                  "transform: none",
+                                  "-webkit-transform: scale(2)",
+                                  "TRANSLATE: 1px",
+                                  "rotate: 45deg",
+                                  "scale: 2",
+                                  "zoom: 2",
+                                  "offset-path: path('M0 0')",
+                                  "offset: none",
+                                  "width: 3px",
+                                  "height: 3px",
+                                  "x: 1",
+                                  "y: 1",
+                                  "cx: 1",
+                                  "cy: 1",
+                                  "r: 1",
+                                  "rx: 1",
+                                  "ry: 1",
+                                  "d: path('M0 0L1 1')",
+                                  "all: unset",
+                                  "vector-effect: fixed-position",
+                                  "wi\\64 th: 3px"}) {
+    const std::string text = declaration;
+    const std::string line = "<line id='a' x2='1' style=\"stroke: red; /* ; */ " + text + "\"/>";
+    EXPECT_THAT(refusal(svg(line)), HasSubstr("plan.svg:2: <line id='a'> has ")) << text;
+    const std::string rules = "/* } */\n@media screen { g { fill: url(a;b) } line.a {\n" + text + " !important} }";
+    for (const std::string& sheet : {"<style>" + rules + "</style>", "<defs><style>" + rules + "</style></defs>",
+                                     "<style><![CDATA[" + rules + "]]></style>"})
+      EXPECT_THAT(refusal(svg(sheet + "<line x2='1'/>")), MatchesRegex("plan.svg:4: <style>.* has .*")) << sheet;
+  }
+}
+
+TEST(SvgReader, PassesOverStylesThatPaint) {
+  EXPECT_EQ(lines("<style type='text/css'>@charset 'x'; .clip, #width { stroke-width: 3; font: 3px 'x: 1'; "
+                  "background: url(data:a;x: 1) } .m { display: inline; scale: none; mask: none !important }</style>"
+                  "<line id='a' x2='1' style='stroke-width: 3; zoom: 1; marker-end: none' r='3'/>"),
+            lines("<line id='a' x2='1'/>"));
+  EXPECT_EQ(parse_svg_2("<svg style='width: 100%; height: auto'><line x2='1'/></svg>", "plan.svg").surfaces.size(), 1u);
+}
+
+TEST(SvgReader, RefusesWhatChangesADrawingFromOutside) {
+  EXPECT_THAT(refusal("<?xml version='1.0'?>\n<?xml-stylesheet href='a.css'?><svg><line x2='1'/></svg>"),
+              HasSubstr("plan.svg:2: refers to another style sheet"));
+  EXPECT_THAT(refusal(svg("<style>\n@import 'a.css';</style>")), HasSubstr("plan.svg:3: <style> imports another"));
+  EXPECT_THAT(refusal(svg("<defs><script/></defs>")), HasSubstr("<script> in <defs> may change the drawing"));
+  EXPECT_THAT(refusal(svg("<link xmlns='http://www.w3.org/1999/xhtml'/>")), HasSubstr("<link> may change"));
+}
+
+TEST(SvgReader, RefusesDataKeysItDoesNotKnowAndListsThoseItDoes) {
+  EXPECT_THAT(
+      refusal(svg("<g data-colour='red'><line x2='1'/></g>")),
+      HasSubstr("plan.svg:2: <g> has 'data-colour': of such keys only data-material, data-back and data-front"));
+  EXPECT_THAT(refusal("<svg data-name='x'><line x2='1'/></svg>"), HasSubstr("<svg> has 'data-name'"));
+}
+
+TEST(SvgReader, RefusesEntitiesThatAreUsed) {
+  const std::string hall = "<!DOCTYPE svg [<!ENTITY h \"hall\"> <!-- ' -->]>\n";
+  EXPECT_EQ(refusal(hall + "<svg>\n<line id='&h;' x2='1'/></svg>"),
+            "plan.svg:3: uses the entity &h;, which is not resolved: write out what it stands for");
+  EXPECT_EQ(refusal(hall + "<svg><!-- &h; --><title><![CDATA[&h;]]></title><line id='a' x2='1'/></svg>"), "");
+  EXPECT_EQ(lines("<line id='&lt;&amp;h;&#65;&#x42;' x2='1'/>"), std::vector<std::string>{"<&h;AB: 0,0 1,0"});
+  EXPECT_THAT(refusal(svg("<title>a & b</title><line x2='1'/>")), HasSubstr("plan.svg:2: has an & that begins"));
+  EXPECT_THAT(refusal(svg("<title>&#xg;</title><line x2='1'/>")), HasSubstr("the entity &#xg;"));
+  EXPECT_THAT(refusal("<!DOCTYPE svg [\n<!ATTLIST line x2 CDATA '1'>]><svg><line/></svg>"),
+              HasSubstr("plan.svg:2: declares a list of attributes"));
+  EXPECT_THAT(refusal("<!DOCTYPE svg [<!ENTITY % p \"\">%p;]><svg><line x2='1'/></svg>"),
+              HasSubstr("declares a parameter entity"));
+  EXPECT_EQ(refusal("<!DOCTYPE svg PUBLIC '-//W3C//DTD SVG 1.1//EN' 'svg11.dtd'><svg><line x2='1'/></svg>"), "");
 }
 
 TEST(SvgReader, RefusesFilesThatAreNoDrawing) {

@@ -111,25 +111,36 @@ std::vector<Stroke> draw(Pen& pen, std::size_t n, bool lattice, bool has_room) {
 
 }  // namespace
 
-void settle_conflicts(std::vector<InputSegment>& edges) {
+void settle_conflicts(std::vector<InputSegment>& edges) { settle_conflicts(edges, cut(edges)); }
+
+Split settle_conflicts(std::vector<InputSegment>& edges, const Cut& cut) {
   std::vector<std::size_t> like(2 * edges.size());  // by label: a face listed earlier that it must agree with
   std::iota(like.begin(), like.end(), std::size_t{0});
   const auto root = [&](std::size_t label) {
     while (like[label] != label) label = like[label];
     return label;
   };
+  const auto join = [&](std::size_t f, std::size_t g) {
+    f = root(f), g = root(g);
+    like[std::max(f, g)] = std::min(f, g);
+  };
   const auto material = [&](std::size_t label) -> int& {
     InputSegment& edge = edges[label / 2];
     return label % 2 == 0 ? edge.front_material : edge.back_material;
   };
-  for (auto conflicts = split(edges).conflicts; !conflicts.empty(); conflicts = split(edges).conflicts) {
-    for (const Conflict& conflict : conflicts) {
-      const std::size_t f = root(static_cast<std::size_t>(conflict.first));
-      const std::size_t g = root(static_cast<std::size_t>(conflict.second));
-      like[std::max(f, g)] = std::min(f, g);
+  for (const std::vector<std::size_t>& group : groups_of(edges))
+    for (const std::size_t k : group) {
+      join(2 * group.front(), 2 * k);
+      join(2 * group.front() + 1, 2 * k + 1);
     }
+  Split result = split(edges, cut);
+  while (!result.conflicts.empty()) {
+    for (const Conflict& conflict : result.conflicts)
+      join(static_cast<std::size_t>(conflict.first), static_cast<std::size_t>(conflict.second));
     for (std::size_t label = 0; label < like.size(); ++label) material(label) = material(root(label));
+    result = split(edges, cut);
   }
+  return result;
 }
 
 RandomScene random_scene(std::uint64_t seed, int n, bool lattice) {

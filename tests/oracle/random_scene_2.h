@@ -22,7 +22,9 @@ struct RandomScene {
 // REQUIRES: n >= 4.
 RandomScene random_scene(std::uint64_t seed, int n, bool lattice);
 
-// Makes the materials of faces equal that claim the same side of a piece, so that split(edges) reports no conflict.
+// Makes the materials of faces equal that claim the same side of a piece, and those of their groups, and returns
+// split(edges), which then reports no conflict. REQUIRES edges of one group that have the same materials.
 void settle_conflicts(std::vector<InputSegment>& edges);
+Split settle_conflicts(std::vector<InputSegment>& edges, const Cut& cut);
 
 }  // namespace hottel::oracle

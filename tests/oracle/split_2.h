@@ -1,4 +1,5 @@
-// Arbitrary segments cut where they meet, and the claims on each piece settled: all pairs, over rationals.
+// Arbitrary segments cut where they meet, what looks into a solid found, and the claims on each piece settled: all
+// pairs, over rationals.
 #pragma once
 
 #include <gmpxx.h>
@@ -6,19 +7,14 @@
 #include <vector>
 
 #include "tests/oracle/brute_force_2.h"
+#include "tests/oracle/input_segment_2.h"
+#include "tests/oracle/solids_2.h"
 
 namespace hottel::oracle {
 
-// An edge as a scene lists it. Materials are compared by number; none (a black back that claims nothing) is -1.
-// REQUIRES: a != b.
-struct InputSegment {
-  mpq_class ax, ay, bx, by;
-  int front_material = 0;  // of the right side of a -> b
-  int back_material = -1;
-};
-
 inline int front_label(std::size_t edge) { return static_cast<int>(2 * edge); }
 inline int back_label(std::size_t edge) { return static_cast<int>(2 * edge + 1); }
+inline constexpr int kCovered = -2;  // the label of sides that look into a solid
 
 // Two faces with different materials that claim the same side of one piece.
 struct Conflict {
@@ -27,13 +23,31 @@ struct Conflict {
 };
 
 struct Split {
-  std::vector<Segment> pieces;      // disjoint interiors; labels front_label, back_label of the owning face
-  std::vector<Conflict> conflicts;  // for each such side: its first claimant with the first that disagrees
+  std::vector<Segment> pieces;            // disjoint interiors; labels front_label, back_label of the owning face
+  std::vector<std::vector<Lying>> lying;  // by piece: the edges on it, in the order of the list
+  std::vector<Conflict> conflicts;        // for each such side: its first claimant with the first that disagrees
+  std::vector<std::size_t> unbounded;     // groups that say what is behind them is solid, and nothing is behind them
+  std::set<std::pair<std::size_t, std::size_t>> contradictions;  // groups that say solid and open of one region
+  std::size_t silent_fronts = 0;                                 // fronts of solids that make no claim
+  bool has_room = false;                                         // a room in a solid
+
+  bool is_refused() const { return !conflicts.empty() || !unbounded.empty() || !contradictions.empty(); }
 };
 
-// Cuts the edges at crossings, T-junctions and the ends of overlaps, and gives each side of each piece to one face:
-// with claims, to the first listed claimant; without, to the face of the first listed edge there (black). COST: O(n^2)
-// intersections, O(k log k) for k pieces.
+// What of it does not depend on materials, nor on what is said to be behind: edges with other ones may share it.
+struct Cut {
+  std::vector<Stretch> pieces;
+  std::vector<std::vector<Lying>> lying;
+  Regions regions;  // none where no group of these edges may make anything solid
+};
+
+// Cuts the edges at crossings, T-junctions and the ends of overlaps. COST: O(n^2) intersections, O(k^2) for k pieces.
+Cut cut(const std::vector<InputSegment>& edges);
+
+// Each side of each piece is covered where it looks into a solid. Where a face with a material is on a covered side and
+// a front of the solid on the other, that front makes no claim. All other sides go to one face: with claims, to the
+// first listed claimant; without, to the face of the first listed edge there (black).
+Split split(const std::vector<InputSegment>& edges, const Cut& cut);
 Split split(const std::vector<InputSegment>& edges);
 
 }  // namespace hottel::oracle

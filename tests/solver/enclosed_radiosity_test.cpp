@@ -91,7 +91,7 @@ struct WithinCheck {
       const mpf_class net =
           number(material.emission.value[0]) - (1 - number(material.reflectivity.value[0])) * irradiance;
       require(i, radiosity[i], {e.lower, e.upper}, e.radiosity, "radiosity");
-      require(i, net, {e.net_lower, e.net_upper}, e.net, "net");
+      require(i, net, {e.net_lower, e.net_upper}, e.net_value, "net");
     }
   }
 

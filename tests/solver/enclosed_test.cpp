@@ -1,8 +1,8 @@
-#include "solver/system/enclosed.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "solver/system/scaled_enclosed.h"
 
 namespace hottel {
 namespace {
@@ -60,6 +60,38 @@ TEST(Enclosed, ContainsANumberBeyondTheRangeOfDoubles) {
   const Enclosed beyond = Enclosed::of(parse_rational("1e400").value());
   EXPECT_EQ(beyond.lower(), -HUGE_VAL);
   EXPECT_EQ(beyond.upper(), HUGE_VAL);
+}
+
+bool contains(const ScaledEnclosed& e, const Rational& exact) {
+  return contains(e.mantissa, scaled_by_power_of_two(exact, -e.exponent));
+}
+
+TEST(ScaledEnclosed, ContainsEveryResultAndIsTightForNumbersOfAnySize) {
+  Numbers numbers;
+  std::mt19937_64 random(3);
+  for (int k = 0; k < 5'000; ++k) {
+    const auto shift = [&] { return static_cast<long>(random() % 6001) - 3000; };
+    const Rational a = scaled_by_power_of_two(numbers.next(), shift());
+    const Rational b = k % 2 == 0 ? numbers.next() * a : scaled_by_power_of_two(numbers.next(), shift());
+    const ScaledEnclosed x = ScaledEnclosed::of(a), y = ScaledEnclosed::of(b);
+    ASSERT_TRUE(contains(x, a));
+    ASSERT_TRUE(contains(y, b));
+    ASSERT_TRUE(contains(sum(x, y), a + b));
+    ASSERT_TRUE(contains(difference(x, y), a - b));
+    const ScaledEnclosed z = product(x, y);
+    ASSERT_TRUE(contains(z, a * b));
+    EXPECT_LE(z.mantissa.radius, std::abs(z.mantissa.hi) * 0x1p-100);
+    EXPECT_TRUE(std::isinf(z.lower()) || Rational(z.lower()) <= a * b);
+    EXPECT_TRUE(std::isinf(z.upper()) || Rational(z.upper()) >= a * b);
+  }
+}
+
+TEST(ScaledEnclosed, LeavesASumAsItIsWhereItIsZero) {
+  const ScaledEnclosed one = ScaledEnclosed::of(Rational(1)), zero = ScaledEnclosed::of(Rational(0));
+  EXPECT_TRUE(zero.is_zero());
+  EXPECT_TRUE(product(one, zero).is_zero());
+  EXPECT_EQ(sum(one, zero).lower(), 1);
+  EXPECT_EQ(difference(zero, one).upper(), -1);
 }
 
 }  // namespace

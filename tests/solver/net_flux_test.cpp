@@ -118,7 +118,7 @@ TEST(NetFlux, IsPositiveWhereMoreLeavesThanArrives) {
     for (std::uint32_t i = 0; i < scene.matrix().size(); ++i)
       emitted += scene.matrix().elements()[i].area.value * channel.elements[i].emission;
     EXPECT_NEAR(flux[3].by_channel[c].value, channel.energy.emitted - emitted - channel.energy.to_sky, 1e-14);
-    EXPECT_NEAR(flux[0].by_channel[c].value, solution.channels[c].elements[0].net, 1e-14);
+    EXPECT_NEAR(flux[0].by_channel[c].value, solution.channels[c].elements[0].net(), 1e-14);
   }
 }
 

@@ -83,7 +83,12 @@ const char* to_string(Contact contact) {
                                                         "partial overlap",
                                                         "contained",
                                                         "three through one point",
-                                                        "three tips on one line"};
+                                                        "three tips on one line",
+                                                        "scenes with solids",
+                                                        "with covered faces",
+                                                        "with silent fronts",
+                                                        "with rooms in solids",
+                                                        "with solids behind"};
   return kNames[static_cast<std::size_t>(contact)];
 }
 
@@ -108,6 +113,26 @@ void count_contacts(const std::vector<LatticeEdge>& edges, ContactCounts& counts
         if (have_tips_on_one_line(*e, *f, *g)) add(Contact::kThreeTipsOnOneLine);
       }
     }
+}
+
+void count_solids(const LatticeScene& scene, ContactCounts& counts) {
+  const auto add = [&](Contact contact, bool is_there) { counts[static_cast<std::size_t>(contact)] += is_there; };
+  bool has_solid = false, has_covered_face = false;
+  for (std::size_t p = 0; p < scene.split.pieces.size(); ++p)
+    for (const bool left : {true, false}) {
+      const oracle::Segment& piece = scene.split.pieces[p];
+      if ((left ? piece.left : piece.right) != oracle::kCovered) continue;
+      has_solid = true;
+      for (const oracle::Lying& lying : scene.split.lying[p])
+        has_covered_face |= lying.is_forwards != left || scene.edges[lying.edge].back_material >= 0;
+    }
+  add(Contact::kSolid, has_solid);
+  add(Contact::kCoveredFace, has_covered_face);
+  add(Contact::kSilentFront, scene.split.silent_fronts > 0);
+  add(Contact::kRoomInSolid, scene.split.has_room);
+  add(Contact::kSolidBehind, std::any_of(scene.edges.begin(), scene.edges.end(), [](const oracle::InputSegment& edge) {
+        return edge.behind == oracle::Behind::kSolid;
+      }));
 }
 
 }  // namespace hottel::storm

@@ -18,6 +18,8 @@ namespace hottel::storm {
 //   collinear apart on one line, without a common point
 //   equal, partial, contained    on one line, with a piece in common
 // Of three: a point inside all, no two on one line; and ends of different edges on one line that is none of theirs.
+// Of scenes: something is solid; a face with a material looks into a solid; a front of a solid makes no claim for such
+// a face; a room is in a solid; something is solid because an edge or open polyline says so.
 enum class Contact {
   kApart,
   kTipsMeet,
@@ -30,8 +32,13 @@ enum class Contact {
   kContained,
   kThreeThroughOnePoint,
   kThreeTipsOnOneLine,
+  kSolid,
+  kCoveredFace,
+  kSilentFront,
+  kRoomInSolid,
+  kSolidBehind,
 };
-inline constexpr std::size_t kContactKinds = 11;
+inline constexpr std::size_t kContactKinds = 16;
 const char* to_string(Contact contact);
 
 using ContactCounts = std::array<std::uint64_t, kContactKinds>;
@@ -40,5 +47,7 @@ Contact contact_of(const LatticeEdge& e, const LatticeEdge& f);
 
 // Adds every pair and triple of the edges.
 void count_contacts(const std::vector<LatticeEdge>& edges, ContactCounts& counts);
+// Adds one for each kind that is in the scene.
+void count_solids(const LatticeScene& scene, ContactCounts& counts);
 
 }  // namespace hottel::storm

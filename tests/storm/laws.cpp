@@ -2,16 +2,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numeric>
 #include <random>
 
 #include "tests/comparison/engine_comparison_2.h"
 #include "tests/solver/exact_radiosity.h"
 #include "tests/storm/division_laws.h"
 #include "tests/storm/long_map.h"
+#include "tests/storm/solid_laws.h"
 
 namespace hottel::storm {
 
@@ -67,25 +68,6 @@ std::string rotation_is_broken(const Subject& subject) {
                     })));
 }
 
-std::string reflection_is_broken(const Subject& subject) {
-  Edges mirrored = moved(subject.edges(), [](mpq_class& x, mpq_class&) { x = -x; });
-  for (InputSegment& edge : mirrored) turn_round(edge);
-  return difference(subject.numbers(), numbers_of(mirrored));
-}
-
-std::string reversal_is_broken(const Subject& subject) {
-  const Edges& edges = subject.edges();
-  Edges reversed = edges;
-  for (InputSegment& edge : reversed) {
-    if (edge.back_material < 0) continue;
-    turn_round(edge);
-    std::swap(edge.front_material, edge.back_material);
-  }
-  return difference(subject.numbers(), numbers_of(reversed, [&](std::uint32_t label) {
-                      return edges[label / 2].back_material < 0 ? label : label ^ 1U;
-                    }));
-}
-
 // Do the edges have a piece in common?
 bool overlap(const InputSegment& e, const InputSegment& f) {
   const auto turn = [&](const mpq_class& x, const mpq_class& y) {
@@ -104,6 +86,44 @@ std::vector<char> alone(const Edges& edges) {
     for (std::size_t other = 0; other < edges.size(); ++other)
       if (other != k && overlap(edges[k], edges[other])) is_alone[k] = 0;
   return is_alone;
+}
+
+// Takes away what is printed of faces on edges that are not marked.
+Numbers only_of(Numbers numbers, const std::vector<char>& is_marked) {
+  std::erase_if(numbers, [&](const auto& entry) {
+    return !is_marked[entry.first.first / 2] || !is_marked[entry.first.second / 2];
+  });
+  return numbers;
+}
+
+// A polyline turned round is listed from its last edge to its first, which then is the first to own what both claim.
+std::string reflection_is_broken(const Subject& subject) {
+  oracle::Groups order = oracle::groups_of(subject.edges());
+  std::vector<char> is_compared(subject.edges().size() + 1, 1);
+  for (std::vector<std::size_t>& group : order) {
+    for (const std::size_t k : group)
+      for (const std::size_t other : group)
+        if (k != other && overlap(subject.edges()[k], subject.edges()[other])) is_compared[k] = 0;
+    std::reverse(group.begin(), group.end());
+  }
+  Reordered mirrored = reordered(moved(subject.edges(), [](mpq_class& x, mpq_class&) { x = -x; }), order);
+  for (InputSegment& edge : mirrored.edges) turn_round(edge);
+  const Numbers numbers = numbers_of(mirrored.edges, [&](std::uint32_t label) { return mirrored.label(label); });
+  return difference(only_of(subject.numbers(), is_compared), only_of(numbers, is_compared));
+}
+
+std::string reversal_is_broken(const Subject& subject) {
+  const Edges& edges = subject.edges();
+  const auto is_turned = [&](std::size_t k) { return edges[k].back_material >= 0 && edges[k].group == oracle::kAlone; };
+  Edges reversed = edges;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    if (!is_turned(k)) continue;
+    turn_round(reversed[k]);
+    std::swap(reversed[k].front_material, reversed[k].back_material);
+  }
+  return difference(subject.numbers(), numbers_of(reversed, [&](std::uint32_t label) {
+                      return is_turned(label / 2) ? label ^ 1U : label;
+                    }));
 }
 
 // S and Vis of each pair of edges that overlap no other, from the one to the other: keys (i, j) with i < j, or those
@@ -127,11 +147,13 @@ Exchanges exchanges(const ExchangeMatrix& matrix, const std::vector<char>& is_al
 std::string symmetry_is_broken(const Subject& subject) {
   const Edges& edges = subject.edges();
   const std::vector<char> is_alone = alone(edges);
-  const auto last = static_cast<std::uint32_t>(edges.size() - 1);
-  const Subject reversed(Edges(edges.rbegin(), edges.rend()), subject.chance());
+  oracle::Groups order = oracle::groups_of(edges);
+  std::reverse(order.begin(), order.end());
+  const Reordered last_first = reordered(edges, order);
+  const Subject reversed(last_first.edges, subject.chance());
   const Exchanges forth = exchanges(subject.matrix(), is_alone, false, [](std::uint32_t i) { return i; });
   const Exchanges back =
-      exchanges(reversed.matrix(), is_alone, true, [&](std::uint32_t i) { return 2 * (last - i / 2) + i % 2; });
+      exchanges(reversed.matrix(), is_alone, true, [&](std::uint32_t i) { return last_first.label(i); });
   std::string wrong;
   for (const auto& [pair, exchange] : forth) {
     const auto place = back.find(pair);
@@ -144,26 +166,16 @@ std::string symmetry_is_broken(const Subject& subject) {
 }
 
 std::string permutation_is_broken(const Subject& subject) {
-  const Edges& edges = subject.edges();
-  std::vector<std::uint32_t> place(edges.size());  // of each edge in the other order
-  std::iota(place.begin(), place.end(), 0U);
+  oracle::Groups order = oracle::groups_of(subject.edges());
   std::mt19937_64 random(subject.chance());
-  for (std::size_t k = place.size(); k > 1; --k) std::swap(place[k - 1], place[random() % k]);
-  Edges permuted(edges.size());
-  std::vector<std::uint32_t> original(edges.size());
-  for (std::uint32_t k = 0; k < edges.size(); ++k) {
-    permuted[place[k]] = edges[k];
-    original[place[k]] = k;
-  }
-  const std::vector<char> is_alone = alone(edges);
-  Numbers before = subject.numbers();
-  Numbers after = numbers_of(permuted, [&](std::uint32_t label) { return 2 * original[label / 2] + label % 2; });
-  const auto is_shared = [&](const auto& entry) {
-    return !is_alone[entry.first.first / 2] || !is_alone[entry.first.second / 2];
-  };
-  std::erase_if(before, is_shared);
-  std::erase_if(after, is_shared);
-  return difference(before, after);
+  for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[random() % k]);
+  for (std::vector<std::size_t>& group : order)  // an outline may begin anywhere
+    if (oracle::is_closed(subject.edges(), group))
+      std::rotate(group.begin(), group.begin() + static_cast<std::ptrdiff_t>(random() % group.size()), group.end());
+  const Reordered permuted = reordered(subject.edges(), order);
+  const std::vector<char> is_alone = alone(subject.edges());
+  const Numbers numbers = numbers_of(permuted.edges, [&](std::uint32_t label) { return permuted.label(label); });
+  return difference(only_of(subject.numbers(), is_alone), only_of(numbers, is_alone));
 }
 
 // S between every face (and the sky) and both faces of one edge: of edge `first`, or of it and the next together.
@@ -186,6 +198,10 @@ std::string splitting_is_broken(const Subject& subject) {
   const Edges& edges = subject.edges();
   const auto cut = static_cast<std::uint32_t>(subject.chance() % edges.size());
   Edges split = edges;
+  if (split[cut].group == oracle::kAlone)  // both parts stay one group
+    split[cut].group = 1 + std::max_element(edges.begin(), edges.end(), [](const auto& e, const auto& f) {
+                             return e.group < f.group;
+                           })->group;
   InputSegment rest = split[cut];
   split[cut].bx = rest.ax = (rest.ax + rest.bx) / 2;
   split[cut].by = rest.ay = (rest.ay + rest.by) / 2;
@@ -230,6 +246,19 @@ std::string brute_force_differs(const Subject& subject) {
   return oracle::disagreement(oracle::to_scene(subject.edges()), counts);
 }
 
+std::string brute_force_differs_in_elements(const Subject& subject) {
+  std::mt19937_64 random(subject.chance());
+  Scene2 scene = oracle::to_scene(subject.edges());
+  for (Surface2& surface : scene.surfaces) surface.elements = random() % 3 == 0 ? 2 : 1;
+  oracle::ComparisonCounts counts;
+  return oracle::disagreement(scene, counts, Per::kElement);
+}
+
+std::string brute_force_differs_in_groups(const Subject& subject) {
+  oracle::ComparisonCounts counts;
+  return oracle::disagreement(oracle::to_scene(subject.edges()), counts, Per::kGroup, oracle::Hidden::kYes);
+}
+
 }  // namespace
 
 Subject::Subject(const Edges& edges, std::uint64_t chance) : edges_(edges), chance_(chance) {
@@ -241,14 +270,26 @@ Subject::Subject(const Edges& edges, std::uint64_t chance) : edges_(edges), chan
 
 const std::vector<Law>& laws() {
   static const std::vector<Law> list{
-      {"closure", closure_is_broken, 1},         {"range", range_is_broken, 1},
-      {"symmetry", symmetry_is_broken, 7},       {"translation", translation_is_broken, 7},
-      {"scaling", scaling_is_broken, 7},         {"rotation", rotation_is_broken, 7},
-      {"reflection", reflection_is_broken, 7},   {"reversal", reversal_is_broken, 7},
-      {"permutation", permutation_is_broken, 7}, {"splitting", splitting_is_broken, 7},
-      {"many digits", digits_are_broken, 10},    {"elements", elements_are_broken, 10},
-      {"convex room", convex_room_is_broken, 7}, {"radiosity", radiosity_is_broken, 10},
-      {"brute force", brute_force_differs, 10},
+      {"closure", closure_is_broken, 1},
+      {"range", range_is_broken, 1},
+      {"symmetry", symmetry_is_broken, 7},
+      {"translation", translation_is_broken, 7},
+      {"scaling", scaling_is_broken, 7},
+      {"rotation", rotation_is_broken, 7},
+      {"reflection", reflection_is_broken, 7},
+      {"reversal", reversal_is_broken, 7},
+      {"permutation", permutation_is_broken, 7},
+      {"splitting", splitting_is_broken, 7},
+      {"many digits", digits_are_broken, 11},
+      {"elements", elements_are_broken, 31},
+      {"convex room", convex_room_is_broken, 17},
+      {"radiosity", radiosity_is_broken, 11},
+      {"owners", owners_differ, 5},
+      {"groups", groups_are_broken, 11},
+      {"cut by hand", cut_by_hand_differs, 17},
+      {"brute force", brute_force_differs, 17},
+      {"brute force, elements", brute_force_differs_in_elements, 41},
+      {"brute force, groups", brute_force_differs_in_groups, 31},
   };
   return list;
 }

@@ -55,7 +55,16 @@ struct Law {
 //   convex room   the hull of the ends, its walls divided: all doubles are the same without a look at occlusion, for
 //                 faces and elements, with few digits and many
 //   radiosity     the true radiosities, to 100 digits, lie within their bounds
-//   brute force   every pair is the same exact sum, every double the nearest one, as the oracle has it
+//   brute force   every pair is the same exact sum, every double the nearest one, as the oracle has it; Vis too
+//   owners        of the scene and of one with other materials and other things behind: refused by both for the same
+//                 reason, or every side of every piece has the same owner or looks into a solid, as the oracle has it
+//   groups        rows of groups close to the last bit, 0 < F <= 1, 0 < Vis <= 1; a pair of groups sees each other iff
+//                 some of their faces do; groups of one edge have the doubles of their faces; all doubles are the same
+//                 for x + 2^53 + 1, y - 2^60 + 7
+//   cut by hand   the scene with every surface replaced by those parts of its sides that it owns and no solid covers,
+//                 one edge for each side of each piece: all doubles of faces are those of the groups of these edges
+//   brute force, elements    the same of scenes whose edges are divided
+//   brute force, groups      the same of groups; and of what exchanges nothing but would alone
 const std::vector<Law>& laws();
 
 }  // namespace hottel::storm

@@ -33,6 +33,16 @@ std::string difference(const Numbers& before, const Numbers& after) {
   return wrong;
 }
 
+Reordered reordered(const Edges& edges, const oracle::Groups& order) {
+  Reordered result;
+  for (const std::vector<std::size_t>& group : order)
+    for (const std::size_t k : group) {
+      result.edges.push_back(edges[k]);
+      result.original.push_back(static_cast<std::uint32_t>(k));
+    }
+  return result;
+}
+
 Edges moved(Edges edges, const std::function<void(mpq_class& x, mpq_class& y)>& move) {
   for (oracle::InputSegment& edge : edges) {
     move(edge.ax, edge.ay);

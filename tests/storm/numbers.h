@@ -29,6 +29,15 @@ Numbers numbers_of(
 // The pairs with other numbers, one a line; nothing where all are the same.
 std::string difference(const Numbers& before, const Numbers& after);
 
+// The same edges in another order: of each the number that it had. Polylines stay together.
+struct Reordered {
+  Edges edges;
+  std::vector<std::uint32_t> original;
+
+  std::uint32_t label(std::uint32_t i) const { return 2 * original[i / 2] + i % 2; }
+};
+Reordered reordered(const Edges& edges, const oracle::Groups& order);
+
 // All points moved.
 Edges moved(Edges edges, const std::function<void(mpq_class& x, mpq_class& y)>& move);
 

@@ -1,7 +1,6 @@
 // A storm of lattice scenes, each held against the laws.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -31,9 +30,10 @@ struct Failure {
 struct StormResult {
   std::uint64_t scenes = 0, edges = 0;
   std::vector<std::uint64_t> checks, failures;  // by law
+  std::vector<double> seconds;                  // of processor time, by law
   std::vector<Failure> examples;                // the first of each law, by number
   ContactCounts contacts{};
-  std::chrono::duration<double> slowest{}, total{};  // of a scene; of all, summed over the threads
+  double slowest = 0, total = 0;  // seconds of processor time of a scene; of all, summed over the threads
 
   std::uint64_t all_checks() const;
   std::uint64_t all_failures() const;

@@ -104,7 +104,7 @@ TEST(LatticeStorm, TellsHowManyScenesAreDone) {
 }
 
 TEST(LatticeScenes, HaveFewEdgesOnLargeLattices) {
-  for (std::uint64_t number = 0; number < 100; ++number) EXPECT_LE(lattice_scene(number, 100).edges.size(), 19u);
+  for (std::uint64_t number = 0; number < 100; ++number) EXPECT_LE(lattice_scene(number, 100).edges.size(), 39u);
 }
 
 TEST(LatticeContacts, AreToldApart) {

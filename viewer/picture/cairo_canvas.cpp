@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "kernel/failure.h"
+#include "kernel/parallel.h"
+#include "viewer/picture/png_file.h"
 
 namespace hottel {
 namespace {
@@ -57,7 +59,11 @@ std::string printable(std::string_view text) {
 }
 
 std::uint32_t premultiplied(const Colour& c) {
-  const auto level = [](double v) { return static_cast<std::uint32_t>(std::lround(255 * std::clamp(v, 0.0, 1.0))); };
+  const auto level = [](double v) {  // rounded, halves up
+    const double scaled = 255 * std::clamp(v, 0.0, 1.0);
+    const auto whole = static_cast<std::uint32_t>(scaled);
+    return whole + (scaled - whole >= 0.5 ? 1 : 0);
+  };
   return level(c.a) << 24 | level(c.r * c.a) << 16 | level(c.g * c.a) << 8 | level(c.b * c.a);
 }
 
@@ -180,11 +186,14 @@ void CairoCanvas::image(Mark, Pixel top_left, Pixel bottom_right, const PixelIma
   }
   unsigned char* rows = cairo_image_surface_get_data(source);
   const int stride = cairo_image_surface_get_stride(source);
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    auto* row = reinterpret_cast<std::uint32_t*>(rows + static_cast<std::ptrdiff_t>(y) * stride);
-    for (std::uint32_t x = 0; x < image.width; ++x)
-      row[x] = premultiplied(image.pixels[static_cast<std::size_t>(y) * image.width + x]);
-  }
+  constexpr std::size_t kRowsAtOnce = 64;
+  parallel_for(
+      image.height,
+      [&](std::size_t y) {
+        auto* row = reinterpret_cast<std::uint32_t*>(rows + static_cast<std::ptrdiff_t>(y) * stride);
+        for (std::uint32_t x = 0; x < image.width; ++x) row[x] = premultiplied(image.pixels[y * image.width + x]);
+      },
+      kRowsAtOnce);
   cairo_surface_mark_dirty(source);
   cairo_t* context = state_->context;
   cairo_save(context);
@@ -217,7 +226,10 @@ std::string CairoCanvas::finish() {
   check(cairo_status(state_->context));
   if (state_->format == PictureFormat::kPng) {
     cairo_surface_flush(state_->surface);
-    check(cairo_surface_write_to_png_stream(state_->surface, append, &state_->bytes));
+    state_->bytes = png_file(reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(state_->surface)),
+                             static_cast<std::uint32_t>(cairo_image_surface_get_width(state_->surface)),
+                             static_cast<std::uint32_t>(cairo_image_surface_get_height(state_->surface)),
+                             static_cast<std::size_t>(cairo_image_surface_get_stride(state_->surface)) / 4);
   }
   cairo_surface_finish(state_->surface);
   check(cairo_surface_status(state_->surface));

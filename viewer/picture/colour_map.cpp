@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "kernel/failure.h"
@@ -41,6 +43,50 @@ double nice_step(double lower, double upper, int limit) {
 
 double srgb_from_linear(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+namespace {
+
+// Where the levels of a screen begin, and for each short interval of doubles the level that it begins in.
+class ScreenLevels {
+ public:
+  ScreenLevels() {
+    begin_[0] = 0;
+    for (int level = 1; level < 256; ++level) {  // the least double of that level, by bisection of their bits
+      std::uint64_t below = 0, at = std::bit_cast<std::uint64_t>(1.0);
+      while (at - below > 1) {
+        const std::uint64_t middle = below + (at - below) / 2;
+        (std::lround(255 * srgb_from_linear(std::bit_cast<double>(middle))) >= level ? at : below) = middle;
+      }
+      begin_[level] = std::bit_cast<double>(at);
+    }
+    begin_[256] = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < first_.size(); ++k) {
+      const double least = std::bit_cast<double>((k + kFirstBits) << kShift);
+      first_[k] = static_cast<std::uint8_t>(std::upper_bound(begin_.begin(), begin_.end(), least) - begin_.begin() - 1);
+    }
+  }
+
+  std::uint8_t operator()(double linear) const {
+    if (!(linear >= begin_[1])) return 0;
+    if (linear >= 1) return 255;
+    std::uint8_t level = first_[(std::bit_cast<std::uint64_t>(linear) >> kShift) - kFirstBits];
+    while (linear >= begin_[level + 1]) ++level;
+    return level;
+  }
+
+ private:
+  static constexpr int kShift = 52 - 6;  // 64 intervals between a number and its double
+  static constexpr std::uint64_t kFirstBits = std::bit_cast<std::uint64_t>(0x1p-13) >> kShift;  // below level 1
+  std::array<double, 257> begin_;
+  std::array<std::uint8_t, 13 * 64> first_;
+};
+
+}  // namespace
+
+std::uint8_t srgb_level(double linear) {
+  static const ScreenLevels levels;
+  return levels(linear);
 }
 
 double linear_from_srgb(double encoded) {

@@ -1,6 +1,7 @@
 // Values as colours, in an order that the eye sees.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,10 @@ namespace hottel {
 // Returns the sRGB value of a linear intensity in [0, 1] (IEC 61966-2-1), and back.
 double srgb_from_linear(double linear);
 double linear_from_srgb(double encoded);
+
+// Returns 255 times the sRGB value of a linear intensity, rounded: the level of a screen. 0 below 0 and for NaN, 255
+// above 1. COST: a few ns.
+std::uint8_t srgb_level(double linear);
 
 // A colour in OKLab (Björn Ottosson, "A perceptual color space for image processing", 2020), in polar form.
 struct OklabPolar {

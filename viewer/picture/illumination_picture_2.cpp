@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernel/failure.h"
+#include "kernel/parallel.h"
 #include "viewer/picture/hatch.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/solid_polygons_2.h"
@@ -17,21 +18,23 @@ struct PixelsPerCell {
   std::uint32_t across, up;
 };
 
-// Whole pixels, so many that the longer side has about the wanted length and cells keep their shape.
-PixelsPerCell pixels_per_cell(const Grid2& grid, std::uint32_t wanted_side) {
+// Whole pixels, so many that the longer side, or the width, has about the wanted length and cells keep their shape.
+PixelsPerCell pixels_per_cell(const Grid2& grid, const IlluminationPicture2& picture) {
   if (grid.nx > kMaxPictureSide || grid.ny > kMaxPictureSide)
     throw UsageError("picture: a grid with more than " + std::to_string(kMaxPictureSide) +
                      " cells along a side has no picture");
-  const Rational wide = grid.max.x - grid.min.x, high = grid.max.y - grid.min.y, extent = std::max(wide, high);
+  const Rational wide = grid.max.x - grid.min.x, high = grid.max.y - grid.min.y;
+  const Rational extent = picture.wanted_width > 0 ? wide : std::max(wide, high);
+  const std::uint32_t wanted_pixels = picture.wanted_width > 0 ? picture.wanted_width : picture.wanted_side;
   const auto pixels = [&](const Rational& length, std::uint32_t cells) {
-    const double wanted = std::round(to_double(length / extent) * wanted_side / cells);
+    const double wanted = std::round(to_double(length / extent) * wanted_pixels / cells);
     return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, std::floor(double{kMaxPictureSide} / cells)));
   };
   return {pixels(wide, grid.nx), pixels(high, grid.ny)};
 }
 
-LightPixels2 light_pixels(const Scene2& scene, const IlluminationGrid& grid, std::uint32_t wanted_side) {
-  const PixelsPerCell pixels = pixels_per_cell(grid.grid, wanted_side);
+LightPixels2 light_pixels(const Scene2& scene, const IlluminationGrid& grid, const IlluminationPicture2& picture) {
+  const PixelsPerCell pixels = pixels_per_cell(grid.grid, picture);
   return {grid, pixels.across, pixels.up, &scene};
 }
 
@@ -41,7 +44,7 @@ IlluminationPainter2::IlluminationPainter2(const PreparedScene2& prepared, const
                                            const IlluminationPicture2& picture)
     : scene_(prepared.scene),
       grid_(grid),
-      pixels_(light_pixels(prepared.scene, grid, picture.wanted_side)),
+      pixels_(light_pixels(prepared.scene, grid, picture)),
       tone_(picture.tone, picture.exposure, grid.values, grid.channels),
       frame_(grid.grid.min, grid.grid.max, pixels_.width(), pixels_.height()),
       corners_(prepared.scene, frame_),
@@ -54,15 +57,20 @@ PixelImage IlluminationPainter2::light() const {
   PixelImage image{width(), height(), {}};
   image.pixels.resize(std::size_t{image.width} * image.height);
   const std::uint32_t up = image.height / grid_.grid.ny, channels = grid_.channels;
-  for (std::uint32_t iy = 0; iy < grid_.grid.ny; ++iy) {
-    const std::vector<double> row = pixels_.row_of_cells(iy);
+  parallel_for(grid_.grid.ny, [&](std::size_t iy) {
+    const std::vector<double> row = pixels_.row_of_cells(static_cast<std::uint32_t>(iy));
     for (std::uint32_t j = 0; j < up; ++j)
       for (std::uint32_t x = 0; x < image.width; ++x) {
         const auto value = std::span(row).subspan((std::size_t{j} * image.width + x) * channels, channels);
-        image.pixels[std::size_t{image.height - 1 - (iy * up + j)} * image.width + x] =
-            std::isnan(value[0]) ? palette::kUnlitSolid : tone_(value);
+        Colour& pixel = image.pixels[std::size_t{image.height - 1 - (iy * up + j)} * image.width + x];
+        if (std::isnan(value[0])) {
+          pixel = palette::kUnlitSolid;
+          continue;
+        }
+        const auto [r, g, b] = tone_.levels(value);
+        pixel = {r / 255.0, g / 255.0, b / 255.0};
       }
-  }
+  });
   return image;
 }
 

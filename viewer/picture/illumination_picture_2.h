@@ -18,6 +18,7 @@ struct IlluminationPicture2 {
   Tone tone = Tone::kLog;
   double exposure = 1;               // what the light is multiplied by; ToneCurve says relative to what
   std::uint32_t wanted_side = 1400;  // pixels of the longer side: rounded to whole pixels a cell
+  std::uint32_t wanted_width = 0;    // pixels across instead, where not 0
 };
 
 // Draws the light of a grid, the solids of the arrangement over it, grey and hatched, and the edges on top,

@@ -6,6 +6,7 @@
 
 #include "geometry/scene/scene_2.h"
 #include "solver/illumination/illumination_grid_2.h"
+#include "viewer/picture/barred_pixels_2.h"
 
 namespace hottel {
 
@@ -30,15 +31,20 @@ class LightPixels2 {
   std::vector<double> row_of_cells(std::uint32_t iy) const;
 
  private:
-  struct Wall {
-    double ax, ay, bx, by;  // in cells from the lower left corner of the grid
+  // Where the pixels of a cell lie along one side, in cells, and the centres that they lie between.
+  struct Places {
+    std::vector<double> at, share;  // of the centre after, in the two
+    std::size_t half = 0;           // how many lie before the centre of the cell
   };
-  void blend(double x, double y, std::uint32_t ix, std::uint32_t iy, double* pixel) const;
-  bool is_barred(double x, double y, double to_x, double to_y, std::size_t cell) const;
+  static Places places(std::uint32_t cell, std::uint32_t pixels);
+  void mark_cell(std::uint32_t ix, std::uint32_t iy, const Places& x, const Places& y, std::uint8_t* barred) const;
+  void blend(std::uint32_t ix, std::uint32_t iy, const Places& x, const Places& y, std::size_t i, std::size_t j,
+             std::uint8_t barred, double* pixel) const;
 
   const IlluminationGrid& grid_;
   std::uint32_t across_, up_;
-  std::vector<Wall> walls_;
+  bool has_gaps_;                                 // some values are NaN
+  std::vector<Wall2> walls_;                      // in cells from the lower left corner of the grid
   std::vector<std::uint32_t> near_begin_, near_;  // by cell: walls that come near it
 };
 

@@ -26,10 +26,13 @@ struct Extent {
   }
 };
 
+bool is_in_box(const Outline2& outline, Pixel p) {
+  return p.x >= outline.top_left.x && p.x <= outline.bottom_right.x && p.y >= outline.top_left.y &&
+         p.y <= outline.bottom_right.y;
+}
+
+// REQUIRES a point in the box of the outline.
 bool contains(const Outline2& outline, Pixel p) {
-  if (p.x < outline.top_left.x || p.x > outline.bottom_right.x || p.y < outline.top_left.y ||
-      p.y > outline.bottom_right.y)
-    return false;
   bool inside = false;
   const std::vector<Pixel>& corners = outline.polygon;
   for (std::size_t k = 0, last = corners.size() - 1; k < corners.size(); last = k++) {
@@ -198,29 +201,36 @@ Outlines2::Outlines2(const Scene2& scene, const Corners2& corners) : closed(clos
   }
   for (std::uint32_t s = 0; s < corners.surfaces(); ++s)
     if (!on_run[s]) loose.push_back(s);
-  const bool small = corners.surfaces() * (closed.size() + loose.size()) <= kNestingWork;
-  for (std::size_t k = 0; k < closed.size(); ++k)
-    if (small) nest(k, inner_point(closed[k]));
+  std::size_t steps = kNestingWork;
+  for (std::size_t k = 0; k < closed.size(); ++k) nest(k, inner_point(closed[k]), steps);
   for (const std::uint32_t s : loose) {
     const Pixel a = corners.at[corners.from[s]], b = corners.at[corners.to[s]];
-    around_loose.push_back(small ? innermost(closed.size(), {(a.x + b.x) / 2, (a.y + b.y) / 2}) : std::nullopt);
+    around_loose.push_back(innermost(closed.size(), {(a.x + b.x) / 2, (a.y + b.y) / 2}, steps));
   }
   for (const Outline2& outline : closed) levels = std::max(levels, outline.level + 1);
-  if (!small) {  // rooms below, furniture on top
-    for (Outline2& outline : closed) outline.level = outline.is_outward ? 1 : 0;
+  if (steps == 0) {  // rooms below, furniture on top
+    for (Outline2& outline : closed) {
+      outline.level = outline.is_outward ? 1 : 0;
+      outline.around.reset();
+    }
+    std::fill(around_loose.begin(), around_loose.end(), std::nullopt);
     levels = 2;
   }
 }
 
 // The smallest of the first `count` outlines that has the point inside.
-std::optional<std::size_t> Outlines2::innermost(std::size_t count, Pixel point) const {
-  while (count-- > 0)
+std::optional<std::size_t> Outlines2::innermost(std::size_t count, Pixel point, std::size_t& steps) const {
+  while (count-- > 0 && steps > 0) {
+    steps -= std::min(steps, std::size_t{1});
+    if (!is_in_box(closed[count], point)) continue;
+    steps -= std::min(steps, closed[count].polygon.size());
     if (contains(closed[count], point)) return count;
+  }
   return std::nullopt;
 }
 
-void Outlines2::nest(std::size_t k, Pixel point) {
-  closed[k].around = innermost(k, point);
+void Outlines2::nest(std::size_t k, Pixel point, std::size_t& steps) {
+  closed[k].around = innermost(k, point, steps);
   if (closed[k].around) closed[k].level = closed[*closed[k].around].level + 1;
 }
 

@@ -29,9 +29,10 @@ struct Outline2 {
 //   (2) edges that lead nowhere (a screen, a door leaf) and runs without an inside are loose
 //   (3) outlines may touch what they lie in
 //
-// Made for drawing: decided in doubles. What is solid is another question (solid_polygons_2.h). In scenes of many
-// thousand outlines nesting is not looked for: rooms are on level 0, furniture on level 1. COST: O(n log n), and n
-// times the number of outlines while that is affordable.
+// Made for drawing: decided in doubles. What is solid is another question (solid_polygons_2.h). Where it would take too
+// many steps to find what lies in what, as for many thousand outlines side by side, rooms are on level 0, furniture on
+// level 1, and none lies in another.
+// COST: O(n log n), and the number of those steps.
 struct Outlines2 {
   std::vector<Outline2> closed;
   std::vector<std::uint32_t> loose;                      // surfaces
@@ -41,8 +42,9 @@ struct Outlines2 {
   Outlines2(const Scene2& scene, const Corners2& corners);
 
  private:
-  std::optional<std::size_t> innermost(std::size_t count, Pixel point) const;
-  void nest(std::size_t k, Pixel point);
+  // Both take what they do from the steps that are left, and stop when none are.
+  std::optional<std::size_t> innermost(std::size_t count, Pixel point, std::size_t& steps) const;
+  void nest(std::size_t k, Pixel point, std::size_t& steps);
 };
 
 }  // namespace hottel

@@ -57,14 +57,15 @@ ToneCurve::ToneCurve(Tone tone, double exposure, std::span<const double> values,
       break;
   }
   white_ = lit > 0 ? brightest * scale_ : 1;
+  log_white_ = std::log1p(white_);
 }
 
 double ToneCurve::curve(double y) const {
   if (tone_ == Tone::kReinhard) return y * (1 + y / (white_ * white_)) / (1 + y);
-  return std::log1p(y) / std::log1p(white_);
+  return std::log1p(y) / log_white_;
 }
 
-Colour ToneCurve::operator()(std::span<const double> value) const {
+std::array<double, 3> ToneCurve::linear(std::span<const double> value) const {
   std::array<double, 3> c = rgb(value);
   for (double& channel : c) channel *= scale_;
   if (tone_ == Tone::kReinhard || tone_ == Tone::kLog) {
@@ -78,8 +79,18 @@ Colour ToneCurve::operator()(std::span<const double> value) const {
       for (double& channel : c) channel = shown + mix * (channel - shown);
     }
   }
-  const auto encode = [](double linear) { return srgb_from_linear(std::clamp(linear, 0.0, 1.0)); };
-  return {encode(c[0]), encode(c[1]), encode(c[2])};
+  for (double& channel : c) channel = std::clamp(channel, 0.0, 1.0);
+  return c;
+}
+
+Colour ToneCurve::operator()(std::span<const double> value) const {
+  const std::array<double, 3> c = linear(value);
+  return {srgb_from_linear(c[0]), srgb_from_linear(c[1]), srgb_from_linear(c[2])};
+}
+
+std::array<std::uint8_t, 3> ToneCurve::levels(std::span<const double> value) const {
+  const std::array<double, 3> c = linear(value);
+  return {srgb_level(c[0]), srgb_level(c[1]), srgb_level(c[2])};
 }
 
 }  // namespace hottel

@@ -1,6 +1,8 @@
 // How light becomes colours on a screen.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -34,16 +36,20 @@ class ToneCurve {
 
   // What the screen shows at a place with these values.
   Colour operator()(std::span<const double> value) const;
+  // The same in the 256 levels of a screen: r, g, b. COST: a logarithm and a few ns.
+  std::array<std::uint8_t, 3> levels(std::span<const double> value) const;
 
   // Values are multiplied by this before the curve is applied: the scale to print. For kLog: s.
   double scale() const { return scale_; }
 
  private:
+  std::array<double, 3> linear(std::span<const double> value) const;  // each in [0, 1]
   double curve(double luminance) const;
 
   Tone tone_;
   double scale_ = 1;
   double white_ = 1;  // the largest luminance, after scaling
+  double log_white_ = 1;
 };
 
 }  // namespace hottel
