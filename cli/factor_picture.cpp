@@ -41,14 +41,14 @@ PictureTargets picture_targets(const Scene2& scene, const std::string& toward) {
           .label = toward.ends_with("*") ? toward.substr(0, toward.size() - 1) : toward};
 }
 
-std::string factor_picture(const Scene2& scene, const ExchangeMatrix& matrix, const PictureTargets& targets,
+std::string factor_picture(const PreparedScene2& prepared, const ExchangeMatrix& matrix, const PictureTargets& targets,
                            const std::string& quantity, PictureFormat format) {
   ScenePicture2 picture;
   picture.targets = targets.surfaces;
   picture.target_label = targets.is_sky ? "" : targets.label;
-  picture.colouring = colouring_toward(scene, matrix, targets);
+  picture.colouring = colouring_toward(prepared.scene, matrix, targets);
   picture.colouring->title = quantity + " to " + (targets.is_sky ? "the sky" : targets.label);
-  return scene_picture_2(scene, picture, format);
+  return scene_picture_2(prepared, picture, format);
 }
 
 }  // namespace hottel

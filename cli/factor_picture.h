@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/exchange/exchange_matrix.h"
-#include "geometry/scene/scene_2.h"
+#include "geometry/exchange/exchange_2.h"
 #include "viewer/picture/cairo_canvas.h"
 
 namespace hottel {
@@ -23,7 +22,7 @@ PictureTargets picture_targets(const Scene2& scene, const std::string& toward);
 // Returns the bytes of a picture in which each face with a row has the colour of the sum of its factors to the fronts
 // of the targets; the targets themselves are marked instead. quantity: what the factors are, for the legend. REQUIRES a
 // matrix whose elements are faces.
-std::string factor_picture(const Scene2& scene, const ExchangeMatrix& matrix, const PictureTargets& targets,
+std::string factor_picture(const PreparedScene2& prepared, const ExchangeMatrix& matrix, const PictureTargets& targets,
                            const std::string& quantity, PictureFormat format);
 
 }  // namespace hottel

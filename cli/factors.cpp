@@ -298,7 +298,7 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   if (gray) table.gray_channel = gray->channel;
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = hidden_pairs(prepared, per, matrix);
   if (drawing)
-    drawing->write(factor_picture(prepared.scene, table.matrix, targets, gray ? "script-F" : "view factor", *picture));
+    drawing->write(factor_picture(prepared, table.matrix, targets, gray ? "script-F" : "view factor", *picture));
   if (out) naming_file(options.scene, [&] { write_factors(options, prepared, table, format, *out, faces); });
 
   // All files are whole before the first one takes its name.

@@ -22,7 +22,8 @@ std::vector<std::string> names_of(const Scene2& scene, bool of_faces) {
     names.push_back(surface.name);
     if (of_faces) names.push_back(surface.name + ":back");
   }
-  if (!of_faces) names.insert(names.end(), scene.groups.begin(), scene.groups.end());
+  for (const Group2& group : scene.groups)
+    if (!of_faces) names.push_back(group.name);
   names.emplace_back("sky");
   return names;
 }
@@ -135,15 +136,10 @@ std::vector<std::uint32_t> surfaces_matching(const Scene2& scene, const std::str
   const auto matches = [&](const std::string& name) { return is_prefix ? name.starts_with(prefix) : name == pattern; };
   std::vector<std::uint32_t> result;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-<<<<<<< HEAD
     if (matches(scene.surfaces[s].name) || matches(scene.groups[scene.surfaces[s].group].name)) result.push_back(s);
-  if (result.empty()) throw UsageError("no surface of " + scene.file + " is called '" + pattern + "'");
-=======
-    if (matches(scene.surfaces[s].name) || matches(scene.groups[scene.surfaces[s].group])) result.push_back(s);
   if (result.empty())
     throw UnknownName("no surface of " + scene.file + " is called '" + pattern + "'", pattern,
                       is_prefix ? beginnings(scene) : names_of(scene, false));
->>>>>>> hc
   return result;
 }
 

@@ -111,9 +111,9 @@ Light illuminate(const std::string& way, const PreparedScene2& prepared, const G
 }
 
 // Draws the light as the bytes of a PNG file; tells what the tone curve multiplied values by.
-std::string draw(const SolveOptions& options, Tone tone, const Scene2& scene, const IlluminationGrid& light,
+std::string draw(const SolveOptions& options, Tone tone, const PreparedScene2& prepared, const IlluminationGrid& light,
                  std::optional<double>& scale) {
-  const IlluminationPainter2 painter(scene, light,
+  const IlluminationPainter2 painter(prepared, light,
                                      {.tone = tone, .exposure = options.exposure, .wanted_width = options.size});
   CairoCanvas canvas(PictureFormat::kPng, painter.width(), painter.height());
   painter.draw(canvas);
@@ -228,7 +228,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   std::string pixels;
   std::optional<double> picture_scale;
   if (wants_picture) {
-    pixels = draw(options, *tone, prepared.scene, light->grid, picture_scale);
+    pixels = draw(options, *tone, prepared, light->grid, picture_scale);
     seconds["picture"] = watch.lap();
   }
 

@@ -119,7 +119,7 @@ Answer from_solid(const PreparedScene2& prepared, const VisibilityPolygon2& poly
   answer.draw = [&prepared, polygon](PictureFormat format) {
     VisibilityDrawing drawing;
     drawing.eye = rounded(polygon.eye);
-    return visibility_picture_2(prepared.scene, drawing, format);
+    return visibility_picture_2(prepared, drawing, format);
   };
   return answer;
 }
@@ -222,7 +222,7 @@ Answer from_point(const PreparedScene2& prepared, const ExactPoint2& eye, bool w
       }
       drawing.polygon.push_back(rounded(part.to));
     }
-    return visibility_picture_2(prepared.scene, drawing, format);
+    return visibility_picture_2(prepared, drawing, format);
   };
   return answer;
 }

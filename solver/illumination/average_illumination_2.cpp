@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "kernel/failure.h"
 #include "kernel/interrupt.h"
 #include "kernel/parallel.h"
 #include "solver/illumination/cell_sums_2.h"
+#include "solver/illumination/free_shares_2.h"
 
 namespace hottel {
 namespace {
@@ -64,16 +66,24 @@ AverageIllumination illuminate_averages(const PreparedScene2& prepared, const Gr
   CellSums2 sums(frame, channels);
   const double lost = add_all(arrangement, radiosity, frame, progress, sums);
 
+  const std::vector<double> shares = free_shares(arrangement, grid, frame);
   const std::size_t cells = std::size_t{grid.nx} * grid.ny;
   AverageIllumination result{{grid, channels, std::vector<double>(cells * channels)}, std::vector<double>(cells), 0};
   const std::vector<double> largest = largest_radiosities(arrangement, radiosity);
   const double brightest = *std::max_element(largest.begin(), largest.end());
   const double scale = 1 / (2 * std::numbers::pi * frame.height());
   for (std::size_t cell = 0; cell < cells; ++cell) {
-    const double error = (sums.error(cell) * scale + lost / (2 * std::numbers::pi) + 16 * kUnit * brightest) * 1.0001;
+    const double share = shares.empty() ? 1 : shares[cell];
+    if (share == 0) {
+      std::fill_n(result.grid.values.begin() + static_cast<std::ptrdiff_t>(cell * channels), channels,
+                  std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
+    const double of_cell = sums.error(cell) * scale + lost / (2 * std::numbers::pi) + 16 * kUnit * brightest;
+    const double error = of_cell / share * 1.0001;
     const bool is_known = error < brightest;
     for (std::uint32_t c = 0; c < channels; ++c) {
-      const double value = radiosity.of(kSky)[c] + sums.sum(cell, c) * scale;
+      const double value = radiosity.of(kSky)[c] + sums.sum(cell, c) * scale / share;
       result.grid.values[cell * channels + c] = is_known ? std::clamp(value, 0.0, largest[c]) : largest[c] / 2;
     }
     result.errors[cell] = is_known ? error : brightest;

@@ -3,44 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/illumination/cells_near_2.h"
+
 namespace hottel {
 namespace {
 
 constexpr double kUnit = 0x1p-53;
 constexpr double kCornerDoubt = 32 * kUnit;  // of the corners of a part, in radii
-
-struct Range {
-  double min, max;
-  void include(double value) {
-    min = std::min(min, value);
-    max = std::max(max, value);
-  }
-};
-
-// The x that a triangle takes between two heights; empty when it takes none.
-Range columns_of(const Vector2 (&corners)[3], double bottom, double top) {
-  Range range{HUGE_VAL, -HUGE_VAL};
-  for (int k = 0; k < 3; ++k) {
-    const Vector2 &p = corners[k], &q = corners[(k + 1) % 3];
-    const Vector2 &low = p.y < q.y ? p : q, &high = p.y < q.y ? q : p;
-    if (high.y < bottom || low.y > top) continue;
-    const double left = std::min(low.x, high.x), right = std::max(low.x, high.x);
-    if (high.y - low.y <= 0) {
-      range.include(left);
-      range.include(right);
-      continue;
-    }
-    const double slope = (high.x - low.x) / (high.y - low.y);
-    range.include(low.y >= bottom ? low.x : std::clamp(low.x + (bottom - low.y) * slope, left, right));
-    range.include(high.y <= top ? high.x : std::clamp(low.x + (top - low.y) * slope, left, right));
-  }
-  return range;
-}
-
-// Index of the cell that a place lies in, kept within [0, count].
-std::uint32_t index_in(double place, std::uint32_t count) {
-  return place > 0 ? static_cast<std::uint32_t>(std::min(place, static_cast<double>(count))) : 0;
-}
 
 }  // namespace
 
@@ -58,24 +27,15 @@ void CellSums2::add(const LitWedges2& lit, std::uint32_t first_row, std::uint32_
 
 void CellSums2::add_wedge(const LitWedges2& lit, std::size_t w, std::uint32_t first_row, std::uint32_t end_row) {
   const LitWedge2& wedge = lit.wedges[w];
-  const double height = frame_.height();
-  Range y{HUGE_VAL, -HUGE_VAL};
-  for (const Vector2& corner : wedge.corners) y.include(corner.y);
   const double slack = wedge.margin + 0x1p-40 * frame_.extent();
-  const std::uint32_t begin = std::max(first_row, index_in((y.min - slack) / height, frame_.ny()));
-  const std::uint32_t end = std::min(end_row, index_in((y.max + slack) / height + 1, frame_.ny()));
-  for (std::uint32_t iy = begin; iy < end; ++iy) {
-    const Range x = columns_of(wedge.corners, iy * height - slack, (iy + 1) * height + slack);
-    const std::uint32_t left = index_in(x.min - slack, frame_.nx()), right = index_in(x.max + slack + 1, frame_.nx());
-    for (std::uint32_t ix = left; ix < right; ++ix) {
-      const FinePoint2 centre = frame_.centre(ix, iy);
-      const Cell cell{std::size_t{iy} * frame_.nx() + ix, centre, rounded(centre)};
-      if (is_within_quadrant(lit, wedge, cell) && is_before_end(wedge, cell))
-        add_sector(lit, w, cell);
-      else
-        add_between(lit, wedge, cell);
-    }
-  }
+  for_each_cell_near(wedge.corners, slack, frame_, first_row, end_row, [&](std::uint32_t ix, std::uint32_t iy) {
+    const FinePoint2 centre = frame_.centre(ix, iy);
+    const Cell cell{std::size_t{iy} * frame_.nx() + ix, centre, rounded(centre)};
+    if (is_within_quadrant(lit, wedge, cell) && is_before_end(wedge, cell))
+      add_sector(lit, w, cell);
+    else
+      add_between(lit, wedge, cell);
+  });
 }
 
 bool CellSums2::is_before_end(const LitWedge2& wedge, const Cell& cell) const {

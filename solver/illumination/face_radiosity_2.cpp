@@ -27,7 +27,9 @@ FaceRadiosity2::FaceRadiosity2(const Arrangement2& arrangement, const Labels2& l
     of_label.push_back(shade_of(is_black ? black : std::vector<double>(value.begin(), value.end())));
   }
   of_label.push_back(shade_of({sky.begin(), sky.end()}));
-  of_label.push_back(shade_of(black));  // covered
+  covered_ = static_cast<std::uint32_t>(known.size());
+  of_label.push_back(covered_);
+  values_.insert(values_.end(), black.begin(), black.end());
   for (PieceSideId side = kSky; side < static_cast<PieceSideId>(arrangement.side_count()); ++side)
     shade_.push_back(of_label[labels.of(side)]);
 }

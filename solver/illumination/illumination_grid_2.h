@@ -11,7 +11,8 @@
 
 namespace hottel {
 
-// A value for each cell and channel, in C order (ny, nx, channels): index 0 is the lowest y, the lowest x.
+// A value for each cell and channel, in C order (ny, nx, channels): index 0 is the lowest y, the lowest x. NaN in all
+// channels: the cell lies in a solid.
 struct IlluminationGrid {
   Grid2 grid;
   std::uint32_t channels = 1;
@@ -30,7 +31,8 @@ Grid2 grid_over(const Scene2& scene, std::uint32_t nx, std::uint32_t ny);
 // longer side, from its lower left corner; in the other direction as many as cover it.
 Grid2 default_grid(const Scene2& scene, std::uint32_t longer = 256);
 
-// Returns the mean irradiance at the centre of each cell (mean_irradiance_2.h says what it is on edges and vertices).
+// Returns the mean irradiance at the centre of each cell (mean_irradiance_2.h says what it is on edges and vertices and
+// where it is NaN).
 //
 //   (1) visibility is exact, from the exact centre; a cell does not depend on the others
 //   (2) bit-identical for any number of threads
@@ -43,7 +45,7 @@ IlluminationGrid illuminate_points(const PreparedScene2& prepared, const Grid2& 
 // the centre sees (exact visibility) and r_j the distance to its middle, at least half the shorter side of a cell.
 // An approximation without the cosine and with the dimension of space, to be compared: it is not bounded by the largest
 // radiosity and depends on how edges are divided. The sky, which is at no distance, gives nothing; an edge on which the
-// centre lies is not seen from there.
+// centre lies is not seen from there. NaN where the centre lies in a solid.
 // by_element: as for FaceRadiosity2. [unit: that of radiosity / length²]
 // Throws RequestError when a value is beyond the range of doubles.
 IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const Grid2& grid, const Labels2& labels,

@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <vector>
 
+#include "geometry/visibility/solid_around_2.h"
 #include "kernel/failure.h"
 #include "solver/illumination/cell_views_2.h"
 #include "solver/illumination/illumination_grid_2.h"
@@ -80,8 +83,13 @@ IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const
   const double nearest = to_double(std::min<Rational>((grid.max.x - grid.min.x) / Rational(Integer(2ul * grid.nx)),
                                                       (grid.max.y - grid.min.y) / Rational(Integer(2ul * grid.ny))));
 
+  std::atomic<bool> is_beyond = false;
   const auto visit = [&](std::size_t cell, const Eye2& eye, const Location2&, const View2& view) {
     double* sum = result.values.data() + cell * channels;
+    if (solid_around(prepared.arrangement.solids(), view) != Solids2::kNone) {
+      std::fill_n(sum, channels, std::numeric_limits<double>::quiet_NaN());
+      return;
+    }
     const double cx = x[cell % grid.nx], cy = y[cell / grid.nx];
     const std::size_t m = view.seen.size();
     for (std::size_t k = 0; k < m; ++k) {
@@ -93,10 +101,10 @@ IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const
           lengths.seen_fraction(eye, view.seen[k], view.seen[k + 1 == m ? 0 : k + 1].vertex, label) / (r * r);
       for (std::uint32_t c = 0; c < channels; ++c) sum[c] += weight * by_element[std::size_t{label} * channels + c];
     }
+    if (std::any_of(sum, sum + channels, [](double value) { return !std::isfinite(value); })) is_beyond = true;
   };
   for_each_cell_view(prepared, grid, progress, visit);
-  if (std::any_of(result.values.begin(), result.values.end(), [](double value) { return !std::isfinite(value); }))
-    throw RequestError("the inverse square of lengths in this scene is beyond the range of doubles");
+  if (is_beyond) throw RequestError("the inverse square of lengths in this scene is beyond the range of doubles");
   return result;
 }
 

@@ -121,6 +121,7 @@ void WedgeLighting2::find(VertexId v, LitWedges2& result) const {
   const Wedge2* before = nullptr;  // if it was placed
   for (const Wedge2& wedge : wedges) {
     const Wedge2* const last = std::exchange(before, nullptr);
+    if (radiosity_.is_covered(wedge.seen_left)) continue;  // it lies in a solid
     if (sends_like_the_sky(wedge.seen_left) && sends_like_the_sky(wedge.seen_right)) continue;
     LitWedge2 lit;
     lit.is_joined = last != nullptr && wedge.right.kind != VertexRay2::Kind::kAxis && same_ray(last->left, wedge.right);

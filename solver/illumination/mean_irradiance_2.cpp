@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -68,6 +69,7 @@ class Integral {
     const double* value = radiosity_.of_shade(shade).data();
     for (double& sum : sum_) sum += *value++ * weight;
   }
+  void set_nan() { std::fill(sum_.begin(), sum_.end(), std::numeric_limits<double>::quiet_NaN()); }
   void scale(double factor) {
     for (double& value : sum_) value *= factor;
   }
@@ -108,9 +110,9 @@ void add_turn(const Panorama& around, const FaceRadiosity2& radiosity, std::size
 // The mean over the directions of approach phi in a sector of angle alpha between two edges. From phi, one sees the
 // first edge under pi - phi (if that is positive), the last one under pi - (alpha - phi), and in the rest of the turn
 // what the vertex sees in the sector. Integrated over phi, what is seen between psi_1 and psi_2 counts W(psi_2) -
-// W(psi_1), and each edge pi m - m²/2 with m = min(alpha, pi).
-void add_sector(const Panorama& around, const FaceRadiosity2& radiosity, std::size_t first, std::size_t last,
-                Integral& integral) {
+// W(psi_1), and each edge pi m - m²/2 with m = min(alpha, pi). Returns alpha.
+double add_sector(const Panorama& around, const FaceRadiosity2& radiosity, std::size_t first, std::size_t last,
+                  Integral& integral) {
   double alpha = 0;
   std::size_t k = first;
   do {
@@ -132,6 +134,23 @@ void add_sector(const Panorama& around, const FaceRadiosity2& radiosity, std::si
   const double m = std::min(alpha, pi);
   integral.add(radiosity.shade(around[first].left), m * (pi - m / 2));
   integral.add(radiosity.shade(around[last].right), m * (pi - m / 2));
+  return alpha;
+}
+
+// From an eye on edges: the mean over the sectors that are free. (Without solids, they are the whole turn.)
+void add_sectors(const Panorama& around, const FaceRadiosity2& radiosity, const std::vector<std::size_t>& edges,
+                 Integral& integral) {
+  double alpha = 0;
+  bool is_whole_turn = true;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool is_free = !radiosity.is_covered(around[edges[i]].behind);
+    if (is_free) alpha += add_sector(around, radiosity, edges[i], edges[i + 1 == edges.size() ? 0 : i + 1], integral);
+    is_whole_turn = is_whole_turn && is_free;
+  }
+  if (alpha > 0)
+    integral.scale(1 / (2 * pi * (is_whole_turn ? 2 * pi : alpha)));
+  else
+    integral.set_nan();
 }
 
 }  // namespace
@@ -151,11 +170,13 @@ void mean_irradiance(const Vertices2& vertices, const FaceRadiosity2& radiosity,
     for (std::size_t k = 0; k < m; ++k)
       if (around[k].left != kNoPiece) incident.push_back(k);
     if (!incident.empty()) {
-      for (std::size_t i = 0; i < incident.size(); ++i)
-        add_sector(around, radiosity, incident[i], incident[i + 1 == incident.size() ? 0 : i + 1], integral);
-      integral.scale(1 / (4 * pi * pi));
+      add_sectors(around, radiosity, incident, integral);
       return;
     }
+  }
+  if (radiosity.is_covered(around[0].behind)) {  // all that is seen from a point in the open is
+    integral.set_nan();
+    return;
   }
   const std::uint32_t last_shade = radiosity.shade(around[m - 1].behind);
   std::uint32_t before = last_shade;

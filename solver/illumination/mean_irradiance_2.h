@@ -15,11 +15,13 @@ namespace hottel {
 //   (1) what is seen is decided exactly; the angles are computed in doubles, each good to about 2^-50 turns times the
 //       ratio of the scene's extent to the distance of the vertex
 //   (2) exactly B where everything seen sends out B; never negative
-//   (3) inside a solid, and wherever nothing but black backs and a dark sky is seen: exactly 0
+//   (3) exactly 0 where nothing but black backs and a dark sky is seen
+//   (4) NaN exactly in solids: in the interior of their union
 //
 // On an edge or vertex the light jumps. There the value is the limit of its mean over ever smaller discs about the
 // point: on an edge the mean of the limits from its two sides; at a vertex the mean over the directions from which one
-// can approach it. (Every line through the centre of a cell halves it: no side of an edge has the larger part.)
+// can approach it. (Every line through the centre of a cell halves it: no side of an edge has the larger part.) One
+// approaches through free space only: on the border of a solid the free side alone counts.
 //
 // REQUIRES: location and view are those of the eye; result has one place per channel.
 // COST: one arc tangent for each change of radiosity around the point.

@@ -6,6 +6,7 @@
 #include "solver/illumination/average_illumination_2.h"
 #include "tests/oracle/mean_light_2.h"
 #include "tests/oracle/random_scene_2.h"
+#include "tests/solver/solid_scenes.h"
 
 namespace hottel {
 namespace {
@@ -106,6 +107,46 @@ TEST(AverageIlluminationOracle, AgreesWithinItsBoundsOnLatticesOfContacts) {
 TEST(AverageIlluminationOracle, AgreesWithinItsBoundsInGeneralPosition) {
   compare(false, 0);
   compare(false, 2.5);
+}
+
+// The oracle's mean over the whole cell, in which solids are black, over the share that is free.
+TEST(AverageIlluminationOracle, AgreesWithinItsBoundsInCellsPartlyInSolids) {
+  std::size_t compared = 0, cut = 0;
+  for (const BoxRoom& room : box_rooms()) {
+    if (room.scene.surfaces.size() > 13) continue;
+    Lit lit(room.scene);
+    lit.sky = {1.5};
+    const Arrangement2& arrangement = lit.prepared.arrangement;
+    std::vector<oracle::LitSegment> segments;
+    for (std::size_t piece = 0; piece < arrangement.pieces().size(); ++piece) {
+      const Vertices2& vertices = arrangement.vertices();
+      const ExactPoint2 a = vertices.to_scene(vertices.exact(arrangement.pieces()[piece].a)),
+                        b = vertices.to_scene(vertices.exact(arrangement.pieces()[piece].b));
+      const auto sends = [&](std::size_t side) {
+        const auto id = static_cast<PieceSideId>(2 * piece + side);
+        if (arrangement.is_covered(id)) return 0.0;
+        return lit.radiosity(id);
+      };
+      segments.push_back({to_double(a.x), to_double(a.y), to_double(b.x), to_double(b.y), sends(0), sends(1)});
+    }
+    const Grid2 cells{{0, 0}, {4, 3}, 6, 9};
+    const AverageIllumination light = illuminate_averages(lit.prepared, cells, lit.faces());
+    const Rational w(2, 3), h(1, 3);
+    for (std::uint32_t cell = 0; cell < 54; ++cell) {
+      const std::uint32_t ix = cell % 6, iy = cell / 6;
+      const double share = free_share(room, w * ix, h * iy, w * (ix + 1), h * (iy + 1));
+      if (share == 0 || (share == 1 && cell % 5 != 0)) continue;
+      const long double x0 = 2.0L * ix / 3, y0 = 1.0L * iy / 3;
+      const oracle::MeanLight mean = oracle::mean_light(segments, 1.5, x0, y0, x0 + 2.0L / 3, y0 + 1.0L / 3);
+      EXPECT_NEAR(light.grid.values[cell], static_cast<double>(mean.value) / share,
+                  light.errors[cell] + static_cast<double>(mean.doubt) / share + 1e-13)
+          << room.name << " " << ix << " " << iy;
+      ++compared;
+      cut += share < 1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(compared, 80u);
+  EXPECT_GT(cut, 30u);
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ TEST(AverageIllumination, IsTheMeanOfItsQuarters) {
   }
 }
 
-TEST(AverageIllumination, IsBlackInsideSolidsUpToItsBound) {
+TEST(AverageIllumination, IsBlackBehindBlackBacksUpToItsBound) {
   const Lit lit(pillar_room(), 2, 3);  // the sky sends out 3 as well
   const AverageIllumination light =
       averages(lit, {{Rational(2, 5), Rational(2, 5)}, {Rational(3, 5), Rational(3, 5)}, 4, 4});

@@ -9,6 +9,7 @@
 #include "tests/viewer/drawn_scenes.h"
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/illumination_picture_2.h"
+#include "viewer/picture/palette.h"
 
 namespace hottel {
 namespace {
@@ -41,10 +42,22 @@ std::vector<double> all_pixels(const LightPixels2& pixels, const IlluminationGri
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 RecordingCanvas drawn(const Scene2& scene, const IlluminationGrid& grid, const IlluminationPicture2& picture = {}) {
-  const IlluminationPainter2 painter(scene, grid, picture);
+  const PreparedScene2 prepared = prepare(scene);
+  const IlluminationPainter2 painter(prepared, grid, picture);
   RecordingCanvas canvas(painter.width(), painter.height());
   painter.draw(canvas);
   return canvas;
+}
+
+// By the winding number.
+bool is_inside(const std::vector<Pixel>& polygon, Pixel p) {
+  int winding = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Pixel &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    if (a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y) > p.x) winding += a.y < b.y ? 1 : -1;
+  }
+  return winding != 0;
 }
 
 double linear(const Colour& colour) { return linear_from_srgb(colour.g); }
@@ -98,6 +111,15 @@ TEST(LightPixels2, DoNotLeakThroughWalls) {
       EXPECT_EQ(all[k], x < to_double(wall) ? 1 : 0) << to_double(wall) << " " << x;
     }
   }
+}
+
+TEST(LightPixels2, PassOverCellsInSolids) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const IlluminationGrid grid = grid_of({{0, 0}, {4, 1}, 4, 1}, {3, nan, nan, 5});
+  const std::vector<double> all = all_pixels(LightPixels2(grid, 4, 1, nullptr), grid);
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(all[k], 3) << k;
+  for (std::size_t k = 6; k < 10; ++k) EXPECT_TRUE(std::isnan(all[k])) << k;
+  for (std::size_t k = 10; k < 16; ++k) EXPECT_EQ(all[k], 5) << k;
 }
 
 TEST(LightPixels2, StayBetweenTheValuesAroundThem) {
@@ -193,7 +215,7 @@ TEST(IlluminationPicture2, HasTheLargestYOnTop) {
 }
 
 TEST(IlluminationPicture2, HasWholePixelsForEachCell) {
-  const Scene2 room = furnished_room();
+  const PreparedScene2 room = prepare(furnished_room());
   const auto size = [&](std::uint32_t nx, std::uint32_t ny, std::uint32_t wanted) {
     const IlluminationGrid grid = grid_of({{0, 0}, {4, 3}, nx, ny}, std::vector<double>(std::size_t{nx} * ny, 1.0));
     const IlluminationPainter2 painter(room, grid, {.wanted_side = wanted});
@@ -226,29 +248,63 @@ TEST(IlluminationPicture2, RoomsInSolidsAreLit) {
   scene.closed({{0, 0}, {4, 0}, {4, 4}, {0, 4}});  // a block, fronts outside
   scene.closed({{1, 1}, {1, 3}, {3, 3}, {3, 1}});  // a room in it
   const IlluminationGrid grid = grid_of({{-1, -1}, {5, 5}, 6, 6}, std::vector<double>(36, 1.0));
-  const auto lights = drawn(scene.scene, grid).calls(Mark::kLight);
-  ASSERT_EQ(lights.size(), 2u);
-  EXPECT_TRUE(lights[0].clip.empty());
-  EXPECT_EQ(lights[1].clip.size(), 4u);
-  const PixelImage &all = lights[0].image, &room = lights[1].image;
-  EXPECT_EQ(room.width, all.width / 3);
-  EXPECT_EQ(room.height, all.height / 3);
-  EXPECT_EQ(lights[1].points[0], (Pixel{all.width / 3.0, all.height / 3.0}));
+  const RecordingCanvas canvas = drawn(scene.scene, grid);
+  EXPECT_EQ(canvas.count(Mark::kLight), 1u);
+  ASSERT_EQ(canvas.count(Mark::kSolid), 1u);
+  const std::vector<Pixel> solid = canvas.calls(Mark::kSolid)[0].points;
+  const double cell = canvas.width() / 6;
+  EXPECT_FALSE(is_inside(solid, {0.5 * cell, 0.5 * cell}));
+  EXPECT_TRUE(is_inside(solid, {1.5 * cell, 1.5 * cell}));
+  EXPECT_FALSE(is_inside(solid, {2.6 * cell, 3.3 * cell}));
+}
+
+TEST(IlluminationPicture2, SolidIsWhatIsSolidInTheArrangement) {
+  DrawnScene scene;
+  scene.closed({{0, 0}, {0, 3}, {4, 3}, {4, 0}});
+  scene.closed({{1, 1}, {2, 1}, {2, 2}, {1, 2}});  // fronts outward, but open
+  scene.scene.groups.back().behind = Behind::kOpen;
+  scene.edge({3, 3}, {3, 2}, 1);  // a lamp in the corner, drawn as two sides
+  scene.edge({3, 2}, {4, 2}, 1);
+  scene.scene.groups.pop_back();
+  scene.scene.groups.back().behind = Behind::kSolid;
+  scene.scene.surfaces.back().group -= 1;
+  const IlluminationGrid grid = grid_of({{0, 0}, {4, 3}, 4, 3}, std::vector<double>(12, 1.0));
+  const RecordingCanvas canvas = drawn(scene.scene, grid);
+  ASSERT_EQ(canvas.count(Mark::kSolid), 1u);
+  const std::vector<Pixel> solid = canvas.calls(Mark::kSolid)[0].points;
+  const double cell = canvas.width() / 4;
+  EXPECT_TRUE(is_inside(solid, {3.5 * cell, 0.5 * cell}));
+  EXPECT_FALSE(is_inside(solid, {1.5 * cell, 1.5 * cell}));
+  EXPECT_EQ(canvas.count(Mark::kEmitter), 2u);
+}
+
+TEST(IlluminationPicture2, PlacesWithoutAValueAreGreyAndDoNotCount) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const IlluminationGrid grid = grid_of({{0, 0}, {3, 1}, 3, 1}, {1, nan, nan});
+  const IlluminationGrid lit = grid_of({{0, 0}, {1, 1}, 1, 1}, {1});
+  for (const Tone tone : {Tone::kLinear, Tone::kMax, Tone::kReinhard, Tone::kLog}) {
+    const RecordingCanvas canvas = drawn(Scene2{}, grid, {.tone = tone, .wanted_side = 3});
+    const PixelImage image = canvas.calls(Mark::kLight)[0].image;
+    ASSERT_EQ(image.pixels.size(), 3u);
+    EXPECT_EQ(image.pixels[0],
+              drawn(Scene2{}, lit, {.tone = tone, .wanted_side = 1}).calls(Mark::kLight)[0].image.pixels[0]);
+    EXPECT_EQ(image.pixels[2], palette::kUnlitSolid);
+  }
 }
 
 TEST(IlluminationPicture2, BecomesAFileOfEitherFormat) {
-  const Scene2 room = furnished_room();
+  const PreparedScene2 room = prepare(furnished_room());
   const IlluminationGrid grid = random_grid({{0, 0}, {4, 3}, 16, 12}, 3);
   const IlluminationPicture2 small{.wanted_side = 160};
   EXPECT_THAT(illumination_picture_2(room, grid, small, PictureFormat::kPng), StartsWith("\x89PNG"));
   EXPECT_THAT(illumination_picture_2(room, grid, small, PictureFormat::kSvg), StartsWith("<?xml"));
-  EXPECT_THAT(illumination_picture_2(Scene2{}, grid, small, PictureFormat::kPng), StartsWith("\x89PNG"));
+  EXPECT_THAT(illumination_picture_2(prepare(Scene2{}), grid, small, PictureFormat::kPng), StartsWith("\x89PNG"));
 }
 
 TEST(IlluminationPicture2, RefusesGridsWithMoreCellsThanPixels) {
   const IlluminationGrid grid =
       grid_of({{0, 0}, {1, 1}, kMaxPictureSide + 1, 1}, std::vector<double>(kMaxPictureSide + 1, 1.0));
-  EXPECT_THROW(illumination_picture_2(furnished_room(), grid, {}, PictureFormat::kPng), UsageError);
+  EXPECT_THROW(illumination_picture_2(prepare(furnished_room()), grid, {}, PictureFormat::kPng), UsageError);
 }
 
 }  // namespace

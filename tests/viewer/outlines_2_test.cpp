@@ -15,9 +15,9 @@ Outlines2 outlines(const Scene2& scene) {
 TEST(Outlines2, JoinEdgesToRoomsAndFindSolidsInThem) {
   const Outlines2 found = outlines(furnished_room());
   ASSERT_EQ(found.closed.size(), 2u);
-  EXPECT_FALSE(found.closed[0].solid);
+  EXPECT_FALSE(found.closed[0].is_outward);
   EXPECT_EQ(found.closed[0].surfaces.size(), 6u);
-  EXPECT_TRUE(found.closed[1].solid);
+  EXPECT_TRUE(found.closed[1].is_outward);
   EXPECT_EQ(found.closed[1].around, 0u);
   EXPECT_EQ(found.loose, std::vector<std::uint32_t>{kScreen});
   EXPECT_EQ(found.around_loose.at(0), 0u);

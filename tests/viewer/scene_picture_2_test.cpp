@@ -16,7 +16,8 @@ using testing::StartsWith;
 using Kind = RecordingCanvas::Kind;
 
 RecordingCanvas drawn(const Scene2& scene, const ScenePicture2& picture) {
-  const ScenePicturePainter2 painter(scene, picture);
+  const PreparedScene2 prepared = prepare(scene);
+  const ScenePicturePainter2 painter(prepared, picture);
   RecordingCanvas canvas(painter.width(), painter.height());
   painter.draw(canvas);
   return canvas;
@@ -35,7 +36,7 @@ ScenePicture2 coloured() {
 // On which side of from -> to the middle of a stripe lies: positive on the right, in pixels.
 double depth(const Scene2& scene, const ScenePicture2& picture, std::uint32_t surface,
              const std::vector<Pixel>& stripe) {
-  const SceneSheet2 sheet(scene, picture.sheet, 62);
+  const SceneSheet2 sheet(prepare(scene), picture.sheet, 62);
   const Pixel a = sheet.from(surface), b = sheet.to(surface);
   Pixel middle;
   for (const Pixel& p : stripe) middle = {middle.x + p.x / 4, middle.y + p.y / 4};
@@ -149,6 +150,26 @@ TEST(ScenePicture2, PixelsLieOverTheFloorAndUnderTheFurniture) {
   EXPECT_NEAR(light[0].y, floor[1].y, 1e-9);
 }
 
+// A box on the floor: what lies beneath it has no colour, on either side of the contact.
+TEST(ScenePicture2, CoveredPartsOfFacesHaveNoStripe) {
+  DrawnScene drawing;
+  drawing.edge({4, 0}, {0, 0});                      // a floor, its front looks up
+  drawing.closed({{1, 0}, {2, 0}, {2, 1}, {1, 1}});  // 1: the bottom
+  drawing.edge({Rational(5, 4), Rational(1, 2)}, {Rational(7, 4), Rational(1, 2)}, 0, 0);  // drawn inside the box
+  ScenePicture2 picture = coloured();
+  picture.targets.clear();
+  picture.colouring->front.assign(6, 0.5);
+  picture.colouring->back.assign(6, 0.5);
+  const RecordingCanvas canvas = drawn(drawing.scene, picture);
+  const auto stripes = canvas.calls(Mark::kStripe);
+  ASSERT_EQ(stripes.size(), 2u + 3u);  // the floor left and right of the box, the sides of the box and its top
+  const SceneSheet2 sheet(prepare(drawing.scene), picture.sheet, 62);
+  const double left = sheet.from(1).x, right = sheet.to(1).x, unit = right - left;
+  for (std::size_t k = 0; k < 2; ++k)
+    for (const Pixel& p : stripes[k].points) EXPECT_TRUE(p.x <= left + 1e-9 || p.x >= right - 1e-9) << p.x / unit;
+  EXPECT_EQ(canvas.count(Mark::kSolid), 1u);
+}
+
 TEST(ScenePicture2, EmptyAndTinyScenesAreDrawn) {
   EXPECT_TRUE(inside(drawn(Scene2{}, {})));
   DrawnScene single;
@@ -172,15 +193,15 @@ TEST(ScenePicture2, CrowdedCornersKeepStripesShort) {
 }
 
 TEST(ScenePicture2, BecomesAFileOfEitherFormat) {
-  EXPECT_THAT(scene_picture_2(furnished_room(), coloured(), PictureFormat::kPng), StartsWith("\x89PNG"));
-  EXPECT_THAT(scene_picture_2(furnished_room(), coloured(), PictureFormat::kSvg), StartsWith("<?xml"));
+  EXPECT_THAT(scene_picture_2(prepare(furnished_room()), coloured(), PictureFormat::kPng), StartsWith("\x89PNG"));
+  EXPECT_THAT(scene_picture_2(prepare(furnished_room()), coloured(), PictureFormat::kSvg), StartsWith("<?xml"));
 }
 
 TEST(ScenePicture2, RefusesWidthsOutOfRange) {
   ScenePicture2 picture;
   for (const std::uint32_t width : {0u, kMinPictureWidth - 1, kMaxPictureSide + 1}) {
     picture.sheet.width = width;
-    EXPECT_THROW(scene_picture_2(furnished_room(), picture, PictureFormat::kPng), UsageError);
+    EXPECT_THROW(scene_picture_2(prepare(furnished_room()), picture, PictureFormat::kPng), UsageError);
   }
 }
 

@@ -18,7 +18,7 @@ RecordingCanvas drawn(const Painter& painter) {
 }
 
 TEST(VisibilityPicture2, ShowsTheRegionTheRaysAndTheEye) {
-  const Scene2 scene = furnished_room();
+  const PreparedScene2 scene = prepare(furnished_room());
   const VisibilityDrawing drawing{
       .eye = {0.5, 1.5}, .polygon = {{0, 0}, {1, 1}, {1, 2}, {0, 3}}, .rays_to = {{1, 1}, {1, 2}}};
   const RecordingCanvas canvas = drawn(VisibilityPainter2(scene, drawing));
@@ -28,12 +28,12 @@ TEST(VisibilityPicture2, ShowsTheRegionTheRaysAndTheEye) {
   EXPECT_EQ(canvas.count(Mark::kRay), 2u);
   EXPECT_EQ(canvas.calls(Mark::kCritical, Kind::kCircle).size(), 2u);
   EXPECT_GE(canvas.count(Mark::kEye), 1u);
-  EXPECT_EQ(canvas.count(Mark::kEdge), scene.surfaces.size());
+  EXPECT_EQ(canvas.count(Mark::kEdge), scene.scene.surfaces.size());
   EXPECT_TRUE(inside(canvas));
 }
 
 TEST(VisibilityPicture2, CutsWhatReachesOutOfThePicture) {
-  const Scene2 scene = furnished_room();
+  const PreparedScene2 scene = prepare(furnished_room());
   const VisibilityDrawing drawing{.eye = {9, 1},  // outside the room: the picture grows to show it
                                   .polygon = {{-1e6, -1e6}, {1e6, -1e6}, {1e6, 1e6}, {-1e6, 1e6}},
                                   .rays_to = {{1e6, 3e5}, {0, 3}}};
@@ -44,7 +44,7 @@ TEST(VisibilityPicture2, CutsWhatReachesOutOfThePicture) {
 }
 
 TEST(PairPicture2, HighlightsBothEdgesAndTheCriticalPoints) {
-  const Scene2 scene = furnished_room();
+  const PreparedScene2 scene = prepare(furnished_room());
   const PairDrawing drawing{.a = 1,
                             .b = kWindow,
                             .critical_on_a = {{1, 3}, {2.5, 3}, {3.5, 3}},
@@ -54,14 +54,14 @@ TEST(PairPicture2, HighlightsBothEdgesAndTheCriticalPoints) {
   EXPECT_NE(canvas.calls(Mark::kTarget)[0].colour, canvas.calls(Mark::kTarget)[1].colour);
   EXPECT_EQ(canvas.calls(Mark::kCritical, Kind::kCircle).size(), 3u);
   EXPECT_EQ(canvas.count(Mark::kRay), 2u);
-  EXPECT_EQ(canvas.count(Mark::kEdge), scene.surfaces.size() - 2);
+  EXPECT_EQ(canvas.count(Mark::kEdge), scene.scene.surfaces.size() - 2);
   EXPECT_TRUE(canvas.wrote("A"));
   EXPECT_TRUE(canvas.wrote("B"));
   EXPECT_TRUE(inside(canvas));
 }
 
 TEST(PairPicture2, LabelsTheSideThatIsMeant) {
-  const Scene2 scene = furnished_room();
+  const PreparedScene2 scene = prepare(furnished_room());
   PairDrawing drawing{.a = kScreen, .b = kWindow};
   const auto label = [&] {
     const auto box = drawn(PairPainter2(scene, drawing)).calls(Mark::kLabel).back().points;
@@ -74,7 +74,7 @@ TEST(PairPicture2, LabelsTheSideThatIsMeant) {
 }
 
 TEST(VisibilityPicture2, BecomesAFileOfEitherFormat) {
-  const Scene2 scene = furnished_room();
+  const PreparedScene2 scene = prepare(furnished_room());
   EXPECT_THAT(visibility_picture_2(scene, {.eye = {1, 1}}, PictureFormat::kPng), StartsWith("\x89PNG"));
   EXPECT_THAT(visibility_picture_2(scene, {.eye = {1, 1}}, PictureFormat::kSvg), StartsWith("<?xml"));
   EXPECT_THAT(pair_picture_2(scene, {.a = 0, .b = 1}, PictureFormat::kSvg), StartsWith("<?xml"));

@@ -18,6 +18,7 @@ struct Corners2 {
   std::vector<Pixel> at;
   std::vector<std::uint32_t> from, to;  // per surface
 
+  Corners2() = default;
   // COST: O(n log n).
   Corners2(const Scene2& scene, const Frame2& frame);
 

@@ -99,7 +99,7 @@ ScenePicture2 error_map_picture_2(const MethodComparison2& comparison, const Met
 }
 
 std::string error_map_2(const MethodComparison2& comparison, const MethodResult& result, PictureFormat format) {
-  return scene_picture_2(comparison.prepared().scene, error_map_picture_2(comparison, result), format);
+  return scene_picture_2(comparison.prepared(), error_map_picture_2(comparison, result), format);
 }
 
 }  // namespace hottel

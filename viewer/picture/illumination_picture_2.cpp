@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "kernel/failure.h"
 #include "kernel/parallel.h"
 #include "viewer/picture/hatch.h"
 #include "viewer/picture/palette.h"
+#include "viewer/picture/solid_polygons_2.h"
 
 namespace hottel {
 namespace {
@@ -31,24 +33,6 @@ PixelsPerCell pixels_per_cell(const Grid2& grid, const IlluminationPicture2& pic
   return {pixels(wide, grid.nx), pixels(high, grid.ny)};
 }
 
-// The part of an image, drawn where it lies, that covers a box.
-void draw_part(PictureCanvas& canvas, const PixelImage& image, Pixel top_left, Pixel bottom_right) {
-  const auto whole = [](double place, std::uint32_t limit) {
-    return static_cast<std::uint32_t>(std::clamp(place, 0.0, static_cast<double>(limit)));
-  };
-  const std::uint32_t left = whole(std::floor(top_left.x), image.width),
-                      right = whole(std::ceil(bottom_right.x), image.width),
-                      top = whole(std::floor(top_left.y), image.height),
-                      bottom = whole(std::ceil(bottom_right.y), image.height);
-  if (left >= right || top >= bottom) return;
-  PixelImage part{right - left, bottom - top, {}};
-  for (std::uint32_t y = top; y < bottom; ++y) {
-    const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(std::size_t{y} * image.width);
-    part.pixels.insert(part.pixels.end(), row + left, row + right);
-  }
-  canvas.image(Mark::kLight, {double(left), double(top)}, {double(right), double(bottom)}, part, false);
-}
-
 LightPixels2 light_pixels(const Scene2& scene, const IlluminationGrid& grid, const IlluminationPicture2& picture) {
   const PixelsPerCell pixels = pixels_per_cell(grid.grid, picture);
   return {grid, pixels.across, pixels.up, &scene};
@@ -56,15 +40,16 @@ LightPixels2 light_pixels(const Scene2& scene, const IlluminationGrid& grid, con
 
 }  // namespace
 
-IlluminationPainter2::IlluminationPainter2(const Scene2& scene, const IlluminationGrid& grid,
+IlluminationPainter2::IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid& grid,
                                            const IlluminationPicture2& picture)
-    : scene_(scene),
+    : scene_(prepared.scene),
       grid_(grid),
-      pixels_(light_pixels(scene, grid, picture)),
+      pixels_(light_pixels(prepared.scene, grid, picture)),
       tone_(picture.tone, picture.exposure, grid.values, grid.channels),
       frame_(grid.grid.min, grid.grid.max, pixels_.width(), pixels_.height()),
-      corners_(scene, frame_),
-      outlines_(scene, corners_),
+      corners_(prepared.scene, frame_),
+      runs_(prepared, frame_),
+      solids_(solid_polygons(prepared.arrangement, frame_)),
       unit_(std::max(pixels_.width(), pixels_.height()) / 1600.0),
       wall_width_(std::max(2.2 * unit_, 1.0)) {}
 
@@ -76,56 +61,49 @@ PixelImage IlluminationPainter2::light() const {
     const std::vector<double> row = pixels_.row_of_cells(static_cast<std::uint32_t>(iy));
     for (std::uint32_t j = 0; j < up; ++j)
       for (std::uint32_t x = 0; x < image.width; ++x) {
-        const auto [r, g, b] =
-            tone_.levels(std::span(row).subspan((std::size_t{j} * image.width + x) * channels, channels));
-        image.pixels[std::size_t{image.height - 1 - (iy * up + j)} * image.width + x] = {r / 255.0, g / 255.0,
-                                                                                         b / 255.0};
+        const auto value = std::span(row).subspan((std::size_t{j} * image.width + x) * channels, channels);
+        Colour& pixel = image.pixels[std::size_t{image.height - 1 - (iy * up + j)} * image.width + x];
+        if (std::isnan(value[0])) {
+          pixel = palette::kUnlitSolid;
+          continue;
+        }
+        const auto [r, g, b] = tone_.levels(value);
+        pixel = {r / 255.0, g / 255.0, b / 255.0};
       }
   });
   return image;
 }
 
 void IlluminationPainter2::draw(PictureCanvas& canvas) const {
-  const PixelImage image = light();
-  canvas.image(Mark::kLight, {0, 0}, {frame_.width(), frame_.height()}, image, false);
-  std::vector<const Outline2*> by_level;
-  for (const Outline2& outline : outlines_.closed) by_level.push_back(&outline);
-  std::stable_sort(by_level.begin(), by_level.end(),
-                   [](const Outline2* a, const Outline2* b) { return a->level < b->level; });
-  for (const Outline2* outline : by_level) {
-    const bool is_drawn_around = outline->around && outlines_.closed[*outline->around].solid == outline->solid;
-    if (is_drawn_around) continue;
-    if (outline->solid) {
-      canvas.fill(Mark::kSolid, outline->polygon, palette::kUnlitSolid);
-      draw_hatch(canvas, outline->polygon, 12 * unit_, 0.8 * unit_, palette::kUnlitHatch);
-    } else if (outline->around) {
-      canvas.clip(outline->polygon);
-      draw_part(canvas, image, outline->top_left, outline->bottom_right);
-      canvas.unclip();
-    }
+  canvas.image(Mark::kLight, {0, 0}, {frame_.width(), frame_.height()}, light(), false);
+  for (const std::vector<Pixel>& solid : solids_) {
+    canvas.fill(Mark::kSolid, solid, palette::kUnlitSolid);
+    draw_hatch(canvas, solid, 12 * unit_, 0.8 * unit_, palette::kUnlitHatch);
   }
   draw_walls(canvas);
 }
 
 void IlluminationPainter2::draw_walls(PictureCanvas& canvas) const {
-  const auto stroke = [&](std::uint32_t s, Mark mark, const Colour& colour, double line_width) {
-    canvas.stroke(mark, corners_.at[corners_.from[s]], corners_.at[corners_.to[s]], colour, line_width);
+  const auto stroke = [&](const Corners2& corners, std::uint32_t k, Mark mark, const Colour& colour,
+                          double line_width) {
+    canvas.stroke(mark, corners.at[corners.from[k]], corners.at[corners.to[k]], colour, line_width);
   };
-  for (std::uint32_t s = 0; s < corners_.surfaces(); ++s) stroke(s, Mark::kEdge, palette::kInk, wall_width_);
-  for (std::uint32_t s = 0; s < corners_.surfaces(); ++s) {
-    const Surface2& surface = scene_.surfaces[s];
+  for (std::uint32_t s = 0; s < corners_.surfaces(); ++s) stroke(corners_, s, Mark::kEdge, palette::kInk, wall_width_);
+  for (std::uint32_t run = 0; run < runs_.corners().surfaces(); ++run) {
+    const Surface2& surface = scene_.surfaces[runs_.surface(run)];
+    const std::optional<std::uint32_t> own = runs_.is_back(run) ? surface.back : surface.material;
+    if (!own || scene_.materials[*own].emission.is_zero()) continue;
     std::array<double, 3> emission{};
     for (const std::uint32_t material : {surface.material, surface.back.value_or(surface.material)})
       for (std::size_t c = 0; c < 3; ++c)
         emission[c] = std::max(emission[c], to_double(scene_.materials[material].emission.value[c]));
-    if (*std::max_element(emission.begin(), emission.end()) > 0)
-      stroke(s, Mark::kEmitter, tone_(emission), 1.3 * wall_width_);
+    stroke(runs_.corners(), run, Mark::kEmitter, tone_(emission), 1.3 * wall_width_);
   }
 }
 
-std::string illumination_picture_2(const Scene2& scene, const IlluminationGrid& grid,
+std::string illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid& grid,
                                    const IlluminationPicture2& picture, PictureFormat format) {
-  const IlluminationPainter2 painter(scene, grid, picture);
+  const IlluminationPainter2 painter(prepared, grid, picture);
   CairoCanvas canvas(format, painter.width(), painter.height());
   painter.draw(canvas);
   return canvas.finish();

@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <string>
 
-#include "geometry/scene/scene_2.h"
+#include "geometry/exchange/exchange_2.h"
 #include "solver/illumination/illumination_grid_2.h"
 #include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/corners_2.h"
+#include "viewer/picture/face_runs_2.h"
 #include "viewer/picture/light_pixels_2.h"
-#include "viewer/picture/outlines_2.h"
 #include "viewer/picture/tone_curve.h"
 
 namespace hottel {
@@ -20,19 +21,20 @@ struct IlluminationPicture2 {
   std::uint32_t wanted_width = 0;    // pixels across instead, where not 0
 };
 
-// Draws the light of a grid, the insides of solids over it, grey and hatched, and the edges on top, antialiased;
-// emitting faces in the colour of their emission.
+// Draws the light of a grid, the solids of the arrangement over it, grey and hatched, and the edges on top,
+// antialiased; emitting faces in the colour of their emission, less what looks into a solid.
 //
 //   (1) the picture is the region of the grid and nothing else: the top row is the largest y, each cell is the same
 //       number of whole pixels, at least one
-//   (2) before tone mapping the pixels are those of LightPixels2 with the scene as walls
+//   (2) before tone mapping the pixels are those of LightPixels2 with the scene as walls; without a value: grey
 //
 // Throws UsageError when the grid has more cells along a side than a picture may have pixels.
 // COST: about 0.3 s for a picture of 1500 x 1200.
 class IlluminationPainter2 {
  public:
-  // REQUIRES that grid and scene outlive this.
-  IlluminationPainter2(const Scene2& scene, const IlluminationGrid& grid, const IlluminationPicture2& picture);
+  // REQUIRES that grid and prepared outlive this.
+  IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid& grid,
+                       const IlluminationPicture2& picture);
 
   std::uint32_t width() const { return pixels_.width(); }
   std::uint32_t height() const { return pixels_.height(); }
@@ -49,12 +51,13 @@ class IlluminationPainter2 {
   ToneCurve tone_;
   Frame2 frame_;
   Corners2 corners_;
-  Outlines2 outlines_;
+  FaceRuns2 runs_;
+  std::vector<std::vector<Pixel>> solids_;
   double unit_, wall_width_;
 };
 
 // Returns the bytes of the picture file.
-std::string illumination_picture_2(const Scene2& scene, const IlluminationGrid& grid,
+std::string illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid& grid,
                                    const IlluminationPicture2& picture, PictureFormat format);
 
 }  // namespace hottel

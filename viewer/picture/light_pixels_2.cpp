@@ -18,7 +18,10 @@ double centre_before(double place) { return std::floor(place - 0.5); }
 }  // namespace
 
 LightPixels2::LightPixels2(const IlluminationGrid& grid, std::uint32_t across, std::uint32_t up, const Scene2* walls)
-    : grid_(grid), across_(across), up_(up) {
+    : grid_(grid),
+      across_(across),
+      up_(up),
+      has_gaps_(std::any_of(grid.values.begin(), grid.values.end(), [](double value) { return std::isnan(value); })) {
   HOTTEL_REQUIRE(across > 0 && up > 0);
   if (!walls) return;
   const Grid2& cells = grid.grid;
@@ -105,6 +108,11 @@ void LightPixels2::blend(std::uint32_t ix, std::uint32_t iy, const Places& x, co
   const std::uint32_t left = ix - (i < x.half ? 1 : 0), below = iy - (j < y.half ? 1 : 0);  // may be -1
   const std::uint32_t columns[2] = {left == ix ? ix : ix == 0 ? 0 : left, std::min(left + 1, cells.nx - 1)};
   const std::uint32_t rows[2] = {below == iy ? iy : iy == 0 ? 0 : below, std::min(below + 1, cells.ny - 1)};
+  const auto value_at = [&](std::uint32_t corner) {
+    return grid_.values.data() + (std::size_t{rows[corner / 2]} * cells.nx + columns[corner % 2]) * channels;
+  };
+  for (std::uint32_t corner = 0; has_gaps_ && corner < 4; ++corner)
+    if (std::isnan(*value_at(corner))) barred = static_cast<std::uint8_t>(barred | 1 << corner);
   double total = 0;
   std::fill_n(pixel, channels, 0.0);
   for (const bool only_seen_counts : {false, true}) {  // the second time without weights
@@ -113,8 +121,7 @@ void LightPixels2::blend(std::uint32_t ix, std::uint32_t iy, const Places& x, co
       const double weight =
           only_seen_counts ? 1
                            : (corner % 2 ? right_share : 1 - right_share) * (corner / 2 ? top_share : 1 - top_share);
-      const double* value =
-          grid_.values.data() + (std::size_t{rows[corner / 2]} * cells.nx + columns[corner % 2]) * channels;
+      const double* value = value_at(corner);
       for (std::uint32_t c = 0; c < channels; ++c) pixel[c] += weight * value[c];
       total += weight;
     }

@@ -16,7 +16,8 @@ namespace hottel {
 //       area; with walls, for each cell that no wall comes near (a cell and a half)
 //   (2) with walls light does not leak: a pixel takes the values of those of the four nearest centres to which no edge
 //       of the scene bars the way; a centre on an edge, whose value mixes both sides, counts as barred
-//   (3) every pixel lies between the least and the largest of the values around it
+//   (3) every pixel lies between the least and the largest of the values around it; where they are NaN (in solids) it
+//       takes the others, and is NaN only where there are none
 // Where to draw is decided in doubles.
 class LightPixels2 {
  public:
@@ -42,6 +43,7 @@ class LightPixels2 {
 
   const IlluminationGrid& grid_;
   std::uint32_t across_, up_;
+  bool has_gaps_;                                 // some values are NaN
   std::vector<Wall2> walls_;                      // in cells from the lower left corner of the grid
   std::vector<std::uint32_t> near_begin_, near_;  // by cell: walls that come near it
 };

@@ -55,7 +55,7 @@ Pixel inner_point(const Outline2& outline) {
     from = a;
     to = b;
   }
-  const double step = (outline.solid ? -1 : 1) * 0.01 / longest;  // fronts look out of a solid, into a room
+  const double step = (outline.is_outward ? -1 : 1) * 0.01 / longest;  // fronts look out, or into a room
   return {(from.x + to.x) / 2 - (to.y - from.y) * step, (from.y + to.y) / 2 + (to.x - from.x) * step};
 }
 
@@ -160,7 +160,7 @@ std::vector<Outline2> closed_runs(const Scene2& scene, const Corners2& corners) 
     if (doubled == 0) return;
     found.emplace_back();
     found.back().surfaces = std::move(run);
-    found.back().solid = doubled < 0;
+    found.back().is_outward = doubled < 0;
     found.back().area = std::abs(doubled) / 2;
   };
   const std::vector<bool> single = singles(scene, corners, add);
@@ -210,7 +210,7 @@ Outlines2::Outlines2(const Scene2& scene, const Corners2& corners) : closed(clos
   for (const Outline2& outline : closed) levels = std::max(levels, outline.level + 1);
   if (steps == 0) {  // rooms below, furniture on top
     for (Outline2& outline : closed) {
-      outline.level = outline.solid ? 1 : 0;
+      outline.level = outline.is_outward ? 1 : 0;
       outline.around.reset();
     }
     std::fill(around_loose.begin(), around_loose.end(), std::nullopt);

@@ -1,4 +1,4 @@
-// The closed outlines of a scene: rooms and solids, and how they lie in each other.
+// The closed outlines of a scene: rooms and furniture, and how they lie in each other.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace hottel {
 struct Outline2 {
   std::vector<std::uint32_t> surfaces;
   std::vector<Pixel> polygon;         // where each of them begins
-  bool solid = false;                 // fronts look outwards: furniture, a pillar; else inwards: a room
+  bool is_outward = false;            // fronts look outwards: furniture, a pillar; else inwards: a room
   double area = 0;                    // in square pixels, positive
   std::optional<std::size_t> around;  // the smallest outline that this one lies in
   std::size_t level = 0;              // how many it lies in
@@ -29,8 +29,9 @@ struct Outline2 {
 //   (2) edges that lead nowhere (a screen, a door leaf) and runs without an inside are loose
 //   (3) outlines may touch what they lie in
 //
-// Made for drawing: decided in doubles. Where it would take too many steps to find what lies in what, as for many
-// thousand outlines side by side, rooms are on level 0, solids on level 1, and none lies in another.
+// Made for drawing: decided in doubles. What is solid is another question (solid_polygons_2.h). Where it would take too
+// many steps to find what lies in what, as for many thousand outlines side by side, rooms are on level 0, furniture on
+// level 1, and none lies in another.
 // COST: O(n log n), and the number of those steps.
 struct Outlines2 {
   std::vector<Outline2> closed;

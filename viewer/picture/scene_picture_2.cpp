@@ -19,13 +19,14 @@ std::optional<double> value_of(const std::vector<std::optional<double>>& values,
 
 }  // namespace
 
-ScenePicturePainter2::ScenePicturePainter2(const Scene2& scene, const ScenePicture2& picture)
-    : scene_(scene), picture_(picture), sheet_(scene, picture.sheet, kFooter) {
-  for (const std::uint32_t target : picture.targets) HOTTEL_REQUIRE(target < scene.surfaces.size());
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    front_.push_back(colour(s, Side::kFront));
-    back_.push_back(colour(s, Side::kBack));
-  }
+ScenePicturePainter2::ScenePicturePainter2(const PreparedScene2& prepared, const ScenePicture2& picture)
+    : scene_(prepared.scene),
+      picture_(picture),
+      sheet_(prepared, picture.sheet, kFooter),
+      runs_(prepared, sheet_.frame()) {
+  for (const std::uint32_t target : picture.targets) HOTTEL_REQUIRE(target < scene_.surfaces.size());
+  for (std::uint32_t run = 0; run < runs_.corners().surfaces(); ++run)
+    colours_.push_back(colour(runs_.surface(run), runs_.is_back(run) ? Side::kBack : Side::kFront));
 }
 
 // Of the stripe of a face, if it has one: its value, or in a plain plan that it emits.
@@ -42,19 +43,16 @@ std::optional<Colour> ScenePicturePainter2::colour(std::uint32_t surface, Side s
 }
 
 void ScenePicturePainter2::draw(PictureCanvas& canvas) const {
-  const auto present = [](const std::vector<std::optional<Colour>>& colours) {
-    std::vector<bool> result;
-    for (const auto& c : colours) result.push_back(c.has_value());
-    return result;
-  };
-  const Stripes2 stripes(sheet_.corners(), present(front_), present(back_), sheet_.stripe_depth());
+  std::vector<bool> has_stripe;
+  for (const std::optional<Colour>& c : colours_) has_stripe.push_back(c.has_value());
+  const std::vector<bool> none(has_stripe.size(), false);
+  const Stripes2 stripes(runs_.corners(), std::move(has_stripe), none, sheet_.stripe_depth());
   const Mark mark = picture_.colouring ? Mark::kStripe : Mark::kEmitter;
   SceneSheet2::Ground ground;
   ground.faces = [&](std::span<const std::uint32_t> surfaces) {
-    for (const std::uint32_t s : surfaces) {
-      if (front_[s]) canvas.fill(mark, stripes.stripe(s, Side::kFront), *front_[s]);
-      if (back_[s]) canvas.fill(mark, stripes.stripe(s, Side::kBack), *back_[s]);
-    }
+    for (const std::uint32_t s : surfaces)
+      for (std::uint32_t run = runs_.begin(s); run < runs_.end(s); ++run)
+        if (colours_[run]) canvas.fill(mark, stripes.stripe(run, Side::kFront), *colours_[run]);
   };
   if (picture_.pixels) ground.cover = [&] { draw_pixels(canvas); };
   sheet_.draw_ground(canvas, ground);
@@ -98,14 +96,12 @@ void ScenePicturePainter2::draw_footer(PictureCanvas& canvas) const {
   };
   if (!picture_.targets.empty() && !picture_.target_label.empty())
     key(Mark::kLegend, palette::kTarget, picture_.target_label);
-  const auto is_there = [](const std::optional<Colour>& c) { return c.has_value(); };
-  const bool emits =
-      std::any_of(front_.begin(), front_.end(), is_there) || std::any_of(back_.begin(), back_.end(), is_there);
+  const bool emits = std::any_of(colours_.begin(), colours_.end(), [](const auto& c) { return c.has_value(); });
   if (emits && !picture_.colouring) key(Mark::kLegend, palette::kEmitter, "emits light");
 }
 
-std::string scene_picture_2(const Scene2& scene, const ScenePicture2& picture, PictureFormat format) {
-  const ScenePicturePainter2 painter(scene, picture);
+std::string scene_picture_2(const PreparedScene2& prepared, const ScenePicture2& picture, PictureFormat format) {
+  const ScenePicturePainter2 painter(prepared, picture);
   CairoCanvas canvas(format, painter.width(), painter.height());
   painter.draw(canvas);
   return canvas.finish();

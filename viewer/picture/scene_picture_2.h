@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "geometry/scene/scene_2.h"
+#include "geometry/exchange/exchange_2.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/colour_map.h"
+#include "viewer/picture/face_runs_2.h"
 #include "viewer/picture/scene_sheet_2.h"
 #include "viewer/picture/stripes_2.h"
 
@@ -40,8 +41,9 @@ struct ScenePicture2 {
 
 // Draws the plan. Without colouring each emitting face has a bright stripe on its side.
 //
-//   (1) one stripe for each face with a value, on its own side of the edge (front = right of from -> to), with the
-//       colour of the value; NaN is no value; a back without a material has no stripe
+//   (1) one stripe for each straight part of a face with a value, on its own side of the edge (front = right of from ->
+//       to), with the colour of the value; NaN is no value; a back without a material has no stripe, nor has what looks
+//       into a solid or belongs to another surface
 //   (2) each edge is drawn once, over the stripes: highlighted when it is a target
 //   (3) nothing leaves the picture
 //   (4) a legend iff there is colouring
@@ -50,7 +52,8 @@ struct ScenePicture2 {
 // Throws UsageError for a width out of range. REQUIRES valid surface indices. COST: O(n log n).
 class ScenePicturePainter2 {
  public:
-  ScenePicturePainter2(const Scene2& scene, const ScenePicture2& picture);
+  // REQUIRES that prepared and picture outlive this.
+  ScenePicturePainter2(const PreparedScene2& prepared, const ScenePicture2& picture);
 
   std::uint32_t width() const { return sheet_.width(); }
   std::uint32_t height() const { return sheet_.height(); }
@@ -65,10 +68,11 @@ class ScenePicturePainter2 {
   const Scene2& scene_;
   const ScenePicture2& picture_;
   SceneSheet2 sheet_;
-  std::vector<std::optional<Colour>> front_, back_;  // of the stripes, per surface
+  FaceRuns2 runs_;
+  std::vector<std::optional<Colour>> colours_;  // of the stripes, per run
 };
 
 // Returns the bytes of the picture file.
-std::string scene_picture_2(const Scene2& scene, const ScenePicture2& picture, PictureFormat format);
+std::string scene_picture_2(const PreparedScene2& prepared, const ScenePicture2& picture, PictureFormat format);
 
 }  // namespace hottel

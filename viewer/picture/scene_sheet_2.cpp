@@ -11,6 +11,7 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/hatch.h"
 #include "viewer/picture/palette.h"
+#include "viewer/picture/solid_polygons_2.h"
 
 namespace hottel {
 namespace {
@@ -60,14 +61,15 @@ double round_length(double limit) {
 
 }  // namespace
 
-SceneSheet2::SceneSheet2(const Scene2& scene, const SheetText& text, double footer,
+SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const SheetText& text, double footer,
                          const std::vector<std::array<double, 2>>& extra_points)
     : title_(text.title),
       subtitle_(text.subtitle),
       unit_(unit_of(text.width)),
-      frame_(scene, extra_points, text.width, margins(text, unit_, footer)),
-      corners_(scene, frame_),
-      outlines_(scene, corners_) {
+      frame_(prepared.scene, extra_points, text.width, margins(text, unit_, footer)),
+      corners_(prepared.scene, frame_),
+      outlines_(prepared.scene, corners_),
+      solids_(solid_polygons(prepared.arrangement, frame_)) {
   const double length = typical_length(corners_);
   wall_width_ = std::clamp(0.03 * length, 0.6 * unit_, 3.0 * unit_);
   stripe_depth_ = std::clamp(0.07 * length, 2.0 * unit_, 7.5 * unit_);
@@ -78,9 +80,13 @@ double SceneSheet2::footer_top() const { return frame_.bottom_right().y + 34 * u
 void SceneSheet2::draw_ground(PictureCanvas& canvas, const Ground& ground) const {
   canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame_.width(), frame_.height()}, palette::kPaper);
   draw_heading(canvas);
-  const bool open = std::all_of(outlines_.closed.begin(), outlines_.closed.end(), [](auto& o) { return o.solid; });
+  const bool open = std::all_of(outlines_.closed.begin(), outlines_.closed.end(), [](auto& o) { return o.is_outward; });
   if (open && ground.cover) ground.cover();
   for (std::size_t level = 0; level <= outlines_.levels; ++level) draw_level(canvas, level, ground);
+  for (const std::vector<Pixel>& solid : solids_) {
+    canvas.fill(Mark::kSolid, solid, palette::kSolid);
+    draw_hatch(canvas, solid, 13 * unit_, 0.9 * unit_, palette::kHatch);
+  }
 }
 
 void SceneSheet2::draw_heading(PictureCanvas& canvas) const {
@@ -92,16 +98,11 @@ void SceneSheet2::draw_heading(PictureCanvas& canvas) const {
   if (!subtitle_.empty()) draw_text(canvas, subtitle_, base_line, {.size = 20 * unit_, .colour = palette::kSoftInk});
 }
 
-// First the faces that look out of this level's solids, then its floors and solids, then the faces of its rooms.
+// First the faces that look out of this level's furniture, then its floors, then the faces of its rooms.
 void SceneSheet2::draw_level(PictureCanvas& canvas, std::size_t level, const Ground& ground) const {
   if (ground.faces) draw_outside_faces(canvas, level, ground);
   for (const Outline2& outline : outlines_.closed) {
-    if (outline.level != level) continue;
-    if (outline.solid) {
-      canvas.fill(Mark::kSolid, outline.polygon, palette::kSolid);
-      draw_hatch(canvas, outline.polygon, 13 * unit_, 0.9 * unit_, palette::kHatch);
-      continue;
-    }
+    if (outline.level != level || outline.is_outward) continue;
     canvas.fill(Mark::kFloor, outline.polygon, palette::kFloor);
     canvas.clip(outline.polygon);
     if (ground.cover) ground.cover();
@@ -113,14 +114,14 @@ void SceneSheet2::draw_level(PictureCanvas& canvas, std::size_t level, const Gro
 void SceneSheet2::draw_outside_faces(PictureCanvas& canvas, std::size_t level, const Ground& ground) const {
   std::map<std::optional<std::size_t>, std::vector<std::uint32_t>> within;  // by the outline around
   for (const Outline2& outline : outlines_.closed)
-    if (outline.solid && outline.level == level)
+    if (outline.is_outward && outline.level == level)
       within[outline.around].insert(within[outline.around].end(), outline.surfaces.begin(), outline.surfaces.end());
   for (std::size_t k = 0; k < outlines_.loose.size(); ++k) {
     const auto& around = outlines_.around_loose[k];
     if ((around ? outlines_.closed[*around].level + 1 : 0) == level) within[around].push_back(outlines_.loose[k]);
   }
   for (const auto& [around, surfaces] : within) {
-    const bool in_room = around && !outlines_.closed[*around].solid;
+    const bool in_room = around && !outlines_.closed[*around].is_outward;
     if (in_room) canvas.clip(outlines_.closed[*around].polygon);
     ground.faces(surfaces);
     if (in_room) canvas.unclip();

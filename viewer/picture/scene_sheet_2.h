@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/scene/scene_2.h"
+#include "geometry/exchange/exchange_2.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/corners_2.h"
 #include "viewer/picture/frame_2.h"
@@ -29,7 +29,7 @@ class SceneSheet2 {
  public:
   // footer: height kept free below the drawing, in units. extra_points: shown as well, in scene coordinates.
   // Throws UsageError unless the width is in [kMinPictureWidth, kMaxPictureSide].
-  SceneSheet2(const Scene2& scene, const SheetText& text, double footer,
+  SceneSheet2(const PreparedScene2& prepared, const SheetText& text, double footer,
               const std::vector<std::array<double, 2>>& extra_points = {});
 
   const Frame2& frame() const { return frame_; }
@@ -48,8 +48,8 @@ class SceneSheet2 {
     std::function<void()> cover;                                // draws over the floors, beneath everything else
   };
 
-  // Paper, title, and the outlines from the outside in: floors light and warm, solids grey and hatched. Faces are
-  // clipped to the room they are in, and solids hide what they stand on; each surface is handed to `faces` once.
+  // Paper, title, the outlines from the outside in, floors light and warm, and over them the solids of the arrangement,
+  // grey and hatched. Faces are clipped to the room they are in; each surface is handed to `faces` once.
   void draw_ground(PictureCanvas& canvas, const Ground& ground) const;
   // One dark line for each edge that is not hidden. hidden: one entry per surface, or none at all.
   void draw_walls(PictureCanvas& canvas, const std::vector<bool>& hidden = {}) const;
@@ -69,6 +69,7 @@ class SceneSheet2 {
   Frame2 frame_;
   Corners2 corners_;
   Outlines2 outlines_;
+  std::vector<std::vector<Pixel>> solids_;
   double wall_width_, stripe_depth_;
 };
 

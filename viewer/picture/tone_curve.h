@@ -31,7 +31,7 @@ std::optional<Tone> tone_of(std::string_view name);
 class ToneCurve {
  public:
   // values: of all places of the picture, `channels` (1, or at least 3 of which r, g, b are the first) for each.
-  // REQUIRES finite values >= 0, exposure > 0.
+  // Places that are NaN in all channels are passed over. REQUIRES finite values >= 0 else, exposure > 0.
   ToneCurve(Tone tone, double exposure, std::span<const double> values, std::size_t channels);
 
   // What the screen shows at a place with these values.

@@ -77,8 +77,8 @@ void draw_ring(PictureCanvas& canvas, Mark mark, Pixel at, double radius, const 
 
 }  // namespace
 
-VisibilityPainter2::VisibilityPainter2(const Scene2& scene, const VisibilityDrawing& drawing)
-    : drawing_(drawing), sheet_(scene, drawing.sheet, kFooter, {drawing.eye}) {}
+VisibilityPainter2::VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing& drawing)
+    : drawing_(drawing), sheet_(prepared, drawing.sheet, kFooter, {drawing.eye}) {}
 
 void VisibilityPainter2::draw(PictureCanvas& canvas) const {
   sheet_.draw_ground(canvas, {});
@@ -100,9 +100,9 @@ void VisibilityPainter2::draw(PictureCanvas& canvas) const {
   sheet_.draw_scale_bar(canvas);
 }
 
-PairPainter2::PairPainter2(const Scene2& scene, const PairDrawing& drawing)
-    : drawing_(drawing), sheet_(scene, drawing.sheet, kFooter, drawing.critical_on_a) {
-  HOTTEL_REQUIRE(drawing.a < scene.surfaces.size() && drawing.b < scene.surfaces.size());
+PairPainter2::PairPainter2(const PreparedScene2& prepared, const PairDrawing& drawing)
+    : drawing_(drawing), sheet_(prepared, drawing.sheet, kFooter, drawing.critical_on_a) {
+  HOTTEL_REQUIRE(drawing.a < prepared.scene.surfaces.size() && drawing.b < prepared.scene.surfaces.size());
 }
 
 void PairPainter2::draw(PictureCanvas& canvas) const {
@@ -140,15 +140,16 @@ void PairPainter2::draw_edge(PictureCanvas& canvas, std::uint32_t surface, bool 
       label, style);
 }
 
-std::string visibility_picture_2(const Scene2& scene, const VisibilityDrawing& drawing, PictureFormat format) {
-  const VisibilityPainter2 painter(scene, drawing);
+std::string visibility_picture_2(const PreparedScene2& prepared, const VisibilityDrawing& drawing,
+                                 PictureFormat format) {
+  const VisibilityPainter2 painter(prepared, drawing);
   CairoCanvas canvas(format, painter.width(), painter.height());
   painter.draw(canvas);
   return canvas.finish();
 }
 
-std::string pair_picture_2(const Scene2& scene, const PairDrawing& drawing, PictureFormat format) {
-  const PairPainter2 painter(scene, drawing);
+std::string pair_picture_2(const PreparedScene2& prepared, const PairDrawing& drawing, PictureFormat format) {
+  const PairPainter2 painter(prepared, drawing);
   CairoCanvas canvas(format, painter.width(), painter.height());
   painter.draw(canvas);
   return canvas.finish();

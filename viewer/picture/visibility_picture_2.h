@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/scene/scene_2.h"
+#include "geometry/exchange/exchange_2.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/scene_sheet_2.h"
@@ -38,7 +38,7 @@ struct PairDrawing {
 //   (2) the eye and all critical points are shown, outside the scene too; what reaches out of the picture is cut off
 class VisibilityPainter2 {
  public:
-  VisibilityPainter2(const Scene2& scene, const VisibilityDrawing& drawing);
+  VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing& drawing);
   std::uint32_t width() const { return sheet_.width(); }
   std::uint32_t height() const { return sheet_.height(); }
   void draw(PictureCanvas& canvas) const;
@@ -53,7 +53,7 @@ class VisibilityPainter2 {
 // REQUIRES valid surface indices.
 class PairPainter2 {
  public:
-  PairPainter2(const Scene2& scene, const PairDrawing& drawing);
+  PairPainter2(const PreparedScene2& prepared, const PairDrawing& drawing);
   std::uint32_t width() const { return sheet_.width(); }
   std::uint32_t height() const { return sheet_.height(); }
   void draw(PictureCanvas& canvas) const;
@@ -67,7 +67,8 @@ class PairPainter2 {
 };
 
 // Return the bytes of the picture file.
-std::string visibility_picture_2(const Scene2& scene, const VisibilityDrawing& drawing, PictureFormat format);
-std::string pair_picture_2(const Scene2& scene, const PairDrawing& drawing, PictureFormat format);
+std::string visibility_picture_2(const PreparedScene2& prepared, const VisibilityDrawing& drawing,
+                                 PictureFormat format);
+std::string pair_picture_2(const PreparedScene2& prepared, const PairDrawing& drawing, PictureFormat format);
 
 }  // namespace hottel
