@@ -212,7 +212,7 @@ Answer between_faces(const PreparedScene2& prepared, const std::string& from, co
     drawing.critical_on_a.push_back(rounded(c.point));
     drawing.lines.emplace_back(rounded(c.point), rounded(c.far));
   }
-  answer.draw = [&prepared, drawing](PictureFormat format) { return pair_picture_2(prepared.scene, drawing, format); };
+  answer.draw = [&prepared, drawing](PictureFormat format) { return pair_picture_2(prepared, drawing, format); };
   return answer;
 }
 
