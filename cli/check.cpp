@@ -17,11 +17,12 @@ struct CheckCommandOptions {
   bool json = false;
 };
 
+// How far points may be moved; 0: not at all.
 Rational distance_of(const CheckCommandOptions& options) {
-  if (options.fix.empty() != options.within.empty()) throw UsageError("--fix OUT and --within D go together");
+  if (options.fix.empty() && !options.within.empty()) throw UsageError("--within D goes with --fix OUT");
   if (options.fix == "-") throw UsageError("--fix writes a scene file; standard output has the findings");
-  if (options.fix.empty()) return 0;
-  require_scene_ending("--fix", options.fix);
+  if (!options.fix.empty()) require_scene_ending("--fix", options.fix);
+  if (options.within.empty()) return 0;
   const auto distance = parse_rational(options.within);
   if (!distance || *distance <= 0) throw UsageError("--within must be a positive number, not '" + options.within + "'");
   return *distance;
@@ -33,12 +34,19 @@ SceneCheck2 look_at(const Scene2& scene, const Streams& streams) {
 
 ExitCode exit_code(const SceneCheck2& check) { return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone; }
 
+Repair2 without_repair(const Scene2& scene) {
+  Repair2 repair{scene, {}, {}};
+  for (const Surface2& surface : scene.surfaces) repair.former_names.push_back(surface.name);
+  return repair;
+}
+
 // Writes the repaired scene, and tells what was done and what is found in it.
 ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const Scene2& scene, Streams& streams) {
   OutputFile out(options.fix);
   const SceneCheck2 before = look_at(scene, streams);
-  Repair2 repair = close_gaps(scene, distance);
+  Repair2 repair = distance > 0 ? close_gaps(scene, distance) : without_repair(scene);
   reverse_inside_out(repair);
+  state_solids(repair, repair.steps.empty() ? before.black_backs : look_at(repair.scene, streams).black_backs);
   restore_polylines(repair);
   const std::string text = naming_file(options.scene, [&] { return write_scene_2(repair.scene); });
   const Scene2 repaired = parse_scene_2(text, options.fix);
@@ -79,12 +87,15 @@ void add_check(Commands& commands) {
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_flag("--json", options->json, "as one JSON object");
   command
-      .add_option("--fix", options->fix,
-                  "write a repaired scene: near misses closed, repetitions dropped, rooms inside out reversed; then "
-                  "the repairs, the change in every affected view factor and what is found in the repaired scene "
-                  "are shown")
+      .add_option(
+          "--fix", options->fix,
+          "write a repaired scene: rooms inside out reversed, \"behind\": \"solid\" said where that is certain, "
+          "with --within also near misses closed and repetitions dropped; then the repairs, the change in every "
+          "affected view factor and what is found in the repaired scene are shown")
       ->type_name("OUT");
-  command.add_option("--within", options->within, "how far --fix may move a point, in units of the scene")
+  command
+      .add_option("--within", options->within,
+                  "how far --fix may move a point, in units of the scene; without it not at all")
       ->type_name("D");
 }
 

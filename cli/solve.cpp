@@ -9,6 +9,7 @@
 #include "cli/methods.h"
 #include "cli/scene_input.h"
 #include "cli/unknown_name.h"
+#include "io/check_report.h"
 #include "io/factor_files.h"
 #include "io/npy.h"
 #include "io/output_folder.h"
@@ -16,6 +17,7 @@
 #include "io/scene_json.h"
 #include "kernel/failure.h"
 #include "kernel/stopwatch.h"
+#include "solver/check/scene_check_2.h"
 #include "solver/illumination/average_illumination_2.h"
 #include "solver/plan.h"
 #include "solver/system/crude_bounds.h"
@@ -189,6 +191,9 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   if (is_exact) require_closed(prepared.scene, matrix);  // an error of the method is none of the scene
   seconds.insert(exchange.seconds.begin(), exchange.seconds.end());
 
+  const Findings lost_light = lost_light_warnings(prepared, matrix);
+  if (!lost_light.empty()) streams.note(findings_text(prepared.scene, lost_light));
+
   const std::vector<Material>& materials = prepared.scene.materials;
   const Spectrum& sky = prepared.scene.sky_emission;
   RadiositySolution solution = naming_file(options.scene, [&] {
@@ -235,8 +240,15 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   }
   if (png) png->write(pixels);
   seconds["write"] = watch.lap();
-  const SolveReport report{options.scene, &plan,   &exchange,     &solution,
-                           &fluxes,       seconds, picture_scale, light ? light->max_error : std::nullopt};
+  const SolveReport report{options.scene,
+                           &plan,
+                           &exchange,
+                           &solution,
+                           &fluxes,
+                           seconds,
+                           picture_scale,
+                           light ? light->max_error : std::nullopt,
+                           finding_notes(lost_light)};
   json.write(report_json(report));
   // All files are whole before the first one takes its name.
   std::vector<OutputFile*> files{&csv, &flux};

@@ -3,19 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
+#include "cli/visibility_answer.h"
+#include "geometry/check/face_cover_2.h"
 #include "geometry/exchange/pair_rounding_2.h"
+#include "geometry/scene/name.h"
 #include "geometry/visibility/critical_points_2.h"
 #include "geometry/visibility/visibility_polygon_2.h"
 #include "io/scene_json.h"
 #include "kernel/decimal.h"
 #include "kernel/failure.h"
-#include "solver/illumination/mean_irradiance_2.h"
-#include "solver/system/matrix_checks.h"
-#include "solver/system/radiosity.h"
 #include "viewer/picture/visibility_picture_2.h"
 
 namespace hottel {
@@ -27,45 +26,6 @@ struct VisibilityOptions {
   std::string scene, at, on, from, to, out;
   bool json = false;
 };
-
-// One answer in three forms.
-struct Answer {
-  Json json;
-  std::string text;
-  std::function<std::string(PictureFormat)> draw;
-};
-
-std::array<double, 2> rounded(const ExactPoint2& p) { return {to_double(p.x), to_double(p.y)}; }
-
-Json json_of(const Rational& value) { return {{"value", to_double(value)}, {"exact", to_string(value)}}; }
-
-Json json_of(const ExactPoint2& p) {
-  return {{"x", to_double(p.x)}, {"y", to_double(p.y)}, {"exact", {to_string(p.x), to_string(p.y)}}};
-}
-
-Json json_of(const Rounded& number) {
-  const Enclosure bounds = number.enclosure();
-  return {{"value", number.value}, {"lower", bounds.lower}, {"upper", bounds.upper}};
-}
-
-bool is_a_double(const Rational& value) {
-  const double nearest = to_double(value);
-  return std::isfinite(nearest) && Rational(nearest) == value;
-}
-
-// "(1.5, 0.3333333333333333)", with "= (3/2, 1/3)" where a decimal would not say all.
-std::string text_of(const ExactPoint2& p) {
-  std::string text = fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y));
-  if (!is_a_double(p.x) || !is_a_double(p.y)) text += fmt::format(" = ({}, {})", to_string(p.x), to_string(p.y));
-  return text;
-}
-
-std::string name_of(const Scene2& scene, const Arrangement2& arrangement, PieceSideId side) {
-  if (side == kSky) return "sky";
-  if (arrangement.is_covered(side)) return "";
-  const FacePart& owner = arrangement.owner(side);
-  return scene.surfaces[owner.surface].name + (owner.is_back ? ":back" : "");
-}
 
 Rational number(const std::string& text, const std::string& option) {
   const auto value = parse_rational(text);
@@ -80,120 +40,33 @@ ExactPoint2 point(const std::string& text) {
   return {number(text.substr(0, comma), "--at"), number(text.substr(comma + 1), "--at")};
 }
 
-std::string where(const PreparedScene2& prepared, const VisibilityPolygon2& polygon) {
+// The solid that a face looks into at a place (just after it, at its end just before it); Solids2::kNone where it is
+// free.
+std::uint32_t solid_at(const PreparedScene2& prepared, const FaceName& face, const Rational& t) {
   const Arrangement2& arrangement = prepared.arrangement;
-  switch (polygon.location.kind) {
-    case Location2::Kind::kInTriangle:
-      return "in the open";
-    case Location2::Kind::kOutside:
-      return "outside the hull of the scene, or on its only line";
-    case Location2::Kind::kOnVertex:
-      return "at a vertex; every direction is seen";
-    case Location2::Kind::kOnEdge: {
-      const HalfEdgeId h = polygon.location.half_edge;
-      if (arrangement.triangulation().twin(h) >= 0 || arrangement.triangulation().side(h) == kSky) return "in the open";
-      const auto piece = static_cast<std::size_t>(arrangement.triangulation().side(h) / 2);
-      return "on '" + prepared.scene.surfaces[arrangement.sources(piece).front().surface].name +
-             "'; both sides are seen";
-    }
-  }
-  return "";
-}
-
-// The mean irradiance at a point once the light has been reflected until it is absorbed, per channel.
-void add_mean_irradiance(const PreparedScene2& prepared, const VisibilityPolygon2& seen, Answer& answer) {
-  const Vertices2& vertices = prepared.arrangement.vertices();
-  const ExchangeMatrix matrix = exact_exchange(prepared, {.per = Per::kFace, .wants_visibility = false});
-  const RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission, {});
-  require_doubles(matrix, prepared.scene.sky_emission, solution);
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
-  const std::vector<double> sky = sky_by_channel(prepared.scene.sky_emission, solution.channels.size());
-  const FaceRadiosity2 faces(prepared.arrangement, labels, radiosity_by_element(solution), sky);
-  const Eye2 look(vertices, vertices.from_scene(seen.eye));
-  std::vector<double> mean(solution.channels.size());
-  mean_irradiance(vertices, faces, look, seen.location, seen.view, mean);
-  answer.text += "\nmean irradiance\n";
-  for (std::size_t c = 0; c < mean.size(); ++c) {
-    answer.json["mean_irradiance"][solution.channel_names[c]] = mean[c];
-    answer.text += fmt::format("  {:<24} {}\n", solution.channel_names[c], shortest(mean[c]));
-  }
-}
-
-Answer from_point(const PreparedScene2& prepared, const ExactPoint2& eye, bool wants_light) {
-  const Arrangement2& arrangement = prepared.arrangement;
-  const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());
-  const VisibilityPolygon2 polygon = visibility_polygon(arrangement, location, eye);
-  Answer answer;
-  answer.json["at"] = json_of(eye);
-  answer.json["location"] = where(prepared, polygon);
-  answer.json["area"] = polygon.area ? json_of(*polygon.area) : Json();
-  answer.text = fmt::format("from {}, {}\n", text_of(eye), where(prepared, polygon));
-  answer.text += polygon.area ? fmt::format("area {}{}\n", decimal_text(*polygon.area),
-                                            is_a_double(*polygon.area) ? "" : " = " + to_string(*polygon.area))
-                              : "area unbounded: the sky is seen\n";
-  const std::vector<ExactPoint2> corners = polygon.corners();
-  answer.json["polygon"] = Json::array();
-  answer.text += "\nvisibility polygon, counter-clockwise\n";
-  for (const ExactPoint2& corner : corners) {
-    answer.json["polygon"].push_back(json_of(corner));
-    answer.text += "  " + text_of(corner) + "\n";
-  }
-
-  answer.json["parts"] = Json::array();
-  answer.text += "\nseen in turn\n";
-  std::vector<std::string> faces;  // in the order of first sight
-  std::vector<std::vector<std::size_t>> parts_of;
-  for (std::size_t k = 0; k < polygon.parts.size(); ++k) {
-    const auto& part = polygon.parts[k];
-    const std::string name = name_of(prepared.scene, arrangement, part.side);
-    const auto place = std::find(faces.begin(), faces.end(), name) - faces.begin();
-    if (place == static_cast<std::ptrdiff_t>(faces.size())) {
-      faces.push_back(name);
-      parts_of.emplace_back();
-    }
-    parts_of[static_cast<std::size_t>(place)].push_back(k);
-    answer.json["parts"].push_back({{"face", name}, {"from", json_of(part.from)}, {"to", json_of(part.to)}});
-    answer.text += fmt::format("  {:<24} {} to {}\n", name, text_of(part.from), text_of(part.to));
-  }
-  answer.json["faces"] = Json::array();
-  answer.text += "\nfraction of the full turn\n";
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const Rounded fraction = rounded_angle_fraction(polygon, parts_of[f]);
-    Json entry{{"face", faces[f]}};
-    entry["angle_fraction"] = json_of(fraction);
-    answer.json["faces"].push_back(entry);
-    answer.text += fmt::format("  {:<24} {}\n", faces[f], shortest(fraction.value));
-  }
-
-  if (wants_light) {
-    try {
-      add_mean_irradiance(prepared, polygon, answer);
-    } catch (const RequestError& error) {  // no finite light: what is seen stands all the same
-      answer.json["mean_irradiance"] = nullptr;
-      answer.text += fmt::format("\nno mean irradiance: {}\n", error.what());
-    }
-  }
-
-  answer.draw = [&prepared, polygon, corners](PictureFormat format) {
-    VisibilityDrawing drawing;
-    drawing.eye = rounded(polygon.eye);
-    for (const auto& part : polygon.parts) {
-      // Towards the sky the region is drawn far beyond the picture.
-      const auto far = [&](const ExactPoint2& p) {
-        const auto [x, y] = rounded(p);
-        return std::array<double, 2>{drawing.eye[0] + 1e4 * (x - drawing.eye[0]),
-                                     drawing.eye[1] + 1e4 * (y - drawing.eye[1])};
-      };
-      drawing.polygon.push_back(rounded(part.from));
-      if (part.side == kSky) {
-        drawing.polygon.push_back(far(part.from));
-        drawing.polygon.push_back(far(part.to));
-      }
-      drawing.polygon.push_back(rounded(part.to));
-    }
-    return visibility_picture_2(prepared, drawing, format);
+  const Surface2& surface = prepared.scene.surfaces[face.surface];
+  const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
+  const auto place = [&](VertexId v) -> Rational {
+    const ExactPoint2 p = arrangement.vertices().to_scene(arrangement.vertices().exact(v));
+    return ((p.x - surface.from.x) * dx + (p.y - surface.from.y) * dy) / (dx * dx + dy * dy);
   };
-  return answer;
+  for (std::size_t piece = 0; piece < arrangement.pieces().size(); ++piece)
+    for (const PieceSource2& source : arrangement.sources(piece)) {
+      if (source.surface != face.surface) continue;
+      const Rational a = place(arrangement.pieces()[piece].a), b = place(arrangement.pieces()[piece].b);
+      const Rational &low = std::min(a, b), &high = std::max(a, b);
+      if (t < low || t > high || (t == high && t < 1)) continue;
+      const bool right = source.is_reversed == face.is_back;
+      return arrangement.solids().maker(static_cast<PieceSideId>(2 * piece + (right ? 1 : 0)));
+    }
+  return Solids2::kNone;
+}
+
+// "scene.json:4: the front of 'floor'"
+std::string face_text(const Scene2& scene, const FaceName& face) {
+  const Surface2& surface = scene.surfaces[face.surface];
+  return fmt::format("{}:{}: the {} of {}", scene.file, surface.line, face.is_back ? "back" : "front",
+                     quoted_name(surface.name));
 }
 
 Answer from_face(const PreparedScene2& prepared, const std::string& name, const Rational& t) {
@@ -202,6 +75,9 @@ Answer from_face(const PreparedScene2& prepared, const std::string& name, const 
   const Arrangement2& arrangement = prepared.arrangement;
   const FaceName face = face_of(prepared.scene, name);
   const Surface2& surface = prepared.scene.surfaces[face.surface];
+  if (const std::uint32_t solid = solid_at(prepared, face, t); solid != Solids2::kNone)
+    throw RequestError(fmt::format("{} looks into {} at t = {}: nothing is seen there", face_text(prepared.scene, face),
+                                   solid_text(prepared.scene, solid), to_string(t)));
   const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());
   const ExactPoint2 x{surface.from.x + t * (surface.to.x - surface.from.x),
                       surface.from.y + t * (surface.to.y - surface.from.y)};
@@ -234,6 +110,17 @@ Answer from_face(const PreparedScene2& prepared, const std::string& name, const 
   return answer;
 }
 
+// Throws RequestError where a face looks into solids all along.
+void require_free(const PreparedScene2& prepared, const FaceName& face) {
+  if (prepared.arrangement.solids().is_empty()) return;
+  const FaceCover2 cover(prepared.scene, prepared.arrangement);
+  const std::uint32_t number = 2 * face.surface + (face.is_back ? 1 : 0);
+  if (cover.has_area[number] == 0 && cover.covered_by[number] != Solids2::kNone)
+    throw RequestError(fmt::format("{} looks into {} all along: it has no area and exchanges nothing",
+                                   face_text(prepared.scene, face),
+                                   solid_text(prepared.scene, cover.covered_by[number])));
+}
+
 // A face of --from or --to by name; nothing for the sky.
 std::optional<FaceName> face_or_sky(const Scene2& scene, const std::string& name) {
   if (name == "sky") return std::nullopt;
@@ -260,6 +147,8 @@ ExactPair2 exact_pair_of(const PreparedScene2& prepared, const std::optional<Fac
 
 Answer between_faces(const PreparedScene2& prepared, const std::string& from, const std::string& to) {
   const std::optional<FaceName> a = face_or_sky(prepared.scene, from), b = face_or_sky(prepared.scene, to);
+  for (const auto& face : {a, b})
+    if (face) require_free(prepared, *face);
   const ExactPair2 pair = exact_pair_of(prepared, a, b);
   const RootSum one{Rational(1)};
   Answer answer;
@@ -374,7 +263,7 @@ void add_visibility(Commands& commands) {
                    {"hottel visibility scenes/analytic/triangle_345.json --at 1,1",
                     "hottel visibility scenes/analytic/triangle_345.json --on three --at 1/2",
                     "hottel visibility scenes/analytic/strip_obstructed.json --from bottom --to top --json",
-                    "hottel visibility scenes/showcase/apartment.json --at 6,3 -o /tmp/seen.png"},
+                    "hottel visibility scenes/showcase/apartment.json --at 4,3 -o /tmp/seen.png"},
                    [options](Streams& streams) { return visibility(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_option("--at", options->at, "a point X,Y, or with --on a position T from 0 to 1 (numbers may be p/q)");

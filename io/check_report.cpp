@@ -58,12 +58,10 @@ std::string check_json(const Scene2& scene, const Findings& findings, const Repa
   return report.dump(2) + "\n";
 }
 
-std::string check_text(const Scene2& scene, const Findings& findings, std::size_t most) {
+std::string findings_text(const Scene2& scene, const Findings& findings, std::size_t most) {
   std::string text;
   std::map<std::string, std::size_t> of_kind;
-  std::size_t count[3] = {0, 0, 0};
   for (const Finding& finding : findings) {
-    ++count[static_cast<int>(finding.severity)];
     if (++of_kind[finding.kind] > most) continue;
     const int line = line_of(scene, finding);
     text += fmt::format("{}{}: {}: {}{}: {}\n", scene.file, line > 0 ? fmt::format(":{}", line) : "",
@@ -73,8 +71,23 @@ std::string check_text(const Scene2& scene, const Findings& findings, std::size_
   }
   for (const auto& [kind, number] : of_kind)
     if (number > most) text += fmt::format("and {} more of {} (--json has them all)\n", number - most, kind);
-  return text + fmt::format("{}, {}, {}\n", count_text(count[0], "error"), count_text(count[1], "warning"),
-                            count_text(count[2], "note"));
+  return text;
+}
+
+std::string check_text(const Scene2& scene, const Findings& findings, std::size_t most) {
+  std::size_t count[3] = {0, 0, 0};
+  for (const Finding& finding : findings) ++count[static_cast<int>(finding.severity)];
+  return findings_text(scene, findings, most) + fmt::format("{}, {}, {}\n", count_text(count[0], "error"),
+                                                            count_text(count[1], "warning"),
+                                                            count_text(count[2], "note"));
+}
+
+std::vector<std::string> finding_notes(const Findings& findings) {
+  std::vector<std::string> notes;
+  for (const Finding& finding : findings)
+    notes.push_back(fmt::format("{}: {}: {}{}", to_string(finding.severity), finding.kind, finding.message,
+                                finding.suggestion.empty() ? "" : " (" + finding.suggestion + ")"));
+  return notes;
 }
 
 std::string repair_text(const Scene2& scene, const RepairReport& repair) {

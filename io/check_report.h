@@ -27,6 +27,12 @@ std::string check_json(const Scene2& scene, const Findings& findings, const Repa
 inline constexpr std::size_t kMostOfAKind = 20;
 std::string check_text(const Scene2& scene, const Findings& findings, std::size_t most = kMostOfAKind);
 
+// Returns the paragraphs alone.
+std::string findings_text(const Scene2& scene, const Findings& findings, std::size_t most = kMostOfAKind);
+
+// Returns each finding as a sentence for the notes of a report: "warning: KIND: MESSAGE (SUGGESTION)".
+std::vector<std::string> finding_notes(const Findings& findings);
+
 // Returns the steps a line each, then all changes as csv: from,to,before,after.
 std::string repair_text(const Scene2& scene, const RepairReport& repair);
 

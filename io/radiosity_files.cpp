@@ -115,7 +115,8 @@ std::string report_json(const SolveReport& report) {
   json["bounds"] = {{"max_relative_width", solution.max_relative_width}};
   if (report.illumination_max_error) json["bounds"]["illumination_max_error"] = *report.illumination_max_error;
   if (report.picture_scale) json["picture"] = {{"scale", *report.picture_scale}};
-  json["notes"] = solution.notes;
+  json["notes"] = report.warnings;
+  for (const std::string& note : solution.notes) json["notes"].push_back(note);
   return json.dump(2) + "\n";
 }
 

@@ -24,7 +24,7 @@ std::string text(const ExactPoint2& p) { return "(" + to_string(p.x) + ", " + to
 
 }  // namespace
 
-Arrangement2::Arrangement2(const Scene2& scene, const Division& division) {
+Arrangement2::Arrangement2(const Scene2& scene, const Division& division, Conflicts conflicts) {
   HOTTEL_REQUIRE(division.size() == scene.surfaces.size());
   std::vector<ExactPoint2> points;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
@@ -53,7 +53,7 @@ Arrangement2::Arrangement2(const Scene2& scene, const Division& division) {
   overlay_.set_total_length();
   triangulation_ = Triangulation2(overlay_.vertices, overlay_.pieces);
   find_solids(scene);
-  assign_owners(scene);
+  assign_owners(scene, conflicts);
 }
 
 std::vector<PieceSource2> Arrangement2::sources(std::size_t piece) const {
@@ -72,35 +72,49 @@ void Arrangement2::find_solids(const Scene2& scene) {
   solids_ = Solids2({scene, overlay_, cells, [this](std::size_t piece) { return sources(piece); }});
 }
 
-void Arrangement2::assign_owners(const Scene2& scene) {
+std::vector<std::vector<std::uint32_t>> Arrangement2::regions_behind(const Scene2& scene, const Cells2& cells) const {
+  return hottel::regions_behind({scene, overlay_, cells, [this](std::size_t piece) { return sources(piece); }});
+}
+
+void Arrangement2::assign_owners(const Scene2& scene, Conflicts conflicts) {
   owner_.resize(2 * pieces().size());
   for (std::size_t piece = 0; piece < pieces().size(); ++piece) {
     const std::vector<PieceSource2> covering = sources(piece);
-    for (const PieceSideId side : {2 * static_cast<PieceSideId>(piece), 2 * static_cast<PieceSideId>(piece) + 1})
-      if (!is_covered(side)) assign_owner(scene, side, covering);
+    for (const PieceSideId side : {2 * static_cast<PieceSideId>(piece), 2 * static_cast<PieceSideId>(piece) + 1}) {
+      if (is_covered(side)) continue;
+      const SideOwner2 claimed = claims(scene, side, covering);
+      if (claimed.rival && conflicts == Conflicts::kRefused) refuse_conflict(scene, side, claimed);
+      owner_[static_cast<std::size_t>(side)] = claimed.owner.face;
+    }
   }
 }
 
-void Arrangement2::assign_owner(const Scene2& scene, PieceSideId side, const std::vector<PieceSource2>& covering) {
+SideOwner2 Arrangement2::claims(const Scene2& scene, PieceSideId side) const {
+  HOTTEL_REQUIRE(!is_covered(side));
+  return claims(scene, side, sources(static_cast<std::size_t>(side / 2)));
+}
+
+SideOwner2 Arrangement2::claims(const Scene2& scene, PieceSideId side,
+                                const std::vector<PieceSource2>& covering) const {
   const bool right = side % 2 == 1;
   const PieceSideId behind = side ^ 1;
   const SilentGroups is_silent = [&](std::uint32_t group) { return solids_.is_inside_of(behind, group); };
   const bool lies_on_solid = is_covered(behind) && has_material_on(scene, covering, !right);
-  const auto [owner, rival] = owner_of_side(scene, covering, right, lies_on_solid ? is_silent : SilentGroups());
-  if (rival) {
-    const Surface2 &first = scene.surfaces[owner.face.surface], &other = scene.surfaces[rival->face.surface];
-    const Segment2& p = pieces()[static_cast<std::size_t>(side / 2)];
-    throw InputError({scene.file, other.line},
-                     "'" + first.name + "' (" + (owner.face.is_back ? "back" : "front") + ") and '" + other.name +
-                         "' (" + (rival->face.is_back ? "back" : "front") +
-                         ") claim the same side with different materials along " +
-                         text(vertices().to_scene(vertices().exact(p.a))) + " to " +
-                         text(vertices().to_scene(vertices().exact(p.b))),
-                     {"materials '" + owner.material->name + "' and '" + rival->material->name + "', on the " +
-                          (right ? "right" : "left") + " of that piece",
-                      "give both the same material, or take one of the surfaces away"});
-  }
-  owner_[static_cast<std::size_t>(side)] = owner.face;
+  return owner_of_side(scene, covering, right, lies_on_solid ? is_silent : SilentGroups());
+}
+
+void Arrangement2::refuse_conflict(const Scene2& scene, PieceSideId side, const SideOwner2& claims) const {
+  const auto& [owner, rival] = claims;
+  const Surface2 &first = scene.surfaces[owner.face.surface], &other = scene.surfaces[rival->face.surface];
+  const Segment2& p = pieces()[static_cast<std::size_t>(side / 2)];
+  throw InputError(
+      {scene.file, other.line},
+      "'" + first.name + "' (" + (owner.face.is_back ? "back" : "front") + ") and '" + other.name + "' (" +
+          (rival->face.is_back ? "back" : "front") + ") claim the same side with different materials along " +
+          text(vertices().to_scene(vertices().exact(p.a))) + " to " + text(vertices().to_scene(vertices().exact(p.b))),
+      {"materials '" + owner.material->name + "' and '" + rival->material->name + "', on the " +
+           (side % 2 == 1 ? "right" : "left") + " of that piece",
+       "give both the same material, or take one of the surfaces away"});
 }
 
 Arrangement2 Arrangement2::restricted_to(const std::vector<std::uint32_t>& kept) const {

@@ -16,6 +16,9 @@ namespace hottel {
 // How many equal parts each surface is cut into.
 using Division = std::vector<std::uint32_t>;
 
+// What becomes of two claims for different materials on one side.
+enum class Conflicts : bool { kRefused, kFirstWins };
+
 // The scene after overlay: every piece side looks into a solid or belongs to exactly one side of one surface.
 //
 //   (1) each side of a piece takes the claims made on it: a front claims for its material, a back only when it has
@@ -26,9 +29,9 @@ using Division = std::vector<std::uint32_t>;
 //       looks into a solid and lies on a front of it, that front makes no claim: the other side is of what lies on it
 class Arrangement2 {
  public:
-  // Throws InputError naming both surfaces, the side and the piece when claims with different materials meet, and for a
-  // "behind" that cannot be obeyed (Solids2).
-  Arrangement2(const Scene2& scene, const Division& division);
+  // Throws InputError naming both surfaces, the side and the piece when claims with different materials meet and are
+  // refused, and for a "behind" that cannot be obeyed (Solids2).
+  Arrangement2(const Scene2& scene, const Division& division, Conflicts conflicts = Conflicts::kRefused);
 
   const Vertices2& vertices() const { return overlay_.vertices; }
   const std::vector<Segment2>& pieces() const { return overlay_.pieces; }
@@ -40,10 +43,19 @@ class Arrangement2 {
     HOTTEL_REQUIRE(!is_covered(side));
     return owner_[static_cast<std::size_t>(side)];
   }
+  // Who gets a side that is not covered, and who else claims it.
+  SideOwner2 claims(const Scene2& scene, PieceSideId side) const;
   std::size_t side_count() const { return owner_.size(); }
 
+  // The vertices where an undivided surface begins and ends; of a divided one, where its first part does. REQUIRES that
+  // no surface listed before it is divided.
+  const Segment2& segment(std::size_t surface) const { return segments_[surface]; }
   // Input segments that cover a piece, in the order of the scene.
   std::vector<PieceSource2> sources(std::size_t piece) const;
+
+  // What "behind": "solid" would make solid, by group (geometry/arrangement/solids_2.h). REQUIRES the scene and the
+  // cells of this arrangement.
+  std::vector<std::vector<std::uint32_t>> regions_behind(const Scene2& scene, const Cells2& cells) const;
 
   // The arrangement of some pieces (ascending numbers), which keep their order: the others taken away, nothing given
   // back. Owners are as they were, what was covered stays so, and sources are not known. COST: that of a triangulation
@@ -53,8 +65,9 @@ class Arrangement2 {
  private:
   Arrangement2() = default;
   void find_solids(const Scene2& scene);
-  void assign_owners(const Scene2& scene);
-  void assign_owner(const Scene2& scene, PieceSideId side, const std::vector<PieceSource2>& covering);
+  void assign_owners(const Scene2& scene, Conflicts conflicts);
+  SideOwner2 claims(const Scene2& scene, PieceSideId side, const std::vector<PieceSource2>& covering) const;
+  [[noreturn]] void refuse_conflict(const Scene2& scene, PieceSideId side, const SideOwner2& claims) const;
 
   Overlay2 overlay_;
   std::vector<Segment2> segments_;      // input of the overlay

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 #include "geometry/scene/name.h"
 #include "kernel/decimal.h"
@@ -44,40 +46,80 @@ std::optional<std::pair<std::uint32_t, Rational>> nearest_other(const Scene2& sc
   return nearest;
 }
 
-// Ends of the group that touch nothing else, or else ends of other surfaces around the cells it looks into.
-std::vector<std::string> gap_hints(const UnboundedBehind2& behind) {
-  const Scene2& scene = behind.scene;
+// Where something ends that nothing else touches.
+struct LooseEnd {
+  Point2 at;
+  bool is_own;  // of the group
+};
+
+// The vertices that pieces connect with some of them, themselves included.
+std::unordered_set<VertexId> connected_with(const Overlay2& overlay, std::vector<VertexId> some) {
+  std::unordered_map<VertexId, std::vector<VertexId>> neighbours;
+  for (const Segment2& piece : overlay.pieces) {
+    neighbours[piece.a].push_back(piece.b);
+    neighbours[piece.b].push_back(piece.a);
+  }
+  std::unordered_set<VertexId> connected(some.begin(), some.end());
+  while (!some.empty()) {
+    const VertexId v = some.back();
+    some.pop_back();
+    for (const VertexId w : neighbours[v])
+      if (connected.insert(w).second) some.push_back(w);
+  }
+  return connected;
+}
+
+// The loose ends around the cells that the backs look into: those of the group, or else those of others that it
+// touches, perhaps by way of others.
+std::vector<LooseEnd> loose_ends(const UnboundedBehind2& behind) {
   const Vertices2& vertices = behind.overlay.vertices;
   std::unordered_map<VertexId, int> degree;
   for (const Segment2& piece : behind.overlay.pieces) {
     ++degree[piece.a];
     ++degree[piece.b];
   }
-  const auto scene_point = [&](VertexId v) {
-    const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
-    return Point2{p.x, p.y};
-  };
-  std::vector<std::string> hints;
-  const auto tell = [&](VertexId v) {
-    if (hints.size() == 2) return;
-    const Point2 p = scene_point(v);
-    std::string hint = "there is a gap at " + text(p);
-    if (const auto near = nearest_other(scene, behind.group, p); near && near->second > 0) {
-      RootSum distance;
-      distance.add(1, near->second);
-      hint += ", " + decimal_text(distance) + " from " + quoted_name(scene.surfaces[near->first].name);
+  std::vector<LooseEnd> ends;
+  const auto piece_of = [&](PieceSideId side) { return behind.overlay.pieces[static_cast<std::size_t>(side / 2)]; };
+  std::vector<VertexId> own;
+  for (const PieceSideId side : behind.backs) own.insert(own.end(), {piece_of(side).a, piece_of(side).b});
+  const std::unordered_set<VertexId> connected = connected_with(behind.overlay, std::move(own));
+  const auto add = [&](PieceSideId side, bool is_own) {
+    const Segment2 piece = piece_of(side);
+    for (const VertexId v : {piece.a, piece.b}) {
+      if (degree[v] != 1 || !connected.contains(v)) continue;
+      const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
+      const Point2 at{p.x, p.y};
+      if (std::none_of(ends.begin(), ends.end(), [&](const LooseEnd& end) { return end.at == at; }))
+        ends.push_back({at, is_own});
     }
-    if (std::find(hints.begin(), hints.end(), hint) == hints.end()) hints.push_back(std::move(hint));
   };
-  for (const PieceSideId side : behind.backs)
-    for (const Segment2& piece = behind.overlay.pieces[static_cast<std::size_t>(side / 2)];
-         const VertexId v : {piece.a, piece.b})
-      if (degree[v] == 1) tell(v);
-  if (!hints.empty() || behind.backs.empty()) return hints;
-  for (const PieceSideId side : behind.cells.sides(behind.cells.of(behind.backs.front())))
-    for (const Segment2& piece = behind.overlay.pieces[static_cast<std::size_t>(side / 2)];
-         const VertexId v : {piece.a, piece.b})
-      if (degree[v] == 1) tell(v);
+  for (const PieceSideId side : behind.backs) add(side, true);
+  if (!ends.empty() || behind.backs.empty()) return ends;
+  for (const PieceSideId side : behind.cells.sides(behind.cells.of(behind.backs.front()))) add(side, false);
+  return ends;
+}
+
+std::string distance_text(const Rational& squared) {
+  RootSum distance;
+  distance.add(1, squared);
+  return decimal_text(distance);
+}
+
+// At most two.
+std::vector<std::string> gap_hints(const UnboundedBehind2& behind) {
+  const std::vector<LooseEnd> ends = loose_ends(behind);
+  if (ends.size() == 2 && !ends[0].is_own) {
+    const Rational squared = squared_length(ends[0].at.x - ends[1].at.x, ends[0].at.y - ends[1].at.y);
+    return {"there is a gap from " + text(ends[0].at) + " to " + text(ends[1].at) + ", " + distance_text(squared) +
+            " wide"};
+  }
+  std::vector<std::string> hints;
+  for (std::size_t k = 0; k < ends.size() && k < 2; ++k) {
+    std::string hint = "there is a gap at " + text(ends[k].at);
+    if (const auto near = nearest_other(behind.scene, behind.group, ends[k].at); near && near->second > 0)
+      hint += ", " + distance_text(near->second) + " from " + quoted_name(behind.scene.surfaces[near->first].name);
+    hints.push_back(std::move(hint));
+  }
   return hints;
 }
 
@@ -91,13 +133,24 @@ void refuse_unbounded(const UnboundedBehind2& behind) {
                      {"take the \"back\" or the \"behind\" away"});
   const bool is_open = std::all_of(behind.backs.begin(), behind.backs.end(),
                                    [&](PieceSideId side) { return behind.cells.of(side) == 0; });
+  const bool is_reversed = is_open && std::all_of(behind.backs.begin(), behind.backs.end(),
+                                                  [&](PieceSideId side) { return behind.cells.of(side ^ 1) != 0; });
   std::vector<std::string> hints = gap_hints(behind);
-  hints.emplace_back("close the gap, or draw the solid as a closed polyline, counter-clockwise");
-  throw InputError(
-      where,
-      name + ": \"behind\" is \"solid\", but " +
-          (is_open ? "the region behind it is open to infinity" : "its own fronts look into the region behind it"),
-      std::move(hints));
+  if (is_open) {
+    hints.emplace_back(is_reversed
+                           ? "close the gap; or, if its fronts look into the solid, list its points the other way "
+                             "round: the front is on the right"
+                           : "close the gap, or draw the solid as a closed polyline, counter-clockwise");
+    throw InputError(where, name + ": \"behind\" is \"solid\", but the region behind it is open to infinity",
+                     std::move(hints));
+  }
+  hints.emplace_back(hints.empty() ? "divide it where the solid begins, or draw the solid as a closed polyline"
+                                   : "close the gap, or take the \"behind\" of a thin wall away: it wants a \"back\"");
+  throw InputError(where,
+                   name +
+                       ": \"behind\" is \"solid\", but the region behind it is the one before it: its own fronts look "
+                       "there too",
+                   std::move(hints));
 }
 
 void refuse_conflict(const Scene2& scene, std::uint32_t solid, std::uint32_t open) {

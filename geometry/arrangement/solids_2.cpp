@@ -17,10 +17,17 @@ using Groups = std::vector<std::uint32_t>;
 // What a closed outline may be.
 enum class Role : unsigned char { kNone, kSolid, kRoom };
 
+// Whose "behind" is looked at.
+enum class Looks : bool { kStated, kAll };
+
 class SolidFinder {
  public:
-  explicit SolidFinder(const BarePieces2& pieces)
-      : scene_(pieces.scene), cells_(pieces.cells), overlay_(pieces.overlay), group_count_(scene_.groups.size()) {
+  explicit SolidFinder(const BarePieces2& pieces, Looks looks = Looks::kStated)
+      : scene_(pieces.scene),
+        cells_(pieces.cells),
+        overlay_(pieces.overlay),
+        looks_(looks),
+        group_count_(scene_.groups.size()) {
     find_roles();
     const std::size_t piece_count = cells_.side_count() / 2;
     for (std::size_t piece = 0; piece < piece_count; ++piece) look_at(piece, pieces.sources(piece));
@@ -43,6 +50,26 @@ class SolidFinder {
       makers[side] = solid_[cells_.of(static_cast<PieceSideId>(side))];
     return makers;
   }
+  // REQUIRES Looks::kAll, and find() before.
+  std::vector<Groups> regions_behind() {
+    std::vector<Groups> regions(group_count_);
+    for (auto& [group, sight] : sight_) {
+      if (behind(group) != Behind::kByOutline || is_contested(group)) continue;
+      std::sort(sight.fronted.begin(), sight.fronted.end());
+      Groups& region = regions[group];
+      bool is_refused = false;
+      for (const PieceSideId side : sight.backs) {
+        const std::uint32_t cell = cells_.of(side);
+        if (!is_behind(sight, cell)) continue;
+        is_refused |= open_[cell] != Solids2::kNone;
+        if (solid_[cell] == Solids2::kNone) region.push_back(cell);
+      }
+      std::sort(region.begin(), region.end());
+      region.erase(std::unique(region.begin(), region.end()), region.end());
+      if (is_refused) region.clear();
+    }
+    return regions;
+  }
   std::vector<std::pair<PieceSideId, std::uint32_t>> bounding() {
     std::sort(bounding_.begin(), bounding_.end());
     bounding_.erase(std::unique(bounding_.begin(), bounding_.end()), bounding_.end());
@@ -57,6 +84,16 @@ class SolidFinder {
   };
 
   Behind behind(std::uint32_t group) const { return scene_.groups[group].behind; }
+  // A bounded cell that no front of the group looks into. REQUIRES sorted fronted cells.
+  static bool is_behind(const Sight& sight, std::uint32_t cell) {
+    return cell != 0 && !std::binary_search(sight.fronted.begin(), sight.fronted.end(), cell);
+  }
+
+  // Does the outline of a group enclose what another one says is open?
+  bool is_contested(std::uint32_t group) const {
+    return std::any_of(outlined_.lower_bound({group, 0}), outlined_.lower_bound({group + 1, 0}),
+                       [&](const auto& outlined) { return open_[outlined.second] != Solids2::kNone; });
+  }
 
   void find_roles() {
     role_.assign(group_count_, Role::kNone);
@@ -70,7 +107,7 @@ class SolidFinder {
     std::vector<NetRun2> runs;
     for (const PieceSource2& source : sources) {
       const Surface2& surface = scene_.surfaces[source.surface];
-      if (behind(surface.group) != Behind::kByOutline) {
+      if (looks_ == Looks::kAll || behind(surface.group) != Behind::kByOutline) {
         const auto left = static_cast<PieceSideId>(2 * piece), right = left + 1;
         Sight& sight = sight_[surface.group];
         sight.fronted.push_back(cells_.of(source.is_reversed ? left : right));
@@ -165,8 +202,10 @@ class SolidFinder {
         [&](std::uint32_t cell) {
           if (!makers[0].empty()) solid_[cell] = *makers[0].begin();
           if (!makers[1].empty()) open_[cell] = *makers[1].begin();
-          for (const std::uint32_t maker : makers[0])
+          for (const std::uint32_t maker : makers[0]) {
             if (behind(maker) == Behind::kSolid) stated_solid_.emplace(cell, maker);
+            if (looks_ == Looks::kAll) outlined_.emplace(maker, cell);
+          }
           if (makers[0].empty()) return;
           for (const PieceSideId side : cells_.sides(cell))
             for (auto back = std::lower_bound(backs_.begin(), backs_.end(), std::pair(side, std::uint32_t{0}));
@@ -177,13 +216,14 @@ class SolidFinder {
 
   void fill_behind() {
     for (auto& [group, sight] : sight_) {
+      if (behind(group) == Behind::kByOutline) continue;
       std::sort(sight.fronted.begin(), sight.fronted.end());
       const bool is_outline = role_[group] == Role::kSolid;
       if (behind(group) == Behind::kOpen && is_outline) continue;
       bool bounds_some = false;
       for (const PieceSideId side : sight.backs) {
         const std::uint32_t cell = cells_.of(side);
-        if (cell == 0 || std::binary_search(sight.fronted.begin(), sight.fronted.end(), cell)) continue;
+        if (!is_behind(sight, cell)) continue;
         bounds_some = true;
         if (behind(group) == Behind::kOpen) {
           open_[cell] = std::min(open_[cell], group);
@@ -207,15 +247,17 @@ class SolidFinder {
   const Scene2& scene_;
   const Cells2& cells_;
   const Overlay2& overlay_;
+  const Looks looks_;
   const std::size_t group_count_;
   std::vector<Role> role_;  // by group
   NetRuns2 runs_;
   std::vector<std::pair<PieceSideId, std::uint32_t>> backs_;        // of outlines: side and group, sorted
-  std::map<std::uint32_t, Sight> sight_;                            // by group with a "behind"
+  std::map<std::uint32_t, Sight> sight_;                            // by group whose "behind" is looked at
   std::vector<Groups> within_;                                      // by room: the solids it is in
   std::vector<std::uint32_t> solid_;                                // by cell: the first group that makes it solid
   std::vector<std::uint32_t> open_;                                 // by cell: the first group that says it is open
   std::set<std::pair<std::uint32_t, std::uint32_t>> stated_solid_;  // cell and group that says so
+  std::set<std::pair<std::uint32_t, std::uint32_t>> outlined_;      // group and cell that its outline makes solid
   std::vector<std::pair<PieceSideId, std::uint32_t>> bounding_;
 };
 
@@ -239,6 +281,12 @@ Solids2 Solids2::restricted_to(const std::vector<std::uint32_t>& pieces) const {
   for (const std::uint32_t piece : pieces)
     for (const std::uint32_t side : {2 * piece, 2 * piece + 1}) result.maker_.push_back(maker_[side]);
   return result;
+}
+
+std::vector<std::vector<std::uint32_t>> regions_behind(const BarePieces2& pieces) {
+  SolidFinder finder(pieces, Looks::kAll);
+  finder.find();
+  return finder.regions_behind();
 }
 
 bool may_have_solids(const Scene2& scene) {

@@ -59,6 +59,11 @@ class Solids2 {
   std::vector<std::pair<PieceSideId, std::uint32_t>> bounding_;  // side and group, sorted
 };
 
+// Returns for each group the free cells, ascending, that "behind": "solid" would make solid if the group said so: none
+// where it says something already or would be refused. REQUIRES pieces that Solids2 accepts.
+// COST: linear in the sides of pieces.
+std::vector<std::vector<std::uint32_t>> regions_behind(const BarePieces2& pieces);
+
 // Returns whether the scene has a group that may enclose a solid or says what is behind it: only then are cells needed.
 bool may_have_solids(const Scene2& scene);
 

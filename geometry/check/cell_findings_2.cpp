@@ -44,6 +44,7 @@ class CellTeller {
       const std::uint32_t here = cells.of(static_cast<PieceSideId>(side));
       cell = cell == kNone || cell == here ? here : kSeveral;
     }
+    told_.is_inside_out.assign(scene_.surfaces.size(), 0);
     residents_.resize(cells.count());
     for (std::uint32_t f = 0; f < cell_of_face_.size(); ++f)
       if (cell_of_face_[f] < cells.count() && material(f) != nullptr) residents_[cell_of_face_[f]].push_back(f);
@@ -52,15 +53,20 @@ class CellTeller {
   CellFindings2 tell() {
     auto rooms = std::count_if(residents_.begin() + 1, residents_.end(), [](auto& faces) { return !faces.empty(); });
     if (has_outsider()) ++rooms;
+    std::vector<std::uint32_t> whole;  // rooms that are not inside out
     for (std::uint32_t cell = 1; cell < cells_.count(); ++cell) {
       if (residents_[cell].empty()) continue;  // solid cells too
       const std::vector<PieceSideId> walls = outer_walls(cell);
       if (tell_black(walls)) continue;
-      if (is_reversed_solid(cell, walls))
+      if (is_reversed_solid(cell, walls)) {
         tell_reversed_solid(walls);
-      else if (rooms > 1)
-        tell_isolated(cell);
+        --rooms;
+      } else {
+        whole.push_back(cell);
+      }
     }
+    if (rooms > 1)
+      for (const std::uint32_t cell : whole) tell_isolated(cell);
     tell_spanning();
     return std::move(told_);
   }
@@ -146,31 +152,29 @@ class CellTeller {
         {severity, kind, surfaces, middle(first.from, first.to), std::move(message), std::move(suggestion)});
   }
 
+  void add_inside_out(const std::vector<std::uint32_t>& surfaces, std::string message, std::string suggestion) {
+    for (const std::uint32_t s : surfaces) told_.is_inside_out[s] = 1;
+    add(Severity::kWarning, "inside-out", surfaces, std::move(message), std::move(suggestion));
+  }
+
   // Returns true when all walls are black.
   bool tell_black(const std::vector<PieceSideId>& walls) {
     const std::vector<std::uint32_t> black = black_surfaces(walls);
-    if (black.empty()) return false;
-    const std::string names = names_text(scene_, black);
-    const bool is_whole = black.size() == surfaces_of(walls).size();
-    if (is_whole && fronts_see_nothing(walls)) told_.certainly_reversed.push_back(black);
-    if (is_whole)
-      add(Severity::kWarning, "inside-out", black,
-          fmt::format("the room within {} has black walls: their fronts look outward, their backs toward what stands "
-                      "in the room",
-                      names),
-          "list the points the other way round (clockwise around a room), or give a \"back\"");
-    else
-      add(Severity::kWarning, "black-inside", black,
-          fmt::format("the back{} of {} {} of a room and black: no light comes back from there",
-                      black.size() == 1 ? "" : "s", names, black.size() == 1 ? "is a wall" : "are walls"),
-          "give a \"back\", or swap the points where the front should look into the room");
-    return is_whole;
+    if (black.empty() || black.size() != surfaces_of(walls).size()) return false;
+    if (fronts_see_nothing(walls)) told_.certainly_reversed.push_back(black);
+    add_inside_out(black,
+                   fmt::format("the room within {} has black walls: their fronts look outward, their backs toward what "
+                               "stands in the room",
+                               names_text(scene_, black)),
+                   "list the points the other way round (clockwise around a room), or give a \"back\"");
+    return true;
   }
 
   void tell_reversed_solid(const std::vector<PieceSideId>& walls) {
     const std::vector<std::uint32_t> surfaces = surfaces_of(walls);
     told_.certainly_reversed.push_back(surfaces);
-    add(Severity::kWarning, "inside-out", surfaces,
+    add_inside_out(
+        surfaces,
         fmt::format("{} enclose a space without light that their fronts look into; what stands around them sees black "
                     "backs",
                     names_text(scene_, surfaces)),

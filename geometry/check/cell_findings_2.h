@@ -10,11 +10,10 @@
 
 namespace hottel {
 
-// Kinds: inside-out, black-inside, isolated-cell, spans-rooms.
+// Kinds: inside-out, isolated-cell, spans-rooms. Solid cells are no rooms.
 //
 //   inside-out      every wall of a room turns its black back to surfaces that stand in the room; or a closed polyline
 //                   that stands in a room turns its black backs to the room and its fronts to an inside without light
-//   black-inside    some wall of a room with surfaces of its own does
 //   isolated-cell   a room that exchanges light with no other, when there are several
 //   spans-rooms     one face stands in several rooms: it has one radiosity, so light gets from one to the other by it
 struct CellFindings2 {
@@ -22,6 +21,7 @@ struct CellFindings2 {
   // Surfaces of the inside-out ones that lose nothing when they are reversed: their fronts see nothing but the sky,
   // each other and black backs, without light.
   std::vector<std::vector<std::uint32_t>> certainly_reversed;
+  std::vector<char> is_inside_out;  // by surface: told of as inside-out, for its black back
 };
 CellFindings2 cell_findings(const PreparedScene2& prepared, const Cells2& cells);
 

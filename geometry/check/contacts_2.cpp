@@ -4,61 +4,81 @@
 #include <map>
 #include <utility>
 
-#include "geometry/arrangement/overlay_2.h"
-#include "geometry/arrangement/point_index_2.h"
 #include "geometry/check/wording.h"
 
 namespace hottel {
 namespace {
 
-// The scene laid over itself; surface s is segment s.
 class ContactFinder {
  public:
-  explicit ContactFinder(const Scene2& scene) : scene_(scene) {
-    PointIndex2 index;
-    for (const Surface2& surface : scene.surfaces)
-      segments_.push_back({index.insert(to_exact(surface.from)), index.insert(to_exact(surface.to))});
-    overlay_ = overlay(index.points(), segments_);
+  ContactFinder(const Scene2& scene, const Arrangement2& arrangement)
+      : scene_(scene),
+        arrangement_(arrangement),
+        rank_(arrangement.vertices().size(), kNoRank),
+        is_free_(arrangement.vertices().size(), 0) {
+    std::uint32_t next = 0;
+    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+      segments_.push_back(arrangement.segment(s));
+      for (const VertexId v : {segments_[s].a, segments_[s].b})
+        if (rank_[v] == kNoRank) rank_[v] = next++;
+    }
+    for (std::size_t p = 0; p < arrangement.pieces().size(); ++p) {
+      covering_.push_back(arrangement.sources(p));
+      const auto left = static_cast<PieceSideId>(2 * p);
+      if (arrangement.is_covered(left) && arrangement.is_covered(left + 1)) continue;
+      for (const VertexId v : {arrangement.pieces()[p].a, arrangement.pieces()[p].b}) is_free_[v] = 1;
+    }
   }
 
   Contacts2 find() {
     find_points();
     find_overlaps();
     find_duplicates();
-    find_areas();
+    found_.faces = FaceCover2(scene_, arrangement_);
     return std::move(found_);
   }
 
  private:
-  using At = std::pair<VertexId, std::uint32_t>;  // a surface at a vertex
+  static constexpr std::uint32_t kNoRank = 0xffffffff;
 
-  Point2 place(VertexId v) const { return to_point(overlay_.vertices.to_scene(overlay_.vertices.exact(v))); }
+  // A surface at a vertex. Vertices in the order in which surfaces end there; where none does, as they are numbered.
+  struct At {
+    std::uint32_t rank;
+    VertexId vertex;
+    std::uint32_t surface;
+    auto operator<=>(const At&) const = default;
+  };
+
+  const Vertices2& vertices() const { return arrangement_.vertices(); }
+  const std::vector<Segment2>& pieces() const { return arrangement_.pieces(); }
+  Point2 place(VertexId v) const { return to_point(vertices().to_scene(vertices().exact(v))); }
 
   bool are_parallel(std::uint32_t s, std::uint32_t t) const {  // REQUIRES a common point
     const Segment2 &a = segments_[s], &b = segments_[t];
-    return overlay_.vertices.orientation(a.a, a.b, b.a) == 0 && overlay_.vertices.orientation(a.a, a.b, b.b) == 0;
+    return vertices().orientation(a.a, a.b, b.a) == 0 && vertices().orientation(a.a, a.b, b.b) == 0;
   }
 
   // Crossings and junctions: vertices inside at least one surface.
   void find_points() {
     std::vector<At> through, ends;
-    for (std::size_t p = 0; p < overlay_.pieces.size(); ++p)
-      for (const std::uint32_t s : overlay_.sources(p))
-        for (const VertexId v : {overlay_.pieces[p].a, overlay_.pieces[p].b})
-          if (v != segments_[s].a && v != segments_[s].b) through.emplace_back(v, s);
+    for (std::size_t p = 0; p < pieces().size(); ++p)
+      for (const PieceSource2& source : covering_[p])
+        for (const VertexId v : {pieces()[p].a, pieces()[p].b})
+          if (v != segments_[source.surface].a && v != segments_[source.surface].b)
+            through.push_back({rank_[v], v, source.surface});
     std::sort(through.begin(), through.end());
     through.erase(std::unique(through.begin(), through.end()), through.end());
     for (std::uint32_t s = 0; s < segments_.size(); ++s)
-      for (const VertexId v : {segments_[s].a, segments_[s].b}) ends.emplace_back(v, s);
+      for (const VertexId v : {segments_[s].a, segments_[s].b}) ends.push_back({rank_[v], v, s});
     std::sort(ends.begin(), ends.end());
 
     auto end = ends.begin();
     for (auto begin = through.begin(); begin != through.end();) {
-      const VertexId v = begin->first;
+      const auto [rank, v, first] = *begin;
       std::vector<std::uint32_t> inside, ending;
-      for (; begin != through.end() && begin->first == v; ++begin) inside.push_back(begin->second);
-      while (end != ends.end() && end->first < v) ++end;
-      for (; end != ends.end() && end->first == v; ++end) ending.push_back(end->second);
+      for (; begin != through.end() && begin->vertex == v; ++begin) inside.push_back(begin->surface);
+      while (end != ends.end() && end->rank < rank) ++end;
+      for (; end != ends.end() && end->vertex == v; ++end) ending.push_back(end->surface);
       add_point(v, inside, ending);
     }
   }
@@ -69,8 +89,9 @@ class ContactFinder {
       return std::all_of(surfaces.begin(), surfaces.end(),
                          [&](std::uint32_t t) { return are_parallel(surfaces.front(), t); });
     };
+    const bool is_in_solid = is_free_[v] == 0;
     const bool through_one_line = are_on_one_line(inside), ends_on_one_line = are_on_one_line(ending);
-    if (!through_one_line) found_.crossings.push_back({place(v), inside});
+    if (!through_one_line) found_.crossings.push_back({place(v), inside, is_in_solid});
     Junction2 junction;
     for (const std::uint32_t s : ending)
       if (!through_one_line || !are_parallel(s, inside.front())) junction.ends.push_back(s);
@@ -78,61 +99,60 @@ class ContactFinder {
     for (const std::uint32_t s : inside)
       if (!ends_on_one_line || !are_parallel(s, ending.front())) junction.through.push_back(s);
     junction.at = place(v);
+    junction.is_in_solid = is_in_solid;
     found_.junctions.push_back(std::move(junction));
   }
 
-  std::vector<PieceSource2> covering(std::size_t piece) const {
-    const Vertices2& vertices = overlay_.vertices;
-    const bool ascends = vertices.precedes(overlay_.pieces[piece].a, overlay_.pieces[piece].b);
-    std::vector<PieceSource2> result;
-    for (const std::uint32_t s : overlay_.sources(piece))
-      result.push_back({s, 0, vertices.precedes(segments_[s].a, segments_[s].b) != ascends});
-    return result;
+  OverlapSide2 side_of(std::size_t piece, bool right) const {
+    const auto side = static_cast<PieceSideId>(2 * piece + (right ? 1 : 0));
+    if (arrangement_.is_covered(side)) return {arrangement_.solids().maker(side)};
+    return {Solids2::kNone, arrangement_.claims(scene_, side)};
+  }
+  static bool are_same(const OverlapSide2& a, const OverlapSide2& b) {
+    return a.solid == b.solid && a.claims.owner.face == b.claims.owner.face;
   }
 
   // Pieces with several sources are in order along their first source.
   void find_overlaps() {
     std::size_t last = 0;  // the piece before, when it belongs to the overlap that is open
-    for (std::size_t p = 0; p < overlay_.pieces.size(); ++p) {
-      const auto sources = overlay_.sources(p);
-      if (sources.size() < 2) continue;
-      const bool goes_on = p > 0 && last + 1 == p && !found_.overlaps.empty() &&
-                           overlay_.pieces[last].b == overlay_.pieces[p].a &&
-                           std::ranges::equal(sources, overlay_.sources(last));
-      if (!goes_on) found_.overlaps.push_back({place(overlay_.pieces[p].a), {}, covering(p)});
-      found_.overlaps.back().to = place(overlay_.pieces[p].b);
+    for (std::size_t p = 0; p < pieces().size(); ++p) {
+      if (covering_[p].size() < 2) continue;
+      std::array<OverlapSide2, 2> sides{side_of(p, false), side_of(p, true)};
+      const bool goes_on =
+          p > 0 && last + 1 == p && !found_.overlaps.empty() && pieces()[last].b == pieces()[p].a &&
+          std::ranges::equal(covering_[p], covering_[last], {}, &PieceSource2::surface, &PieceSource2::surface) &&
+          are_same(sides[0], found_.overlaps.back().sides[0]) && are_same(sides[1], found_.overlaps.back().sides[1]);
+      if (!goes_on) found_.overlaps.push_back({place(pieces()[p].a), {}, covering_[p], std::move(sides)});
+      found_.overlaps.back().to = place(pieces()[p].b);
       last = p;
     }
   }
 
   void find_duplicates() {
-    std::map<std::pair<VertexId, VertexId>, std::vector<std::uint32_t>> by_ends;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> by_ends;
     for (std::uint32_t s = 0; s < segments_.size(); ++s)
-      by_ends[std::minmax(segments_[s].a, segments_[s].b)].push_back(s);
+      by_ends[std::minmax(rank_[segments_[s].a], rank_[segments_[s].b])].push_back(s);
     for (auto& [ends, surfaces] : by_ends)
       if (surfaces.size() > 1) found_.duplicates.push_back(std::move(surfaces));
   }
 
-  void find_areas() {
-    found_.has_area.assign(2 * scene_.surfaces.size(), 0);
-    for (std::size_t p = 0; p < overlay_.pieces.size(); ++p) {
-      const std::vector<PieceSource2> on_piece = covering(p);
-      for (const bool right : {false, true}) {
-        const auto [owner, rival] = owner_of_side(scene_, on_piece, right);
-        found_.has_area[2 * owner.face.surface + (owner.face.is_back ? 1 : 0)] = 1;
-        if (rival) found_.has_area[2 * rival->face.surface + (rival->face.is_back ? 1 : 0)] = 1;
-      }
-    }
-  }
-
   const Scene2& scene_;
-  std::vector<Segment2> segments_;
-  Overlay2 overlay_;
+  const Arrangement2& arrangement_;
+  std::vector<Segment2> segments_;                   // by surface
+  std::vector<std::vector<PieceSource2>> covering_;  // by piece
+  std::vector<std::uint32_t> rank_;                  // by vertex
+  std::vector<char> is_free_;                        // by vertex: some side of a piece there is not covered
   Contacts2 found_;
 };
 
 }  // namespace
 
-Contacts2 find_contacts(const Scene2& scene) { return ContactFinder(scene).find(); }
+Contacts2 find_contacts(const Scene2& scene, const Arrangement2& arrangement) {
+  return ContactFinder(scene, arrangement).find();
+}
+
+Contacts2 find_contacts(const Scene2& scene) {
+  return find_contacts(scene, Arrangement2(scene, Division(scene.surfaces.size(), 1), Conflicts::kFirstWins));
+}
 
 }  // namespace hottel

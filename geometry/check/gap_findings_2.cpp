@@ -54,7 +54,8 @@ void leave_out_covered(const Scene2& own, const std::vector<NearMiss2>& near_mis
   gaps = std::move(open);
 }
 
-// By near miss; nothing where there is no gap, or no face with a material loses light there.
+// By near miss; nothing where there is no gap, or no face with a material loses light there. Throws InputError where
+// the gaps that are filled make a "behind" impossible.
 std::vector<std::optional<Leak>> leaks(const Scene2& own, const std::vector<NearMiss2>& near_misses) {
   std::vector<std::size_t> miss_of_gap;
   for (std::size_t k = 0; k < near_misses.size(); ++k)
@@ -110,7 +111,11 @@ Finding tell(const Scene2& scene, const NearMiss2& miss, const std::optional<Lea
 }  // namespace
 
 Findings gap_findings(const Scene2& scene, const std::vector<NearMiss2>& near_misses, bool with_factors) {
-  const auto leak = with_factors ? leaks(scene, near_misses) : std::vector<std::optional<Leak>>(near_misses.size());
+  std::vector<std::optional<Leak>> leak(near_misses.size());
+  try {
+    if (with_factors) leak = leaks(scene, near_misses);
+  } catch (const InputError&) {  // told without
+  }
   Findings findings;
   for (std::size_t k = 0; k < near_misses.size(); ++k) findings.push_back(tell(scene, near_misses[k], leak[k]));
   return findings;

@@ -33,6 +33,7 @@ std::vector<Needle2> find_needles(const Arrangement2& arrangement) {
       if (entry.left != kNoPiece) around.push_back(entry);
     for (std::size_t k = 0; around.size() > 1 && k < around.size(); ++k) {
       const StarEntry &right = around[k], &left = around[(k + 1) % around.size()];
+      if (arrangement.is_covered(right.left)) continue;  // in a solid
       const double degrees = needle_degrees(vertices, v, right.neighbour, left.neighbour);
       if (degrees >= 0)
         needles.push_back(

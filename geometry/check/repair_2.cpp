@@ -13,8 +13,10 @@
 
 #include "geometry/arrangement/overlay_2.h"
 #include "geometry/arrangement/point_index_2.h"
+#include "geometry/arrangement/solids_2.h"
 #include "geometry/check/foot_2.h"
 #include "geometry/check/point_neighbours_2.h"
+#include "geometry/scene/closed_groups_2.h"
 #include "geometry/scene/name.h"
 #include "kernel/failure.h"
 
@@ -63,6 +65,7 @@ class GapCloser {
     for (std::uint32_t s = 0; s < segments_.size(); ++s)
       for (const VertexId v : {segments_[s].a, segments_[s].b}) ending_[v].push_back(s);
     snapped_to_.resize(place_.size());
+    find_outlines();
   }
 
   Repair2 close() {
@@ -204,7 +207,11 @@ class GapCloser {
       }
       auto& same = by_ends[{now.a, now.b}];
       const auto first = std::find_if(same.begin(), same.end(), [&](std::uint32_t t) { return act_alike(t, s); });
-      if (first != same.end()) {
+      if (first != same.end() && must_close_[scene_.surfaces[s].group] != 0) {
+        repair.steps.push_back(
+            {"not-repaired", scene_.surfaces[s].name,
+             fmt::format("{} repeats {}, but its outline would be open without it", name(s), name(*first))});
+      } else if (first != same.end()) {
         repair.steps.push_back(
             {"dropped", scene_.surfaces[s].name, fmt::format("{} repeats {}", name(s), name(*first))});
         continue;
@@ -216,6 +223,14 @@ class GapCloser {
     }
     for (const Surface2& surface : kept) repair.former_names.push_back(surface.name);
     repair.scene.surfaces = std::move(kept);
+  }
+
+  void find_outlines() {
+    must_close_.assign(scene_.groups.size(), 0);
+    if (!may_have_solids(scene_)) return;
+    for (const ClosedGroup2& closed : closed_groups(scene_)) must_close_[closed.group] = 1;
+    for (std::uint32_t group = 0; group < scene_.groups.size(); ++group)
+      if (scene_.groups[group].behind != Behind::kByOutline) must_close_[group] = 1;
   }
 
   bool act_alike(std::uint32_t s, std::uint32_t t) const {
@@ -233,6 +248,7 @@ class GapCloser {
   std::vector<std::vector<std::uint32_t>> ending_;  // surfaces by vertex; those that came by joining follow
   std::vector<std::optional<std::uint32_t>> snapped_to_;
   std::vector<std::pair<VertexId, std::uint32_t>> left_;
+  std::vector<char> must_close_;  // by group
 };
 
 }  // namespace

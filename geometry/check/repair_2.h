@@ -8,8 +8,8 @@
 
 namespace hottel {
 
-// One thing that was done to a surface, or that was not: "merged", "snapped", "dropped", "reversed", "renumbered",
-// "split", "not-repaired".
+// One thing that was done to a surface, or that was not: "merged", "snapped", "dropped", "reversed", "solid",
+// "renumbered", "split", "not-repaired".
 struct RepairStep {
   std::string kind;
   std::string surface;
@@ -24,7 +24,8 @@ struct Repair2 {
 
 // Returns the scene with ends that are within `distance` of each other merged (into the one listed first), ends within
 // `distance` of a surface put exactly onto it, and surfaces that became points, or the same as an earlier one in
-// everything but the name, dropped.
+// everything but the name, dropped. Pieces of an outline that may be a solid or a room in one, and of groups that say
+// what is behind them, are not dropped as repetitions (not-repaired): it would be open.
 //
 //   (1) no end point moves farther than `distance`; without a gap, stub or repetition the scene is returned as it is
 //   (2) names, materials, order and all else stay (restore_polylines follows)
@@ -35,8 +36,18 @@ struct Repair2 {
 Repair2 close_gaps(const Scene2& scene, const Rational& distance);
 
 // Reverses surfaces that are certainly the wrong way round (CellFindings2::certainly_reversed) and adds a step for
-// each. Nothing is done where claims conflict.
+// each. Nothing is done where claims conflict or a "behind" cannot be obeyed, nor to groups that say what is behind
+// them.
 void reverse_inside_out(Repair2& repair);
+
+// Says "behind": "solid" of groups whose black backs are told of (BlackBacks2::surfaces of the repaired scene) and adds
+// a step for each group.
+//
+//   (1) only where that is accepted, and makes all of the back's surroundings solid
+//   (2) no face with a material is covered wholly by all of it together, and none emits in what becomes solid
+//   (3) none where groups listed before have made all of it solid already
+// REQUIRES a scene that is accepted, if there are any backs.
+void state_solids(Repair2& repair, const std::vector<std::uint32_t>& black_backs);
 
 // Makes polylines of the pieces of polylines again after the other repairs.
 //

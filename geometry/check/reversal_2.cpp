@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "geometry/check/cell_findings_2.h"
@@ -16,7 +17,11 @@ void reverse_inside_out(Repair2& repair) {
   } catch (const InputError&) {
     return;
   }
-  for (const std::vector<std::uint32_t>& surfaces : told.certainly_reversed)
+  const auto says_behind = [&](std::uint32_t s) {
+    return repair.scene.groups[repair.scene.surfaces[s].group].behind != Behind::kByOutline;
+  };
+  for (const std::vector<std::uint32_t>& surfaces : told.certainly_reversed) {
+    if (std::any_of(surfaces.begin(), surfaces.end(), says_behind)) continue;
     for (const std::uint32_t s : surfaces) {
       Surface2& surface = repair.scene.surfaces[s];
       std::swap(surface.from, surface.to);
@@ -24,6 +29,7 @@ void reverse_inside_out(Repair2& repair) {
                               fmt::format("{} goes from {} to {} now", names_text(repair.scene, {s}),
                                           place_text(surface.from), place_text(surface.to))});
     }
+  }
 }
 
 }  // namespace hottel

@@ -93,10 +93,10 @@ void tell_open(const PreparedScene2& prepared, const ExchangeMatrix& matrix, Fin
   }
 }
 
-// Faces of one group with a material that see none.
+// Faces of one group with a material that see nothing.
 struct Lonely {
-  std::vector<std::uint32_t> black, sky;  // see black backs (and perhaps the sky), nothing but the sky
-  std::size_t faces = 0;                  // of the group, with a row
+  std::vector<std::uint32_t> sky;  // see nothing but the sky
+  std::size_t faces = 0;           // of the group, with a row
 };
 
 std::string faces_text(const Scene2& scene, const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& faces,
@@ -114,20 +114,12 @@ std::string faces_text(const Scene2& scene, const ExchangeMatrix& matrix, const 
 }
 
 void tell_lonely(const Scene2& scene, const ExchangeMatrix& matrix, const Lonely& lonely, Findings& findings) {
-  const auto place = [&](std::uint32_t s) { return middle(scene.surfaces[s].from, scene.surfaces[s].to); };
-  if (!lonely.black.empty()) {
-    std::vector<std::uint32_t> surfaces;
-    const std::string text = faces_text(scene, matrix, lonely.black, surfaces);
-    findings.push_back({Severity::kWarning, "sees-only-black", surfaces, place(surfaces.front()),
-                        text + " black backs and no face with a material: what goes there is lost, nothing comes back",
-                        "what stands around may be listed the wrong way round (the front is on the right), or want a "
-                        "\"back\""});
-  }
   // That a part of a body looks away from everything is in the nature of bodies.
   if (lonely.sky.empty() || lonely.sky.size() < lonely.faces) return;
   std::vector<std::uint32_t> surfaces;
   const std::string text = faces_text(scene, matrix, lonely.sky, surfaces);
-  findings.push_back({Severity::kNote, "sees-only-sky", surfaces, place(surfaces.front()),
+  const Surface2& first = scene.surfaces[surfaces.front()];
+  findings.push_back({Severity::kNote, "sees-only-sky", surfaces, middle(first.from, first.to),
                       text + " nothing but the sky: no surface gets light from there or sends any",
                       "if others should be seen, list the points the other way round"});
 }
@@ -144,7 +136,7 @@ Findings sight_findings(const PreparedScene2& prepared, const ExchangeMatrix& ma
     const Sight sight = sight_of(matrix, face);
     Lonely& group = groups[scene.surfaces[matrix.elements()[face].surface].group];
     ++group.faces;
-    if (!sight.materials) (sight.black ? group.black : group.sky).push_back(face);
+    if (!sight.materials && !sight.black) group.sky.push_back(face);
   }
   for (const Lonely& group : groups) tell_lonely(scene, matrix, group, findings);
   return findings;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/visibility/solid_around_2.h"
 #include "kernel/failure.h"
 
 namespace hottel {
@@ -24,9 +25,20 @@ ExactPoint2 ray_meets_piece(const ExactPoint2& eye, const ExactPoint2& through, 
 
 std::vector<ExactPoint2> VisibilityPolygon2::corners() const {
   std::vector<ExactPoint2> result;
-  for (const Part& part : parts)
-    for (const ExactPoint2* p : {&part.from, &part.to})
-      if (result.empty() || !(result.back() == *p)) result.push_back(*p);
+  const auto add = [&result](const ExactPoint2& p) {
+    if (result.empty() || !(result.back() == p)) result.push_back(p);
+  };
+  const auto is_solid = [this](std::size_t k) { return parts[k % parts.size()].solid != Solids2::kNone; };
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (is_solid(k)) continue;
+    add(parts[k].from);
+    add(parts[k].to);
+    if (!is_solid(k + 1)) continue;
+    std::size_t next = k + 1;
+    while (is_solid(next)) ++next;
+    const ExactPoint2 from = minus(parts[k].to, eye), to = minus(parts[next % parts.size()].from, eye);
+    if (cross(from, to) != 0 || dot(from, to) > 0) add(eye);
+  }
   while (result.size() > 1 && result.front() == result.back()) result.pop_back();
   return result;
 }
@@ -55,11 +67,13 @@ VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const Poi
       const ExactPoint2 a = vertices.exact(piece.a), b = vertices.exact(piece.b);
       if (right != piece.a && right != piece.b) from = ray_meets_piece(at, from, a, b);
       if (left != piece.a && left != piece.b) to = ray_meets_piece(at, to, a, b);
-      twice_area += cross(minus(from, at), minus(to, at));
+      if (!arrangement.is_covered(side)) twice_area += cross(minus(from, at), minus(to, at));
     }
-    result.parts.push_back({vertices.to_scene(from), vertices.to_scene(to), side});
+    result.parts.push_back({vertices.to_scene(from), vertices.to_scene(to), side,
+                            side == kSky ? Solids2::kNone : arrangement.solids().maker(side)});
   }
-  if (is_bounded) result.area = twice_area * vertices.scale() * vertices.scale() / 2;
+  result.solid = solid_around(arrangement, view);
+  if (is_bounded && result.solid == Solids2::kNone) result.area = twice_area * vertices.scale() * vertices.scale() / 2;
   return result;
 }
 

@@ -1,6 +1,7 @@
 // What one sees from a point, exactly: the visibility polygon, the angles, and view factors from a point of a face.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,24 +15,28 @@ namespace hottel {
 
 // The region that a point sees.
 //
-//   (1) pieces are in counter-clockwise order and their angles sum to a full turn
-//   (2) a bounded piece is the part of one side of one piece of the scene between two rays; its ends are exact
-//   (3) area is exact; nothing when the sky is seen
+//   (1) parts are in counter-clockwise order and their angles sum to a full turn
+//   (2) a bounded part is the part of one side of one piece of the scene between two rays; its ends are exact
+//   (3) area is exact, that of the free parts; nothing when the sky is seen, or from within a solid
+//   (4) a part is free unless the directions to it lead into a solid: that is not seen, and no part of the polygon
 //
 // From a point on an edge both sides are seen; the edge itself has no angle. From a vertex, every direction is seen.
 // Needles (parts of no width) belong to the closed region but not to the polygon.
 struct VisibilityPolygon2 {
   struct Part {
-    ExactPoint2 from, to;  // scene coordinates; for the sky: vertices on the two bounding rays
-    PieceSideId side;      // kSky where nothing is met
+    ExactPoint2 from, to;                  // scene coordinates; for the sky: vertices on the two bounding rays
+    PieceSideId side;                      // kSky where nothing is met
+    std::uint32_t solid = Solids2::kNone;  // the group that makes the solid there
   };
   ExactPoint2 eye;  // scene coordinates
   Location2 location;
   View2 view;  // what the parts are made of
   std::vector<Part> parts;
-  std::optional<Rational> area;  // scene unit squared
+  std::optional<Rational> area;          // scene unit squared
+  std::uint32_t solid = Solids2::kNone;  // the solid that the eye is in (solid_around_2.h)
 
-  // Corners of the region in order, without repetition; parts that see the sky contribute their bounding vertices.
+  // Corners of the region in order, without repetition; parts that see the sky contribute their bounding vertices. The
+  // eye is one where a solid begins or ends there in a corner. None from within a solid.
   std::vector<ExactPoint2> corners() const;
 };
 

@@ -6,13 +6,17 @@
 #include <iterator>
 
 #include "geometry/arrangement/cells_2.h"
+#include "geometry/check/black_backs_2.h"
 #include "geometry/check/cell_findings_2.h"
 #include "geometry/check/contact_findings_2.h"
 #include "geometry/check/gap_findings_2.h"
 #include "geometry/check/near_misses_2.h"
 #include "geometry/check/needles_2.h"
 #include "geometry/check/sight_findings.h"
+#include "geometry/check/solid_findings_2.h"
 #include "geometry/check/wording.h"
+#include "geometry/visibility/point_location_2.h"
+#include "geometry/visibility/solid_around_2.h"
 #include "kernel/failure.h"
 #include "solver/check/light_findings.h"
 
@@ -48,12 +52,83 @@ ExchangeMatrix factors_as_solved(const PreparedScene2& prepared, const CheckOpti
                     : exact_exchange(prepared, exchange);
 }
 
+// Those that are not in a solid, where nothing is seen.
+std::vector<NearMiss2> free_near_misses(const Scene2& scene, const Arrangement2& arrangement) {
+  std::vector<NearMiss2> near_misses = find_near_misses(scene);
+  if (near_misses.empty() || arrangement.solids().is_empty()) return near_misses;
+  const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());
+  View2 view;
+  std::erase_if(near_misses, [&](const NearMiss2& miss) {
+    const Point2 between = middle(miss.tip, miss.foot);
+    location.look_around(Eye2(arrangement.vertices(), arrangement.vertices().from_scene(to_exact(between))), view);
+    return solid_around(arrangement, view) != Solids2::kNone;
+  });
+  return near_misses;
+}
+
+Cells2 cells_of(const PreparedScene2& prepared) {
+  return {prepared.arrangement.triangulation(), prepared.arrangement.side_count()};
+}
+
+// Leaves out what follows from it that a solid holds the rest of the scene, or that a room is inside out.
+void leave_out_consequences(const Scene2& scene, const FaceCover2& cover, const std::vector<char>& is_inside_out,
+                            Findings& findings) {
+  std::vector<char> is_asked_about(scene.groups.size(), 0);
+  bool holds_light = false;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface2& surface = scene.surfaces[s];
+    const std::uint32_t holder = cover.holder[surface.group];
+    if (holder == Solids2::kNone) continue;
+    is_asked_about[holder] = is_asked_about[surface.group] = 1;
+    holds_light |= !scene.materials[surface.material].emission.is_zero();
+    holds_light |= surface.back && !scene.materials[*surface.back].emission.is_zero();
+  }
+  std::erase_if(findings, [&](const Finding& finding) {
+    if (finding.kind == "no-light") return holds_light;
+    if (finding.kind != "sees-only-sky" && finding.kind != "dark") return false;
+    return std::all_of(finding.surfaces.begin(), finding.surfaces.end(), [&](std::uint32_t s) {
+      return is_inside_out[s] != 0 || is_asked_about[scene.surfaces[s].group] != 0;
+    });
+  });
+}
+
+// What needs the arrangement of a scene without conflicts, and perhaps view factors.
+void check_light(const PreparedScene2& prepared, const FaceCover2& cover, const std::vector<NearMiss2>& near_misses,
+                 const CheckOptions& options, SceneCheck2& check) {
+  const Scene2& scene = prepared.scene;
+  append(check.findings, needle_findings(scene, prepared.arrangement));
+  const Cells2 cells = cells_of(prepared);
+  CellFindings2 rooms = cell_findings(prepared, cells);
+  append(check.findings, std::move(rooms.findings));
+  try {
+    check.factors = factors_as_solved(prepared, options);
+  } catch (const RequestError& error) {
+    check.findings.push_back({Severity::kNote,
+                              "light-not-checked",
+                              {},
+                              {},
+                              fmt::format("what needs view factors was not looked at: {}", error.what()),
+                              "check a part of the scene"});
+  }
+  append(check.findings, gap_findings(scene, near_misses, check.factors.has_value()));
+  if (!check.factors) return;
+  BlackBacks2 black = black_backs(prepared, cells, *check.factors, rooms.is_inside_out);
+  append(check.findings, std::move(black.findings));
+  check.black_backs = std::move(black.surfaces);
+  append(check.findings, sight_findings(prepared, *check.factors));
+  append(check.findings, light_findings(scene, *check.factors, options.progress));
+  leave_out_consequences(scene, cover, rooms.is_inside_out, check.findings);
+}
+
 }  // namespace
 
 SceneCheck2 check_scene(const Scene2& scene, const CheckOptions& options) {
   SceneCheck2 check;
-  append(check.findings, contact_findings(scene, find_contacts(scene)));
-  const std::vector<NearMiss2> near_misses = find_near_misses(scene);
+  const Arrangement2 arrangement(scene, Division(scene.surfaces.size(), 1), Conflicts::kFirstWins);
+  const Contacts2 contacts = find_contacts(scene, arrangement);
+  append(check.findings, contact_findings(scene, contacts));
+  append(check.findings, solid_findings(scene, contacts.faces));
+  const std::vector<NearMiss2> near_misses = free_near_misses(scene, arrangement);
   if (has_error(check.findings)) {
     append(check.findings, gap_findings(scene, near_misses, false));
     check.findings.push_back({Severity::kNote,
@@ -64,29 +139,26 @@ SceneCheck2 check_scene(const Scene2& scene, const CheckOptions& options) {
                               "looked at",
                               "mend that and check again"});
   } else {
-    const PreparedScene2 prepared = prepare(scene);
-    append(check.findings, needle_findings(scene, prepared.arrangement));
-    append(check.findings,
-           cell_findings(prepared, Cells2(prepared.arrangement.triangulation(), prepared.arrangement.side_count()))
-               .findings);
-    try {
-      check.factors = factors_as_solved(prepared, options);
-    } catch (const RequestError& error) {
-      check.findings.push_back({Severity::kNote,
-                                "light-not-checked",
-                                {},
-                                {},
-                                fmt::format("what needs view factors was not looked at: {}", error.what()),
-                                "check a part of the scene"});
-    }
-    append(check.findings, gap_findings(scene, near_misses, check.factors.has_value()));
-    if (check.factors) {
-      append(check.findings, sight_findings(prepared, *check.factors));
-      append(check.findings, light_findings(scene, *check.factors, options.progress));
-    }
+    check_light(prepare(scene), contacts.faces, near_misses, options, check);
   }
   sort_findings(check.findings);
   return check;
+}
+
+Findings lost_light_warnings(const PreparedScene2& prepared, const ExchangeMatrix& matrix) {
+  Findings findings;
+  if (!prepared.arrangement.solids().is_empty())
+    append(findings, solid_findings(prepared.scene, FaceCover2(prepared.scene, prepared.arrangement)));
+  if (sees_black_backs(matrix)) {
+    const Cells2 cells = cells_of(prepared);
+    CellFindings2 rooms = cell_findings(prepared, cells);
+    std::erase_if(rooms.findings, [](const Finding& finding) { return finding.kind != "inside-out"; });
+    append(findings, std::move(rooms.findings));
+    append(findings, black_backs(prepared, cells, matrix, rooms.is_inside_out).findings);
+  }
+  std::erase_if(findings, [](const Finding& finding) { return finding.severity != Severity::kWarning; });
+  sort_findings(findings);
+  return findings;
 }
 
 }  // namespace hottel

@@ -177,16 +177,20 @@ TEST(CheckFix, TellsOfFacesThatAreGone) {
 
 TEST(CheckFix, ReversesARoomThatIsCertainlyInsideOut) {
   const Workplace place;
-  std::string inside_out = scene(R"({"name": "lamp", "points": [[1, 1], [2, 1]], "material": "m", "back": "m"})");
-  inside_out.replace(inside_out.find("[0,3],[4,3],[4,0]"), 17, "[4,0],[4,3],[0,3]");
-  inside_out.replace(inside_out.find("\"m\": {"), 5, "\"n\": {}, \"m\":");
-  inside_out.replace(inside_out.find("\"material\": \"m\"}],"), 15, "\"material\": \"n\"");
-  place.write("s.json", inside_out);
+  // Walls as edges: a closed polyline of this sense would be solid.
+  place.write("s.json", R"({"hottel": 1, "dimension": 2, "materials": {"m": {"emission": 1}, "n": {}}, "edges": [
+    {"name": "lamp", "points": [[1, 1], [2, 1]], "material": "m", "back": "m"},
+    {"name": "south", "points": [[0, 0], [4, 0]], "material": "n"},
+    {"name": "east", "points": [[4, 0], [4, 3]], "material": "n"},
+    {"name": "north", "points": [[4, 3], [0, 3]], "material": "n"},
+    {"name": "west", "points": [[0, 3], [0, 0]], "material": "n"}]})");
   EXPECT_THAT(place.run("hottel check s.json").out, HasSubstr("warning: inside-out"));
-  const Outcome outcome = place.run("hottel check s.json --fix t.json --within 0.001");
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_THAT(outcome.out, HasSubstr("reversed: 'room[3]' goes from (0, 0) to (0, 3) now"));
-  EXPECT_THAT(outcome.out, EndsWith("\n0 errors, 0 warnings, 0 notes\n"));
+  for (const char* options : {"--fix t.json --within 0.001", "--fix t.json"}) {
+    const Outcome outcome = place.run(std::string("hottel check s.json ") + options);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.out, HasSubstr("reversed: 'west' goes from (0, 0) to (0, 3) now"));
+    EXPECT_THAT(outcome.out, EndsWith("\n0 errors, 0 warnings, 0 notes\n"));
+  }
 }
 
 TEST(CheckFix, ExitsWith1WhereErrorsRemainAndWritesTheScene) {
@@ -202,8 +206,7 @@ TEST(CheckFix, RefusesWhatItCannotDoBeforeItWritesAnything) {
   const Workplace place;
   place.write("s.json", scene(kDoor));
   place.write("t.json", "earlier");
-  const std::vector<std::pair<std::string, int>> lines = {{"--fix t.json", 2},
-                                                          {"--within 1", 2},
+  const std::vector<std::pair<std::string, int>> lines = {{"--within 1", 2},
                                                           {"--fix t.json --within 0", 2},
                                                           {"--fix t.json --within -1", 2},
                                                           {"--fix t.json --within near", 2},

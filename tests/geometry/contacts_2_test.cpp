@@ -175,7 +175,7 @@ TEST(Contacts2, SayWhichFacesOwnAnything) {
                                                      {"c", "1", "0", "0", "0", 2},
                                                      {"d", "1", "0", "3", "0", 1}}));
   // The front of b is covered by a; c has the other side of a; d sticks out.
-  EXPECT_EQ(contacts.has_area, (std::vector<char>{1, 1, 0, 0, 1, 0, 1, 1}));
+  EXPECT_EQ(contacts.faces.has_area, (std::vector<char>{1, 1, 0, 0, 1, 0, 1, 1}));
 }
 
 }  // namespace
