@@ -72,7 +72,7 @@ VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const Poi
     result.parts.push_back({vertices.to_scene(from), vertices.to_scene(to), side,
                             side == kSky ? Solids2::kNone : arrangement.solids().maker(side)});
   }
-  result.solid = solid_around(arrangement.solids(), view);
+  result.solid = solid_around(arrangement, view);
   if (is_bounded && result.solid == Solids2::kNone) result.area = twice_area * vertices.scale() * vertices.scale() / 2;
   return result;
 }

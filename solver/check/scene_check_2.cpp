@@ -61,7 +61,7 @@ std::vector<NearMiss2> free_near_misses(const Scene2& scene, const Arrangement2&
   std::erase_if(near_misses, [&](const NearMiss2& miss) {
     const Point2 between = middle(miss.tip, miss.foot);
     location.look_around(Eye2(arrangement.vertices(), arrangement.vertices().from_scene(to_exact(between))), view);
-    return solid_around(arrangement.solids(), view) != Solids2::kNone;
+    return solid_around(arrangement, view) != Solids2::kNone;
   });
   return near_misses;
 }

@@ -86,7 +86,7 @@ IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const
   std::atomic<bool> is_beyond = false;
   const auto visit = [&](std::size_t cell, const Eye2& eye, const Location2&, const View2& view) {
     double* sum = result.values.data() + cell * channels;
-    if (solid_around(prepared.arrangement.solids(), view) != Solids2::kNone) {
+    if (solid_around(prepared.arrangement, view) != Solids2::kNone) {
       std::fill_n(sum, channels, std::numeric_limits<double>::quiet_NaN());
       return;
     }

@@ -109,7 +109,7 @@ TEST(SolidAround, NamesTheGroupThatMakesItSolid) {
     lit.location.look_around(
         Eye2(lit.prepared.arrangement.vertices(), lit.prepared.arrangement.vertices().from_scene(ExactPoint2{x, y})),
         view);
-    return solid_around(lit.prepared.arrangement.solids(), view);
+    return solid_around(lit.prepared.arrangement, view);
   };
   EXPECT_EQ(around(1 + kHalf, kHalf), 1u);
   EXPECT_EQ(around(2 + kHalf, kHalf), 2u);

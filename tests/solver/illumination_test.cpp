@@ -41,7 +41,7 @@ TEST(IlluminationGrid, EqualsTheAnglesOfTheExactVisibilityPolygon) {
         View2 view;
         const auto kind = lit.location.look_around(look, view).kind;
         if (kind == Location2::Kind::kOnEdge || kind == Location2::Kind::kOnVertex) continue;
-        if (solid_around(lit.prepared.arrangement.solids(), view) != Solids2::kNone) {
+        if (solid_around(lit.prepared.arrangement, view) != Solids2::kNone) {
           ASSERT_TRUE(std::isnan(grid.at(ix, iy, 0)));
           continue;
         }
