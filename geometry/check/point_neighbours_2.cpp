@@ -65,19 +65,21 @@ std::vector<std::vector<std::uint32_t>> segments_near_vertices(const Vertices2& 
                                                                const std::vector<Segment2>& segments,
                                                                const std::vector<double>& reach) {
   const double error = vertices.approximation_error();
-  std::vector<std::uint32_t> number(std::max(vertices.size(), segments.size()));
-  std::iota(number.begin(), number.end(), 0u);
+  // CGAL takes boxes with one handle for one box, which does not meet itself: vertices and segments have their own.
+  std::vector<std::uint32_t> vertex_number(vertices.size()), segment_number(segments.size());
+  std::iota(vertex_number.begin(), vertex_number.end(), 0u);
+  std::iota(segment_number.begin(), segment_number.end(), 0u);
   std::vector<Box> around, boxes;
   for (VertexId v = 0; v < vertices.size(); ++v) {
     const auto& p = vertices.approximate(v);
     const double r = 1.01 * reach[v] + 2 * error;
     double low[2] = {p.x - r, p.y - r}, high[2] = {p.x + r, p.y + r};
-    around.emplace_back(low, high, &number[v]);
+    around.emplace_back(low, high, &vertex_number[v]);
   }
   const double size = box_size(vertices, segments.size());
   for (std::uint32_t s = 0; s < segments.size(); ++s)
     for_each_box_along(vertices, segments[s], size,
-                       [&](double* low, double* high) { boxes.emplace_back(low, high, &number[s]); });
+                       [&](double* low, double* high) { boxes.emplace_back(low, high, &segment_number[s]); });
   std::vector<std::vector<std::uint32_t>> near(vertices.size());
   CGAL::box_intersection_d(around.begin(), around.end(), boxes.begin(), boxes.end(),
                            [&](const Box& point, const Box& box) {
