@@ -31,8 +31,11 @@ Scene2 scene_of(std::int64_t count, const std::function<Edge(std::int64_t)>& edg
   for (std::int64_t k = 0; k < count; ++k) {
     const auto [from, to] = edge(k);
     scene.groups.push_back("edge[" + std::to_string(k) + "]");
-    scene.surfaces.push_back(
-        {.name = scene.groups.back(), .from = from, .to = to, .group = static_cast<std::uint32_t>(k)});
+    Surface2& surface = scene.surfaces.emplace_back();
+    surface.name = scene.groups.back();
+    surface.from = from;
+    surface.to = to;
+    surface.group = static_cast<std::uint32_t>(k);
   }
   return scene;
 }

@@ -1,16 +1,14 @@
 #include "geometry/arrangement/entangled_2.h"
 
-#include <CGAL/box_intersection_d.h>
-
 #include <algorithm>
 #include <numeric>
 #include <optional>
 #include <set>
 
+#include "geometry/arrangement/meeting_boxes_2.h"
+
 namespace hottel {
 namespace {
-
-using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Segment2*>;
 
 // Do the two segments meet in more than common end points?
 bool are_entangled(const Vertices2& v, const Segment2& s, const Segment2& t) {
@@ -24,12 +22,12 @@ bool are_entangled(const Vertices2& v, const Segment2& s, const Segment2& t) {
          (sa == 0 && v.is_between(t.a, t.b, s.a)) || (sb == 0 && v.is_between(t.a, t.b, s.b));
 }
 
-Box box_of(const Vertices2& vertices, const Segment2& s) {
-  const auto &p = vertices.approximate(s.a), &q = vertices.approximate(s.b);
+Box2 box_of(const Vertices2& vertices, const Segment2& segment, std::uint32_t number) {
+  const auto &p = vertices.approximate(segment.a), &q = vertices.approximate(segment.b);
   const double error = vertices.approximation_error();
-  double low[2] = {std::min(p.x, q.x) - error, std::min(p.y, q.y) - error};
-  double high[2] = {std::max(p.x, q.x) + error, std::max(p.y, q.y) + error};
-  return {low, high, &s};
+  return {{std::min(p.x, q.x) - error, std::min(p.y, q.y) - error},
+          {std::max(p.x, q.x) + error, std::max(p.y, q.y) + error},
+          number};
 }
 
 // The line of a sweep from left to right, upwards where that is no order: the lexicographic order of points.
@@ -134,16 +132,13 @@ std::vector<char> entangled_neighbours(const Vertices2& vertices, const std::vec
 
 std::vector<char> find_entangled(const Vertices2& vertices, const std::vector<Segment2>& segments) {
   std::vector<char> entangled = entangled_neighbours(vertices, segments);
-  std::vector<Box> known, others;
-  for (std::size_t s = 0; s < segments.size(); ++s)
-    (entangled[s] ? known : others).push_back(box_of(vertices, segments[s]));
+  std::vector<Box2> known, others;
+  for (std::uint32_t s = 0; s < segments.size(); ++s)
+    (entangled[s] ? known : others).push_back(box_of(vertices, segments[s], s));
   if (known.empty()) return entangled;
-  CGAL::box_intersection_d(known.begin(), known.end(), others.begin(), others.end(),
-                           [&](const Box& one, const Box& two) {
-                             char& is_entangled = entangled[static_cast<std::size_t>(two.handle() - segments.data())];
-                             if (is_entangled == 0 && are_entangled(vertices, *one.handle(), *two.handle()))
-                               is_entangled = 1;
-                           });
+  for_each_meeting(known, others, [&](std::uint32_t one, std::uint32_t two) {
+    if (entangled[two] == 0 && are_entangled(vertices, segments[one], segments[two])) entangled[two] = 1;
+  });
   return entangled;
 }
 

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <unordered_map>
 
 #include "geometry/arrangement/hilbert_order_2.h"
@@ -137,17 +136,19 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
   const auto count = static_cast<VertexId>(vertices.size());
   star_begin_.assign(count + 1, 0);
 
+  // CGAL looks for its way among all points while they lie on one line: many of them wait for one that does not.
+  constexpr std::ptrdiff_t kFew = 64;
+  std::vector<VertexId> order = insertion_order(vertices);
+  const auto off_line = std::find_if(order.begin(), order.end(), [&](VertexId v) {
+    return order.size() > 2 && vertices.orientation(order[0], order[1], v) != 0;
+  });
+  const bool is_line = off_line == order.end();
+  if (!is_line && off_line - order.begin() > kFew) std::rotate(order.begin() + 2, off_line, off_line + 1);
+
   Cdt cdt(VertexTraits{&vertices});
   std::vector<Cdt::Vertex_handle> handle(count);
   Cdt::Face_handle hint;
-  for (const VertexId v : insertion_order(vertices)) {
-    handle[v] = cdt.insert(VertexTraits::Point_2{v}, hint);
-    hint = handle[v]->face();
-  }
-
-  if (cdt.dimension() < 2) {  // every vertex on one line
-    std::vector<VertexId> order(count);
-    std::iota(order.begin(), order.end(), 0u);
+  if (is_line) {
     std::sort(order.begin(), order.end(), [&](VertexId i, VertexId j) { return vertices.precedes(i, j); });
     std::vector<std::vector<StarEntry>> stars(count);
     for (std::size_t k = 1; k < order.size(); ++k) {
@@ -161,6 +162,10 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
     return;
   }
 
+  for (const VertexId v : order) {
+    handle[v] = cdt.insert(VertexTraits::Point_2{v}, hint);
+    hint = handle[v]->face();
+  }
   for (const Segment2& piece : pieces) insert_constraint(cdt, handle[piece.a], handle[piece.b]);
 
   HalfEdgeId next = 0;

@@ -1,16 +1,14 @@
 #include "geometry/check/point_neighbours_2.h"
 
-#include <CGAL/box_intersection_d.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "geometry/arrangement/meeting_boxes_2.h"
 
 namespace hottel {
 namespace {
-
-using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const std::uint32_t*>;
 
 // Calls visit(low, high) for boxes that together cover a segment, none much larger than `size` where it runs slantwise.
 template <class Visit>
@@ -26,9 +24,8 @@ void for_each_box_along(const Vertices2& vertices, const Segment2& segment, doub
     const double s = static_cast<double>(k) / count, t = static_cast<double>(k + 1) / count;
     const double x[2] = {std::lerp(p.x, q.x, s), std::lerp(p.x, q.x, t)};
     const double y[2] = {std::lerp(p.y, q.y, s), std::lerp(p.y, q.y, t)};
-    double low[2] = {std::min(x[0], x[1]) - error, std::min(y[0], y[1]) - error};
-    double high[2] = {std::max(x[0], x[1]) + error, std::max(y[0], y[1]) + error};
-    visit(low, high);
+    visit({std::min(x[0], x[1]) - error, std::min(y[0], y[1]) - error},
+          {std::max(x[0], x[1]) + error, std::max(y[0], y[1]) + error});
   }
 }
 
@@ -65,26 +62,21 @@ std::vector<std::vector<std::uint32_t>> segments_near_vertices(const Vertices2& 
                                                                const std::vector<Segment2>& segments,
                                                                const std::vector<double>& reach) {
   const double error = vertices.approximation_error();
-  std::vector<std::uint32_t> number(std::max(vertices.size(), segments.size()));
-  std::iota(number.begin(), number.end(), 0u);
-  std::vector<Box> around, boxes;
+  std::vector<Box2> around, boxes;
   for (VertexId v = 0; v < vertices.size(); ++v) {
     const auto& p = vertices.approximate(v);
     const double r = 1.01 * reach[v] + 2 * error;
-    double low[2] = {p.x - r, p.y - r}, high[2] = {p.x + r, p.y + r};
-    around.emplace_back(low, high, &number[v]);
+    around.push_back({{p.x - r, p.y - r}, {p.x + r, p.y + r}, v});
   }
   const double size = box_size(vertices, segments.size());
   for (std::uint32_t s = 0; s < segments.size(); ++s)
-    for_each_box_along(vertices, segments[s], size,
-                       [&](double* low, double* high) { boxes.emplace_back(low, high, &number[s]); });
+    for_each_box_along(vertices, segments[s], size, [&](std::array<double, 2> low, std::array<double, 2> high) {
+      boxes.push_back({low, high, s});
+    });
   std::vector<std::vector<std::uint32_t>> near(vertices.size());
-  CGAL::box_intersection_d(around.begin(), around.end(), boxes.begin(), boxes.end(),
-                           [&](const Box& point, const Box& box) {
-                             const VertexId v = *point.handle();
-                             if (!(distance_bounds(vertices, segments[*box.handle()], v).lower > 1.01 * reach[v]))
-                               near[v].push_back(*box.handle());
-                           });
+  for_each_meeting(around, boxes, [&](VertexId v, std::uint32_t s) {
+    if (!(distance_bounds(vertices, segments[s], v).lower > 1.01 * reach[v])) near[v].push_back(s);
+  });
   for (auto& list : near) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());

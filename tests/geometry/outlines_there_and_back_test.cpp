@@ -1,11 +1,10 @@
 // Solids whose outlines go along one line more than once. Random scenes: tests/oracle/solids_against_oracle_test.cpp.
-#include "geometry/arrangement/solids_2.h"
-
 #include <gtest/gtest.h>
 
 #include <utility>
 
 #include "geometry/arrangement/arrangement_2.h"
+#include "geometry/arrangement/solids_2.h"
 #include "kernel/failure.h"
 #include "tests/comparison/ownership_2.h"
 

@@ -284,7 +284,7 @@ const std::vector<Law>& laws() {
       {"elements", elements_are_broken, 31},
       {"convex room", convex_room_is_broken, 17},
       {"radiosity", radiosity_is_broken, 11},
-      {"owners", owners_differ, 5},
+      {"owners", owners_differ, 4},
       {"groups", groups_are_broken, 11},
       {"cut by hand", cut_by_hand_differs, 17},
       {"brute force", brute_force_differs, 17},

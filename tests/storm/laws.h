@@ -33,7 +33,7 @@ class Subject {
 struct Law {
   const char* name;
   std::string (*broken)(const Subject& subject);  // what is wrong, or nothing
-  unsigned every;                                 // tried in one of so many scenes
+  unsigned every;  // tried in one of so many scenes; prime to 3 and 5, by which walls and lattices are drawn
 };
 
 // The laws, in order.

@@ -69,6 +69,28 @@ TEST(LatticeStorm, ShrinksAFailureToItsCauseAndPrintsItAsAScene) {
   EXPECT_THAT(text, testing::HasSubstr("\"hottel\": 1"));
 }
 
+bool has_solid(const Edges& edges) {
+  const oracle::Split split = oracle::split(edges);
+  return std::any_of(split.pieces.begin(), split.pieces.end(), [](const auto& piece) {
+    return piece.left == oracle::kCovered || piece.right == oracle::kCovered;
+  });
+}
+
+std::string no_solids(const Subject& subject) { return has_solid(subject.edges()) ? "a solid\n" : ""; }
+
+TEST(LatticeStorm, ShrinksScenesWithSolidsAndKeepsTheirPolylinesWhole) {
+  StormOptions options;
+  options.scenes = 30;
+  const std::vector<Law> planted{{"no solids", no_solids, 1}};
+  const StormResult result = run_storm(options, planted);
+  ASSERT_EQ(result.examples.size(), 1u);
+  const Edges& edges = result.examples[0].edges;
+  EXPECT_EQ(edges.size(), 3u) << "a triangle";
+  EXPECT_TRUE(has_solid(edges));
+  EXPECT_FALSE(oracle::split(edges).is_refused());
+  EXPECT_THAT(report(result, planted), testing::ContainsRegex("\"closed\": true|\"behind\": \"solid\""));
+}
+
 std::string throws(const Subject&) { throw std::runtime_error("too much"); }
 
 TEST(LatticeStorm, TakesAnExceptionForAFailure) {

@@ -1,0 +1,30 @@
+#include "geometry/arrangement/meeting_boxes_2.h"
+
+#include <CGAL/box_intersection_d.h>
+
+namespace hottel {
+namespace {
+
+using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Box2*>;
+
+// CGAL takes boxes with one handle for one box, which does not meet itself: each has a handle of its own.
+std::vector<Box> boxes_of(const std::vector<Box2>& boxes) {
+  std::vector<Box> result;
+  result.reserve(boxes.size());
+  for (const Box2& box : boxes) {
+    double low[2] = {box.low[0], box.low[1]}, high[2] = {box.high[0], box.high[1]};
+    result.emplace_back(low, high, &box);
+  }
+  return result;
+}
+
+}  // namespace
+
+void for_each_meeting(const std::vector<Box2>& first, const std::vector<Box2>& second,
+                      const std::function<void(std::uint32_t one, std::uint32_t two)>& visit) {
+  std::vector<Box> ones = boxes_of(first), twos = boxes_of(second);
+  CGAL::box_intersection_d(ones.begin(), ones.end(), twos.begin(), twos.end(),
+                           [&](const Box& one, const Box& two) { visit(one.handle()->number, two.handle()->number); });
+}
+
+}  // namespace hottel
