@@ -32,7 +32,7 @@ Scene2 scene_of(std::int64_t count, const std::function<Edge(std::int64_t)>& edg
     const auto [from, to] = edge(k);
     scene.groups.push_back("edge[" + std::to_string(k) + "]");
     Surface2& surface = scene.surfaces.emplace_back();
-    surface.name = scene.groups.back();
+    surface.name = scene.groups.back().name;
     surface.from = from;
     surface.to = to;
     surface.group = static_cast<std::uint32_t>(k);
@@ -66,7 +66,7 @@ void factors(benchmark::State& state, const std::string& kind) {
 void check(benchmark::State& state, const std::string& kind) {
   const Scene2 scene = crowd(kind, state.range(0));
   for (auto _ : state) {
-    benchmark::DoNotOptimize(find_contacts(scene).has_area.size());
+    benchmark::DoNotOptimize(find_contacts(scene).overlaps.size());
     benchmark::DoNotOptimize(find_near_misses(scene).size());
   }
   state.counters["ns_each"] =

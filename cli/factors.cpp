@@ -270,6 +270,8 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
     throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
 
   Scene2 scene = read_scene_2(options.scene);
+  if (options.memory > 0 && !is_exact(options))
+    throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
   if (options.tolerance)
     throw UsageError(
         "--tolerance is for scenes in space: in the plane every factor is correctly rounded, and those of "
@@ -371,7 +373,7 @@ void add_factors(Commands& commands) {
                                    ->type_name("[A B]");
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
-      ->check(whole_number());
+      ->transform(whole_number(1));
   command
       .add_option("--picture", options->picture,
                   "draw the scene (.png, .svg), faces coloured by their factor to --toward")

@@ -83,8 +83,9 @@ Scene2 scene(const std::string& kind, std::uint64_t n, std::uint64_t seed) {
   return generate_2(request);
 }
 
-// A room around the scene: of edges on a lattice all are inside, and everything is bounded.
+// A room around the scene: of edges on a lattice all are inside, and everything is bounded. CGAL knows no solids.
 Scene2 in_a_room(Scene2 scene) {
+  for (Group2& group : scene.groups) group.behind = Behind::kOpen;
   Rational low = scene.surfaces[0].from.x, high = low;
   for (const Surface2& s : scene.surfaces)
     for (const Rational* v : {&s.from.x, &s.from.y, &s.to.x, &s.to.y}) {

@@ -49,6 +49,9 @@ Everything everything(const Scene2& scene) {
                                    FaceRadiosity2(prepared.arrangement, labels, radiosity_by_element(solution),
                                                   sky_by_channel(scene.sky_emission, channels)))
                      .values;
+  // Nothing is seen in solids: NaN, which equals nothing.
+  std::replace_if(
+      result.light.begin(), result.light.end(), [](double value) { return std::isnan(value); }, -1.0);
   return result;
 }
 
