@@ -14,6 +14,7 @@
 #include "cli/scene_input.h"
 #include "geometry/exchange/exchange_2.h"
 #include "io/factor_files.h"
+#include "io/npy_sidecar.h"
 #include "io/scene_json.h"
 #include "kernel/failure.h"
 #include "kernel/stopwatch.h"
@@ -193,9 +194,9 @@ void require_sense(const FactorsOptions& options) {
     throw UsageError("--picture colours whole faces: it is drawn --per face, not --per " + options.per);
 }
 
-// Writes the factors to `out`, and for .mtx their faces to `faces`.
+// Writes the factors to `out`, and for .mtx and .npy what their rows are to `rows`.
 void write_factors(const FactorsOptions& options, const PreparedScene2& prepared, const FactorTable& table,
-                   Format format, OutputFile& out, std::optional<OutputFile>& faces) {
+                   Format format, OutputFile& out, std::optional<OutputFile>& rows) {
   const Sink sink = [&out](std::string_view text) { out.write(text); };
   if (options.wants_exact_form) {
     std::optional<LabelPair> only;
@@ -213,9 +214,10 @@ void write_factors(const FactorsOptions& options, const PreparedScene2& prepared
     write_factors_csv(table, sink);
   } else if (format == Format::kMtx) {
     write_factors_mtx(table, sink);
-    write_faces_csv(table, [&faces](std::string_view text) { faces->write(text); });
+    write_faces_csv(table, [&rows](std::string_view text) { rows->write(text); });
   } else if (format == Format::kNpy) {
     write_factors_npy(table, sink);
+    rows->write(factors_sidecar(table));
   } else if (format == Format::kView3dText) {
     write_factors_view3d_text(table, sink);
   } else {
@@ -286,9 +288,10 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   const PreparedScene2 prepared = prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
 
   // Opened before the work: a path that cannot be written is found at once.
-  std::optional<OutputFile> out, faces, drawing;
+  std::optional<OutputFile> out, rows, drawing;
   if (!options.json || !options.out.empty()) out.emplace(streams.output(options.out));
-  if (format == Format::kMtx) faces.emplace(options.out + ".faces.csv");
+  if (format == Format::kMtx) rows.emplace(options.out + ".faces.csv");
+  if (format == Format::kNpy) rows.emplace(options.out + ".json");
   if (picture) drawing.emplace(options.picture);
 
   ExchangeReport report;
@@ -301,13 +304,13 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = hidden_pairs(prepared, per, matrix);
   if (drawing)
     drawing->write(factor_picture(prepared, table.matrix, targets, gray ? "script-F" : "view factor", *picture));
-  if (out) naming_file(options.scene, [&] { write_factors(options, prepared, table, format, *out, faces); });
+  if (out) naming_file(options.scene, [&] { write_factors(options, prepared, table, format, *out, rows); });
 
   // All files are whole before the first one takes its name.
-  for (std::optional<OutputFile>* file : {&out, &faces, &drawing})
+  for (std::optional<OutputFile>* file : {&out, &rows, &drawing})
     if (*file) (*file)->finish();
   if (options.json) streams.write("", report_json(options, report, of_method, gray).dump(2) + "\n");
-  for (std::optional<OutputFile>* file : {&faces, &drawing, &out})
+  for (std::optional<OutputFile>* file : {&rows, &drawing, &out})
     if (*file) (*file)->commit();
   streams.note(report_text(options, report, of_method, gray));
   return ExitCode::kDone;

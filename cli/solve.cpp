@@ -12,6 +12,7 @@
 #include "io/check_report.h"
 #include "io/factor_files.h"
 #include "io/npy.h"
+#include "io/npy_sidecar.h"
 #include "io/output_folder.h"
 #include "io/radiosity_files.h"
 #include "io/scene_json.h"
@@ -170,8 +171,11 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
 
   const OutputFolder folder(directory);
   OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), json(directory / "report.json");
-  std::optional<OutputFile> npy, png;
-  if (wants_light) npy.emplace(directory / "illumination.npy");
+  std::optional<OutputFile> npy, sidecar, png;
+  if (wants_light) {
+    npy.emplace(directory / "illumination.npy");
+    sidecar.emplace(directory / "illumination.npy.json");
+  }
   if (wants_picture) png.emplace(directory / "illumination.png");
 
   ExchangeReport exchange;
@@ -237,6 +241,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   if (npy) {
     const std::size_t shape[3] = {grid.ny, grid.nx, light->grid.channels};
     write_npy(shape, light->grid.values, [&npy](std::string_view bytes) { npy->write(bytes); });
+    sidecar->write(illumination_sidecar(light->grid, solution.channel_names, options.illumination));
   }
   if (png) png->write(pixels);
   seconds["write"] = watch.lap();
@@ -252,8 +257,8 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   json.write(report_json(report));
   // All files are whole before the first one takes its name.
   std::vector<OutputFile*> files{&csv, &flux};
-  if (npy) files.push_back(&*npy);
-  if (png) files.push_back(&*png);
+  for (std::optional<OutputFile>* file : {&sidecar, &npy, &png})
+    if (*file) files.push_back(&**file);
   files.push_back(&json);
   for (OutputFile* file : files) file->finish();
   if (options.json) streams.write("", report_json(report));
@@ -261,8 +266,9 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   std::string text = report_text(report);
   if (matrix.elements().size() <= 2 * kFacesOnAScreen && prepared.scene.surfaces.size() <= kFacesOnAScreen)
     text += small_scene_text(matrix, solution);
-  streams.note(text + "\nin " + directory.string() + ": radiosity.csv flux.csv" + (npy ? " illumination.npy" : "") +
-               (png ? " illumination.png" : "") + " report.json");
+  streams.note(text + "\nin " + directory.string() + ": radiosity.csv flux.csv" +
+               (npy ? " illumination.npy illumination.npy.json" : "") + (png ? " illumination.png" : "") +
+               " report.json");
   return ExitCode::kDone;
 }
 

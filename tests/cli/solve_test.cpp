@@ -38,7 +38,7 @@ std::map<std::string, std::string> plan_of(const nlohmann::json& report) {
   return used;
 }
 
-TEST(Solve, WritesFiveFilesInAFolderNamedAfterTheScene) {
+TEST(Solve, WritesSixFilesInAFolderNamedAfterTheScene) {
   const Workplace place;
   place.write("room.json", square(R"({"reflectivity": "1/2"})"));
   const Outcome outcome = place.run("hottel solve room.json --grid 8x4");
@@ -50,7 +50,8 @@ TEST(Solve, WritesFiveFilesInAFolderNamedAfterTheScene) {
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(place.path("room-hottel")))
     names.insert(entry.path().filename().string());
-  EXPECT_THAT(names, ElementsAre("flux.csv", "illumination.npy", "illumination.png", "radiosity.csv", "report.json"));
+  EXPECT_THAT(names, ElementsAre("flux.csv", "illumination.npy", "illumination.npy.json", "illumination.png",
+                                 "radiosity.csv", "report.json"));
   const auto lines = lines_of(place.read("room-hottel/radiosity.csv"));
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_EQ(lines[0], "face,element,channel,area,emission,reflectivity,radiosity,lower,upper,irradiance,net");

@@ -45,7 +45,8 @@ TEST(WantedFiles, WithoutIlluminationThereAreNumbersOnly) {
   const Outcome outcome = place.run(solve + " --no-illumination");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* file : {"out/radiosity.csv", "out/flux.csv", "out/report.json"}) EXPECT_TRUE(exists(place, file));
-  for (const char* file : {"out/illumination.npy", "out/illumination.png"}) EXPECT_FALSE(exists(place, file)) << file;
+  for (const char* file : {"out/illumination.npy", "out/illumination.npy.json", "out/illumination.png"})
+    EXPECT_FALSE(exists(place, file)) << file;
   const auto report = nlohmann::json::parse(outcome.out);
   EXPECT_FALSE(report.at("seconds").contains("illumination"));
   for (const auto& effect : report.at("plan"))
