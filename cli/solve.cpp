@@ -253,6 +253,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
                            seconds,
                            picture_scale,
                            light ? light->max_error : std::nullopt,
+                           matrix.guarantee() == Guarantee::kEstimated ? Guarantee::kEstimated : Guarantee::kEnclosed,
                            finding_notes(lost_light)};
   json.write(report_json(report));
   // All files are whole before the first one takes its name.
