@@ -253,8 +253,9 @@ TEST(Solve, NotesAreInTheReportAndOnTheTerminal) {
         place.run("hottel solve " + kScenes + "analytic/square_radiosity.json -o out --grid 2x2 " + options);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const auto report = nlohmann::json::parse(place.read("out/report.json"));
-    ASSERT_EQ(report["notes"].size(), 1u) << options;
-    EXPECT_THAT(outcome.err, HasSubstr("note: " + report["notes"][0].get<std::string>() + "\n"));
+    ASSERT_GE(report["notes"].size(), 1u) << options;
+    for (const auto& note : report["notes"])
+      EXPECT_THAT(outcome.err, HasSubstr("note: " + note.get<std::string>() + "\n")) << options;
   }
 }
 
