@@ -46,6 +46,7 @@ void reverse_inside_out(Repair2& repair);
 //   (1) only where that is accepted, and makes all of the back's surroundings solid
 //   (2) no face with a material is covered wholly by all of it together, and none emits in what becomes solid
 //   (3) none where groups listed before have made all of it solid already
+//   (4) a region that (2) forbids is told of once (not-repaired)
 // REQUIRES a scene that is accepted, if there are any backs.
 void state_solids(Repair2& repair, const std::vector<std::uint32_t>& black_backs);
 

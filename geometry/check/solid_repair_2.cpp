@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "geometry/check/behind_remedies_2.h"
@@ -40,9 +41,19 @@ void state_solids(Repair2& repair, const std::vector<std::uint32_t>& black_backs
   const Cells2 cells(prepared.arrangement.triangulation(), prepared.arrangement.side_count());
   BehindRemedies2 remedies(prepared, cells);
   Cells solid;
+  std::set<const BehindRemedy2*> asked;  // regions that are left as they are
   for (const std::uint32_t s : black_backs) {
     const BehindRemedy2* remedy = remedies.of(s);
-    if (remedy == nullptr || remedy->emits || !remedy->swallows.empty()) continue;
+    if (remedy == nullptr) continue;
+    if (remedy->emits || !remedy->swallows.empty()) {
+      if (asked.insert(remedy).second)
+        repair.steps.push_back({"not-repaired", scene.surfaces[s].name,
+                                fmt::format("{} was not given \"behind\": \"solid\": {}",
+                                            quoted_name(scene.groups[scene.surfaces[s].group].name),
+                                            remedy->emits ? "something emits behind it, and that light would be lost"
+                                                          : "faces behind it would be covered wholly")});
+      continue;
+    }
     if (std::includes(solid.begin(), solid.end(), remedy->cells.begin(), remedy->cells.end())) continue;
     Cells together = united(solid, remedy->cells);
     const std::vector<std::uint32_t> faces = faces_around(prepared, cells, remedy->cells);
