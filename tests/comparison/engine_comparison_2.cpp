@@ -117,9 +117,11 @@ class Comparison {
     ++counts_.scenes;
     wrong_ = ownership_differs(prepared_, split_);
     demand(matrix_.size() == labelling_.count(), [&] { return fmt::format("{} labels", matrix_.size()); });
-    for (const auto& [pair, lengths] : measures_)
-      demand((pair.first == kCovered) == (pair.second == kCovered) || exact_sum(lengths).terms().empty(),
-             [&] { return fmt::format("{} sees {} and one is in a solid", pair.first, pair.second); });
+    for (const auto& measure : measures_) {
+      const auto& pair = measure.first;
+      demand((pair.first == kCovered) == (pair.second == kCovered) || exact_sum(measure.second).terms().empty(),
+             [&pair] { return fmt::format("{} sees {} and one is in a solid", pair.first, pair.second); });
+    }
     if (!wrong_.empty()) return wrong_;
     check_sums();
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
