@@ -22,7 +22,7 @@ bool are_entangled(const Vertices2& v, const Segment2& s, const Segment2& t) {
          (sa == 0 && v.is_between(t.a, t.b, s.a)) || (sb == 0 && v.is_between(t.a, t.b, s.b));
 }
 
-Box2 box_of(const Vertices2& vertices, const Segment2& segment, std::uint32_t number) {
+NumberedBox2 box_of(const Vertices2& vertices, const Segment2& segment, std::uint32_t number) {
   const auto &p = vertices.approximate(segment.a), &q = vertices.approximate(segment.b);
   const double error = vertices.approximation_error();
   return {{std::min(p.x, q.x) - error, std::min(p.y, q.y) - error},
@@ -132,7 +132,7 @@ std::vector<char> entangled_neighbours(const Vertices2& vertices, const std::vec
 
 std::vector<char> find_entangled(const Vertices2& vertices, const std::vector<Segment2>& segments) {
   std::vector<char> entangled = entangled_neighbours(vertices, segments);
-  std::vector<Box2> known, others;
+  std::vector<NumberedBox2> known, others;
   for (std::uint32_t s = 0; s < segments.size(); ++s)
     (entangled[s] ? known : others).push_back(box_of(vertices, segments[s], s));
   if (known.empty()) return entangled;

@@ -62,7 +62,7 @@ std::vector<std::vector<std::uint32_t>> segments_near_vertices(const Vertices2& 
                                                                const std::vector<Segment2>& segments,
                                                                const std::vector<double>& reach) {
   const double error = vertices.approximation_error();
-  std::vector<Box2> around, boxes;
+  std::vector<NumberedBox2> around, boxes;
   for (VertexId v = 0; v < vertices.size(); ++v) {
     const auto& p = vertices.approximate(v);
     const double r = 1.01 * reach[v] + 2 * error;

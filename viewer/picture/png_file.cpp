@@ -70,9 +70,10 @@ std::string png_file(const std::uint32_t* pixels, std::uint32_t width, std::uint
     for (std::size_t y = first; y < last; ++y) {
       rows += static_cast<char>(kUp);
       const std::uint32_t* row = pixels + y * stride;
+      const std::uint32_t* above = y == 0 ? nullptr : row - stride;
       for (std::uint32_t x = 0; x < width; ++x)
         for (const int shift : {16, 8, 0})
-          rows += static_cast<char>((row[x] >> shift) - (y == 0 ? 0 : (row[x - stride] >> shift)));
+          rows += static_cast<char>((row[x] >> shift) - (above == nullptr ? 0 : above[x] >> shift));
     }
     strips[k] = pack(rows, k + 1 == strips.size());
   });
