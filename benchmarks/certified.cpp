@@ -13,11 +13,11 @@
 #include <cmath>
 
 #include "benchmarks/clutter.h"
-#include "geometry/exchange/exchange_2.h"
-#include "geometry/exchange/gap_terms_2.h"
-#include "geometry/exchange/pair_table.h"
-#include "geometry/exchange/term_sums_2.h"
-#include "kernel/parallel.h"
+#include "geometry/pair_table.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/exchange/gap_terms.h"
+#include "geometry/plane/exchange/term_sums.h"
+#include "kernel/support/parallel.h"
 
 namespace hottel::benchmarks {
 namespace {

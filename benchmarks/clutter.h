@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "geometry/scene/generators_2.h"
+#include "geometry/plane/generate/generators.h"
 
 namespace hottel::benchmarks {
 

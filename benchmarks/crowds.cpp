@@ -12,12 +12,12 @@
 #include <numbers>
 #include <string>
 
-#include "geometry/check/contacts_2.h"
-#include "geometry/check/near_misses_2.h"
-#include "geometry/exchange/exchange_2.h"
-#include "io/scene_json.h"
-#include "solver/illumination/illumination_grid_2.h"
-#include "viewer/picture/light_pixels_2.h"
+#include "geometry/plane/check/contacts.h"
+#include "geometry/plane/check/near_misses.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "io/scene/scene_json.h"
+#include "solver/plane/light/illumination_grid.h"
+#include "viewer/picture/plane/light_pixels.h"
 
 namespace hottel::benchmarks {
 namespace {

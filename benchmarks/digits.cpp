@@ -1,5 +1,5 @@
 // What long coordinates cost: the same clutter with as few digits as it needs, with 17 digits, and turned and scaled by
-// 90-bit numbers so that the vertices need the large form of kernel/vertices_2.h.
+// 90-bit numbers so that the vertices need the large form of geometry/plane/predicates/vertices.h.
 //
 // Each iteration computes the factors of both scenes on one thread. The time reported is that of the scene with long
 // coordinates; `ratio` is that time over the time of the scene with short ones, `ratio_exchange` the same without the
@@ -7,8 +7,8 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/clutter.h"
-#include "geometry/exchange/exchange_2.h"
-#include "kernel/parallel.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "kernel/support/parallel.h"
 
 namespace hottel::benchmarks {
 namespace {

@@ -10,10 +10,10 @@
 #include <map>
 
 #include "benchmarks/clutter.h"
-#include "geometry/exchange/exchange_2.h"
-#include "io/scene_json.h"
-#include "kernel/stopwatch.h"
-#include "solver/system/radiosity.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/stopwatch.h"
+#include "solver/radiosity/radiosity.h"
 
 namespace hottel::benchmarks {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "benchmarks/clutter.h"
 #include "benchmarks/peak_memory.h"
-#include "geometry/exchange/exchange_2.h"
-#include "kernel/parallel.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "kernel/support/parallel.h"
 
 namespace hottel::benchmarks {
 namespace {

@@ -11,10 +11,10 @@
 #include <string>
 
 #include "benchmarks/clutter.h"
-#include "io/scene_json.h"
-#include "kernel/parallel.h"
-#include "solver/illumination/average_illumination_2.h"
-#include "solver/illumination/cell_views_2.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/parallel.h"
+#include "solver/plane/light/average_illumination.h"
+#include "solver/plane/light/cell_views.h"
 
 namespace hottel::benchmarks {
 namespace {

@@ -29,9 +29,9 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/exchange/exchange_2.h"
-#include "geometry/visibility/point_location_2.h"
-#include "geometry/visibility/visibility_polygon_2.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/visibility/point_location.h"
+#include "geometry/plane/visibility/visibility_polygon.h"
 
 namespace hottel::benchmarks {
 namespace {

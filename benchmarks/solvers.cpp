@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "benchmarks/clutter.h"
-#include "geometry/exchange/exchange_2.h"
-#include "solver/system/radiosity.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "solver/radiosity/radiosity.h"
 
 namespace hottel::benchmarks {
 namespace {

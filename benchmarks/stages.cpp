@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "benchmarks/clutter.h"
-#include "io/scene_json.h"
+#include "io/scene/scene_json.h"
 
 namespace hottel::benchmarks {
 namespace {

@@ -4,10 +4,10 @@
 #include "cli/command.h"
 #include "cli/memory.h"
 #include "cli/scene_input.h"
-#include "io/check_report.h"
-#include "io/scene_json.h"
-#include "kernel/failure.h"
-#include "solver/check/scene_check_2.h"
+#include "io/results/check_report.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
+#include "solver/plane/check/scene_check.h"
 
 namespace hottel {
 namespace {

@@ -10,10 +10,10 @@
 
 #include "cli/signals.h"
 #include "cli/unknown_name.h"
-#include "io/near_names.h"
-#include "kernel/failure.h"
-#include "kernel/interrupt.h"
-#include "kernel/parallel.h"
+#include "geometry/near_names.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/interrupt.h"
+#include "kernel/support/parallel.h"
 #include "kernel/version.h"
 
 namespace hottel {

@@ -5,9 +5,9 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
-#include "io/scene_json.h"
-#include "io/svg_reader.h"
-#include "kernel/failure.h"
+#include "io/scene/scene_json.h"
+#include "io/scene/svg_reader.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

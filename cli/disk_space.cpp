@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 

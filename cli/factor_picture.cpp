@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cli/scene_input.h"
-#include "viewer/picture/scene_picture_2.h"
+#include "viewer/picture/plane/scene_picture.h"
 
 namespace hottel {
 namespace {

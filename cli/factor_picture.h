@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/exchange/exchange_2.h"
+#include "geometry/plane/exchange/exchange.h"
 #include "viewer/picture/cairo_canvas.h"
 
 namespace hottel {

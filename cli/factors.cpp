@@ -12,14 +12,14 @@
 #include "cli/memory.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
-#include "geometry/exchange/exchange_2.h"
-#include "io/factor_files.h"
-#include "io/npy_sidecar.h"
-#include "io/scene_json.h"
-#include "kernel/failure.h"
-#include "kernel/stopwatch.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "io/results/factor_files.h"
+#include "io/results/npy_sidecar.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/stopwatch.h"
 #include "kernel/version.h"
-#include "solver/system/gray_exchange.h"
+#include "solver/radiosity/gray_exchange.h"
 
 namespace hottel {
 namespace {

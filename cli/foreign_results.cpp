@@ -4,11 +4,11 @@
 #include <iterator>
 #include <limits>
 
-#include "io/foreign_radiosity.h"
-#include "kernel/failure.h"
+#include "io/foreign/foreign_radiosity.h"
+#include "kernel/support/failure.h"
 #include "solver/compare/radiosity_verdict.h"
 #include "solver/compare/verdict.h"
-#include "solver/methods/method_catalogue_2.h"
+#include "solver/plane/methods/method_catalogue.h"
 
 namespace hottel {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "cli/command.h"
 #include "cli/unknown_name.h"
-#include "geometry/scene/generators_2.h"
-#include "io/scene_json.h"
-#include "kernel/failure.h"
+#include "geometry/plane/generate/generators.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "cli/unknown_name.h"
-#include "io/foreign_matrix.h"
-#include "kernel/failure.h"
-#include "kernel/stopwatch.h"
-#include "solver/methods/coarsened.h"
+#include "io/foreign/foreign_matrix.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/stopwatch.h"
+#include "solver/plane/methods/coarsened.h"
 
 namespace hottel {
 namespace {

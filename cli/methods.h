@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/methods/method_catalogue_2.h"
+#include "solver/plane/methods/method_catalogue.h"
 
 namespace hottel {
 

@@ -1,8 +1,8 @@
 // hottel plan: what solve would simulate of a scene, and what not.
 #include "cli/command.h"
 #include "cli/scene_input.h"
-#include "io/radiosity_files.h"
-#include "io/scene_json.h"
+#include "io/results/radiosity_files.h"
+#include "io/scene/scene_json.h"
 
 namespace hottel {
 namespace {

@@ -9,15 +9,15 @@
 #include "cli/memory.h"
 #include "cli/scene_input.h"
 #include "cli/sha256.h"
-#include "io/factor_files.h"
-#include "io/output_folder.h"
-#include "io/radiosity_files.h"
-#include "io/scene_json.h"
-#include "io/text_file.h"
-#include "kernel/failure.h"
+#include "io/files/output_folder.h"
+#include "io/files/text_file.h"
+#include "io/results/factor_files.h"
+#include "io/results/radiosity_files.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
 #include "kernel/version.h"
-#include "solver/system/matrix_checks.h"
-#include "solver/system/radiosity.h"
+#include "solver/radiosity/matrix_checks.h"
+#include "solver/radiosity/radiosity.h"
 
 namespace hottel {
 namespace {

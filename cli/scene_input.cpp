@@ -6,9 +6,9 @@
 
 #include "cli/command.h"
 #include "cli/unknown_name.h"
-#include "io/scene_json.h"
-#include "kernel/failure.h"
-#include "solver/illumination/illumination_grid_2.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
+#include "solver/plane/light/illumination_grid.h"
 
 namespace hottel {
 namespace {

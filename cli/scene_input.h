@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/exchange/exchange_2.h"
-#include "kernel/failure.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 

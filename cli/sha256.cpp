@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 

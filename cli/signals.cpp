@@ -4,9 +4,9 @@
 
 #include <csignal>
 
-#include "io/foreign_command.h"
-#include "io/pending_removal.h"
-#include "kernel/interrupt.h"
+#include "io/files/pending_removal.h"
+#include "io/foreign/foreign_command.h"
+#include "kernel/support/interrupt.h"
 
 namespace hottel {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "geometry/scene/name.h"
-#include "kernel/interrupt.h"
+#include "geometry/name.h"
+#include "kernel/support/interrupt.h"
 
 namespace hottel {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "cli/progress.h"
-#include "io/output_file.h"
+#include "io/files/output_file.h"
 
 namespace hottel {
 

@@ -1,6 +1,6 @@
 #include "cli/unknown_name.h"
 
-#include "io/near_names.h"
+#include "geometry/near_names.h"
 
 namespace hottel {
 

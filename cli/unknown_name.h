@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 

@@ -7,15 +7,15 @@
 #include "cli/command.h"
 #include "cli/scene_input.h"
 #include "cli/visibility_answer.h"
-#include "geometry/check/face_cover_2.h"
-#include "geometry/exchange/pair_rounding_2.h"
-#include "geometry/scene/name.h"
-#include "geometry/visibility/critical_points_2.h"
-#include "geometry/visibility/visibility_polygon_2.h"
-#include "io/scene_json.h"
+#include "geometry/name.h"
+#include "geometry/plane/check/face_cover.h"
+#include "geometry/plane/exchange/pair_rounding.h"
+#include "geometry/plane/visibility/critical_points.h"
+#include "geometry/plane/visibility/visibility_polygon.h"
+#include "io/scene/scene_json.h"
 #include "kernel/decimal.h"
-#include "kernel/failure.h"
-#include "viewer/picture/visibility_picture_2.h"
+#include "kernel/support/failure.h"
+#include "viewer/picture/plane/visibility_picture.h"
 
 namespace hottel {
 namespace {

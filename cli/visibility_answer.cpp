@@ -7,13 +7,13 @@
 #include <map>
 #include <utility>
 
-#include "geometry/scene/name.h"
+#include "geometry/name.h"
 #include "kernel/decimal.h"
-#include "kernel/failure.h"
-#include "solver/illumination/mean_irradiance_2.h"
-#include "solver/system/matrix_checks.h"
-#include "solver/system/radiosity.h"
-#include "viewer/picture/visibility_picture_2.h"
+#include "kernel/support/failure.h"
+#include "solver/plane/light/mean_irradiance.h"
+#include "solver/radiosity/matrix_checks.h"
+#include "solver/radiosity/radiosity.h"
+#include "viewer/picture/plane/visibility_picture.h"
 
 namespace hottel {
 

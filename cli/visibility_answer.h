@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "geometry/exchange/exchange_2.h"
-#include "geometry/visibility/visibility_polygon_2.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/visibility/visibility_polygon.h"
 #include "kernel/rounding.h"
 #include "viewer/picture/cairo_canvas.h"
 

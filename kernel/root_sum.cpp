@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "kernel/ball.h"
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "kernel/ball.h"
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

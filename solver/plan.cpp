@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/scene/scene_2.h"
+#include "geometry/plane/scene/scene.h"
 
 namespace hottel {
 

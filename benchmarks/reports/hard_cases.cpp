@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "io/output_file.h"
-#include "io/scene_json.h"
-#include "kernel/failure.h"
-#include "solver/methods/method_catalogue_2.h"
-#include "solver/system/radiosity.h"
+#include "io/files/output_file.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
+#include "solver/plane/methods/method_catalogue.h"
+#include "solver/radiosity/radiosity.h"
 #include "viewer/picture/log_plot.h"
 
 namespace hottel {
@@ -274,7 +274,7 @@ constexpr const char* kIntroduction = R"(# Hard cases
 
 What happens when geometry comes near to degeneracy? Each case below has a parameter that drives it there, over sixty
 orders of magnitude, and a closed form that is evaluated with 1024 bits. The curves are the relative error of one view
-factor: by the exact method, and by the methods that most codes use ([what they are](../solver/methods)). An error of 1
+factor: by the exact method, and by the methods that most codes use ([what they are](../solver/plane/methods)). An error of 1
 means that the factor came out as 0, or as twice its value: nothing of it was found; larger errors are drawn at 1000. The
 exact method stays below 1.2e-16, half an ulp: it prints the double nearest to the true number.
 

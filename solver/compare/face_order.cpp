@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "geometry/scene/name.h"
+#include "geometry/name.h"
 #include "solver/compare/readings.h"
 
 namespace hottel {

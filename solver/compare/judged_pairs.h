@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/exchange/exchange_matrix.h"
-#include "solver/methods/written_factors.h"
+#include "geometry/exchange_matrix.h"
+#include "solver/compare/written_factors.h"
 
 namespace hottel {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/failure.h"
-#include "solver/system/matrix_checks.h"
+#include "kernel/support/failure.h"
+#include "solver/radiosity/matrix_checks.h"
 
 namespace hottel {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/exchange/exchange_matrix.h"
+#include "geometry/exchange_matrix.h"
 
 namespace hottel {
 

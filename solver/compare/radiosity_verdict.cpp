@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "geometry/scene/name.h"
+#include "geometry/name.h"
 #include "solver/compare/named_factors.h"
 
 namespace hottel {

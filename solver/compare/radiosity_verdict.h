@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/methods/written_factors.h"
-#include "solver/system/radiosity.h"
+#include "solver/compare/written_factors.h"
+#include "solver/radiosity/radiosity.h"
 
 namespace hottel {
 

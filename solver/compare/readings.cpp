@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/scene/name.h"
+#include "geometry/name.h"
 #include "solver/compare/named_factors.h"
 
 namespace hottel {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/exchange/exchange_2.h"
+#include "geometry/plane/exchange/exchange.h"
 #include "solver/compare/verdict.h"
 
 namespace hottel {

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <vector>
 
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

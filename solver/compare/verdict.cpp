@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "geometry/scene/name.h"
+#include "geometry/name.h"
 #include "solver/compare/readings.h"
 
 namespace hottel {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "geometry/exchange/exchange_2.h"
+#include "geometry/plane/exchange/exchange.h"
 #include "solver/compare/judged_pairs.h"
-#include "solver/methods/written_factors.h"
+#include "solver/compare/written_factors.h"
 
 namespace hottel {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

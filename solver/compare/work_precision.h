@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/compare/method_comparison_2.h"
+#include "solver/plane/compare/method_comparison.h"
 
 namespace hottel {
 

@@ -13,9 +13,9 @@
 #include <variant>
 #include <vector>
 
-#include "geometry/arrangement/arrangement_2.h"
-#include "geometry/scene/generators_2.h"
-#include "geometry/visibility/visibility_polygon_2.h"
+#include "geometry/plane/arrangement/arrangement.h"
+#include "geometry/plane/generate/generators.h"
+#include "geometry/plane/visibility/visibility_polygon.h"
 
 namespace hottel {
 namespace {

@@ -9,13 +9,13 @@
 #include <map>
 #include <vector>
 
-#include "geometry/exchange/exchange_2.h"
-#include "io/scene_json.h"
-#include "kernel/failure.h"
-#include "solver/illumination/illumination_grid_2.h"
-#include "solver/system/radiosity.h"
-#include "tests/oracle/brute_force_2.h"
-#include "tests/oracle/split_2.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
+#include "solver/plane/light/illumination_grid.h"
+#include "solver/radiosity/radiosity.h"
+#include "tests/oracle/plane/brute_force.h"
+#include "tests/oracle/plane/split.h"
 
 namespace hottel {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "io/foreign_file.h"
-#include "kernel/failure.h"
+#include "io/foreign/foreign_file.h"
+#include "kernel/support/failure.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "io/scene_json.h"
-#include "kernel/failure.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "io/svg_reader.h"
-#include "kernel/failure.h"
+#include "io/scene/svg_reader.h"
+#include "kernel/support/failure.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

@@ -1,12 +1,12 @@
 // What an exchange matrix refuses to hold.
-#include "geometry/exchange/exchange_matrix.h"
+#include "geometry/exchange_matrix.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <string>
 
-#include "io/scene_json.h"
-#include "io/svg_reader.h"
-#include "kernel/failure.h"
+#include "io/scene/scene_json.h"
+#include "io/scene/svg_reader.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

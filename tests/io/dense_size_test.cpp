@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "io/factor_files.h"
-#include "io/scene_json.h"
+#include "io/results/factor_files.h"
+#include "io/scene/scene_json.h"
 
 namespace hottel {
 namespace {

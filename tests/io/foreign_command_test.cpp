@@ -1,5 +1,5 @@
 // Commands that compute view factors, run and timed.
-#include "io/foreign_command.h"
+#include "io/foreign/foreign_command.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

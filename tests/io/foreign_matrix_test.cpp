@@ -1,5 +1,5 @@
 // What other programs write, read back: every format, every layout, and what is wrong with it.
-#include "io/foreign_matrix.h"
+#include "io/foreign/foreign_matrix.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@
 #include <functional>
 #include <random>
 
-#include "geometry/scene/generators_2.h"
-#include "io/factor_files.h"
-#include "io/npy.h"
-#include "kernel/failure.h"
+#include "geometry/plane/generate/generators.h"
+#include "io/results/factor_files.h"
+#include "io/results/npy.h"
+#include "kernel/support/failure.h"
 #include "tests/io/foreign_room.h"
 
 namespace hottel {

@@ -9,11 +9,11 @@
 #include <string>
 #include <string_view>
 
-#include "io/foreign_command.h"
-#include "io/foreign_matrix.h"
-#include "io/output_file.h"
-#include "io/scene_json.h"
-#include "kernel/failure.h"
+#include "io/files/output_file.h"
+#include "io/foreign/foreign_command.h"
+#include "io/foreign/foreign_matrix.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 

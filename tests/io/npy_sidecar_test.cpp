@@ -1,10 +1,10 @@
-#include "io/npy_sidecar.h"
+#include "io/results/npy_sidecar.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "tests/solver/lit_scenes.h"
+#include "tests/solver/plane/lit_scenes.h"
 
 namespace hottel {
 namespace {

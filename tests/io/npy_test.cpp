@@ -1,11 +1,11 @@
-#include "io/npy.h"
+#include "io/results/npy.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <vector>
 
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

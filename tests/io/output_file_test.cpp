@@ -1,4 +1,4 @@
-#include "io/output_file.h"
+#include "io/files/output_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "io/text_file.h"
-#include "kernel/interrupt.h"
+#include "io/files/text_file.h"
+#include "kernel/support/interrupt.h"
 
 namespace hottel {
 namespace {

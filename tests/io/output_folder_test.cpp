@@ -1,4 +1,4 @@
-#include "io/output_folder.h"
+#include "io/files/output_folder.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <optional>
 
-#include "io/output_file.h"
+#include "io/files/output_file.h"
 
 namespace hottel {
 namespace {

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "io/scene_json.h"
+#include "io/scene/scene_json.h"
 
 namespace hottel {
 namespace {

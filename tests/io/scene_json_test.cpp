@@ -1,4 +1,4 @@
-#include "io/scene_json.h"
+#include "io/scene/scene_json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
-#include "io/svg_reader.h"
+#include "io/scene/svg_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/scene_json.h"
-#include "io/svg_geometry.h"
-#include "kernel/failure.h"
+#include "io/scene/scene_json.h"
+#include "io/scene/svg_geometry.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

@@ -1,4 +1,4 @@
-#include "kernel/parallel.h"
+#include "kernel/support/parallel.h"
 
 #include <gtest/gtest.h>
 

@@ -96,7 +96,8 @@ TEST(Layers, TheOracleKnowsNothingOfTheKernel) {
   // The brute force is a second opinion: it may share plain structs and nothing that computes.
   const fs::path folder = fs::path(HOTTEL_SOURCE_DIR) / "tests/oracle";
   if (!fs::exists(folder)) return;
-  for (const auto& entry : fs::directory_iterator(folder)) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
     if (entry.path().filename().string().find("_test") != std::string::npos) continue;
     std::ifstream text(entry.path());
     for (const Include& include : includes(text)) {

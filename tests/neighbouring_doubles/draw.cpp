@@ -5,7 +5,7 @@
 #include <exception>
 #include <functional>
 
-#include "io/output_file.h"
+#include "io/files/output_file.h"
 #include "tests/neighbouring_doubles/grid.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"

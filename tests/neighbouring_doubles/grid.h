@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/vertices_2.h"
+#include "geometry/plane/predicates/vertices.h"
 
 namespace hottel::neighbouring_doubles {
 

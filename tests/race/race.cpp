@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "kernel/parallel.h"
+#include "kernel/support/parallel.h"
 
 int main() {
   using Clock = std::chrono::steady_clock;

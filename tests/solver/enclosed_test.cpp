@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "solver/system/scaled_enclosed.h"
+#include "solver/radiosity/scaled_enclosed.h"
 
 namespace hottel {
 namespace {

@@ -10,11 +10,11 @@
 #include <numeric>
 #include <thread>
 
-#include "io/scene_json.h"
-#include "kernel/parallel.h"
-#include "tests/comparison/engine_comparison_2.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/parallel.h"
+#include "tests/comparison/plane/engine_comparison.h"
 #include "tests/storm/crash_notice.h"
-#include "tests/storm/shrink.h"
+#include "tests/storm/plane/shrink.h"
 
 namespace hottel::storm {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/storm/contacts.h"
-#include "tests/storm/laws.h"
+#include "tests/storm/plane/contacts.h"
+#include "tests/storm/plane/laws.h"
 
 namespace hottel::storm {
 

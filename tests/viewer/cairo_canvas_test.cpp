@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

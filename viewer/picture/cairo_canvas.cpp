@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernel/failure.h"
-#include "kernel/parallel.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
 #include "viewer/picture/png_file.h"
 
 namespace hottel {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 #include "viewer/picture/palette.h"
 
 namespace hottel {

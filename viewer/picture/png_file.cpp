@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/failure.h"
-#include "kernel/parallel.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
 
 namespace hottel {
 namespace {

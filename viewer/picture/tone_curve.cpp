@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "kernel/failure.h"
+#include "kernel/support/failure.h"
 #include "viewer/picture/colour_map.h"
 
 namespace hottel {

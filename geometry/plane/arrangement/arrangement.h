@@ -1,0 +1,80 @@
+// The scene as pieces that meet in end points only, each side with its owner.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/plane/arrangement/claims.h"
+#include "geometry/plane/arrangement/overlay.h"
+#include "geometry/plane/arrangement/solids.h"
+#include "geometry/plane/arrangement/triangulation.h"
+#include "geometry/plane/scene/scene.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+
+// How many equal parts each surface is cut into.
+using Division = std::vector<std::uint32_t>;
+
+// What becomes of two claims for different materials on one side.
+enum class Conflicts : bool { kRefused, kFirstWins };
+
+// The scene after overlay: every piece side looks into a solid or belongs to exactly one side of one surface.
+//
+//   (1) each side of a piece takes the claims made on it: a front claims for its material, a back only when it has
+//       one; no claim: the black back of the first listed surface there; one: that face; several with equal material:
+//       the first listed surface
+//   (2) pieces, vertices and owners do not depend on how the pieces were found
+//   (3) sides that look into a solid are covered: they belong to no face and stay opaque. Where a face with a material
+//       looks into a solid and lies on a front of it, that front makes no claim: the other side is of what lies on it
+class Arrangement2 {
+ public:
+  // Throws InputError naming both surfaces, the side and the piece when claims with different materials meet and are
+  // refused, and for a "behind" that cannot be obeyed (Solids2).
+  Arrangement2(const Scene2& scene, const Division& division, Conflicts conflicts = Conflicts::kRefused);
+
+  const Vertices2& vertices() const { return overlay_.vertices; }
+  const std::vector<Segment2>& pieces() const { return overlay_.pieces; }
+  const Triangulation2& triangulation() const { return triangulation_; }
+  const Solids2& solids() const { return solids_; }
+  bool is_covered(PieceSideId side) const { return solids_.is_covered(side); }
+  // REQUIRES that the side is not covered.
+  const FacePart& owner(PieceSideId side) const {
+    HOTTEL_REQUIRE(!is_covered(side));
+    return owner_[static_cast<std::size_t>(side)];
+  }
+  // Who gets a side that is not covered, and who else claims it.
+  SideOwner2 claims(const Scene2& scene, PieceSideId side) const;
+  std::size_t side_count() const { return owner_.size(); }
+
+  // The vertices where an undivided surface begins and ends; of a divided one, where its first part does. REQUIRES that
+  // no surface listed before it is divided.
+  const Segment2& segment(std::size_t surface) const { return segments_[surface]; }
+  // Input segments that cover a piece, in the order of the scene.
+  std::vector<PieceSource2> sources(std::size_t piece) const;
+
+  // What "behind": "solid" would make solid, by group (geometry/plane/arrangement/solids.h). REQUIRES the scene and the
+  // cells of this arrangement.
+  std::vector<std::vector<std::uint32_t>> regions_behind(const Scene2& scene, const Cells2& cells) const;
+
+  // The arrangement of some pieces (ascending numbers), which keep their order: the others taken away, nothing given
+  // back. Owners are as they were, what was covered stays so, and sources are not known. COST: that of a triangulation
+  // of these pieces.
+  Arrangement2 restricted_to(const std::vector<std::uint32_t>& pieces) const;
+
+ private:
+  Arrangement2() = default;
+  void find_solids(const Scene2& scene);
+  void assign_owners(const Scene2& scene, Conflicts conflicts);
+  SideOwner2 claims(const Scene2& scene, PieceSideId side, const std::vector<PieceSource2>& covering) const;
+  [[noreturn]] void refuse_conflict(const Scene2& scene, PieceSideId side, const SideOwner2& claims) const;
+
+  Overlay2 overlay_;
+  std::vector<Segment2> segments_;      // input of the overlay
+  std::vector<FacePart> segment_part_;  // surface and part of each
+  std::vector<FacePart> owner_;         // by piece side
+  Solids2 solids_;
+  Triangulation2 triangulation_;
+};
+
+}  // namespace hottel

@@ -1,0 +1,44 @@
+#include "geometry/plane/arrangement/claims.h"
+
+#include <algorithm>
+
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+// What a surface claims of the right (left) side of a piece that it lies on.
+Claim2 claim_of(const Scene2& scene, const PieceSource2& source, bool right) {
+  const Surface2& surface = scene.surfaces[source.surface];
+  const bool is_back = source.is_reversed == right;  // the front is the right side of the surface
+  const Material* material = !is_back       ? &scene.materials[surface.material]
+                             : surface.back ? &scene.materials[*surface.back]
+                                            : nullptr;
+  return {{source.surface, source.part, is_back}, material};
+}
+
+}  // namespace
+
+SideOwner2 owner_of_side(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right,
+                         const SilentGroups& is_silent) {
+  std::optional<SideOwner2> side;
+  for (const PieceSource2& source : covering) {
+    const Claim2 claim = claim_of(scene, source, right);
+    if (is_silent && !claim.face.is_back && is_silent(scene.surfaces[source.surface].group)) continue;
+    if (!side)
+      side = {claim, std::nullopt};
+    else if (claim.material != nullptr && side->owner.material == nullptr)
+      side->owner = claim;
+    else if (claim.material != nullptr && !side->rival && !(*claim.material == *side->owner.material))
+      side->rival = claim;
+  }
+  HOTTEL_REQUIRE(side.has_value());
+  return *side;
+}
+
+bool has_material_on(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right) {
+  return std::any_of(covering.begin(), covering.end(),
+                     [&](const PieceSource2& source) { return claim_of(scene, source, right).material != nullptr; });
+}
+
+}  // namespace hottel

@@ -1,0 +1,50 @@
+// What the surfaces on a piece claim of its two sides, and who gets them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "geometry/plane/scene/scene.h"
+
+namespace hottel {
+
+// One side of a surface, or one part of a side that carries elements.
+struct FacePart {
+  std::uint32_t surface = 0;
+  std::uint32_t part = 0;  // 0 .. parts - 1, from the surface's first to its second point
+  bool is_back = false;
+  friend bool operator==(const FacePart&, const FacePart&) = default;
+};
+
+// An input segment (part of a surface) that covers a piece.
+struct PieceSource2 {
+  std::uint32_t surface = 0, part = 0;
+  bool is_reversed = false;  // the surface runs against the piece
+};
+
+// A face that lies on one side of a piece. Without a material it is an opaque black back, which claims nothing.
+struct Claim2 {
+  FacePart face;
+  const Material* material = nullptr;
+};
+
+// Who has one side of a piece.
+struct SideOwner2 {
+  Claim2 owner;
+  std::optional<Claim2> rival;  // the first claim for another material: then the scene is refused
+};
+
+// Groups whose fronts on a side make no claim there.
+using SilentGroups = std::function<bool(std::uint32_t group)>;
+
+// Returns the owner of the right (left) side of a piece: the first face there that claims it, the first black back
+// when none does. REQUIRES: `covering` is not empty, not silent altogether, and in the order of the scene.
+SideOwner2 owner_of_side(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right,
+                         const SilentGroups& is_silent = {});
+
+// Returns whether a face with a material is on the right (left) side of a piece.
+bool has_material_on(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right);
+
+}  // namespace hottel

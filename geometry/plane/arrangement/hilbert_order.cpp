@@ -1,0 +1,63 @@
+#include "geometry/plane/arrangement/hilbert_order.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hottel {
+namespace {
+
+constexpr int kLevels = 16;
+
+// Position of cell (x, y) of a 2^16 x 2^16 grid along the Hilbert curve.
+std::uint64_t hilbert_position(std::uint32_t x, std::uint32_t y) {
+  std::uint64_t position = 0;
+  for (std::uint32_t s = 1u << (kLevels - 1); s > 0; s >>= 1) {
+    const std::uint32_t rx = (x & s) != 0, ry = (y & s) != 0;
+    position = 4 * position + ((3 * rx) ^ ry);
+    if (ry == 0) {
+      if (rx == 1) {
+        x = ~x;
+        y = ~y;
+      }
+      std::swap(x, y);
+    }
+  }
+  return position;
+}
+
+}  // namespace
+
+std::vector<std::size_t> hilbert_order(const std::vector<Vertices2::Approximate>& points) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (points.empty()) return order;
+  double x0 = points[0].x, x1 = x0, y0 = points[0].y, y1 = y0;
+  for (const auto& p : points) {
+    x0 = std::min(x0, p.x);
+    x1 = std::max(x1, p.x);
+    y0 = std::min(y0, p.y);
+    y1 = std::max(y1, p.y);
+  }
+  const double extent = std::max(x1 - x0, y1 - y0);
+  const double cells = extent > 1e-300 && extent < 1e300 ? ((1 << kLevels) - 1) / extent : 0;
+  std::vector<std::uint64_t> position(points.size());
+  const auto cell = [cells](double distance) {
+    const double scaled = distance * cells;
+    return scaled > 0 ? static_cast<std::uint32_t>(scaled) : 0u;  // also where coordinates exceed the double range
+  };
+  for (std::size_t i = 0; i < points.size(); ++i)
+    position[i] = hilbert_position(cell(points[i].x - x0), cell(points[i].y - y0));
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return position[i] != position[j] ? position[i] < position[j] : i < j;
+  });
+  return order;
+}
+
+std::vector<VertexId> hilbert_order(const Vertices2& vertices) {
+  std::vector<Vertices2::Approximate> points(vertices.size());
+  for (VertexId i = 0; i < vertices.size(); ++i) points[i] = vertices.approximate(i);
+  const std::vector<std::size_t> order = hilbert_order(points);
+  return {order.begin(), order.end()};
+}
+
+}  // namespace hottel

@@ -1,0 +1,51 @@
+// Exact points, each once.
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/plane/predicates/vertices.h"
+
+namespace hottel {
+
+struct ExactPointHash {
+  std::size_t operator()(const ExactPoint2& p) const {
+    std::size_t hash = 0x9e3779b97f4a7c15ull;
+    const auto mix = [&hash](mpz_srcptr z) {
+      hash = (hash ^ static_cast<std::size_t>(mpz_sgn(z) + 1)) * 0xff51afd7ed558ccdull;
+      const std::size_t limbs = mpz_size(z);
+      for (std::size_t k = 0; k < limbs; ++k) {
+        hash = (hash ^ mpz_getlimbn(z, static_cast<mp_size_t>(k))) * 0xff51afd7ed558ccdull;
+        hash ^= hash >> 32;
+      }
+    };
+    mix(p.x.get_num_mpz_t());
+    mix(p.x.get_den_mpz_t());
+    mix(p.y.get_num_mpz_t());
+    mix(p.y.get_den_mpz_t());
+    return hash;
+  }
+};
+
+// Gives every distinct point a number, in the order of first insertion.
+class PointIndex2 {
+ public:
+  PointIndex2() = default;
+  explicit PointIndex2(const std::vector<ExactPoint2>& points) {
+    for (const ExactPoint2& p : points) insert(p);
+  }
+
+  VertexId insert(const ExactPoint2& point) {
+    const auto [place, is_new] = number_.try_emplace(point, static_cast<VertexId>(points_.size()));
+    if (is_new) points_.push_back(point);
+    return place->second;
+  }
+
+  const std::vector<ExactPoint2>& points() const { return points_; }
+
+ private:
+  std::unordered_map<ExactPoint2, VertexId, ExactPointHash> number_;
+  std::vector<ExactPoint2> points_;
+};
+
+}  // namespace hottel

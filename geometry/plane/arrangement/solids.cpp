@@ -1,0 +1,300 @@
+#include "geometry/plane/arrangement/solids.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "geometry/plane/arrangement/behind_errors.h"
+#include "geometry/plane/arrangement/winding.h"
+#include "geometry/plane/scene/closed_groups.h"
+
+namespace hottel {
+namespace {
+
+using Groups = std::vector<std::uint32_t>;
+
+// What a closed outline may be.
+enum class Role : unsigned char { kNone, kSolid, kRoom };
+
+// Whose "behind" is looked at.
+enum class Looks : bool { kStated, kAll };
+
+class SolidFinder {
+ public:
+  explicit SolidFinder(const BarePieces2& pieces, Looks looks = Looks::kStated)
+      : scene_(pieces.scene),
+        cells_(pieces.cells),
+        overlay_(pieces.overlay),
+        looks_(looks),
+        group_count_(scene_.groups.size()) {
+    find_roles();
+    const std::size_t piece_count = cells_.side_count() / 2;
+    for (std::size_t piece = 0; piece < piece_count; ++piece) look_at(piece, pieces.sources(piece));
+    std::sort(backs_.begin(), backs_.end());
+  }
+
+  void find() {
+    judge_windings();
+    find_rooms_within();
+    solid_.assign(cells_.count(), Solids2::kNone);
+    open_.assign(cells_.count(), Solids2::kNone);
+    fill_outlines();
+    fill_behind();
+    refuse_conflicts();
+  }
+
+  std::vector<std::uint32_t> makers() const {
+    std::vector<std::uint32_t> makers(cells_.side_count());
+    for (std::size_t side = 0; side < makers.size(); ++side)
+      makers[side] = solid_[cells_.of(static_cast<PieceSideId>(side))];
+    return makers;
+  }
+  // REQUIRES Looks::kAll, and find() before.
+  std::vector<Groups> regions_behind() {
+    std::vector<Groups> regions(group_count_);
+    for (auto& [group, sight] : sight_) {
+      if (behind(group) != Behind::kByOutline || is_contested(group)) continue;
+      std::sort(sight.fronted.begin(), sight.fronted.end());
+      Groups& region = regions[group];
+      bool is_refused = false;
+      for (const PieceSideId side : sight.backs) {
+        const std::uint32_t cell = cells_.of(side);
+        if (!is_behind(sight, cell)) continue;
+        is_refused |= open_[cell] != Solids2::kNone;
+        if (solid_[cell] == Solids2::kNone) region.push_back(cell);
+      }
+      std::sort(region.begin(), region.end());
+      region.erase(std::unique(region.begin(), region.end()), region.end());
+      if (is_refused) region.clear();
+    }
+    return regions;
+  }
+  std::vector<std::pair<PieceSideId, std::uint32_t>> bounding() {
+    std::sort(bounding_.begin(), bounding_.end());
+    bounding_.erase(std::unique(bounding_.begin(), bounding_.end()), bounding_.end());
+    return std::move(bounding_);
+  }
+
+ private:
+  // What a group with "behind" looks at.
+  struct Sight {
+    std::vector<PieceSideId> backs;      // sides where a back of it without material looks
+    std::vector<std::uint32_t> fronted;  // cells that a front of it looks into
+  };
+
+  Behind behind(std::uint32_t group) const { return scene_.groups[group].behind; }
+  // A bounded cell that no front of the group looks into. REQUIRES sorted fronted cells.
+  static bool is_behind(const Sight& sight, std::uint32_t cell) {
+    return cell != 0 && !std::binary_search(sight.fronted.begin(), sight.fronted.end(), cell);
+  }
+
+  // Does the outline of a group enclose what another one says is open?
+  bool is_contested(std::uint32_t group) const {
+    return std::any_of(outlined_.lower_bound({group, 0}), outlined_.lower_bound({group + 1, 0}),
+                       [&](const auto& outlined) { return open_[outlined.second] != Solids2::kNone; });
+  }
+
+  void find_roles() {
+    role_.assign(group_count_, Role::kNone);
+    for (const ClosedGroup2& closed : closed_groups(scene_)) {
+      if (closed.turn > 0 && !closed.has_back) role_[closed.group] = Role::kSolid;
+      if (closed.turn < 0) role_[closed.group] = Role::kRoom;
+    }
+  }
+
+  void look_at(std::size_t piece, const std::vector<PieceSource2>& sources) {
+    std::vector<NetRun2> runs;
+    for (const PieceSource2& source : sources) {
+      const Surface2& surface = scene_.surfaces[source.surface];
+      if (looks_ == Looks::kAll || behind(surface.group) != Behind::kByOutline) {
+        const auto left = static_cast<PieceSideId>(2 * piece), right = left + 1;
+        Sight& sight = sight_[surface.group];
+        sight.fronted.push_back(cells_.of(source.is_reversed ? left : right));
+        if (!surface.back) sight.backs.push_back(source.is_reversed ? right : left);
+      }
+      if (role_[surface.group] == Role::kNone) continue;
+      if (role_[surface.group] == Role::kSolid)
+        backs_.emplace_back(2 * static_cast<PieceSideId>(piece) + (source.is_reversed ? 1 : 0), surface.group);
+      const auto run =
+          std::find_if(runs.begin(), runs.end(), [&](const NetRun2& r) { return r.group == surface.group; });
+      const std::int32_t step = source.is_reversed ? -1 : 1;
+      if (run == runs.end())
+        runs.push_back({surface.group, step});
+      else
+        run->net += step;
+    }
+    std::erase_if(runs, [](const NetRun2& run) { return run.net == 0; });
+    runs_.add_piece(runs);
+  }
+
+  // Outlines with other winding numbers are neither solids nor rooms.
+  void judge_windings() {
+    walk_cells(
+        cells_, runs_, group_count_,
+        [this](std::uint32_t group, std::int32_t, std::int32_t now) {
+          if (now != 0 && now != (role_[group] == Role::kSolid ? 1 : -1)) role_[group] = Role::kNone;
+        },
+        [](std::uint32_t) {});
+  }
+
+  // The side of a piece where the winding number of a room is not 0.
+  static PieceSideId inner_side_of_room(std::size_t piece, const NetRun2& run) {
+    return static_cast<PieceSideId>(2 * piece + (run.net > 0 ? 1 : 0));
+  }
+
+  // For each room the solids that it is in.
+  void find_rooms_within() {
+    if (std::find(role_.begin(), role_.end(), Role::kRoom) == role_.end()) return;
+    std::vector<char> is_known(group_count_, 0);
+    within_.resize(group_count_);
+    std::set<std::uint32_t> around;
+    walk_cells(
+        cells_, runs_, group_count_,
+        [&](std::uint32_t group, std::int32_t, std::int32_t now) {
+          if (role_[group] != Role::kSolid) return;
+          if (now == 1)
+            around.insert(group);
+          else
+            around.erase(group);
+        },
+        [&](std::uint32_t cell) {
+          for (const PieceSideId side : cells_.sides(cell))
+            for (const NetRun2& run : runs_.of(static_cast<std::size_t>(side / 2))) {
+              if (role_[run.group] != Role::kRoom ||
+                  inner_side_of_room(static_cast<std::size_t>(side / 2), run) != side)
+                continue;
+              Groups& within = within_[run.group];
+              if (is_known[run.group] == 0)
+                within.assign(around.begin(), around.end());
+              else
+                std::erase_if(within, [&](std::uint32_t solid) { return !around.contains(solid); });
+              is_known[run.group] = 1;
+            }
+        });
+  }
+
+  void fill_outlines() {
+    std::vector<std::uint32_t> rooms(group_count_, 0);  // by solid: how many rooms in it hold the cell
+    std::vector<char> is_around(group_count_, 0);
+    std::set<std::uint32_t> makers[2];  // of solid, of open cells
+    const auto update = [&](std::uint32_t solid) {
+      std::set<std::uint32_t>& set = makers[behind(solid) == Behind::kOpen ? 1 : 0];
+      if (is_around[solid] != 0 && rooms[solid] == 0)
+        set.insert(solid);
+      else
+        set.erase(solid);
+    };
+    walk_cells(
+        cells_, runs_, group_count_,
+        [&](std::uint32_t group, std::int32_t before, std::int32_t now) {
+          if (role_[group] == Role::kSolid) {
+            is_around[group] = now == 1;
+            update(group);
+          } else if (role_[group] == Role::kRoom) {
+            for (const std::uint32_t solid : within_[group]) {
+              if (now == -1) ++rooms[solid];
+              if (before == -1) --rooms[solid];
+              update(solid);
+            }
+          }
+        },
+        [&](std::uint32_t cell) {
+          if (!makers[0].empty()) solid_[cell] = *makers[0].begin();
+          if (!makers[1].empty()) open_[cell] = *makers[1].begin();
+          for (const std::uint32_t maker : makers[0]) {
+            if (behind(maker) == Behind::kSolid) stated_solid_.emplace(cell, maker);
+            if (looks_ == Looks::kAll) outlined_.emplace(maker, cell);
+          }
+          if (makers[0].empty()) return;
+          for (const PieceSideId side : cells_.sides(cell))
+            for (auto back = std::lower_bound(backs_.begin(), backs_.end(), std::pair(side, std::uint32_t{0}));
+                 back != backs_.end() && back->first == side; ++back)
+              if (makers[0].contains(back->second)) bounding_.push_back(*back);
+        });
+  }
+
+  void fill_behind() {
+    for (auto& [group, sight] : sight_) {
+      if (behind(group) == Behind::kByOutline) continue;
+      std::sort(sight.fronted.begin(), sight.fronted.end());
+      const bool is_outline = role_[group] == Role::kSolid;
+      if (behind(group) == Behind::kOpen && is_outline) continue;
+      bool bounds_some = false;
+      for (const PieceSideId side : sight.backs) {
+        const std::uint32_t cell = cells_.of(side);
+        if (!is_behind(sight, cell)) continue;
+        bounds_some = true;
+        if (behind(group) == Behind::kOpen) {
+          open_[cell] = std::min(open_[cell], group);
+          continue;
+        }
+        solid_[cell] = std::min(solid_[cell], group);
+        stated_solid_.emplace(cell, group);
+        bounding_.emplace_back(side, group);
+      }
+      if (behind(group) == Behind::kSolid && !bounds_some && !is_outline)
+        refuse_unbounded({scene_, overlay_, cells_, group, sight.backs});
+    }
+  }
+
+  // One group says that a cell is solid, another that it is open.
+  void refuse_conflicts() const {
+    for (const auto& [cell, solid] : stated_solid_)
+      if (open_[cell] != Solids2::kNone) refuse_conflict(scene_, solid, open_[cell]);
+  }
+
+  const Scene2& scene_;
+  const Cells2& cells_;
+  const Overlay2& overlay_;
+  const Looks looks_;
+  const std::size_t group_count_;
+  std::vector<Role> role_;  // by group
+  NetRuns2 runs_;
+  std::vector<std::pair<PieceSideId, std::uint32_t>> backs_;        // of outlines: side and group, sorted
+  std::map<std::uint32_t, Sight> sight_;                            // by group whose "behind" is looked at
+  std::vector<Groups> within_;                                      // by room: the solids it is in
+  std::vector<std::uint32_t> solid_;                                // by cell: the first group that makes it solid
+  std::vector<std::uint32_t> open_;                                 // by cell: the first group that says it is open
+  std::set<std::pair<std::uint32_t, std::uint32_t>> stated_solid_;  // cell and group that says so
+  std::set<std::pair<std::uint32_t, std::uint32_t>> outlined_;      // group and cell that its outline makes solid
+  std::vector<std::pair<PieceSideId, std::uint32_t>> bounding_;
+};
+
+}  // namespace
+
+Solids2::Solids2(const BarePieces2& pieces) {
+  SolidFinder finder(pieces);
+  finder.find();
+  maker_ = finder.makers();
+  if (std::all_of(maker_.begin(), maker_.end(), [](std::uint32_t maker) { return maker == kNone; })) maker_.clear();
+  bounding_ = finder.bounding();
+}
+
+bool Solids2::is_inside_of(PieceSideId side, std::uint32_t group) const {
+  return std::binary_search(bounding_.begin(), bounding_.end(), std::pair(side, group));
+}
+
+Solids2 Solids2::restricted_to(const std::vector<std::uint32_t>& pieces) const {
+  Solids2 result;
+  if (is_empty()) return result;
+  for (const std::uint32_t piece : pieces)
+    for (const std::uint32_t side : {2 * piece, 2 * piece + 1}) result.maker_.push_back(maker_[side]);
+  return result;
+}
+
+std::vector<std::vector<std::uint32_t>> regions_behind(const BarePieces2& pieces) {
+  SolidFinder finder(pieces, Looks::kAll);
+  finder.find();
+  return finder.regions_behind();
+}
+
+bool may_have_solids(const Scene2& scene) {
+  const auto says = [](const Group2& group) { return group.behind != Behind::kByOutline; };
+  if (std::any_of(scene.groups.begin(), scene.groups.end(), says)) return true;
+  const std::vector<ClosedGroup2> closed = closed_groups(scene);
+  return std::any_of(closed.begin(), closed.end(),
+                     [](const ClosedGroup2& group) { return group.turn > 0 && !group.has_back; });
+}
+
+}  // namespace hottel

@@ -1,0 +1,204 @@
+#include "geometry/plane/arrangement/triangulation.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_2.h>
+
+#include <algorithm>
+#include <bit>
+#include <unordered_map>
+
+#include "geometry/plane/arrangement/hilbert_order.h"
+
+namespace hottel {
+namespace {
+
+// What CGAL's triangulation asks of a geometry, answered by our own predicates on vertex numbers: the triangulation is
+// exact whatever the size of the coordinates, and rests on the same signs as everything after it. Segment_2 and
+// Triangle_2 are required as names only.
+struct VertexTraits {
+  const Vertices2* vertices = nullptr;
+
+  struct Point_2 {
+    VertexId id = 0;
+  };
+  using Segment_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Segment_2;
+  using Triangle_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Triangle_2;
+
+  struct Predicate {
+    const Vertices2* vertices;
+  };
+  struct Orientation_2 : Predicate {
+    using result_type = CGAL::Orientation;
+    CGAL::Orientation operator()(Point_2 p, Point_2 q, Point_2 r) const {
+      return CGAL::enum_cast<CGAL::Orientation>(vertices->orientation(p.id, q.id, r.id));
+    }
+  };
+  struct Side_of_oriented_circle_2 : Predicate {
+    using result_type = CGAL::Oriented_side;
+    CGAL::Oriented_side operator()(Point_2 p, Point_2 q, Point_2 r, Point_2 s) const {
+      return CGAL::enum_cast<CGAL::Oriented_side>(vertices->side_of_circle(p.id, q.id, r.id, s.id));
+    }
+  };
+  struct Compare_x_2 : Predicate {
+    using result_type = CGAL::Comparison_result;
+    CGAL::Comparison_result operator()(Point_2 p, Point_2 q) const {
+      return CGAL::enum_cast<CGAL::Comparison_result>(vertices->compare_x(p.id, q.id));
+    }
+  };
+  struct Compare_y_2 : Predicate {
+    using result_type = CGAL::Comparison_result;
+    CGAL::Comparison_result operator()(Point_2 p, Point_2 q) const {
+      return CGAL::enum_cast<CGAL::Comparison_result>(vertices->compare_y(p.id, q.id));
+    }
+  };
+  struct Construct_point_2 {
+    Point_2 operator()(Point_2 p) const { return p; }
+  };
+
+  Orientation_2 orientation_2_object() const { return {{vertices}}; }
+  Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {{vertices}}; }
+  Compare_x_2 compare_x_2_object() const { return {{vertices}}; }
+  Compare_y_2 compare_y_2_object() const { return {{vertices}}; }
+  Construct_point_2 construct_point_2_object() const { return {}; }
+};
+
+using VertexBase = CGAL::Triangulation_vertex_base_2<VertexTraits>;
+using FaceBase =
+    CGAL::Constrained_triangulation_face_base_2<VertexTraits,
+                                                CGAL::Triangulation_face_base_with_info_2<HalfEdgeId, VertexTraits>>;
+using Cdt =
+    CGAL::Constrained_Delaunay_triangulation_2<VertexTraits, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+                                               CGAL::No_constraint_intersection_tag>;
+
+// Finds the piece between two vertices.
+class PieceBetween {
+ public:
+  explicit PieceBetween(const std::vector<Segment2>& pieces) : pieces_(pieces) {
+    number_.reserve(pieces.size());
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+      number_.emplace(key(pieces[p].a, pieces[p].b), static_cast<PieceSideId>(p));
+  }
+  // The side of the piece u-v that faces the left of u -> v; kNoPiece if there is no such piece.
+  PieceSideId left_side(VertexId u, VertexId v) const {
+    const auto place = number_.find(key(u, v));
+    if (place == number_.end()) return kNoPiece;
+    return 2 * place->second + (pieces_[static_cast<std::size_t>(place->second)].a == u ? 0 : 1);
+  }
+
+ private:
+  static std::uint64_t key(VertexId u, VertexId v) {
+    return (static_cast<std::uint64_t>(std::min(u, v)) << 32) | std::max(u, v);
+  }
+  const std::vector<Segment2>& pieces_;
+  std::unordered_map<std::uint64_t, PieceSideId> number_;
+};
+
+StarEntry star_entry(const PieceBetween& piece_between, VertexId v, VertexId neighbour, HalfEdgeId opposite) {
+  const PieceSideId left = piece_between.left_side(v, neighbour);
+  return {neighbour, opposite, left, left == kNoPiece ? kNoPiece : left ^ 1};
+}
+
+// Along a curve, but in rounds that double, drawn by number: where vertices lie on a convex outline, neighbours that
+// follow each other would each be joined to all before them and cost O(n²). (Amenta, Choi, Rote, Incremental
+// constructions con BRIO, 2003.)
+std::vector<VertexId> insertion_order(const Vertices2& vertices) {
+  std::vector<VertexId> order = hilbert_order(vertices);
+  const auto rounds_from_last = [](VertexId v) {
+    return std::countr_zero((v + 1) * 0x9E3779B97F4A7C15u >> 32 | std::uint64_t{1} << 31);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](VertexId u, VertexId v) { return rounds_from_last(u) > rounds_from_last(v); });
+  return order;
+}
+
+// Makes the edge u-v a constraint. CGAL looks for it among all neighbours of the first end; where these are many, it is
+// told the end that has fewer. In a planar graph the sum over all edges of the smaller degree is linear (Chiba,
+// Nishizeki 1985), however many meet at one vertex.
+void insert_constraint(Cdt& cdt, Cdt::Vertex_handle u, Cdt::Vertex_handle v) {
+  constexpr int kFew = 64;
+  auto around_u = cdt.incident_faces(u), around_v = cdt.incident_faces(v);
+  const auto first_u = around_u, first_v = around_v;
+  bool has_fewer_at_v = false;
+  for (int k = 0; ++around_u != first_u; ++k)
+    if (k >= kFew && (has_fewer_at_v = ++around_v == first_v)) break;
+  if (has_fewer_at_v) std::swap(u, v);
+  cdt.insert_constraint(u, v);
+}
+
+}  // namespace
+
+Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segment2>& pieces) {
+  const PieceBetween piece_between(pieces);
+  const auto count = static_cast<VertexId>(vertices.size());
+  star_begin_.assign(count + 1, 0);
+
+  // CGAL looks for its way among all points while they lie on one line: many of them wait for one that does not.
+  constexpr std::ptrdiff_t kFew = 64;
+  std::vector<VertexId> order = insertion_order(vertices);
+  const auto off_line = std::find_if(order.begin(), order.end(), [&](VertexId v) {
+    return order.size() > 2 && vertices.orientation(order[0], order[1], v) != 0;
+  });
+  const bool is_line = off_line == order.end();
+  if (!is_line && off_line - order.begin() > kFew) std::rotate(order.begin() + 2, off_line, off_line + 1);
+
+  Cdt cdt(VertexTraits{&vertices});
+  std::vector<Cdt::Vertex_handle> handle(count);
+  Cdt::Face_handle hint;
+  if (is_line) {
+    std::sort(order.begin(), order.end(), [&](VertexId i, VertexId j) { return vertices.precedes(i, j); });
+    std::vector<std::vector<StarEntry>> stars(count);
+    for (std::size_t k = 1; k < order.size(); ++k) {
+      stars[order[k]].push_back(star_entry(piece_between, order[k], order[k - 1], -1));
+      stars[order[k - 1]].push_back(star_entry(piece_between, order[k - 1], order[k], -1));
+    }
+    for (VertexId v = 0; v < count; ++v) {
+      star_.insert(star_.end(), stars[v].begin(), stars[v].end());
+      star_begin_[v + 1] = static_cast<std::uint32_t>(star_.size());
+    }
+    return;
+  }
+
+  for (const VertexId v : order) {
+    handle[v] = cdt.insert(VertexTraits::Point_2{v}, hint);
+    hint = handle[v]->face();
+  }
+  for (const Segment2& piece : pieces) insert_constraint(cdt, handle[piece.a], handle[piece.b]);
+
+  HalfEdgeId next = 0;
+  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face, next += 3) face->info() = next;
+  corner_.resize(static_cast<std::size_t>(next));
+  twin_.assign(corner_.size(), -1);
+  across_.assign(corner_.size(), -1);
+  side_.assign(corner_.size(), kSky);
+  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face)
+    for (int i = 0; i < 3; ++i) {
+      const auto h = static_cast<std::size_t>(face->info() + i);
+      corner_[h] = face->vertex(i)->point().id;
+      const auto neighbour = face->neighbor(i);
+      if (!cdt.is_infinite(neighbour)) across_[h] = neighbour->info() + neighbour->index(face);
+      if (face->is_constrained(i))
+        side_[h] = piece_between.left_side(face->vertex(Cdt::ccw(i))->point().id, face->vertex(Cdt::cw(i))->point().id);
+      else
+        twin_[h] = across_[h];
+    }
+
+  star_.reserve(6 * count);
+  for (VertexId v = 0; v < count; ++v) {
+    auto face = cdt.incident_faces(handle[v]);
+    const auto first = face;
+    do {
+      const int i = face->index(handle[v]);
+      const auto neighbour = face->vertex(Cdt::ccw(i));
+      if (!cdt.is_infinite(neighbour))
+        star_.push_back(
+            star_entry(piece_between, v, neighbour->point().id, cdt.is_infinite(face) ? -1 : face->info() + i));
+    } while (++face != first);
+    star_begin_[v + 1] = static_cast<std::uint32_t>(star_.size());
+  }
+}
+
+}  // namespace hottel

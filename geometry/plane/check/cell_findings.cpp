@@ -1,0 +1,249 @@
+#include "geometry/plane/check/cell_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+#include "geometry/plane/check/wording.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffff;
+constexpr std::uint32_t kSeveral = 0xfffffffe;
+
+std::size_t index(PieceSideId side) { return static_cast<std::size_t>(side); }
+
+// Joins vertices that pieces connect.
+class VertexUnion {
+ public:
+  VertexId root(VertexId v) {
+    for (VertexId* parent = &of(v); *parent != v; parent = &of(v)) v = *parent = of(*parent);
+    return v;
+  }
+  void join(VertexId a, VertexId b) { of(root(a)) = root(b); }
+
+ private:
+  VertexId& of(VertexId v) { return parent_.try_emplace(v, v).first->second; }
+  std::unordered_map<VertexId, VertexId> parent_;
+};
+
+class CellTeller {
+ public:
+  CellTeller(const PreparedScene2& prepared, const Cells2& cells)
+      : scene_(prepared.scene), arrangement_(prepared.arrangement), cells_(cells) {
+    cell_of_face_.assign(2 * scene_.surfaces.size(), kNone);
+    for (std::size_t side = 0; side < arrangement_.side_count(); ++side) {
+      if (arrangement_.is_covered(static_cast<PieceSideId>(side))) continue;
+      std::uint32_t& cell = cell_of_face_[face(static_cast<PieceSideId>(side))];
+      const std::uint32_t here = cells.of(static_cast<PieceSideId>(side));
+      cell = cell == kNone || cell == here ? here : kSeveral;
+    }
+    told_.is_inside_out.assign(scene_.surfaces.size(), 0);
+    residents_.resize(cells.count());
+    for (std::uint32_t f = 0; f < cell_of_face_.size(); ++f)
+      if (cell_of_face_[f] < cells.count() && material(f) != nullptr) residents_[cell_of_face_[f]].push_back(f);
+  }
+
+  CellFindings2 tell() {
+    auto rooms = std::count_if(residents_.begin() + 1, residents_.end(), [](auto& faces) { return !faces.empty(); });
+    if (has_outsider()) ++rooms;
+    std::vector<std::uint32_t> whole;  // rooms that are not inside out
+    for (std::uint32_t cell = 1; cell < cells_.count(); ++cell) {
+      if (residents_[cell].empty()) continue;  // solid cells too
+      const std::vector<PieceSideId> walls = outer_walls(cell);
+      if (tell_black(walls)) continue;
+      if (is_reversed_solid(cell, walls)) {
+        tell_reversed_solid(walls);
+        --rooms;
+      } else {
+        whole.push_back(cell);
+      }
+    }
+    if (rooms > 1)
+      for (const std::uint32_t cell : whole) tell_isolated(cell);
+    tell_spanning();
+    return std::move(told_);
+  }
+
+ private:
+  std::uint32_t face(PieceSideId side) const {
+    const FacePart& owner = arrangement_.owner(side);
+    return 2 * owner.surface + (owner.is_back ? 1 : 0);
+  }
+  const Material* material(std::uint32_t face) const {
+    const Surface2& surface = scene_.surfaces[face / 2];
+    if (face % 2 == 0) return &scene_.materials[surface.material];
+    return surface.back ? &scene_.materials[*surface.back] : nullptr;
+  }
+  const Segment2& piece(PieceSideId side) const { return arrangement_.pieces()[index(side) / 2]; }
+
+  // Some group has all its faces with a material in the unbounded cell. (The underside of a box on a floor is there
+  // too.)
+  bool has_outsider() const {
+    std::vector<char> is_outside(scene_.groups.size(), 1);
+    for (std::uint32_t f = 0; f < cell_of_face_.size(); ++f)
+      if (cell_of_face_[f] != kNone && cell_of_face_[f] != 0 && material(f) != nullptr)
+        is_outside[scene_.surfaces[f / 2].group] = 0;
+    return std::any_of(residents_[0].begin(), residents_[0].end(),
+                       [&](std::uint32_t f) { return is_outside[scene_.surfaces[f / 2].group] != 0; });
+  }
+
+  // The sides around the cell that something else lies behind; those of what stands in it left out.
+  std::vector<PieceSideId> outer_walls(std::uint32_t cell) const {
+    VertexUnion parts;
+    VertexId least = piece(cells_.sides(cell).front()).a;
+    for (const PieceSideId side : cells_.sides(cell)) {
+      parts.join(piece(side).a, piece(side).b);
+      for (const VertexId v : {piece(side).a, piece(side).b})
+        if (arrangement_.vertices().precedes(v, least)) least = v;
+    }
+    std::vector<PieceSideId> walls;
+    for (const PieceSideId side : cells_.sides(cell))
+      if (cells_.of(side ^ 1) != cell && parts.root(piece(side).a) == parts.root(least)) walls.push_back(side);
+    return walls;
+  }
+
+  std::vector<std::uint32_t> surfaces_of(const std::vector<PieceSideId>& sides) const {
+    std::vector<std::uint32_t> surfaces;
+    for (const PieceSideId side : sides) surfaces.push_back(face(side) / 2);
+    std::sort(surfaces.begin(), surfaces.end());
+    surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+    return surfaces;
+  }
+
+  std::vector<std::uint32_t> black_surfaces(const std::vector<PieceSideId>& walls) const {
+    std::vector<PieceSideId> black;
+    std::copy_if(walls.begin(), walls.end(), std::back_inserter(black),
+                 [this](PieceSideId side) { return material(face(side)) == nullptr; });
+    return surfaces_of(black);
+  }
+
+  // Walls whose fronts alone stand in the cell, do not emit, and turn black backs to one cell with other faces in it.
+  bool is_reversed_solid(std::uint32_t cell, const std::vector<PieceSideId>& walls) const {
+    const std::uint32_t around = cells_.of(walls.front() ^ 1);
+    if (residents_[around].empty() || cells_.sides(cell).size() != walls.size()) return false;
+    return std::all_of(walls.begin(), walls.end(), [&](PieceSideId side) {
+      return face(side) % 2 == 0 && !arrangement_.is_covered(side ^ 1) && material(face(side))->emission.is_zero() &&
+             cells_.of(side ^ 1) == around && material(face(side ^ 1)) == nullptr;
+    });
+  }
+
+  // Behind these walls nothing stands but their own fronts, which do not emit.
+  bool fronts_see_nothing(const std::vector<PieceSideId>& walls) const {
+    const std::vector<std::uint32_t> own = surfaces_of(walls);
+    return std::all_of(walls.begin(), walls.end(), [&](PieceSideId side) {
+      const auto& behind = residents_[cells_.of(side ^ 1)];
+      return std::all_of(behind.begin(), behind.end(), [&](std::uint32_t f) {
+        return f % 2 == 0 && material(f)->emission.is_zero() && std::binary_search(own.begin(), own.end(), f / 2);
+      });
+    });
+  }
+
+  void add(Severity severity, const char* kind, const std::vector<std::uint32_t>& surfaces, std::string message,
+           std::string suggestion) {
+    const Surface2& first = scene_.surfaces[surfaces.front()];
+    told_.findings.push_back(
+        {severity, kind, surfaces, middle(first.from, first.to), std::move(message), std::move(suggestion)});
+  }
+
+  void add_inside_out(const std::vector<std::uint32_t>& surfaces, std::string message, std::string suggestion) {
+    for (const std::uint32_t s : surfaces) told_.is_inside_out[s] = 1;
+    add(Severity::kWarning, "inside-out", surfaces, std::move(message), std::move(suggestion));
+  }
+
+  // Returns true when all walls are black.
+  bool tell_black(const std::vector<PieceSideId>& walls) {
+    const std::vector<std::uint32_t> black = black_surfaces(walls);
+    if (black.empty() || black.size() != surfaces_of(walls).size()) return false;
+    if (fronts_see_nothing(walls)) told_.certainly_reversed.push_back(black);
+    add_inside_out(black,
+                   fmt::format("the room within {} has black walls: their fronts look outward, their backs toward what "
+                               "stands in the room",
+                               names_text(scene_, black)),
+                   "list the points the other way round (clockwise around a room), or give a \"back\"");
+    return true;
+  }
+
+  void tell_reversed_solid(const std::vector<PieceSideId>& walls) {
+    const std::vector<std::uint32_t> surfaces = surfaces_of(walls);
+    told_.certainly_reversed.push_back(surfaces);
+    add_inside_out(
+        surfaces,
+        fmt::format("{} enclose a space without light that their fronts look into; what stands around them sees black "
+                    "backs",
+                    names_text(scene_, surfaces)),
+        "list the points the other way round (counter-clockwise around a solid), or give a \"back\"");
+  }
+
+  void tell_isolated(std::uint32_t cell) {
+    std::vector<std::uint32_t> surfaces;
+    for (const std::uint32_t f : residents_[cell])
+      if (surfaces.empty() || surfaces.back() != f / 2) surfaces.push_back(f / 2);
+    add(Severity::kNote, "isolated-cell", surfaces,
+        fmt::format("nothing passes between the room of {} and the rest of the scene", names_text(scene_, surfaces)),
+        "nothing to do where that is meant");
+  }
+
+  // Where a vertex lies on a surface: 0 at its first point, 1 at its second.
+  Rational place_on(const Surface2& surface, VertexId v) const {
+    const Point2 p = to_point(arrangement_.vertices().to_scene(arrangement_.vertices().exact(v)));
+    const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
+    return ((p.x - surface.from.x) * dx + (p.y - surface.from.y) * dy) / (dx * dx + dy * dy);
+  }
+
+  // The elements of its face that a side begins and ends in. (All between lie on it wholly.)
+  std::array<Integer, 2> end_elements(PieceSideId side) const {
+    const Surface2& surface = scene_.surfaces[face(side) / 2];
+    Rational low = place_on(surface, piece(side).a), high = place_on(surface, piece(side).b);
+    if (high < low) std::swap(low, high);
+    low *= surface.elements;
+    high *= surface.elements;
+    std::array<Integer, 2> ends;
+    mpz_fdiv_q(ends[0].get_mpz_t(), low.get_num_mpz_t(), low.get_den_mpz_t());
+    mpz_cdiv_q(ends[1].get_mpz_t(), high.get_num_mpz_t(), high.get_den_mpz_t());
+    --ends[1];
+    return ends;
+  }
+
+  // Faces with an element that a wall divides.
+  void tell_spanning() {
+    std::map<std::pair<std::uint32_t, Integer>, std::uint32_t> room_of_element;
+    std::vector<char> is_told(cell_of_face_.size(), 0);
+    for (std::size_t k = 0; k < arrangement_.side_count(); ++k) {
+      const auto side = static_cast<PieceSideId>(k);
+      if (arrangement_.is_covered(side)) continue;
+      const std::uint32_t cell = cells_.of(side), f = face(side);
+      if (cell_of_face_[f] != kSeveral || material(f) == nullptr || residents_[cell].empty()) continue;
+      for (const Integer& element : end_elements(side)) {
+        if (room_of_element.try_emplace({f, element}, cell).first->second == cell || is_told[f] != 0) continue;
+        is_told[f] = 1;
+        add(Severity::kWarning, "spans-rooms", {f / 2},
+            fmt::format("the {} of {} stands in several rooms between which nothing passes, but has one radiosity: in "
+                        "a solution it carries light from one room to the other",
+                        f % 2 == 0 ? "front" : "back", names_text(scene_, {f / 2})),
+            "give each room a surface of its own, or divide it so that \"elements\" end where the rooms do");
+      }
+    }
+  }
+
+  const Scene2& scene_;
+  const Arrangement2& arrangement_;
+  const Cells2& cells_;
+  std::vector<std::uint32_t> cell_of_face_;            // by 2 surface + back; kNone: owns nothing, kSeveral
+  std::vector<std::vector<std::uint32_t>> residents_;  // by cell: faces with a material that are wholly in it
+  CellFindings2 told_;
+};
+
+}  // namespace
+
+CellFindings2 cell_findings(const PreparedScene2& prepared, const Cells2& cells) {
+  return CellTeller(prepared, cells).tell();
+}
+
+}  // namespace hottel

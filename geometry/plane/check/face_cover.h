@@ -1,0 +1,31 @@
+// What is left of the faces of a scene beside its solids.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/plane/arrangement/arrangement.h"
+#include "geometry/plane/scene/scene.h"
+
+namespace hottel {
+
+// Faces are numbered 2 s (front of s) and 2 s + 1 (back).
+//
+//   (1) has_area: the face owns a side of a piece, or is one of two that claim it
+//   (2) covered_by: the first listed group with a solid that the face looks into somewhere; Solids2::kNone: nowhere
+//   (3) holder, by group: the first listed other group in the interior of whose solid it stands: some of its surfaces
+//   do,
+//       on both sides; of others one side is covered and may lie on the border of the solid of another group from
+//       within. Solids2::kNone where there is none
+// COST: linear in the sides of pieces.
+struct FaceCover2 {
+  std::vector<char> has_area;
+  std::vector<std::uint32_t> covered_by;
+  std::vector<std::uint32_t> holder;
+
+  FaceCover2() = default;
+  // REQUIRES the arrangement of the scene, divided or not; conflicts may be kept.
+  FaceCover2(const Scene2& scene, const Arrangement2& arrangement);
+};
+
+}  // namespace hottel

@@ -1,0 +1,24 @@
+#include "geometry/plane/check/finding.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace hottel {
+
+void sort_findings(Findings& findings) {
+  const auto key = [](const Finding& finding) {
+    const std::uint32_t first =
+        finding.surfaces.empty() ? std::numeric_limits<std::uint32_t>::max() : finding.surfaces.front();
+    return std::pair(finding.severity, first);
+  };
+  std::stable_sort(findings.begin(), findings.end(),
+                   [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
+}
+
+bool has_error(const Findings& findings) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Finding& finding) { return finding.severity == Severity::kError; });
+}
+
+}  // namespace hottel

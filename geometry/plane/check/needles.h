@@ -1,0 +1,24 @@
+// Very small angles between surfaces.
+#pragma once
+
+#include <vector>
+
+#include "geometry/plane/arrangement/arrangement.h"
+
+namespace hottel {
+
+// An angle is a needle when its tangent is below 1 / kNeedlePart: a twentieth of a degree. It decides what is worth
+// telling and nothing else.
+inline constexpr int kNeedlePart = 1024;
+
+// Free space between two pieces that meet at a vertex in a small angle.
+struct Needle2 {
+  VertexId at;
+  std::size_t right, left;  // pieces: the angle lies counter-clockwise of `right`
+  double degrees;           // about
+};
+
+// COST: linear in the triangles; exact arithmetic where doubles do not tell.
+std::vector<Needle2> find_needles(const Arrangement2& arrangement);
+
+}  // namespace hottel

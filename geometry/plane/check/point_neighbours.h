@@ -1,0 +1,26 @@
+// Which segments come near which points: the candidates that exact arithmetic then decides about.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/plane/arrangement/overlay.h"
+#include "geometry/plane/predicates/vertices.h"
+
+namespace hottel {
+
+// Bounds of the distance of a vertex from a segment, in the units of Vertices2::approximate.
+struct DistanceBounds {
+  double lower = 0, upper = 0;
+};
+DistanceBounds distance_bounds(const Vertices2& vertices, const Segment2& segment, VertexId v);
+
+// Returns for each vertex the segments that come within `reach[vertex]` of it, ascending, and maybe more. Reaches are
+// in the units of Vertices2::approximate.
+// COST: O((n + k) log n) for k pairs whose boxes meet. Segments have several boxes along them, the more the larger one
+// box would be: of n spokes of a wheel, whose boxes all meet, a tip is near those of few.
+std::vector<std::vector<std::uint32_t>> segments_near_vertices(const Vertices2& vertices,
+                                                               const std::vector<Segment2>& segments,
+                                                               const std::vector<double>& reach);
+
+}  // namespace hottel

@@ -1,0 +1,261 @@
+#include "geometry/plane/check/repair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "geometry/name.h"
+#include "geometry/plane/arrangement/overlay.h"
+#include "geometry/plane/arrangement/point_index.h"
+#include "geometry/plane/arrangement/solids.h"
+#include "geometry/plane/check/foot.h"
+#include "geometry/plane/check/point_neighbours.h"
+#include "geometry/plane/scene/closed_groups.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+constexpr int kMostPasses = 8;               // a move may bring other things within reach
+constexpr std::size_t kShortPlace = 48;      // characters of two coordinates that are kept as they come
+constexpr unsigned long kMostDecimals = 60;  // of the parameter along a surface
+
+// A point inside the segment a-b next to the foot of p: the foot itself where it has short coordinates, otherwise one
+// with few decimals along the segment that is hardly farther from p.
+Point2 short_point_near(const Point2& a, const Point2& b, const Point2& p, const Foot2& foot) {
+  if (to_string(foot.at.x).size() + to_string(foot.at.y).size() <= kShortPlace) return foot.at;
+  const Rational dx = b.x - a.x, dy = b.y - a.y;
+  const Rational t = (dx * (p.x - a.x) + dy * (p.y - a.y)) / (dx * dx + dy * dy);
+  Integer power = 1;
+  for (unsigned long decimals = 1; decimals <= kMostDecimals; ++decimals) {
+    power *= 10;
+    Integer rounded;
+    const Rational scaled = t * power + Rational(1, 2);
+    mpz_fdiv_q(rounded.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+    Rational near(rounded, power);
+    near.canonicalize();
+    if (near <= 0 || near >= 1) continue;
+    Point2 place{a.x + near * dx, a.y + near * dy};
+    if (squared_distance(p, place) * 256 <= foot.squared * 289) return place;
+  }
+  return foot.at;
+}
+
+class GapCloser {
+ public:
+  GapCloser(const Scene2& scene, const Rational& distance)
+      : scene_(scene), distance_(distance), squared_(distance * distance) {
+    PointIndex2 index;
+    for (const Surface2& surface : scene.surfaces)
+      segments_.push_back({index.insert(to_exact(surface.from)), index.insert(to_exact(surface.to))});
+    for (const ExactPoint2& p : index.points()) origin_.push_back(to_point(p));
+    place_ = origin_;
+    into_.resize(place_.size());
+    std::iota(into_.begin(), into_.end(), 0u);
+    members_.resize(place_.size());
+    ending_.resize(place_.size());
+    for (VertexId v = 0; v < place_.size(); ++v) members_[v] = {v};
+    for (std::uint32_t s = 0; s < segments_.size(); ++s)
+      for (const VertexId v : {segments_[s].a, segments_[s].b}) ending_[v].push_back(s);
+    snapped_to_.resize(place_.size());
+    find_outlines();
+  }
+
+  Repair2 close() {
+    for (int pass = 0; pass < kMostPasses && improve(); ++pass) {
+    }
+    Repair2 repair{scene_, {}, {}};
+    tell_moves(repair.steps);
+    rebuild(repair);
+    for (const auto& [v, s] : left_)
+      if (into_[v] == v && still_apart(v, s))
+        repair.steps.push_back({"not-repaired", scene_.surfaces[ending_[v].front()].name,
+                                fmt::format("the end of {} at {} is within reach of {}, with which it makes an angle",
+                                            name(ending_[v].front()), place_text(place_[v]), name(s))});
+    return repair;
+  }
+
+ private:
+  std::string name(std::uint32_t s) const { return quoted_name(scene_.surfaces[s].name); }
+  Segment2 segment(std::uint32_t s) const { return {into_[segments_[s].a], into_[segments_[s].b]}; }
+  bool is_point(std::uint32_t s) const { return segment(s).a == segment(s).b; }
+
+  // All that was joined at v may go there: nothing would be farther than the distance from where it was.
+  bool may_move(VertexId v, const Point2& to) const {
+    return std::all_of(members_[v].begin(), members_[v].end(),
+                       [&](VertexId m) { return squared_distance(origin_[m], to) <= squared_; });
+  }
+
+  // At least the distance, in the units of the approximate coordinates: as it compares with the width of the scene.
+  double reach_in(const Vertices2& vertices) const {
+    VertexId left = 0, right = 0, low = 0, high = 0;
+    for (VertexId v = 0; v < place_.size(); ++v) {
+      if (place_[v].x < place_[left].x) left = v;
+      if (place_[v].x > place_[right].x) right = v;
+      if (place_[v].y < place_[low].y) low = v;
+      if (place_[v].y > place_[high].y) high = v;
+    }
+    const Rational wide = place_[right].x - place_[left].x, tall = place_[high].y - place_[low].y;
+    const double approximate = wide > tall ? vertices.approximate(right).x - vertices.approximate(left).x
+                                           : vertices.approximate(high).y - vertices.approximate(low).y;
+    const double reach = 2 * approximate * to_double(distance_ / std::max(wide, tall));
+    return std::nextafter(reach, std::numeric_limits<double>::infinity());
+  }
+
+  std::vector<std::vector<std::uint32_t>> candidates() const {
+    std::vector<ExactPoint2> points;
+    std::vector<Segment2> now;
+    for (const Point2& p : place_) points.push_back(to_exact(p));
+    const Vertices2 vertices(points, points.size());
+    for (std::uint32_t s = 0; s < segments_.size(); ++s) now.push_back(segment(s));
+    return segments_near_vertices(vertices, now, std::vector<double>(place_.size(), reach_in(vertices)));
+  }
+
+  // One pass over all points; true when something moved.
+  bool improve() {
+    const auto near = candidates();
+    left_.clear();
+    bool moved = false;
+    for (VertexId v = 0; v < place_.size(); ++v)
+      if (into_[v] == v) moved |= merge(v, near[v]) || snap(v, near[v]);
+    return moved;
+  }
+
+  // Joins v with the nearest end within reach with which it can be joined.
+  bool merge(VertexId v, const std::vector<std::uint32_t>& near) {
+    std::set<std::pair<Rational, VertexId>> ends;
+    for (const std::uint32_t s : near)
+      for (const VertexId u : {segment(s).a, segment(s).b}) {
+        Rational squared = squared_distance(place_[v], place_[u]);
+        if (u != v && squared <= squared_) ends.emplace(std::move(squared), u);
+      }
+    const auto nearest = std::find_if(ends.begin(), ends.end(), [&](const auto& end) {
+      return may_move(std::max(v, end.second), place_[std::min(v, end.second)]);
+    });
+    if (nearest == ends.end()) return false;
+    const VertexId keep = std::min(v, nearest->second), gone = std::max(v, nearest->second);
+    for (const VertexId m : members_[gone]) into_[m] = keep;
+    members_[keep].insert(members_[keep].end(), members_[gone].begin(), members_[gone].end());
+    ending_[keep].insert(ending_[keep].end(), ending_[gone].begin(), ending_[gone].end());
+    return true;
+  }
+
+  // Puts v onto the nearest surface within reach.
+  bool snap(VertexId v, const std::vector<std::uint32_t>& near) {
+    std::optional<std::pair<std::uint32_t, Foot2>> nearest;
+    for (const std::uint32_t s : near) {
+      const Segment2 now = segment(s);
+      if (now.a == now.b || now.a == v || now.b == v) continue;
+      Foot2 foot = foot_on(place_[now.a], place_[now.b], place_[v]);
+      if (foot.squared == 0) return false;  // it lies on one
+      if (foot.end < 0 && foot.squared <= squared_ && (!nearest || foot.squared < nearest->second.squared))
+        nearest = {s, std::move(foot)};
+    }
+    if (!nearest) return false;
+    const auto& [s, foot] = *nearest;
+    const Segment2 onto = segment(s);
+    for (const std::uint32_t own : ending_[v])
+      for (const VertexId end : {segment(own).a, segment(own).b})
+        if (end != v && (end == onto.a || end == onto.b)) {
+          left_.emplace_back(v, s);
+          return false;
+        }
+    Point2 to = short_point_near(place_[onto.a], place_[onto.b], place_[v], foot);
+    if (!may_move(v, to)) to = foot.at;
+    if (!may_move(v, to)) return false;
+    place_[v] = std::move(to);
+    snapped_to_[v] = s;
+    return true;
+  }
+
+  bool still_apart(VertexId v, std::uint32_t s) const {
+    const Segment2 now = segment(s);
+    return now.a != now.b && now.a != v && now.b != v && foot_on(place_[now.a], place_[now.b], place_[v]).squared > 0;
+  }
+
+  void tell_moves(std::vector<RepairStep>& steps) const {
+    for (VertexId m = 0; m < origin_.size(); ++m) {
+      const VertexId v = into_[m];
+      if (place_[v] == origin_[m]) continue;
+      // Those that ended here before anything was joined stand first.
+      const std::uint32_t s = ending_[m].front();
+      const bool is_merged = v != m;
+      const std::string what = is_merged        ? "where " + name(ending_[v].front()) + " ends"
+                               : snapped_to_[v] ? "on " + name(*snapped_to_[v])
+                                                : "";
+      steps.push_back({is_merged ? "merged" : "snapped", scene_.surfaces[s].name,
+                       fmt::format("the end of {} went from {} to {}, {}", name(s), place_text(origin_[m]),
+                                   place_text(place_[v]), what)});
+    }
+  }
+
+  void rebuild(Repair2& repair) const {
+    std::vector<Surface2> kept;
+    std::map<std::pair<VertexId, VertexId>, std::vector<std::uint32_t>> by_ends;
+    for (std::uint32_t s = 0; s < segments_.size(); ++s) {
+      const Segment2 now = segment(s);
+      if (now.a == now.b) {
+        repair.steps.push_back({"dropped", scene_.surfaces[s].name, fmt::format("{} became a point", name(s))});
+        continue;
+      }
+      auto& same = by_ends[{now.a, now.b}];
+      const auto first = std::find_if(same.begin(), same.end(), [&](std::uint32_t t) { return act_alike(t, s); });
+      if (first != same.end() && must_close_[scene_.surfaces[s].group] != 0) {
+        repair.steps.push_back(
+            {"not-repaired", scene_.surfaces[s].name,
+             fmt::format("{} repeats {}, but its outline would be open without it", name(s), name(*first))});
+      } else if (first != same.end()) {
+        repair.steps.push_back(
+            {"dropped", scene_.surfaces[s].name, fmt::format("{} repeats {}", name(s), name(*first))});
+        continue;
+      }
+      same.push_back(s);
+      kept.push_back(scene_.surfaces[s]);
+      kept.back().from = place_[now.a];
+      kept.back().to = place_[now.b];
+    }
+    for (const Surface2& surface : kept) repair.former_names.push_back(surface.name);
+    repair.scene.surfaces = std::move(kept);
+  }
+
+  void find_outlines() {
+    must_close_.assign(scene_.groups.size(), 0);
+    if (!may_have_solids(scene_)) return;
+    for (const ClosedGroup2& closed : closed_groups(scene_)) must_close_[closed.group] = 1;
+    for (std::uint32_t group = 0; group < scene_.groups.size(); ++group)
+      if (scene_.groups[group].behind != Behind::kByOutline) must_close_[group] = 1;
+  }
+
+  bool act_alike(std::uint32_t s, std::uint32_t t) const {
+    const Surface2 &a = scene_.surfaces[s], &b = scene_.surfaces[t];
+    return scene_.materials[a.material] == scene_.materials[b.material] && a.back.has_value() == b.back.has_value() &&
+           (!a.back || scene_.materials[*a.back] == scene_.materials[*b.back]);
+  }
+
+  const Scene2& scene_;
+  const Rational distance_, squared_;
+  std::vector<Segment2> segments_;  // as they were
+  std::vector<Point2> origin_, place_;
+  std::vector<VertexId> into_;                      // the vertex that each was joined into
+  std::vector<std::vector<VertexId>> members_;      // of a vertex that others were joined into
+  std::vector<std::vector<std::uint32_t>> ending_;  // surfaces by vertex; those that came by joining follow
+  std::vector<std::optional<std::uint32_t>> snapped_to_;
+  std::vector<std::pair<VertexId, std::uint32_t>> left_;
+  std::vector<char> must_close_;  // by group
+};
+
+}  // namespace
+
+Repair2 close_gaps(const Scene2& scene, const Rational& distance) {
+  HOTTEL_REQUIRE(distance > 0);
+  return GapCloser(scene, distance).close();
+}
+
+}  // namespace hottel

@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/plane/check/cell_findings.h"
+#include "geometry/plane/check/repair.h"
+#include "geometry/plane/check/wording.h"
+
+namespace hottel {
+
+void reverse_inside_out(Repair2& repair) {
+  CellFindings2 told;
+  try {
+    const PreparedScene2 prepared = prepare(repair.scene);
+    told = cell_findings(prepared, Cells2(prepared.arrangement.triangulation(), prepared.arrangement.side_count()));
+  } catch (const InputError&) {
+    return;
+  }
+  const auto says_behind = [&](std::uint32_t s) {
+    return repair.scene.groups[repair.scene.surfaces[s].group].behind != Behind::kByOutline;
+  };
+  for (const std::vector<std::uint32_t>& surfaces : told.certainly_reversed) {
+    if (std::any_of(surfaces.begin(), surfaces.end(), says_behind)) continue;
+    for (const std::uint32_t s : surfaces) {
+      Surface2& surface = repair.scene.surfaces[s];
+      std::swap(surface.from, surface.to);
+      repair.steps.push_back({"reversed", surface.name,
+                              fmt::format("{} goes from {} to {} now", names_text(repair.scene, {s}),
+                                          place_text(surface.from), place_text(surface.to))});
+    }
+  }
+}
+
+}  // namespace hottel

@@ -1,0 +1,16 @@
+// What is worth telling about what faces see.
+#pragma once
+
+#include "geometry/plane/check/finding.h"
+#include "geometry/plane/exchange/exchange.h"
+
+namespace hottel {
+
+// An opening is told in a scene that makes no promise when it is narrower than this part of the walls behind it.
+inline constexpr double kLeakPart = 1.0 / 64;
+
+// Kinds: not-closed (error; one for each opening), opening, sees-only-sky (a whole polyline, or an
+// edge of its own). REQUIRES: `prepared` is not divided; the exact matrix of the scene, by faces or by elements.
+Findings sight_findings(const PreparedScene2& prepared, const ExchangeMatrix& matrix);
+
+}  // namespace hottel

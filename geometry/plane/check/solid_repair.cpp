@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "geometry/name.h"
+#include "geometry/plane/check/behind_remedies.h"
+#include "geometry/plane/check/repair.h"
+
+namespace hottel {
+namespace {
+
+using Cells = std::vector<std::uint32_t>;
+
+Cells united(const Cells& a, const Cells& b) {
+  Cells cells;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(cells));
+  return cells;
+}
+
+// The faces with a material that look into some cells.
+std::vector<std::uint32_t> faces_around(const PreparedScene2& prepared, const Cells2& cells, const Cells& some) {
+  std::vector<std::uint32_t> faces;
+  for (const std::uint32_t cell : some)
+    for (const PieceSideId side : cells.sides(cell)) {
+      const FacePart& owner = prepared.arrangement.owner(side);
+      if (!owner.is_back || prepared.scene.surfaces[owner.surface].back)
+        faces.push_back(2 * owner.surface + (owner.is_back ? 1 : 0));
+    }
+  return faces;
+}
+
+}  // namespace
+
+void state_solids(Repair2& repair, const std::vector<std::uint32_t>& black_backs) {
+  if (black_backs.empty()) return;
+  Scene2& scene = repair.scene;
+  const PreparedScene2 prepared = prepare(scene);
+  const Cells2 cells(prepared.arrangement.triangulation(), prepared.arrangement.side_count());
+  BehindRemedies2 remedies(prepared, cells);
+  Cells solid;
+  std::set<const BehindRemedy2*> asked;  // regions that are left as they are
+  for (const std::uint32_t s : black_backs) {
+    const BehindRemedy2* remedy = remedies.of(s);
+    if (remedy == nullptr) continue;
+    if (remedy->emits || !remedy->swallows.empty()) {
+      if (asked.insert(remedy).second)
+        repair.steps.push_back({"not-repaired", scene.surfaces[s].name,
+                                fmt::format("{} was not given \"behind\": \"solid\": {}",
+                                            quoted_name(scene.groups[scene.surfaces[s].group].name),
+                                            remedy->emits ? "something emits behind it, and that light would be lost"
+                                                          : "faces behind it would be covered wholly")});
+      continue;
+    }
+    if (std::includes(solid.begin(), solid.end(), remedy->cells.begin(), remedy->cells.end())) continue;
+    Cells together = united(solid, remedy->cells);
+    const std::vector<std::uint32_t> faces = faces_around(prepared, cells, remedy->cells);
+    if (std::any_of(faces.begin(), faces.end(), [&](std::uint32_t face) { return remedies.is_within(face, together); }))
+      continue;
+    solid = std::move(together);
+    const std::uint32_t group = scene.surfaces[s].group;
+    scene.groups[group].behind = Behind::kSolid;
+    repair.steps.push_back({"solid", scene.surfaces[s].name,
+                            fmt::format("{} says \"behind\": \"solid\" now", quoted_name(scene.groups[group].name))});
+  }
+}
+
+}  // namespace hottel

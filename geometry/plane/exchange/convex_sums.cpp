@@ -1,0 +1,104 @@
+#include "geometry/plane/exchange/convex_sums.h"
+
+#include <limits>
+#include <utility>
+
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+// The pieces of a convex room in the order of its outline, which starts at a corner. Side k begins at vertex k and lies
+// on wall wall(k).
+class Outline {
+ public:
+  struct Length {
+    Int128 value;
+    std::uint32_t inexact;
+  };
+
+  Outline(const Arrangement2& arrangement, const Labels2& labels)
+      : vertices_(arrangement.vertices()), sides_of_(labels.count()) {
+    const std::vector<Segment2>& pieces = arrangement.pieces();
+    constexpr VertexId kNone = std::numeric_limits<VertexId>::max();
+    std::vector<VertexId> next(vertices_.size(), kNone);
+    std::vector<std::uint32_t> label_from(vertices_.size());
+    for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
+      const std::uint32_t label = labels.of(static_cast<PieceSideId>(side));
+      if (!labels.has_row(label)) continue;
+      const auto [a, b] = side % 2 == 1 ? pieces[side / 2] : Segment2{pieces[side / 2].b, pieces[side / 2].a};
+      HOTTEL_REQUIRE(next[a] == kNone);
+      next[a] = b;
+      label_from[a] = label;
+    }
+    const auto ends_at_corner = [&](VertexId a) { return vertices_.orientation(a, next[a], next[next[a]]) != 0; };
+    VertexId a = pieces.front().a;
+    while (!ends_at_corner(a)) a = next[a];
+    Length at{0, 0};
+    std::uint32_t wall = 0;
+    for (std::uint32_t k = 0; k < pieces.size(); ++k) {
+      a = next[a];
+      const FixedLength length = vertices_.distance(a, next[a]);
+      vertex_.push_back(a);
+      wall_.push_back(wall);
+      sides_of_[label_from[a]].push_back(k);
+      at_.push_back(at);
+      at = {at.value + length.value, at.inexact + !length.is_exact};
+      wall += ends_at_corner(a);
+    }
+    at_.push_back(at);
+  }
+
+  const std::vector<std::uint32_t>& sides_of(std::uint32_t label) const { return sides_of_[label]; }
+  std::uint32_t wall(std::uint32_t side) const { return wall_[side]; }
+  std::uint32_t end(std::uint32_t side) const { return side + 1 == wall_.size() ? 0 : side + 1; }
+
+  // From vertex k to vertex l of the outline.
+  Length between(std::uint32_t k, std::uint32_t l) const {
+    if (k > l) std::swap(k, l);
+    if (k == l) return {0, 0};
+    if (wall_[k] == wall_[l - 1]) return along(k, l);
+    if (k == 0 && wall_[l] == wall_.back()) return along(l, static_cast<std::uint32_t>(wall_.size()));
+    const FixedLength length = vertices_.distance(vertex_[k], vertex_[l]);
+    return {length.value, !length.is_exact};
+  }
+
+ private:
+  Length along(std::uint32_t k, std::uint32_t l) const {
+    return {at_[l].value - at_[k].value, at_[l].inexact - at_[k].inexact};
+  }
+
+  const Vertices2& vertices_;
+  std::vector<VertexId> vertex_;
+  std::vector<std::uint32_t> wall_;
+  std::vector<Length> at_;  // from the first corner along the outline
+  std::vector<std::vector<std::uint32_t>> sides_of_;
+};
+
+}  // namespace
+
+std::vector<PairSum> sum_convex_pairs(const Arrangement2& arrangement, const Labels2& labels) {
+  const Outline outline(arrangement, labels);
+  std::vector<PairSum> pairs;
+  for (std::uint32_t i = 0; i < labels.count(); ++i)
+    for (std::uint32_t j = i; j < labels.count(); ++j) {
+      PairSum pair{i, j, 0, false, 0};
+      const auto add = [&](std::uint32_t u, std::uint32_t v, int sign) {
+        const Outline::Length length = outline.between(u, v);
+        pair.value += sign > 0 ? length.value : -length.value;
+        pair.inexact += length.inexact;
+      };
+      for (const std::uint32_t f : outline.sides_of(i))
+        for (const std::uint32_t g : outline.sides_of(j)) {
+          if (outline.wall(f) == outline.wall(g)) continue;
+          add(f, g, 1);
+          add(outline.end(f), outline.end(g), 1);
+          add(f, outline.end(g), -1);
+          add(outline.end(f), g, -1);
+        }
+      if (pair.value != 0 || pair.inexact != 0) pairs.push_back(pair);
+    }
+  return pairs;
+}
+
+}  // namespace hottel

@@ -1,0 +1,100 @@
+#include "geometry/plane/exchange/exchange_sums.h"
+
+#include <algorithm>
+#include <random>
+
+#include "geometry/plane/exchange/gap_terms.h"
+
+namespace hottel {
+namespace {
+
+// Follows the gaps that start at one vertex.
+class Sweep {
+ public:
+  Sweep(const Arrangement2& arrangement, const Labels2& labels) : arrangement_(arrangement), labels_(labels) {}
+
+  void operator()(VertexId v, Outbox<FixedTerm>& out) const {
+    const Vertices2& vertices = arrangement_.vertices();
+    thread_local View2 view;
+    look_around(vertices, arrangement_.triangulation(), v, view);
+    for_each_gap(vertices, v, view, true, [&](const Gap2& gap) {
+      ++out.gaps;
+      FixedLength length{0, false};
+      bool is_measured = false;
+      for_each_term(gap, labels_, [&](std::uint32_t i, std::uint32_t j, int sign) {
+        if (!is_measured) {
+          length = vertices.distance(gap.v, gap.w);
+          is_measured = true;
+        }
+        ++out.updates;
+        const Int128 value = i == j ? 2 * length.value : length.value;
+        const bool is_obstructed = !((is_end(i, gap.v) || is_end(j, gap.v)) && (is_end(i, gap.w) || is_end(j, gap.w)));
+        out.add({pair_key(i, j), length.is_exact ? 0u : (i == j ? 2u : 1u), is_obstructed, sign > 0 ? value : -value});
+      });
+    });
+  }
+
+ private:
+  bool is_end(std::uint32_t label, VertexId v) const { return label != labels_.sky() && labels_.has_end(label, v); }
+
+  const Arrangement2& arrangement_;
+  const Labels2& labels_;
+};
+
+}  // namespace
+
+std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const Labels2& labels,
+                                       const std::function<void(double)>& progress, std::uint64_t most_pairs,
+                                       SumCounts& counts) {
+  const std::size_t label_count = labels.covered() + 1;
+  auto sums = sum_terms<FixedTerm>(arrangement.vertices().size(), label_count, Sweep(arrangement, labels), progress,
+                                   most_pairs, counts);
+  std::size_t total = 0;
+  for (const auto& part : sums) total += part.size();
+  std::vector<PairSum> result;
+  result.reserve(total);
+  for (auto& part : sums) {
+    for (const FixedTerm& sum : part)
+      result.push_back({static_cast<std::uint32_t>(sum.key >> 32), static_cast<std::uint32_t>(sum.key), sum.inexact,
+                        sum.is_obstructed != 0, sum.value});
+    std::vector<FixedTerm>().swap(part);
+  }
+  return result;
+}
+
+std::uint64_t estimated_pairs(const Arrangement2& arrangement, const Labels2& labels) {
+  // Pairs that see each other through one opening have four terms; there are few with less.
+  constexpr std::uint64_t kTermsPerPair = 4;
+  constexpr std::uint64_t kSample = 256;
+  const std::uint64_t n = arrangement.vertices().size();
+  std::mt19937_64 random(1);
+  const std::uint64_t sample = std::min(kSample, n);
+  std::uint64_t terms = 0;
+  View2 view;
+  for (std::uint64_t k = 0; k < sample; ++k) {
+    const auto v = static_cast<VertexId>(sample == n ? k : random() % n);
+    look_around(arrangement.vertices(), arrangement.triangulation(), v, view);
+    // Every gap is met from both its ends: half of it belongs to this one.
+    for_each_gap(arrangement.vertices(), v, view, false, [&](const Gap2& gap) {
+      for_each_term(gap, labels, [&terms](std::uint32_t, std::uint32_t, int) { ++terms; });
+    });
+  }
+  return sample == 0 ? 0 : terms * n / (2 * kTermsPerPair * sample);
+}
+
+Int128 closure_defect(const std::vector<PairSum>& pairs, const Labels2& labels) {
+  std::vector<Int128> sum(labels.sky() + 1, 0);
+  for (const PairSum& pair : pairs) {
+    sum[pair.i] += pair.value;
+    if (pair.j != pair.i) sum[pair.j] += pair.value;
+  }
+  Int128 defect = 0;
+  for (std::uint32_t label = 0; label < labels.count(); ++label) {
+    if (!labels.has_row(label)) continue;
+    const Int128 difference = sum[label] - 2 * labels.length(label).value;
+    defect = std::max(defect, difference < 0 ? -difference : difference);
+  }
+  return defect;
+}
+
+}  // namespace hottel

@@ -1,0 +1,48 @@
+// Twice the exchange measures of all visible pairs, in fixed point: sums that do not depend on the order of addition.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "geometry/plane/arrangement/arrangement.h"
+#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/exchange/term_sums.h"
+
+namespace hottel {
+
+// 2 S(i, j) of one pair of labels, i <= j.
+struct PairSum {
+  std::uint32_t i, j;
+  std::uint32_t inexact;  // how many of the lengths added were rounded
+  bool is_obstructed;     // a vertex that is no end of i or j took part: only then can anything hide j from i
+  Int128 value;           // in units of Vertices2::fixed_unit()
+
+  FixedSum sum(double length_error) const { return {value, inexact * length_error}; }
+};
+
+// Returns the sums of all pairs for which something was added and at least one of the two has a row, sorted by (i, j).
+// A pair (i, i) occurs for groups only and counts both directions of a line.
+//
+//   (1) the value does not depend on the number of threads: 128-bit integer addition is associative
+//   (2) sum over j of value(i, j) == 2 length(i) to the last bit, for every label i that has a row: each length enters
+//       a row with coefficients that cancel, but for the lengths on i itself
+// COST: parallel; one sweep about each vertex, and 32 bytes a term in flight, 32 to 64 bytes a pair.
+// `progress` is called from time to time with the fraction done and may throw to stop.
+//
+// Throws RequestError when the pairs become more than `most_pairs`.
+std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const Labels2& labels,
+                                       const std::function<void(double)>& progress, std::uint64_t most_pairs,
+                                       SumCounts& counts);
+
+// What a visible pair takes in memory at the most, from the sums to the matrix, in bytes (measured on clutter with
+// backs, where both directions have a row; benchmarks/factors).
+inline constexpr std::uint64_t kBytesPerPair = 200;
+
+// Estimates the number of visible pairs from the sweeps about 256 vertices, drawn by a fixed seed.
+std::uint64_t estimated_pairs(const Arrangement2& arrangement, const Labels2& labels);
+
+// Checks property (2) as an identity of integers; returns the largest defect, 0 when it holds.
+Int128 closure_defect(const std::vector<PairSum>& pairs, const Labels2& labels);
+
+}  // namespace hottel

@@ -1,0 +1,145 @@
+#include "geometry/plane/exchange/labels.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace hottel {
+namespace {
+
+constexpr VertexId kNoVertex = std::numeric_limits<VertexId>::max();
+
+}  // namespace
+
+Labels2::Labels2(const Scene2& scene, const Arrangement2& arrangement, const Division& division, Per per) {
+  // First label of each front and back.
+  std::vector<std::uint32_t> first[2];
+  first[0].resize(scene.surfaces.size());
+  first[1].resize(scene.surfaces.size());
+  std::vector<std::uint32_t> group_label[2];
+  for (auto& labels : group_label) labels.assign(scene.groups.size(), std::numeric_limits<std::uint32_t>::max());
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface2& surface = scene.surfaces[s];
+    for (const bool back : {false, true}) {
+      const std::optional<std::uint32_t> material = back ? surface.back : std::optional(surface.material);
+      if (per == Per::kGroup) {
+        // Both labels of a group are made with its first surface, so that front stands before back.
+        if (group_label[back][surface.group] == std::numeric_limits<std::uint32_t>::max()) {
+          group_label[back][surface.group] = count();
+          elements_.push_back({scene.groups[surface.group].name + (back ? ":back" : ""), s, 0, 1, back, material, {}});
+        } else if (material) {
+          elements_[group_label[back][surface.group]].material = material;
+        }
+        first[back][s] = group_label[back][surface.group];
+        continue;
+      }
+      const std::string name = surface.name + (back ? ":back" : "");
+      const std::uint32_t parts = per == Per::kElement && material ? division[s] : 1;
+      first[back][s] = count();
+      for (std::uint32_t k = 0; k < parts; ++k)
+        elements_.push_back({parts == 1 ? name : name + "#" + std::to_string(k), s, k, parts, back, material, {}});
+    }
+  }
+
+  are_straight_ = per != Per::kGroup;
+  of_side_.assign(arrangement.side_count() + 1, covered());
+  of_side_[0] = sky();
+  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
+    if (arrangement.is_covered(static_cast<PieceSideId>(side))) continue;
+    const FacePart& owner = arrangement.owner(static_cast<PieceSideId>(side));
+    const std::uint32_t label = first[owner.is_back][owner.surface];
+    of_side_[side + 1] = label + (elements_[label].parts > 1 ? owner.part : 0);
+  }
+  measure(arrangement);
+}
+
+Labels2 Labels2::restricted_to(std::uint32_t i, std::uint32_t j, const std::vector<std::uint32_t>& pieces,
+                               const Arrangement2& arrangement_of_pieces) const {
+  Labels2 result;
+  result.are_straight_ = are_straight_;
+  result.elements_.push_back(elements_[i]);
+  if (j != i) result.elements_.push_back(elements_[j]);
+  result.of_side_.push_back(result.sky());
+  for (const std::uint32_t piece : pieces)
+    for (const std::uint32_t side : {2 * piece, 2 * piece + 1}) {
+      const std::uint32_t label = of(static_cast<PieceSideId>(side));
+      result.of_side_.push_back(label == i ? 0 : label == j ? 1 : result.covered());
+    }
+  result.measure(arrangement_of_pieces);
+  return result;
+}
+
+void Labels2::measure(const Arrangement2& arrangement) {
+  const Vertices2& vertices = arrangement.vertices();
+  length_.assign(elements_.size(), {});
+  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
+    if (of_side_[side + 1] >= count()) continue;
+    const Segment2& piece = arrangement.pieces()[side / 2];
+    const FixedLength length = vertices.distance(piece.a, piece.b);
+    FixedSum& sum = length_[of_side_[side + 1]];
+    sum.value += length.value;
+    if (!length.is_exact) sum.error += vertices.length_error();
+  }
+  find_runs(arrangement);
+
+  const FixedScale unit(vertices.fixed_unit() * vertices.scale());
+  for (std::uint32_t label = 0; label < count(); ++label)
+    if (const auto quick = round_scaled(length_[label], unit))
+      elements_[label].area = quick->number;
+    else
+      elements_[label].area =
+          round_quotient(exact_length(label, vertices) * vertices.scale(), RootSum(Rational(1))).number;
+  has_row_.assign(elements_.size() + 2, 0);
+  for (std::uint32_t label = 0; label < count(); ++label)
+    has_row_[label] = elements_[label].material.has_value() && !runs(label).empty();
+}
+
+void Labels2::find_runs(const Arrangement2& arrangement) {
+  // Sides by label, each run with its front on the right.
+  std::vector<std::size_t> begin(elements_.size() + 1, 0);
+  const auto is_covered = [this](std::size_t side) { return of_side_[side + 1] >= count(); };
+  for (std::size_t side = 0; side < arrangement.side_count(); ++side)
+    if (!is_covered(side)) ++begin[of_side_[side + 1] + 1];
+  for (std::size_t label = 0; label < elements_.size(); ++label) begin[label + 1] += begin[label];
+  std::vector<Segment2> directed(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
+    if (is_covered(side)) continue;
+    const Segment2& piece = arrangement.pieces()[side / 2];
+    directed[next[of_side_[side + 1]]++] = side % 2 == 1 ? piece : Segment2{piece.b, piece.a};
+  }
+  const Vertices2& vertices = arrangement.vertices();
+  runs_begin_.push_back(0);
+  end_.assign(2 * elements_.size(), kNoVertex);
+  for (std::size_t label = 0; label < elements_.size(); ++label) {
+    const auto from = directed.begin() + static_cast<std::ptrdiff_t>(begin[label]);
+    const auto to = directed.begin() + static_cast<std::ptrdiff_t>(begin[label + 1]);
+    if (are_straight_)
+      std::sort(from, to, [&](const Segment2& s, const Segment2& t) {
+        return s.a != t.a && vertices.precedes(s.a, s.b) == vertices.precedes(s.a, t.a);
+      });
+    const std::size_t first_run = runs_.size();
+    for (auto piece = from; piece != to; ++piece) {
+      // A run that turns back on itself is two.
+      const bool continues = runs_.size() > first_run && runs_.back().b == piece->a &&
+                             vertices.orientation(runs_.back().a, runs_.back().b, piece->b) == 0 &&
+                             vertices.is_between(runs_.back().a, piece->b, piece->a);
+      if (continues)
+        runs_.back().b = piece->b;
+      else
+        runs_.push_back(*piece);
+    }
+    runs_begin_.push_back(runs_.size());
+    if (runs_.size() == first_run + 1) {
+      end_[2 * label] = runs_.back().a;
+      end_[2 * label + 1] = runs_.back().b;
+    }
+  }
+}
+
+RootSum Labels2::exact_length(std::uint32_t label, const Vertices2& vertices) const {
+  RootSum length;
+  for (const Segment2& run : runs(label)) length.add(1, vertices.squared_distance(run.a, run.b));
+  return length;
+}
+
+}  // namespace hottel

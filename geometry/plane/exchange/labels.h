@@ -1,0 +1,64 @@
+// Which element each side of each piece belongs to, and what is known of the elements before anything is seen.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/arrangement/arrangement.h"
+#include "kernel/rounding.h"
+
+namespace hottel {
+
+// What one row and column of the exchange matrix stands for. Elements: parts of faces with a material (a black back is
+// never divided). Groups: all fronts (backs) of one polyline.
+enum class Per : unsigned char { kFace, kElement, kGroup };
+
+// The elements of an arrangement in the order of the contract: surfaces in the order of the scene, front before back,
+// parts ascending.
+class Labels2 {
+ public:
+  Labels2(const Scene2& scene, const Arrangement2& arrangement, const Division& division, Per per);
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(elements_.size()); }
+  std::uint32_t sky() const { return count(); }
+  // The label of sides that belong to no element: they look into a solid. It has no row.
+  std::uint32_t covered() const { return count() + 1; }
+  const std::vector<Element>& elements() const { return elements_; }
+
+  std::uint32_t of(PieceSideId side) const { return of_side_[static_cast<std::size_t>(side + 1)]; }
+  bool has_row(std::uint32_t label) const { return has_row_[label] != 0; }
+
+  // The labels i and j alone (0, and 1 where j is another), on the arrangement of some pieces (ascending numbers) of
+  // the one that these are of. All other sides are covered.
+  Labels2 restricted_to(std::uint32_t i, std::uint32_t j, const std::vector<std::uint32_t>& pieces,
+                        const Arrangement2& arrangement_of_pieces) const;
+
+  // The element's straight runs: its owned pieces, joined where they follow each other, front on the right.
+  std::span<const Segment2> runs(std::uint32_t label) const {
+    return {runs_.data() + runs_begin_[label], runs_.data() + runs_begin_[label + 1]};
+  }
+  // True iff vertex v is an end of the element and the element is one run.
+  bool has_end(std::uint32_t label, VertexId v) const { return end_[2 * label] == v || end_[2 * label + 1] == v; }
+
+  // Sum of the lengths of the owned pieces, in units of Vertices2::fixed_unit().
+  const FixedSum& length(std::uint32_t label) const { return length_[label]; }
+  RootSum exact_length(std::uint32_t label, const Vertices2& vertices) const;  // in integer form
+
+ private:
+  Labels2() = default;
+  void measure(const Arrangement2& arrangement);
+  void find_runs(const Arrangement2& arrangement);
+
+  std::vector<Element> elements_;
+  std::vector<std::uint32_t> of_side_;  // by PieceSideId + 1; the sky first
+  std::vector<char> has_row_;           // two more than elements: the sky and what is covered have none
+  bool are_straight_ = true;
+  std::vector<Segment2> runs_;
+  std::vector<std::size_t> runs_begin_;
+  std::vector<VertexId> end_;
+  std::vector<FixedSum> length_;
+};
+
+}  // namespace hottel

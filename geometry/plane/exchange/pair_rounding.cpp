@@ -1,0 +1,112 @@
+#include "geometry/plane/exchange/pair_rounding.h"
+
+#include <cmath>
+
+namespace hottel {
+namespace {
+
+FixedSum twice(const FixedSum& sum) { return {2 * sum.value, 2 * sum.error}; }
+
+}  // namespace
+
+double visibility_of(const Rounded& quotient) {
+  if (quotient.value == 1.0 && quotient.side < 0) return std::nextafter(1.0, 0.0);
+  if (quotient.value == 0.0 && quotient.side > 0) return std::numeric_limits<double>::denorm_min();
+  return quotient.value;
+}
+
+PairRounding::PairRounding(const PreparedScene2& prepared, const Labels2& labels, const ExchangeOptions2& options)
+    : prepared_(prepared),
+      labels_(labels),
+      options_(options),
+      alone_(prepared, labels, options.per),
+      half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {}
+
+RoundedPair PairRounding::quick(const PairSum& pair, TierCounts& tiers) const {
+  const Vertices2& vertices = prepared_.arrangement.vertices();
+  const FixedSum sum = pair.sum(vertices.length_error());
+  RoundedPair result;
+  // A sum that may be zero is looked at exactly before anything is printed of it.
+  const bool may_be_zero = static_cast<double>(pair.value) <= sum.error;
+  const auto settle = [&](const FixedSum& divisor, Rounded& number, bool& is_open) {
+    const bool is_coarse = may_be_zero || static_cast<double>(divisor.value) <= divisor.error;
+    const auto rounded = is_coarse ? std::nullopt : round_quotient(sum, divisor);
+    is_open = !rounded;
+    if (!rounded) return;
+    number = rounded->number;
+    tiers.count(rounded->tier);
+  };
+  if (labels_.has_row(pair.i)) settle(twice(labels_.length(pair.i)), result.forth, result.is_forth_open);
+  if (labels_.has_row(pair.j)) settle(twice(labels_.length(pair.j)), result.back, result.is_back_open);
+  if (options_.wants_measures) {
+    const auto rounded = may_be_zero ? std::nullopt : round_scaled(sum, half_unit_);
+    result.is_measure_open = !rounded;
+    if (rounded) result.measure = rounded->number.value;
+  }
+  if (!options_.wants_visibility || pair.j == labels_.sky()) return result;
+  if (!alone_.are_straight(pair.i, pair.j)) {
+    result.is_visibility_open = true;
+  } else if (!pair.is_obstructed && !may_be_zero) {
+    result.visibility = 1;
+    tiers.count(Tier::kDouble);
+  } else {
+    Rounded visibility;
+    const auto free = alone_.quick(pair.i, pair.j);
+    if (free && static_cast<double>(free->value) > free->error)
+      settle(*free, visibility, result.is_visibility_open);
+    else
+      result.is_visibility_open = true;
+    result.visibility = visibility_of(visibility);
+  }
+  return result;
+}
+
+// Settles what quick() left open.
+void PairRounding::exactly(const PairSum& pair, const RootSum& sum, RoundedPair& result, TierCounts& tiers) const {
+  const Vertices2& vertices = prepared_.arrangement.vertices();
+  if (sum.is_zero()) {
+    result = {};
+    result.is_zero = true;
+    return;
+  }
+  const auto settle = [&](std::uint32_t label) {
+    const RoundedByTier rounded = round_quotient(sum, labels_.exact_length(label, vertices) * Rational(2));
+    tiers.count(rounded.tier);
+    return rounded.number;
+  };
+  if (result.is_forth_open) result.forth = settle(pair.i);
+  if (result.is_back_open) result.back = settle(pair.j);
+  if (result.is_measure_open)
+    result.measure = round_quotient(sum * (vertices.scale() / 2), RootSum(Rational(1))).number.value;
+  if (!result.is_visibility_open) return;
+  const RootSum free = alone_.exact(pair.i, pair.j) * (Rational(2) / vertices.scale());
+  if ((free - sum).is_zero()) {
+    result.visibility = 1;
+    tiers.count(Tier::kRootSum);
+  } else {
+    const RoundedByTier rounded = round_quotient(sum, free);
+    tiers.count(rounded.tier);
+    result.visibility = visibility_of(rounded.number);
+  }
+}
+
+void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels, std::vector<RoundedPair>& rounded) {
+  std::vector<std::uint32_t> partners(labels.count() + 1, 0);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    ++partners[pairs[k].i];
+    if (pairs[k].i != pairs[k].j) ++partners[pairs[k].j];
+  }
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    RoundedPair& pair = rounded[k];
+    if (pair.is_forth_open && partners[pairs[k].i] == 1) {
+      pair.forth = {1.0, 0};
+      pair.is_forth_open = false;
+    }
+    if (pair.is_back_open && pairs[k].j != labels.sky() && partners[pairs[k].j] == 1) {
+      pair.back = {1.0, 0};
+      pair.is_back_open = false;
+    }
+  }
+}
+
+}  // namespace hottel

@@ -1,0 +1,54 @@
+// From the sum of one pair to what is printed of it.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/exchange/exchange_sums.h"
+#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/exchange/pair_alone.h"
+#include "kernel/rounding.h"
+
+namespace hottel {
+
+// What is printed of one pair, and what the fixed-point sums could not settle.
+struct RoundedPair {
+  Rounded forth, back;  // F(i, j), F(j, i); unset where there is no row
+  double visibility = std::numeric_limits<double>::quiet_NaN();
+  double measure = std::numeric_limits<double>::quiet_NaN();
+  bool is_forth_open = false, is_back_open = false, is_visibility_open = false, is_measure_open = false,
+       is_zero = false;
+
+  bool is_open() const { return is_forth_open || is_back_open || is_visibility_open || is_measure_open; }
+};
+
+// Vis of the correctly rounded S / S0: below 1 whenever something hides a part, above 0 whenever something is seen. A
+// quotient that would round to 1 from below or to 0 from above keeps its distance.
+double visibility_of(const Rounded& quotient);
+
+// Rounds pair sums correctly: by fixed point where that settles it, else from the exact sum.
+//
+//   (1) quick() leaves open what its error bounds do not settle; exactly() settles all of that
+//   (2) a sum that may be zero is left open altogether: whether the pair exists is decided exactly
+class PairRounding {
+ public:
+  // REQUIRES that all three outlive this.
+  PairRounding(const PreparedScene2& prepared, const Labels2& labels, const ExchangeOptions2& options);
+
+  RoundedPair quick(const PairSum& pair, TierCounts& tiers) const;
+  // sum: 2 S(i, j) in integer form.
+  void exactly(const PairSum& pair, const RootSum& sum, RoundedPair& result, TierCounts& tiers) const;
+
+ private:
+  const PreparedScene2& prepared_;
+  const Labels2& labels_;
+  const ExchangeOptions2& options_;
+  const PairsAlone2 alone_;
+  const FixedScale half_unit_;  // 2 S in fixed point to S in scene units
+};
+
+// A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it.
+void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels, std::vector<RoundedPair>& rounded);
+
+}  // namespace hottel

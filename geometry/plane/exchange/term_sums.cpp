@@ -1,0 +1,108 @@
+#include "geometry/plane/exchange/term_sums.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <mutex>
+
+#include "geometry/pair_table.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
+
+namespace hottel {
+namespace {
+
+// A round of vertices is cut into so many runs, whoever sweeps them.
+constexpr std::size_t kRuns = 32;
+
+// The outboxes of a round. Where order matters each run has its own; else it takes any that is free, so that there are
+// no more than threads.
+template <class Term>
+class Outboxes {
+ public:
+  explicit Outboxes(const Outbox<Term>& empty) : empty_(empty) {
+    if (Term::kOrderMatters) all_.assign(kRuns, empty);
+  }
+
+  Outbox<Term>& take(std::size_t run) {
+    if (Term::kOrderMatters) return all_[run];
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) return all_.emplace_back(empty_);
+    Outbox<Term>& outbox = *free_.back();
+    free_.pop_back();
+    return outbox;
+  }
+  void give_back(Outbox<Term>& outbox) {
+    if (Term::kOrderMatters) return;
+    const std::lock_guard lock(mutex_);
+    free_.push_back(&outbox);
+  }
+
+  std::deque<Outbox<Term>>& all() { return all_; }
+
+ private:
+  const Outbox<Term> empty_;
+  std::deque<Outbox<Term>> all_;
+  std::vector<Outbox<Term>*> free_;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+template <class Term>
+std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t labels, const TermSweep<Term>& sweep,
+                                         const std::function<void(double)>& progress, std::uint64_t most_pairs,
+                                         SumCounts& counts) {
+  int partition_shift = 0;
+  while ((labels >> partition_shift) > 64) ++partition_shift;
+  const std::size_t partitions = ((labels - 1) >> partition_shift) + 1;
+  std::vector<PairTable<Term>> tables(partitions);
+
+  // Rounds: sweep some vertices, then empty the outboxes into the tables. A round is as large as keeps the terms in
+  // flight near kTermsInFlight, judged by the round before.
+  constexpr std::size_t kTermsInFlight = 1 << 19;
+  Outboxes<Term> outboxes(Outbox<Term>(partitions, partition_shift));
+  std::size_t round = 64;
+  for (std::size_t begin = 0; begin < vertices;) {
+    const std::size_t size = std::min(round, vertices - begin);
+    parallel_for(kRuns, [&](std::size_t run) {
+      Outbox<Term>& out = outboxes.take(run);
+      for (std::size_t v = begin + run * size / kRuns; v != begin + (run + 1) * size / kRuns; ++v)
+        sweep(static_cast<VertexId>(v), out);
+      outboxes.give_back(out);
+    });
+    std::size_t in_flight = 0;
+    for (const Outbox<Term>& out : outboxes.all()) in_flight += out.size();
+    parallel_for(partitions, [&](std::size_t partition) {
+      for (Outbox<Term>& out : outboxes.all()) {
+        for (const Term& term : out.partition(partition)) tables[partition].add(term);
+        out.partition(partition).clear();
+      }
+    });
+    std::uint64_t pairs = 0;
+    for (const auto& table : tables) pairs += table.size();
+    if (pairs > most_pairs)
+      throw RequestError(fmt::format(
+          "the scene has more than {} visible pairs, which is all that the memory allowed holds", most_pairs));
+    begin += size;
+    round = std::clamp<std::size_t>(round * kTermsInFlight / (in_flight + 1), std::max<std::size_t>(16, round / 4),
+                                    4 * round);
+    if (progress) progress(static_cast<double>(begin) / static_cast<double>(vertices));
+  }
+  for (const Outbox<Term>& out : outboxes.all()) {
+    counts.gaps += out.gaps;
+    counts.updates += out.updates;
+  }
+
+  std::vector<std::vector<Term>> sums(partitions);
+  parallel_for(partitions, [&](std::size_t k) { sums[k] = tables[k].take(); });
+  return sums;
+}
+
+template std::vector<std::vector<FixedTerm>> sum_terms(std::size_t, std::size_t, const TermSweep<FixedTerm>&,
+                                                       const std::function<void(double)>&, std::uint64_t, SumCounts&);
+template std::vector<std::vector<PlainTerm>> sum_terms(std::size_t, std::size_t, const TermSweep<PlainTerm>&,
+                                                       const std::function<void(double)>&, std::uint64_t, SumCounts&);
+
+}  // namespace hottel

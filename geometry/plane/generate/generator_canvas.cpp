@@ -1,0 +1,174 @@
+#include "geometry/plane/generate/generator_canvas.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace hottel {
+namespace {
+
+int sign_of_turn(const Dot& a, const Dot& b, const Dot& c) {
+  const Int128 turn = static_cast<Int128>(b.x - a.x) * (c.y - a.y) - static_cast<Int128>(b.y - a.y) * (c.x - a.x);
+  return (turn > 0) - (turn < 0);
+}
+
+std::int64_t power_of_ten(int exponent) {
+  std::int64_t power = 1;
+  for (; exponent > 0; --exponent) power *= 10;
+  return power;
+}
+
+// splitmix64's output function: a fixed permutation of 64-bit words that mixes well.
+std::uint64_t mix(std::uint64_t word) {
+  word += 0x9e3779b97f4a7c15;
+  word = (word ^ (word >> 30)) * 0xbf58476d1ce4e5b9;
+  word = (word ^ (word >> 27)) * 0x94d049bb133111eb;
+  return word ^ (word >> 31);
+}
+
+Spectrum rgb(const Rational& r, const Rational& g, const Rational& b) { return {{r, g, b}, false}; }
+
+std::vector<Material> paints() {
+  const auto hundredths = [](int v) {
+    Rational value(v, 100);
+    value.canonicalize();
+    return value;
+  };
+  const Spectrum none;
+  return {{"white", Spectrum::scalar(hundredths(70)), none},
+          {"red", rgb(hundredths(70), hundredths(20), hundredths(15)), none},
+          {"blue", rgb(hundredths(20), hundredths(30), hundredths(70)), none},
+          {"grey", Spectrum::scalar(hundredths(50)), none},
+          {"lamp", Spectrum::scalar(hundredths(10)), rgb(9, 8, 6)},
+          {"glow", Spectrum::scalar(hundredths(50)), Spectrum::scalar(hundredths(25))}};
+}
+
+void drop_unused_materials(Scene2& scene) {
+  std::vector<char> used(scene.materials.size(), 0);
+  for (const Surface2& s : scene.surfaces) used[s.material] = used[s.back.value_or(s.material)] = 1;
+  std::vector<std::uint32_t> place(used.size(), 0);
+  std::vector<Material> kept;
+  for (std::size_t m = 0; m < used.size(); ++m) {
+    place[m] = static_cast<std::uint32_t>(kept.size());
+    if (used[m]) kept.push_back(std::move(scene.materials[m]));
+  }
+  scene.materials = std::move(kept);
+  for (Surface2& s : scene.surfaces) {
+    s.material = place[s.material];
+    if (s.back) s.back = place[*s.back];
+  }
+}
+
+// The command that makes the scene again.
+std::string command_of(const GeneratorRequest& request) {
+  std::string text = numbered(("hottel generate " + request.kind + " --n ").c_str(), request.n);
+  text += numbered(" --seed ", request.seed);
+  if (request.digits != 0) text += numbered(" --digits ", request.digits);
+  if (request.length != 1) text += " --length " + to_string(request.length);
+  if (request.k != 0) text += numbered(" --k ", request.k);
+  return text;
+}
+
+}  // namespace
+
+bool share_a_point(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
+  if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
+      std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) {
+    return false;
+  }
+  // With overlapping boxes the segments meet unless one lies strictly on one side of the other's line.
+  return sign_of_turn(a, b, c) * sign_of_turn(a, b, d) <= 0 && sign_of_turn(c, d, a) * sign_of_turn(c, d, b) <= 0;
+}
+
+std::uint64_t integer_root(std::uint64_t value) {
+  std::uint64_t root = 0;
+  for (std::uint64_t bit = std::uint64_t{1} << 31; bit > 0; bit >>= 1)
+    if ((root + bit) * (root + bit) <= value) root += bit;
+  return root;
+}
+
+Canvas::Canvas(const GeneratorRequest& request, int placed_decimals)
+    : about_(command_of(request)),
+      seed_(mix(request.seed)),
+      denominator_(static_cast<long>(power_of_ten(placed_decimals))) {
+  scene_.materials = paints();
+}
+
+Canvas Canvas::of_placed_points(const GeneratorRequest& request, int decimals) { return Canvas(request, decimals); }
+
+Canvas::Canvas(const GeneratorRequest& request, int decimals, std::int64_t extent) : Canvas(request, decimals) {
+  if (request.digits == 0) return;
+  int digits_of_unit = 1;  // of the offset, and of each coordinate in units once it is added
+  for (offset_ = 1; offset_ < extent; offset_ *= 10) ++digits_of_unit;
+  const int added = request.digits - digits_of_unit;
+  if (added < 1) {
+    throw UsageError("--digits " + std::to_string(request.digits) + " is too few for this scene: it needs " +
+                     std::to_string(digits_of_unit + 1));
+  }
+  added_digits_ = power_of_ten(added);
+  denominator_ *= static_cast<long>(added_digits_);
+}
+
+Dot Canvas::place(const Dot& unit) const {
+  if (added_digits_ == 1) return unit;
+  // The digits are a function of the point, so that a vertex shared by edges stays one. The last is not zero.
+  const std::uint64_t word_x =
+      mix(seed_ ^ mix(static_cast<std::uint64_t>(unit.x) ^ mix(static_cast<std::uint64_t>(unit.y))));
+  const std::uint64_t word_y = mix(word_x);
+  const auto digits = [this](std::uint64_t word) {
+    const auto tens = static_cast<std::uint64_t>(added_digits_ / 10);
+    return static_cast<std::int64_t>(word % tens * 10 + 1 + (word >> 58) % 9);
+  };
+  return {(unit.x + offset_) * added_digits_ + digits(word_x), (unit.y + offset_) * added_digits_ + digits(word_y)};
+}
+
+Rational Canvas::coordinate(std::int64_t placed) const {
+  Rational value(Integer(static_cast<long>(placed)), denominator_);
+  value.canonicalize();
+  return value;
+}
+
+Surface2 Canvas::surface(std::string name, const Dot& from, const Dot& to, Paint paint) const {
+  Surface2 surface;
+  surface.name = std::move(name);
+  surface.from = {coordinate(from.x), coordinate(from.y)};
+  surface.to = {coordinate(to.x), coordinate(to.y)};
+  surface.material = paint;
+  return surface;
+}
+
+void Canvas::add_edge(std::string name, const Dot& from, const Dot& to, Paint paint, std::optional<Paint> back) {
+  scene_.groups.push_back(name);
+  Surface2 edge = surface(std::move(name), from, to, paint);
+  if (back) edge.back = *back;
+  edge.group = static_cast<std::uint32_t>(scene_.groups.size() - 1);
+  scene_.surfaces.push_back(std::move(edge));
+}
+
+void Canvas::add_polygon(const std::string& name, const std::vector<Dot>& corners, Paint paint) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    polygon_pieces_.push_back(
+        surface(name + "[" + std::to_string(i) + "]", corners[i], corners[(i + 1) % corners.size()], paint));
+    polygon_pieces_.back().group = static_cast<std::uint32_t>(polygon_names_.size());
+  }
+  polygon_names_.push_back(name);
+}
+
+Scene2 Canvas::finish(bool closed) {
+  const auto groups_of_edges = static_cast<std::uint32_t>(scene_.groups.size());
+  scene_.surfaces.reserve(scene_.surfaces.size() + polygon_pieces_.size());
+  for (Surface2& piece : polygon_pieces_) {
+    piece.group += groups_of_edges;
+    scene_.surfaces.push_back(std::move(piece));
+  }
+  for (std::string& name : polygon_names_) scene_.groups.push_back(std::move(name));
+  polygon_pieces_.clear();
+  polygon_names_.clear();
+  drop_unused_materials(scene_);
+  scene_.closed = closed;
+  scene_.file = about_;
+  scene_.about = about_;
+  return std::move(scene_);
+}
+
+}  // namespace hottel

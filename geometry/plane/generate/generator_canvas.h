@@ -1,0 +1,102 @@
+// What the generators draw on: a fixed-point plane, a portable source of chance, and the materials.
+// Internal to geometry/plane/generate.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "geometry/plane/generate/generators.h"
+#include "geometry/plane/scene/scene.h"
+#include "kernel/int128.h"
+
+namespace hottel {
+
+// A point in fixed point.
+struct Dot {
+  std::int64_t x = 0, y = 0;
+  friend bool operator==(const Dot&, const Dot&) = default;
+};
+
+// Returns whether the closed segments ab and cd have a common point. Exact for coordinates below 2^61 in absolute
+// value.
+bool share_a_point(const Dot& a, const Dot& b, const Dot& c, const Dot& d);
+
+// Returns the integer part of the square root.
+std::uint64_t integer_root(std::uint64_t value);
+
+// Returns stem followed by the number.
+template <class Number>
+std::string numbered(const char* stem, Number number) {
+  return std::string(stem).append(std::to_string(number));
+}
+
+// Chance from std::mt19937_64, whose raw output the standard fixes.
+class Chance {
+ public:
+  explicit Chance(std::uint64_t seed) : engine_(seed) {}
+
+  // A number in [0, count). The bias is below count / 2^64.
+  std::uint64_t below(std::uint64_t count) {
+    return static_cast<std::uint64_t>((static_cast<UInt128>(engine_()) * count) >> 64);
+  }
+  // A number in [low, high].
+  std::int64_t between(std::int64_t low, std::int64_t high) {
+    return low + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(high - low) + 1));
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// Indices into the materials of every generated scene.
+enum Paint : std::uint32_t { kWhite, kRed, kBlue, kGrey, kLamp, kGlow };
+
+// A scene in the making. Generators think in units of 10^-decimals with all coordinates in [0, extent]. With digits
+// asked for, place() moves the scene by a power of ten and adds digits below one unit to each point: points that were
+// equal stay equal, and whatever kept a distance of 3 units does not meet.
+class Canvas {
+ public:
+  // Throws UsageError when the digits asked for cannot hold the extent.
+  Canvas(const GeneratorRequest& request, int decimals, std::int64_t extent);
+
+  // A canvas whose points the generator places itself, as multiples of 10^-decimals.
+  static Canvas of_placed_points(const GeneratorRequest& request, int decimals);
+
+  // Where a point in units comes to lie: fixed point of the finished scene.
+  Dot place(const Dot& unit) const;
+
+  // Both take placed points; edges come before polylines in the scene.
+  void add_edge(std::string name, const Dot& from, const Dot& to, Paint paint, std::optional<Paint> back = {});
+  void add_polygon(const std::string& name, const std::vector<Dot>& corners, Paint paint);
+
+  Scene2 finish(bool closed);
+
+ private:
+  Canvas(const GeneratorRequest& request, int placed_decimals);
+  Surface2 surface(std::string name, const Dot& from, const Dot& to, Paint paint) const;
+  Rational coordinate(std::int64_t placed) const;
+
+  std::string about_;
+  std::uint64_t seed_;
+  std::int64_t offset_ = 0;        // units added to each coordinate
+  std::int64_t added_digits_ = 1;  // 10^m for m digits below the unit
+  Integer denominator_;
+  Scene2 scene_;
+  std::vector<Surface2> polygon_pieces_;
+  std::vector<std::string> polygon_names_;
+};
+
+// One function a kind; see generator_kinds().
+Scene2 generate_room(const GeneratorRequest& request);
+Scene2 generate_clutter(const GeneratorRequest& request);
+Scene2 generate_lattice(const GeneratorRequest& request);
+Scene2 generate_maze(const GeneratorRequest& request);
+Scene2 generate_comb(const GeneratorRequest& request);
+Scene2 generate_star(const GeneratorRequest& request);
+Scene2 generate_pillars(const GeneratorRequest& request);
+Scene2 generate_plates(const GeneratorRequest& request);
+
+}  // namespace hottel

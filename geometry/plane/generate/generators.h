@@ -1,0 +1,56 @@
+// Scenes made to order: seeded, of any size, the same on every machine.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/plane/scene/scene.h"
+#include "kernel/rational.h"
+
+namespace hottel {
+
+struct GeneratorRequest {
+  std::string kind;
+  std::uint64_t n = 100;  // number of edges; each kind says how close it comes, never above
+  std::uint64_t seed = 0;
+  int digits = 0;       // significant digits of every coordinate; 0: as few as the scene needs
+  Rational length = 1;  // clutter: length of the segments, in mean distances between neighbours
+  std::uint64_t k = 0;  // lattice: side of the lattice; 0: the square root of n, at least 4
+};
+
+struct GeneratorKind {
+  std::string name;
+  std::string description;  // one line
+  std::string count;        // how many edges come out for --n N, one line
+  std::uint64_t min_edges;
+};
+
+// The kinds, in the order in which help lists them.
+const std::vector<GeneratorKind>& generator_kinds();
+
+// clutter --view short|long as a length: segments as long as they are apart see their neighbours, segments a fifth of
+// that see some hundred others.
+inline const Rational kShortView = 1;
+inline const Rational kLongView{1, 5};
+
+inline constexpr std::uint64_t kMaxGeneratedEdges = 10'000'000;
+inline constexpr int kMaxGeneratedDigits = 18;
+
+// Returns the scene of that kind.
+//
+//   (1) the same request gives the same scene, on every platform: integers and std::mt19937_64 decide, no floating
+//       point and no library distribution
+//   (2) edges of every kind but "lattice" touch in shared end points only; decided exactly
+//   (3) every kind but "plates" is closed: no front with a material sees the sky
+//   (4) "lattice" is full of crossings, T-junctions, collinear neighbours and overlaps; one material, so that no two
+//       claims on an overlapped piece differ
+//   (5) with digits = D every coordinate has D significant digits (lattice: at most D), and (2) to (4) still hold: the
+//       added digits stay below the gaps of the scene; those of a lattice are an exact similarity, which keeps every
+//       coincidence
+//   (6) n and the seed decide the number of edges, as GeneratorKind::count says; something always emits
+//
+// Throws UsageError for an unknown kind or a request out of range. COST: O(n) and a few hundred bytes an edge.
+Scene2 generate_2(const GeneratorRequest& request);
+
+}  // namespace hottel

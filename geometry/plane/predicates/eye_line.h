@@ -1,0 +1,44 @@
+// The line through two points that need not be vertices, and on which side of it the vertices lie.
+#pragma once
+
+#include "geometry/plane/predicates/vertices.h"
+
+namespace hottel {
+
+// The directed line from one eye to another.
+// REQUIRES that both eyes and their vertices outlive the line, and that the eyes differ.
+class EyeLine2 {
+ public:
+  EyeLine2(const Eye2& from, const Eye2& to)
+      : from_(&from),
+        to_(&to),
+        approximate_(from.vertices_->approximate_.data()),
+        x_(from.x_),
+        y_(from.y_),
+        dx_(to.x_ - from.x_),
+        dy_(to.y_ - from.y_),
+        error_(from.error_ > to.error_ ? from.error_ : to.error_),
+        length_(std::fabs(dx_) + std::fabs(dy_) + 2 * error_) {}
+
+  // Where vertex v lies: +1 left of the line, -1 right of it, 0 on it; exactly.
+  // COST: about 2 ns when the filter decides; about 20 ns when 128 bits do; else about 1 µs.
+  int side(VertexId v) const {
+    const Vertices2::Approximate& p = approximate_[v];
+    const double bx = p.x - x_, by = p.y - y_;
+    const double left = dx_ * by, right = dy_ * bx, determinant = left - right;
+    const double bound = Vertices2::kOrientationError * (std::fabs(left) + std::fabs(right)) +
+                         error_ * (length_ + std::fabs(bx) + std::fabs(by));
+    if (determinant > bound) return 1;
+    if (determinant < -bound) return -1;
+    return exact_side(v);
+  }
+
+ private:
+  int exact_side(VertexId v) const;
+
+  const Eye2 *from_, *to_;
+  const Vertices2::Approximate* approximate_;
+  double x_, y_, dx_, dy_, error_, length_;
+};
+
+}  // namespace hottel

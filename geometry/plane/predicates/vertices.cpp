@@ -1,0 +1,353 @@
+#include "geometry/plane/predicates/vertices.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+// A small coordinate: differences stay below 2^61, squared distances below 2^123.
+constexpr std::size_t kSmallBits = 60;
+
+std::size_t bits(const Integer& value) { return value == 0 ? 0 : mpz_sizeinbase(value.get_mpz_t(), 2); }
+
+template <class Number>
+int sign_of(const Number& value) {
+  return (value > 0) - (value < 0);
+}
+
+// Least common denominator of the coordinates, and the largest common factor of their numerators over it.
+struct CommonScale {
+  Integer denominator = 1;
+  Integer factor = 0;
+  bool is_bounded = true;  // false: the denominator grew beyond any use and was given up
+
+  void include_denominator(const Rational& value) {
+    if (!is_bounded) return;
+    if (mpz_divisible_p(denominator.get_mpz_t(), value.get_den_mpz_t())) return;
+    denominator = lcm(denominator, value.get_den());
+    is_bounded = bits(denominator) <= 40000;
+  }
+  void include_factor(const Rational& value) {
+    if (factor == 1) return;
+    factor = gcd(factor, Integer(value.get_num() * (denominator / value.get_den())));
+  }
+};
+
+double nearest(const Rational& value, int shift) { return to_double(scaled_by_power_of_two(value, -shift)); }
+
+// Position of the leading bit of |value|: |value| < 2^result.
+int exponent_above(const Rational& value) {
+  if (value == 0) return 0;
+  return static_cast<int>(bits(Integer(abs(value.get_num())))) - static_cast<int>(bits(value.get_den())) + 1;
+}
+
+// value * 2^shift rounded to an integer, for |value * 2^shift| < 2^126.
+Int128 to_fixed(double value, int shift) {
+  int exponent;
+  const double mantissa = std::frexp(value, &exponent);
+  const auto integer = static_cast<std::int64_t>(std::ldexp(mantissa, 53));
+  const int left = exponent - 53 + shift;
+  if (left >= 0) return static_cast<Int128>(integer) << left;
+  if (left < -60) return 0;
+  return (static_cast<Int128>(integer) + (static_cast<Int128>(1) << (-left - 1))) >> -left;
+}
+
+}  // namespace
+
+Vertices2::Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed) {
+  if (points.empty()) return;
+  origin_ = points.front();
+  std::vector<ExactPoint2> shifted(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) shifted[i] = {points[i].x - origin_.x, points[i].y - origin_.y};
+
+  const auto common_scale = [&shifted](std::size_t count) {
+    CommonScale common;
+    for (std::size_t i = 0; i < count; ++i) {
+      common.include_denominator(shifted[i].x);
+      common.include_denominator(shifted[i].y);
+    }
+    if (common.is_bounded)
+      for (std::size_t i = 0; i < count && common.factor != 1; ++i) {
+        common.include_factor(shifted[i].x);
+        common.include_factor(shifted[i].y);
+      }
+    if (common.factor == 0) common.factor = 1;
+    return common;
+  };
+  const auto apply = [this, &shifted](const CommonScale& common) {
+    if (!common.is_bounded) return false;
+    Rational factor(common.denominator, common.factor);
+    factor.canonicalize();
+    for (ExactPoint2& p : shifted) {
+      p.x *= factor;
+      p.y *= factor;
+    }
+    scale_ /= factor;
+    return true;
+  };
+  const auto has_small_form = [&shifted] {
+    return std::all_of(shifted.begin(), shifted.end(), [](const ExactPoint2& p) {
+      return p.x.get_den() == 1 && p.y.get_den() == 1 && bits(p.x.get_num()) <= kSmallBits &&
+             bits(p.y.get_num()) <= kSmallBits;
+    });
+  };
+
+  apply(common_scale(typed));
+  bool small = has_small_form();
+  if (!small && typed < points.size()) {
+    const CommonScale all = common_scale(points.size());
+    if (all.is_bounded && bits(all.denominator) <= kSmallBits) {
+      apply(all);
+      small = has_small_form();
+    }
+  }
+
+  int& top = coordinate_bits_;
+  for (const ExactPoint2& p : shifted) top = std::max({top, exponent_above(p.x), exponent_above(p.y)});
+
+  approximate_.resize(points.size());
+  if (small) {
+    small_.resize(points.size());
+    bool all_are_doubles = true;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      small_[i] = {shifted[i].x.get_num().get_si(), shifted[i].y.get_num().get_si()};
+      approximate_[i] = {static_cast<double>(small_[i].x), static_cast<double>(small_[i].y)};
+      all_are_doubles &= static_cast<std::int64_t>(approximate_[i].x) == small_[i].x &&
+                         static_cast<std::int64_t>(approximate_[i].y) == small_[i].y;
+    }
+    input_error_ = all_are_doubles ? 0 : std::ldexp(1.0, top - 53) * 2.0000001;
+  } else {
+    large_ = std::move(shifted);
+    low_.resize(points.size());
+    approximation_shift_ = top - 53;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto split = [this](const Rational& value, double& hi, double& lo) {
+        hi = nearest(value, approximation_shift_);
+        const Rational back = scaled_by_power_of_two(Rational(hi), approximation_shift_);
+        lo = nearest(value - back, approximation_shift_);
+      };
+      split(large_[i].x, approximate_[i].x, low_[i].x);
+      split(large_[i].y, approximate_[i].y, low_[i].y);
+    }
+    // |approximate| < 2^53, so its error is at most 1/2; low repeats the argument one level down: at most 2^-54.
+    input_error_ = 1.0000001;
+  }
+  set_total_length(1);
+}
+
+void Vertices2::set_total_length(double diameters) {
+  double extent = 1;
+  for (const Approximate& p : approximate_) extent = std::max({extent, std::fabs(p.x), std::fabs(p.y)});
+  // Every distance is below 3 extents; twice the total stays below 2^124 units.
+  int bits_above;
+  std::frexp(3 * extent * std::max(1.0, diameters), &bits_above);
+  fixed_bits_ = 123 - bits_above;
+  // Small form: half a unit for dropping bits, less than 1.5 for the root.
+  // Large form: the low parts are off by 2^-54 at most, four of them enter; the double-double root is good to 2^-98.
+  length_error_ = is_small() ? 2 : std::ldexp(0x1p-51 + std::ldexp(extent, -97), fixed_bits_) + 4;
+}
+
+int Vertices2::exact_orientation(VertexId i, VertexId j, VertexId k) const {
+  if (is_small()) {
+    const Small &p = small_[i], &q = small_[j], &r = small_[k];
+    return sign_of(static_cast<Int128>(q.x - p.x) * (r.y - p.y) - static_cast<Int128>(q.y - p.y) * (r.x - p.x));
+  }
+  const ExactPoint2 &p = large_[i], &q = large_[j], &r = large_[k];
+  const Rational left = (q.x - p.x) * (r.y - p.y), right = (q.y - p.y) * (r.x - p.x);
+  return sign_of(cmp(left, right));
+}
+
+int Vertices2::direction_sign(VertexId i, VertexId j, VertexId k) const {
+  if (is_small()) {
+    const Small &p = small_[i], &q = small_[j], &r = small_[k];
+    return sign_of(static_cast<Int128>(q.x - p.x) * (r.x - p.x) + static_cast<Int128>(q.y - p.y) * (r.y - p.y));
+  }
+  const ExactPoint2 &p = large_[i], &q = large_[j], &r = large_[k];
+  const Rational product = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
+  return sgn(product);
+}
+
+bool Vertices2::is_between(VertexId i, VertexId j, VertexId k) const { return direction_sign(k, i, j) < 0; }
+
+FixedLength Vertices2::distance(VertexId i, VertexId j) const {
+  return is_small() ? small_distance(i, j) : large_distance(i, j);
+}
+
+// The integer N = dx² + dy² is scaled by 4^h to 124 or 125 bits. S, the integer nearest to its root (up to one unit),
+// comes from a double and one exact correction; with R = N - S² the root is S + R / (2 S) up to 2^-65. That fraction is
+// divided out to 62 bits in two steps of doubles.
+FixedLength Vertices2::small_distance(VertexId i, VertexId j) const {
+  const std::int64_t dx = small_[j].x - small_[i].x, dy = small_[j].y - small_[i].y;
+  const UInt128 squared =
+      static_cast<UInt128>(static_cast<Int128>(dx) * dx) + static_cast<UInt128>(static_cast<Int128>(dy) * dy);
+  if (squared == 0) return {0, true};
+  const auto high = static_cast<std::uint64_t>(squared >> 64);
+  const int width =
+      high != 0 ? 128 - std::countl_zero(high) : 64 - std::countl_zero(static_cast<std::uint64_t>(squared));
+  const int half_shift = (125 - width) / 2;
+  const UInt128 n = squared << (2 * half_shift);
+  auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(static_cast<std::uint64_t>(n >> 64)) * 0x1p64));
+  auto remainder = static_cast<Int128>(n) - static_cast<Int128>(root) * root;
+  const double inverse = 0.5 / static_cast<double>(root);
+  const double distance_to_root = double_near(remainder) * inverse;
+  const auto correction = static_cast<std::int64_t>(distance_to_root + (distance_to_root < 0 ? -0.5 : 0.5));
+  remainder -= (2 * static_cast<Int128>(root) + correction) * correction;
+  root += correction;
+  // value = root + remainder / (2 root), in units of 2^-62
+  const auto coarse =
+      static_cast<std::int64_t>(static_cast<double>(static_cast<std::int64_t>(remainder)) * inverse * 0x1p40);
+  const Int128 left = (remainder << 40) - 2 * static_cast<Int128>(root) * coarse;
+  const auto fine = static_cast<std::int64_t>(double_near(left) * inverse * 0x1p22);
+  const Int128 value = (static_cast<Int128>(root) << 62) + (static_cast<Int128>(coarse) << 22) + fine;
+  const int drop = half_shift + 62 - fixed_bits_;
+  return {(value + (static_cast<Int128>(1) << (drop - 1))) >> drop, remainder == 0};
+}
+
+FixedLength Vertices2::large_distance(VertexId i, VertexId j) const {
+  const auto difference = [](double ahi, double alo, double bhi, double blo) {
+    double s, e, t, f;
+    two_sum(bhi, -ahi, s, e);
+    two_sum(blo, -alo, t, f);
+    e += t;
+    double hi, lo;
+    two_sum(s, e, hi, lo);
+    return DoubleDouble{hi, lo + f};
+  };
+  const DoubleDouble dx = difference(approximate_[i].x, low_[i].x, approximate_[j].x, low_[j].x);
+  const DoubleDouble dy = difference(approximate_[i].y, low_[i].y, approximate_[j].y, low_[j].y);
+  double xx, xe, yy, ye, s, e;
+  two_product(dx.hi, dx.hi, xx, xe);
+  xe += 2 * dx.hi * dx.lo;
+  two_product(dy.hi, dy.hi, yy, ye);
+  ye += 2 * dy.hi * dy.lo;
+  two_sum(xx, yy, s, e);
+  e += xe + ye;
+  if (s <= 0) return {0, false};
+  const double root = std::sqrt(s);
+  double rr, re;
+  two_product(root, root, rr, re);
+  const double correction = (((s - rr) - re) + e) / (2 * root);
+  return {to_fixed(root, fixed_bits_) + to_fixed(correction, fixed_bits_), false};
+}
+
+int Vertices2::side_of_circle(VertexId i, VertexId j, VertexId k, VertexId l) const {
+  const Approximate& d = approximate_[l];
+  const double ax = approximate_[i].x - d.x, ay = approximate_[i].y - d.y;
+  const double bx = approximate_[j].x - d.x, by = approximate_[j].y - d.y;
+  const double cx = approximate_[k].x - d.x, cy = approximate_[k].y - d.y;
+  const double a = ax * ax + ay * ay, b = bx * bx + by * by, c = cx * cx + cy * cy;
+  const double determinant = a * (bx * cy - cx * by) + b * (cx * ay - ax * cy) + c * (ax * by - bx * ay);
+  const double permanent = a * (std::fabs(bx * cy) + std::fabs(cx * by)) +
+                           b * (std::fabs(cx * ay) + std::fabs(ax * cy)) +
+                           c * (std::fabs(ax * by) + std::fabs(bx * ay));
+  const double largest =
+      std::max({std::fabs(ax), std::fabs(ay), std::fabs(bx), std::fabs(by), std::fabs(cx), std::fabs(cy)}) +
+      2 * input_error_;
+  // (10 + 96 u) u for the rounding (Shewchuk 1997, 4.3); each of 12 products of four differences moves by at most
+  // 4 input errors times the cube of the largest one.
+  const double bound = 1.2e-15 * permanent + 60 * input_error_ * largest * largest * largest;
+  if (determinant > bound) return 1;
+  if (determinant < -bound) return -1;
+  if (is_small() && largest < 0x1p28) {
+    const auto dx = [&](VertexId v) { return small_[v].x - small_[l].x; };
+    const auto dy = [&](VertexId v) { return small_[v].y - small_[l].y; };
+    const std::int64_t pax = dx(i), pay = dy(i), pbx = dx(j), pby = dy(j), pcx = dx(k), pcy = dy(k);
+    return sign_of(static_cast<Int128>(pax * pax + pay * pay) * (pbx * pcy - pcx * pby) +
+                   static_cast<Int128>(pbx * pbx + pby * pby) * (pcx * pay - pax * pcy) +
+                   static_cast<Int128>(pcx * pcx + pcy * pcy) * (pax * pby - pbx * pay));
+  }
+  const ExactPoint2 p = exact(i), q = exact(j), r = exact(k), s = exact(l);
+  const Rational pax = p.x - s.x, pay = p.y - s.y, pbx = q.x - s.x, pby = q.y - s.y, pcx = r.x - s.x, pcy = r.y - s.y;
+  const Rational value = (pax * pax + pay * pay) * (pbx * pcy - pcx * pby) +
+                         (pbx * pbx + pby * pby) * (pcx * pay - pax * pcy) +
+                         (pcx * pcx + pcy * pcy) * (pax * pby - pbx * pay);
+  return sgn(value);
+}
+
+int Vertices2::compare_x(VertexId i, VertexId j) const {
+  return is_small() ? sign_of(small_[i].x - small_[j].x) : sign_of(cmp(large_[i].x, large_[j].x));
+}
+
+int Vertices2::compare_y(VertexId i, VertexId j) const {
+  return is_small() ? sign_of(small_[i].y - small_[j].y) : sign_of(cmp(large_[i].y, large_[j].y));
+}
+
+bool Vertices2::precedes(VertexId i, VertexId j) const {
+  const int order = compare_x(i, j);
+  return order != 0 ? order < 0 : compare_y(i, j) < 0;
+}
+
+ExactPoint2 Vertices2::exact(VertexId i) const {
+  if (!is_small()) return large_[i];
+  return {Rational(Integer(static_cast<long>(small_[i].x))), Rational(Integer(static_cast<long>(small_[i].y)))};
+}
+
+Rational Vertices2::squared_distance(VertexId i, VertexId j) const {
+  const ExactPoint2 p = exact(i), q = exact(j);
+  const Rational dx = q.x - p.x, dy = q.y - p.y;
+  return dx * dx + dy * dy;
+}
+
+ExactPoint2 Vertices2::to_scene(const ExactPoint2& p) const {
+  return {origin_.x + scale_ * p.x, origin_.y + scale_ * p.y};
+}
+
+ExactPoint2 Vertices2::from_scene(const ExactPoint2& p) const {
+  return {(p.x - origin_.x) / scale_, (p.y - origin_.y) / scale_};
+}
+
+Rational Vertices2::fixed_unit() const {
+  return scaled_by_power_of_two(Rational(1), approximation_shift_ - fixed_bits_);
+}
+
+EyeCoordinate2::EyeCoordinate2(const Vertices2& vertices, const Rational& value) : exact_(value) {
+  approximate_ = nearest(value, vertices.approximation_shift_);
+  // A coordinate beyond the double range makes every bound infinite: the exact step decides.
+  const bool is_exact =
+      vertices.approximation_shift_ == 0 && std::isfinite(approximate_) && Rational(approximate_) == value;
+  error_ = std::max(vertices.input_error_, is_exact ? 0.0 : (std::fabs(approximate_) + 1) * 0x1p-52);
+  constexpr std::size_t kLimit = 61;  // differences stay below 2^62, their products below 2^124
+  if (vertices.is_small() && bits(value.get_num()) <= kLimit &&
+      bits(value.get_den()) + static_cast<std::size_t>(vertices.coordinate_bits_) <= kLimit) {
+    numerator_ = value.get_num().get_si();
+    denominator_ = value.get_den().get_si();
+  }
+}
+
+Eye2::Eye2(const Vertices2& vertices, const ExactPoint2& point)
+    : Eye2(vertices, std::make_shared<const std::pair<EyeCoordinate2, EyeCoordinate2>>(
+                         EyeCoordinate2(vertices, point.x), EyeCoordinate2(vertices, point.y))) {}
+
+Eye2::Eye2(const Vertices2& vertices, std::shared_ptr<const std::pair<EyeCoordinate2, EyeCoordinate2>> own)
+    : Eye2(vertices, own->first, own->second) {
+  own_ = std::move(own);
+}
+
+int Eye2::exact_orientation(VertexId j, VertexId k) const {
+  const EyeCoordinate2 &x = *exact_x_, &y = *exact_y_;
+  if (x.denominator_ != 0 && y.denominator_ != 0) {
+    const auto &q = vertices_->small_[j], &r = vertices_->small_[k];
+    return sign_of(static_cast<Int128>(q.x * x.denominator_ - x.numerator_) * (r.y * y.denominator_ - y.numerator_) -
+                   static_cast<Int128>(q.y * y.denominator_ - y.numerator_) * (r.x * x.denominator_ - x.numerator_));
+  }
+  const ExactPoint2 q = vertices_->exact(j), r = vertices_->exact(k);
+  const Rational left = (q.x - x.exact_) * (r.y - y.exact_), right = (q.y - y.exact_) * (r.x - x.exact_);
+  return sign_of(cmp(left, right));
+}
+
+int Eye2::direction_sign(VertexId j, VertexId k) const {
+  const ExactPoint2 q = vertices_->exact(j), r = vertices_->exact(k);
+  const Rational &x = exact_x_->exact_, &y = exact_y_->exact_;
+  const Rational product = (q.x - x) * (r.x - x) + (q.y - y) * (r.y - y);
+  return sgn(product);
+}
+
+bool Eye2::coincides_with(VertexId j) const {
+  const ExactPoint2 q = vertices_->exact(j);
+  return q.x == exact_x_->exact_ && q.y == exact_y_->exact_;
+}
+
+}  // namespace hottel

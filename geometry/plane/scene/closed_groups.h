@@ -1,0 +1,22 @@
+// Groups of surfaces that close.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/plane/scene/scene.h"
+
+namespace hottel {
+
+// A group whose surfaces stand together in the list, each begins where the one before ends, and the last ends where the
+// first begins.
+struct ClosedGroup2 {
+  std::uint32_t group = 0;
+  int turn = 0;           // sign of the area it winds around: +1 counter-clockwise (fronts outward), -1 clockwise
+  bool has_back = false;  // some surface has a material on its back
+};
+
+// Returns the closed groups of a scene, by group. COST: linear.
+std::vector<ClosedGroup2> closed_groups(const Scene2& scene);
+
+}  // namespace hottel

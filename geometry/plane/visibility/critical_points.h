@@ -1,0 +1,31 @@
+// Where, along a face, the view of another face changes its combinatorics.
+#pragma once
+
+#include <vector>
+
+#include "geometry/plane/arrangement/arrangement.h"
+
+namespace hottel {
+
+// A point of a face through which a line passes that touches two vertices and beyond which the other face appears,
+// disappears or changes its neighbour.
+struct CriticalPoint2 {
+  Rational t;             // position on the surface, 0 at its first point, 1 at its second
+  ExactPoint2 point;      // scene coordinates
+  ExactPoint2 near, far;  // the two vertices, the nearer one first; near == point in a contact
+  bool is_jump = false;   // D0: something touches the face here; otherwise D1, a kink
+};
+
+// A side of a surface, or the sky.
+struct FaceSide2 {
+  std::uint32_t surface = 0;
+  bool is_back = false;
+  bool is_sky = false;
+};
+
+// Returns the critical points of face a with respect to b, another face or the sky, by ascending t; several lines may
+// pass through one point. COST: one sweep about every vertex.
+std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, const Scene2& scene, const FaceSide2& a,
+                                            const FaceSide2& b);
+
+}  // namespace hottel

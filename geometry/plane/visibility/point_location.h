@@ -1,0 +1,52 @@
+// Where a point lies in the triangulation of a scene.
+#pragma once
+
+#include <vector>
+
+#include "geometry/plane/arrangement/triangulation.h"
+#include "geometry/plane/predicates/vertices.h"
+#include "geometry/plane/visibility/view.h"
+
+namespace hottel {
+
+struct Location2 {
+  enum class Kind { kInTriangle, kOnEdge, kOnVertex, kOutside };
+  Kind kind = Kind::kOutside;
+  HalfEdgeId half_edge = -1;  // of the triangle (the first of three), or the edge the point lies on (the lower of two)
+  VertexId vertex = 0;        // kOnVertex
+};
+
+// Finds points by walking through triangles from one near by.
+//
+//   (1) exact: on an edge or vertex means exactly on it
+//   (2) what is found does not depend on where the walk began
+// COST: O(1) steps on average from a grid of starting triangles, about one for every two triangles; from the place of a
+// point near by as many as there are triangles between.
+class PointLocation2 {
+ public:
+  PointLocation2(const Vertices2& vertices, const Triangulation2& triangulation);
+
+  Location2 locate(const Eye2& eye) const;
+  // near: where the walk begins, a triangle of another location; changed to where it ends. -1: nowhere yet.
+  Location2 locate(const Eye2& eye, HalfEdgeId& near) const;
+
+  const Triangulation2& triangulation() const { return triangulation_; }
+
+  // Fills the view from the eye; from a point on an edge or vertex both sides are seen, the edges at it edge-on.
+  // Returns where the eye is.
+  Location2 look_around(const Eye2& eye, View2& view) const;
+  Location2 look_around(const Eye2& eye, View2& view, HalfEdgeId& near) const;
+
+ private:
+  void look_around_outside(const Eye2& eye, View2& view) const;
+  std::size_t cell(double x, double y) const;
+
+  const Vertices2& vertices_;
+  const Triangulation2& triangulation_;
+  std::vector<HalfEdgeId> start_;  // by grid cell: some triangle near it
+  std::vector<HalfEdgeId> hull_;   // half-edges on the hull, counter-clockwise
+  double x0_ = 0, y0_ = 0, cells_per_length_ = 0;
+  int cells_ = 1;
+};
+
+}  // namespace hottel

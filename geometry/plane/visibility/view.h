@@ -1,0 +1,93 @@
+// What one sees from a point: triangular expansion through the constrained triangulation.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/plane/arrangement/triangulation.h"
+#include "geometry/plane/predicates/vertices.h"
+
+namespace hottel {
+
+// The visible vertices around an eye in counter-clockwise order, the nearest one in each direction, and what is seen
+// between each and the next.
+//
+//   (1) the open segment from the eye to a seen vertex meets no piece and no other vertex, or it is covered by a piece
+//       that ends at the eye (then left and right are the sides of that piece, else kNoPiece)
+//   (2) between two neighbours in the list one sees exactly one side of one piece, or the sky (kSky)
+struct View2 {
+  struct Seen {
+    VertexId vertex;
+    PieceSideId behind;       // seen between this vertex and the next in the list
+    PieceSideId left, right;  // sides of the covering piece
+  };
+  std::vector<Seen> seen;
+};
+
+// Follows the cone between right and left into the triangle of half-edge `entry`, which it enters through it (-1: the
+// cone ends at the piece side or sky `blocked_by`), counter-clockwise; appends the vertices found strictly inside the
+// cone and what is seen between them. The last entry of the view must be the right end.
+// Orientation(j, k) is the sign of the triangle eye, j, k.
+// COST: one or two orientations for each triangle the cone enters.
+template <class Orientation>
+void expand_cone(const Triangulation2& triangulation, HalfEdgeId entry, PieceSideId blocked_by, VertexId right,
+                 VertexId left, const Orientation& orientation, View2& view) {
+  struct Cone {
+    HalfEdgeId half_edge;
+    VertexId right, left;
+  };
+  thread_local std::vector<Cone> waiting;
+  const std::size_t bottom = waiting.size();
+  for (;;) {
+    HalfEdgeId exit;
+    if (entry < 0) {
+      view.seen.back().behind = blocked_by;
+      if (waiting.size() == bottom) return;
+      exit = waiting.back().half_edge;
+      right = waiting.back().right;
+      left = waiting.back().left;
+      waiting.pop_back();
+      view.seen.push_back({right, kSky, kNoPiece, kNoPiece});
+    } else {
+      const VertexId apex = triangulation.corner(entry);
+      if (orientation(right, apex) <= 0) {
+        exit = previous_half_edge(entry);  // the whole cone passes left of the apex
+      } else if (orientation(apex, left) <= 0) {
+        exit = next_half_edge(entry);
+      } else {
+        waiting.push_back({previous_half_edge(entry), apex, left});
+        exit = next_half_edge(entry);
+        left = apex;
+      }
+    }
+    entry = triangulation.twin(exit);
+    if (entry < 0) blocked_by = triangulation.side(exit);
+  }
+}
+
+// The same for a cone that leaves the triangle of half-edge `exit` through it.
+template <class Orientation>
+void expand_cone_through(const Triangulation2& triangulation, HalfEdgeId exit, VertexId right, VertexId left,
+                         const Orientation& orientation, View2& view) {
+  expand_cone(triangulation, triangulation.twin(exit), triangulation.side(exit), right, left, orientation, view);
+}
+
+// Fills the view from vertex v, by the signs of points.orientation(i, j, k).
+template <class Points>
+void look_around(const Points& points, const Triangulation2& triangulation, VertexId v, View2& view) {
+  view.seen.clear();
+  const auto star = triangulation.star(v);
+  const auto orientation = [&points, v](VertexId j, VertexId k) { return points.orientation(v, j, k); };
+  for (std::size_t k = 0; k < star.size(); ++k) {
+    const StarEntry& entry = star[k];
+    view.seen.push_back({entry.neighbour, kSky, entry.left, entry.right});
+    if (entry.opposite < 0) continue;
+    const VertexId next = star[k + 1 == star.size() ? 0 : k + 1].neighbour;
+    expand_cone_through(triangulation, entry.opposite, entry.neighbour, next, orientation, view);
+  }
+}
+
+// The same by exact signs. COST: about 20 ns for each triangle seen.
+void look_around(const Vertices2& vertices, const Triangulation2& triangulation, VertexId v, View2& view);
+
+}  // namespace hottel

@@ -1,0 +1,131 @@
+#include "io/files/output_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "kernel/support/failure.h"
+#include "kernel/support/interrupt.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::size_t kBufferBytes = 1 << 16;
+constexpr int kMostNames = 1000;  // tried before giving up
+
+std::string text_of(int error) { return "cannot be written: " + std::string(std::strerror(error)); }
+
+}  // namespace
+
+OutputFile::OutputFile(const std::filesystem::path& file)
+    : name_(file == "-" ? "standard output" : file.string()), target_(file) {
+  if (file == "-") {
+    descriptor_ = STDOUT_FILENO;
+    is_owned_ = false;
+  } else {
+    open();
+  }
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : name_(std::move(other.name_)),
+      target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      pending_(std::move(other.pending_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      is_owned_(other.is_owned_),
+      buffer_(std::move(other.buffer_)) {}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0 && is_owned_) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void OutputFile::fail(int error) { throw OutputError(name_, text_of(error)); }
+
+void OutputFile::open() {
+  if (target_.empty()) throw OutputError("''", "is no name of a file");
+  std::error_code unresolved;
+  if (auto resolved = std::filesystem::canonical(target_, unresolved); !unresolved) target_ = std::move(resolved);
+
+  struct stat status {};
+  const bool exists = ::stat(target_.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) fail(errno);
+  if (exists && S_ISDIR(status.st_mode)) throw OutputError(name_, "is a directory, not a file");
+  if (exists && ::access(target_.c_str(), W_OK) != 0) fail(errno);
+  if (exists && !S_ISREG(status.st_mode)) {
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail(errno);
+    return;
+  }
+  const std::filesystem::path directory = target_.has_parent_path() ? target_.parent_path() : ".";
+  if (!target_.has_filename()) throw OutputError(name_, "is a directory, not a file");
+  for (int k = 0; descriptor_ < 0; ++k) {
+    const std::string name = ".hottel-" + std::to_string(::getpid()) + "-" + std::to_string(k) + ".tmp";
+    temporary_ = (directory / name).string();
+    pending_ = PendingRemoval(temporary_, Removal::kFile);
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ >= 0) break;
+    const int error = errno;
+    pending_ = {};
+    temporary_.clear();
+    if (error == ENOENT)
+      throw OutputError(name_, "cannot be written: there is no directory '" + directory.string() + "'");
+    if (error != EEXIST || k == kMostNames) fail(error);
+  }
+  if (exists) ::fchmod(descriptor_, status.st_mode & 07777);
+}
+
+void OutputFile::drain() {
+  for (std::size_t done = 0; done < buffer_.size();) {
+    const ssize_t count = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);
+    if (count < 0 && errno == EINTR) {
+      throw_if_interrupted();
+      continue;
+    }
+    if (count < 0 && errno == EPIPE && descriptor_ == STDOUT_FILENO) throw ReaderGone();
+    if (count < 0) fail(errno);
+    done += static_cast<std::size_t>(count);
+  }
+  buffer_.clear();
+}
+
+void OutputFile::write(std::string_view bytes) {
+  HOTTEL_REQUIRE(descriptor_ >= 0);
+  while (!bytes.empty()) {
+    const std::string_view part = bytes.substr(0, kBufferBytes);
+    buffer_ += part;
+    bytes.remove_prefix(part.size());
+    if (buffer_.size() >= kBufferBytes) drain();
+  }
+}
+
+void OutputFile::finish() {
+  if (descriptor_ < 0) return;
+  drain();
+  // A device or pipe has nothing to flush to disk.
+  if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail(errno);
+  const int descriptor = std::exchange(descriptor_, -1);
+  if (is_owned_ && ::close(descriptor) != 0) fail(errno);
+}
+
+void OutputFile::commit() {
+  finish();
+  if (temporary_.empty()) return;
+  throw_if_interrupted();
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  temporary_.clear();
+  pending_ = {};
+}
+
+void write_output_file(const std::filesystem::path& file, std::string_view bytes) {
+  OutputFile output(file);
+  output.write(bytes);
+  output.commit();
+}
+
+}  // namespace hottel

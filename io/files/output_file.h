@@ -1,0 +1,75 @@
+// A file that appears whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "io/files/pending_removal.h"
+
+namespace hottel {
+
+// A file cannot be written. what() is "FILE: text", one line.                                       (exit code 3)
+class OutputError : public std::runtime_error {
+ public:
+  OutputError(const std::string& file, const std::string& text) : std::runtime_error(file + ": " + text), file_(file) {}
+  const std::string& file() const { return file_; }
+
+ private:
+  std::string file_;
+};
+
+// Nobody reads standard output any more: no reason for a message.
+class ReaderGone : public std::exception {
+ public:
+  const char* what() const noexcept override { return "the reader of standard output has gone"; }
+};
+
+// Writes a file under a temporary name in the same directory and renames it on commit().
+//
+//   (1) until commit() returns, a file that was there before is untouched
+//   (2) without commit() the temporary file is removed by the destructor (or by remove_pending)
+//   (3) every error of opening, writing, flushing to disk, closing and renaming throws OutputError
+//   (4) an existing file keeps its permissions, a symbolic link stays one
+//
+// "-" is standard output: there is no temporary, and bytes go out as the buffer fills. A path that exists and is no
+// regular file (/dev/null, a pipe) is written to directly. A directory, or a file without write permission, is refused
+// when opening.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::filesystem::path& file);
+  OutputFile(OutputFile&&) noexcept;
+  OutputFile& operator=(OutputFile&&) = delete;
+  ~OutputFile();
+
+  void write(std::string_view bytes);
+
+  // Puts everything on disk and closes; nothing may be written afterwards. To replace several files together, finish()
+  // all of them first, then commit() each: what can fail is over by then.
+  void finish();
+
+  // finish(), then the file takes its name. Throws Interrupted instead when a stop was requested.
+  void commit();
+
+  const std::string& name() const { return name_; }
+
+ private:
+  void open();
+  void drain();
+  [[noreturn]] void fail(int error);
+
+  std::string name_;  // for messages
+  std::filesystem::path target_;
+  std::string temporary_;  // empty: written to directly
+  PendingRemoval pending_;
+  int descriptor_ = -1;
+  bool is_owned_ = true;  // the descriptor is ours to close
+  std::string buffer_;
+};
+
+// Writes a whole file; see OutputFile.
+void write_output_file(const std::filesystem::path& file, std::string_view bytes);
+
+}  // namespace hottel

@@ -1,0 +1,40 @@
+// Records of a csv file (RFC 4180), one at a time.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/support/failure.h"
+
+namespace hottel {
+
+// Reads fields separated by commas and records separated by line ends (LF or CR LF). A quoted field may hold commas,
+// line ends and doubled quotes. Blank lines are skipped, and a byte order mark at the beginning.
+//
+// Throws InputError for a quote that is not closed, or followed by something else than a comma or a line end.
+class CsvReader {
+ public:
+  // REQUIRES that `text` outlives this.
+  CsvReader(std::string file, std::string_view text);
+
+  // Moves to the next record; false at the end.
+  bool next();
+
+  // The fields of the record, until next() is called again.
+  const std::vector<std::string_view>& fields() const { return fields_; }
+  FileLine where() const { return {file_, line_of_record_}; }
+
+ private:
+  std::string_view quoted();
+
+  std::string file_;
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int line_ = 1, line_of_record_ = 0;
+  std::vector<std::string_view> fields_;
+  std::vector<std::unique_ptr<std::string>> unquoted_;  // fields of the record that held doubled quotes
+};
+
+}  // namespace hottel

@@ -1,0 +1,86 @@
+#include "io/foreign/foreign_file.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "geometry/name.h"
+#include "io/files/text_file.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+// Sorts the entries, leaves zeros out, and refuses a place that is given twice.
+void put_in_order(ForeignMatrix& matrix) {
+  std::vector<ForeignEntry>& entries = matrix.entries;
+  std::sort(entries.begin(), entries.end(), [](const ForeignEntry& a, const ForeignEntry& b) {
+    return std::tie(a.row, a.column, a.line) < std::tie(b.row, b.column, b.line);
+  });
+  for (std::size_t k = 1; k < entries.size(); ++k) {
+    const ForeignEntry &before = entries[k - 1], &entry = entries[k];
+    if (before.row != entry.row || before.column != entry.column) continue;
+    const std::string what =
+        matrix.row_names.empty()
+            ? "row " + std::to_string(entry.row + 1) + ", column " + std::to_string(entry.column + 1)
+            : "from " + quoted_name(matrix.row_names[entry.row].name) + " to " +
+                  quoted_name(matrix.column_names[entry.column].name);
+    throw InputError({matrix.file, entry.line},
+                     "the factor " + what + " is given twice, first in line " + std::to_string(before.line));
+  }
+  std::erase_if(entries, [](const ForeignEntry& entry) { return entry.value == 0; });
+}
+
+// Names from FILE.faces.csv, where the file itself has none.
+void name_faces(ForeignMatrix& matrix) {
+  const std::string beside = matrix.file + ".faces.csv";
+  std::error_code ignored;
+  if (matrix.is_list || !matrix.column_names.empty() || !std::filesystem::exists(beside, ignored)) return;
+  std::vector<ForeignName> names = read_faces_csv(beside, read_text_file(beside));
+  if (names.size() != matrix.columns || matrix.rows > names.size())
+    throw InputError({beside, 0}, "names " + std::to_string(names.size()) + " faces for a matrix of " +
+                                      std::to_string(matrix.rows) + " x " + std::to_string(matrix.columns));
+  matrix.names_file = beside;
+  matrix.column_names = names;
+  names.resize(matrix.rows);
+  matrix.row_names = std::move(names);
+}
+
+// By the reader of its format.
+ForeignMatrix read_as_written(const std::filesystem::path& file, std::string_view text) {
+  const std::string name = file.string();
+  switch (foreign_kind(file, text)) {
+    case ForeignKind::kMatrixMarket:
+      return read_matrix_market(name, text);
+    case ForeignKind::kNumpy:
+      return read_numpy(name, text);
+    case ForeignKind::kView3d:
+      return read_view3d(name, text);
+    case ForeignKind::kPairList:
+      return read_pair_list(name, text);
+    case ForeignKind::kDenseCsv:
+      return read_dense_csv(name, text);
+    case ForeignKind::kRadiosity:
+      throw InputError({name, 1}, "holds radiosities, not view factors");
+    case ForeignKind::kUnknown:
+      break;
+  }
+  throw InputError({name, 0}, text.empty() ? "is empty" : "is no file of view factors that is known",
+                   {"known are csv, Matrix Market (%%MatrixMarket), NumPy (.npy) and View3D's text and binary output",
+                    "each is told by its first bytes, csv by the ending .csv"});
+}
+
+}  // namespace
+
+ForeignMatrix parse_foreign_matrix(const std::filesystem::path& file, std::string_view text) {
+  ForeignMatrix matrix = read_as_written(file, text);
+  put_in_order(matrix);
+  return matrix;
+}
+
+ForeignMatrix read_foreign_matrix(const std::filesystem::path& file) {
+  ForeignMatrix matrix = parse_foreign_matrix(file, read_text_file(file));
+  name_faces(matrix);
+  return matrix;
+}
+
+}  // namespace hottel

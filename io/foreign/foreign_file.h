@@ -1,0 +1,75 @@
+// View factors that another program computed, as its file has them: before they are matched with a scene.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/compare/written_factors.h"
+
+namespace hottel {
+
+struct ForeignEntry {
+  std::uint32_t row = 0, column = 0;
+  int line = 0;  // 0 in binary formats
+  double value = 0;
+};
+
+// A face that the file names, and where.
+struct ForeignName {
+  std::string name;
+  int line = 0;
+};
+
+// A matrix of numbers, sparse.
+//
+//   (1) entries are finite and not 0, ascend by row, then column, and no place has two
+//   (2) memory is proportional to the size of the file, whatever its head claims
+struct ForeignMatrix {
+  std::string file;
+  std::uint32_t rows = 0, columns = 0;
+
+  // Empty when the file does not name its faces: then they are in the order of the scene.
+  std::vector<ForeignName> row_names, column_names;
+  std::string names_file;  // FILE, or FILE.faces.csv
+  bool is_list = false;    // a list of pairs: what it leaves out is 0
+
+  std::vector<ForeignEntry> entries;
+  std::vector<double> areas;  // by row, where the format has them
+  WrittenDigits digits;
+  std::vector<std::string> notes;
+};
+
+// Reads a matrix. What it is shows in its first bytes:
+//
+//   %%MatrixMarket      coordinate or array, real or integer, general or symmetric
+//   \x93NUMPY           float64 or float32, C or Fortran order, two dimensions
+//   View3D              text (out=0) or binary (out=1)
+//   csv with a head     `from`, `to` and `factor` among its columns: a list of pairs
+//   other csv           dense: names in the first row and column, or numbers alone
+//
+// Faces of a file without names are named by FILE.faces.csv, if there is one (columns `face`, perhaps `index` from 1,
+// and `element`).
+//
+// Throws InputError (with the line, where there is one) for what is none of these or breaks off, for numbers that are
+// not finite, for places given twice. COST: one pass; the file is held in memory.
+ForeignMatrix read_foreign_matrix(const std::filesystem::path& file);
+
+// The same from the text of a file; FILE.faces.csv is not looked for.
+ForeignMatrix parse_foreign_matrix(const std::filesystem::path& file, std::string_view text);
+
+// What a file holds, judged by its first bytes and, for csv, by the names of its columns.
+enum class ForeignKind { kMatrixMarket, kNumpy, kView3d, kPairList, kDenseCsv, kRadiosity, kUnknown };
+ForeignKind foreign_kind(const std::filesystem::path& file, std::string_view text);
+
+// One reader a format, of the file's whole text; property (1) is not yet there.
+ForeignMatrix read_matrix_market(const std::string& file, std::string_view text);
+ForeignMatrix read_numpy(const std::string& file, std::string_view text);
+ForeignMatrix read_view3d(const std::string& file, std::string_view text);
+ForeignMatrix read_pair_list(const std::string& file, std::string_view text);
+ForeignMatrix read_dense_csv(const std::string& file, std::string_view text);
+std::vector<ForeignName> read_faces_csv(const std::string& file, std::string_view text);
+
+}  // namespace hottel

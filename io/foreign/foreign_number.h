@@ -1,0 +1,49 @@
+// Numbers of another program's text, and how finely it wrote them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "solver/compare/written_factors.h"
+
+namespace hottel {
+
+// Reads decimal numbers of one file and keeps count of their digits.
+class ForeignNumbers {
+ public:
+  explicit ForeignNumbers(std::string file) : file_(std::move(file)) {}
+
+  // Returns the double nearest to the number. Throws InputError for what is no finite decimal number.
+  double read(std::string_view token, int line);
+
+  // Returns a whole number from `least` to `most`. Throws InputError for anything else; `what` begins the message.
+  std::uint32_t read_count(std::string_view token, std::uint64_t least, std::uint64_t most, const std::string& what,
+                           int line) const;
+
+  // Of all numbers that were read.
+  WrittenDigits digits() const { return {decimals_, significant_, 0}; }
+
+ private:
+  std::string file_;
+  int decimals_ = 0, significant_ = 1;
+};
+
+// Words of a text, separated by blanks and line ends, with the line each is on.
+class ForeignWords {
+ public:
+  explicit ForeignWords(std::string_view text, int line = 1) : text_(text), line_(line) {}
+
+  // Moves to the next word; false at the end.
+  bool next();
+  // Returns the rest of the line, and moves to the beginning of the next one.
+  std::string_view rest_of_line();
+
+  std::string_view word() const { return word_; }
+  int line() const { return line_; }
+
+ private:
+  std::string_view text_, word_;
+  int line_;
+};
+
+}  // namespace hottel

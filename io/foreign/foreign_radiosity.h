@@ -1,0 +1,28 @@
+// Radiosities that another program computed.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geometry/exchange_matrix.h"
+#include "solver/compare/written_factors.h"
+
+namespace hottel {
+
+struct ForeignRadiosities {
+  std::vector<std::vector<double>> by_channel;  // then by element of the matrix; 0 for those without a row
+  WrittenDigits digits;
+};
+
+// Reads a csv with a head: columns `face` and `radiosity`; `element` where faces are divided, `channel` (r, g, b) where
+// there are several. Other columns are left alone, so that a radiosity.csv of hottel is read as it is.
+//
+// Throws InputError for faces and channels that are unknown, missing or given twice, and for what is no finite number.
+ForeignRadiosities read_foreign_radiosities(const std::filesystem::path& file, const ExchangeMatrix& matrix,
+                                            const std::vector<std::string>& channels);
+
+// True iff the file is a csv with a column `radiosity`.
+bool holds_radiosities(const std::filesystem::path& file);
+
+}  // namespace hottel

@@ -1,0 +1,38 @@
+// What comparing methods came to, as files and as a table.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/compare/work_precision.h"
+#include "solver/plane/compare/method_comparison.h"
+#include "solver/plane/compare/pair_explanation.h"
+
+namespace hottel {
+
+// `method,guarantee,seconds,max_error,rms_error,closure,max_radiosity_error`: one line a method. Shortest decimals that
+// read back to the same double; `inf` where a matrix has no radiosities, nothing where the scene has none.
+std::string compare_csv(std::span<const MethodResult> results);
+
+// The same as an aligned table for people, with the spread of the times.
+std::string compare_table(std::span<const MethodResult> results);
+
+// A pair that a method gets most wrong.
+struct ExplainedPair {
+  std::string method, from, to;
+  PairError error;
+  PairExplanation explanation;
+};
+
+// `method,from,to,value,exact,error,visibility,distance,angle,reason`: distance in scene units between the middles,
+// angle in degrees between the normals; empty where there is none (the sky; faces that do not face each other).
+std::string worst_csv(std::span<const ExplainedPair> pairs);
+
+// `error,family,seconds,exact_seconds`: the least time in which each family reaches each error, empty where it does
+// not; times between the points of a sweep are interpolated (seconds_to_reach).
+std::string readings_csv(std::span<const WorkCurve> curves, std::span<const double> errors);
+
+}  // namespace hottel

@@ -1,0 +1,366 @@
+#include "io/results/factor_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "io/results/npy.h"
+#include "kernel/rational.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary formats are written as the machine holds them");
+
+// Collects text and hands it on in large pieces.
+class Buffer {
+ public:
+  explicit Buffer(const Sink& sink) : sink_(sink) {}
+  ~Buffer() = default;
+
+  Buffer& operator<<(std::string_view text) {
+    text_.append(text);
+    if (text_.size() > 1 << 16) flush();
+    return *this;
+  }
+  Buffer& operator<<(double value) { return *this << std::string_view(shortest(value)); }
+
+  template <class Number>
+  Buffer& raw(const Number& value) {
+    char bytes[sizeof value];
+    std::memcpy(bytes, &value, sizeof value);
+    return *this << std::string_view(bytes, sizeof bytes);
+  }
+
+  void flush() {
+    if (!text_.empty()) sink_(text_);
+    text_.clear();
+  }
+
+ private:
+  const Sink& sink_;
+  std::string text_;
+};
+
+std::string name_of(const ExchangeMatrix& matrix, std::uint32_t label) {
+  return label == matrix.sky() ? "sky" : matrix.elements()[label].name;
+}
+
+std::vector<std::string> csv_names(const ExchangeMatrix& matrix) {
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i <= matrix.size(); ++i) names.push_back(csv_field(name_of(matrix, i)));
+  return names;
+}
+
+[[noreturn]] void refuse_beyond(const std::string& what, const char* range) {
+  throw RequestError(what + " is beyond the range of " + range);
+}
+
+void require_double(double value, const std::string& what) {
+  if (!std::isfinite(value)) refuse_beyond(what, "doubles");
+}
+
+std::string area_of(const ExchangeMatrix& matrix, std::uint32_t label) {
+  return "the area of '" + name_of(matrix, label) + "'";
+}
+
+// Calls visit(row as dense vector) for each of the size() + 1 rows; rows that do not exist are zeros.
+template <class Visit>
+void for_each_dense_row(const ExchangeMatrix& matrix, const Visit& visit) {
+  std::vector<double> dense(matrix.size() + 1);
+  for (std::uint32_t i = 0; i <= matrix.size(); ++i) {
+    std::fill(dense.begin(), dense.end(), 0.0);
+    if (i < matrix.size())
+      for (const FactorEntry& entry : matrix.row(i)) dense[entry.to] = entry.factor.value;
+    visit(i, dense);
+  }
+}
+
+// Calls visit(from, entry, its bounds) for every pair that the table lists, by from, then to: those with a factor, and
+// the hidden ones with factor and visibility 0.
+template <class Visit>
+void for_each_listed(const FactorTable& table, const Visit& visit) {
+  auto hidden = table.hidden.begin();
+  for (std::uint32_t i = 0; i < table.matrix.size(); ++i) {
+    const auto hidden_before = [&](std::uint32_t to) {
+      for (; hidden != table.hidden.end() && hidden->first == i && hidden->second < to; ++hidden)
+        visit(i, FactorEntry{hidden->second, Rounded{}, 0}, Enclosure{0, 0});
+    };
+    const auto row = table.matrix.row(i);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      hidden_before(row[k].to);
+      visit(i, row[k], table.matrix.bounds(i, k));
+    }
+    hidden_before(table.matrix.sky() + 1);
+  }
+}
+
+std::vector<std::uint32_t> radiating(const ExchangeMatrix& matrix) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    if (matrix.elements()[i].material) result.push_back(i);
+  return result;
+}
+
+double emittance(const FactorTable& table, std::uint32_t label) {
+  const auto& value = table.scene.materials[*table.matrix.elements()[label].material].reflectivity.value;
+  return to_double(1 - (table.gray_channel ? value[static_cast<std::size_t>(*table.gray_channel)]
+                                           : Rational((value[0] + value[1] + value[2]) / 3)));
+}
+
+std::string view3d_header(const FactorTable& table, int format, std::size_t count) {
+  return fmt::format("{:<30}", fmt::format("View3D 4.0.0 {} 0 {} {}", format, table.gray_channel ? 1 : 0, count));
+}
+
+// Calls visit(factors of the row to radiating faces only).
+template <class Visit>
+void for_each_radiating_row(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& faces, const Visit& visit) {
+  std::vector<double> dense(matrix.size() + 1);
+  for (const std::uint32_t i : faces) {
+    std::fill(dense.begin(), dense.end(), 0.0);
+    for (const FactorEntry& entry : matrix.row(i)) dense[entry.to] = entry.factor.value;
+    visit(dense);
+  }
+}
+
+}  // namespace
+
+std::string face_name(const Scene2& scene, const Element& element) {
+  return scene.surfaces[element.surface].name + (element.is_back ? ":back" : "");
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+void write_factors_csv(const FactorTable& table, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  const std::vector<std::string> names = csv_names(matrix);
+  const char* guarantee = to_string(matrix.guarantee());
+  Buffer out(sink);
+  out << "from,to,factor,lower,upper,visibility,guarantee\n";
+  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds) {
+    out << names[from] << "," << names[entry.to] << "," << entry.factor.value << "," << bounds.lower << ","
+        << bounds.upper << ",";
+    if (!std::isnan(entry.visibility)) out << entry.visibility;
+    out << "," << guarantee << "\n";
+  });
+  out.flush();
+}
+
+void write_factors_mtx(const FactorTable& table, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  Buffer out(sink);
+  const std::size_t n = matrix.size() + 1;
+  out << "%%MatrixMarket matrix coordinate real general\n"
+      << (table.gray_channel ? "% gray-body exchange factors script-F" : "% view factors F")
+      << "(row, column), faces as in the .faces.csv beside this file, the sky last\n"
+      << fmt::format("{} {} {}\n", n, n, matrix.entry_count() + table.hidden.size());
+  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure&) {
+    out << fmt::format("{} {} ", from + 1, entry.to + 1) << entry.factor.value << "\n";
+  });
+  out.flush();
+}
+
+void write_faces_csv(const FactorTable& table, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  Buffer out(sink);
+  out << "index,face,element,area,material,x0,y0,x1,y1\n";
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    const Element& element = matrix.elements()[i];
+    const Surface2& surface = table.scene.surfaces[element.surface];
+    const std::string face = table.per == Per::kGroup ? element.name : face_name(table.scene, element);
+    require_double(element.area.value, area_of(matrix, i));
+    out << fmt::format("{},{},{},", i + 1, csv_field(face), element.part) << element.area.value << ","
+        << (element.material ? csv_field(table.scene.materials[*element.material].name) : "");
+    if (table.per == Per::kGroup) {
+      out << ",,,,\n";
+      continue;
+    }
+    for (const std::uint32_t k : {element.part, element.part + 1}) {
+      Rational t(k, element.parts);
+      t.canonicalize();
+      const double x = to_double(surface.from.x + t * (surface.to.x - surface.from.x)),
+                   y = to_double(surface.from.y + t * (surface.to.y - surface.from.y));
+      require_double(x, "a coordinate of '" + element.name + "'");
+      require_double(y, "a coordinate of '" + element.name + "'");
+      out << "," << x << "," << y;
+    }
+    out << "\n";
+  }
+  out << fmt::format("{},sky,0,,,,,,\n", matrix.size() + 1);
+  out.flush();
+}
+
+void write_factors_npy(const FactorTable& table, const Sink& sink) {
+  const std::size_t n = table.matrix.size() + 1;
+  Buffer out(sink);
+  out << npy_header(std::array{n, n});
+  for_each_dense_row(table.matrix, [&](std::uint32_t, const std::vector<double>& row) {
+    out << std::string_view(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(double));
+  });
+  out.flush();
+}
+
+void write_factors_view3d_text(const FactorTable& table, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  const std::vector<std::uint32_t> faces = radiating(matrix);
+  for (const std::uint32_t i : faces) require_double(matrix.elements()[i].area.value, area_of(matrix, i));
+  Buffer out(sink);
+  const auto line = [&](const auto& value_of) {
+    for (std::size_t k = 0; k < faces.size(); ++k)
+      out << fmt::format("{}{:.17g}", k == 0 ? "" : " ", value_of(faces[k]));
+    out << "\n";
+  };
+  out << view3d_header(table, 0, faces.size()) << "\n";
+  line([&](std::uint32_t i) { return matrix.elements()[i].area.value; });
+  for_each_radiating_row(matrix, faces,
+                         [&](const std::vector<double>& row) { line([&](std::uint32_t j) { return row[j]; }); });
+  line([&](std::uint32_t i) { return emittance(table, i); });
+  out.flush();
+}
+
+void write_factors_view3d_binary(const FactorTable& table, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  const std::vector<std::uint32_t> faces = radiating(matrix);
+  for (const std::uint32_t i : faces)
+    if (!(matrix.elements()[i].area.value <= std::numeric_limits<float>::max()))
+      refuse_beyond(area_of(matrix, i), "single precision, which is that of this format");
+  Buffer out(sink);
+  out << view3d_header(table, 1, faces.size()) << "\r\n";
+  for (const std::uint32_t i : faces) out.raw(static_cast<float>(matrix.elements()[i].area.value));
+  for_each_radiating_row(matrix, faces, [&](const std::vector<double>& row) {
+    for (const std::uint32_t j : faces) out.raw(static_cast<float>(row[j]));
+  });
+  for (const std::uint32_t i : faces) out.raw(static_cast<float>(emittance(table, i)));
+  out.flush();
+}
+
+void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  const std::vector<std::string> names = csv_names(matrix);
+  Buffer out(sink);
+  for (const std::string& name : names) out << "," << name;
+  out << "\n";
+  const double absent = quantity == DenseQuantity::kVisibility ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  std::vector<double> dense(names.size());
+  // An estimated matrix has no measures: then of the doubles that it has.
+  const auto measure = [&](std::uint32_t i, std::size_t k) {
+    return matrix.guarantee() == Guarantee::kEstimated ? matrix.elements()[i].area.value * matrix.row(i)[k].factor.value
+                                                       : matrix.measures(i)[k];
+  };
+  if (quantity == DenseQuantity::kExchange)  // before the first byte, which may go to standard output
+    for (std::uint32_t i = 0; i < matrix.size(); ++i)
+      for (std::size_t k = 0; k < matrix.row(i).size(); ++k)
+        if (!std::isfinite(measure(i, k)))
+          throw RequestError("the exchange measure of '" + name_of(matrix, i) + "' and '" +
+                             name_of(matrix, matrix.row(i)[k].to) +
+                             "' is beyond the range of doubles; --exact-form gives it");
+  auto hidden = table.hidden.begin();
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    std::fill(dense.begin(), dense.end(), absent);
+    for (; hidden != table.hidden.end() && hidden->first == i; ++hidden) dense[hidden->second] = 0;
+    if (i < matrix.size()) {
+      const auto row = matrix.row(i);
+      for (std::size_t k = 0; k < row.size(); ++k)
+        dense[row[k].to] = quantity == DenseQuantity::kFactor     ? row[k].factor.value
+                           : quantity == DenseQuantity::kExchange ? measure(i, k)
+                                                                  : row[k].visibility;
+    }
+    out << names[i];
+    for (const double value : dense) {
+      out << ",";
+      if (std::isnan(value))
+        out << "NaN";
+      else
+        out << value;
+    }
+    out << "\n";
+  }
+  out.flush();
+}
+
+DenseSize dense_size(const Scene2& scene, Per per, DenseFormat format) {
+  std::uint64_t all = 0, radiating = 0;  // labels, and those with a material
+  const auto add = [&](std::uint64_t count, bool radiates) {
+    all += count;
+    if (radiates) radiating += count;
+  };
+  if (per == Per::kGroup) {
+    std::vector<char> has_back(scene.groups.size(), 0);
+    for (const Surface2& surface : scene.surfaces)
+      if (surface.back) has_back[surface.group] = 1;
+    for (const char back : has_back) {
+      add(1, true);
+      add(1, back != 0);
+    }
+  } else {
+    for (const Surface2& surface : scene.surfaces) {
+      const std::uint64_t parts = per == Per::kElement ? surface.elements : 1;
+      add(parts, true);
+      add(surface.back ? parts : 1, surface.back.has_value());
+    }
+  }
+  const std::uint64_t n = all + 1, m = radiating;  // the sky too; View3D knows faces with a material only
+  const auto size = [](std::uint64_t side, std::uint64_t head, std::uint64_t each, std::uint64_t more) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+    const double about = static_cast<double>(side) * static_cast<double>(side) * static_cast<double>(each);
+    return DenseSize{side, about < 1e19 ? head + each * (side * side + more * side) : kMost};
+  };
+  switch (format) {
+    case DenseFormat::kNpy: {
+      const auto side = static_cast<std::size_t>(n);
+      return size(n, npy_header(std::array{side, side}).size(), sizeof(double), 0);
+    }
+    case DenseFormat::kView3dBinary:
+      return size(m, 32, sizeof(float), 2);
+    case DenseFormat::kView3dText:
+      return size(m, 0, 2, 0);
+    case DenseFormat::kCsv:
+      break;
+  }
+  return size(n, 0, 2, 0);
+}
+
+void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared,
+                           const std::optional<LabelPair>& only, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  std::vector<LabelPair> listed;  // (from, to)
+  if (only) {
+    listed.push_back(*only);
+  } else {
+    for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure&) {
+      listed.emplace_back(from, entry.to);
+    });
+  }
+  std::vector<LabelPair> pairs;
+  for (const auto& [from, to] : listed) pairs.emplace_back(std::min(from, to), std::max(from, to));
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  const std::vector<RootSum> measures = exact_exchange_measures(prepared, table.per, pairs);
+  const std::vector<RootSum> areas = exact_areas(prepared, table.per);
+  Buffer out(sink);
+  out << "from,to,exchange,area\n";
+  for (const auto& [from, to] : listed) {
+    const LabelPair pair{std::min(from, to), std::max(from, to)};
+    const auto place = std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin();
+    out << csv_field(name_of(matrix, from)) << "," << csv_field(name_of(matrix, to)) << ","
+        << measures[static_cast<std::size_t>(place)].to_string() << ","
+        << (from == matrix.sky() ? "" : areas[from].to_string()) << "\n";
+  }
+  out.flush();
+}
+
+}  // namespace hottel

@@ -1,0 +1,34 @@
+#include "io/results/npy.h"
+
+#include <bit>
+
+#include "kernel/support/failure.h"
+
+namespace hottel {
+
+static_assert(std::endian::native == std::endian::little, "numbers are written as the machine holds them");
+
+std::string npy_header(std::span<const std::size_t> shape) {
+  std::string sides;
+  for (const std::size_t side : shape) sides += (sides.empty() ? "" : " ") + std::to_string(side) + ",";
+  if (shape.size() > 1) sides.pop_back();  // a tuple of one keeps its comma
+  std::string text = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + sides + "), }";
+  constexpr std::size_t kPreamble = 10;
+  text.append(63 - (kPreamble + text.size()) % 64, ' ');
+  text += '\n';
+  std::string header("\x93NUMPY\x01\x00", 8);
+  header += static_cast<char>(text.size() & 0xff);
+  header += static_cast<char>(text.size() >> 8);
+  return header + text;
+}
+
+void write_npy(std::span<const std::size_t> shape, std::span<const double> values,
+               const std::function<void(std::string_view)>& sink) {
+  std::size_t places = 1;
+  for (const std::size_t side : shape) places *= side;
+  HOTTEL_REQUIRE(places == values.size());
+  sink(npy_header(shape));
+  sink({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
+}
+
+}  // namespace hottel

@@ -1,0 +1,50 @@
+// What the attributes of a drawing say about straight lines: points, paths and transforms, exactly.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/plane/scene/scene.h"
+#include "kernel/rational.h"
+
+namespace hottel {
+
+// An attribute that cannot be read, or not exactly. what() is the end of a sentence whose subject is the attribute.
+class SvgAttributeError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// A run of straight pieces in user units, y down as in the drawing. A closed run does not repeat its first point.
+struct SvgRun {
+  std::vector<Point2> points;
+  bool closed = false;
+};
+
+// (x, y) -> (a x + c y + e, b x + d y + f).
+struct SvgTransform {
+  Rational a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+
+  Point2 apply(const Point2& p) const;
+  bool is_mirrored() const { return a * d < b * c; }
+  // The transform that applies `inner` first.
+  SvgTransform after(const SvgTransform& inner) const;
+};
+
+// Every function throws SvgAttributeError.
+
+// A length in user units: a number, alone or followed by "px".
+Rational parse_svg_length(std::string_view text);
+
+// The points of a polyline or polygon.
+std::vector<Point2> parse_svg_points(std::string_view text);
+
+// The runs of a path of straight pieces: the commands M, L, H, V and Z, absolute and relative.
+std::vector<SvgRun> parse_svg_path(std::string_view text);
+
+// A list of translate, scale, matrix, and rotate by multiples of 90 degrees: what is exact over the rationals.
+SvgTransform parse_svg_transform(std::string_view text);
+
+}  // namespace hottel

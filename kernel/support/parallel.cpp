@@ -1,0 +1,103 @@
+#include "kernel/support/parallel.h"
+
+#include "kernel/support/failure.h"
+
+// ThreadSanitizer does not see how TBB's library hands over work, since that is not instrumented; it does see
+// std::thread. So its build takes the second of two ways, which starts its threads anew in every call.
+#ifndef HOTTEL_STD_THREADS
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+namespace hottel {
+
+struct ThreadLimit::Limit {
+  explicit Limit(int threads)
+      : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)) {}
+  tbb::global_control control;
+};
+
+namespace detail {
+
+void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFunction call) {
+  HOTTEL_REQUIRE(grain >= 1);
+  const DefaultFloatingPoint here;
+  // Captures the environment of this thread, which the tasks then run in.
+  tbb::task_group_context context(tbb::task_group_context::isolated,
+                                  tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, n, grain),
+      [function, call](const auto& range) { call(function, range.begin(), range.end()); }, context);
+}
+
+}  // namespace detail
+}  // namespace hottel
+
+#else
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace hottel {
+namespace {
+
+std::atomic<int> allowed{static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))};
+thread_local bool is_inside = false;  // a call from within runs on its own thread
+
+}  // namespace
+
+struct ThreadLimit::Limit {
+  explicit Limit(int threads) : before(allowed) { allowed = std::min(before, threads); }
+  ~Limit() { allowed = before; }
+  int before;
+};
+
+namespace detail {
+
+void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFunction call) {
+  HOTTEL_REQUIRE(grain >= 1);
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr first;
+  std::mutex mutex;
+  const auto work = [&] {
+    const DefaultFloatingPoint here;
+    const bool was_inside = std::exchange(is_inside, true);
+    for (std::size_t begin; (begin = next.fetch_add(grain)) < n;) {
+      try {
+        call(function, begin, std::min(begin + grain, n));
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!first) first = std::current_exception();
+        next = n;
+      }
+    }
+    is_inside = was_inside;
+  };
+  std::vector<std::thread> others;
+  const int threads = is_inside || n <= grain ? 1 : allowed.load();
+  for (int k = 1; k < threads; ++k) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
+  if (first) std::rethrow_exception(first);
+}
+
+}  // namespace detail
+}  // namespace hottel
+
+#endif
+
+namespace hottel {
+
+ThreadLimit::ThreadLimit(int threads) {
+  HOTTEL_REQUIRE(threads >= 1);
+  limit_ = std::make_unique<Limit>(threads);
+}
+ThreadLimit::~ThreadLimit() = default;
+
+}  // namespace hottel

@@ -1,0 +1,25 @@
+// What is worth telling about the light in a scene before it is solved for.
+#pragma once
+
+#include <functional>
+
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/check/finding.h"
+
+namespace hottel {
+
+// Iterations from which convergence is called slow: what jacobi needs for a relative residual of 1e-12.
+inline constexpr double kManyIterations = 1000;
+
+// Kinds: no-solution, beyond-doubles (errors), all-reflecting, dark, slow-convergence, no-light, unused-material.
+//
+//   (1) no-solution is told iff solve_radiosity refuses the scene for a component that reflects all light and emits
+//   (2) else beyond-doubles is told iff solve_radiosity refuses the scene, or require_doubles its solution
+//   (3) the iterations of slow-convergence are what a bound from below of the spectral radius asks for
+// REQUIRES: the exact matrix of the scene, by faces or by elements.
+// COST: a few passes over the matrix; that of solve_radiosity (which reports to `progress`) where numbers are not
+// between 1e-60 and 1e60.
+Findings light_findings(const Scene2& scene, const ExchangeMatrix& matrix,
+                        const std::function<void(double)>& progress = {});
+
+}  // namespace hottel

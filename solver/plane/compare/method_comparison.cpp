@@ -1,0 +1,67 @@
+#include "solver/plane/compare/method_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernel/support/failure.h"
+#include "kernel/support/stopwatch.h"
+
+namespace hottel {
+
+double max_radiosity_error(const RadiositySolution& solution, const RadiositySolution& exact) {
+  HOTTEL_REQUIRE(solution.channels.size() == exact.channels.size());
+  double difference = 0, brightest = 0;
+  for (std::size_t c = 0; c < exact.channels.size(); ++c) {
+    const auto &found = solution.channels[c].elements, &wanted = exact.channels[c].elements;
+    HOTTEL_REQUIRE(found.size() == wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const double here = std::abs(found[i].radiosity - wanted[i].radiosity);
+      if (std::isnan(here)) return std::numeric_limits<double>::infinity();
+      difference = std::max(difference, here);
+      brightest = std::max(brightest, wanted[i].radiosity);
+    }
+  }
+  return difference == 0 ? 0 : difference / brightest;
+}
+
+MethodComparison2::MethodComparison2(const PreparedScene2& prepared)
+    : prepared_(prepared),
+      exact_(exact_exchange(prepared, {.per = Per::kElement})),
+      exact_solution_(solve(exact_, why_no_solution_)) {}
+
+std::optional<RadiositySolution> MethodComparison2::solve(const ExchangeMatrix& matrix, std::string& why_not) const {
+  try {
+    return solve_radiosity(matrix, prepared_.scene.materials, prepared_.scene.sky_emission);
+  } catch (const RequestError& error) {
+    why_not = error.what();
+    return std::nullopt;
+  }
+}
+
+MethodResult MethodComparison2::run(const ExchangeMethod2& method, const std::optional<int>& runs) const {
+  MethodResult result;
+  result.info = method.info();
+  result.timing = time_repeatedly(
+      [&] {
+        result.report = {};
+        Stopwatch watch;
+        result.matrix = method.compute(prepared_, result.report);
+        const double seconds = watch.lap();
+        return result.report.seconds.value_or(seconds);
+      },
+      runs);
+  result.notes = result.report.notes;
+  result.errors = matrix_errors(result.matrix, exact_);
+  result.declared_error = method.declared_error(prepared_);
+  if (!exact_solution_) return result;
+
+  std::string why_not;
+  result.solution = solve(result.matrix, why_not);
+  result.max_radiosity_error = result.solution ? max_radiosity_error(*result.solution, *exact_solution_)
+                                               : std::numeric_limits<double>::infinity();
+  if (!result.solution) result.notes.push_back(why_not);
+  return result;
+}
+
+}  // namespace hottel

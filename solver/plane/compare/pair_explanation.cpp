@@ -1,0 +1,89 @@
+#include "solver/plane/compare/pair_explanation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/plane/exchange/unobstructed.h"
+
+namespace hottel {
+namespace {
+
+// The straight line an element lies on, ends as typed. (What other surfaces own of it is not cut off.)
+struct Line {
+  Point2 from, to;
+  bool is_back;
+
+  Point2 middle() const { return {(from.x + to.x) / 2, (from.y + to.y) / 2}; }
+  double length() const { return std::hypot(to_double(to.x - from.x), to_double(to.y - from.y)); }
+  std::array<double, 2> normal() const {  // to the right of from -> to, for a front
+    const double sign = is_back ? -1 : 1;
+    return {sign * to_double(to.y - from.y), -sign * to_double(to.x - from.x)};
+  }
+};
+
+Line line_of(const Scene2& scene, const Element& element) {
+  const Surface2& surface = scene.surfaces[element.surface];
+  const auto at = [&](std::uint32_t part) -> Point2 {
+    Rational t(part, element.parts);
+    t.canonicalize();
+    return {surface.from.x + t * (surface.to.x - surface.from.x), surface.from.y + t * (surface.to.y - surface.from.y)};
+  };
+  return {at(element.part), at(element.part + 1), element.is_back};
+}
+
+double distance(const Point2& a, const Point2& b) { return std::hypot(to_double(b.x - a.x), to_double(b.y - a.y)); }
+
+bool touch(const Line& a, const Line& b) {
+  return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
+}
+
+double angle(const Line& a, const Line& b) {
+  const auto m = a.normal(), n = b.normal();
+  return std::atan2(std::abs(m[0] * n[1] - m[1] * n[0]), m[0] * n[0] + m[1] * n[1]) * 180 / std::numbers::pi;
+}
+
+std::string seen(const std::optional<double>& visibility) {
+  if (!visibility) return "they do not face each other";
+  return *visibility == 0 ? "hidden" : *visibility < 1 ? "partly hidden" : "in full view";
+}
+
+}  // namespace
+
+PairExplainer2::PairExplainer2(const PreparedScene2& prepared, const ExchangeMatrix& exact)
+    : prepared_(prepared),
+      exact_(exact),
+      labels_(prepared.scene, prepared.arrangement, prepared.division, Per::kElement) {}
+
+std::optional<double> PairExplainer2::visibility(std::uint32_t from, std::uint32_t to) const {
+  for (const FactorEntry& entry : exact_.row(from))
+    if (entry.to == to) return entry.visibility;
+  if (to == exact_.sky()) return 0;
+  for (const Segment2& f : labels_.runs(from))
+    for (const Segment2& g : labels_.runs(to))
+      if (face_each_other(prepared_.arrangement.vertices(), f, g)) return 0;
+  return std::nullopt;
+}
+
+PairExplanation PairExplainer2::explain(const PairError& pair) const {
+  PairExplanation result;
+  result.visibility = visibility(pair.from, pair.to);
+  result.reason = seen(result.visibility);
+  if (pair.to == exact_.sky()) {
+    result.reason += " toward the sky";
+  } else {
+    const Line a = line_of(prepared_.scene, exact_.elements()[pair.from]),
+               b = line_of(prepared_.scene, exact_.elements()[pair.to]);
+    result.distance = distance(a.middle(), b.middle());
+    result.angle = angle(a, b);
+    result.reason += touch(a, b)                                           ? ", touching"
+                     : *result.distance < std::max(a.length(), b.length()) ? ", near"
+                                                                           : ", far";
+  }
+  if (pair.value == 0 && pair.exact > 0) result.reason += ", missed";
+  if (pair.value > 0 && pair.exact == 0) result.reason += ", light where there is none";
+  return result;
+}
+
+}  // namespace hottel

@@ -1,0 +1,39 @@
+// Why a pair of elements is hard: how much of it is hidden, how near and at what angle they are.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "geometry/plane/exchange/exchange.h"
+#include "solver/compare/matrix_errors.h"
+
+namespace hottel {
+
+struct PairExplanation {
+  std::optional<double> visibility;  // S / S0; nothing when they do not face each other. Of the sky: its factor
+  std::optional<double> distance;    // between their middles [scene unit]; nothing of the sky
+  std::optional<double> angle;       // between their normals [degrees], 180 when they look at each other
+  std::string reason;                // in words, e.g. "partly hidden, touching"
+};
+
+// Explains pairs of one scene.
+class PairExplainer2 {
+ public:
+  // exact: the scene's factors by elements, with visibilities. Both outlive this.
+  PairExplainer2(const PreparedScene2& prepared, const ExchangeMatrix& exact);
+
+  // reason is made of
+  //   "they do not face each other" | "hidden" | "partly hidden" | "in full view", for the sky with "toward the sky",
+  //   "touching" (a common end) | "near" (nearer than the longer of the two is long) | "far", not for the sky,
+  //   "missed" (the method sees nothing of it) | "light where there is none".
+  PairExplanation explain(const PairError& pair) const;
+
+ private:
+  std::optional<double> visibility(std::uint32_t from, std::uint32_t to) const;
+
+  const PreparedScene2& prepared_;
+  const ExchangeMatrix& exact_;
+  Labels2 labels_;
+};
+
+}  // namespace hottel

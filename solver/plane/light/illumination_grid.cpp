@@ -1,0 +1,79 @@
+#include "solver/plane/light/illumination_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/support/failure.h"
+#include "solver/plane/light/cell_views.h"
+#include "solver/plane/light/mean_irradiance.h"
+
+namespace hottel {
+namespace {
+
+struct Box {
+  Point2 min{0, 0}, max{0, 0};
+  Rational width() const { return max.x - min.x; }
+  Rational height() const { return max.y - min.y; }
+};
+
+Box bounding_box(const Scene2& scene) {
+  if (scene.surfaces.empty()) return {};
+  Box box{scene.surfaces.front().from, scene.surfaces.front().from};
+  for (const Surface2& surface : scene.surfaces)
+    for (const Point2* p : {&surface.from, &surface.to}) {
+      box.min.x = std::min(box.min.x, p->x);
+      box.min.y = std::min(box.min.y, p->y);
+      box.max.x = std::max(box.max.x, p->x);
+      box.max.y = std::max(box.max.y, p->y);
+    }
+  return box;
+}
+
+std::uint32_t cells_to_cover(const Rational& length, const Rational& cell) {
+  const Rational ratio = length / cell;
+  const Integer whole = (ratio.get_num() + ratio.get_den() - 1) / ratio.get_den();
+  return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(whole.get_ui()));
+}
+
+IlluminationGrid empty_grid(const Grid2& grid, std::uint32_t channels) {
+  IlluminationGrid result{grid, channels, {}};
+  result.values.resize(std::size_t{grid.nx} * grid.ny * channels);
+  return result;
+}
+
+}  // namespace
+
+Grid2 grid_over(const Scene2& scene, std::uint32_t nx, std::uint32_t ny) {
+  HOTTEL_REQUIRE(nx > 0 && ny > 0);
+  if (scene.grid) return {scene.grid->min, scene.grid->max, nx, ny};
+  Box box = bounding_box(scene);
+  if (box.width() == 0 && box.height() == 0) box.max.x += 1;
+  if (box.width() == 0) box.max.x += box.height() / Rational(Integer(static_cast<unsigned long>(ny))) * nx;
+  if (box.height() == 0) box.max.y += box.width() / Rational(Integer(static_cast<unsigned long>(nx))) * ny;
+  return {box.min, box.max, nx, ny};
+}
+
+Grid2 default_grid(const Scene2& scene, std::uint32_t longer) {
+  HOTTEL_REQUIRE(longer > 0);
+  if (scene.grid) return *scene.grid;
+  const Box box = bounding_box(scene);
+  Rational extent = std::max(box.width(), box.height());
+  if (extent == 0) extent = 1;
+  const Rational cell = extent / Rational(Integer(static_cast<unsigned long>(longer)));
+  const std::uint32_t nx = cells_to_cover(box.width(), cell), ny = cells_to_cover(box.height(), cell);
+  return {box.min, {box.min.x + cell * nx, box.min.y + cell * ny}, nx, ny};
+}
+
+IlluminationGrid illuminate_points(const PreparedScene2& prepared, const Grid2& grid, const FaceRadiosity2& radiosity,
+                                   const std::function<void(double)>& progress) {
+  const std::uint32_t channels = radiosity.channels();
+  IlluminationGrid result = empty_grid(grid, channels);
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  for_each_cell_view(
+      prepared, grid, progress, [&](std::size_t cell, const Eye2& eye, const Location2& location, const View2& view) {
+        mean_irradiance(vertices, radiosity, eye, location, view, {result.values.data() + cell * channels, channels});
+      });
+  return result;
+}
+
+}  // namespace hottel

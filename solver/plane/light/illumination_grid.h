@@ -1,0 +1,55 @@
+// Light in space, on a grid of cells.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "geometry/plane/exchange/exchange.h"
+#include "solver/plane/light/face_radiosity.h"
+
+namespace hottel {
+
+// A value for each cell and channel, in C order (ny, nx, channels): index 0 is the lowest y, the lowest x. NaN in all
+// channels: the cell lies in a solid.
+struct IlluminationGrid {
+  Grid2 grid;
+  std::uint32_t channels = 1;
+  std::vector<double> values;
+
+  double at(std::uint32_t ix, std::uint32_t iy, std::uint32_t channel = 0) const {
+    return values[(std::size_t{iy} * grid.nx + ix) * channels + channel];
+  }
+};
+
+// Returns the region that the scene takes as nx times ny cells: its own grid's, else its bounding box. A box without
+// width or height is widened to that of one cell, or to 1 where both are missing.
+Grid2 grid_over(const Scene2& scene, std::uint32_t nx, std::uint32_t ny);
+
+// Returns the scene's own grid if it has one, else square cells over its bounding box: `longer` of them along its
+// longer side, from its lower left corner; in the other direction as many as cover it.
+Grid2 default_grid(const Scene2& scene, std::uint32_t longer = 256);
+
+// Returns the mean irradiance at the centre of each cell (mean_irradiance.h says what it is on edges and vertices and
+// where it is NaN).
+//
+//   (1) visibility is exact, from the exact centre; a cell does not depend on the others
+//   (2) bit-identical for any number of threads
+// progress: fraction done; may throw to stop. Throws Interrupted when asked to stop.
+// COST: about 0.5 µs a cell and core in a furnished apartment of 400 edges, 8 µs where a cell sees 250 vertices.
+IlluminationGrid illuminate_points(const PreparedScene2& prepared, const Grid2& grid, const FaceRadiosity2& radiosity,
+                                   const std::function<void(double)>& progress = {});
+
+// Returns the source formula instead: sum over elements j of H_j B_j / r_j², with H_j the fraction of the element that
+// the centre sees (exact visibility) and r_j the distance to its middle, at least half the shorter side of a cell.
+// An approximation without the cosine and with the dimension of space, to be compared: it is not bounded by the largest
+// radiosity and depends on how edges are divided. The sky, which is at no distance, gives nothing; an edge on which the
+// centre lies is not seen from there. NaN where the centre lies in a solid.
+// by_element: as for FaceRadiosity2. [unit: that of radiosity / length²]
+// Throws RequestError when a value is beyond the range of doubles.
+IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const Grid2& grid, const Labels2& labels,
+                                           std::span<const double> by_element, std::uint32_t channels,
+                                           const std::function<void(double)>& progress = {});
+
+}  // namespace hottel

@@ -1,0 +1,62 @@
+// What the wedges of a vertex add to the light in the cells of a grid.
+#pragma once
+
+#include <vector>
+
+#include "geometry/plane/arrangement/arrangement.h"
+#include "solver/plane/light/cut_line.h"
+#include "solver/plane/light/face_radiosity.h"
+#include "solver/plane/light/vertex_wedges.h"
+
+namespace hottel {
+
+// A wedge in the coordinates of a grid. A point in it that sees the apex in the direction angle (from the axis) owes to
+// the apex constant + slope * angle, per channel: what this means is said in docs/design/plane/illumination.md.
+struct LitWedge2 {
+  Vector2 axis;               // the diagonal of the wedge's quadrant
+  std::uint32_t right, left;  // of LitWedges2::rays
+  bool is_joined = false;     // the wedge before this one lies on the other side of the right ray, in the same quadrant
+  bool is_ended = true;
+  CutLine2 end;        // positive on the apex's side
+  Vector2 corners[3];  // of the triangle, each within margin; far outside the grid where nothing ends it
+  double margin = 0;
+  double doubt = 0;                // error of any constant
+  std::uint32_t coefficients = 0;  // of LitWedges2: constant and slope by channel
+};
+
+// The wedges of one vertex that add anything, counter-clockwise.
+//
+//   (1) two wedges of a quadrant next to the same faces have the same coefficients
+struct LitWedges2 {
+  FinePoint2 apex;
+  double rough_doubt = 0;      // a difference from the apex in doubles is known within this
+  std::vector<CutLine2> rays;  // positive on the left
+  std::vector<LitWedge2> wedges;
+  std::vector<double> coefficients;
+  double lost = 0;  // largest values of wedges that cannot be placed in the grid, summed: each cell may lack that much
+};
+
+// Finds the wedges of vertices. Threads may share one.
+class WedgeLighting2 {
+ public:
+  WedgeLighting2(const Arrangement2& arrangement, const FaceRadiosity2& radiosity, const CellFrame2& frame)
+      : arrangement_(arrangement), radiosity_(radiosity), frame_(frame) {}
+
+  void find(VertexId v, LitWedges2& result) const;
+
+ private:
+  FinePoint2 direction(VertexId v, const VertexRay2& ray) const;
+  std::uint32_t add_ray(VertexId v, const VertexRay2& ray, LitWedges2& result) const;
+  void place_end(VertexId v, const Wedge2& wedge, LitWedge2& lit) const;
+  void place_without_end(VertexId v, const Wedge2& wedge, LitWedge2& lit) const;
+  void shade(const Wedge2& wedge, LitWedge2& lit, std::vector<double>& coefficients) const;
+  double angle_to_axis(PieceSideId side, const Vector2& axis, double& doubt) const;
+  double largest_value(const Wedge2& wedge) const;
+  bool sends_like_the_sky(PieceSideId side) const { return radiosity_.shade(side) == radiosity_.shade(kSky); }
+
+  const Arrangement2& arrangement_;
+  const FaceRadiosity2& radiosity_;
+  const CellFrame2& frame_;
+};
+
+}  // namespace hottel

@@ -1,0 +1,70 @@
+// Orientations as most programs compute them.
+#pragma once
+
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/plane/arrangement/arrangement.h"
+
+namespace hottel {
+
+// Vertices in doubles as they stand in the scene, but for a power of two that keeps squares in range.
+class NaivePoints2 {
+ public:
+  explicit NaivePoints2(const Vertices2& vertices);
+
+  // Sign of the determinant as it comes out.
+  int orientation(VertexId i, VertexId j, VertexId k) const {
+    const Place &p = place_[i], &q = place_[j], &r = place_[k];
+    const double determinant = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    return (determinant > 0) - (determinant < 0);
+  }
+  double distance(VertexId i, VertexId j) const {
+    const double dx = place_[j].x - place_[i].x, dy = place_[j].y - place_[i].y;
+    return std::sqrt(dx * dx + dy * dy);
+  }
+
+ private:
+  struct Place {
+    double x, y;
+  };
+  std::vector<Place> place_;
+};
+
+// Points for the sweep about one vertex, which may go in circles where signs contradict each other.
+//
+//   (1) after `limit` steps every orientation is 0, and cut_off is one more: the sweep then turns about one vertex
+//   after
+//       the other, each time until it meets a piece, and ends
+template <class Points>
+class StepLimit2 {
+ public:
+  StepLimit2(const Points& points, std::uint64_t limit, std::atomic<std::uint64_t>& cut_off)
+      : points_(points), left_(limit), cut_off_(cut_off) {}
+
+  int orientation(VertexId i, VertexId j, VertexId k) const {
+    if (left_ == 0) return 0;
+    if (--left_ == 0) ++cut_off_;
+    return points_.orientation(i, j, k);
+  }
+  double distance(VertexId i, VertexId j) const { return points_.distance(i, j); }
+
+ private:
+  const Points& points_;
+  mutable std::uint64_t left_;
+  std::atomic<std::uint64_t>& cut_off_;
+};
+
+// More steps than a view takes by right signs, in any scene but one made for it: a view enters a triangle once for each
+// window through which it is seen.
+std::uint64_t naive_step_limit(const Triangulation2& triangulation);
+
+// How many orientations the naive sweep asks for, and how many of them have another sign than the exact ones.
+struct WrongOrientations {
+  std::uint64_t asked = 0, wrong = 0;
+};
+WrongOrientations count_wrong_orientations(const Arrangement2& arrangement, const NaivePoints2& points);
+
+}  // namespace hottel

@@ -1,0 +1,15 @@
+// View factors of faces or groups from those of their elements.
+#pragma once
+
+#include "geometry/plane/exchange/exchange.h"
+
+namespace hottel {
+
+// Returns F_IJ = sum over i in I of A_i / A_I times the sum over j in J of F_ij, as faces or groups of the scene are
+// made of the matrix's elements: an estimate.
+//
+//   (1) row sums are means of row sums; reciprocity holds as far as it does among the elements
+// REQUIRES: a matrix over the elements of `prepared`.
+ExchangeMatrix coarsened(const ExchangeMatrix& matrix, const PreparedScene2& prepared, Per per);
+
+}  // namespace hottel

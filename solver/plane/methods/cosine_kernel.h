@@ -1,0 +1,24 @@
+// What two points on diffuse edges exchange in the plane.
+#pragma once
+
+#include "solver/plane/methods/element_geometry.h"
+
+namespace hottel {
+
+// Returns cos cos' / (2 r) for points x, y with unit normals, r their distance and the cosines those of the angles
+// between the segment and the normals; 0 when one of them is not positive. [1 / local unit]
+// S(a, b) is the integral of this over the points of a and of b that see each other.
+inline double cosine_kernel(const LocalPoint2& x, const LocalVector2& x_normal, const LocalPoint2& y,
+                            const LocalVector2& y_normal) {
+  const LocalVector2 d = y - x;
+  const double from = dot(x_normal, d), to = -dot(y_normal, d);
+  if (!(from > 0 && to > 0)) return 0;
+  const double r = length(d);
+  return r > 0 ? (from / r) * (to / r) / (2 * r) : 0;
+}
+
+inline double between_centres(const ElementRun2& a, const ElementRun2& b) {
+  return cosine_kernel(a.centre, a.normal(), b.centre, b.normal());
+}
+
+}  // namespace hottel

@@ -1,0 +1,67 @@
+// What all ways to compute view factors have in common, exact or approximate.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/plane/exchange/exchange.h"
+#include "kernel/enclosure.h"
+#include "solver/compare/written_factors.h"
+
+namespace hottel {
+
+// What a method says of itself.
+struct MethodInfo {
+  std::string name;      // in full, variant and parameter included: "gauss:4:normalised"
+  std::string family;    // what a sweep of the parameter belongs to: "gauss"
+  double parameter = 0;  // points, pixels, rays; 0 when there is none
+  Guarantee guarantee = Guarantee::kEstimated;
+  std::string reference;  // who described it, and where
+};
+
+// How a matrix came about.
+struct MethodReport {
+  double row_defect = 0;                  // max |sum_j F_ij - 1| as computed, before any normalisation
+  std::optional<double> standard_error;   // of the worst factor, where the method is random
+  std::optional<double> seconds;          // where the method knows better than who called it (an outside command)
+  std::optional<WrittenFactors> written;  // where the factors were read from a file
+  std::vector<std::string> notes;         // e.g. the seed
+};
+
+// A way to compute the view factors of the elements of a prepared scene.
+//
+//   (1) the elements are those of Labels2(scene, arrangement, division, Per::kElement), in that order; a row is there
+//       iff the exact matrix has it; the sky is a column
+//   (2) the same call gives the same matrix bit for bit, for any number of threads
+//   (3) a matrix that is not kExact says nothing of its factors' true values: FactorEntry::factor.side is 0
+//   (4) |F_ij - exact F_ij| <= claimed_errors(prepared)(i, j) for every pair, and <= declared_error where there is one
+//   (5) a method that looks into every direction says how much of the sky it sees. One that looks at pairs only has no
+//       entry for the sky in the rows of elements inside closed walls; an element whose front borders the open space
+//       (open_space.h) leaves to the sky what the other factors leave of 1: max(0, 1 - their sum). So the row defect
+//       shows all that is wrong with a row inside closed walls, and with one in the open if it sums to more than 1
+class ExchangeMethod2 {
+ public:
+  virtual ~ExchangeMethod2() = default;
+  virtual const MethodInfo& info() const = 0;
+
+  // Throws RequestError when the method cannot be run on the scene.
+  virtual ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport& report) const = 0;
+
+  // What the method claims of its largest error on a scene, before it is run: a bound that follows from its reference
+  // and the scene's geometry. Nothing where the method claims nothing.
+  virtual std::optional<double> declared_error(const PreparedScene2& prepared) const = 0;
+
+  // The same for every factor F(from, to), the sky included; infinity where nothing is claimed. Unless a method knows
+  // better it claims of each what it claims of all. REQUIRES that the method and `prepared` outlive what is returned.
+  using ClaimedErrors = std::function<double(std::uint32_t from, std::uint32_t to)>;
+  virtual ClaimedErrors claimed_errors(const PreparedScene2& prepared) const {
+    const double of_all = declared_error(prepared).value_or(std::numeric_limits<double>::infinity());
+    return [of_all](std::uint32_t, std::uint32_t) { return of_all; };
+  }
+};
+
+}  // namespace hottel

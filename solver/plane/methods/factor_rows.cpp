@@ -1,0 +1,51 @@
+#include "solver/plane/methods/factor_rows.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "kernel/support/interrupt.h"
+#include "kernel/support/parallel.h"
+
+namespace hottel {
+
+ExchangeMatrix matrix_of_rows(const ElementGeometry2& geometry, const std::vector<std::vector<FactorEntry>>& rows) {
+  std::vector<std::size_t> begin{0};
+  std::vector<FactorEntry> entries;
+  for (const auto& row : rows) {
+    entries.insert(entries.end(), row.begin(), row.end());
+    begin.push_back(entries.size());
+  }
+  ExchangeMatrix matrix(geometry.labels().elements(), Guarantee::kEstimated);
+  matrix.assign(std::move(begin), std::move(entries));
+  return matrix;
+}
+
+std::vector<FactorEntry> RowSums::take() {
+  std::sort(touched_.begin(), touched_.end());
+  std::vector<FactorEntry> row;
+  for (const std::uint32_t column : touched_) {
+    row.push_back({column, {sums_[column], 0}, std::numeric_limits<double>::quiet_NaN()});
+    sums_[column] = 0;
+  }
+  touched_.clear();
+  return row;
+}
+
+ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<FillRow()>& make_fill) {
+  const std::uint32_t n = geometry.count();
+  std::vector<std::vector<FactorEntry>> rows(n);
+  parallel_ranges(n, 1, [&](std::size_t first, std::size_t last) {
+    const FillRow fill = make_fill();
+    RowSums by(n + std::size_t{1});
+    for (std::size_t from = first; from != last; ++from) {
+      throw_if_interrupted();
+      const auto i = static_cast<std::uint32_t>(from);
+      if (!geometry.has_row(i) || geometry.runs(i).empty()) continue;
+      fill(i, by);
+      rows[i] = by.take();
+    }
+  });
+  return matrix_of_rows(geometry, rows);
+}
+
+}  // namespace hottel

@@ -1,0 +1,44 @@
+// Matrices of methods that fill one row after the other.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "solver/plane/methods/element_geometry.h"
+
+namespace hottel {
+
+// Returns the estimated matrix with these rows, one for each element.
+ExchangeMatrix matrix_of_rows(const ElementGeometry2& geometry, const std::vector<std::vector<FactorEntry>>& rows);
+
+// The factors of one row while they are summed. COST: that of the columns that receive something.
+class RowSums {
+ public:
+  explicit RowSums(std::size_t columns) : sums_(columns, 0) {}
+
+  void add(std::uint32_t column, double amount) {  // REQUIRES amount >= 0
+    if (amount == 0) return;
+    if (sums_[column] == 0) touched_.push_back(column);
+    sums_[column] += amount;
+  }
+  void divide_by(double divisor) {
+    for (const std::uint32_t column : touched_) sums_[column] /= divisor;
+  }
+  // Moves out what is not 0, by ascending columns.
+  std::vector<FactorEntry> take();
+
+ private:
+  std::vector<double> sums_;
+  std::vector<std::uint32_t> touched_;  // columns that are not 0
+};
+
+// Fills the row of an element: adds F(from, j) to column j, the sky last.
+using FillRow = std::function<void(std::uint32_t from, RowSums& by)>;
+
+// Returns the matrix of all rows that elements with a place have, estimated; an entry for each factor that is not 0.
+// `make_fill` is called for every range of rows, by the thread that fills them.
+// COST: parallel over rows. Stops when it is interrupted.
+ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<FillRow()>& make_fill);
+
+}  // namespace hottel

@@ -1,0 +1,53 @@
+// The methods that are there, by name.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/plane/methods/exchange_method.h"
+
+namespace hottel {
+
+// Methods that differ in a parameter or a variant.
+struct MethodFamily {
+  std::string name;     // "gauss": what comes before the first colon
+  std::string pattern;  // "gauss:n": what may be typed
+  std::string what;     // one line for --help and tables
+  std::string reference;
+  Guarantee guarantee = Guarantee::kEstimated;
+  std::vector<std::string> sweep;  // names in full, cheapest first: the points of one curve of accuracy against time
+
+  // Makes the method from what follows the family's name ("" or ":4"). Throws UsageError when that makes no sense.
+  std::function<std::unique_ptr<ExchangeMethod2>(std::string_view variant)> make;
+};
+
+// The name of a method without the ":normalised" at its end, and that, or nothing.
+struct SplitMethodName {
+  std::string raw, normalised;
+};
+SplitMethodName split_method_name(const std::string& name);
+
+// All methods by name. A name is a family, its variant, and at last perhaps ":normalised": the same with every row
+// divided by its sum (the sky included); MethodReport::row_defect then is that of the rows before. What roundings leave
+// is taken from the largest factor of a row, so that its doubles sum to 1 within an ulp of that factor and never to
+// more. Rows that do not sum to more than 0 stay as they are.
+class MethodCatalogue2 {
+ public:
+  void add(MethodFamily family) { families_.push_back(std::move(family)); }
+  const std::vector<MethodFamily>& families() const { return families_; }
+
+  // Throws UsageError that lists the patterns when there is no such method.
+  std::unique_ptr<ExchangeMethod2> make(const std::string& name) const;
+
+ private:
+  std::vector<MethodFamily> families_;
+};
+
+// The methods of this library, the exact one first. A new one is a file in solver/plane/methods and a line in
+// planar_methods.cpp.
+MethodCatalogue2 planar_methods();
+
+}  // namespace hottel

@@ -1,0 +1,15 @@
+// Which elements could see the sky, for all that the walls around them say.
+#pragma once
+
+#include <vector>
+
+#include "geometry/plane/arrangement/arrangement.h"
+#include "geometry/plane/exchange/labels.h"
+
+namespace hottel {
+
+// Returns for every element whether its front borders the open space: whether a way that crosses no piece leads from
+// some point before the front to infinity. An element that does not sees no sky; one that does may see none.
+std::vector<char> borders_open_space(const Arrangement2& arrangement, const Labels2& labels);
+
+}  // namespace hottel

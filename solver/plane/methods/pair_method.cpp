@@ -1,0 +1,135 @@
+#include "solver/plane/methods/pair_method.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "geometry/plane/exchange/unobstructed.h"
+#include "kernel/support/interrupt.h"
+#include "kernel/support/parallel.h"
+#include "solver/plane/methods/factor_rows.h"
+#include "solver/plane/methods/open_space.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::infinity();
+constexpr double kHalfUlp = 0x1p-53;
+constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
+
+struct LaterFactors {
+  std::uint32_t to;  // > from
+  PairFactors factors;
+};
+
+// Gives what the other factors leave of 1 to the sky, where the row ends; returns the row's defect.
+double close_row(std::vector<FactorEntry>& row, std::uint32_t sky, bool borders_open_space) {
+  double sum = 0;
+  for (const FactorEntry& entry : row) sum += entry.factor.value;
+  if (borders_open_space && sum < 1) {
+    row.push_back({sky, {1 - sum, 0}, kNotAsked});
+    sum += 1 - sum;
+  }
+  return std::fabs(sum - 1);
+}
+
+}  // namespace
+
+ExchangeMatrix PairMethod2::compute(const PreparedScene2& prepared, MethodReport& report) const {
+  const ElementGeometry2 geometry(prepared);
+  const Pairs pairs_of_method = pairs(prepared, geometry);
+  const std::uint32_t n = geometry.count();
+  std::vector<std::vector<LaterFactors>> later(n);
+  parallel_for(n, [&](std::size_t row) {
+    throw_if_interrupted();
+    const auto i = static_cast<std::uint32_t>(row);
+    std::vector<std::uint32_t> partners;
+    pairs_of_method.append_partners(i, partners);
+    std::sort(partners.begin(), partners.end());
+    partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+    for (const std::uint32_t j : partners) {
+      if (j <= i || !(geometry.has_row(i) || geometry.has_row(j))) continue;
+      const PairFactors both = pairs_of_method.factors(i, j);
+      if (both.forth > 0 || both.back > 0) later[i].push_back({j, both});
+    }
+  });
+
+  std::vector<std::vector<FactorEntry>> rows(n);
+  const auto add = [&](std::uint32_t from, std::uint32_t to, double factor) {
+    if (factor > 0 && geometry.has_row(from)) rows[from].push_back({to, {factor, 0}, kNotAsked});
+  };
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (const LaterFactors& pair : later[i]) {
+      add(i, pair.to, pair.factors.forth);
+      add(pair.to, i, pair.factors.back);
+    }
+
+  const std::vector<char> is_open = borders_open_space(prepared.arrangement, geometry.labels());
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (geometry.has_row(i))
+      report.row_defect = std::max(report.row_defect, close_row(rows[i], geometry.labels().sky(), is_open[i] != 0));
+  return matrix_of_rows(geometry, rows);
+}
+
+double PairMethod2::error_of_free_runs(const Vertices2&, const ElementGeometry2&, const ElementRun2&,
+                                       const ElementRun2&) const {
+  return kNothing;
+}
+
+double PairMethod2::error_of_free_pair(const Vertices2& vertices, const ElementGeometry2& geometry, std::uint32_t from,
+                                       std::uint32_t to) const {
+  for (const std::uint32_t element : {from, to})
+    if (!geometry.is_whole(element)) return kNothing;
+  double error = 0;
+  for (const ElementRun2& a : geometry.runs(from))
+    for (const ElementRun2& b : geometry.runs(to))
+      if (face_each_other(vertices, a.ends, b.ends))
+        error += a.share * b.length * error_of_free_runs(vertices, geometry, a, b);
+  return error;
+}
+
+ExchangeMethod2::ClaimedErrors PairMethod2::claimed_errors(const PreparedScene2& prepared) const {
+  struct Known {
+    ElementGeometry2 geometry;
+    ExchangeMatrix exact;
+  };
+  const auto known = std::make_shared<const Known>(
+      Known{ElementGeometry2(prepared), exact_exchange(prepared, {.per = Per::kElement})});
+  const auto of_pair = [this, known, &vertices = prepared.arrangement.vertices()](std::uint32_t from,
+                                                                                  std::uint32_t to) {
+    const auto row = known->exact.row(from);
+    const auto entry = std::lower_bound(row.begin(), row.end(), to,
+                                        [](const FactorEntry& e, std::uint32_t column) { return e.to < column; });
+    if (entry == row.end() || entry->to != to) return 0.0;
+    if (entry->visibility < 1 && !claims_hidden_pairs()) return kNothing;
+    return error_of_free_pair(vertices, known->geometry, from, to);
+  };
+  return [of_pair, known, is_open = borders_open_space(prepared.arrangement, known->geometry.labels())](
+             std::uint32_t from, std::uint32_t to) {
+    if (to != known->geometry.labels().sky()) return of_pair(from, to);
+    if (!is_open[from]) return 0.0;
+    // What the sky gets is off by no more than all the others together, and by the roundings of their sum and its rest.
+    double error = 0;
+    for (std::uint32_t other = 0; other < known->geometry.count(); ++other)
+      if (const double of_other = of_pair(from, other); of_other > 0) error += of_other + 2 * kHalfUlp;
+    return error;
+  };
+}
+
+std::optional<double> PairMethod2::declared_error(const PreparedScene2& prepared) const {
+  const ElementGeometry2 geometry(prepared);
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  // Most scenes have walls that meet, of which nothing can be claimed: then no exact factors are needed.
+  for (std::uint32_t i = 0; i < geometry.count(); ++i)
+    for (std::uint32_t j = 0; j < geometry.count(); ++j)
+      if (geometry.has_row(i) && !std::isfinite(error_of_free_pair(vertices, geometry, i, j))) return std::nullopt;
+  const ClaimedErrors claimed = claimed_errors(prepared);
+  double largest = 0;
+  for (std::uint32_t i = 0; i < geometry.count(); ++i)
+    for (std::uint32_t j = 0; j <= geometry.labels().sky(); ++j)
+      if (geometry.has_row(i)) largest = std::max(largest, claimed(i, j));
+  return std::isfinite(largest) ? std::optional(largest) : std::nullopt;
+}
+
+}  // namespace hottel

@@ -1,0 +1,190 @@
+// rays:N, rays:N:stratified, rays:N:sobol, each with :seed=S.
+// GUARANTEE: estimated.
+// REFERENCE: J. R. Howell, The Monte Carlo method in radiative heat transfer, 1998; A. B. Owen, Monte Carlo variance of
+// scrambled net quadrature, 1997.
+#include "solver/plane/methods/rays.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "geometry/plane/visibility/first_hit.h"
+#include "kernel/support/failure.h"
+#include "solver/plane/methods/factor_rows.h"
+#include "solver/plane/methods/method_catalogue.h"
+#include "solver/radiosity/matrix_checks.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::array<const char*, 3> kSamplings{"", ":stratified", ":sobol"};
+constexpr const char* kReference = "Howell 1998; Owen 1997";
+constexpr double kChance = 5.7e-7;  // beyond five standard deviations
+
+// The pieces of an element from its first to its second end: from where rays may start.
+class RayStarts {
+ public:
+  RayStarts(const Arrangement2& arrangement, const ElementGeometry2& geometry) : parts_(geometry.count()) {
+    for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
+      const auto id = static_cast<PieceSideId>(side);
+      const std::uint32_t element = geometry.labels().of(id);
+      if (!geometry.has_row(element) || geometry.runs(element).empty()) continue;
+      const Segment2& piece = arrangement.pieces()[side / 2];
+      const LocalPoint2 &a = geometry.place(piece.a), &b = geometry.place(piece.b);
+      // The front is on the right of a run, so a run goes along a -> b where its side is the right one.
+      parts_[element].push_back({id, side % 2 == 0, length(b - a), 0, 0});
+      const ElementRun2& run = geometry.runs(element).front();
+      parts_[element].back().order = dot(a - run.from, run.direction) + dot(b - run.from, run.direction);
+    }
+    for (auto& parts : parts_) {
+      std::sort(parts.begin(), parts.end(), [](const Part& p, const Part& q) { return p.order < q.order; });
+      for (std::size_t k = 1; k < parts.size(); ++k) parts[k].begin = parts[k - 1].begin + parts[k - 1].length;
+    }
+  }
+
+  // REQUIRES a row for the element, and a position in (0, 1).
+  PieceRay2 at(std::uint32_t element, double position) const {
+    const std::vector<Part>& parts = parts_[element];
+    if (parts.size() == 1) return start(parts.front(), position);
+    const double distance = position * (parts.back().begin + parts.back().length);
+    // The first part begins at 0, and the distance is not below.
+    const auto part = std::upper_bound(parts.begin() + 1, parts.end(), distance,
+                                       [](double d, const Part& p) { return d < p.begin; }) -
+                      1;
+    // Pieces that are shorter than the frame can tell are points: any place on them is the same.
+    return start(*part, part->length > 0 ? (distance - part->begin) / part->length : 0.5);
+  }
+
+ private:
+  struct Part {
+    PieceSideId side;
+    bool is_reversed;  // the piece runs against the element
+    double length, begin, order;
+  };
+  static PieceRay2 start(const Part& part, double position) {
+    const double s = std::clamp(position, 0x1p-53, 1 - 0x1p-53);
+    return {part.side, part.is_reversed ? 1 - s : s, 0, 0};
+  }
+
+  std::vector<std::vector<Part>> parts_;  // by element
+};
+
+class Rays2 final : public ExchangeMethod2 {
+ public:
+  explicit Rays2(const RayOptions2& options) : options_(options) {
+    const std::string sampling = kSamplings[static_cast<std::size_t>(options.sampling)];
+    info_.name = fmt::format("rays:{}{}", options.rays, sampling);
+    if (options.seed != RayOptions2().seed) info_.name += fmt::format(":seed={}", options.seed);
+    info_.family = "rays" + sampling;
+    info_.parameter = static_cast<double>(options.rays);
+    info_.reference = kReference;
+  }
+  const MethodInfo& info() const override { return info_; }
+  std::optional<double> declared_error(const PreparedScene2& prepared) const override;
+  ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport& report) const override;
+
+ private:
+  RayOptions2 options_;
+  MethodInfo info_;
+};
+
+ExchangeMatrix Rays2::compute(const PreparedScene2& prepared, MethodReport& report) const {
+  const ElementGeometry2 geometry(prepared);
+  const RayStarts starts(prepared.arrangement, geometry);
+  const FirstHit2 first_hit(prepared.arrangement);
+  const RaySamples2 samples(options_.sampling, options_.rays, options_.seed);
+  const auto n = static_cast<double>(options_.rays);
+  const FillRow shoot = [&](std::uint32_t from, RowSums& by) {
+    const LocalVector2 along = geometry.runs(from).front().direction, up = geometry.runs(from).front().normal();
+    samples.for_each(from, [&](const RaySamples2::Point& point) {
+      const double sine = 2 * point.turn - 1, cosine = 2 * std::sqrt(point.turn * (1 - point.turn));
+      PieceRay2 ray = starts.at(from, point.position);
+      ray.dx = sine * along.x + cosine * up.x;
+      ray.dy = sine * along.y + cosine * up.y;
+      by.add(geometry.labels().of(first_hit(ray)), 1);
+    });
+    by.divide_by(n);
+  };
+  ExchangeMatrix matrix = matrix_by_rows(geometry, [&] { return shoot; });
+
+  double variance = 0;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (const FactorEntry& entry : matrix.row(i))
+      variance = std::max(variance, entry.factor.value * (1 - entry.factor.value) / n);
+  report.standard_error = std::sqrt(variance);
+  report.row_defect = closure_defect(matrix);
+  report.notes.push_back(fmt::format("seed {}", options_.seed));
+  return matrix;
+}
+
+std::optional<double> Rays2::declared_error(const PreparedScene2& prepared) const {
+  const ElementGeometry2 geometry(prepared);
+  for (std::uint32_t i = 0; i < geometry.count(); ++i)
+    if (geometry.has_row(i) && !geometry.is_whole(i)) return std::nullopt;
+  const auto n = static_cast<double>(options_.rays);
+  const double columns = geometry.count() + 1.0, pairs = columns * columns;
+  double error = 1;
+  if (options_.sampling != Sampling::kSobol) error = std::sqrt(std::log(2 * pairs / kChance) / (2 * n));
+  // What is seen changes across the curves on which a vertex is seen: angles that fall from one end to the other.
+  const auto curves = static_cast<double>(prepared.arrangement.vertices().size());
+  error = std::min(error, curves * parts_met_by_a_curve(options_.sampling, options_.rays) / n);
+  return error < 1 ? std::optional(error) : std::nullopt;
+}
+
+[[noreturn]] void refuse(std::string_view variant) {
+  throw UsageError("rays" + std::string(variant) + ": expected rays:N, rays:N:stratified or rays:N:sobol, 1 <= N <= " +
+                   std::to_string(kMostRays) + ", and perhaps :seed=S");
+}
+
+std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {
+  RayOptions2 options;
+  const auto number = [variant](std::string_view text) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) refuse(variant);
+    return value;
+  };
+  if (variant.empty()) refuse(variant);
+  std::string_view rest = variant.substr(1);
+  const auto next_word = [&rest] {
+    const std::string_view word = rest.substr(0, rest.find(':'));
+    rest = word.size() == rest.size() ? std::string_view() : rest.substr(word.size() + 1);
+    return word;
+  };
+  options.rays = number(next_word());
+  if (options.rays < 1 || options.rays > kMostRays) refuse(variant);
+  if (rest.starts_with("stratified") || rest.starts_with("sobol")) {
+    const std::string_view word = next_word();
+    if (word != "stratified" && word != "sobol") refuse(variant);
+    options.sampling = word == "sobol" ? Sampling::kSobol : Sampling::kStratified;
+  }
+  if (rest.starts_with("seed=")) options.seed = number(next_word().substr(5));
+  if (!rest.empty() || variant.ends_with(':')) refuse(variant);
+  return rays_method_2(options);
+}
+
+}  // namespace
+
+std::unique_ptr<ExchangeMethod2> rays_method_2(const RayOptions2& options) {
+  HOTTEL_REQUIRE(options.rays >= 1 && options.rays <= kMostRays);
+  return std::make_unique<Rays2>(options);
+}
+
+MethodFamily rays_family_2() {
+  std::vector<std::string> sweep;
+  for (const char* sampling : kSamplings)
+    for (const int rays : {64, 256, 1024, 4096, 16384, 65536})
+      sweep.push_back(fmt::format("rays:{}{}", rays, sampling));
+  return {.name = "rays",
+          .pattern = "rays:N[:stratified|:sobol][:seed=S]",
+          .what = "N random rays from each element, first hit",
+          .reference = kReference,
+          .guarantee = Guarantee::kEstimated,
+          .sweep = std::move(sweep),
+          .make = make};
+}
+
+}  // namespace hottel

@@ -1,0 +1,50 @@
+// Proven bounds on the solution of a radiosity system, for whatever approximation a solver gives.
+#pragma once
+
+#include <vector>
+
+#include "solver/radiosity/inner_solver.h"
+#include "solver/radiosity/radiosity_system.h"
+
+namespace hottel {
+
+// Bounds of one solution: by unknown, each in a unit 2^exponent. That is the unit of its component, or one in which
+// what is far darker than the brightest there is near 1.
+struct CertifiedBounds {
+  std::vector<Enclosed> value;       // x_i
+  std::vector<double> lower, upper;  // of the true radiosity; infinite when nothing could be proven
+  std::vector<int> exponent;
+
+  // The radiosity of an unknown, enclosed: x_i moved into its bounds, with a radius that reaches both. 0 if both are.
+  ScaledEnclosed enclosed(std::size_t unknown) const;
+};
+
+// Solves A x = r, the right side of each component brought near 1 first: none is solved by the scale of another.
+Correction solve_by_component(const RadiositySystem& system, InnerSolver& inner, std::vector<double> r);
+
+// Adds corrections to x, in each component until its residual is below its own error bound, or no longer falls. Returns
+// max |residual| before each correction and after the last, each relative to the largest source of its component.
+// COST: one residual and one inner solve a step; two or three steps after an elimination.
+std::vector<double> refine(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, SplitVector& x);
+
+// Encloses the solution of A B = E, given x near it.
+//
+// A is an M-matrix, so A^-1 >= 0, once a vector v > 0 has A v > 0 (which proves that the spectral radius of rho F is
+// below 1). With w <= A v and the residual E - A x in [r-, r+]:
+//   x + v min(0, min r-/w) <= B <= x + v max(0, max r+/w)          in each component.
+// v solves A v = |r| approximately, so that the bounds are as wide as the residual's error bound makes them, and
+// elements far from the light have bounds as narrow, relatively, as the others.
+//
+//   (1) the bounds hold whatever x is, whatever `inner` returns, and for any reflectivities with an exact loss
+//   (2) no wider than Sources::range; else infinite upper bounds in components where A v > 0 could not be proven;
+//       infinite ones on both sides everywhere when some factor is negative
+//   (3) never wrong, but possibly infinite, when a reflectivity is so near 1 that the loss underflows
+// COST: two matrix passes and one inner solve; up to twice as much again a further round when A v > 0 is not settled.
+CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, const SplitVector& x,
+                        const ErrorTerms& terms = {});
+
+// True iff the spectral radius of rho F is proven to be below 1 in all wanted components. COST: as certify().
+bool spectral_radius_is_below_one(const RadiositySystem& system, InnerSolver& inner,
+                                  const std::vector<char>& is_wanted);
+
+}  // namespace hottel

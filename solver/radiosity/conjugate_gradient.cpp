@@ -1,0 +1,149 @@
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/support/interrupt.h"
+#include "kernel/support/parallel.h"
+#include "solver/radiosity/inner_solver.h"
+#include "solver/radiosity/symmetric_rows.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::size_t kGrain = 64;  // rows a task
+
+class ConjugateGradient : public InnerSolver {
+ public:
+  ConjugateGradient(const RadiositySystem& system, const std::vector<char>& is_wanted, CgLimits limits,
+                    std::vector<double>* history)
+      : rows_(system), is_wanted_(is_wanted), limits_(limits), history_(history), defects_(is_wanted.size(), 0) {
+    for (std::size_t i = 0; i < system.size(); ++i) defects_[rows_.component[i]] += rows_.defect[i];
+  }
+
+  Correction solve(const std::vector<double>& r_of_rows) override {
+    const std::size_t n = rows_.weight.size();
+    Correction x{constants(r_of_rows), std::vector<double>(n, 0)};
+    std::vector<double> r(n, 0), z(n), p(n, 0), kp(n);
+    for (std::size_t i = 0; i < n; ++i)
+      if (wanted(i)) r[i] = rows_.weight[i] * r_of_rows[i] - x.constant[rows_.component[i]] * rows_.defect[i];
+    double right_side = 0;
+    for (std::size_t i = 0; i < n; ++i) right_side = std::max(right_side, std::abs(r_of_rows[i]));
+    double before = 0;
+    for (int iteration = 0;; ++iteration) {
+      throw_if_interrupted();
+      const double residual = largest(r) / (right_side > 0 ? right_side : 1);
+      if (history_) history_->push_back(residual);
+      if (iteration == limits_.iterations || residual <= limits_.until) break;
+      for (std::size_t i = 0; i < n; ++i) z[i] = r[i] == 0 ? 0 : r[i] / (rows_.coupling[i] + rows_.defect[i]);
+      deflate(z);
+      double now = 0;
+      for (std::size_t i = 0; i < n; ++i) now += r[i] * z[i];
+      if (!(now > 0)) break;
+      const double beta = iteration == 0 ? 0 : now / before;
+      for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];
+      before = now;
+      multiply(p, kp);
+      double curvature = 0;
+      for (std::size_t i = 0; i < n; ++i) curvature += p[i] * kp[i];
+      if (!(curvature > 0)) break;
+      const double step = now / curvature;
+      for (std::size_t i = 0; i < n; ++i) {
+        x.rest[i] += step * p[i];
+        r[i] -= step * kp[i];
+      }
+    }
+    history_ = nullptr;
+    fold(r_of_rows, x);
+    return x;
+  }
+
+ private:
+  // The constant is a mean by defects. Where it is huge it is moved to the value at the unknown that is coupled best,
+  // so that what most unknowns have in common drops out of their differences even if the defects are elsewhere.
+  void centre(const std::vector<double>& right_side, Correction& x) const {
+    const std::size_t components = x.constant.size();
+    std::vector<double> largest(components, 0), best(components, 0), shift(components, 0);
+    for (std::size_t i = 0; i < x.rest.size(); ++i) {
+      const std::uint32_t c = rows_.component[i];
+      largest[c] = std::max(largest[c], std::abs(right_side[i]));
+      if (rows_.coupling[i] <= best[c]) continue;
+      best[c] = rows_.coupling[i];
+      shift[c] = x.rest[i];
+    }
+    for (std::size_t c = 0; c < components; ++c)
+      if (!is_huge(x.constant[c], largest[c])) shift[c] = 0;
+    for (std::size_t c = 0; c < components; ++c) x.constant[c] += shift[c];
+    for (std::size_t i = 0; i < x.rest.size(); ++i) x.rest[i] -= shift[rows_.component[i]];
+  }
+
+  // Values instead of differences to the constant, where that is better.
+  void fold(const std::vector<double>& right_side, Correction& x) const {
+    centre(right_side, x);
+    std::vector<FormOfSolution> form(x.constant.size());
+    for (std::size_t i = 0; i < x.rest.size(); ++i) {
+      const std::uint32_t c = rows_.component[i];
+      form[c].meet(x.constant[c], x.rest[i], right_side[i]);
+    }
+    for (std::size_t i = 0; i < x.rest.size(); ++i) {
+      const std::uint32_t c = rows_.component[i];
+      if (!form[c].keeps(x.constant[c])) x.rest[i] += x.constant[c];
+    }
+    for (std::size_t c = 0; c < x.constant.size(); ++c)
+      if (!form[c].keeps(x.constant[c])) x.constant[c] = 0;
+  }
+
+  bool wanted(std::size_t i) const { return is_wanted_[rows_.component[i]] != 0; }
+
+  // The multiple of 1 in each component after which the residuals of its rows sum to 0.
+  std::vector<double> constants(const std::vector<double>& r) const {
+    std::vector<double> result(defects_.size(), 0);
+    for (std::size_t i = 0; i < r.size(); ++i)
+      if (wanted(i)) result[rows_.component[i]] += rows_.weight[i] * r[i];
+    for (std::size_t c = 0; c < result.size(); ++c)
+      if (defects_[c] > 0) result[c] /= defects_[c];
+    return result;
+  }
+
+  // Makes z orthogonal to the constant of each component in the sense of K.
+  void deflate(std::vector<double>& z) const {
+    std::vector<double> mean(defects_.size(), 0);
+    for (std::size_t i = 0; i < z.size(); ++i)
+      if (wanted(i)) mean[rows_.component[i]] += rows_.defect[i] * z[i];
+    for (std::size_t c = 0; c < mean.size(); ++c)
+      if (defects_[c] > 0) mean[c] /= defects_[c];
+    for (std::size_t i = 0; i < z.size(); ++i)
+      if (wanted(i)) z[i] -= mean[rows_.component[i]];
+  }
+
+  double largest(const std::vector<double>& r) const {
+    double result = 0;
+    for (std::size_t i = 0; i < r.size(); ++i) result = std::max(result, std::abs(r[i]) / rows_.weight[i]);
+    return result;
+  }
+
+  void multiply(const std::vector<double>& p, std::vector<double>& kp) const {
+    parallel_ranges(p.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        double sum = 0;
+        for (std::size_t e = rows_.begin[i]; e < rows_.begin[i + 1]; ++e)
+          sum += rows_.coupling_of[e] * (p[i] - p[rows_.to[e]]);
+        kp[i] = sum + rows_.defect[i] * p[i];
+      }
+    });
+  }
+
+  SymmetricRows rows_;
+  std::vector<char> is_wanted_;
+  CgLimits limits_;
+  std::vector<double>* history_;
+  std::vector<double> defects_;  // by component
+};
+
+}  // namespace
+
+std::unique_ptr<InnerSolver> make_conjugate_gradient(const RadiositySystem& system, const std::vector<char>& is_wanted,
+                                                     CgLimits limits, std::vector<double>* history) {
+  return std::make_unique<ConjugateGradient>(system, is_wanted, limits, history);
+}
+
+}  // namespace hottel

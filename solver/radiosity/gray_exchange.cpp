@@ -1,0 +1,134 @@
+#include "solver/radiosity/gray_exchange.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
+#include "solver/radiosity/certificate.h"
+#include "solver/radiosity/inner_solver.h"
+#include "solver/radiosity/radiosity_system.h"
+#include "solver/radiosity/wide_elimination.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::size_t kColumnsBetweenReports = 64;
+
+// One number of a column.
+struct ColumnEntry {
+  std::uint32_t row = 0;
+  double value = 0;
+  Enclosure bounds;
+};
+
+// The system of one channel, eliminated once, and what solves it for one column after the other.
+class GraySystem {
+ public:
+  GraySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
+      : matrix_(matrix), system_(matrix, materials, channel), wide_(system_) {
+    for (const Material& material : materials)
+      emissivity_.push_back(ScaledEnclosed::of(Rational(1 - material.reflectivity.value[channel])));
+    // Components that lose nothing have no column: all their emissivities are 0.
+    std::vector<char> is_wanted;
+    bool is_any_wanted = false;
+    for (const SystemComponent& component : system_.components()) {
+      is_wanted.push_back(component.loses);
+      is_any_wanted |= component.loses;
+    }
+    if (is_any_wanted) inner_ = make_elimination(system_, is_wanted);
+  }
+
+  // The numbers of one column that are not 0, by rows.
+  std::vector<ColumnEntry> column(std::uint32_t to) const {
+    std::vector<ColumnEntry> result;
+    const ScaledEnclosed source = emissivity_of(to);
+    if (source.is_zero()) return result;
+    const std::vector<ScaledEnclosed> irradiance = system_.irradiance(radiosity(system_.unit_source(to)));
+    for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
+      if (!matrix_.has_row(i)) continue;
+      const ScaledEnclosed emissivity = emissivity_of(i);
+      if (irradiance[i].is_zero() || emissivity.is_zero()) continue;
+      const ScaledEnclosed factor = product(emissivity, product(source, irradiance[i]));
+      const Enclosure bounds{std::max(0.0, factor.lower()), std::min(emissivity.upper(), factor.upper())};
+      result.push_back({i, std::clamp(factor.nearest(), bounds.lower, bounds.upper), bounds});
+    }
+    return result;
+  }
+
+ private:
+  // Of a face, a black back or the sky.
+  ScaledEnclosed emissivity_of(std::uint32_t element) const {
+    if (element == matrix_.sky() || !matrix_.elements()[element].material) return ScaledEnclosed::of(Enclosed{1, 0, 0});
+    return emissivity_[*matrix_.elements()[element].material];
+  }
+
+  // G_kj of all elements k, the sky last, for the column j that is the source.
+  std::vector<ScaledEnclosed> radiosity(const Sources& sources) const {
+    std::vector<ScaledEnclosed> result = sources.emission;
+    if (!inner_) return result;
+    SplitVector x{std::vector<DoubleDouble>(system_.components().size()), std::vector<DoubleDouble>(system_.size())};
+    refine(system_, sources, *inner_, x);
+    CertifiedBounds bounds = certify(system_, sources, *inner_, x);
+    wide_.narrow(sources, {}, bounds);
+    require_bounds(system_, bounds);
+    for (std::size_t u = 0; u < system_.size(); ++u) result[system_.rows()[u].element] = bounds.enclosed(u);
+    return result;
+  }
+
+  const ExchangeMatrix& matrix_;
+  RadiositySystem system_;
+  WideElimination wide_;
+  std::vector<ScaledEnclosed> emissivity_;  // by material
+  std::unique_ptr<InnerSolver> inner_;
+};
+
+ExchangeMatrix from_columns(const std::vector<Element>& elements,
+                            const std::vector<std::vector<ColumnEntry>>& columns) {
+  ExchangeMatrix result(elements, Guarantee::kEnclosed);
+  std::vector<std::size_t> begin(elements.size() + 1, 0);
+  for (const auto& column : columns)
+    for (const ColumnEntry& entry : column) ++begin[entry.row + 1];
+  for (std::size_t i = 0; i < elements.size(); ++i) begin[i + 1] += begin[i];
+  std::vector<FactorEntry> entries(begin.back());
+  std::vector<Enclosure> bounds(begin.back());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (std::uint32_t j = 0; j < columns.size(); ++j)
+    for (const ColumnEntry& entry : columns[j]) {
+      const std::size_t place = next[entry.row]++;
+      entries[place] = {j, {entry.value, 0}, std::numeric_limits<double>::quiet_NaN()};
+      bounds[place] = entry.bounds;
+    }
+  result.assign(std::move(begin), std::move(entries), {}, std::move(bounds));
+  return result;
+}
+
+}  // namespace
+
+ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                             const GrayExchangeOptions& options) {
+  HOTTEL_REQUIRE(matrix.guarantee() == Guarantee::kExact);
+  const GraySystem system(matrix, materials, options.channel);
+  std::vector<std::vector<ColumnEntry>> columns(matrix.size() + 1);
+  std::atomic<std::uint64_t> pairs{0};
+  for (std::size_t begin = 0; begin < columns.size(); begin += kColumnsBetweenReports) {
+    const std::size_t end = std::min(columns.size(), begin + kColumnsBetweenReports);
+    parallel_for(end - begin, [&](std::size_t k) {
+      std::vector<ColumnEntry>& column = columns[begin + k];
+      column = system.column(static_cast<std::uint32_t>(begin + k));
+      const std::uint64_t bytes = (pairs += column.size()) * kBytesPerGrayPair;
+      if (options.memory > 0 && bytes > options.memory)
+        throw RequestError(fmt::format("script-F has more than {} pairs, which is all that the {} bytes allowed hold",
+                                       options.memory / kBytesPerGrayPair, options.memory));
+    });
+    if (options.progress) options.progress(static_cast<double>(end) / static_cast<double>(columns.size()));
+  }
+  return from_columns(matrix.elements(), columns);
+}
+
+}  // namespace hottel

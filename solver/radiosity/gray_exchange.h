@@ -1,0 +1,51 @@
+// Hottel's total exchange factors (script-F) of gray diffuse faces, from view factors.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "geometry/exchange_matrix.h"
+#include "geometry/material.h"
+
+namespace hottel {
+
+inline constexpr std::uint64_t kBytesPerGrayPair = 80;
+
+struct GrayExchangeOptions {
+  int channel = 0;                            // 0 to 2: whose reflectivities are meant
+  std::uint64_t memory = 0;                   // bytes the result may take, while it is made; 0: no limit
+  std::function<void(double)> progress = {};  // fraction done, called by the calling thread; may throw to stop
+};
+
+// Returns the gray-body exchange factors script-F_ij of a scene: of what a black body with the temperature of face i
+// would send out, the fraction that i sends out and j absorbs, straight or after any number of reflections. So the net
+// power that flows from i to j is
+//
+//   q_ij = A_i script-F_ij sigma (T_i^4 - T_j^4),    script-F_ij = e_i e_j sum_k F_ik G_kj,    G = I + rho F G,
+//
+// with the emissivities e = 1 - rho and G_kj the radiosity of k when j alone emits, 1 per area.     [fraction]
+//
+// Rows and columns are those of the view factors: a row for each face with a material, a column for each face, black
+// backs included (e = 1), and the sky, which is black and sends nothing back. Faces see themselves by reflection, so
+// script-F_ii > 0 also where F_ii = 0.
+//
+//   (1) A_i script-F_ij = A_j script-F_ji for the real numbers behind the doubles
+//   (2) rows sum to e_i
+//   (3) without reflection script-F = F, bit for bit
+//   (4) every number lies in ExchangeMatrix::bounds(), proven, for the exact view factors and reflectivities: a few
+//       ulps wide for reflectivities up to 1 - 2^-50 and beyond
+//   (5) the row and the column of a face with e = 0 are 0, also where all faces that it exchanges light with have e = 0
+//       and the light would be reflected for ever
+//   (6) no entry iff the real number is 0; the same bit for bit for any number of threads
+//
+// REQUIRES view factors that are exact, and materials of the elements that index into `materials`.
+// Throws RequestError when factors are so small that no bounds can be given, and when the result takes more memory than
+// is allowed. COST: one elimination (n^3 / 3 for a component of n faces); for each column with e > 0 about ten passes
+// over the matrix and five back substitutions (n^2); 80 bytes a pair of the result, which is dense within each
+// component. SEE: Hottel and Sarofim, Radiative Transfer, 1967, chapter 3; Walton, NISTIR 6925, 2002 (View3D,
+// `emit=1`).
+ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                             const GrayExchangeOptions& options = {});
+
+}  // namespace hottel

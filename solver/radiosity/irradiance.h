@@ -1,0 +1,14 @@
+// Irradiances of radiosities that were moved into their bounds.
+#pragma once
+
+#include "geometry/exchange_matrix.h"
+#include "geometry/material.h"
+#include "solver/radiosity/radiosity.h"
+
+namespace hottel {
+
+// Sets the irradiance of every row to sum_j F_ij B_j of the radiosities of the solution as they are now, and moves
+// net_value into its bounds. REQUIRES a solution of this matrix with this sky. COST: one pass over the matrix.
+void set_irradiances(const ExchangeMatrix& matrix, const Rational& sky_emission, ChannelSolution& channel);
+
+}  // namespace hottel

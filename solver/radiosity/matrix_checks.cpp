@@ -1,0 +1,102 @@
+#include "solver/radiosity/matrix_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
+
+namespace hottel {
+namespace {
+
+// The largest of a number a row. A maximum is the same in any order.
+template <class OfRow>
+double largest_of_rows(const ExchangeMatrix& matrix, const OfRow& of_row) {
+  double largest = 0;
+  std::mutex mutex;
+  parallel_ranges(matrix.size(), 16, [&](std::size_t begin, std::size_t end) {
+    double here = 0;
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+      if (matrix.has_row(i)) here = std::max(here, of_row(i));
+    const std::lock_guard lock(mutex);
+    largest = std::max(largest, here);
+  });
+  return largest;
+}
+
+}  // namespace
+
+double closure_defect(const ExchangeMatrix& matrix) {
+  return largest_of_rows(matrix, [&](std::uint32_t i) {
+    Enclosed defect{-1, 0, 0};
+    for (const FactorEntry& entry : matrix.row(i)) defect = sum(defect, {entry.factor.value, 0, 0});
+    return std::abs(defect.value());
+  });
+}
+
+double reciprocity_defect(const ExchangeMatrix& matrix) {
+  return largest_of_rows(matrix, [&](std::uint32_t i) {
+    double largest = 0;
+    const double area = matrix.elements()[i].area.value;
+    for (const FactorEntry& entry : matrix.row(i)) {
+      if (entry.to == matrix.sky() || !matrix.has_row(entry.to)) continue;
+      const double other = matrix.elements()[entry.to].area.value;
+      const double there = matrix.factor(entry.to, i).value;
+      // A pair with entries both ways is looked at once.
+      if (entry.to < i && there != 0) continue;
+      largest = std::max(largest, std::abs(area * entry.factor.value - other * there) / std::min(area, other));
+    }
+    return largest;
+  });
+}
+
+void require_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission, const RadiositySolution& solution) {
+  const auto require = [](bool is_a_double, const std::string& what) {
+    if (!is_a_double) throw RequestError(what + " is beyond the range of doubles");
+  };
+  for (const Rational& emission : sky_emission.value)
+    require(std::isfinite(to_double(emission)), "the emission of the sky");
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const Element& element = matrix.elements()[i];
+    require(element.area.value > 0 && std::isfinite(element.area.value), "the area of '" + element.name + "'");
+    for (const ChannelSolution& channel : solution.channels)
+      require(std::isfinite(channel.elements[i].radiosity) && std::isfinite(channel.elements[i].irradiance),
+              "the light of '" + element.name + "'");
+  }
+  const EnergyBalance& energy = solution.energy;
+  require(std::isfinite(energy.emitted) && std::isfinite(energy.absorbed) && std::isfinite(energy.to_sky),
+          "the power of the light in all");
+}
+
+namespace {
+
+ScaledEnclosed middle(const ScaledEnclosed& value) {
+  return ScaledEnclosed::of(Enclosed{value.mantissa.hi, 0, 0}, value.exponent);
+}
+
+}  // namespace
+
+void EnergySum::add(std::uint32_t row, const ScaledEnclosed& emission, const ScaledEnclosed& absorbed,
+                    const ScaledEnclosed& radiosity, const ScaledEnclosed& sky_emission) {
+  const ScaledEnclosed area = ScaledEnclosed::of(Enclosed{matrix_.elements()[row].area.value, 0, 0});
+  const ScaledEnclosed sent = middle(radiosity);
+  emitted_ = sum(emitted_, product(area, middle(emission)));
+  absorbed_ = sum(absorbed_, product(area, middle(absorbed)));
+  for (const FactorEntry& entry : matrix_.row(row)) {
+    const bool is_sky = entry.to == matrix_.sky();
+    if (!is_sky && matrix_.has_row(entry.to)) continue;
+    const ScaledEnclosed exchange = product(area, ScaledEnclosed::of(Enclosed{entry.factor.value, 0, 0}));
+    ScaledEnclosed& taken = is_sky ? to_sky_ : absorbed_;
+    taken = sum(taken, product(exchange, sent));
+    if (is_sky) emitted_ = sum(emitted_, product(exchange, middle(sky_emission)));
+  }
+}
+
+EnergyBalance EnergySum::balance() const {
+  const ScaledEnclosed defect = difference(difference(emitted_, absorbed_), to_sky_);
+  return {emitted_.nearest(), absorbed_.nearest(), to_sky_.nearest(), defect.nearest()};
+}
+
+}  // namespace hottel

@@ -1,0 +1,90 @@
+#include "solver/radiosity/net_flux.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+#include "solver/radiosity/scaled_enclosed.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+ScaledEnclosed within(double value, double lower, double upper) {
+  return ScaledEnclosed::of(Enclosed::around({value, 0}, {lower, upper}));
+}
+
+NetFlux::Power power_of(const ScaledEnclosed& flux) { return {flux.nearest(), flux.lower(), flux.upper()}; }
+
+// Of every element, the sky last.
+std::vector<ScaledEnclosed> flux_by_element(const ExchangeMatrix& matrix, const ChannelSolution& solution,
+                                            const ScaledEnclosed& sky_emission) {
+  std::vector<ScaledEnclosed> result(matrix.size() + 1);
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const ElementRadiosity& element = solution.elements[i];
+    const ScaledEnclosed area = ScaledEnclosed::of(Enclosed::of(matrix.elements()[i].area));
+    const ScaledEnclosed radiosity = within(element.radiosity, element.lower, element.upper);
+    result[i] = product(area, within(element.net_value, element.net_lower, element.net_upper));
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+      const FactorEntry& entry = matrix.row(i)[k];
+      const bool is_sky = entry.to == matrix.sky();
+      if (!is_sky && matrix.has_row(entry.to)) continue;
+      const Enclosed factor = matrix.guarantee() == Guarantee::kEnclosed
+                                  ? Enclosed::around({entry.factor.value, 0}, matrix.bounds(i, k))
+                                  : Enclosed::of(entry.factor);
+      const ScaledEnclosed sent = is_sky ? difference(sky_emission, radiosity) : negated(radiosity);
+      result[entry.to] = sum(result[entry.to], product(product(area, ScaledEnclosed::of(factor)), sent));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolution& solution,
+                              const Spectrum& sky_emission, const std::function<std::string(const Element&)>& name_of) {
+  std::vector<char> is_listed(matrix.size() + 1, 0);
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    is_listed[i] = 1;
+    for (const FactorEntry& entry : matrix.row(i)) is_listed[entry.to] = 1;
+  }
+  std::vector<NetFlux> result;
+  std::vector<std::size_t> place(matrix.size() + 1);  // of an element, in the result
+  std::vector<ScaledEnclosed> area;
+  std::unordered_map<std::string, std::size_t> place_of;
+  for (std::uint32_t i = 0; i <= matrix.size(); ++i) {
+    if (!is_listed[i]) continue;
+    const std::string name = i == matrix.sky() ? "sky" : name_of(matrix.elements()[i]);
+    const auto [known, is_new] = place_of.emplace(name, result.size());
+    if (is_new) {
+      result.push_back({name, {}, std::vector<NetFlux::Power>(solution.channels.size())});
+      area.emplace_back();
+    }
+    place[i] = known->second;
+    if (i == matrix.sky()) continue;
+    area[place[i]] = sum(area[place[i]], ScaledEnclosed::of(Enclosed::of(matrix.elements()[i].area)));
+    result[place[i]].area = area[place[i]].nearest();
+  }
+  for (std::size_t c = 0; c < solution.channels.size(); ++c) {
+    const std::vector<ScaledEnclosed> flux =
+        flux_by_element(matrix, solution.channels[c], ScaledEnclosed::of(sky_emission.value[c]));
+    std::vector<ScaledEnclosed> total(result.size());
+    for (std::uint32_t i = 0; i <= matrix.size(); ++i)
+      if (is_listed[i]) total[place[i]] = sum(total[place[i]], flux[i]);
+    for (std::size_t k = 0; k < result.size(); ++k) result[k].by_channel[c] = power_of(total[k]);
+    // What arrives at a black back or goes to the sky is known by factors alone, and those are estimates.
+    if (matrix.guarantee() == Guarantee::kEstimated)
+      for (std::uint32_t i = 0; i <= matrix.size(); ++i)
+        if (is_listed[i] && (i == matrix.sky() || !matrix.has_row(i))) {
+          NetFlux::Power& power = result[place[i]].by_channel[c];
+          power = {power.value, -kInfinity, kInfinity};
+        }
+  }
+  return result;
+}
+
+}  // namespace hottel

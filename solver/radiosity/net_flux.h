@@ -1,0 +1,37 @@
+// Net flux of faces: the power that leaves them less the power that arrives, with proven bounds.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/exchange_matrix.h"
+#include "solver/radiosity/radiosity.h"
+
+namespace hottel {
+
+// Of a face, or of several that go by one name: sum of A_i (B_i - H_i).      [W; in the plane W per metre of depth]
+struct NetFlux {
+  struct Power {
+    double value = 0, lower = 0, upper = 0;
+  };
+  std::string name;
+  std::optional<double> area;     // none: the sky
+  std::vector<Power> by_channel;  // as the channels of the solution
+};
+
+// Returns the net flux of every face with a material and of every black back and the sky that such a face sees, summed
+// over the elements for which `name_of` returns the same name, in the order of the first of them; the sky last.
+//
+//   (1) positive: more leaves than arrives, as from a lamp; negative: the difference is absorbed, or goes to the sky
+//   (2) lower <= true flux <= upper, and value lies between them; the same holds of sums over names, and for an
+//       enclosed matrix for all factors within their enclosures. For an estimated one: given bounds that hold of the
+//       true radiosities (set_crude_bounds), and nothing is known of black backs and the sky
+//   (3) the true fluxes of all names sum to 0: what is sent out arrives somewhere; so do the values, but for roundings,
+//       where iterations were stopped early too
+// REQUIRES a solution of this matrix with this sky. COST: one pass over the matrix a channel.
+std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolution& solution,
+                              const Spectrum& sky_emission, const std::function<std::string(const Element&)>& name_of);
+
+}  // namespace hottel

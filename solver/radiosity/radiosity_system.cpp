@@ -1,0 +1,298 @@
+#include "solver/radiosity/radiosity_system.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <climits>
+#include <numeric>
+#include <span>
+
+#include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::size_t kGrain = 16;  // rows a task
+constexpr double kFar = 0x1p-400;   // below it a number is looked at in a unit of its own
+
+// sum_j F_j (a_j - b_j), enclosed.
+class DifferenceSum {
+ public:
+  explicit DifferenceSum(const ErrorTerms& terms) : terms_(terms) {}
+
+  void add(const Rounded& factor, DoubleDouble a, DoubleDouble b, double radius_of_difference = 0) {
+    double d, e, p, pe, s, se;
+    two_sum(a.hi, -b.hi, d, e);
+    const double d_low = e + (a.lo - b.lo);
+    two_product(factor.value, d, p, pe);
+    two_sum(high_, p, s, se);
+    high_ = s;
+    const Enclosed real = Enclosed::of(factor);
+    const double from_low = factor.value * d_low, from_shift = real.lo * d;
+    low_ += (pe + se) + (from_low + from_shift);
+    low_size_ += std::abs(pe) + std::abs(se) + std::abs(from_shift) +
+                 std::abs(factor.value) * (std::abs(e) + std::abs(a.lo) + std::abs(b.lo));
+    factor_radius_ += real.radius * (std::abs(d) + 2 * std::abs(d_low));
+    other_radius_ += std::abs(factor.value) * radius_of_difference;
+    ++count_;
+  }
+
+  Enclosed result() const {
+    // Each term of low went through at most count + 6 additions and products, and partial sums stay below low_size.
+    const double roundings = 2 * (static_cast<double>(count_) + 16) * kRoundoff * low_size_;
+    const double underflow = 8 * (static_cast<double>(count_) + 1) * kUnderflow;
+    Enclosed sum{0, 0, underflow};
+    two_sum(high_, low_, sum.hi, sum.lo);
+    if (terms_.roundings) sum.radius += (roundings + other_radius_) * (1 + 0x1p-20);
+    if (terms_.factors) sum.radius += factor_radius_ * (1 + 0x1p-20);
+    return sum;
+  }
+
+ private:
+  ErrorTerms terms_;
+  double high_ = 0, low_ = 0, low_size_ = 0, factor_radius_ = 0, other_radius_ = 0;
+  std::size_t count_ = 0;
+};
+
+// True if factors within their bounds may sum to 1 in this row.
+bool may_be_closed(const ExchangeMatrix& matrix, std::uint32_t i) {
+  Enclosed least, most;
+  if (matrix.guarantee() == Guarantee::kExact) {
+    for (const FactorEntry& entry : matrix.row(i)) least = sum(least, Enclosed::of(entry.factor));
+    return least.lower() <= 1 && least.upper() >= 1;
+  }
+  for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+    const Enclosure bounds = matrix.bounds(i, k);
+    least = sum(least, {bounds.lower, 0, 0});
+    most = sum(most, {bounds.upper, 0, 0});
+  }
+  return least.lower() <= 1 && most.upper() >= 1;
+}
+
+// See rows_are_closed().
+bool rows_may_be_closed(const ExchangeMatrix& matrix) {
+  if (matrix.guarantee() == Guarantee::kEstimated) return false;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i) || may_be_closed(matrix, i)) continue;
+    if (matrix.guarantee() == Guarantee::kExact)
+      throw ContractViolation(fmt::format("exact factors of '{}' must sum to 1", matrix.elements()[i].name));
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
+    : matrix_(&matrix), rows_are_closed_(rows_may_be_closed(matrix)), unknown_(matrix.size() + 1, -1) {
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (const FactorEntry& entry : matrix.row(i)) {
+      if (!std::isfinite(entry.factor.value))
+        throw RequestError(fmt::format("a factor of '{}' is {}: nothing can be solved", matrix.elements()[i].name,
+                                       entry.factor.value));
+      has_negative_factors_ |= entry.factor.value < 0;
+    }
+  std::vector<Enclosed> reflectivity(materials.size()), loss(materials.size());
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    const Rational& rho = materials[m].reflectivity.value[channel];
+    reflectivity[m] = Enclosed::of(rho);
+    absorptivity_.push_back(1 - rho);
+    loss[m] = Enclosed::of(absorptivity_.back());
+  }
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const std::uint32_t m = *matrix.elements()[i].material;
+    HOTTEL_REQUIRE(m < materials.size());
+    if (materials[m].reflectivity.value[channel] == 0) continue;
+    unknown_[i] = static_cast<std::int32_t>(rows_.size());
+    SystemRow row{i, 0, reflectivity[m], loss[m]};
+    if (!rows_are_closed()) {
+      // Rows as they are: loss = 1 - rho * sum.
+      Enclosed sum_of_row;
+      for (const FactorEntry& entry : matrix.row(i)) sum_of_row = sum(sum_of_row, Enclosed::of(entry.factor));
+      row.loss = difference({1, 0, 0}, product(row.reflectivity, sum_of_row));
+    }
+    rows_.push_back(row);
+  }
+  find_components();
+  for (const SystemRow& row : rows_) {
+    SystemComponent& component = components_[row.component];
+    component.loses |= materials[*matrix.elements()[row.element].material].reflectivity.value[channel] != 1;
+    for (const FactorEntry& entry : matrix.row(row.element)) component.loses |= unknown_[entry.to] < 0;
+  }
+}
+
+void RadiositySystem::find_components() {
+  std::vector<std::uint32_t> parent(rows_.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (std::uint32_t i = 0; i < rows_.size(); ++i)
+    for (const FactorEntry& entry : matrix_->row(rows_[i].element)) {
+      const std::int32_t j = unknown_[entry.to];
+      if (j < 0 || !is_positive(entry.factor)) continue;
+      const std::uint32_t a = root(i), b = root(static_cast<std::uint32_t>(j));
+      if (a != b) parent[std::max(a, b)] = std::min(a, b);
+    }
+  for (std::uint32_t i = 0; i < rows_.size(); ++i) {
+    const std::uint32_t r = root(i);
+    if (r == i) {
+      rows_[i].component = static_cast<std::uint32_t>(components_.size());
+      components_.push_back({rows_[i].element, 0, false});
+    } else {
+      rows_[i].component = rows_[r].component;
+    }
+    ++components_[rows_[i].component].size;
+  }
+}
+
+Enclosed RadiositySystem::value(const SplitVector& x, std::size_t unknown) const {
+  return sum(Enclosed::of(x.constant[rows_[unknown].component]), Enclosed::of(x.rest[unknown]));
+}
+
+std::vector<Enclosed> RadiositySystem::residual(const Sources* sources, const SplitVector& x,
+                                                const std::vector<char>& is_wanted, const ErrorTerms& terms) const {
+  std::vector<Enclosed> result(rows_.size());
+  parallel_ranges(rows_.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const SystemRow& row = rows_[i];
+      if (!is_wanted[row.component]) continue;
+      const Enclosed here = value(x, i);
+      DifferenceSum exchanged(terms);
+      for (const FactorEntry& entry : matrix_->row(row.element)) {
+        const std::int32_t j = unknown_[entry.to];
+        if (j >= 0) {
+          exchanged.add(entry.factor, x.rest[i], x.rest[static_cast<std::size_t>(j)]);
+        } else {
+          const Enclosed there = sources ? sources->emission_in(row.component, entry.to) : Enclosed();
+          exchanged.add(entry.factor, {here.hi, here.lo}, {there.hi, there.lo}, here.radius + there.radius);
+        }
+      }
+      const Enclosed left = sum(product(row.loss, here), product(row.reflectivity, exchanged.result()));
+      result[i] = difference(sources ? sources->emission_in(row.component, row.element) : Enclosed(), left);
+      if (!terms.roundings && !terms.factors) result[i].radius = 0;
+    }
+  });
+  return result;
+}
+
+namespace {
+
+// The irradiance of one row. A row that sums to 1 is a mean: differences to its smallest value lose nothing, and none
+// is above the mean.
+Enclosed gathered(std::span<const FactorEntry> row, const std::vector<Enclosed>& radiosity, bool is_mean) {
+  Enclosed base;
+  if (is_mean) {
+    base = radiosity[std::min_element(row.begin(), row.end(), [&](const FactorEntry& a, const FactorEntry& b) {
+                       return radiosity[a.to].hi < radiosity[b.to].hi;
+                     })->to];
+    base.radius = 0;
+  }
+  DifferenceSum above(ErrorTerms{});
+  bool is_dark = base.size() == 0;
+  for (const FactorEntry& entry : row) {
+    const Enclosed& there = radiosity[entry.to];
+    if (there.size() == 0 && base.size() == 0) continue;
+    is_dark = false;
+    above.add(entry.factor, {there.hi, there.lo}, {base.hi, base.lo}, there.radius);
+  }
+  return is_dark ? Enclosed() : sum(base, above.result());
+}
+
+// The same, whatever the sizes of factors and radiosities. Nothing is subtracted: what is far from others in size has
+// little in common with them.
+ScaledEnclosed gathered_far(std::span<const FactorEntry> row, const std::vector<ScaledEnclosed>& radiosity) {
+  ScaledEnclosed result;
+  for (const FactorEntry& entry : row)
+    result = sum(result, product(ScaledEnclosed::of(Enclosed::of(entry.factor)), radiosity[entry.to]));
+  return result;
+}
+
+}  // namespace
+
+std::vector<ScaledEnclosed> RadiositySystem::irradiance(const std::vector<ScaledEnclosed>& radiosity) const {
+  int unit = INT_MIN;
+  for (const ScaledEnclosed& b : radiosity)
+    if (!b.is_zero()) unit = std::max(unit, b.exponent);
+  std::vector<ScaledEnclosed> result(matrix_->size());
+  if (unit == INT_MIN) return result;
+  std::vector<Enclosed> in_unit;
+  std::vector<char> is_far;
+  bool is_any_far = false;
+  for (const ScaledEnclosed& b : radiosity) {
+    in_unit.push_back(b.in_unit(unit));
+    is_far.push_back(!b.is_zero() && in_unit.back().size() < kFar);
+    is_any_far |= is_far.back() != 0;
+  }
+  parallel_ranges(matrix_->size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
+      const auto row = matrix_->row(i);
+      if (!matrix_->has_row(i) || row.empty()) continue;
+      const bool sees_far =
+          is_any_far && std::any_of(row.begin(), row.end(), [&](const FactorEntry& e) { return is_far[e.to]; });
+      const Enclosed near = gathered(row, in_unit, rows_are_closed());
+      result[i] = sees_far || (near.size() != 0 && near.size() < kFar) ? gathered_far(row, radiosity)
+                                                                       : ScaledEnclosed::of(near, unit);
+    }
+  });
+  return result;
+}
+
+PlainSystem::PlainSystem(const RadiositySystem& system, const std::vector<char>& is_wanted) {
+  begin.push_back(0);
+  for (const SystemRow& row : system.rows()) {
+    for (const FactorEntry& entry : system.matrix().row(row.element)) {
+      const std::int32_t j = system.unknown(entry.to);
+      if (j < 0 || !is_wanted[row.component]) continue;
+      to.push_back(static_cast<std::uint32_t>(j));
+      scatter.push_back(row.reflectivity.hi * entry.factor.value);
+    }
+    begin.push_back(to.size());
+    area.push_back(system.matrix().elements()[row.element].area.value);
+  }
+}
+
+void PlainSystem::set_source(const RadiositySystem& system, const Sources& sources) {
+  source.assign(system.size(), 0);
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    const SystemRow& row = system.rows()[i];
+    double from_known = 0;
+    for (const FactorEntry& entry : system.matrix().row(row.element))
+      if (system.unknown(entry.to) < 0)
+        from_known += entry.factor.value * sources.emission_in(row.component, entry.to).hi;
+    source[i] = sources.emission_in(row.component, row.element).hi + row.reflectivity.hi * from_known;
+  }
+  std::vector<double> largest(system.components().size(), 0);
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    double& most = largest[system.rows()[i].component];
+    most = std::max(most, std::abs(source[i]));
+  }
+  per_source.clear();
+  for (const SystemRow& row : system.rows())
+    per_source.push_back(largest[row.component] > 0 ? 1 / largest[row.component] : 1);
+}
+
+double PlainSystem::relative(const std::vector<double>& r) const {
+  double result = 0;
+  for (std::size_t i = 0; i < r.size(); ++i) result = std::max(result, std::abs(r[i]) * per_source[i]);
+  return result;
+}
+
+double PlainSystem::gathered(std::size_t i, const std::vector<double>& x) const {
+  double sum = 0;
+  for (std::size_t k = begin[i]; k < begin[i + 1]; ++k) sum += scatter[k] * x[to[k]];
+  return sum;
+}
+
+std::vector<double> PlainSystem::residual(const std::vector<double>& of, const std::vector<double>& x) const {
+  std::vector<double> result(of.size());
+  parallel_ranges(of.size(), kGrain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) result[i] = of[i] - (x[i] - gathered(i, x));
+  });
+  return result;
+}
+
+}  // namespace hottel

@@ -1,0 +1,143 @@
+// The linear system of radiosity, with residuals that are proven.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/exchange_matrix.h"
+#include "geometry/material.h"
+#include "solver/radiosity/scaled_enclosed.h"
+
+namespace hottel {
+
+// One number an unknown, with what is common to the unknowns of a component kept apart: x_i = constant + rest_i. Near
+// reflectivity 1 the constant is huge and only differences of the rest matter; they are formed before rounding.
+struct SplitVector {
+  std::vector<DoubleDouble> constant;  // by component
+  std::vector<DoubleDouble> rest;      // by unknown
+};
+
+// The sources of one channel. Components are independent of each other, so each has a unit of its own, 2^exponent: the
+// largest emission in it or seen from it is near 1, or less where radiosities may be so much larger that they would
+// leave the range of doubles. What shines elsewhere does not matter to it.
+struct Sources {
+  std::vector<ScaledEnclosed> emission;  // by element, the sky last; 0 for black backs
+  std::vector<int> exponent;             // of the unit, by component
+  std::vector<double> largest;           // by component: the largest emission in it or seen from it, in its unit
+  std::vector<char> is_lit;              // by component: some light reaches it
+  std::vector<Enclosure> range;          // by component: all its radiosities lie within, in its unit
+
+  // The emission of an element that is in the component or seen from it, in the unit of the component.
+  Enclosed emission_in(std::uint32_t component, std::uint32_t element) const {
+    return emission[element].in_unit(exponent[component]);
+  }
+};
+
+// Unknowns that exchange light with each other, directly or not.
+struct SystemComponent {
+  std::uint32_t first_element = 0;  // the first face of it, to name it
+  std::uint32_t size = 0;
+  bool loses = false;  // some face has reflectivity < 1 or sees the sky or a face that reflects nothing
+};
+
+struct SystemRow {
+  std::uint32_t element = 0, component = 0;
+  Enclosed reflectivity, loss;  // loss = 1 - reflectivity * (sum of the row's factors)
+};
+
+// What may be left out of the residual's error bound, to show in tests that the bounds need it.
+struct ErrorTerms {
+  bool factors = true;    // the factors are known to half an ulp only
+  bool roundings = true;  // and the residual itself is rounded
+};
+
+// B_i = E_i + rho_i sum_j F_ij B_j for the channels of one reflectivity vector, in row-defect form:
+//   (A x)_i = loss_i x_i + rho_i sum_j F_ij (x_i - x_j) = E_i,        loss_i = 1 - rho_i sum_j F_ij.
+//
+//   (1) the unknowns are the rows with rho > 0, in the order of the matrix; all else is known: black backs are 0, the
+//       sky has its emission, and so have rows with rho = 0
+//   (2) where rows_are_closed(), rows sum to 1 exactly, so loss_i = 1 - rho_i, from the exact reflectivity; else
+//       loss_i comes from the row as it is
+//   (3) components come from the pattern of F alone: F_ij > 0 or F_ji > 0
+//   (4) Sources::range is that of E_j / (1 - rho_j), over the unknowns of a component, and of the emissions of all that
+//       is known and that they see: no extremum can be elsewhere. REQUIRES a component that loses light; [0, infinity]
+//       where an unknown with rho = 1 emits, and where rows are not closed
+//   (5) F is the factors themselves: real numbers where the matrix is exact, else the doubles. Enclosures of factors do
+//       not enter (enclosed_radiosity.h)
+// Throws RequestError where a factor is no number, ContractViolation where the matrix says that it is exact and a row
+// does not sum to 1.
+// COST: about 20 ns an entry of the matrix for a residual, over all threads.
+class RadiositySystem {
+ public:
+  RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel);
+
+  const ExchangeMatrix& matrix() const { return *matrix_; }
+  // True if the matrix is exact, and if it encloses factors that may sum to 1 in every row.
+  bool rows_are_closed() const { return rows_are_closed_; }
+  // Some factor is below 0, as only estimates may be: nothing is proven of the solution.
+  bool has_negative_factors() const { return has_negative_factors_; }
+  std::size_t size() const { return rows_.size(); }
+  const std::vector<SystemRow>& rows() const { return rows_; }
+  const std::vector<SystemComponent>& components() const { return components_; }
+  // Returns 1 - rho of an unknown.
+  const Rational& absorptivity(const SystemRow& row) const {
+    return absorptivity_[*matrix_->elements()[row.element].material];
+  }
+  // Returns the unknown of an element (or of the sky), -1 when it is known.
+  std::int32_t unknown(std::uint32_t element) const { return unknown_[element]; }
+
+  Sources sources(const std::vector<Material>& materials, const Spectrum& sky_emission, int channel) const;
+  // The sources when one element (or the sky) emits 1 and nothing else does.
+  Sources unit_source(std::uint32_t element) const;
+
+  // Returns E - A x by rows, enclosed. Without sources: -A x, with 0 for all that is known. Rows of components that
+  // `is_wanted` leaves out are 0.
+  std::vector<Enclosed> residual(const Sources* sources, const SplitVector& x, const std::vector<char>& is_wanted,
+                                 const ErrorTerms& terms = {}) const;
+
+  // Returns x_i as one number.
+  Enclosed value(const SplitVector& x, std::size_t unknown) const;
+
+  // Returns the irradiance H_i = sum_j F_ij B_j of every row, by element; `radiosity` >= 0 is by element, the sky last.
+  // Its width is that of the radiosities and half an ulp or so of H_i, however much the radiosities differ; it is
+  // exactly 0 where all of them are.
+  std::vector<ScaledEnclosed> irradiance(const std::vector<ScaledEnclosed>& radiosity) const;
+
+ private:
+  void find_components();
+  Sources sources_of(const std::vector<const Rational*>& emission) const;  // by element, the sky last; null: 0
+
+  const ExchangeMatrix* matrix_;
+  bool rows_are_closed_, has_negative_factors_ = false;
+  std::vector<Rational> absorptivity_;  // by material
+  std::vector<std::int32_t> unknown_;
+  std::vector<SystemRow> rows_;
+  std::vector<SystemComponent> components_;
+};
+
+inline bool is_positive(const Rounded& factor) { return factor.value > 0 || factor.side > 0; }  // it may underflow
+
+// The same system in plain doubles: x = source + scatter x, each component in its unit. Rows of components that are not
+// wanted scatter nothing.
+struct PlainSystem {
+  std::vector<std::size_t> begin;  // by unknown, one more at the end
+  std::vector<std::uint32_t> to;   // unknowns
+  std::vector<double> scatter;     // rho_i F_ij
+  std::vector<double> source;      // E_i + rho_i sum of F_ij B_j over all that is known
+  std::vector<double> area;
+  std::vector<double> per_source;  // 1 / the largest source of the component; 1 where there is none
+
+  PlainSystem() = default;
+  PlainSystem(const RadiositySystem& system, const std::vector<char>& is_wanted);
+  void set_source(const RadiositySystem& system, const Sources& sources);
+  // Returns the row of scatter times x.
+  double gathered(std::size_t i, const std::vector<double>& x) const;
+  // Returns source - (I - scatter) x for any source.
+  std::vector<double> residual(const std::vector<double>& of, const std::vector<double>& x) const;
+  // Returns max |r_i|, each relative to the largest source of its component.
+  double relative(const std::vector<double>& r) const;
+};
+
+}  // namespace hottel

@@ -1,0 +1,77 @@
+// Real numbers of any size, enclosed to about 100 bits.
+#pragma once
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+#include <limits>
+
+#include "solver/radiosity/enclosed.h"
+
+namespace hottel {
+
+// A real number within mantissa 2^exponent.
+//
+//   (1) sums and products enclose theirs, as those of Enclosed do; numbers of any size lose no digits, since the
+//       mantissa of every result is brought near 1
+//   (2) what is exactly 0 leaves a sum as it is
+//   (3) lower() and upper() are doubles; infinite where no bound is known or doubles end
+struct ScaledEnclosed {
+  Enclosed mantissa;
+  int exponent = 0;
+
+  static ScaledEnclosed of(const Rational& value);
+  static ScaledEnclosed of(const Enclosed& value, int exponent = 0) {
+    return ScaledEnclosed{value, exponent}.near_one();
+  }
+
+  bool is_zero() const { return mantissa.size() == 0; }
+  double nearest() const { return std::ldexp(mantissa.value(), exponent); }
+  double lower() const { return -negated(*this).upper(); }
+  double upper() const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return std::isfinite(mantissa.size()) ? upper_scaled(mantissa.upper(), exponent) : kInfinity;
+  }
+
+  // The mantissa in units of 2^unit.
+  Enclosed in_unit(int unit) const { return scaled(mantissa, exponent - unit); }
+
+  // The same number with a mantissa of size 1 to 2; 0 is 0 times 1.
+  ScaledEnclosed near_one() const {
+    const double size = mantissa.size();
+    if (size == 0) return {};
+    if (!std::isfinite(size)) return *this;
+    const int shift = std::ilogb(size);
+    return {scaled(mantissa, -shift), exponent + shift};
+  }
+
+  friend ScaledEnclosed negated(const ScaledEnclosed& a) { return {hottel::negated(a.mantissa), a.exponent}; }
+};
+
+inline ScaledEnclosed sum(const ScaledEnclosed& a, const ScaledEnclosed& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  const int unit = std::max(a.exponent, b.exponent);
+  return ScaledEnclosed::of(sum(a.in_unit(unit), b.in_unit(unit)), unit);
+}
+
+inline ScaledEnclosed difference(const ScaledEnclosed& a, const ScaledEnclosed& b) { return sum(a, negated(b)); }
+
+inline ScaledEnclosed product(const ScaledEnclosed& a, const ScaledEnclosed& b) {
+  if (a.is_zero() || b.is_zero()) return {};
+  return ScaledEnclosed::of(product(a.mantissa, b.mantissa), a.exponent + b.exponent);
+}
+
+// 2^exponent near value > 0.
+inline int exponent_of(const Rational& value) {
+  return static_cast<int>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) -
+         static_cast<int>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
+}
+
+inline ScaledEnclosed ScaledEnclosed::of(const Rational& value) {
+  if (value == 0) return {};
+  const int exponent = exponent_of(value);
+  return {Enclosed::of(scaled_by_power_of_two(value, -exponent)), exponent};
+}
+
+}  // namespace hottel

@@ -1,0 +1,53 @@
+// The symmetric form of a radiosity system in doubles: rows times A_i / rho_i.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "solver/radiosity/radiosity_system.h"
+
+namespace hottel {
+
+// K = D + L: couplings S_ij = A_i F_ij between different unknowns (equal to S_ji but for roundings), defects
+// d_i = A_i (loss_i / rho_i + sum of F_ij over all that is known), areas in units of the
+// largest of the component.
+//
+//   (K x)_i = d_i x_i + sum_j S_ij (x_i - x_j)
+//
+// REQUIRES rows that are closed.
+struct SymmetricRows {
+  std::vector<std::size_t> begin;  // by unknown, one more at the end
+  std::vector<std::uint32_t> to;
+  std::vector<double> coupling_of;               // by entry
+  std::vector<double> coupling, defect, weight;  // by unknown; coupling is the sum of its entries
+  std::vector<std::uint32_t> component;
+
+  explicit SymmetricRows(const RadiositySystem& system);
+};
+
+// Light stays so long that a constant is huge to what is sent out.
+inline bool is_huge(double constant, double right_side) { return std::abs(constant) > 0x1p24 * right_side; }
+
+// Whether a solution is to be kept as a constant and differences to it, or as values: differences that are as large
+// cost the digits of what is far from the light. Where light stays very long, so that the constant is huge, values
+// would cost those of the differences; it is kept unless something is very much darker.
+class FormOfSolution {
+ public:
+  void meet(double constant, double difference, double right_side) {
+    largest_difference_ = std::max(largest_difference_, std::abs(difference));
+    least_value_ = std::min(least_value_, std::abs(constant + difference));
+    right_side_ = std::max(right_side_, std::abs(right_side));
+  }
+  bool keeps(double constant) const {
+    const double size = std::abs(constant);
+    return largest_difference_ <= size / 2 || (is_huge(constant, right_side_) && least_value_ > 0x1p-10 * size);
+  }
+
+ private:
+  double largest_difference_ = 0, least_value_ = std::numeric_limits<double>::infinity(), right_side_ = 0;
+};
+
+}  // namespace hottel

@@ -1,0 +1,94 @@
+#include "geometry/plane/scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "geometry/name.h"
+
+namespace hottel {
+namespace {
+
+Scene2 two_edges() {
+  Scene2 scene;
+  scene.file = "memory";
+  scene.materials.resize(1);
+  scene.groups = {"a", "b"};
+  scene.surfaces.resize(2);
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    scene.surfaces[i].name = scene.groups[i].name;
+    scene.surfaces[i].to = {1, Rational(i)};
+    scene.surfaces[i].group = i;
+    scene.surfaces[i].line = static_cast<int>(i) + 5;
+  }
+  return scene;
+}
+
+std::string refusal(const Scene2& scene) {
+  try {
+    validate(scene);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ValidateScene2, AcceptsAScene) {
+  EXPECT_EQ(refusal(two_edges()), "");
+  EXPECT_EQ(refusal(Scene2()), "");
+}
+
+TEST(ValidateScene2, RefusesNamesThatAreNotAllowedOrNotUnique) {
+  Scene2 scene = two_edges();
+  scene.surfaces[1].name = scene.surfaces[0].name;
+  EXPECT_EQ(refusal(scene), "memory:6: two surfaces have the name 'a', the other one in line 5");
+  for (const std::string name : {"", "sky", "a#1", "a:back", "a\x7F", "\xFF", "a\nb"}) {
+    scene.surfaces[1].name = name;
+    EXPECT_TRUE(refusal(scene).starts_with("memory:6: the name ")) << name;
+  }
+}
+
+TEST(ValidateScene2, RefusesSurfacesWithoutLength) {
+  Scene2 scene = two_edges();
+  scene.surfaces[0].to = scene.surfaces[0].from;
+  EXPECT_EQ(refusal(scene), "memory:5: surface 'a' has length zero");
+}
+
+TEST(ValidateScene2, RefusesIndicesOutOfRange) {
+  Scene2 scene = two_edges();
+  scene.surfaces[0].material = 1;
+  EXPECT_EQ(refusal(scene), "memory:5: surface 'a' has a material that is not defined");
+  scene = two_edges();
+  scene.surfaces[0].back = 1;
+  EXPECT_EQ(refusal(scene), "memory:5: surface 'a' has a material that is not defined");
+  scene = two_edges();
+  scene.surfaces[1].group = 2;
+  EXPECT_EQ(refusal(scene), "memory:6: surface 'b' has a group that is not defined");
+}
+
+TEST(Scene2Find, ReturnsTheSurfaceOfThatName) {
+  EXPECT_EQ(two_edges().find("b"), 1u);
+  EXPECT_FALSE(two_edges().find("c"));
+}
+
+TEST(Name, IsUtf8WithoutControlCharacters) {
+  for (const char* good : {"a", "sky2", "Küche", "日本", "\xF0\x9F\x98\x80", ":back door", "a:Back", "\xC2\xA0"})
+    EXPECT_TRUE(name_problem(good).empty()) << good;
+  // overlong, surrogate, beyond U+10FFFF, cut short, stray continuation, C1 control
+  for (const char* bad :
+       {"\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x98", "\x80", "\xC2\x85"})
+    EXPECT_FALSE(name_problem(bad).empty());
+  EXPECT_TRUE(is_utf8("\xC2\x85"));
+  EXPECT_FALSE(is_utf8("\xED\xA0\x80"));
+  EXPECT_FALSE(name_problem(std::string_view("a\0b", 3)).empty());
+}
+
+TEST(Name, IsQuotedOnOneLine) {
+  EXPECT_EQ(quoted_name("Küche"), "'Küche'");
+  EXPECT_EQ(quoted_name("a\nb\xFF"), "'a\\x0Ab\\xFF'");
+  const std::string long_name = std::string(100, 'a') + std::string(100, 'b');
+  EXPECT_EQ(quoted_name(long_name), "'" + std::string(40, 'a') + "..." + std::string(16, 'b') + "'");
+}
+
+}  // namespace
+}  // namespace hottel

@@ -1,0 +1,59 @@
+// Solids, owners, and visibilities in faces, elements and groups, against the oracles: lattice scenes with polylines.
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/comparison/plane/engine_comparison.h"
+#include "tests/storm/plane/lattice_scene.h"
+
+#ifndef __has_feature
+#define __has_feature(feature) 0
+#endif
+
+namespace hottel::oracle {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
+constexpr std::uint64_t kScenes = 20;
+#else
+constexpr std::uint64_t kScenes = 200;
+#endif
+
+// Scenes that no other run draws, on lattices of 3 to 7 by 3 to 7 points.
+storm::LatticeScene scene_at(std::uint64_t number) {
+  return storm::lattice_scene(7'000'000 + number, 2 + static_cast<int>(number % 5));
+}
+
+TEST(SolidsAgainstOracle, AgreeInEverySideOfTwoThousandScenes) {
+  for (std::uint64_t number = 0; number < 10 * kScenes; ++number) {
+    const storm::LatticeScene scene = scene_at(number);
+    ASSERT_EQ(verdict_differs(to_scene(scene.edges), scene.split), "") << "scene " << number;
+  }
+}
+
+class VisibilityAgainstOracle : public testing::TestWithParam<Per> {};
+
+TEST_P(VisibilityAgainstOracle, IsThatOfThePiecesOfBothAlone) {
+  ComparisonCounts counts;
+  for (std::uint64_t number = 0; number < kScenes; ++number) {
+    std::mt19937_64 random(number);
+    Scene2 scene = to_scene(scene_at(number).edges);
+    if (GetParam() == Per::kElement)
+      for (Surface2& surface : scene.surfaces) surface.elements = random() % 3 == 0 ? 2 : 1;
+    ASSERT_EQ(disagreement(scene, counts, GetParam(), Hidden::kYes), "") << "scene " << number;
+  }
+  fmt::print("{} scenes: {} pairs, {} sums; {} factors, {} visibilities, {} hidden pairs\n", counts.scenes,
+             counts.pairs, counts.sums, counts.factors, counts.visibilities, counts.hidden);
+  EXPECT_GT(counts.hidden, kScenes);
+}
+
+INSTANTIATE_TEST_SUITE_P(, VisibilityAgainstOracle, testing::Values(Per::kFace, Per::kElement, Per::kGroup),
+                         [](const auto& test) {
+                           return std::string(test.param == Per::kFace      ? "OfFaces"
+                                              : test.param == Per::kElement ? "OfElements"
+                                                                            : "OfGroups");
+                         });
+
+}  // namespace
+}  // namespace hottel::oracle

@@ -1,0 +1,329 @@
+// Radiosities of enclosed factors: bounds against solutions to a hundred digits for many factors within the enclosures.
+#include "solver/radiosity/enclosed_radiosity.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+
+#include "kernel/support/failure.h"
+#include "solver/radiosity/crude_bounds.h"
+#include "solver/radiosity/net_flux.h"
+#include "tests/solver/plane/exact_radiosity.h"
+
+namespace hottel {
+namespace {
+
+using namespace testing_radiosity;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+ExactScene random_exact_scene(std::uint64_t seed) {
+  return ExactScene(random_scene(seed), seed % 5 == 0 ? Divided::kYes : Divided::kNo);
+}
+
+double rounded_down(const mpf_class& value) {
+  const double near = value.get_d();  // truncated
+  return mpf_class(near, kBits) > value ? std::nextafter(near, -kInfinity) : near;
+}
+double rounded_up(const mpf_class& value) { return -rounded_down(-value); }
+
+// The same factors, each known to lie in an interval of up to the given relative width about the true one.
+ExchangeMatrix widened(const ExactScene& scene, double width, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> share(0, 1);
+  const ExchangeMatrix& exact = scene.matrix();
+  std::vector<std::size_t> begin{0};
+  std::vector<FactorEntry> entries;
+  std::vector<Enclosure> bounds;
+  for (std::uint32_t i = 0; i < exact.size(); ++i) {
+    for (FactorEntry entry : exact.row(i)) {
+      const mpf_class& factor = scene.factors()[i][entry.to];
+      const Enclosure within{rounded_down(factor * (1 - std::min(1.0, width * share(random)))),
+                             rounded_up(factor * (1 + width * share(random)))};
+      entry.factor = {std::clamp(within.lower + share(random) * within.width(), within.lower, within.upper), 0};
+      entries.push_back(entry);
+      bounds.push_back(within);
+    }
+    begin.push_back(entries.size());
+  }
+  ExchangeMatrix matrix(exact.elements(), Guarantee::kEnclosed);
+  matrix.assign(std::move(begin), std::move(entries), {}, std::move(bounds));
+  return matrix;
+}
+
+// Factors within the enclosures: at(bounds) of each.
+template <class At>
+WideFactors factors_within(const ExchangeMatrix& matrix, const At& at) {
+  WideFactors factors(matrix.size(), std::vector<mpf_class>(matrix.size() + 1, mpf_class(0, kBits)));
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) factors[i][matrix.row(i)[k].to] = at(matrix.bounds(i, k));
+  return factors;
+}
+
+WideFactors random_factors(const ExchangeMatrix& matrix, std::mt19937_64& random) {
+  return factors_within(matrix, [&](const Enclosure& bounds) {
+    const int kind = static_cast<int>(random() % 4);
+    const double share = kind == 0 ? 0 : kind == 1 ? 1 : std::uniform_real_distribution<double>(0, 1)(random);
+    const mpf_class lower(bounds.lower, kBits), upper(bounds.upper, kBits);
+    return mpf_class(lower + share * (upper - lower));
+  });
+}
+
+// One set of factors, its radiosities, and how the bounds of a solution hold for them.
+struct WithinCheck {
+  std::size_t checked = 0, misses = 0, open = 0;
+  std::string first_miss;
+
+  void add(const ExchangeMatrix& matrix, const WideFactors& factors, const RadiositySolution& solution,
+           const std::vector<Material>& materials, const Spectrum& sky) {
+    const auto radiosity = radiosity_of(matrix, factors, materials, sky, 0);
+    for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+      if (!matrix.has_row(i)) continue;
+      const ElementRadiosity& e = solution.channels[0].elements[i];
+      mpf_class irradiance = factors[i][matrix.sky()] * number(sky.value[0]);
+      for (std::uint32_t j = 0; j < matrix.size(); ++j) irradiance += factors[i][j] * radiosity[j];
+      const Material& material = materials[*matrix.elements()[i].material];
+      const mpf_class net =
+          number(material.emission.value[0]) - (1 - number(material.reflectivity.value[0])) * irradiance;
+      require(i, radiosity[i], {e.lower, e.upper}, e.radiosity, "radiosity");
+      require(i, net, {e.net_lower, e.net_upper}, e.net_value, "net");
+    }
+  }
+
+ private:
+  void require(std::uint32_t i, const mpf_class& real, const Enclosure& bounds, double value, const char* what) {
+    ++checked;
+    open += std::isinf(bounds.upper) || std::isinf(bounds.lower);
+    const mpf_class slack = (abs(real) + 1) * 1e-75;  // what the reference itself may be off by
+    const bool holds = (std::isinf(bounds.lower) || mpf_class(bounds.lower, kBits) <= real + slack) &&
+                       (std::isinf(bounds.upper) || mpf_class(bounds.upper, kBits) >= real - slack) &&
+                       bounds.contains(value);
+    if (!holds && ++misses == 1)
+      first_miss =
+          fmt::format("{} of {}: {} in [{}, {}], real {}", what, i, value, bounds.lower, bounds.upper, real.get_d());
+  }
+};
+
+// Nothing where light does not die out for the doubles themselves.
+std::optional<RadiositySolution> solution_of(const ExchangeMatrix& matrix, const Scene2& scene) {
+  try {
+    return solve_radiosity(matrix, scene.materials, scene.sky_emission);
+  } catch (const RequestError&) {
+    return std::nullopt;
+  }
+}
+
+bool is_bounded(const RadiositySolution& solution) { return std::isfinite(solution.max_relative_width); }
+
+TEST(EnclosedFactors, BoundRadiositiesOfAllFactorsWithin) {
+  WithinCheck check;
+  std::size_t bounded = 0;
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+    std::mt19937_64 random(seed);
+    const ExactScene scene = random_exact_scene(seed);
+    const Scene2& plan = scene.scene();
+    for (const double width : {0.0, 1e-14, 1e-6, 0.02, 0.5}) {
+      const ExchangeMatrix matrix = widened(scene, width, random);
+      const std::optional<RadiositySolution> solved = solution_of(matrix, plan);
+      if (width == 0) {
+        EXPECT_TRUE(solved);
+      }
+      if (!solved) continue;
+      const RadiositySolution& solution = *solved;
+      check.add(matrix, scene.factors(), solution, plan.materials, plan.sky_emission);
+      if (!is_bounded(solution)) continue;  // for some of these factors there may be no radiosity
+      ++bounded;
+      for (int k = 0; k < 3; ++k)
+        check.add(matrix, random_factors(matrix, random), solution, plan.materials, plan.sky_emission);
+    }
+  }
+  EXPECT_EQ(check.misses, 0u) << check.first_miss;
+  EXPECT_GT(bounded, 500u);
+  fmt::print("{} numbers, {} misses, {} with open bounds; {} solutions with finite bounds\n", check.checked,
+             check.misses, check.open, bounded);
+}
+
+TEST(EnclosedFactors, BoundRadiositiesAsNarrowlyAsTheirEndsAllow) {
+  std::size_t checked = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    std::mt19937_64 random(seed);
+    const ExactScene scene = random_exact_scene(seed);
+    const Scene2& plan = scene.scene();
+    for (const double width : {1e-9, 0.05}) {
+      const ExchangeMatrix matrix = widened(scene, width, random);
+      const std::optional<RadiositySolution> solved = solution_of(matrix, plan);
+      if (!solved) continue;
+      const RadiositySolution& solution = *solved;
+      if (!is_bounded(solution)) continue;
+      const auto radiosity = [&](double Enclosure::*end) {
+        const auto at = [end](const Enclosure& bounds) { return mpf_class(bounds.*end, kBits); };
+        return radiosity_of(matrix, factors_within(matrix, at), plan.materials, plan.sky_emission, 0);
+      };
+      const auto least = radiosity(&Enclosure::lower), most = radiosity(&Enclosure::upper);
+      for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+        if (!matrix.has_row(i)) continue;
+        const ElementRadiosity& e = solution.channels[0].elements[i];
+        ++checked;
+        // Each is a solution of its own, near a singular one where reflectivities are near 1.
+        EXPECT_GE(e.lower, least[i].get_d() * (1 - 1e-9)) << seed << " " << i;
+        EXPECT_LE(e.upper, most[i].get_d() * (1 + 1e-9)) << seed << " " << i;
+      }
+    }
+  }
+  EXPECT_GT(checked, 1000u);
+}
+
+// Two rooms that do not see each other: in each, two faces that see each other and nothing else.
+ExchangeMatrix two_rooms(const Enclosure& first, const Enclosure& second) {
+  std::vector<Element> elements(4);
+  std::vector<std::size_t> begin{0};
+  std::vector<FactorEntry> entries;
+  std::vector<Enclosure> bounds;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    elements[i].name = fmt::format("f{}", i);
+    elements[i].material = i / 2;
+    elements[i].area = {1, 0};
+    bounds.push_back(i < 2 ? first : second);
+    entries.push_back({i ^ 1, {(bounds.back().lower + bounds.back().upper) / 2, 0}, 1});
+    begin.push_back(entries.size());
+  }
+  ExchangeMatrix matrix(elements, Guarantee::kEnclosed);
+  matrix.assign(std::move(begin), std::move(entries), {}, std::move(bounds));
+  return matrix;
+}
+
+std::vector<Material> lamps(const Rational& first, const Rational& second) {
+  return {{"a", Spectrum::scalar(first), Spectrum::scalar(1)}, {"b", Spectrum::scalar(second), Spectrum::scalar(1)}};
+}
+
+TEST(EnclosedFactors, LeaveBoundsOpenWhereLightNeedNotDieOut) {
+  // B = 1 / (1 - rho F) in each room.
+  const RadiositySolution solution =
+      solve_radiosity(two_rooms({0.5, 0.75}, {0.5, 1.125}), lamps(Rational(1, 2), Rational(9, 10)), {});
+  const std::vector<ElementRadiosity>& elements = solution.channels[0].elements;
+  EXPECT_LE(elements[0].lower, 4.0 / 3);
+  EXPECT_NEAR(elements[0].lower, 4.0 / 3, 1e-14);
+  EXPECT_GE(elements[1].upper, 1.6);
+  EXPECT_NEAR(elements[1].upper, 1.6, 1e-14);
+  EXPECT_NEAR(elements[2].lower, 1 / 0.55, 1e-14);
+  EXPECT_EQ(elements[2].upper, kInfinity);  // 0.9 * 1.125 > 1
+  EXPECT_EQ(elements[3].net_lower, -kInfinity);
+  EXPECT_EQ(solution.max_relative_width, kInfinity);
+  ASSERT_EQ(solution.notes.size(), 1u);
+  EXPECT_EQ(solution.notes[0], "no upper bound could be proven for 2 of 4 radiosities");
+}
+
+TEST(EnclosedFactors, BoundRadiositiesOfEverySolver) {
+  const ExchangeMatrix matrix = two_rooms({0.5, 0.75}, {0.25, 0.5});
+  const std::vector<Material> materials = lamps(Rational(1, 2), Rational(9, 10));
+  for (const Solver solver :
+       {Solver::kAuto, Solver::kLu, Solver::kBicgstab, Solver::kJacobi, Solver::kGaussSeidel, Solver::kShooting}) {
+    for (const std::optional<int> iterations : {std::optional<int>(), std::optional<int>(1)}) {
+      RadiosityOptions options;
+      options.solver = solver;
+      options.iterations = iterations;
+      const RadiositySolution solution = solve_radiosity(matrix, materials, {}, options);
+      WithinCheck check;
+      std::mt19937_64 random(1);
+      for (int k = 0; k < 8; ++k) check.add(matrix, random_factors(matrix, random), solution, materials, {});
+      EXPECT_EQ(check.misses, 0u) << to_string(solver) << " " << check.first_miss;
+      EXPECT_NEAR(solution.channels[0].elements[3].upper, 1 / (1 - 0.45), 1e-14) << to_string(solver);
+    }
+  }
+  EXPECT_THROW(solve_radiosity(matrix, materials, {}, {Solver::kCholesky, {}, {}, {}}), RequestError);
+}
+
+TEST(EnclosedFactors, LeaveDarkWhatNoFactorsWithinLight) {
+  std::vector<Material> materials = lamps(Rational(1, 2), Rational(9, 10));
+  materials[1].emission = {};
+  const RadiositySolution solution = solve_radiosity(two_rooms({0.5, 0.75}, {0.25, 0.5}), materials, {});
+  ASSERT_EQ(solution.channels[0].dark.size(), 1u);
+  EXPECT_EQ(solution.channels[0].dark[0].first_element, 2u);
+  EXPECT_EQ(solution.channels[0].elements[3].upper, 0);
+  // Light that may arrive, but does not for the doubles.
+  std::vector<Element> elements = two_rooms({0.5, 0.75}, {0.25, 0.5}).elements();
+  ExchangeMatrix perhaps(elements, Guarantee::kEnclosed);
+  perhaps.assign({0, 1, 1, 2, 2}, {{1, {0.5, 0}, 1}, {0, {0, 0}, 1}}, {}, {{0.5, 0.5}, {0, 0.25}});
+  const RadiositySolution lit = solve_radiosity(perhaps, materials, {});
+  EXPECT_EQ(lit.channels[0].elements[2].lower, 0);
+  EXPECT_NEAR(lit.channels[0].elements[2].upper, 0.9 * 0.25 * 1.25, 1e-14);
+}
+
+TEST(EnclosedFactors, TellHowFarTheyAreThreeTimesOver) {
+  std::vector<double> told;
+  RadiosityOptions options;
+  options.progress = [&](double fraction) { told.push_back(fraction); };
+  solve_radiosity(two_rooms({0.5, 0.75}, {0.25, 0.5}), lamps(Rational(1, 2), Rational(9, 10)), {}, options);
+  ASSERT_EQ(told.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_EQ(told.back(), 1);
+}
+
+TEST(EnclosedFactors, BoundNetFluxesOfAllFactorsWithin) {
+  std::size_t checked = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    std::mt19937_64 random(seed);
+    const ExactScene scene = random_exact_scene(seed);
+    const Scene2& plan = scene.scene();
+    const ExchangeMatrix matrix = widened(scene, seed % 2 == 0 ? 0.01 : 1e-10, random);
+    const std::optional<RadiositySolution> solved = solution_of(matrix, plan);
+    if (!solved) continue;
+    const RadiositySolution& solution = *solved;
+    if (!is_bounded(solution)) continue;
+    const mpf_class sky = number(plan.sky_emission.value[0]);
+    const auto fluxes = net_flux(matrix, solution, plan.sky_emission, [](const Element& e) { return e.name; });
+    for (const WideFactors& factors : {scene.factors(), random_factors(matrix, random)}) {
+      const auto radiosity = radiosity_of(matrix, factors, plan.materials, plan.sky_emission, 0);
+      std::map<std::string, mpf_class> flux;
+      for (std::uint32_t i = 0; i < matrix.size(); ++i)
+        for (std::uint32_t j = 0; j <= matrix.sky() && matrix.has_row(i); ++j) {
+          const bool is_sky = j == matrix.sky();
+          const std::string from = matrix.elements()[i].name, to = is_sky ? "sky" : matrix.elements()[j].name;
+          for (const std::string& name : {from, to}) flux.try_emplace(name, 0, kBits);
+          const mpf_class share = scene.areas()[i] * factors[i][j];
+          const mpf_class arrives = is_sky ? sky : radiosity[j];
+          flux[from] -= share * arrives;
+          if (j == 0) flux[from] += scene.areas()[i] * radiosity[i];
+          if (is_sky || !matrix.has_row(j)) flux[to] += share * ((is_sky ? sky : mpf_class(0, kBits)) - radiosity[i]);
+        }
+      for (const NetFlux& each : fluxes) {
+        const NetFlux::Power& power = each.by_channel[0];
+        const mpf_class real = flux.at(each.name), slack = (abs(real) + 1) * 1e-60;
+        ++checked;
+        EXPECT_LE(mpf_class(power.lower, kBits), real + slack) << seed << " " << each.name;
+        EXPECT_GE(mpf_class(power.upper, kBits), real - slack) << seed << " " << each.name;
+        EXPECT_LT(power.upper - power.lower, kInfinity);
+      }
+    }
+  }
+  EXPECT_GT(checked, 500u);
+}
+
+TEST(CrudeBounds, NarrowThoseOfEnclosedFactorsAndHold) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    std::mt19937_64 random(seed);
+    const ExactScene scene = random_exact_scene(seed);
+    const Scene2& plan = scene.scene();
+    const ExchangeMatrix matrix = widened(scene, seed % 2 == 0 ? 0.3 : 1e-12, random);
+    const std::optional<RadiositySolution> solved = solution_of(matrix, plan);
+    if (!solved) continue;
+    const RadiositySolution& solution = *solved;
+    RadiositySolution narrowed = solution;
+    set_crude_bounds(matrix, plan.materials, plan.sky_emission, narrowed);
+    WithinCheck check;
+    check.add(matrix, scene.factors(), narrowed, plan.materials, plan.sky_emission);
+    EXPECT_EQ(check.misses, 0u) << check.first_miss;
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+      EXPECT_GE(narrowed.channels[0].elements[i].lower, solution.channels[0].elements[i].lower);
+      EXPECT_LE(narrowed.channels[0].elements[i].upper, solution.channels[0].elements[i].upper);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hottel

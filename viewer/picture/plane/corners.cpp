@@ -1,0 +1,37 @@
+#include "viewer/picture/plane/corners.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hottel {
+
+Corners2::Corners2(const Scene2& scene, const Frame2& frame) {
+  const std::size_t n = scene.surfaces.size();
+  std::vector<Pixel> pixels;
+  pixels.reserve(2 * n);
+  for (const Surface2& surface : scene.surfaces) {
+    pixels.push_back(frame.at(surface.from));
+    pixels.push_back(frame.at(surface.to));
+  }
+  const auto point = [&](std::uint32_t k) -> const Point2& {
+    return k % 2 == 0 ? scene.surfaces[k / 2].from : scene.surfaces[k / 2].to;
+  };
+  // Rounding keeps the order, so exact comparisons are needed only where pixels are equal.
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
+    if (pixels[a].x != pixels[b].x) return pixels[a].x < pixels[b].x;
+    if (const int c = cmp(point(a).x, point(b).x); c != 0) return c < 0;
+    if (pixels[a].y != pixels[b].y) return pixels[a].y > pixels[b].y;
+    return cmp(point(a).y, point(b).y) < 0;
+  };
+  std::vector<std::uint32_t> order(2 * n);
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), before);
+  from.resize(n);
+  to.resize(n);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (k == 0 || before(order[k - 1], order[k])) at.push_back(pixels[order[k]]);
+    (order[k] % 2 == 0 ? from : to)[order[k] / 2] = static_cast<std::uint32_t>(at.size() - 1);
+  }
+}
+
+}  // namespace hottel

@@ -1,0 +1,105 @@
+#include "viewer/picture/plane/error_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/plane/light/illumination_grid.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kDecades = 1e-4;  // least over largest value of the scale
+constexpr std::uint32_t kCells = 256;
+
+double brightest(const RadiositySolution& solution) {
+  double value = 0;
+  for (const ChannelSolution& channel : solution.channels)
+    for (const ElementRadiosity& element : channel.elements) value = std::max(value, element.radiosity);
+  return value;
+}
+
+// Calls set(element, error) for each element with a row.
+template <class Set>
+void for_each_element_error(const RadiositySolution& found, const RadiositySolution& exact, double scale,
+                            const Set& set) {
+  for (std::size_t c = 0; c < exact.channels.size(); ++c)
+    for (std::size_t i = 0; i < exact.channels[c].elements.size(); ++i)
+      set(i, std::abs(found.channels[c].elements[i].radiosity - exact.channels[c].elements[i].radiosity) / scale);
+}
+
+FaceColouring face_errors(const MethodComparison2& comparison, const MethodResult& result, double scale) {
+  FaceColouring colouring;
+  colouring.front.resize(comparison.prepared().scene.surfaces.size());
+  colouring.back.resize(colouring.front.size());
+  for_each_element_error(*result.solution, *comparison.exact_solution(), scale, [&](std::size_t i, double error) {
+    const Element& element = comparison.exact().elements()[i];
+    if (!comparison.exact().has_row(static_cast<std::uint32_t>(i))) return;
+    std::optional<double>& value = (element.is_back ? colouring.back : colouring.front)[element.surface];
+    value = std::max(value.value_or(0), error);
+  });
+  return colouring;
+}
+
+IlluminationGrid light_of(const MethodComparison2& comparison, const RadiositySolution& solution) {
+  const PreparedScene2& prepared = comparison.prepared();
+  const auto channels = static_cast<std::uint32_t>(solution.channels.size());
+  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
+  const FaceRadiosity2 radiosity(prepared.arrangement, labels, radiosity_by_element(solution),
+                                 sky_by_channel(prepared.scene.sky_emission, channels));
+  return illuminate_points(prepared, default_grid(prepared.scene, kCells), radiosity);
+}
+
+// By cell, C order (ny, nx).
+std::vector<double> cell_errors(const IlluminationGrid& found, const IlluminationGrid& exact, double scale) {
+  std::vector<double> errors(exact.values.size() / exact.channels, 0);
+  for (std::size_t k = 0; k < exact.values.size(); ++k) {
+    double& error = errors[k / exact.channels];
+    error = std::max(error, std::abs(found.values[k] - exact.values[k]) / scale);
+  }
+  return errors;
+}
+
+ScenePixels2 pixels_of(const Grid2& grid, const std::vector<double>& errors, const ColourScale& scale) {
+  ScenePixels2 pixels;
+  pixels.image = {grid.nx, grid.ny, {}};
+  for (std::uint32_t row = grid.ny; row-- > 0;)
+    for (std::uint32_t x = 0; x < grid.nx; ++x)
+      pixels.image.pixels.push_back(map_colour(scale.position(errors[std::size_t{row} * grid.nx + x])));
+  pixels.min = {to_double(grid.min.x), to_double(grid.min.y)};
+  pixels.max = {to_double(grid.max.x), to_double(grid.max.y)};
+  return pixels;
+}
+
+}  // namespace
+
+ScenePicture2 error_map_picture_2(const MethodComparison2& comparison, const MethodResult& result) {
+  ScenePicture2 picture;
+  picture.sheet.title = "Error of the light: " + result.info.name;
+  const double scale = comparison.exact_solution() ? brightest(*comparison.exact_solution()) : 0;
+  if (!result.solution || scale == 0) {
+    picture.sheet.subtitle = "no radiosities to compare";
+    return picture;
+  }
+  FaceColouring colouring = face_errors(comparison, result, scale);
+  const IlluminationGrid exact = light_of(comparison, *comparison.exact_solution()),
+                         found = light_of(comparison, *result.solution);
+  const std::vector<double> errors = cell_errors(found, exact, scale);
+  double largest = *std::max_element(errors.begin(), errors.end());
+  for (const auto* faces : {&colouring.front, &colouring.back})
+    for (const std::optional<double>& face : *faces) largest = std::max(largest, face.value_or(0));
+  colouring.scale = largest > 0 ? ColourScale{kDecades * largest, largest, true} : ColourScale{0, 1, false};
+  colouring.title = "|error| / largest radiosity: of radiosity on faces, of mean irradiance on floors";
+  picture.sheet.subtitle =
+      fmt::format("radiosities wrong by at most {:.2g} of the largest", *result.max_radiosity_error);
+  picture.pixels = pixels_of(exact.grid, errors, colouring.scale);
+  picture.colouring = std::move(colouring);
+  return picture;
+}
+
+std::string error_map_2(const MethodComparison2& comparison, const MethodResult& result, PictureFormat format) {
+  return scene_picture_2(comparison.prepared(), error_map_picture_2(comparison, result), format);
+}
+
+}  // namespace hottel

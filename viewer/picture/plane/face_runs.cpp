@@ -1,0 +1,27 @@
+#include "viewer/picture/plane/face_runs.h"
+
+#include "geometry/plane/exchange/labels.h"
+
+namespace hottel {
+
+FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame) {
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  for (VertexId v = 0; v < vertices.size(); ++v) {
+    const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
+    corners_.at.push_back(frame.at(Point2{p.x, p.y}));
+  }
+  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  begin_.assign(prepared.scene.surfaces.size() + 1, 0);
+  for (std::uint32_t label = 0; label < labels.count(); ++label) {
+    const Element& element = labels.elements()[label];
+    for (const Segment2& run : labels.runs(label)) {
+      corners_.from.push_back(run.a);
+      corners_.to.push_back(run.b);
+      surface_.push_back(element.surface);
+      is_back_.push_back(element.is_back);
+    }
+    begin_[element.surface + 1] = static_cast<std::uint32_t>(surface_.size());
+  }
+}
+
+}  // namespace hottel

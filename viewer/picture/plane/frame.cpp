@@ -1,0 +1,94 @@
+#include "viewer/picture/plane/frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/support/failure.h"
+#include "viewer/picture/cairo_canvas.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kHighest = 3;  // times the width
+constexpr double kLowest = 0.12;
+
+struct Box {
+  Rational min_x, min_y, max_x, max_y;
+  bool empty = true;
+
+  void add(const Rational& x, const Rational& y) {
+    if (empty) {
+      min_x = max_x = x;
+      min_y = max_y = y;
+      empty = false;
+      return;
+    }
+    if (x < min_x) min_x = x;
+    if (x > max_x) max_x = x;
+    if (y < min_y) min_y = y;
+    if (y > max_y) max_y = y;
+  }
+};
+
+}  // namespace
+
+Frame2::Frame2(const Scene2& scene, const std::vector<std::array<double, 2>>& extra_points, double width,
+               const SheetMargins& margins)
+    : width_(width) {
+  HOTTEL_REQUIRE(width > margins.left + margins.right);
+  Box box;
+  for (const Surface2& surface : scene.surfaces) {
+    box.add(surface.from.x, surface.from.y);
+    box.add(surface.to.x, surface.to.y);
+  }
+  for (const auto& [x, y] : extra_points) {
+    HOTTEL_REQUIRE(std::isfinite(x) && std::isfinite(y));
+    box.add(Rational(x), Rational(y));
+  }
+  const Rational wide = box.max_x - box.min_x, high = box.max_y - box.min_y;
+  extent_ = std::max(wide, high);
+  if (extent_ == 0) extent_ = 1;
+  min_x_ = box.min_x;
+  min_y_ = box.min_y;
+  min_x_double_ = to_double(min_x_);
+  min_y_double_ = to_double(min_y_);
+  extent_double_ = to_double(extent_);
+
+  const double share_x = to_double(wide / extent_), share_y = to_double(high / extent_);
+  const double room_x = width - margins.left - margins.right;
+  const double most_y = std::min(kHighest * width, double{kMaxPictureSide}) - margins.top - margins.bottom;
+  HOTTEL_REQUIRE(most_y > 0);
+  pixels_per_extent_x_ = std::min(share_x > 0 ? room_x / share_x : most_y, share_y > 0 ? most_y / share_y : room_x);
+  pixels_per_extent_y_ = pixels_per_extent_x_;
+  const double drawn_x = share_x * pixels_per_extent_x_, drawn_y = share_y * pixels_per_extent_y_;
+  height_ = std::ceil(margins.top + std::clamp(drawn_y, std::min(most_y, kLowest * width), most_y) + margins.bottom);
+  height_ = std::min(height_, double{kMaxPictureSide});
+  top_left_ = {margins.left, margins.top};
+  bottom_right_ = {width - margins.right, height_ - margins.bottom};
+  origin_ = {top_left_.x + (room_x - drawn_x) / 2, bottom_right_.y - (bottom_right_.y - top_left_.y - drawn_y) / 2};
+}
+
+Frame2::Frame2(const Point2& min, const Point2& max, double width, double height)
+    : min_x_(min.x), min_y_(min.y), width_(width), height_(height) {
+  HOTTEL_REQUIRE(min.x < max.x && min.y < max.y && width > 0 && height > 0);
+  extent_ = std::max<Rational>(max.x - min.x, max.y - min.y);
+  min_x_double_ = to_double(min_x_);
+  min_y_double_ = to_double(min_y_);
+  extent_double_ = to_double(extent_);
+  pixels_per_extent_x_ = width / to_double((max.x - min.x) / extent_);
+  pixels_per_extent_y_ = height / to_double((max.y - min.y) / extent_);
+  origin_ = {0, height};
+  bottom_right_ = {width, height};
+}
+
+Pixel Frame2::at(const Point2& point) const {
+  return {origin_.x + pixels_per_extent_x_ * to_double((point.x - min_x_) / extent_),
+          origin_.y - pixels_per_extent_y_ * to_double((point.y - min_y_) / extent_)};
+}
+
+Pixel Frame2::at(const std::array<double, 2>& point) const {
+  return {origin_.x + pixels_per_extent_x_ * ((point[0] - min_x_double_) / extent_double_),
+          origin_.y - pixels_per_extent_y_ * ((point[1] - min_y_double_) / extent_double_)};
+}
+
+}  // namespace hottel

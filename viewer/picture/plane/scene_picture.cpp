@@ -1,0 +1,110 @@
+#include "viewer/picture/plane/scene_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/support/failure.h"
+#include "viewer/picture/palette.h"
+#include "viewer/picture/plane/stripes.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kFooter = 62;
+
+std::optional<double> value_of(const std::vector<std::optional<double>>& values, std::uint32_t surface) {
+  if (surface >= values.size() || !values[surface] || std::isnan(*values[surface])) return std::nullopt;
+  return values[surface];
+}
+
+}  // namespace
+
+ScenePicturePainter2::ScenePicturePainter2(const PreparedScene2& prepared, const ScenePicture2& picture)
+    : scene_(prepared.scene),
+      picture_(picture),
+      sheet_(prepared, picture.sheet, kFooter),
+      runs_(prepared, sheet_.frame()) {
+  for (const std::uint32_t target : picture.targets) HOTTEL_REQUIRE(target < scene_.surfaces.size());
+  for (std::uint32_t run = 0; run < runs_.corners().surfaces(); ++run)
+    colours_.push_back(colour(runs_.surface(run), runs_.is_back(run) ? Side::kBack : Side::kFront));
+}
+
+// Of the stripe of a face, if it has one: its value, or in a plain plan that it emits.
+std::optional<Colour> ScenePicturePainter2::colour(std::uint32_t surface, Side side) const {
+  const Surface2& s = scene_.surfaces[surface];
+  if (side == Side::kBack && !s.back) return std::nullopt;
+  if (picture_.colouring) {
+    const FaceColouring& colouring = *picture_.colouring;
+    const auto value = value_of(side == Side::kFront ? colouring.front : colouring.back, surface);
+    return value ? std::optional(map_colour(colouring.scale.position(*value))) : std::nullopt;
+  }
+  const Material& material = scene_.materials[side == Side::kFront ? s.material : *s.back];
+  return material.emission.is_zero() ? std::nullopt : std::optional(palette::kEmitter);
+}
+
+void ScenePicturePainter2::draw(PictureCanvas& canvas) const {
+  std::vector<bool> has_stripe;
+  for (const std::optional<Colour>& c : colours_) has_stripe.push_back(c.has_value());
+  const std::vector<bool> none(has_stripe.size(), false);
+  const Stripes2 stripes(runs_.corners(), std::move(has_stripe), none, sheet_.stripe_depth());
+  const Mark mark = picture_.colouring ? Mark::kStripe : Mark::kEmitter;
+  SceneSheet2::Ground ground;
+  ground.faces = [&](std::span<const std::uint32_t> surfaces) {
+    for (const std::uint32_t s : surfaces)
+      for (std::uint32_t run = runs_.begin(s); run < runs_.end(s); ++run)
+        if (colours_[run]) canvas.fill(mark, stripes.stripe(run, Side::kFront), *colours_[run]);
+  };
+  if (picture_.pixels) ground.cover = [&] { draw_pixels(canvas); };
+  sheet_.draw_ground(canvas, ground);
+
+  std::vector<bool> highlighted(scene_.surfaces.size(), false);
+  for (const std::uint32_t target : picture_.targets) highlighted[target] = true;
+  sheet_.draw_walls(canvas, highlighted);
+  draw_targets(canvas);
+  draw_footer(canvas);
+}
+
+void ScenePicturePainter2::draw_pixels(PictureCanvas& canvas) const {
+  const ScenePixels2& pixels = *picture_.pixels;
+  canvas.image(Mark::kLight, sheet_.frame().at(std::array{pixels.min[0], pixels.max[1]}),
+               sheet_.frame().at(std::array{pixels.max[0], pixels.min[1]}), pixels.image, pixels.smooth);
+}
+
+void ScenePicturePainter2::draw_targets(PictureCanvas& canvas) const {
+  const double pen = std::max(2.2 * sheet_.wall_width(), 3 * sheet_.unit());
+  for (const std::uint32_t s : picture_.targets)
+    canvas.stroke(Mark::kTarget, sheet_.from(s), sheet_.to(s), palette::kTarget, pen);
+}
+
+void ScenePicturePainter2::draw_footer(PictureCanvas& canvas) const {
+  const double unit = sheet_.unit(), left = sheet_.frame().top_left().x, top = sheet_.footer_top();
+  const double room = sheet_.frame().bottom_right().x - left;
+  sheet_.draw_scale_bar(canvas);
+  double x = left;
+  if (picture_.colouring)
+    x += draw_legend(canvas, picture_.colouring->scale, picture_.colouring->title, {left, top},
+                     std::min(420 * unit, 0.55 * room), unit) +
+         44 * unit;
+  const auto key = [&](Mark mark, const Colour& colour, const std::string& label) {
+    const TextStyle style{.size = 15 * unit, .colour = palette::kInk};
+    const double y = top + 31 * unit, line = 34 * unit, text = x + line + 10 * unit;
+    const double end = text + canvas.text_width(label, style);
+    if (end > left + 0.74 * room) return;  // no space: the picture speaks for itself
+    canvas.stroke(mark, {x, y}, {x + line, y}, colour, 6 * unit);
+    canvas.text(Mark::kLegend, {text, y + 5 * unit}, label, style);
+    x = end + 32 * unit;
+  };
+  if (!picture_.targets.empty() && !picture_.target_label.empty())
+    key(Mark::kLegend, palette::kTarget, picture_.target_label);
+  const bool emits = std::any_of(colours_.begin(), colours_.end(), [](const auto& c) { return c.has_value(); });
+  if (emits && !picture_.colouring) key(Mark::kLegend, palette::kEmitter, "emits light");
+}
+
+std::string scene_picture_2(const PreparedScene2& prepared, const ScenePicture2& picture, PictureFormat format) {
+  const ScenePicturePainter2 painter(prepared, picture);
+  CairoCanvas canvas(format, painter.width(), painter.height());
+  painter.draw(canvas);
+  return canvas.finish();
+}
+
+}  // namespace hottel

@@ -1,0 +1,156 @@
+#include "viewer/picture/plane/scene_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "kernel/support/failure.h"
+#include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/hatch.h"
+#include "viewer/picture/palette.h"
+#include "viewer/picture/plane/solid_polygons.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kMargin = 64, kTitleHeight = 40, kSubtitleHeight = 34, kHeadingGap = 22;
+
+double unit_of(std::uint32_t width) {
+  if (width < kMinPictureWidth || width > kMaxPictureSide)
+    throw UsageError(
+        fmt::format("picture: the width must be between {} and {} pixels", kMinPictureWidth, kMaxPictureSide));
+  return std::max(width / 1600.0, 0.6);  // letters stay readable in small pictures
+}
+
+SheetMargins margins(const SheetText& text, double unit, double footer) {
+  const double side = std::min(kMargin * unit, text.width / 12.0);
+  double top = side;
+  if (!text.title.empty()) top += kTitleHeight * unit;
+  if (!text.title.empty() || !text.subtitle.empty()) top += kHeadingGap * unit;
+  if (!text.subtitle.empty()) top += kSubtitleHeight * unit;
+  return {side, side, top, std::max(side, 44 * unit) + footer * unit};
+}
+
+// The length of the edge in the middle when all edges lie end to end, by length: neither a few long walls nor the many
+// sides of round pillars decide.
+double typical_length(const Corners2& corners) {
+  std::vector<double> lengths;
+  double sum = 0;
+  for (std::size_t s = 0; s < corners.surfaces(); ++s) {
+    const Pixel a = corners.at[corners.from[s]], b = corners.at[corners.to[s]];
+    lengths.push_back(std::hypot(b.x - a.x, b.y - a.y));
+    sum += lengths.back();
+  }
+  std::sort(lengths.begin(), lengths.end());
+  double behind = 0;
+  for (const double length : lengths)
+    if ((behind += length) >= sum / 2) return length;
+  return 0;
+}
+
+// The largest of 1, 2, 5 times a power of ten that is not above the limit.
+double round_length(double limit) {
+  const double power = std::pow(10, std::floor(std::log10(limit)));
+  for (const double factor : {5.0, 2.0})
+    if (factor * power <= limit) return factor * power;
+  return power;
+}
+
+}  // namespace
+
+SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const SheetText& text, double footer,
+                         const std::vector<std::array<double, 2>>& extra_points)
+    : title_(text.title),
+      subtitle_(text.subtitle),
+      unit_(unit_of(text.width)),
+      frame_(prepared.scene, extra_points, text.width, margins(text, unit_, footer)),
+      corners_(prepared.scene, frame_),
+      outlines_(prepared.scene, corners_),
+      solids_(solid_polygons(prepared.arrangement, frame_)) {
+  const double length = typical_length(corners_);
+  wall_width_ = std::clamp(0.03 * length, 0.6 * unit_, 3.0 * unit_);
+  stripe_depth_ = std::clamp(0.07 * length, 2.0 * unit_, 7.5 * unit_);
+}
+
+double SceneSheet2::footer_top() const { return frame_.bottom_right().y + 34 * unit_; }
+
+void SceneSheet2::draw_ground(PictureCanvas& canvas, const Ground& ground) const {
+  canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame_.width(), frame_.height()}, palette::kPaper);
+  draw_heading(canvas);
+  const bool open = std::all_of(outlines_.closed.begin(), outlines_.closed.end(), [](auto& o) { return o.is_outward; });
+  if (open && ground.cover) ground.cover();
+  for (std::size_t level = 0; level <= outlines_.levels; ++level) draw_level(canvas, level, ground);
+  for (const std::vector<Pixel>& solid : solids_) {
+    canvas.fill(Mark::kSolid, solid, palette::kSolid);
+    draw_hatch(canvas, solid, 13 * unit_, 0.9 * unit_, palette::kHatch);
+  }
+}
+
+void SceneSheet2::draw_heading(PictureCanvas& canvas) const {
+  double base_line = frame_.top_left().x + 22 * unit_;
+  if (!title_.empty()) {
+    draw_text(canvas, title_, base_line, {.size = 36 * unit_, .colour = palette::kInk, .weight = TextWeight::kBold});
+    base_line += 38 * unit_;
+  }
+  if (!subtitle_.empty()) draw_text(canvas, subtitle_, base_line, {.size = 20 * unit_, .colour = palette::kSoftInk});
+}
+
+// First the faces that look out of this level's furniture, then its floors, then the faces of its rooms.
+void SceneSheet2::draw_level(PictureCanvas& canvas, std::size_t level, const Ground& ground) const {
+  if (ground.faces) draw_outside_faces(canvas, level, ground);
+  for (const Outline2& outline : outlines_.closed) {
+    if (outline.level != level || outline.is_outward) continue;
+    canvas.fill(Mark::kFloor, outline.polygon, palette::kFloor);
+    canvas.clip(outline.polygon);
+    if (ground.cover) ground.cover();
+    if (ground.faces) ground.faces(outline.surfaces);
+    canvas.unclip();
+  }
+}
+
+void SceneSheet2::draw_outside_faces(PictureCanvas& canvas, std::size_t level, const Ground& ground) const {
+  std::map<std::optional<std::size_t>, std::vector<std::uint32_t>> within;  // by the outline around
+  for (const Outline2& outline : outlines_.closed)
+    if (outline.is_outward && outline.level == level)
+      within[outline.around].insert(within[outline.around].end(), outline.surfaces.begin(), outline.surfaces.end());
+  for (std::size_t k = 0; k < outlines_.loose.size(); ++k) {
+    const auto& around = outlines_.around_loose[k];
+    if ((around ? outlines_.closed[*around].level + 1 : 0) == level) within[around].push_back(outlines_.loose[k]);
+  }
+  for (const auto& [around, surfaces] : within) {
+    const bool in_room = around && !outlines_.closed[*around].is_outward;
+    if (in_room) canvas.clip(outlines_.closed[*around].polygon);
+    ground.faces(surfaces);
+    if (in_room) canvas.unclip();
+  }
+}
+
+void SceneSheet2::draw_text(PictureCanvas& canvas, const std::string& text, double base_line, TextStyle style) const {
+  const double room = frame_.bottom_right().x - frame_.top_left().x, wide = canvas.text_width(text, style);
+  if (wide > room) style.size *= room / wide;
+  canvas.text(Mark::kTitle, {frame_.top_left().x, base_line}, text, style);
+}
+
+void SceneSheet2::draw_walls(PictureCanvas& canvas, const std::vector<bool>& hidden) const {
+  for (std::uint32_t s = 0; s < corners_.surfaces(); ++s)
+    if (hidden.empty() || !hidden[s]) canvas.stroke(Mark::kEdge, from(s), to(s), palette::kInk, wall_width_);
+}
+
+void SceneSheet2::draw_scale_bar(PictureCanvas& canvas) const {
+  const double right = frame_.bottom_right().x, room = right - frame_.top_left().x;
+  const double limit = std::min(190 * unit_, room / 4) / frame_.pixels_per_length();
+  if (!std::isfinite(limit) || !(limit > 1e-300)) return;
+  const double length = round_length(limit), pixels = length * frame_.pixels_per_length();
+  const double y = footer_top() + 31 * unit_, tick = 5 * unit_, left = right - pixels;
+  const double pen = 1.6 * unit_;
+  canvas.stroke(Mark::kScaleBar, {left, y}, {right, y}, palette::kInk, pen);
+  for (const double x : {left, (left + right) / 2, right})
+    canvas.stroke(Mark::kScaleBar, {x, y - (x == left || x == right ? tick : tick / 2)}, {x, y}, palette::kInk, pen);
+  const TextStyle style{.size = 14 * unit_, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre};
+  canvas.text(Mark::kScaleBar, {(left + right) / 2, y + 21 * unit_}, fmt::format("{:.6g} m", length), style);
+}
+
+}  // namespace hottel

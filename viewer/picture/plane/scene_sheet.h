@@ -1,0 +1,76 @@
+// The sheet that all plane drawings share: paper, title, floors and furniture, walls, scale bar.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/plane/exchange/exchange.h"
+#include "viewer/picture/canvas.h"
+#include "viewer/picture/plane/corners.h"
+#include "viewer/picture/plane/frame.h"
+#include "viewer/picture/plane/outlines.h"
+
+namespace hottel {
+
+struct SheetText {
+  std::uint32_t width = 1600;  // of the picture in pixels
+  std::string title{};         // large, may be empty
+  std::string subtitle{};      // beneath it, may be empty
+};
+
+inline constexpr std::uint32_t kMinPictureWidth = 200;
+
+// A scene laid out on paper. Sizes grow with the picture: a unit is a pixel of a picture 1600 pixels wide.
+class SceneSheet2 {
+ public:
+  // footer: height kept free below the drawing, in units. extra_points: shown as well, in scene coordinates.
+  // Throws UsageError unless the width is in [kMinPictureWidth, kMaxPictureSide].
+  SceneSheet2(const PreparedScene2& prepared, const SheetText& text, double footer,
+              const std::vector<std::array<double, 2>>& extra_points = {});
+
+  const Frame2& frame() const { return frame_; }
+  const Corners2& corners() const { return corners_; }
+  std::uint32_t width() const { return static_cast<std::uint32_t>(frame_.width()); }
+  std::uint32_t height() const { return static_cast<std::uint32_t>(frame_.height()); }
+  double unit() const { return unit_; }
+  double wall_width() const { return wall_width_; }  // of the line of an edge
+  double stripe_depth() const { return stripe_depth_; }
+  Pixel from(std::uint32_t surface) const { return corners_.at[corners_.from[surface]]; }
+  Pixel to(std::uint32_t surface) const { return corners_.at[corners_.to[surface]]; }
+
+  // What else lies on the ground, both may be empty.
+  struct Ground {
+    std::function<void(std::span<const std::uint32_t>)> faces;  // draws the faces of these surfaces
+    std::function<void()> cover;                                // draws over the floors, beneath everything else
+  };
+
+  // Paper, title, the outlines from the outside in, floors light and warm, and over them the solids of the arrangement,
+  // grey and hatched. Faces are clipped to the room they are in; each surface is handed to `faces` once.
+  void draw_ground(PictureCanvas& canvas, const Ground& ground) const;
+  // One dark line for each edge that is not hidden. hidden: one entry per surface, or none at all.
+  void draw_walls(PictureCanvas& canvas, const std::vector<bool>& hidden = {}) const;
+  // A bar of a round length at the right of the footer.
+  void draw_scale_bar(PictureCanvas& canvas) const;
+  // The top of the footer's content.
+  double footer_top() const;
+
+ private:
+  void draw_heading(PictureCanvas& canvas) const;
+  void draw_level(PictureCanvas& canvas, std::size_t level, const Ground& ground) const;
+  void draw_outside_faces(PictureCanvas& canvas, std::size_t level, const Ground& ground) const;
+  void draw_text(PictureCanvas& canvas, const std::string& text, double base_line, TextStyle style) const;
+
+  std::string title_, subtitle_;
+  double unit_;
+  Frame2 frame_;
+  Corners2 corners_;
+  Outlines2 outlines_;
+  std::vector<std::vector<Pixel>> solids_;
+  double wall_width_, stripe_depth_;
+};
+
+}  // namespace hottel

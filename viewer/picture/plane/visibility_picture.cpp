@@ -1,0 +1,158 @@
+#include "viewer/picture/plane/visibility_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "kernel/support/failure.h"
+#include "viewer/picture/palette.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kFooter = 44;
+
+struct Rectangle {
+  Pixel low, high;
+
+  // Takes away the rounding of an intersection.
+  Pixel nearest(const Pixel& p) const { return {std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)}; }
+};
+
+// The picture without a border of that many units, so that lines and circles do not stick out of it.
+Rectangle paper(const SceneSheet2& sheet, double border) {
+  const double gap = border * sheet.unit();
+  return {{gap, gap}, {sheet.width() - gap, sheet.height() - gap}};
+}
+
+// The part of a polygon in the rectangle (Sutherland and Hodgman, one border after the other).
+std::vector<Pixel> clipped(std::vector<Pixel> polygon, const Rectangle& box) {
+  const auto cut = [&polygon](auto depth) {  // depth(p) >= 0: p is inside
+    std::vector<Pixel> kept;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Pixel &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+      const double at_p = depth(p), at_q = depth(q);
+      if (at_p >= 0) kept.push_back(p);
+      if ((at_p < 0) != (at_q < 0)) {
+        const double t = at_p / (at_p - at_q);
+        kept.push_back({std::lerp(p.x, q.x, t), std::lerp(p.y, q.y, t)});
+      }
+    }
+    polygon = std::move(kept);
+  };
+  cut([&](const Pixel& p) { return p.x - box.low.x; });
+  cut([&](const Pixel& p) { return box.high.x - p.x; });
+  cut([&](const Pixel& p) { return p.y - box.low.y; });
+  cut([&](const Pixel& p) { return box.high.y - p.y; });
+  for (Pixel& p : polygon) p = box.nearest(p);
+  return polygon;
+}
+
+// The part of a segment in the rectangle (Liang and Barsky).
+std::optional<std::pair<Pixel, Pixel>> clipped(const Pixel& a, const Pixel& b, const Rectangle& box) {
+  double enter = 0, leave = 1;
+  const auto border = [&](double start, double step) {  // keeps t with start + t * step >= 0
+    if (step == 0) return start >= 0;
+    const double t = -start / step;
+    (step > 0 ? enter : leave) = step > 0 ? std::max(enter, t) : std::min(leave, t);
+    return enter <= leave;
+  };
+  if (!border(a.x - box.low.x, b.x - a.x) || !border(box.high.x - a.x, a.x - b.x) ||
+      !border(a.y - box.low.y, b.y - a.y) || !border(box.high.y - a.y, a.y - b.y))
+    return std::nullopt;
+  const auto at = [&](double t) { return box.nearest({std::lerp(a.x, b.x, t), std::lerp(a.y, b.y, t)}); };
+  return std::pair{at(enter), at(leave)};
+}
+
+void draw_line(PictureCanvas& canvas, const SceneSheet2& sheet, const std::array<double, 2>& from,
+               const std::array<double, 2>& to) {
+  const auto seen = clipped(sheet.frame().at(from), sheet.frame().at(to), paper(sheet, 1));
+  if (seen) canvas.stroke(Mark::kRay, seen->first, seen->second, palette::kRay, 1.4 * sheet.unit());
+}
+
+void draw_ring(PictureCanvas& canvas, Mark mark, Pixel at, double radius, const Colour& inside, double line_width) {
+  canvas.disc(mark, at, radius, inside);
+  canvas.circle(mark, at, radius, palette::kInk, line_width);
+}
+
+}  // namespace
+
+VisibilityPainter2::VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing& drawing)
+    : drawing_(drawing), sheet_(prepared, drawing.sheet, kFooter, {drawing.eye}) {}
+
+void VisibilityPainter2::draw(PictureCanvas& canvas) const {
+  sheet_.draw_ground(canvas, {});
+  std::vector<Pixel> region;
+  for (const auto& point : drawing_.polygon) region.push_back(sheet_.frame().at(point));
+  region = clipped(std::move(region), paper(sheet_, 0));
+  if (region.size() >= 3) canvas.fill(Mark::kLight, region, palette::kLight);
+  for (const auto& point : drawing_.rays_to) draw_line(canvas, sheet_, drawing_.eye, point);
+  sheet_.draw_walls(canvas);
+  const double unit = sheet_.unit();
+  for (const auto& point : drawing_.rays_to) {
+    const Pixel at = sheet_.frame().at(point);
+    if (clipped(at, at, paper(sheet_, 5)))
+      draw_ring(canvas, Mark::kCritical, at, 3.6 * unit, palette::kPaper, 1.4 * unit);
+  }
+  const Pixel eye = sheet_.frame().at(drawing_.eye);
+  canvas.disc(Mark::kEye, eye, 15 * unit, palette::kEmitter.with_alpha(0.45));
+  draw_ring(canvas, Mark::kEye, eye, 7 * unit, palette::kEmitter, 2 * unit);
+  sheet_.draw_scale_bar(canvas);
+}
+
+PairPainter2::PairPainter2(const PreparedScene2& prepared, const PairDrawing& drawing)
+    : drawing_(drawing), sheet_(prepared, drawing.sheet, kFooter, drawing.critical_on_a) {
+  HOTTEL_REQUIRE(drawing.a < prepared.scene.surfaces.size() && drawing.b < prepared.scene.surfaces.size());
+}
+
+void PairPainter2::draw(PictureCanvas& canvas) const {
+  sheet_.draw_ground(canvas, {});
+  for (const auto& [from, to] : drawing_.lines) draw_line(canvas, sheet_, from, to);
+  std::vector<bool> highlighted(sheet_.corners().surfaces(), false);
+  highlighted[drawing_.a] = highlighted[drawing_.b] = true;
+  sheet_.draw_walls(canvas, highlighted);
+  draw_edge(canvas, drawing_.b, drawing_.b_is_back, drawing_.b_label, palette::kSecond);
+  draw_edge(canvas, drawing_.a, drawing_.a_is_back, drawing_.a_label, palette::kFirst);
+  const double unit = sheet_.unit();
+  for (const auto& point : drawing_.critical_on_a)
+    draw_ring(canvas, Mark::kCritical, sheet_.frame().at(point), 6 * unit, palette::kPaper, 2 * unit);
+  sheet_.draw_scale_bar(canvas);
+}
+
+void PairPainter2::draw_edge(PictureCanvas& canvas, std::uint32_t surface, bool is_back, const std::string& label,
+                             const Colour& colour) const {
+  const double unit = sheet_.unit();
+  const Pixel from = sheet_.from(surface), to = sheet_.to(surface);
+  canvas.stroke(Mark::kTarget, from, to, colour, std::max(2.4 * sheet_.wall_width(), 5 * unit));
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  if (length == 0) return;
+  // Right of from -> to is the front; the label keeps clear of the line, however wide it is, and of the border.
+  const TextStyle style{
+      .size = 24 * unit, .colour = colour, .anchor = TextAnchor::kCentre, .weight = TextWeight::kBold};
+  const double half = canvas.text_width(label, style) / 2, side = is_back ? -1 : 1;
+  const double across_x = -side * (to.y - from.y) / length, across_y = side * (to.x - from.x) / length;
+  const double away = 16 * unit + std::abs(across_x) * half + std::abs(across_y) * 9 * unit;
+  const double x = (from.x + to.x) / 2 + away * across_x, y = (from.y + to.y) / 2 + away * across_y;
+  canvas.text(
+      Mark::kLabel,
+      {std::clamp(x, std::min(half, sheet_.width() / 2.0), std::max(sheet_.width() - half, sheet_.width() / 2.0)),
+       std::clamp(y + 9 * unit, 24 * unit, sheet_.height() - 8 * unit)},
+      label, style);
+}
+
+std::string visibility_picture_2(const PreparedScene2& prepared, const VisibilityDrawing& drawing,
+                                 PictureFormat format) {
+  const VisibilityPainter2 painter(prepared, drawing);
+  CairoCanvas canvas(format, painter.width(), painter.height());
+  painter.draw(canvas);
+  return canvas.finish();
+}
+
+std::string pair_picture_2(const PreparedScene2& prepared, const PairDrawing& drawing, PictureFormat format) {
+  const PairPainter2 painter(prepared, drawing);
+  CairoCanvas canvas(format, painter.width(), painter.height());
+  painter.draw(canvas);
+  return canvas.finish();
+}
+
+}  // namespace hottel

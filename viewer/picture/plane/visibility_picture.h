@@ -1,0 +1,74 @@
+// What a point sees, and what two edges see of each other, as drawings.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/plane/exchange/exchange.h"
+#include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/canvas.h"
+#include "viewer/picture/plane/scene_sheet.h"
+
+namespace hottel {
+
+// All points in scene coordinates, finite; they are rounded, being for the eye only.
+struct VisibilityDrawing {
+  SheetText sheet{};
+  std::array<double, 2> eye{};
+  std::vector<std::array<double, 2>> polygon{};  // the visible region, in order; may reach far outside the scene
+  std::vector<std::array<double, 2>> rays_to{};  // e.g. the vertices where the view jumps
+};
+
+// Two edges, their critical points, and lines between them. A: the edge whose critical points are shown.
+struct PairDrawing {
+  SheetText sheet{};
+  std::uint32_t a = 0, b = 0;  // surfaces; may be the same
+  bool a_is_back = false, b_is_back = false;
+  std::string a_label = "A", b_label = "B";
+  std::vector<std::array<double, 2>> critical_on_a{};
+  std::vector<std::pair<std::array<double, 2>, std::array<double, 2>>> lines{};
+};
+
+// The size of the drawing on a sheet, and the drawing on a canvas of that size.
+//
+//   (1) the light lies over the floors and beneath the walls, translucent and warm
+//   (2) the eye and all critical points are shown, outside the scene too; what reaches out of the picture is cut off
+class VisibilityPainter2 {
+ public:
+  VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing& drawing);
+  std::uint32_t width() const { return sheet_.width(); }
+  std::uint32_t height() const { return sheet_.height(); }
+  void draw(PictureCanvas& canvas) const;
+
+ private:
+  const VisibilityDrawing& drawing_;
+  SceneSheet2 sheet_;
+};
+
+//   (1) each of the two edges is drawn in a colour of its own, with its label on the side that is meant
+//   (2) one small circle for each critical point
+// REQUIRES valid surface indices.
+class PairPainter2 {
+ public:
+  PairPainter2(const PreparedScene2& prepared, const PairDrawing& drawing);
+  std::uint32_t width() const { return sheet_.width(); }
+  std::uint32_t height() const { return sheet_.height(); }
+  void draw(PictureCanvas& canvas) const;
+
+ private:
+  void draw_edge(PictureCanvas& canvas, std::uint32_t surface, bool is_back, const std::string& label,
+                 const Colour& colour) const;
+
+  const PairDrawing& drawing_;
+  SceneSheet2 sheet_;
+};
+
+// Return the bytes of the picture file.
+std::string visibility_picture_2(const PreparedScene2& prepared, const VisibilityDrawing& drawing,
+                                 PictureFormat format);
+std::string pair_picture_2(const PreparedScene2& prepared, const PairDrawing& drawing, PictureFormat format);
+
+}  // namespace hottel
