@@ -14,7 +14,9 @@
 
 #include "benchmarks/clutter.h"
 #include "geometry/pair_table.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/exchange/exchange_options.h"
 #include "geometry/plane/exchange/gap_terms.h"
 #include "geometry/plane/exchange/term_sums.h"
 #include "kernel/support/parallel.h"
@@ -41,42 +43,42 @@ struct PlainMatrix {
 
 PlainMatrix plain_exchange(const PreparedScene2& prepared) {
   const Arrangement2& arrangement = prepared.arrangement;
-  const Labels2 labels(prepared.scene, arrangement, prepared.division, Per::kFace);
+  const ElementTable2 elements(prepared.scene, arrangement, prepared.division, Granularity::kFace);
   const Vertices2& vertices = arrangement.vertices();
   const auto distance = [&vertices](VertexId v, VertexId w) {
     const auto &p = vertices.approximate(v), &q = vertices.approximate(w);
     return std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y));
   };
 
-  PairTable<PlainTerm> table;
+  PairTable<PlainTerm> pairs;
   View2 view;
   for (VertexId v = 0; v < vertices.size(); ++v) {
     look_around(vertices, arrangement.triangulation(), v, view);
     for_each_gap(vertices, v, view, true, [&](const Gap2& gap) {
       const double length = distance(gap.v, gap.w);
-      for_each_term(gap, labels, [&](std::uint32_t i, std::uint32_t j, int sign) {
-        table.add({pair_key(i, j), sign * (i == j ? 2 : 1) * length});
+      for_each_term(gap, elements, [&](std::uint32_t i, std::uint32_t j, int sign) {
+        pairs.add({pair_key(i, j), sign * (i == j ? 2 : 1) * length});
       });
     });
   }
 
-  std::vector<double> twice_length(labels.count() + 1, 0);
+  std::vector<double> twice_length(elements.count() + 1, 0);
   for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
     const Segment2& piece = arrangement.pieces()[side / 2];
-    twice_length[labels.of(static_cast<PieceSideId>(side))] += 2 * distance(piece.a, piece.b);
+    twice_length[elements.of(static_cast<PieceSideId>(side))] += 2 * distance(piece.a, piece.b);
   }
-  const std::vector<PlainTerm> sums = table.take();
+  const std::vector<PlainTerm> sums = pairs.take();
   PlainMatrix matrix;
-  matrix.begin.assign(labels.count() + 1, 0);
+  matrix.begin.assign(elements.count() + 1, 0);
   const auto each_entry = [&](const auto& visit) {
     for (const auto& [key, value] : sums) {
       const auto i = static_cast<std::uint32_t>(key >> 32), j = static_cast<std::uint32_t>(key);
-      if (labels.has_row(i)) visit(i, j, value);
-      if (i != j && labels.has_row(j)) visit(j, i, value);
+      if (elements.has_row(i)) visit(i, j, value);
+      if (i != j && elements.has_row(j)) visit(j, i, value);
     }
   };
   each_entry([&](std::uint32_t i, std::uint32_t, double) { ++matrix.begin[i + 1]; });
-  for (std::uint32_t i = 0; i < labels.count(); ++i) matrix.begin[i + 1] += matrix.begin[i];
+  for (std::uint32_t i = 0; i < elements.count(); ++i) matrix.begin[i + 1] += matrix.begin[i];
   matrix.entries.resize(matrix.begin.back());
   std::vector<std::size_t> next(matrix.begin.begin(), matrix.begin.end() - 1);  // rows ascend, as the keys do
   each_entry([&](std::uint32_t i, std::uint32_t j, double value) {

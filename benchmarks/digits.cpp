@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/clutter.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "kernel/support/parallel.h"
 

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "benchmarks/clutter.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/stopwatch.h"
@@ -30,7 +31,8 @@ struct Divided2 {
 Divided2 solve_divided(Scene2 scene, std::uint32_t elements) {
   for (Surface2& surface : scene.surfaces) surface.elements = elements;
   const PreparedScene2 prepared = prepare(std::move(scene), Divided::kYes);
-  const ExchangeMatrix matrix = exact_exchange(prepared, {.per = Per::kElement, .wants_visibility = false});
+  const ExchangeMatrix matrix =
+      exact_exchange(prepared, {.granularity = Granularity::kElement, .wants_visibility = false});
   const RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission);
   Divided2 result{elements, matrix.elements(), {}, {}, solution.max_relative_width, matrix.entry_count() / 2};
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {

@@ -9,6 +9,7 @@
 
 #include "benchmarks/clutter.h"
 #include "benchmarks/peak_memory.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "kernel/support/parallel.h"
 

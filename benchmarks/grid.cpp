@@ -26,11 +26,11 @@ enum class Light : bool { kPoints, kAverages };
 void grid(benchmark::State& state, Light light, const Scene2& scene, std::uint32_t side, int threads) {
   const ThreadLimit limit(threads);
   const PreparedScene2 prepared = prepare(scene);
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   std::vector<double> radiosity;
-  for (std::size_t k = 0; k < std::size_t{labels.count()} * kChannels; ++k)
+  for (std::size_t k = 0; k < std::size_t{table.count()} * kChannels; ++k)
     radiosity.push_back(1 + 0.001 * static_cast<double>(k));
-  const FaceRadiosity2 faces(prepared.arrangement, labels, radiosity, std::vector<double>(kChannels, 0.0));
+  const FaceRadiosity2 faces(prepared.arrangement, table, radiosity, std::vector<double>(kChannels, 0.0));
   Scene2 without_grid = scene;
   without_grid.grid.reset();
   const Grid2 cells = grid_over(without_grid, side, side);

@@ -29,7 +29,7 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
 

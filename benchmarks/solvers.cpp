@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "benchmarks/clutter.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "solver/radiosity/radiosity.h"
 

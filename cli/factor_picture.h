@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "viewer/picture/cairo_canvas.h"
 
 namespace hottel {

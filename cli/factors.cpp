@@ -26,7 +26,7 @@ namespace {
 
 struct FactorsOptions {
   std::string scene, out;
-  std::string method = "exact", per = "face", pairs = "visible", matrix;
+  std::string method = "exact", granularity = "face", pairs = "visible", matrix;
   std::optional<std::string> tolerance;
   ElementOptions elements;
   std::vector<std::string> exact_form;
@@ -54,8 +54,8 @@ Format format_of(const FactorsOptions& options) {
                   is_csv_only ? "as .csv" : "as .csv, .mtx, .npy, .txt (View3D) or .bin (View3D)", options.out));
 }
 
-Per per_of(const std::string& name) {
-  return name == "element" ? Per::kElement : name == "group" ? Per::kGroup : Per::kFace;
+Granularity per_of(const std::string& name) {
+  return name == "element" ? Granularity::kElement : name == "group" ? Granularity::kGroup : Granularity::kFace;
 }
 
 bool is_exact(const FactorsOptions& options) { return options.method == "exact"; }
@@ -139,14 +139,14 @@ std::string report_text(const FactorsOptions& options, const ExchangeReport& rep
   for (const auto& [stage, time] : report.seconds) seconds += time;
   if (!is_exact(options)) {
     std::string text =
-        fmt::format("{} factors of {} {}s; {:.3f} s", report.pairs, report.elements, options.per, seconds);
+        fmt::format("{} factors of {} {}s; {:.3f} s", report.pairs, report.elements, options.granularity, seconds);
     for (const std::string& note : method.notes) text += "\n" + note;
     return text;
   }
   std::string text = fmt::format(
       "{} visible pairs of {} {}s, every factor correctly rounded; rows close exactly\n"
       "settled by: {} without rounding, {} in 128-bit fixed point, {} by balls, {} by root sums; {:.3f} s",
-      report.pairs, report.elements, options.per, report.tiers.by_tier[0], report.tiers.by_tier[1],
+      report.pairs, report.elements, options.granularity, report.tiers.by_tier[0], report.tiers.by_tier[1],
       report.tiers.by_tier[2], report.tiers.by_tier[3], seconds);
   if (gray)
     text += fmt::format("\nscript-F of {} pairs, bounds within {:.1e} of the value; {:.3f} s",
@@ -190,8 +190,8 @@ void require_sense(const FactorsOptions& options) {
     throw UsageError("--script-f is written as --matrix factor, not --matrix " + options.matrix);
   if (options.script_f && options.pairs != "visible") throw UsageError("--script-f lists all pairs that exchange heat");
   if (options.picture.empty() != options.toward.empty()) throw UsageError("--picture and --toward go together");
-  if (!options.picture.empty() && options.per != "face")
-    throw UsageError("--picture colours whole faces: it is drawn --per face, not --per " + options.per);
+  if (!options.picture.empty() && options.granularity != "face")
+    throw UsageError("--picture colours whole faces: it is drawn --per face, not --per " + options.granularity);
 }
 
 // Writes the factors to `out`, and for .mtx and .npy what their rows are to `rows`.
@@ -199,7 +199,7 @@ void write_factors(const FactorsOptions& options, const PreparedScene2& prepared
                    Format format, OutputFile& out, std::optional<OutputFile>& rows) {
   const Sink sink = [&out](std::string_view text) { out.write(text); };
   if (options.wants_exact_form) {
-    std::optional<LabelPair> only;
+    std::optional<ElementPair> only;
     if (!options.exact_form.empty())
       only = {require_element(table.matrix, options.exact_form[0]),
               require_element(table.matrix, options.exact_form[1])};
@@ -233,7 +233,7 @@ void require_room_for(const FactorsOptions& options, const Scene2& scene, Format
   if (format == Format::kView3dText) dense = DenseFormat::kView3dText;
   if (format == Format::kView3dBinary) dense = DenseFormat::kView3dBinary;
   if (!dense || (options.json && options.out.empty())) return;
-  const DenseSize size = dense_size(scene, per_of(options.per), *dense);
+  const DenseSize size = dense_size(scene, per_of(options.granularity), *dense);
   const bool is_text = *dense == DenseFormat::kCsv || *dense == DenseFormat::kView3dText;
   require_space(options.out.empty() ? "-" : options.out, size.bytes,
                 fmt::format("{}: a dense matrix of {} x {} numbers takes {}", options.scene, size.rows, size.rows,
@@ -243,18 +243,18 @@ void require_room_for(const FactorsOptions& options, const Scene2& scene, Format
 
 ExchangeMatrix compute(const FactorsOptions& options, const ExchangeMethod2& method, const PreparedScene2& prepared,
                        const Streams& streams, ExchangeReport& report, MethodReport& of_method) {
-  const Per per = per_of(options.per);
+  const Granularity granularity = per_of(options.granularity);
   if (is_exact(options))
     return naming_file(options.scene, [&] {
       return exact_exchange(prepared,
-                            {.per = per,
+                            {.granularity = granularity,
                              .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
                              .wants_measures = options.matrix == "exchange",
                              .memory = memory_allowed(options.memory),
                              .progress = streams.progress("view factors")},
                             &report);
     });
-  ComputedFactors computed = factors_by(method, prepared, per);
+  ComputedFactors computed = factors_by(method, prepared, granularity);
   report = computed.counts;
   of_method = computed.report;
   return std::move(computed.matrix);
@@ -278,12 +278,13 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
         "other methods are as good as the method");
   options.elements.apply_to(scene);
   require_room_for(options, scene, format);
-  const Per per = per_of(options.per);
+  const Granularity granularity = per_of(options.granularity);
   const PictureTargets targets = picture ? picture_targets(scene, options.toward) : PictureTargets{};
   // An approximate method works on elements, whatever is asked for in the end.
-  const bool is_divided = per == Per::kElement || !(is_exact(options) || has_rows_of_its_own(options.method));
+  const bool is_divided =
+      granularity == Granularity::kElement || !(is_exact(options) || has_rows_of_its_own(options.method));
   if (!is_divided && options.elements.is_given())
-    streams.note("elements change nothing here: rows are those of whole " + options.per +
+    streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");
   const PreparedScene2 prepared = prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
 
@@ -299,9 +300,10 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   const ExchangeMatrix matrix = compute(options, *method, prepared, streams, report, of_method);
   const std::optional<GrayFactors> gray =
       options.script_f ? std::optional(gray_factors(options, prepared, matrix, streams)) : std::nullopt;
-  FactorTable table{prepared.scene, gray ? gray->matrix : matrix, per, {}, {}};
+  FactorTable table{prepared.scene, gray ? gray->matrix : matrix, granularity, {}, {}};
   if (gray) table.gray_channel = gray->channel;
-  if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = hidden_pairs(prepared, per, matrix);
+  if (options.pairs == "facing" || options.matrix == "visibility")
+    table.hidden = hidden_pairs(prepared, granularity, matrix);
   if (drawing)
     drawing->write(factor_picture(prepared, table.matrix, targets, gray ? "script-F" : "view factor", *picture));
   if (out) naming_file(options.scene, [&] { write_factors(options, prepared, table, format, *out, rows); });
@@ -346,7 +348,7 @@ void add_factors(Commands& commands) {
           "--tolerance", options->tolerance,
           "for scenes in space, which this version does not read: refused in the plane, where factors are exact")
       ->type_name("T");
-  command.add_option("--per", options->per, "one row per face, element or group (polyline)")
+  command.add_option("--per", options->granularity, "one row per face, element or group (polyline)")
       ->check(CLI::IsMember({"face", "element", "group"}))
       ->capture_default_str();
   options->pairs_option =

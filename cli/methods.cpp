@@ -70,7 +70,7 @@ bool has_rows_of_its_own(const std::string& method) {
   return family == "file" || family == "run";
 }
 
-ComputedFactors factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared, Per per) {
+ComputedFactors factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared, Granularity granularity) {
   ComputedFactors result;
   Stopwatch watch;
   try {
@@ -78,9 +78,10 @@ ComputedFactors factors_by(const ExchangeMethod2& method, const PreparedScene2& 
   } catch (const RequestError& error) {
     throw RequestError(fmt::format("{}: the method {}: {}", prepared.scene.file, method.info().name, error.what()));
   }
-  if (per == Per::kGroup || (per == Per::kFace && std::any_of(prepared.division.begin(), prepared.division.end(),
-                                                              [](std::uint32_t parts) { return parts > 1; })))
-    result.matrix = coarsened(result.matrix, prepared, per);
+  if (granularity == Granularity::kGroup ||
+      (granularity == Granularity::kFace &&
+       std::any_of(prepared.division.begin(), prepared.division.end(), [](std::uint32_t parts) { return parts > 1; })))
+    result.matrix = coarsened(result.matrix, prepared, granularity);
   const double seconds = watch.lap();
   result.counts.surfaces = prepared.scene.surfaces.size();
   result.counts.vertices = prepared.arrangement.vertices().size();

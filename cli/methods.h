@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "solver/plane/methods/method_catalogue.h"
 
 namespace hottel {
@@ -36,6 +37,6 @@ bool has_rows_of_its_own(const std::string& method);
 
 // View factors by a method that is not `exact`, by elements of `prepared`, or put together per face or group.
 // Throws RequestError naming the method when it cannot be run.
-ComputedFactors factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared, Per per);
+ComputedFactors factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared, Granularity granularity);
 
 }  // namespace hottel

@@ -51,10 +51,11 @@ SceneReference refer(const std::string& file, const std::string& name, const Str
   SceneReference result;
   result.name = name;
   const PreparedScene2 prepared = prepare(read_scene_2(file), Divided::kYes);
-  const ExchangeMatrix matrix = exact_exchange(
-      prepared,
-      {.per = Per::kElement, .memory = memory_allowed(), .progress = streams.progress("view factors of " + name)},
-      &result.exchange);
+  const ExchangeMatrix matrix = exact_exchange(prepared,
+                                               {.granularity = Granularity::kElement,
+                                                .memory = memory_allowed(),
+                                                .progress = streams.progress("view factors of " + name)},
+                                               &result.exchange);
   require_closed(prepared.scene, matrix);
   RadiosityOptions options;
   options.progress = streams.progress("radiosities of " + name);
@@ -66,7 +67,7 @@ SceneReference refer(const std::string& file, const std::string& name, const Str
   });
   result.factors = matrix.entry_count();
   result.max_relative_width = solution.max_relative_width;
-  const FactorTable table{prepared.scene, matrix, Per::kElement, {}, {}};
+  const FactorTable table{prepared.scene, matrix, Granularity::kElement, {}, {}};
   const std::string folder = name + "/";
   result.files.push_back({folder + "scene.json", read_text_file(file)});
   result.files.push_back({folder + "factors.csv", written([&](const Sink& sink) { write_factors_csv(table, sink); })});

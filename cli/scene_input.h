@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/scene/scene.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

@@ -21,7 +21,7 @@
 #include "solver/plan.h"
 #include "solver/plane/check/scene_check.h"
 #include "solver/plane/light/average_illumination.h"
-#include "solver/radiosity/crude_bounds.h"
+#include "solver/radiosity/a_priori_bounds.h"
 #include "solver/radiosity/matrix_checks.h"
 #include "solver/radiosity/radiosity.h"
 #include "viewer/picture/plane/illumination_picture.h"
@@ -97,15 +97,15 @@ struct Light {
   std::optional<double> max_error{};
 };
 
-Light illuminate(const std::string& way, const PreparedScene2& prepared, const Grid2& grid, Per per,
+Light illuminate(const std::string& way, const PreparedScene2& prepared, const Grid2& grid, Granularity granularity,
                  const RadiositySolution& solution, const std::function<void(double)>& progress) {
   const auto channels = static_cast<std::uint32_t>(solution.channels.size());
   const std::vector<double> by_element = radiosity_by_element(solution);
   const std::vector<double> sky = sky_by_channel(prepared.scene.sky_emission, channels);
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, granularity);
   if (way == "inverse-square")
-    return {illuminate_inverse_square(prepared, grid, labels, by_element, channels, progress)};
-  const FaceRadiosity2 faces(prepared.arrangement, labels, by_element, sky);
+    return {illuminate_inverse_square(prepared, grid, table, by_element, channels, progress)};
+  const FaceRadiosity2 faces(prepared.arrangement, table, by_element, sky);
   if (way == "point") return {illuminate_points(prepared, grid, faces, progress)};
   AverageIllumination averages = illuminate_averages(prepared, grid, faces, progress);
   return {std::move(averages.grid), averages.max_error};
@@ -125,9 +125,9 @@ std::string draw(const SolveOptions& options, Tone tone, const PreparedScene2& p
 constexpr std::size_t kFacesOnAScreen = 12;
 
 // View factors by another method than the exact one; what is to be said of it.
-ExchangeMatrix approximate_factors(const ExchangeMethod2& method, const PreparedScene2& prepared, Per per,
-                                   ExchangeReport& exchange, std::vector<std::string>& notes) {
-  ComputedFactors computed = factors_by(method, prepared, per);
+ExchangeMatrix approximate_factors(const ExchangeMethod2& method, const PreparedScene2& prepared,
+                                   Granularity granularity, ExchangeReport& exchange, std::vector<std::string>& notes) {
+  ComputedFactors computed = factors_by(method, prepared, granularity);
   for (std::uint32_t i = 0; i < computed.matrix.size(); ++i)
     for (const FactorEntry& entry : computed.matrix.row(i))
       if (entry.factor.value < 0)
@@ -166,7 +166,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const Plan plan(scene, {options.simulate == "everything", wants_light ? std::uint64_t{grid.nx} * grid.ny : 0});
   streams.note(plan_text(plan));
   const bool is_divided = plan.uses(Plan::kSubdivision);
-  const Per per = is_divided ? Per::kElement : Per::kFace;
+  const Granularity granularity = is_divided ? Granularity::kElement : Granularity::kFace;
   const PreparedScene2 prepared = prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
 
   const OutputFolder folder(directory);
@@ -183,7 +183,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const bool is_exact = options.method == "exact";
   const auto exact_factors = [&] {
     return exact_exchange(prepared,
-                          {.per = per,
+                          {.granularity = granularity,
                            .wants_visibility = false,
                            .occlusion = plan.uses(Plan::kOcclusion),
                            .memory = memory_allowed(options.memory.value_or(0)),
@@ -191,7 +191,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
                           &exchange);
   };
   const ExchangeMatrix matrix = is_exact ? naming_file(options.scene, exact_factors)
-                                         : approximate_factors(*method, prepared, per, exchange, notes);
+                                         : approximate_factors(*method, prepared, granularity, exchange, notes);
   if (is_exact) require_closed(prepared.scene, matrix);  // an error of the method is none of the scene
   seconds.insert(exchange.seconds.begin(), exchange.seconds.end());
 
@@ -215,7 +215,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
                         : fmt::format("the equations of these factors are solved within {:.1e}; the bounds are those "
                                       "that hold for any factors",
                                       solution.max_relative_width));
-    set_crude_bounds(matrix, materials, sky, solution);
+    set_a_priori_bounds(matrix, materials, sky, solution);
   }
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
   seconds.insert(solution.seconds.begin(), solution.seconds.end());
@@ -225,7 +225,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   std::optional<Light> light;
   if (wants_light) {
     light = naming_file(options.scene, [&] {
-      return illuminate(options.illumination, prepared, grid, per, solution, streams.progress("illumination"));
+      return illuminate(options.illumination, prepared, grid, granularity, solution, streams.progress("illumination"));
     });
     seconds["illumination"] = watch.lap();
   }

@@ -9,6 +9,7 @@
 #include "cli/visibility_answer.h"
 #include "geometry/name.h"
 #include "geometry/plane/check/face_cover.h"
+#include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/pair_rounding.h"
 #include "geometry/plane/visibility/critical_points.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
@@ -130,17 +131,17 @@ std::optional<FaceName> face_or_sky(const Scene2& scene, const std::string& name
 // The pair in closed form; one of the two may be the sky, whose area is left 0 and which takes all there is: S0 = A.
 ExactPair2 exact_pair_of(const PreparedScene2& prepared, const std::optional<FaceName>& a,
                          const std::optional<FaceName>& b) {
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   const auto label_of = [&](const std::optional<FaceName>& face) {
-    if (!face) return labels.sky();
-    const auto& elements = labels.elements();
+    if (!face) return table.sky();
+    const auto& elements = table.elements();
     return static_cast<std::uint32_t>(
         std::find_if(elements.begin(), elements.end(),
                      [&](const Element& e) { return e.surface == face->surface && e.is_back == face->is_back; }) -
         elements.begin());
   };
-  if (a) return exact_pair(prepared, labels, Per::kFace, label_of(a), label_of(b));
-  ExactPair2 pair = exact_pair(prepared, labels, Per::kFace, label_of(b), label_of(a));
+  if (a) return exact_pair(prepared, table, Granularity::kFace, label_of(a), label_of(b));
+  ExactPair2 pair = exact_pair(prepared, table, Granularity::kFace, label_of(b), label_of(a));
   std::swap(pair.area_from, pair.area_to);
   return pair;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/name.h"
+#include "geometry/plane/exchange/exchange.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/light/mean_irradiance.h"
@@ -89,12 +90,13 @@ std::string where(const PreparedScene2& prepared, const VisibilityPolygon2& poly
 // The mean irradiance at a point once the light has been reflected until it is absorbed, per channel.
 void add_mean_irradiance(const PreparedScene2& prepared, const VisibilityPolygon2& seen, Answer& answer) {
   const Vertices2& vertices = prepared.arrangement.vertices();
-  const ExchangeMatrix matrix = exact_exchange(prepared, {.per = Per::kFace, .wants_visibility = false});
+  const ExchangeMatrix matrix =
+      exact_exchange(prepared, {.granularity = Granularity::kFace, .wants_visibility = false});
   const RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission, {});
   require_doubles(matrix, prepared.scene.sky_emission, solution);
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   const std::vector<double> sky = sky_by_channel(prepared.scene.sky_emission, solution.channels.size());
-  const FaceRadiosity2 faces(prepared.arrangement, labels, radiosity_by_element(solution), sky);
+  const FaceRadiosity2 faces(prepared.arrangement, table, radiosity_by_element(solution), sky);
   const Eye2 look(vertices, vertices.from_scene(seen.eye));
   std::vector<double> mean(solution.channels.size());
   mean_irradiance(vertices, faces, look, seen.location, seen.view, mean);

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
 #include "kernel/rounding.h"
 #include "viewer/picture/cairo_canvas.h"

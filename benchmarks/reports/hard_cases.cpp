@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "io/files/output_file.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"

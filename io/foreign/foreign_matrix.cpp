@@ -8,7 +8,7 @@
 
 #include "geometry/name.h"
 #include "geometry/near_names.h"
-#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "io/foreign/foreign_command.h"
 #include "kernel/rational.h"
 
@@ -194,7 +194,7 @@ ExchangeMatrix match_foreign_matrix(const ForeignMatrix& foreign, std::vector<El
 namespace {
 
 std::vector<Element> elements_of(const PreparedScene2& prepared) {
-  return Labels2(prepared.scene, prepared.arrangement, prepared.division, Per::kElement).elements();
+  return ElementTable2(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement).elements();
 }
 
 // What a method that reads knows of itself: where from.

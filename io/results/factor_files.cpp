@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 
+#include "geometry/plane/exchange/closed_forms.h"
 #include "io/results/npy.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
@@ -181,11 +182,11 @@ void write_faces_csv(const FactorTable& table, const Sink& sink) {
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     const Element& element = matrix.elements()[i];
     const Surface2& surface = table.scene.surfaces[element.surface];
-    const std::string face = table.per == Per::kGroup ? element.name : face_name(table.scene, element);
+    const std::string face = table.granularity == Granularity::kGroup ? element.name : face_name(table.scene, element);
     require_double(element.area.value, area_of(matrix, i));
     out << fmt::format("{},{},{},", i + 1, csv_field(face), element.part) << element.area.value << ","
         << (element.material ? csv_field(table.scene.materials[*element.material].name) : "");
-    if (table.per == Per::kGroup) {
+    if (table.granularity == Granularity::kGroup) {
       out << ",,,,\n";
       continue;
     }
@@ -292,13 +293,13 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
   out.flush();
 }
 
-DenseSize dense_size(const Scene2& scene, Per per, DenseFormat format) {
+DenseSize dense_size(const Scene2& scene, Granularity granularity, DenseFormat format) {
   std::uint64_t all = 0, radiating = 0;  // labels, and those with a material
   const auto add = [&](std::uint64_t count, bool radiates) {
     all += count;
     if (radiates) radiating += count;
   };
-  if (per == Per::kGroup) {
+  if (granularity == Granularity::kGroup) {
     std::vector<char> has_back(scene.groups.size(), 0);
     for (const Surface2& surface : scene.surfaces)
       if (surface.back) has_back[surface.group] = 1;
@@ -308,7 +309,7 @@ DenseSize dense_size(const Scene2& scene, Per per, DenseFormat format) {
     }
   } else {
     for (const Surface2& surface : scene.surfaces) {
-      const std::uint64_t parts = per == Per::kElement ? surface.elements : 1;
+      const std::uint64_t parts = granularity == Granularity::kElement ? surface.elements : 1;
       add(parts, true);
       add(surface.back ? parts : 1, surface.back.has_value());
     }
@@ -335,9 +336,9 @@ DenseSize dense_size(const Scene2& scene, Per per, DenseFormat format) {
 }
 
 void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared,
-                           const std::optional<LabelPair>& only, const Sink& sink) {
+                           const std::optional<ElementPair>& only, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
-  std::vector<LabelPair> listed;  // (from, to)
+  std::vector<ElementPair> listed;  // (from, to)
   if (only) {
     listed.push_back(*only);
   } else {
@@ -345,16 +346,16 @@ void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepa
       listed.emplace_back(from, entry.to);
     });
   }
-  std::vector<LabelPair> pairs;
+  std::vector<ElementPair> pairs;
   for (const auto& [from, to] : listed) pairs.emplace_back(std::min(from, to), std::max(from, to));
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  const std::vector<RootSum> measures = exact_exchange_measures(prepared, table.per, pairs);
-  const std::vector<RootSum> areas = exact_areas(prepared, table.per);
+  const std::vector<RootSum> measures = exact_exchange_measures(prepared, table.granularity, pairs);
+  const std::vector<RootSum> areas = exact_areas(prepared, table.granularity);
   Buffer out(sink);
   out << "from,to,exchange,area\n";
   for (const auto& [from, to] : listed) {
-    const LabelPair pair{std::min(from, to), std::max(from, to)};
+    const ElementPair pair{std::min(from, to), std::max(from, to)};
     const auto place = std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin();
     out << csv_field(name_of(matrix, from)) << "," << csv_field(name_of(matrix, to)) << ","
         << measures[static_cast<std::size_t>(place)].to_string() << ","

@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/element_table.h"
 
 namespace hottel {
 
@@ -23,8 +25,8 @@ using Sink = std::function<void(std::string_view)>;
 struct FactorTable {
   const Scene2& scene;
   const ExchangeMatrix& matrix;
-  Per per = Per::kFace;
-  std::vector<LabelPair> hidden = {};    // pairs with S = 0 < S0, sorted: zeros in the formats that list pairs
+  Granularity granularity = Granularity::kFace;
+  std::vector<ElementPair> hidden = {};  // pairs with S = 0 < S0, sorted: zeros in the formats that list pairs
   std::optional<int> gray_channel = {};  // the matrix is script-F (gray_exchange.h) of this channel; else view factors
 };
 
@@ -61,12 +63,12 @@ struct DenseSize {
   std::uint64_t rows = 0;
   std::uint64_t bytes = 0;
 };
-DenseSize dense_size(const Scene2& scene, Per per, DenseFormat format);
+DenseSize dense_size(const Scene2& scene, Granularity granularity, DenseFormat format);
 
 // `from,to,exchange,area`: S(from, to) and A_from as sums of square roots, in scene units; of all pairs that are
 // listed, or of one pair (from, to), be it listed or not.
 void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared,
-                           const std::optional<LabelPair>& only, const Sink& sink);
+                           const std::optional<ElementPair>& only, const Sink& sink);
 
 // The face that an element is a part of: "wall" or "wall:back".
 std::string face_name(const Scene2& scene, const Element& element);

@@ -173,11 +173,12 @@ class SceneReader {
     if (about) read_string(about, {entry.owner, "about"});
 
     entry.surface.group = static_cast<std::uint32_t>(scene_.groups.size());
-    scene_.groups.emplace_back(entry.name, behind ? read_behind(behind, {entry.owner, "behind"}) : Behind::kByOutline);
+    scene_.groups.emplace_back(entry.name,
+                               behind ? suppose_behind(behind, {entry.owner, "behind"}) : Behind::kByOutline);
     return entry;
   }
 
-  static Behind read_behind(const JsonValue& value, const Subject& subject) {
+  static Behind suppose_behind(const JsonValue& value, const Subject& subject) {
     const std::string text = read_string(value, subject);
     if (text == "solid") return Behind::kSolid;
     if (text == "open") return Behind::kOpen;

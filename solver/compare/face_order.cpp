@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "geometry/name.h"
-#include "solver/compare/readings.h"
+#include "solver/compare/hypotheses.h"
 
 namespace hottel {
 namespace {
@@ -144,8 +144,8 @@ std::string order_words(const JudgedPairs& judged, const std::vector<std::uint32
 
 }  // namespace
 
-Reading read_permuted(const JudgedPairs& judged) {
-  Reading result{Fault::kPermuted, std::vector<char>(judged.pairs().size(), 0), ""};
+Hypothesis suppose_permuted(const JudgedPairs& judged) {
+  Hypothesis result{Fault::kPermuted, std::vector<char>(judged.pairs().size(), 0), ""};
   if (judged.off() < 2) return result;
   OrderSearch search(judged);
   const std::vector<std::size_t> order = search.find();

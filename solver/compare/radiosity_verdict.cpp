@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostNamed = 5;
 
 // What another quantity would be in the place of a radiosity.
-struct RadiosityReading {
+struct RadiosityHypothesis {
   std::string words;
   std::function<double(const JudgedRadiosity&)> value;
 };
@@ -24,8 +24,8 @@ class RadiosityJudge {
  public:
   RadiosityJudge(const ExchangeMatrix& exact, const RadiositySolution& solution) : exact_(exact), solution_(solution) {}
 
-  std::vector<RadiosityReading> readings() const {
-    std::vector<RadiosityReading> all;
+  std::vector<RadiosityHypothesis> hypotheses() const {
+    std::vector<RadiosityHypothesis> all;
     for (const NamedFactor& factor : kNamedFactors)
       all.push_back({fmt::format("radiosities times {}", factor.words),
                      [by = factor.value](const JudgedRadiosity& each) { return by * each.exact; }});
@@ -78,15 +78,15 @@ RadiosityVerdict judge_radiosities(const ExchangeMatrix& exact, const RadiosityS
   verdict.outside = outside.size();
   if (verdict.max_error > 0) verdict.max_error /= brightest;  // infinite in the dark
   const RadiosityJudge judge(exact, solution);
-  for (const RadiosityReading& reading : judge.readings()) {
+  for (const RadiosityHypothesis& hypothesis : judge.hypotheses()) {
     const auto explained =
         static_cast<std::uint64_t>(std::count_if(outside.begin(), outside.end(), [&](const JudgedRadiosity& each) {
-          const double rest = std::abs(each.value - reading.value(each));
+          const double rest = std::abs(each.value - hypothesis.value(each));
           return rest <= beyond * brightest + digits.rounding(each.value) && rest <= each.error() / 2;
         }));
     if (explained <= verdict.explained || 2 * explained < outside.size()) continue;
     verdict.explained = explained;
-    verdict.reading = reading.words;
+    verdict.hypothesis = hypothesis.words;
   }
   const auto count = static_cast<std::ptrdiff_t>(std::min(kMostNamed, outside.size()));
   std::partial_sort(outside.begin(), outside.begin() + count, outside.end(),
@@ -108,9 +108,9 @@ std::vector<std::string> verdict_sentences(const RadiosityVerdict& verdict, cons
       "{} of {} radiosities lie outside the proven bounds, whatever digits were left out; the largest error "
       "is {:.3g} of the largest radiosity ({})",
       verdict.outside, verdict.count, verdict.max_error, worst)};
-  if (!verdict.reading.empty())
-    sentences.push_back(
-        fmt::format("these are {}: this explains {} of the {}", verdict.reading, verdict.explained, verdict.outside));
+  if (!verdict.hypothesis.empty())
+    sentences.push_back(fmt::format("these are {}: this explains {} of the {}", verdict.hypothesis, verdict.explained,
+                                    verdict.outside));
   return sentences;
 }
 

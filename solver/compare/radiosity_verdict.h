@@ -24,7 +24,7 @@ struct RadiosityVerdict {
 
   // What most of those outside are, in words: irradiances, net fluxes, emissions, B - E, one reflection only, B times a
   // known constant. Empty when they are none of these.
-  std::string reading;
+  std::string hypothesis;
   std::uint64_t explained = 0;
 };
 

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "geometry/name.h"
-#include "solver/compare/readings.h"
+#include "solver/compare/hypotheses.h"
 
 namespace hottel {
 namespace {
@@ -60,36 +60,36 @@ void judge_reciprocity(const JudgedPairs& judged, Verdict& verdict) {
   }
 }
 
-std::vector<Reading> readings_of(const PreparedScene2& prepared, const JudgedPairs& judged) {
+std::vector<Hypothesis> hypotheses_of(const PreparedScene2& prepared, const JudgedPairs& judged) {
   const std::vector<double> unobstructed = unobstructed_factors(prepared, judged);
-  std::vector<Reading> readings;
-  readings.push_back(read_transposed(judged));
-  readings.push_back(read_constant_factor(judged));
-  readings.push_back(read_row_factor(judged));
-  readings.push_back(read_reversed(prepared, judged));
-  readings.push_back(read_permuted(judged));
-  readings.push_back(read_no_occlusion(judged, unobstructed));
-  readings.push_back(read_all_or_nothing(judged, unobstructed));
-  readings.push_back(read_sky_missing(judged));
-  readings.push_back(read_sky_is_rest(judged));
-  readings.push_back(read_missing(judged));
-  readings.push_back(read_behind(judged, unobstructed));
-  return readings;
+  std::vector<Hypothesis> hypotheses;
+  hypotheses.push_back(suppose_transposed(judged));
+  hypotheses.push_back(suppose_constant_factor(judged));
+  hypotheses.push_back(suppose_row_factor(judged));
+  hypotheses.push_back(suppose_reversed(prepared, judged));
+  hypotheses.push_back(suppose_permuted(judged));
+  hypotheses.push_back(suppose_no_occlusion(judged, unobstructed));
+  hypotheses.push_back(suppose_all_or_nothing(judged, unobstructed));
+  hypotheses.push_back(suppose_sky_missing(judged));
+  hypotheses.push_back(suppose_sky_is_rest(judged));
+  hypotheses.push_back(suppose_missing(judged));
+  hypotheses.push_back(suppose_behind(judged, unobstructed));
+  return hypotheses;
 }
 
 // Takes the reading that explains most of what is left, again and again.
-void choose_findings(std::vector<Reading> readings, const JudgedPairs& judged, Verdict& verdict) {
+void choose_findings(std::vector<Hypothesis> hypotheses, const JudgedPairs& judged, Verdict& verdict) {
   std::vector<char> is_open(judged.pairs().size(), 0);
   for (const JudgedPair& pair : judged.pairs()) is_open[judged.index_of(pair)] = pair.is_off;
-  while (!readings.empty()) {
-    for (Reading& reading : readings)
-      for (std::size_t k = 0; k < is_open.size(); ++k) reading.explains[k] = reading.explains[k] && is_open[k];
-    const auto best = std::max_element(readings.begin(), readings.end(),
-                                       [](const Reading& a, const Reading& b) { return a.count() < b.count(); });
+  while (!hypotheses.empty()) {
+    for (Hypothesis& hypothesis : hypotheses)
+      for (std::size_t k = 0; k < is_open.size(); ++k) hypothesis.explains[k] = hypothesis.explains[k] && is_open[k];
+    const auto best = std::max_element(hypotheses.begin(), hypotheses.end(),
+                                       [](const Hypothesis& a, const Hypothesis& b) { return a.count() < b.count(); });
     if (best->count() == 0) break;
     for (std::size_t k = 0; k < is_open.size(); ++k) is_open[k] = is_open[k] && !best->explains[k];
     verdict.findings.push_back({best->fault, best->words, best->count(), worst_of(judged, best->explains)});
-    readings.erase(best);
+    hypotheses.erase(best);
   }
   verdict.unexplained = static_cast<std::uint64_t>(std::count(is_open.begin(), is_open.end(), 1));
   verdict.worst_unexplained = worst_of(judged, is_open);
@@ -135,7 +135,7 @@ Verdict judge(const PreparedScene2& prepared, const ExchangeMatrix& exact, const
   for (const JudgedPair& pair : judged.pairs()) verdict.max_error = std::max(verdict.max_error, pair.error());
   judge_laws(judged, verdict);
   judge_reciprocity(judged, verdict);
-  if (verdict.off > 0) choose_findings(readings_of(prepared, judged), judged, verdict);
+  if (verdict.off > 0) choose_findings(hypotheses_of(prepared, judged), judged, verdict);
   return verdict;
 }
 

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "solver/compare/judged_pairs.h"
 #include "solver/compare/written_factors.h"
 

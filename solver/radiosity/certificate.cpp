@@ -49,7 +49,7 @@ SplitVector zero_of(const RadiositySystem& system) {
 // The sizes of residuals, in each component times the power of two that brings the largest near 1: a vector of which
 // they are the image then stays clear of underflow, however small they are.
 std::vector<double> near_one(const RadiositySystem& system, const std::vector<char>& is_wanted,
-                             const std::vector<Enclosed>& r) {
+                             const std::vector<DoubleDoubleBall>& r) {
   std::vector<double> size(r.size(), 0);
   for (std::size_t i = 0; i < r.size(); ++i)
     if (is_wanted[system.rows()[i].component]) size[i] = std::max(r[i].size(), kUnderflow);
@@ -83,15 +83,16 @@ void start_where_nothing_is(const RadiositySystem& system, SplitVector& v) {
 }
 
 // Looks for v > 0 with A v near `target` > 0.
-PositiveVector positive_vector(const RadiositySystem& system, InnerSolver& inner, const std::vector<char>& is_wanted,
-                               std::vector<double> target, const ErrorTerms& terms) {
+PositiveVector positive_vector(const RadiositySystem& system, ApproximateInverse& inverse,
+                               const std::vector<char>& is_wanted, std::vector<double> target,
+                               const ErrorTerms& terms) {
   const std::size_t n = system.size();
   PositiveVector result{zero_of(system), std::vector<double>(n, 0), {}};
-  add(inner.solve(target), result.v);
+  add(inverse.solve(target), result.v);
   start_where_nothing_is(system, result.v);
   for (int round = 0;; ++round) {
     throw_if_interrupted();
-    const std::vector<Enclosed> minus_image = system.residual(nullptr, result.v, is_wanted, terms);
+    const std::vector<DoubleDoubleBall> minus_image = system.residual(nullptr, result.v, is_wanted, terms);
     result.is_proven = is_wanted;
     std::vector<double> correction(n, 0);
     bool is_settled = true;
@@ -109,29 +110,30 @@ PositiveVector positive_vector(const RadiositySystem& system, InnerSolver& inner
       correction[i] = target[i] + minus_image[i].hi;
     }
     if (is_settled || round == kMostRounds) return result;
-    add(inner.solve(correction), result.v);
+    add(inverse.solve(correction), result.v);
   }
 }
 
 }  // namespace
 
-Correction solve_by_component(const RadiositySystem& system, InnerSolver& inner, std::vector<double> r) {
+Correction solve_by_component(const RadiositySystem& system, ApproximateInverse& inverse, std::vector<double> r) {
   const std::vector<int> exponent = exponents_by_component(system, r);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = std::ldexp(r[i], -exponent[system.rows()[i].component]);
-  Correction x = inner.solve(r);
+  Correction x = inverse.solve(r);
   for (std::size_t c = 0; c < exponent.size(); ++c) x.constant[c] = std::ldexp(x.constant[c], exponent[c]);
   for (std::size_t i = 0; i < r.size(); ++i) x.rest[i] = std::ldexp(x.rest[i], exponent[system.rows()[i].component]);
   return x;
 }
 
-std::vector<double> refine(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, SplitVector& x) {
+std::vector<double> refine(const RadiositySystem& system, const Sources& sources, ApproximateInverse& inverse,
+                           SplitVector& x) {
   std::vector<double> history;
   const std::size_t count = system.components().size();
   std::vector<char> is_open = sources.is_lit;
   std::vector<double> best(count, kInfinity), relative(count, 0);
   for (int step = 0;; ++step) {
     throw_if_interrupted();
-    const std::vector<Enclosed> r = system.residual(&sources, x, is_open);
+    const std::vector<DoubleDoubleBall> r = system.residual(&sources, x, is_open);
     std::vector<double> largest(count, 0), excess(count, 0), right_side(r.size(), 0);
     for (std::size_t i = 0; i < r.size(); ++i) {
       const std::uint32_t c = system.rows()[i].component;
@@ -153,24 +155,24 @@ std::vector<double> refine(const RadiositySystem& system, const Sources& sources
     if (!is_any_open) return history;
     for (std::size_t i = 0; i < r.size(); ++i)
       if (!is_open[system.rows()[i].component]) right_side[i] = 0;
-    add(solve_by_component(system, inner, std::move(right_side)), x);
+    add(solve_by_component(system, inverse, std::move(right_side)), x);
   }
 }
 
-ScaledEnclosed CertifiedBounds::enclosed(std::size_t unknown) const {
+ScaledBall CertifiedBounds::enclosed(std::size_t unknown) const {
   const double from = lower[unknown], to = upper[unknown];
   if (to == 0) return {};
-  const Enclosed& x = value[unknown];
+  const DoubleDoubleBall& x = value[unknown];
   const double inside = std::isnan(x.hi) ? from : std::clamp(x.hi, from, to);
-  return ScaledEnclosed::of(Enclosed::around({inside, inside == x.hi ? x.lo : 0}, {from, to}), exponent[unknown]);
+  return ScaledBall::of(DoubleDoubleBall::around({inside, inside == x.hi ? x.lo : 0}, {from, to}), exponent[unknown]);
 }
 
-CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, const SplitVector& x,
-                        const ErrorTerms& terms) {
+CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, ApproximateInverse& inverse,
+                        const SplitVector& x, const ErrorTerms& terms) {
   const std::size_t n = system.size();
-  const std::vector<Enclosed> r = system.residual(&sources, x, sources.is_lit, terms);
+  const std::vector<DoubleDoubleBall> r = system.residual(&sources, x, sources.is_lit, terms);
   const PositiveVector positive =
-      positive_vector(system, inner, sources.is_lit, near_one(system, sources.is_lit, r), {});
+      positive_vector(system, inverse, sources.is_lit, near_one(system, sources.is_lit, r), {});
 
   std::vector<double> up(system.components().size(), 0), down(system.components().size(), 0);
   for (std::size_t i = 0; i < n; ++i) {
@@ -182,7 +184,7 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, I
   CertifiedBounds result;
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t c = system.rows()[i].component;
-    const Enclosed value = system.value(x, i);
+    const DoubleDoubleBall value = system.value(x, i);
     result.value.push_back(value);
     result.exponent.push_back(sources.exponent[c]);
     if (!sources.is_lit[c]) {
@@ -192,7 +194,7 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, I
     }
     double lower = 0, upper = kInfinity;
     if (positive.is_proven[c] && std::isfinite(up[c]) && std::isfinite(down[c])) {
-      const Enclosed v = system.value(positive.v, i);
+      const DoubleDoubleBall v = system.value(positive.v, i);
       lower = difference(value, product(v, {down[c], 0, 0})).lower();
       upper = sum(value, product(v, {up[c], 0, 0})).upper();
     }
@@ -210,11 +212,11 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, I
   return result;
 }
 
-bool spectral_radius_is_below_one(const RadiositySystem& system, InnerSolver& inner,
+bool spectral_radius_is_below_one(const RadiositySystem& system, ApproximateInverse& inverse,
                                   const std::vector<char>& is_wanted) {
   std::vector<double> target(system.size(), 0);
   for (std::size_t i = 0; i < system.size(); ++i) target[i] = is_wanted[system.rows()[i].component] ? 1 : 0;
-  return positive_vector(system, inner, is_wanted, target, {}).is_proven == is_wanted;
+  return positive_vector(system, inverse, is_wanted, target, {}).is_proven == is_wanted;
 }
 
 }  // namespace hottel

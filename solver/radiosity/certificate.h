@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solver/radiosity/inner_solver.h"
+#include "solver/radiosity/approximate_inverse.h"
 #include "solver/radiosity/radiosity_system.h"
 
 namespace hottel {
@@ -11,21 +11,22 @@ namespace hottel {
 // Bounds of one solution: by unknown, each in a unit 2^exponent. That is the unit of its component, or one in which
 // what is far darker than the brightest there is near 1.
 struct CertifiedBounds {
-  std::vector<Enclosed> value;       // x_i
-  std::vector<double> lower, upper;  // of the true radiosity; infinite when nothing could be proven
+  std::vector<DoubleDoubleBall> value;  // x_i
+  std::vector<double> lower, upper;     // of the true radiosity; infinite when nothing could be proven
   std::vector<int> exponent;
 
   // The radiosity of an unknown, enclosed: x_i moved into its bounds, with a radius that reaches both. 0 if both are.
-  ScaledEnclosed enclosed(std::size_t unknown) const;
+  ScaledBall enclosed(std::size_t unknown) const;
 };
 
 // Solves A x = r, the right side of each component brought near 1 first: none is solved by the scale of another.
-Correction solve_by_component(const RadiositySystem& system, InnerSolver& inner, std::vector<double> r);
+Correction solve_by_component(const RadiositySystem& system, ApproximateInverse& inverse, std::vector<double> r);
 
 // Adds corrections to x, in each component until its residual is below its own error bound, or no longer falls. Returns
 // max |residual| before each correction and after the last, each relative to the largest source of its component.
 // COST: one residual and one inner solve a step; two or three steps after an elimination.
-std::vector<double> refine(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, SplitVector& x);
+std::vector<double> refine(const RadiositySystem& system, const Sources& sources, ApproximateInverse& inverse,
+                           SplitVector& x);
 
 // Encloses the solution of A B = E, given x near it.
 //
@@ -40,11 +41,11 @@ std::vector<double> refine(const RadiositySystem& system, const Sources& sources
 //       infinite ones on both sides everywhere when some factor is negative
 //   (3) never wrong, but possibly infinite, when a reflectivity is so near 1 that the loss underflows
 // COST: two matrix passes and one inner solve; up to twice as much again a further round when A v > 0 is not settled.
-CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, InnerSolver& inner, const SplitVector& x,
-                        const ErrorTerms& terms = {});
+CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, ApproximateInverse& inverse,
+                        const SplitVector& x, const ErrorTerms& terms = {});
 
 // True iff the spectral radius of rho F is proven to be below 1 in all wanted components. COST: as certify().
-bool spectral_radius_is_below_one(const RadiositySystem& system, InnerSolver& inner,
+bool spectral_radius_is_below_one(const RadiositySystem& system, ApproximateInverse& inverse,
                                   const std::vector<char>& is_wanted);
 
 }  // namespace hottel

@@ -4,7 +4,7 @@
 
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
-#include "solver/radiosity/inner_solver.h"
+#include "solver/radiosity/approximate_inverse.h"
 #include "solver/radiosity/symmetric_rows.h"
 
 namespace hottel {
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kGrain = 64;  // rows a task
 
-class ConjugateGradient : public InnerSolver {
+class ConjugateGradient : public ApproximateInverse {
  public:
   ConjugateGradient(const RadiositySystem& system, const std::vector<char>& is_wanted, CgLimits limits,
                     std::vector<double>* history)
@@ -141,8 +141,9 @@ class ConjugateGradient : public InnerSolver {
 
 }  // namespace
 
-std::unique_ptr<InnerSolver> make_conjugate_gradient(const RadiositySystem& system, const std::vector<char>& is_wanted,
-                                                     CgLimits limits, std::vector<double>* history) {
+std::unique_ptr<ApproximateInverse> make_conjugate_gradient(const RadiositySystem& system,
+                                                            const std::vector<char>& is_wanted, CgLimits limits,
+                                                            std::vector<double>* history) {
   return std::make_unique<ConjugateGradient>(system, is_wanted, limits, history);
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "kernel/support/interrupt.h"
-#include "solver/radiosity/inner_solver.h"
+#include "solver/radiosity/approximate_inverse.h"
 #include "solver/radiosity/symmetric_rows.h"
 
 namespace hottel {
@@ -98,7 +98,7 @@ class DenseComponent {
   bool is_done_ = false;  // no pivot was lost to the range of doubles
 };
 
-class Elimination : public InnerSolver {
+class Elimination : public ApproximateInverse {
  public:
   Elimination(const RadiositySystem& system, const std::vector<char>& is_wanted)
       : rows_(system), components_(system.components().size()) {
@@ -125,7 +125,8 @@ class Elimination : public InnerSolver {
 
 }  // namespace
 
-std::unique_ptr<InnerSolver> make_elimination(const RadiositySystem& system, const std::vector<char>& is_wanted) {
+std::unique_ptr<ApproximateInverse> make_elimination(const RadiositySystem& system,
+                                                     const std::vector<char>& is_wanted) {
   return std::make_unique<Elimination>(system, is_wanted);
 }
 

@@ -13,8 +13,8 @@ namespace hottel {
 // as those of all are beside the brightest, and wider than 1e-9. It says of how many, names the widest three and says
 // how wide they are. Bounds that are open have a note of their own.
 //
-//   (1) none where elimination could be had: up to kMostWideUnknowns unknowns in a component, solver auto, cholesky or
-//   cg
+//   (1) none where elimination could be had: up to kMostEliminatedUnknowns unknowns in a component, solver auto,
+//   cholesky or cg
 //       without limits, factors that are normal doubles, radiosities too
 std::vector<std::string> notes_of_faint_radiosities(const ExchangeMatrix& matrix, const RadiositySolution& solution);
 

@@ -10,10 +10,10 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "solver/radiosity/approximate_inverse.h"
 #include "solver/radiosity/certificate.h"
-#include "solver/radiosity/inner_solver.h"
+#include "solver/radiosity/high_precision_elimination.h"
 #include "solver/radiosity/radiosity_system.h"
-#include "solver/radiosity/wide_elimination.h"
 
 namespace hottel {
 namespace {
@@ -31,9 +31,9 @@ struct ColumnEntry {
 class GraySystem {
  public:
   GraySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
-      : matrix_(matrix), system_(matrix, materials, channel), wide_(system_) {
+      : matrix_(matrix), system_(matrix, materials, channel), elimination_(system_) {
     for (const Material& material : materials)
-      emissivity_.push_back(ScaledEnclosed::of(Rational(1 - material.reflectivity.value[channel])));
+      emissivity_.push_back(ScaledBall::of(Rational(1 - material.reflectivity.value[channel])));
     // Components that lose nothing have no column: all their emissivities are 0.
     std::vector<char> is_wanted;
     bool is_any_wanted = false;
@@ -41,20 +41,20 @@ class GraySystem {
       is_wanted.push_back(component.loses);
       is_any_wanted |= component.loses;
     }
-    if (is_any_wanted) inner_ = make_elimination(system_, is_wanted);
+    if (is_any_wanted) inverse_ = make_elimination(system_, is_wanted);
   }
 
   // The numbers of one column that are not 0, by rows.
   std::vector<ColumnEntry> column(std::uint32_t to) const {
     std::vector<ColumnEntry> result;
-    const ScaledEnclosed source = emissivity_of(to);
+    const ScaledBall source = emissivity_of(to);
     if (source.is_zero()) return result;
-    const std::vector<ScaledEnclosed> irradiance = system_.irradiance(radiosity(system_.unit_source(to)));
+    const std::vector<ScaledBall> irradiance = system_.irradiance(radiosity(system_.unit_source(to)));
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
       if (!matrix_.has_row(i)) continue;
-      const ScaledEnclosed emissivity = emissivity_of(i);
+      const ScaledBall emissivity = emissivity_of(i);
       if (irradiance[i].is_zero() || emissivity.is_zero()) continue;
-      const ScaledEnclosed factor = product(emissivity, product(source, irradiance[i]));
+      const ScaledBall factor = product(emissivity, product(source, irradiance[i]));
       const Enclosure bounds{std::max(0.0, factor.lower()), std::min(emissivity.upper(), factor.upper())};
       result.push_back({i, std::clamp(factor.nearest(), bounds.lower, bounds.upper), bounds});
     }
@@ -63,19 +63,20 @@ class GraySystem {
 
  private:
   // Of a face, a black back or the sky.
-  ScaledEnclosed emissivity_of(std::uint32_t element) const {
-    if (element == matrix_.sky() || !matrix_.elements()[element].material) return ScaledEnclosed::of(Enclosed{1, 0, 0});
+  ScaledBall emissivity_of(std::uint32_t element) const {
+    if (element == matrix_.sky() || !matrix_.elements()[element].material)
+      return ScaledBall::of(DoubleDoubleBall{1, 0, 0});
     return emissivity_[*matrix_.elements()[element].material];
   }
 
   // G_kj of all elements k, the sky last, for the column j that is the source.
-  std::vector<ScaledEnclosed> radiosity(const Sources& sources) const {
-    std::vector<ScaledEnclosed> result = sources.emission;
-    if (!inner_) return result;
+  std::vector<ScaledBall> radiosity(const Sources& sources) const {
+    std::vector<ScaledBall> result = sources.emission;
+    if (!inverse_) return result;
     SplitVector x{std::vector<DoubleDouble>(system_.components().size()), std::vector<DoubleDouble>(system_.size())};
-    refine(system_, sources, *inner_, x);
-    CertifiedBounds bounds = certify(system_, sources, *inner_, x);
-    wide_.narrow(sources, {}, bounds);
+    refine(system_, sources, *inverse_, x);
+    CertifiedBounds bounds = certify(system_, sources, *inverse_, x);
+    elimination_.narrow(sources, {}, bounds);
     require_bounds(system_, bounds);
     for (std::size_t u = 0; u < system_.size(); ++u) result[system_.rows()[u].element] = bounds.enclosed(u);
     return result;
@@ -83,9 +84,9 @@ class GraySystem {
 
   const ExchangeMatrix& matrix_;
   RadiositySystem system_;
-  WideElimination wide_;
-  std::vector<ScaledEnclosed> emissivity_;  // by material
-  std::unique_ptr<InnerSolver> inner_;
+  HighPrecisionElimination elimination_;
+  std::vector<ScaledBall> emissivity_;  // by material
+  std::unique_ptr<ApproximateInverse> inverse_;
 };
 
 ExchangeMatrix from_columns(const std::vector<Element>& elements,

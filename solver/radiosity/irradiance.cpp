@@ -2,19 +2,19 @@
 
 #include <algorithm>
 
-#include "solver/radiosity/scaled_enclosed.h"
+#include "solver/radiosity/scaled_ball.h"
 
 namespace hottel {
 
 void set_irradiances(const ExchangeMatrix& matrix, const Rational& sky_emission, ChannelSolution& channel) {
-  const ScaledEnclosed sky = ScaledEnclosed::of(sky_emission);
+  const ScaledBall sky = ScaledBall::of(sky_emission);
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
-    ScaledEnclosed irradiance;
+    ScaledBall irradiance;
     for (const FactorEntry& entry : matrix.row(i)) {
-      const ScaledEnclosed there =
-          entry.to == matrix.sky() ? sky : ScaledEnclosed::of(Enclosed{channel.elements[entry.to].radiosity, 0, 0});
-      irradiance = sum(irradiance, product(ScaledEnclosed::of(Enclosed::of(entry.factor)), there));
+      const ScaledBall there =
+          entry.to == matrix.sky() ? sky : ScaledBall::of(DoubleDoubleBall{channel.elements[entry.to].radiosity, 0, 0});
+      irradiance = sum(irradiance, product(ScaledBall::of(DoubleDoubleBall::of(entry.factor)), there));
     }
     ElementRadiosity& element = channel.elements[i];
     element.irradiance = std::max(0.0, irradiance.nearest());

@@ -29,7 +29,7 @@ double largest_of_rows(const ExchangeMatrix& matrix, const OfRow& of_row) {
 
 double closure_defect(const ExchangeMatrix& matrix) {
   return largest_of_rows(matrix, [&](std::uint32_t i) {
-    Enclosed defect{-1, 0, 0};
+    DoubleDoubleBall defect{-1, 0, 0};
     for (const FactorEntry& entry : matrix.row(i)) defect = sum(defect, {entry.factor.value, 0, 0});
     return std::abs(defect.value());
   });
@@ -72,30 +72,30 @@ void require_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission,
 
 namespace {
 
-ScaledEnclosed middle(const ScaledEnclosed& value) {
-  return ScaledEnclosed::of(Enclosed{value.mantissa.hi, 0, 0}, value.exponent);
+ScaledBall middle(const ScaledBall& value) {
+  return ScaledBall::of(DoubleDoubleBall{value.mantissa.hi, 0, 0}, value.exponent);
 }
 
 }  // namespace
 
-void EnergySum::add(std::uint32_t row, const ScaledEnclosed& emission, const ScaledEnclosed& absorbed,
-                    const ScaledEnclosed& radiosity, const ScaledEnclosed& sky_emission) {
-  const ScaledEnclosed area = ScaledEnclosed::of(Enclosed{matrix_.elements()[row].area.value, 0, 0});
-  const ScaledEnclosed sent = middle(radiosity);
+void EnergySum::add(std::uint32_t row, const ScaledBall& emission, const ScaledBall& absorbed,
+                    const ScaledBall& radiosity, const ScaledBall& sky_emission) {
+  const ScaledBall area = ScaledBall::of(DoubleDoubleBall{matrix_.elements()[row].area.value, 0, 0});
+  const ScaledBall sent = middle(radiosity);
   emitted_ = sum(emitted_, product(area, middle(emission)));
   absorbed_ = sum(absorbed_, product(area, middle(absorbed)));
   for (const FactorEntry& entry : matrix_.row(row)) {
     const bool is_sky = entry.to == matrix_.sky();
     if (!is_sky && matrix_.has_row(entry.to)) continue;
-    const ScaledEnclosed exchange = product(area, ScaledEnclosed::of(Enclosed{entry.factor.value, 0, 0}));
-    ScaledEnclosed& taken = is_sky ? to_sky_ : absorbed_;
+    const ScaledBall exchange = product(area, ScaledBall::of(DoubleDoubleBall{entry.factor.value, 0, 0}));
+    ScaledBall& taken = is_sky ? to_sky_ : absorbed_;
     taken = sum(taken, product(exchange, sent));
     if (is_sky) emitted_ = sum(emitted_, product(exchange, middle(sky_emission)));
   }
 }
 
 EnergyBalance EnergySum::balance() const {
-  const ScaledEnclosed defect = difference(difference(emitted_, absorbed_), to_sky_);
+  const ScaledBall defect = difference(difference(emitted_, absorbed_), to_sky_);
   return {emitted_.nearest(), absorbed_.nearest(), to_sky_.nearest(), defect.nearest()};
 }
 

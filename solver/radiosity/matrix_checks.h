@@ -3,7 +3,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "solver/radiosity/radiosity.h"
-#include "solver/radiosity/scaled_enclosed.h"
+#include "solver/radiosity/scaled_ball.h"
 
 namespace hottel {
 
@@ -23,14 +23,14 @@ class EnergySum {
   explicit EnergySum(const ExchangeMatrix& matrix) : matrix_(matrix) {}
 
   // All per area; `absorbed` is (1 - reflectivity) irradiance. Only the middles count.
-  void add(std::uint32_t row, const ScaledEnclosed& emission, const ScaledEnclosed& absorbed,
-           const ScaledEnclosed& radiosity, const ScaledEnclosed& sky_emission);
+  void add(std::uint32_t row, const ScaledBall& emission, const ScaledBall& absorbed, const ScaledBall& radiosity,
+           const ScaledBall& sky_emission);
 
   EnergyBalance balance() const;
 
  private:
   const ExchangeMatrix& matrix_;
-  ScaledEnclosed emitted_, absorbed_, to_sky_;
+  ScaledBall emitted_, absorbed_, to_sky_;
 };
 
 }  // namespace hottel

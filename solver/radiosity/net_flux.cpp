@@ -5,38 +5,38 @@
 #include <limits>
 #include <unordered_map>
 
-#include "solver/radiosity/scaled_enclosed.h"
+#include "solver/radiosity/scaled_ball.h"
 
 namespace hottel {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-ScaledEnclosed within(double value, double lower, double upper) {
-  return ScaledEnclosed::of(Enclosed::around({value, 0}, {lower, upper}));
+ScaledBall within(double value, double lower, double upper) {
+  return ScaledBall::of(DoubleDoubleBall::around({value, 0}, {lower, upper}));
 }
 
-NetFlux::Power power_of(const ScaledEnclosed& flux) { return {flux.nearest(), flux.lower(), flux.upper()}; }
+NetFlux::Power power_of(const ScaledBall& flux) { return {flux.nearest(), flux.lower(), flux.upper()}; }
 
 // Of every element, the sky last.
-std::vector<ScaledEnclosed> flux_by_element(const ExchangeMatrix& matrix, const ChannelSolution& solution,
-                                            const ScaledEnclosed& sky_emission) {
-  std::vector<ScaledEnclosed> result(matrix.size() + 1);
+std::vector<ScaledBall> flux_by_element(const ExchangeMatrix& matrix, const ChannelSolution& solution,
+                                        const ScaledBall& sky_emission) {
+  std::vector<ScaledBall> result(matrix.size() + 1);
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
     const ElementRadiosity& element = solution.elements[i];
-    const ScaledEnclosed area = ScaledEnclosed::of(Enclosed::of(matrix.elements()[i].area));
-    const ScaledEnclosed radiosity = within(element.radiosity, element.lower, element.upper);
+    const ScaledBall area = ScaledBall::of(DoubleDoubleBall::of(matrix.elements()[i].area));
+    const ScaledBall radiosity = within(element.radiosity, element.lower, element.upper);
     result[i] = product(area, within(element.net_value, element.net_lower, element.net_upper));
     for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
       const FactorEntry& entry = matrix.row(i)[k];
       const bool is_sky = entry.to == matrix.sky();
       if (!is_sky && matrix.has_row(entry.to)) continue;
-      const Enclosed factor = matrix.guarantee() == Guarantee::kEnclosed
-                                  ? Enclosed::around({entry.factor.value, 0}, matrix.bounds(i, k))
-                                  : Enclosed::of(entry.factor);
-      const ScaledEnclosed sent = is_sky ? difference(sky_emission, radiosity) : negated(radiosity);
-      result[entry.to] = sum(result[entry.to], product(product(area, ScaledEnclosed::of(factor)), sent));
+      const DoubleDoubleBall factor = matrix.guarantee() == Guarantee::kEnclosed
+                                          ? DoubleDoubleBall::around({entry.factor.value, 0}, matrix.bounds(i, k))
+                                          : DoubleDoubleBall::of(entry.factor);
+      const ScaledBall sent = is_sky ? difference(sky_emission, radiosity) : negated(radiosity);
+      result[entry.to] = sum(result[entry.to], product(product(area, ScaledBall::of(factor)), sent));
     }
   }
   return result;
@@ -54,7 +54,7 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
   }
   std::vector<NetFlux> result;
   std::vector<std::size_t> place(matrix.size() + 1);  // of an element, in the result
-  std::vector<ScaledEnclosed> area;
+  std::vector<ScaledBall> area;
   std::unordered_map<std::string, std::size_t> place_of;
   for (std::uint32_t i = 0; i <= matrix.size(); ++i) {
     if (!is_listed[i]) continue;
@@ -66,13 +66,13 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
     }
     place[i] = known->second;
     if (i == matrix.sky()) continue;
-    area[place[i]] = sum(area[place[i]], ScaledEnclosed::of(Enclosed::of(matrix.elements()[i].area)));
+    area[place[i]] = sum(area[place[i]], ScaledBall::of(DoubleDoubleBall::of(matrix.elements()[i].area)));
     result[place[i]].area = area[place[i]].nearest();
   }
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
-    const std::vector<ScaledEnclosed> flux =
-        flux_by_element(matrix, solution.channels[c], ScaledEnclosed::of(sky_emission.value[c]));
-    std::vector<ScaledEnclosed> total(result.size());
+    const std::vector<ScaledBall> flux =
+        flux_by_element(matrix, solution.channels[c], ScaledBall::of(sky_emission.value[c]));
+    std::vector<ScaledBall> total(result.size());
     for (std::uint32_t i = 0; i <= matrix.size(); ++i)
       if (is_listed[i]) total[place[i]] = sum(total[place[i]], flux[i]);
     for (std::size_t k = 0; k < result.size(); ++k) result[k].by_channel[c] = power_of(total[k]);

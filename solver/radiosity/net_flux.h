@@ -27,7 +27,7 @@ struct NetFlux {
 //   (1) positive: more leaves than arrives, as from a lamp; negative: the difference is absorbed, or goes to the sky
 //   (2) lower <= true flux <= upper, and value lies between them; the same holds of sums over names, and for an
 //       enclosed matrix for all factors within their enclosures. For an estimated one: given bounds that hold of the
-//       true radiosities (set_crude_bounds), and nothing is known of black backs and the sky
+//       true radiosities (set_a_priori_bounds), and nothing is known of black backs and the sky
 //   (3) the true fluxes of all names sum to 0: what is sent out arrives somewhere; so do the values, but for roundings,
 //       where iterations were stopped early too
 // REQUIRES a solution of this matrix with this sky. COST: one pass over the matrix a channel.

@@ -11,15 +11,15 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/radiosity/approximate_inverse.h"
 #include "solver/radiosity/certificate.h"
 #include "solver/radiosity/enclosed_radiosity.h"
 #include "solver/radiosity/faint_radiosities.h"
-#include "solver/radiosity/inner_solver.h"
+#include "solver/radiosity/high_precision_elimination.h"
 #include "solver/radiosity/iterations.h"
 #include "solver/radiosity/matrix_checks.h"
 #include "solver/radiosity/radiosity_internal.h"
 #include "solver/radiosity/radiosity_system.h"
-#include "solver/radiosity/wide_elimination.h"
 
 namespace hottel {
 namespace {
@@ -98,7 +98,7 @@ class Group {
     if (system_.rows_are_closed()) {
       used_ = options_.solver != Solver::kAuto ? options_.solver : is_dense ? Solver::kCholesky : Solver::kCg;
       const bool by_elimination = used_ == Solver::kCholesky || (used_ != Solver::kCg && is_dense);
-      inner_ = by_elimination ? make_elimination(system_, is_wanted_) : make_conjugate_gradient(system_, is_wanted_);
+      inverse_ = by_elimination ? make_elimination(system_, is_wanted_) : make_conjugate_gradient(system_, is_wanted_);
     } else {
       if (is_symmetric_only(options_.solver))
         throw RequestError(
@@ -109,9 +109,9 @@ class Group {
       used_ = options_.solver != Solver::kAuto ? options_.solver : is_small ? Solver::kLu : Solver::kBicgstab;
       const std::size_t components = system_.components().size();
       plain_ = PlainSystem(system_, is_wanted_);
-      inner_ = is_small ? make_lu(plain_, components) : make_bicgstab(plain_, components);
+      inverse_ = is_small ? make_lu(plain_, components) : make_bicgstab(plain_, components);
       if (!may_be_open && !system_.has_negative_factors() &&
-          !spectral_radius_is_below_one(system_, *inner_, is_wanted_))
+          !spectral_radius_is_below_one(system_, *inverse_, is_wanted_))
         throw RequestError(
             "no radiosity: the spectral radius of reflectivity times factors is not below 1 (or too near it to tell); "
             "rows of the matrix sum to more than 1");
@@ -132,11 +132,11 @@ class Group {
     const Sources& sources = sources_[k];
     SplitVector x{std::vector<DoubleDouble>(is_wanted_.size()), std::vector<DoubleDouble>(system_.size())};
     if (is_refined())
-      solution.residual_history = refine(system_, sources, *inner_, x);
+      solution.residual_history = refine(system_, sources, *inverse_, x);
     else
       run_as_named(sources, x, solution.residual_history, notes);
     lap("radiosity");
-    CertifiedBounds bounds = certify(system_, sources, *inner_, x, terms_);
+    CertifiedBounds bounds = certify(system_, sources, *inverse_, x, terms_);
     if (system_.rows_are_closed()) wide_.narrow(sources, {is_refined(), !is_refined()}, bounds);
     lap("certificate");
     if (matrix_.guarantee() == Guarantee::kExact) require_bounds(system_, bounds);
@@ -154,13 +154,13 @@ class Group {
         solution.dark.push_back({system_.components()[c].first_element, system_.components()[c].size});
 
     std::vector<Printed> emission, reflectivity;
-    std::vector<ScaledEnclosed> loss;
+    std::vector<ScaledBall> loss;
     for (const Material& m : materials_) {
       emission.emplace_back(m.emission.value[channel]);
       reflectivity.emplace_back(m.reflectivity.value[channel]);
-      loss.push_back(ScaledEnclosed::of(Rational(1 - m.reflectivity.value[channel])));
+      loss.push_back(ScaledBall::of(Rational(1 - m.reflectivity.value[channel])));
     }
-    std::vector<ScaledEnclosed> radiosity = sources.emission;  // right for all that is known
+    std::vector<ScaledBall> radiosity = sources.emission;  // right for all that is known
     solution.elements.resize(matrix_.size());
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
       if (!matrix_.has_row(i)) continue;
@@ -182,22 +182,23 @@ class Group {
         const double value = std::ldexp(radiosity[i].mantissa.hi, radiosity[i].exponent);
         element.radiosity = std::clamp(value, element.lower, element.upper);
         if (value < e.lower)
-          radiosity[i] = ScaledEnclosed::of(Enclosed::around({element.radiosity, 0}, {element.lower, element.upper}));
+          radiosity[i] =
+              ScaledBall::of(DoubleDoubleBall::around({element.radiosity, 0}, {element.lower, element.upper}));
         if (element.radiosity > 0)
           solution.max_relative_width =
               std::max(solution.max_relative_width, (element.upper - element.lower) / element.radiosity);
       }
     }
 
-    const std::vector<ScaledEnclosed> irradiance = system_.irradiance(radiosity);
+    const std::vector<ScaledBall> irradiance = system_.irradiance(radiosity);
     EnergySum energy(matrix_);
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
       if (!matrix_.has_row(i)) continue;
       const std::uint32_t material = *matrix_.elements()[i].material;
-      const ScaledEnclosed absorbed = product(loss[material], irradiance[i]);
+      const ScaledBall absorbed = product(loss[material], irradiance[i]);
       // Two forms of one number. Where the equations are not solved, the second is what the radiosities exchange.
-      const ScaledEnclosed net = difference(sources.emission[i], absorbed);
-      const ScaledEnclosed exchanged = is_refined() ? net : difference(radiosity[i], irradiance[i]);
+      const ScaledBall net = difference(sources.emission[i], absorbed);
+      const ScaledBall exchanged = is_refined() ? net : difference(radiosity[i], irradiance[i]);
       ElementRadiosity& element = solution.elements[i];
       element.irradiance = std::max(0.0, irradiance[i].nearest());
       element.net_value = exchanged.nearest();
@@ -264,11 +265,11 @@ class Group {
   std::map<std::string, double>& seconds_;
   Stopwatch watch_;
   RadiositySystem system_;
-  WideElimination wide_;
+  HighPrecisionElimination wide_;
   std::vector<char> is_wanted_;
   PlainSystem plain_;
   std::vector<Sources> sources_;
-  std::unique_ptr<InnerSolver> inner_;
+  std::unique_ptr<ApproximateInverse> inverse_;
   Solver used_ = Solver::kAuto;
 };
 

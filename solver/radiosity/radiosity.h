@@ -86,14 +86,14 @@ struct RadiositySolution {
 //
 //   (1) lower <= true B <= upper in every element, the true B being that of the exact reflectivities, emissions and
 //       factors; for an enclosed matrix, of any factors within its enclosures; for an estimated one, of the doubles it
-//       holds, which says nothing of the scene (set_crude_bounds gives what holds there)
+//       holds, which says nothing of the scene (set_a_priori_bounds gives what holds there)
 //   (2) lower = upper = 0 = B where no light reaches; B = E within half an ulp where rho = 0; lower is never below the
 //       largest double that is not above E, net_upper never above the smallest that is not below it (unless a factor is
 //       negative)
 //   (3) widths of a few ulps after cholesky and cg, or up to 3 n ulps for n unknowns where doubles do not do
-//       (wide_elimination.h), for any distance of rho from 1 and for elements that next to no light reaches; for an
-//       enclosed matrix a few ulps more than the radiosities of its factors differ, and infinite where for some of them
-//       light need not die out (enclosed_radiosity.h)
+//       (high_precision_elimination.h), for any distance of rho from 1 and for elements that next to no light reaches;
+//       for an enclosed matrix a few ulps more than the radiosities of its factors differ, and infinite where for some
+//       of them light need not die out (enclosed_radiosity.h)
 //   (4) each component is bounded on its own scale, whatever shines elsewhere; a note names faces that remain wide
 //       relative to themselves (faint_radiosities.h)
 //   (5) irradiance is that of the radiosities as given, so net() is what they exchange; where iterations were stopped

@@ -28,7 +28,7 @@ class DifferenceSum {
     two_product(factor.value, d, p, pe);
     two_sum(high_, p, s, se);
     high_ = s;
-    const Enclosed real = Enclosed::of(factor);
+    const DoubleDoubleBall real = DoubleDoubleBall::of(factor);
     const double from_low = factor.value * d_low, from_shift = real.lo * d;
     low_ += (pe + se) + (from_low + from_shift);
     low_size_ += std::abs(pe) + std::abs(se) + std::abs(from_shift) +
@@ -38,11 +38,11 @@ class DifferenceSum {
     ++count_;
   }
 
-  Enclosed result() const {
+  DoubleDoubleBall result() const {
     // Each term of low went through at most count + 6 additions and products, and partial sums stay below low_size.
     const double roundings = 2 * (static_cast<double>(count_) + 16) * kRoundoff * low_size_;
     const double underflow = 8 * (static_cast<double>(count_) + 1) * kUnderflow;
-    Enclosed sum{0, 0, underflow};
+    DoubleDoubleBall sum{0, 0, underflow};
     two_sum(high_, low_, sum.hi, sum.lo);
     if (terms_.roundings) sum.radius += (roundings + other_radius_) * (1 + 0x1p-20);
     if (terms_.factors) sum.radius += factor_radius_ * (1 + 0x1p-20);
@@ -57,9 +57,9 @@ class DifferenceSum {
 
 // True if factors within their bounds may sum to 1 in this row.
 bool may_be_closed(const ExchangeMatrix& matrix, std::uint32_t i) {
-  Enclosed least, most;
+  DoubleDoubleBall least, most;
   if (matrix.guarantee() == Guarantee::kExact) {
-    for (const FactorEntry& entry : matrix.row(i)) least = sum(least, Enclosed::of(entry.factor));
+    for (const FactorEntry& entry : matrix.row(i)) least = sum(least, DoubleDoubleBall::of(entry.factor));
     return least.lower() <= 1 && least.upper() >= 1;
   }
   for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
@@ -93,12 +93,12 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
                                        entry.factor.value));
       has_negative_factors_ |= entry.factor.value < 0;
     }
-  std::vector<Enclosed> reflectivity(materials.size()), loss(materials.size());
+  std::vector<DoubleDoubleBall> reflectivity(materials.size()), loss(materials.size());
   for (std::size_t m = 0; m < materials.size(); ++m) {
     const Rational& rho = materials[m].reflectivity.value[channel];
-    reflectivity[m] = Enclosed::of(rho);
+    reflectivity[m] = DoubleDoubleBall::of(rho);
     absorptivity_.push_back(1 - rho);
-    loss[m] = Enclosed::of(absorptivity_.back());
+    loss[m] = DoubleDoubleBall::of(absorptivity_.back());
   }
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
@@ -109,8 +109,8 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
     SystemRow row{i, 0, reflectivity[m], loss[m]};
     if (!rows_are_closed()) {
       // Rows as they are: loss = 1 - rho * sum.
-      Enclosed sum_of_row;
-      for (const FactorEntry& entry : matrix.row(i)) sum_of_row = sum(sum_of_row, Enclosed::of(entry.factor));
+      DoubleDoubleBall sum_of_row;
+      for (const FactorEntry& entry : matrix.row(i)) sum_of_row = sum(sum_of_row, DoubleDoubleBall::of(entry.factor));
       row.loss = difference({1, 0, 0}, product(row.reflectivity, sum_of_row));
     }
     rows_.push_back(row);
@@ -149,30 +149,31 @@ void RadiositySystem::find_components() {
   }
 }
 
-Enclosed RadiositySystem::value(const SplitVector& x, std::size_t unknown) const {
-  return sum(Enclosed::of(x.constant[rows_[unknown].component]), Enclosed::of(x.rest[unknown]));
+DoubleDoubleBall RadiositySystem::value(const SplitVector& x, std::size_t unknown) const {
+  return sum(DoubleDoubleBall::of(x.constant[rows_[unknown].component]), DoubleDoubleBall::of(x.rest[unknown]));
 }
 
-std::vector<Enclosed> RadiositySystem::residual(const Sources* sources, const SplitVector& x,
-                                                const std::vector<char>& is_wanted, const ErrorTerms& terms) const {
-  std::vector<Enclosed> result(rows_.size());
+std::vector<DoubleDoubleBall> RadiositySystem::residual(const Sources* sources, const SplitVector& x,
+                                                        const std::vector<char>& is_wanted,
+                                                        const ErrorTerms& terms) const {
+  std::vector<DoubleDoubleBall> result(rows_.size());
   parallel_ranges(rows_.size(), kGrain, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const SystemRow& row = rows_[i];
       if (!is_wanted[row.component]) continue;
-      const Enclosed here = value(x, i);
+      const DoubleDoubleBall here = value(x, i);
       DifferenceSum exchanged(terms);
       for (const FactorEntry& entry : matrix_->row(row.element)) {
         const std::int32_t j = unknown_[entry.to];
         if (j >= 0) {
           exchanged.add(entry.factor, x.rest[i], x.rest[static_cast<std::size_t>(j)]);
         } else {
-          const Enclosed there = sources ? sources->emission_in(row.component, entry.to) : Enclosed();
+          const DoubleDoubleBall there = sources ? sources->emission_in(row.component, entry.to) : DoubleDoubleBall();
           exchanged.add(entry.factor, {here.hi, here.lo}, {there.hi, there.lo}, here.radius + there.radius);
         }
       }
-      const Enclosed left = sum(product(row.loss, here), product(row.reflectivity, exchanged.result()));
-      result[i] = difference(sources ? sources->emission_in(row.component, row.element) : Enclosed(), left);
+      const DoubleDoubleBall left = sum(product(row.loss, here), product(row.reflectivity, exchanged.result()));
+      result[i] = difference(sources ? sources->emission_in(row.component, row.element) : DoubleDoubleBall(), left);
       if (!terms.roundings && !terms.factors) result[i].radius = 0;
     }
   });
@@ -183,8 +184,9 @@ namespace {
 
 // The irradiance of one row. A row that sums to 1 is a mean: differences to its smallest value lose nothing, and none
 // is above the mean.
-Enclosed gathered(std::span<const FactorEntry> row, const std::vector<Enclosed>& radiosity, bool is_mean) {
-  Enclosed base;
+DoubleDoubleBall gathered(std::span<const FactorEntry> row, const std::vector<DoubleDoubleBall>& radiosity,
+                          bool is_mean) {
+  DoubleDoubleBall base;
   if (is_mean) {
     base = radiosity[std::min_element(row.begin(), row.end(), [&](const FactorEntry& a, const FactorEntry& b) {
                        return radiosity[a.to].hi < radiosity[b.to].hi;
@@ -194,35 +196,35 @@ Enclosed gathered(std::span<const FactorEntry> row, const std::vector<Enclosed>&
   DifferenceSum above(ErrorTerms{});
   bool is_dark = base.size() == 0;
   for (const FactorEntry& entry : row) {
-    const Enclosed& there = radiosity[entry.to];
+    const DoubleDoubleBall& there = radiosity[entry.to];
     if (there.size() == 0 && base.size() == 0) continue;
     is_dark = false;
     above.add(entry.factor, {there.hi, there.lo}, {base.hi, base.lo}, there.radius);
   }
-  return is_dark ? Enclosed() : sum(base, above.result());
+  return is_dark ? DoubleDoubleBall() : sum(base, above.result());
 }
 
 // The same, whatever the sizes of factors and radiosities. Nothing is subtracted: what is far from others in size has
 // little in common with them.
-ScaledEnclosed gathered_far(std::span<const FactorEntry> row, const std::vector<ScaledEnclosed>& radiosity) {
-  ScaledEnclosed result;
+ScaledBall gathered_far(std::span<const FactorEntry> row, const std::vector<ScaledBall>& radiosity) {
+  ScaledBall result;
   for (const FactorEntry& entry : row)
-    result = sum(result, product(ScaledEnclosed::of(Enclosed::of(entry.factor)), radiosity[entry.to]));
+    result = sum(result, product(ScaledBall::of(DoubleDoubleBall::of(entry.factor)), radiosity[entry.to]));
   return result;
 }
 
 }  // namespace
 
-std::vector<ScaledEnclosed> RadiositySystem::irradiance(const std::vector<ScaledEnclosed>& radiosity) const {
+std::vector<ScaledBall> RadiositySystem::irradiance(const std::vector<ScaledBall>& radiosity) const {
   int unit = INT_MIN;
-  for (const ScaledEnclosed& b : radiosity)
+  for (const ScaledBall& b : radiosity)
     if (!b.is_zero()) unit = std::max(unit, b.exponent);
-  std::vector<ScaledEnclosed> result(matrix_->size());
+  std::vector<ScaledBall> result(matrix_->size());
   if (unit == INT_MIN) return result;
-  std::vector<Enclosed> in_unit;
+  std::vector<DoubleDoubleBall> in_unit;
   std::vector<char> is_far;
   bool is_any_far = false;
-  for (const ScaledEnclosed& b : radiosity) {
+  for (const ScaledBall& b : radiosity) {
     in_unit.push_back(b.in_unit(unit));
     is_far.push_back(!b.is_zero() && in_unit.back().size() < kFar);
     is_any_far |= is_far.back() != 0;
@@ -233,9 +235,9 @@ std::vector<ScaledEnclosed> RadiositySystem::irradiance(const std::vector<Scaled
       if (!matrix_->has_row(i) || row.empty()) continue;
       const bool sees_far =
           is_any_far && std::any_of(row.begin(), row.end(), [&](const FactorEntry& e) { return is_far[e.to]; });
-      const Enclosed near = gathered(row, in_unit, rows_are_closed());
+      const DoubleDoubleBall near = gathered(row, in_unit, rows_are_closed());
       result[i] = sees_far || (near.size() != 0 && near.size() < kFar) ? gathered_far(row, radiosity)
-                                                                       : ScaledEnclosed::of(near, unit);
+                                                                       : ScaledBall::of(near, unit);
     }
   });
   return result;

@@ -8,7 +8,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/material.h"
-#include "solver/radiosity/scaled_enclosed.h"
+#include "solver/radiosity/scaled_ball.h"
 
 namespace hottel {
 
@@ -23,14 +23,14 @@ struct SplitVector {
 // largest emission in it or seen from it is near 1, or less where radiosities may be so much larger that they would
 // leave the range of doubles. What shines elsewhere does not matter to it.
 struct Sources {
-  std::vector<ScaledEnclosed> emission;  // by element, the sky last; 0 for black backs
-  std::vector<int> exponent;             // of the unit, by component
-  std::vector<double> largest;           // by component: the largest emission in it or seen from it, in its unit
-  std::vector<char> is_lit;              // by component: some light reaches it
-  std::vector<Enclosure> range;          // by component: all its radiosities lie within, in its unit
+  std::vector<ScaledBall> emission;  // by element, the sky last; 0 for black backs
+  std::vector<int> exponent;         // of the unit, by component
+  std::vector<double> largest;       // by component: the largest emission in it or seen from it, in its unit
+  std::vector<char> is_lit;          // by component: some light reaches it
+  std::vector<Enclosure> range;      // by component: all its radiosities lie within, in its unit
 
   // The emission of an element that is in the component or seen from it, in the unit of the component.
-  Enclosed emission_in(std::uint32_t component, std::uint32_t element) const {
+  DoubleDoubleBall emission_in(std::uint32_t component, std::uint32_t element) const {
     return emission[element].in_unit(exponent[component]);
   }
 };
@@ -44,7 +44,7 @@ struct SystemComponent {
 
 struct SystemRow {
   std::uint32_t element = 0, component = 0;
-  Enclosed reflectivity, loss;  // loss = 1 - reflectivity * (sum of the row's factors)
+  DoubleDoubleBall reflectivity, loss;  // loss = 1 - reflectivity * (sum of the row's factors)
 };
 
 // What may be left out of the residual's error bound, to show in tests that the bounds need it.
@@ -94,16 +94,16 @@ class RadiositySystem {
 
   // Returns E - A x by rows, enclosed. Without sources: -A x, with 0 for all that is known. Rows of components that
   // `is_wanted` leaves out are 0.
-  std::vector<Enclosed> residual(const Sources* sources, const SplitVector& x, const std::vector<char>& is_wanted,
-                                 const ErrorTerms& terms = {}) const;
+  std::vector<DoubleDoubleBall> residual(const Sources* sources, const SplitVector& x,
+                                         const std::vector<char>& is_wanted, const ErrorTerms& terms = {}) const;
 
   // Returns x_i as one number.
-  Enclosed value(const SplitVector& x, std::size_t unknown) const;
+  DoubleDoubleBall value(const SplitVector& x, std::size_t unknown) const;
 
   // Returns the irradiance H_i = sum_j F_ij B_j of every row, by element; `radiosity` >= 0 is by element, the sky last.
   // Its width is that of the radiosities and half an ulp or so of H_i, however much the radiosities differ; it is
   // exactly 0 where all of them are.
-  std::vector<ScaledEnclosed> irradiance(const std::vector<ScaledEnclosed>& radiosity) const;
+  std::vector<ScaledBall> irradiance(const std::vector<ScaledBall>& radiosity) const;
 
  private:
   void find_components();

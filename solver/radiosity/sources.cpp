@@ -66,10 +66,10 @@ Sources RadiositySystem::unit_source(std::uint32_t element) const {
 
 Sources RadiositySystem::sources_of(const std::vector<const Rational*>& emission) const {
   Sources result;
-  std::map<const Rational*, ScaledEnclosed> scaled;  // materials are few
+  std::map<const Rational*, ScaledBall> scaled;  // materials are few
   for (const Rational* e : emission) {
-    if (e && !scaled.contains(e)) scaled[e] = ScaledEnclosed::of(*e);
-    result.emission.push_back(e ? scaled[e] : ScaledEnclosed());
+    if (e && !scaled.contains(e)) scaled[e] = ScaledBall::of(*e);
+    result.emission.push_back(e ? scaled[e] : ScaledBall());
   }
   result.is_lit.assign(components_.size(), 0);
   std::vector<std::optional<int>> largest(components_.size());
@@ -91,7 +91,9 @@ Sources RadiositySystem::sources_of(const std::vector<const Rational*>& emission
     int unit = largest[c].value_or(0);
     if (e.are_known && e.most > 0) unit += std::clamp(exponent_of(e.most) - unit - kMostAbove, 0, kMostAbove);
     result.exponent.push_back(unit);
-    const auto in_unit = [&](const Rational& value) { return Enclosed::of(scaled_by_power_of_two(value, -unit)); };
+    const auto in_unit = [&](const Rational& value) {
+      return DoubleDoubleBall::of(scaled_by_power_of_two(value, -unit));
+    };
     result.range.push_back(e.are_known ? Enclosure{in_unit(e.least).lower(), in_unit(e.most).upper()}
                                        : Enclosure{0, std::numeric_limits<double>::infinity()});
   }

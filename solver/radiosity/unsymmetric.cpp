@@ -6,14 +6,14 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
-#include "solver/radiosity/inner_solver.h"
+#include "solver/radiosity/approximate_inverse.h"
 
 namespace hottel {
 namespace {
 
 constexpr std::size_t kMostDense = 20000;  // unknowns: 3.2 GB
 
-class Lu : public InnerSolver {
+class Lu : public ApproximateInverse {
  public:
   Lu(const PlainSystem& system, std::size_t components) : components_(components) {
     const std::size_t n = system.area.size();
@@ -52,7 +52,7 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 // van der Vorst 1992. The diagonal of I - rho F is 1 (or near it), so there is nothing to precondition with it.
-class Bicgstab : public InnerSolver {
+class Bicgstab : public ApproximateInverse {
  public:
   Bicgstab(const PlainSystem& system, std::size_t components, CgLimits limits, std::vector<double>* history)
       : system_(system), components_(components), limits_(limits), history_(history) {}
@@ -114,12 +114,12 @@ class Bicgstab : public InnerSolver {
 
 }  // namespace
 
-std::unique_ptr<InnerSolver> make_lu(const PlainSystem& system, std::size_t components) {
+std::unique_ptr<ApproximateInverse> make_lu(const PlainSystem& system, std::size_t components) {
   return std::make_unique<Lu>(system, components);
 }
 
-std::unique_ptr<InnerSolver> make_bicgstab(const PlainSystem& system, std::size_t components, CgLimits limits,
-                                           std::vector<double>* history) {
+std::unique_ptr<ApproximateInverse> make_bicgstab(const PlainSystem& system, std::size_t components, CgLimits limits,
+                                                  std::vector<double>* history) {
   return std::make_unique<Bicgstab>(system, components, limits, history);
 }
 

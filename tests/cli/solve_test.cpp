@@ -147,7 +147,7 @@ TEST(Solve, StagesThatDoNotRunAreAbsentFromTheReport) {
 }
 
 struct FluxLine {
-  std::string per, name, channel;
+  std::string granularity, name, channel;
   double area, net, lower, upper;
 };
 
@@ -173,7 +173,7 @@ TEST(Solve, WritesNetFluxesThatSumToZeroPerFaceAndPerGroup) {
   EXPECT_EQ(lines_of(csv)[0], "per,name,channel,area,net,lower,upper");
   std::map<std::string, double> sum;
   for (const FluxLine& line : flux_lines(csv)) {
-    sum[line.per + line.channel] += line.net;
+    sum[line.granularity + line.channel] += line.net;
     EXPECT_LE(line.lower, line.net) << line.name;
     EXPECT_GE(line.upper, line.net) << line.name;
     if (line.name == "lamp") {
@@ -192,7 +192,7 @@ TEST(Solve, WritesNetFluxesThatSumToZeroPerFaceAndPerGroup) {
   ASSERT_EQ(place.run("hottel solve room.json --grid 4x4 -o out --quiet").code, 0);
   double faces = 0, group = 0;
   for (const FluxLine& line : flux_lines(place.read("out/flux.csv")))
-    (line.per == "group" ? group : faces) += line.name.starts_with("walls") ? line.net : 0;
+    (line.granularity == "group" ? group : faces) += line.name.starts_with("walls") ? line.net : 0;
   EXPECT_NEAR(faces, group, 1e-15);
   EXPECT_LT(group, 0);
 }

@@ -143,11 +143,11 @@ void check_light(const PreparedScene2& prepared, const ExchangeMatrix& matrix) {
     require(element.lower >= 0 && element.radiosity >= element.emission, "a radiosity is below its emission");
     brightest = std::max(brightest, element.radiosity);
   }
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   const std::vector<double> by_element = radiosity_by_element(solution),
                             sky = sky_by_channel(prepared.scene.sky_emission, 1);
   const IlluminationGrid light = illuminate_points(prepared, grid_over(prepared.scene, 4, 4),
-                                                   FaceRadiosity2(prepared.arrangement, labels, by_element, sky));
+                                                   FaceRadiosity2(prepared.arrangement, table, by_element, sky));
   for (const double value : light.values)
     require(value >= 0 && value <= brightest * (1 + 1e-13), "light at a point exceeds the brightest face");
 }

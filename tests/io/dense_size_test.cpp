@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "io/results/factor_files.h"
 #include "io/scene/scene_json.h"
 
@@ -19,13 +20,14 @@ struct Written {
 TEST(DenseSize, IsThatOfTheFile) {
   const std::string scenes = std::string(HOTTEL_SOURCE_DIR) + "/scenes/";
   for (const char* file : {"analytic/triangle_345.json", "showcase/apartment.json"})
-    for (const Per per : {Per::kFace, Per::kElement, Per::kGroup}) {
+    for (const Granularity granularity : {Granularity::kFace, Granularity::kElement, Granularity::kGroup}) {
       Scene2 scene = read_scene_2(scenes + file);
       for (std::size_t s = 0; s < scene.surfaces.size(); s += 3) scene.surfaces[s].elements = 2;
-      const PreparedScene2 prepared = prepare(scene, per == Per::kElement ? Divided::kYes : Divided::kNo);
-      const ExchangeMatrix matrix = exact_exchange(prepared, {.per = per});
-      const FactorTable table{prepared.scene, matrix, per, {}, {}};
-      const auto foretold = [&](DenseFormat format) { return dense_size(scene, per, format); };
+      const PreparedScene2 prepared =
+          prepare(scene, granularity == Granularity::kElement ? Divided::kYes : Divided::kNo);
+      const ExchangeMatrix matrix = exact_exchange(prepared, {.granularity = granularity});
+      const FactorTable table{prepared.scene, matrix, granularity, {}, {}};
+      const auto foretold = [&](DenseFormat format) { return dense_size(scene, granularity, format); };
       Written npy, binary, text, csv;
       write_factors_npy(table, npy.sink());
       EXPECT_EQ(npy.bytes, foretold(DenseFormat::kNpy).bytes) << file;
@@ -43,7 +45,7 @@ TEST(DenseSize, DoesNotOverflow) {
   Scene2 scene;
   scene.surfaces.resize(5000);
   for (Surface2& surface : scene.surfaces) surface.elements = 1'000'000;
-  EXPECT_GE(dense_size(scene, Per::kElement, DenseFormat::kNpy).bytes, std::uint64_t{1} << 63);
+  EXPECT_GE(dense_size(scene, Granularity::kElement, DenseFormat::kNpy).bytes, std::uint64_t{1} << 63);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <functional>
 #include <random>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"
 #include "io/results/factor_files.h"
 #include "io/results/npy.h"
@@ -51,8 +52,9 @@ TEST_F(ForeignMatrixTest, ReadsWhatHottelWrites) {
   Scene2 scene = read_scene_2(std::string(HOTTEL_SOURCE_DIR) + "/tests/contract/box.json");
   for (const Divided divided : {Divided::kNo, Divided::kYes}) {
     const PreparedScene2 prepared = prepare(scene, divided);
-    const ExchangeMatrix exact = exact_exchange(prepared, {.per = Per::kElement, .wants_measures = true});
-    const FactorTable table{prepared.scene, exact, Per::kElement, {}};
+    const ExchangeMatrix exact =
+        exact_exchange(prepared, {.granularity = Granularity::kElement, .wants_measures = true});
+    const FactorTable table{prepared.scene, exact, Granularity::kElement, {}};
     expect_same(matched(prepared, "f.csv", written([&](const Sink& s) { write_factors_csv(table, s); })), exact);
     expect_same(matched(prepared, "f.npy", written([&](const Sink& s) { write_factors_npy(table, s); })), exact);
     const std::string dense = written([&](const Sink& s) { write_dense_csv(table, DenseQuantity::kFactor, s); });
@@ -327,7 +329,7 @@ TEST_F(ForeignMatrixTest, NegativeFactorsAndRowsNotUsedAreReported) {
 TEST_F(ForeignMatrixTest, AnyBytesAreReadOrRefused) {
   const PreparedScene2 prepared = room();
   const ExchangeMatrix exact = exact_exchange(prepared);
-  const FactorTable table{prepared.scene, exact, Per::kElement, {}};
+  const FactorTable table{prepared.scene, exact, Granularity::kElement, {}};
   const std::vector<std::pair<std::string, std::string>> files = {
       {"f.csv", written([&](const Sink& s) { write_factors_csv(table, s); })},
       {"d.csv", written([&](const Sink& s) { write_dense_csv(table, DenseQuantity::kFactor, s); })},

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "tests/solver/plane/lit_scenes.h"
 
 namespace hottel {

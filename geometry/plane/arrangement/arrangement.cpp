@@ -1,6 +1,6 @@
 #include "geometry/plane/arrangement/arrangement.h"
 
-#include "geometry/plane/arrangement/cells.h"
+#include "geometry/plane/arrangement/free_regions.h"
 #include "geometry/plane/arrangement/hilbert_order.h"
 #include "geometry/plane/arrangement/point_index.h"
 #include "kernel/support/failure.h"
@@ -68,12 +68,13 @@ std::vector<PieceSource2> Arrangement2::sources(std::size_t piece) const {
 
 void Arrangement2::find_solids(const Scene2& scene) {
   if (!may_have_solids(scene)) return;
-  const Cells2 cells(triangulation_, 2 * pieces().size());
-  solids_ = Solids2({scene, overlay_, cells, [this](std::size_t piece) { return sources(piece); }});
+  const FreeRegions2 regions(triangulation_, 2 * pieces().size());
+  solids_ = Solids2({scene, overlay_, regions, [this](std::size_t piece) { return sources(piece); }});
 }
 
-std::vector<std::vector<std::uint32_t>> Arrangement2::regions_behind(const Scene2& scene, const Cells2& cells) const {
-  return hottel::regions_behind({scene, overlay_, cells, [this](std::size_t piece) { return sources(piece); }});
+std::vector<std::vector<std::uint32_t>> Arrangement2::regions_behind(const Scene2& scene,
+                                                                     const FreeRegions2& regions) const {
+  return hottel::regions_behind({scene, overlay_, regions, [this](std::size_t piece) { return sources(piece); }});
 }
 
 void Arrangement2::assign_owners(const Scene2& scene, Conflicts conflicts) {

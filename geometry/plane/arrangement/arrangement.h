@@ -54,8 +54,8 @@ class Arrangement2 {
   std::vector<PieceSource2> sources(std::size_t piece) const;
 
   // What "behind": "solid" would make solid, by group (geometry/plane/arrangement/solids.h). REQUIRES the scene and the
-  // cells of this arrangement.
-  std::vector<std::vector<std::uint32_t>> regions_behind(const Scene2& scene, const Cells2& cells) const;
+  // free regions of this arrangement.
+  std::vector<std::vector<std::uint32_t>> regions_behind(const Scene2& scene, const FreeRegions2& regions) const;
 
   // The arrangement of some pieces (ascending numbers), which keep their order: the others taken away, nothing given
   // back. Owners are as they were, what was covered stays so, and sources are not known. COST: that of a triangulation

@@ -69,7 +69,7 @@ std::unordered_set<VertexId> connected_with(const Overlay2& overlay, std::vector
   return connected;
 }
 
-// The loose ends around the cells that the backs look into: those of the group, or else those of others that it
+// The loose ends around the regions that the backs look into: those of the group, or else those of others that it
 // touches, perhaps by way of others.
 std::vector<LooseEnd> loose_ends(const UnboundedBehind2& behind) {
   const Vertices2& vertices = behind.overlay.vertices;
@@ -95,7 +95,7 @@ std::vector<LooseEnd> loose_ends(const UnboundedBehind2& behind) {
   };
   for (const PieceSideId side : behind.backs) add(side, true);
   if (!ends.empty() || behind.backs.empty()) return ends;
-  for (const PieceSideId side : behind.cells.sides(behind.cells.of(behind.backs.front()))) add(side, false);
+  for (const PieceSideId side : behind.regions.sides(behind.regions.of(behind.backs.front()))) add(side, false);
   return ends;
 }
 
@@ -132,9 +132,9 @@ void refuse_unbounded(const UnboundedBehind2& behind) {
     throw InputError(where, name + ": \"behind\" is \"solid\", but every back of it has a material",
                      {"take the \"back\" or the \"behind\" away"});
   const bool is_open = std::all_of(behind.backs.begin(), behind.backs.end(),
-                                   [&](PieceSideId side) { return behind.cells.of(side) == 0; });
+                                   [&](PieceSideId side) { return behind.regions.of(side) == 0; });
   const bool is_reversed = is_open && std::all_of(behind.backs.begin(), behind.backs.end(),
-                                                  [&](PieceSideId side) { return behind.cells.of(side ^ 1) != 0; });
+                                                  [&](PieceSideId side) { return behind.regions.of(side ^ 1) != 0; });
   std::vector<std::string> hints = gap_hints(behind);
   if (is_open) {
     hints.emplace_back(is_reversed

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/plane/arrangement/cells.h"
+#include "geometry/plane/arrangement/free_regions.h"
 #include "geometry/plane/arrangement/overlay.h"
 #include "geometry/plane/scene/scene.h"
 
@@ -13,7 +13,7 @@ namespace hottel {
 struct UnboundedBehind2 {
   const Scene2& scene;
   const Overlay2& overlay;
-  const Cells2& cells;
+  const FreeRegions2& regions;
   std::uint32_t group;
   const std::vector<PieceSideId>& backs;  // sides that its backs without material look from
 };

@@ -24,12 +24,12 @@ class SolidFinder {
  public:
   explicit SolidFinder(const BarePieces2& pieces, Looks looks = Looks::kStated)
       : scene_(pieces.scene),
-        cells_(pieces.cells),
+        free_regions_(pieces.regions),
         overlay_(pieces.overlay),
         looks_(looks),
         group_count_(scene_.groups.size()) {
     find_roles();
-    const std::size_t piece_count = cells_.side_count() / 2;
+    const std::size_t piece_count = free_regions_.side_count() / 2;
     for (std::size_t piece = 0; piece < piece_count; ++piece) look_at(piece, pieces.sources(piece));
     std::sort(backs_.begin(), backs_.end());
   }
@@ -37,17 +37,17 @@ class SolidFinder {
   void find() {
     judge_windings();
     find_rooms_within();
-    solid_.assign(cells_.count(), Solids2::kNone);
-    open_.assign(cells_.count(), Solids2::kNone);
+    solid_.assign(free_regions_.count(), Solids2::kNone);
+    open_.assign(free_regions_.count(), Solids2::kNone);
     fill_outlines();
     fill_behind();
     refuse_conflicts();
   }
 
   std::vector<std::uint32_t> makers() const {
-    std::vector<std::uint32_t> makers(cells_.side_count());
+    std::vector<std::uint32_t> makers(free_regions_.side_count());
     for (std::size_t side = 0; side < makers.size(); ++side)
-      makers[side] = solid_[cells_.of(static_cast<PieceSideId>(side))];
+      makers[side] = solid_[free_regions_.of(static_cast<PieceSideId>(side))];
     return makers;
   }
   // REQUIRES Looks::kAll, and find() before.
@@ -59,10 +59,10 @@ class SolidFinder {
       Groups& region = regions[group];
       bool is_refused = false;
       for (const PieceSideId side : sight.backs) {
-        const std::uint32_t cell = cells_.of(side);
-        if (!is_behind(sight, cell)) continue;
-        is_refused |= open_[cell] != Solids2::kNone;
-        if (solid_[cell] == Solids2::kNone) region.push_back(cell);
+        const std::uint32_t free_region = free_regions_.of(side);
+        if (!is_behind(sight, free_region)) continue;
+        is_refused |= open_[free_region] != Solids2::kNone;
+        if (solid_[free_region] == Solids2::kNone) region.push_back(free_region);
       }
       std::sort(region.begin(), region.end());
       region.erase(std::unique(region.begin(), region.end()), region.end());
@@ -80,13 +80,13 @@ class SolidFinder {
   // What a group with "behind" looks at.
   struct Sight {
     std::vector<PieceSideId> backs;      // sides where a back of it without material looks
-    std::vector<std::uint32_t> fronted;  // cells that a front of it looks into
+    std::vector<std::uint32_t> fronted;  // regions that a front of it looks into
   };
 
   Behind behind(std::uint32_t group) const { return scene_.groups[group].behind; }
-  // A bounded cell that no front of the group looks into. REQUIRES sorted fronted cells.
-  static bool is_behind(const Sight& sight, std::uint32_t cell) {
-    return cell != 0 && !std::binary_search(sight.fronted.begin(), sight.fronted.end(), cell);
+  // A bounded region that no front of the group looks into. REQUIRES sorted fronted regions.
+  static bool is_behind(const Sight& sight, std::uint32_t free_region) {
+    return free_region != 0 && !std::binary_search(sight.fronted.begin(), sight.fronted.end(), free_region);
   }
 
   // Does the outline of a group enclose what another one says is open?
@@ -110,7 +110,7 @@ class SolidFinder {
       if (looks_ == Looks::kAll || behind(surface.group) != Behind::kByOutline) {
         const auto left = static_cast<PieceSideId>(2 * piece), right = left + 1;
         Sight& sight = sight_[surface.group];
-        sight.fronted.push_back(cells_.of(source.is_reversed ? left : right));
+        sight.fronted.push_back(free_regions_.of(source.is_reversed ? left : right));
         if (!surface.back) sight.backs.push_back(source.is_reversed ? right : left);
       }
       if (role_[surface.group] == Role::kNone) continue;
@@ -130,8 +130,8 @@ class SolidFinder {
 
   // Outlines with other winding numbers are neither solids nor rooms.
   void judge_windings() {
-    walk_cells(
-        cells_, runs_, group_count_,
+    walk_regions(
+        free_regions_, runs_, group_count_,
         [this](std::uint32_t group, std::int32_t, std::int32_t now) {
           if (now != 0 && now != (role_[group] == Role::kSolid ? 1 : -1)) role_[group] = Role::kNone;
         },
@@ -149,8 +149,8 @@ class SolidFinder {
     std::vector<char> is_known(group_count_, 0);
     within_.resize(group_count_);
     std::set<std::uint32_t> around;
-    walk_cells(
-        cells_, runs_, group_count_,
+    walk_regions(
+        free_regions_, runs_, group_count_,
         [&](std::uint32_t group, std::int32_t, std::int32_t now) {
           if (role_[group] != Role::kSolid) return;
           if (now == 1)
@@ -158,8 +158,8 @@ class SolidFinder {
           else
             around.erase(group);
         },
-        [&](std::uint32_t cell) {
-          for (const PieceSideId side : cells_.sides(cell))
+        [&](std::uint32_t free_region) {
+          for (const PieceSideId side : free_regions_.sides(free_region))
             for (const NetRun2& run : runs_.of(static_cast<std::size_t>(side / 2))) {
               if (role_[run.group] != Role::kRoom ||
                   inner_side_of_room(static_cast<std::size_t>(side / 2), run) != side)
@@ -175,9 +175,9 @@ class SolidFinder {
   }
 
   void fill_outlines() {
-    std::vector<std::uint32_t> rooms(group_count_, 0);  // by solid: how many rooms in it hold the cell
+    std::vector<std::uint32_t> rooms(group_count_, 0);  // by solid: how many rooms in it hold the region
     std::vector<char> is_around(group_count_, 0);
-    std::set<std::uint32_t> makers[2];  // of solid, of open cells
+    std::set<std::uint32_t> makers[2];  // of solid, of open regions
     const auto update = [&](std::uint32_t solid) {
       std::set<std::uint32_t>& set = makers[behind(solid) == Behind::kOpen ? 1 : 0];
       if (is_around[solid] != 0 && rooms[solid] == 0)
@@ -185,8 +185,8 @@ class SolidFinder {
       else
         set.erase(solid);
     };
-    walk_cells(
-        cells_, runs_, group_count_,
+    walk_regions(
+        free_regions_, runs_, group_count_,
         [&](std::uint32_t group, std::int32_t before, std::int32_t now) {
           if (role_[group] == Role::kSolid) {
             is_around[group] = now == 1;
@@ -199,15 +199,15 @@ class SolidFinder {
             }
           }
         },
-        [&](std::uint32_t cell) {
-          if (!makers[0].empty()) solid_[cell] = *makers[0].begin();
-          if (!makers[1].empty()) open_[cell] = *makers[1].begin();
+        [&](std::uint32_t free_region) {
+          if (!makers[0].empty()) solid_[free_region] = *makers[0].begin();
+          if (!makers[1].empty()) open_[free_region] = *makers[1].begin();
           for (const std::uint32_t maker : makers[0]) {
-            if (behind(maker) == Behind::kSolid) stated_solid_.emplace(cell, maker);
-            if (looks_ == Looks::kAll) outlined_.emplace(maker, cell);
+            if (behind(maker) == Behind::kSolid) stated_solid_.emplace(free_region, maker);
+            if (looks_ == Looks::kAll) outlined_.emplace(maker, free_region);
           }
           if (makers[0].empty()) return;
-          for (const PieceSideId side : cells_.sides(cell))
+          for (const PieceSideId side : free_regions_.sides(free_region))
             for (auto back = std::lower_bound(backs_.begin(), backs_.end(), std::pair(side, std::uint32_t{0}));
                  back != backs_.end() && back->first == side; ++back)
               if (makers[0].contains(back->second)) bounding_.push_back(*back);
@@ -222,30 +222,30 @@ class SolidFinder {
       if (behind(group) == Behind::kOpen && is_outline) continue;
       bool bounds_some = false;
       for (const PieceSideId side : sight.backs) {
-        const std::uint32_t cell = cells_.of(side);
-        if (!is_behind(sight, cell)) continue;
+        const std::uint32_t free_region = free_regions_.of(side);
+        if (!is_behind(sight, free_region)) continue;
         bounds_some = true;
         if (behind(group) == Behind::kOpen) {
-          open_[cell] = std::min(open_[cell], group);
+          open_[free_region] = std::min(open_[free_region], group);
           continue;
         }
-        solid_[cell] = std::min(solid_[cell], group);
-        stated_solid_.emplace(cell, group);
+        solid_[free_region] = std::min(solid_[free_region], group);
+        stated_solid_.emplace(free_region, group);
         bounding_.emplace_back(side, group);
       }
       if (behind(group) == Behind::kSolid && !bounds_some && !is_outline)
-        refuse_unbounded({scene_, overlay_, cells_, group, sight.backs});
+        refuse_unbounded({scene_, overlay_, free_regions_, group, sight.backs});
     }
   }
 
-  // One group says that a cell is solid, another that it is open.
+  // One group says that a region is solid, another that it is open.
   void refuse_conflicts() const {
-    for (const auto& [cell, solid] : stated_solid_)
-      if (open_[cell] != Solids2::kNone) refuse_conflict(scene_, solid, open_[cell]);
+    for (const auto& [free_region, solid] : stated_solid_)
+      if (open_[free_region] != Solids2::kNone) refuse_conflict(scene_, solid, open_[free_region]);
   }
 
   const Scene2& scene_;
-  const Cells2& cells_;
+  const FreeRegions2& free_regions_;
   const Overlay2& overlay_;
   const Looks looks_;
   const std::size_t group_count_;
@@ -254,10 +254,10 @@ class SolidFinder {
   std::vector<std::pair<PieceSideId, std::uint32_t>> backs_;        // of outlines: side and group, sorted
   std::map<std::uint32_t, Sight> sight_;                            // by group whose "behind" is looked at
   std::vector<Groups> within_;                                      // by room: the solids it is in
-  std::vector<std::uint32_t> solid_;                                // by cell: the first group that makes it solid
-  std::vector<std::uint32_t> open_;                                 // by cell: the first group that says it is open
-  std::set<std::pair<std::uint32_t, std::uint32_t>> stated_solid_;  // cell and group that says so
-  std::set<std::pair<std::uint32_t, std::uint32_t>> outlined_;      // group and cell that its outline makes solid
+  std::vector<std::uint32_t> solid_;                                // by region: the first group that makes it solid
+  std::vector<std::uint32_t> open_;                                 // by region: the first group that says it is open
+  std::set<std::pair<std::uint32_t, std::uint32_t>> stated_solid_;  // region and group that says so
+  std::set<std::pair<std::uint32_t, std::uint32_t>> outlined_;      // group and region that its outline makes solid
   std::vector<std::pair<PieceSideId, std::uint32_t>> bounding_;
 };
 

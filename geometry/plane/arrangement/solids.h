@@ -1,4 +1,4 @@
-// Which cells of an arrangement are solid, and what makes them so.
+// Which regions of an arrangement are solid, and what makes them so.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/plane/arrangement/cells.h"
 #include "geometry/plane/arrangement/claims.h"
+#include "geometry/plane/arrangement/free_regions.h"
 #include "geometry/plane/arrangement/overlay.h"
 #include "geometry/plane/scene/scene.h"
 
@@ -17,19 +17,20 @@ namespace hottel {
 struct BarePieces2 {
   const Scene2& scene;
   const Overlay2& overlay;
-  const Cells2& cells;
+  const FreeRegions2& regions;
   std::function<std::vector<PieceSource2>(std::size_t)> sources;  // of a piece, in the order of the scene
 };
 
-// The solid cells: nothing is seen there, and the sides of pieces that look into them belong to no face.
+// The solid regions: nothing is seen there, and the sides of pieces that look into them belong to no face.
 //
 //   (1) a group encloses a solid when its surfaces follow each other, the last ends where the first begins, none has a
-//       "back", and its winding number (counter-clockwise +) is 0 or 1 in every cell. The solid is where it is 1, less
-//       where the winding number of a room in it is -1. A room is a group that closes with winding number 0 or -1
+//       "back", and its winding number (counter-clockwise +) is 0 or 1 in every region. The solid is where it is 1,
+//       less where the winding number of a room in it is -1. A room is a group that closes with winding number 0 or -1
 //       everywhere; it is in a solid when the inner sides of all its walls are
-//   (2) a group with "behind": "solid" makes solid also the bounded cells that a back of it without material looks into
+//   (2) a group with "behind": "solid" makes solid also the bounded regions that a back of it without material looks
+//   into
 //       and none of its fronts. With "behind": "open" it makes none solid
-//   (3) a cell is solid iff some group makes it so
+//   (3) a region is solid iff some group makes it so
 // COST: linear in the sides of pieces, plus for each room the solids around it; nothing where no group can enclose
 // anything.
 class Solids2 {
@@ -39,11 +40,11 @@ class Solids2 {
   Solids2() = default;  // nothing is solid
 
   // Throws InputError for a "behind": "solid" that bounds nothing, naming the gap, and for two groups of which one says
-  // that a cell is solid and the other that it is open.
+  // that a region is solid and the other that it is open.
   explicit Solids2(const BarePieces2& pieces);
 
   bool is_empty() const { return maker_.empty(); }
-  // The first listed group that makes the cell that a side looks into solid; kNone where it is free.
+  // The first listed group that makes the region that a side looks into solid; kNone where it is free.
   std::uint32_t maker(PieceSideId side) const {
     return maker_.empty() ? kNone : maker_[static_cast<std::size_t>(side)];
   }
@@ -59,12 +60,13 @@ class Solids2 {
   std::vector<std::pair<PieceSideId, std::uint32_t>> bounding_;  // side and group, sorted
 };
 
-// Returns for each group the free cells, ascending, that "behind": "solid" would make solid if the group said so: none
-// where it says something already or would be refused. REQUIRES pieces that Solids2 accepts.
-// COST: linear in the sides of pieces.
+// Returns for each group the free regions, ascending, that "behind": "solid" would make solid if the group said so:
+// none where it says something already or would be refused. REQUIRES pieces that Solids2 accepts. COST: linear in the
+// sides of pieces.
 std::vector<std::vector<std::uint32_t>> regions_behind(const BarePieces2& pieces);
 
-// Returns whether the scene has a group that may enclose a solid or says what is behind it: only then are cells needed.
+// Returns whether the scene has a group that may enclose a solid or says what is behind it: only then are regions
+// needed.
 bool may_have_solids(const Scene2& scene);
 
 }  // namespace hottel

@@ -1,11 +1,11 @@
-// Walks through the cells of an arrangement with the winding numbers of closed groups.
+// Walks through the regions of an arrangement with the winding numbers of closed groups.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "geometry/plane/arrangement/cells.h"
+#include "geometry/plane/arrangement/free_regions.h"
 
 namespace hottel {
 
@@ -32,16 +32,16 @@ class NetRuns2 {
   std::vector<std::uint32_t> begin_;
 };
 
-// Visits every cell once, from neighbour to neighbour, starting outside, where all winding numbers are 0. On the way
+// Visits every region once, from neighbour to neighbour, starting outside, where all winding numbers are 0. On the way
 // calls change(group, from, to) for each winding number that changes, there and back again; then, on the first visit of
-// a cell, visit(cell). The winding number is greater by the net run on the left of a piece than on its right.
+// a region, visit(region). The winding number is greater by the net run on the left of a piece than on its right.
 // COST: twice the sides of pieces.
 template <class Change, class Visit>
-void walk_cells(const Cells2& cells, const NetRuns2& runs, std::size_t group_count, const Change& change,
-                const Visit& visit) {
+void walk_regions(const FreeRegions2& regions, const NetRuns2& runs, std::size_t group_count, const Change& change,
+                  const Visit& visit) {
   struct Step {
-    std::uint32_t cell;
-    PieceSideId entered_by;  // the side of the cell before; -1 for the first
+    std::uint32_t region;
+    PieceSideId entered_by;  // the side of the region before; -1 for the first
     std::size_t next_side;
   };
   std::vector<std::int32_t> winding(group_count, 0);
@@ -54,20 +54,20 @@ void walk_cells(const Cells2& cells, const NetRuns2& runs, std::size_t group_cou
       change(run.group, before, number);
     }
   };
-  std::vector<char> is_visited(cells.count(), 0);
+  std::vector<char> is_visited(regions.count(), 0);
   std::vector<Step> way{{0, -1, 0}};
   is_visited[0] = 1;
   visit(std::uint32_t{0});
   while (!way.empty()) {
     Step& step = way.back();
-    const auto sides = cells.sides(step.cell);
+    const auto sides = regions.sides(step.region);
     if (step.next_side == sides.size()) {
       if (step.entered_by >= 0) cross(step.entered_by, false);
       way.pop_back();
       continue;
     }
     const PieceSideId side = sides[step.next_side++];
-    const std::uint32_t beyond = cells.of(side ^ 1);
+    const std::uint32_t beyond = regions.of(side ^ 1);
     if (is_visited[beyond] != 0) continue;
     is_visited[beyond] = 1;
     cross(side, true);

@@ -14,17 +14,17 @@ void make_set(std::vector<std::uint32_t>& list) {
 
 }  // namespace
 
-BehindRemedies2::BehindRemedies2(const PreparedScene2& prepared, const Cells2& cells)
+BehindRemedies2::BehindRemedies2(const PreparedScene2& prepared, const FreeRegions2& free_regions)
     : prepared_(prepared),
-      cells_(cells),
-      regions_(prepared.arrangement.regions_behind(prepared.scene, cells)),
+      free_regions_(free_regions),
+      regions_(prepared.arrangement.regions_behind(prepared.scene, free_regions)),
       cells_of_face_(2 * prepared.scene.surfaces.size()) {
   const Arrangement2& arrangement = prepared.arrangement;
   for (std::size_t k = 0; k < arrangement.side_count(); ++k) {
     const auto side = static_cast<PieceSideId>(k);
     if (arrangement.is_covered(side)) continue;
     std::vector<std::uint32_t>& list = cells_of_face_[number(arrangement.owner(side))];
-    if (list.empty() || list.back() != cells.of(side)) list.push_back(cells.of(side));
+    if (list.empty() || list.back() != free_regions.of(side)) list.push_back(free_regions.of(side));
   }
   for (std::vector<std::uint32_t>& list : cells_of_face_) make_set(list);
 }
@@ -36,21 +36,21 @@ const BehindRemedy2* BehindRemedies2::of(std::uint32_t surface) {
   return &(place != known_.end() ? place : known_.emplace(region, remedy(region)).first)->second;
 }
 
-bool BehindRemedies2::is_within(std::uint32_t face, const std::vector<std::uint32_t>& cells) const {
+bool BehindRemedies2::is_within(std::uint32_t face, const std::vector<std::uint32_t>& free_regions) const {
   const std::vector<std::uint32_t>& list = cells_of_face_[face];
-  return !list.empty() && std::includes(cells.begin(), cells.end(), list.begin(), list.end());
+  return !list.empty() && std::includes(free_regions.begin(), free_regions.end(), list.begin(), list.end());
 }
 
-BehindRemedy2 BehindRemedies2::remedy(const std::vector<std::uint32_t>& cells) const {
+BehindRemedy2 BehindRemedies2::remedy(const std::vector<std::uint32_t>& free_regions) const {
   const Scene2& scene = prepared_.scene;
-  BehindRemedy2 result{cells, {}, false};
-  for (const std::uint32_t cell : cells)
-    for (const PieceSideId side : cells_.sides(cell)) {
+  BehindRemedy2 result{free_regions, {}, false};
+  for (const std::uint32_t free_region : free_regions)
+    for (const PieceSideId side : free_regions_.sides(free_region)) {
       const std::uint32_t face = number(prepared_.arrangement.owner(side));
       const Surface2& surface = scene.surfaces[face / 2];
       if (face % 2 == 1 && !surface.back) continue;
       result.emits |= !scene.materials[face % 2 == 1 ? *surface.back : surface.material].emission.is_zero();
-      if (is_within(face, cells)) result.swallows.push_back(face);
+      if (is_within(face, free_regions)) result.swallows.push_back(face);
     }
   make_set(result.swallows);
   return result;

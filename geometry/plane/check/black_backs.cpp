@@ -68,7 +68,7 @@ bool sees_black_backs(const ExchangeMatrix& matrix) {
   return false;
 }
 
-BlackBacks2 black_backs(const PreparedScene2& prepared, const Cells2& cells, const ExchangeMatrix& matrix,
+BlackBacks2 black_backs(const PreparedScene2& prepared, const FreeRegions2& regions, const ExchangeMatrix& matrix,
                         const std::vector<char>& told) {
   const Scene2& scene = prepared.scene;
   const std::vector<Loss> losses = losses_by_surface(scene, matrix);
@@ -77,7 +77,7 @@ BlackBacks2 black_backs(const PreparedScene2& prepared, const Cells2& cells, con
   for (std::uint32_t s = 0; s < losses.size(); ++s) {
     const auto& [from, factor, faces] = losses[s];
     if (factor < 0 || told[s] != 0) continue;
-    if (!remedies) remedies.emplace(prepared, cells);
+    if (!remedies) remedies.emplace(prepared, regions);
     const Surface2& surface = scene.surfaces[s];
     std::string message =
         fmt::format("the back of {} is black: there {} loses F = {} of its light", quoted_name(surface.name),

@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/plane/arrangement/cells.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/arrangement/free_regions.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/check/finding.h"
-#include "geometry/plane/exchange/exchange.h"
 
 namespace hottel {
 
@@ -17,12 +18,12 @@ namespace hottel {
 //   (1) `surfaces` are those of the findings, in the order of the scene
 //   (2) nothing is told of surfaces that are in `told` (by surface): something else was said of their backs
 // REQUIRES a matrix of the scene, by faces or by elements. COST: a pass over the matrix; where there is something to
-// tell, the cells too, and linear in the sides of pieces.
+// tell, the regions too, and linear in the sides of pieces.
 struct BlackBacks2 {
   Findings findings;
   std::vector<std::uint32_t> surfaces;
 };
-BlackBacks2 black_backs(const PreparedScene2& prepared, const Cells2& cells, const ExchangeMatrix& matrix,
+BlackBacks2 black_backs(const PreparedScene2& prepared, const FreeRegions2& regions, const ExchangeMatrix& matrix,
                         const std::vector<char>& told);
 
 // Returns whether some face with a material sees a back without one.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/name.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/check/contacts.h"
 #include "geometry/plane/check/wording.h"
 #include "geometry/plane/exchange/exchange.h"
@@ -64,7 +65,7 @@ std::vector<std::optional<Leak>> leaks(const Scene2& own, const std::vector<Near
   std::vector<std::optional<Leak>> result(near_misses.size());
   if (miss_of_gap.empty()) return result;
   const ExchangeMatrix matrix = exact_exchange(prepare(with_gaps_filled(own, near_misses, miss_of_gap)),
-                                               {.per = Per::kFace, .wants_visibility = false});
+                                               {.granularity = Granularity::kFace, .wants_visibility = false});
   for (std::uint32_t gap = 0; gap < matrix.size(); ++gap) {
     const std::uint32_t surface = matrix.elements()[gap].surface;
     if (surface < own.surfaces.size() || !matrix.has_row(gap)) continue;

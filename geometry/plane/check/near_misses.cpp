@@ -9,7 +9,7 @@
 
 #include "geometry/plane/arrangement/overlay.h"
 #include "geometry/plane/arrangement/point_index.h"
-#include "geometry/plane/check/foot.h"
+#include "geometry/plane/check/closest_point.h"
 #include "geometry/plane/check/point_neighbours.h"
 
 namespace hottel {
@@ -41,8 +41,8 @@ class NearMissFinder {
       if (end && !told.insert(std::minmax(v, *end)).second) continue;
       const bool sticks_out =
           std::any_of(ending_[v].begin(), ending_[v].end(), [&](auto s) { return cross(s, nearest->surface); });
-      result.push_back({point(v), ending_[v], nearest->surface, nearest->foot.at, end.has_value(), sticks_out,
-                        nearest->foot.squared});
+      result.push_back({point(v), ending_[v], nearest->surface, nearest->closest.at, end.has_value(), sticks_out,
+                        nearest->closest.squared});
     }
     return result;
   }
@@ -50,14 +50,14 @@ class NearMissFinder {
  private:
   struct Target {
     std::uint32_t surface;
-    Foot2 foot;
+    ClosestPoint2 closest;
   };
 
   Point2 point(VertexId v) const { return to_point(points_[v]); }
 
   std::optional<VertexId> end_of(const Target& to) const {
-    if (to.foot.end < 0) return std::nullopt;
-    return to.foot.end == 0 ? segments_[to.surface].a : segments_[to.surface].b;
+    if (to.closest.end < 0) return std::nullopt;
+    return to.closest.end == 0 ? segments_[to.surface].a : segments_[to.surface].b;
   }
 
   double length(std::uint32_t s) const {
@@ -97,10 +97,10 @@ class NearMissFinder {
         meeting.push_back(s);
         continue;
       }
-      Foot2 foot = foot_on(point(segments_[s].a), point(segments_[s].b), point(v));
-      if (!nearest.empty() && foot.squared > nearest.front().foot.squared) continue;
-      if (!nearest.empty() && foot.squared < nearest.front().foot.squared) nearest.clear();
-      nearest.push_back({s, std::move(foot)});
+      ClosestPoint2 closest = closest_point(point(segments_[s].a), point(segments_[s].b), point(v));
+      if (!nearest.empty() && closest.squared > nearest.front().closest.squared) continue;
+      if (!nearest.empty() && closest.squared < nearest.front().closest.squared) nearest.clear();
+      nearest.push_back({s, std::move(closest)});
     }
     if (nearest.empty()) return std::nullopt;
     for (const Target& to : nearest)
@@ -127,7 +127,7 @@ class NearMissFinder {
     };
     look_at(v);
     if (const auto end = end_of(to)) look_at(*end);
-    return to.foot.squared * kNearPart * kNearPart < least;
+    return to.closest.squared * kNearPart * kNearPart < least;
   }
 
   bool cross(std::uint32_t s, std::uint32_t t) const {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <queue>
 
-#include "geometry/plane/check/foot.h"
+#include "geometry/plane/check/closest_point.h"
 
 namespace hottel {
 namespace {
@@ -138,7 +138,8 @@ Opening2 opening_at(const Vertices2& vertices, const Pocket& pocket) {
   const auto place = [&](VertexId v) { return to_point(vertices.to_scene(vertices.exact(v))); };
   const Gap& gap = pocket.gap;
   const Point2 tip = place(gap.tip), a = place(gap.a);
-  return {tip, gap.a == gap.b ? a : foot_on(a, place(gap.b), tip).at, gap.width / pocket.walls, !pocket.has_other_ways};
+  return {tip, gap.a == gap.b ? a : closest_point(a, place(gap.b), tip).at, gap.width / pocket.walls,
+          !pocket.has_other_ways};
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 #include "geometry/plane/arrangement/overlay.h"
 #include "geometry/plane/arrangement/point_index.h"
 #include "geometry/plane/arrangement/solids.h"
-#include "geometry/plane/check/foot.h"
+#include "geometry/plane/check/closest_point.h"
 #include "geometry/plane/check/point_neighbours.h"
 #include "geometry/plane/scene/closed_groups.h"
 #include "kernel/support/failure.h"
@@ -29,8 +29,8 @@ constexpr unsigned long kMostDecimals = 60;  // of the parameter along a surface
 
 // A point inside the segment a-b next to the foot of p: the foot itself where it has short coordinates, otherwise one
 // with few decimals along the segment that is hardly farther from p.
-Point2 short_point_near(const Point2& a, const Point2& b, const Point2& p, const Foot2& foot) {
-  if (to_string(foot.at.x).size() + to_string(foot.at.y).size() <= kShortPlace) return foot.at;
+Point2 short_point_near(const Point2& a, const Point2& b, const Point2& p, const ClosestPoint2& closest) {
+  if (to_string(closest.at.x).size() + to_string(closest.at.y).size() <= kShortPlace) return closest.at;
   const Rational dx = b.x - a.x, dy = b.y - a.y;
   const Rational t = (dx * (p.x - a.x) + dy * (p.y - a.y)) / (dx * dx + dy * dy);
   Integer power = 1;
@@ -43,9 +43,9 @@ Point2 short_point_near(const Point2& a, const Point2& b, const Point2& p, const
     near.canonicalize();
     if (near <= 0 || near >= 1) continue;
     Point2 place{a.x + near * dx, a.y + near * dy};
-    if (squared_distance(p, place) * 256 <= foot.squared * 289) return place;
+    if (squared_distance(p, place) * 256 <= closest.squared * 289) return place;
   }
-  return foot.at;
+  return closest.at;
 }
 
 class GapCloser {
@@ -149,17 +149,17 @@ class GapCloser {
 
   // Puts v onto the nearest surface within reach.
   bool snap(VertexId v, const std::vector<std::uint32_t>& near) {
-    std::optional<std::pair<std::uint32_t, Foot2>> nearest;
+    std::optional<std::pair<std::uint32_t, ClosestPoint2>> nearest;
     for (const std::uint32_t s : near) {
       const Segment2 now = segment(s);
       if (now.a == now.b || now.a == v || now.b == v) continue;
-      Foot2 foot = foot_on(place_[now.a], place_[now.b], place_[v]);
-      if (foot.squared == 0) return false;  // it lies on one
-      if (foot.end < 0 && foot.squared <= squared_ && (!nearest || foot.squared < nearest->second.squared))
-        nearest = {s, std::move(foot)};
+      ClosestPoint2 closest = closest_point(place_[now.a], place_[now.b], place_[v]);
+      if (closest.squared == 0) return false;  // it lies on one
+      if (closest.end < 0 && closest.squared <= squared_ && (!nearest || closest.squared < nearest->second.squared))
+        nearest = {s, std::move(closest)};
     }
     if (!nearest) return false;
-    const auto& [s, foot] = *nearest;
+    const auto& [s, closest] = *nearest;
     const Segment2 onto = segment(s);
     for (const std::uint32_t own : ending_[v])
       for (const VertexId end : {segment(own).a, segment(own).b})
@@ -167,8 +167,8 @@ class GapCloser {
           left_.emplace_back(v, s);
           return false;
         }
-    Point2 to = short_point_near(place_[onto.a], place_[onto.b], place_[v], foot);
-    if (!may_move(v, to)) to = foot.at;
+    Point2 to = short_point_near(place_[onto.a], place_[onto.b], place_[v], closest);
+    if (!may_move(v, to)) to = closest.at;
     if (!may_move(v, to)) return false;
     place_[v] = std::move(to);
     snapped_to_[v] = s;
@@ -177,7 +177,8 @@ class GapCloser {
 
   bool still_apart(VertexId v, std::uint32_t s) const {
     const Segment2 now = segment(s);
-    return now.a != now.b && now.a != v && now.b != v && foot_on(place_[now.a], place_[now.b], place_[v]).squared > 0;
+    return now.a != now.b && now.a != v && now.b != v &&
+           closest_point(place_[now.a], place_[now.b], place_[v]).squared > 0;
   }
 
   void tell_moves(std::vector<RepairStep>& steps) const {

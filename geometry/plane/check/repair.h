@@ -35,7 +35,7 @@ struct Repair2 {
 // REQUIRES distance > 0. COST: O(n log n) and exact arithmetic near ends.
 Repair2 close_gaps(const Scene2& scene, const Rational& distance);
 
-// Reverses surfaces that are certainly the wrong way round (CellFindings2::certainly_reversed) and adds a step for
+// Reverses surfaces that are certainly the wrong way round (RegionFindings2::certainly_reversed) and adds a step for
 // each. Nothing is done where claims conflict or a "behind" cannot be obeyed, nor to groups that say what is behind
 // them.
 void reverse_inside_out(Repair2& repair);

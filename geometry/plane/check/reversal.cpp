@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/plane/check/cell_findings.h"
+#include "geometry/plane/check/region_findings.h"
 #include "geometry/plane/check/repair.h"
 #include "geometry/plane/check/wording.h"
 
 namespace hottel {
 
 void reverse_inside_out(Repair2& repair) {
-  CellFindings2 told;
+  RegionFindings2 told;
   try {
     const PreparedScene2 prepared = prepare(repair.scene);
-    told = cell_findings(prepared, Cells2(prepared.arrangement.triangulation(), prepared.arrangement.side_count()));
+    told = region_findings(prepared,
+                           FreeRegions2(prepared.arrangement.triangulation(), prepared.arrangement.side_count()));
   } catch (const InputError&) {
     return;
   }

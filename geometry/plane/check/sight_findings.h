@@ -1,8 +1,9 @@
 // What is worth telling about what faces see.
 #pragma once
 
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/check/finding.h"
-#include "geometry/plane/exchange/exchange.h"
 
 namespace hottel {
 

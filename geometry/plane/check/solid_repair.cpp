@@ -12,19 +12,20 @@
 namespace hottel {
 namespace {
 
-using Cells = std::vector<std::uint32_t>;
+using Regions = std::vector<std::uint32_t>;
 
-Cells united(const Cells& a, const Cells& b) {
-  Cells cells;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(cells));
-  return cells;
+Regions united(const Regions& a, const Regions& b) {
+  Regions regions;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(regions));
+  return regions;
 }
 
-// The faces with a material that look into some cells.
-std::vector<std::uint32_t> faces_around(const PreparedScene2& prepared, const Cells2& cells, const Cells& some) {
+// The faces with a material that look into some regions.
+std::vector<std::uint32_t> faces_around(const PreparedScene2& prepared, const FreeRegions2& regions,
+                                        const Regions& some) {
   std::vector<std::uint32_t> faces;
-  for (const std::uint32_t cell : some)
-    for (const PieceSideId side : cells.sides(cell)) {
+  for (const std::uint32_t region : some)
+    for (const PieceSideId side : regions.sides(region)) {
       const FacePart& owner = prepared.arrangement.owner(side);
       if (!owner.is_back || prepared.scene.surfaces[owner.surface].back)
         faces.push_back(2 * owner.surface + (owner.is_back ? 1 : 0));
@@ -38,9 +39,9 @@ void state_solids(Repair2& repair, const std::vector<std::uint32_t>& black_backs
   if (black_backs.empty()) return;
   Scene2& scene = repair.scene;
   const PreparedScene2 prepared = prepare(scene);
-  const Cells2 cells(prepared.arrangement.triangulation(), prepared.arrangement.side_count());
-  BehindRemedies2 remedies(prepared, cells);
-  Cells solid;
+  const FreeRegions2 regions(prepared.arrangement.triangulation(), prepared.arrangement.side_count());
+  BehindRemedies2 remedies(prepared, regions);
+  Regions solid;
   std::set<const BehindRemedy2*> asked;  // regions that are left as they are
   for (const std::uint32_t s : black_backs) {
     const BehindRemedy2* remedy = remedies.of(s);
@@ -54,9 +55,9 @@ void state_solids(Repair2& repair, const std::vector<std::uint32_t>& black_backs
                                                           : "faces behind it would be covered wholly")});
       continue;
     }
-    if (std::includes(solid.begin(), solid.end(), remedy->cells.begin(), remedy->cells.end())) continue;
-    Cells together = united(solid, remedy->cells);
-    const std::vector<std::uint32_t> faces = faces_around(prepared, cells, remedy->cells);
+    if (std::includes(solid.begin(), solid.end(), remedy->free_regions.begin(), remedy->free_regions.end())) continue;
+    Regions together = united(solid, remedy->free_regions);
+    const std::vector<std::uint32_t> faces = faces_around(prepared, regions, remedy->free_regions);
     if (std::any_of(faces.begin(), faces.end(), [&](std::uint32_t face) { return remedies.is_within(face, together); }))
       continue;
     solid = std::move(together);

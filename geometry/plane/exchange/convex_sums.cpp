@@ -17,15 +17,15 @@ class Outline {
     std::uint32_t inexact;
   };
 
-  Outline(const Arrangement2& arrangement, const Labels2& labels)
-      : vertices_(arrangement.vertices()), sides_of_(labels.count()) {
+  Outline(const Arrangement2& arrangement, const ElementTable2& table)
+      : vertices_(arrangement.vertices()), sides_of_(table.count()) {
     const std::vector<Segment2>& pieces = arrangement.pieces();
     constexpr VertexId kNone = std::numeric_limits<VertexId>::max();
     std::vector<VertexId> next(vertices_.size(), kNone);
     std::vector<std::uint32_t> label_from(vertices_.size());
     for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-      const std::uint32_t label = labels.of(static_cast<PieceSideId>(side));
-      if (!labels.has_row(label)) continue;
+      const std::uint32_t label = table.of(static_cast<PieceSideId>(side));
+      if (!table.has_row(label)) continue;
       const auto [a, b] = side % 2 == 1 ? pieces[side / 2] : Segment2{pieces[side / 2].b, pieces[side / 2].a};
       HOTTEL_REQUIRE(next[a] == kNone);
       next[a] = b;
@@ -77,11 +77,11 @@ class Outline {
 
 }  // namespace
 
-std::vector<PairSum> sum_convex_pairs(const Arrangement2& arrangement, const Labels2& labels) {
-  const Outline outline(arrangement, labels);
+std::vector<PairSum> sum_convex_pairs(const Arrangement2& arrangement, const ElementTable2& table) {
+  const Outline outline(arrangement, table);
   std::vector<PairSum> pairs;
-  for (std::uint32_t i = 0; i < labels.count(); ++i)
-    for (std::uint32_t j = i; j < labels.count(); ++j) {
+  for (std::uint32_t i = 0; i < table.count(); ++i)
+    for (std::uint32_t j = i; j < table.count(); ++j) {
       PairSum pair{i, j, 0, false, 0};
       const auto add = [&](std::uint32_t u, std::uint32_t v, int sign) {
         const Outline::Length length = outline.between(u, v);

@@ -23,15 +23,15 @@ struct FoundTerm {
 // pair of vertices inside it. Widened by far more than the rounding of its making.
 class Corridor {
  public:
-  Corridor(const Vertices2& vertices, const Labels2& labels, const LabelPair& pair) {
+  Corridor(const Vertices2& vertices, const ElementTable2& table, const ElementPair& pair) {
     double x[2] = {0, 0}, y[2] = {0, 0};
     const std::uint32_t label[2] = {pair.first, pair.second};
     for (int k = 0; k < 2; ++k) {
-      for (const Segment2& run : labels.runs(label[k])) {
+      for (const Segment2& run : table.runs(label[k])) {
         x[k] += vertices.approximate(run.a).x + vertices.approximate(run.b).x;
         y[k] += vertices.approximate(run.a).y + vertices.approximate(run.b).y;
       }
-      const auto ends = 2.0 * static_cast<double>(labels.runs(label[k]).size());
+      const auto ends = 2.0 * static_cast<double>(table.runs(label[k]).size());
       x[k] /= ends;
       y[k] /= ends;
     }
@@ -46,7 +46,7 @@ class Corridor {
       uy_ = 0;
     }
     for (const std::uint32_t l : label)
-      for (const Segment2& run : labels.runs(l)) {
+      for (const Segment2& run : table.runs(l)) {
         include(vertices.approximate(run.a));
         include(vertices.approximate(run.b));
       }
@@ -75,15 +75,15 @@ class Corridor {
   double t0_ = std::numeric_limits<double>::infinity(), t1_ = -t0_, s0_ = t0_, s1_ = -t0_;
 };
 
-std::vector<VertexId> vertices_between(const Arrangement2& arrangement, const Labels2& labels,
-                                       const std::vector<LabelPair>& pairs) {
+std::vector<VertexId> vertices_between(const Arrangement2& arrangement, const ElementTable2& table,
+                                       const std::vector<ElementPair>& pairs) {
   const Vertices2& vertices = arrangement.vertices();
   const auto n = static_cast<VertexId>(vertices.size());
   std::vector<VertexId> result;
   const bool everywhere =
       static_cast<double>(n) * static_cast<double>(pairs.size()) > 2e8 ||
-      std::any_of(pairs.begin(), pairs.end(), [&](const LabelPair& pair) {
-        return pair.second == labels.sky() || labels.runs(pair.first).empty() || labels.runs(pair.second).empty();
+      std::any_of(pairs.begin(), pairs.end(), [&](const ElementPair& pair) {
+        return pair.second == table.sky() || table.runs(pair.first).empty() || table.runs(pair.second).empty();
       });
   if (everywhere) {
     result.resize(n);
@@ -91,7 +91,7 @@ std::vector<VertexId> vertices_between(const Arrangement2& arrangement, const La
     return result;
   }
   std::vector<Corridor> corridors;
-  for (const LabelPair& pair : pairs) corridors.emplace_back(vertices, labels, pair);
+  for (const ElementPair& pair : pairs) corridors.emplace_back(vertices, table, pair);
   std::vector<char> is_between(n, 0);
   parallel_for(n, [&](std::size_t k) {
     const auto v = static_cast<VertexId>(k);
@@ -108,8 +108,8 @@ std::vector<VertexId> vertices_between(const Arrangement2& arrangement, const La
 
 }  // namespace
 
-std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const Labels2& labels,
-                                const std::vector<LabelPair>& pairs) {
+std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const ElementTable2& table,
+                                const std::vector<ElementPair>& pairs) {
   const Vertices2& vertices = arrangement.vertices();
   const auto key = [](std::uint32_t i, std::uint32_t j) {
     return (static_cast<std::uint64_t>(std::min(i, j)) << 32) | std::max(i, j);
@@ -117,7 +117,7 @@ std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const Labels2& 
   std::unordered_map<std::uint64_t, std::size_t> number;
   for (std::size_t k = 0; k < pairs.size(); ++k) number.emplace(key(pairs[k].first, pairs[k].second), k);
 
-  const std::vector<VertexId> between = vertices_between(arrangement, labels, pairs);
+  const std::vector<VertexId> between = vertices_between(arrangement, table, pairs);
   std::vector<FoundTerm> terms;
   std::mutex together;
   parallel_ranges(between.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -126,7 +126,7 @@ std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const Labels2& 
     for (std::size_t k = begin; k < end; ++k) {
       look_around(vertices, arrangement.triangulation(), between[k], view);
       for_each_gap(vertices, between[k], view, true, [&](const Gap2& gap) {
-        for_each_term(gap, labels, [&](std::uint32_t i, std::uint32_t j, int sign) {
+        for_each_term(gap, table, [&](std::uint32_t i, std::uint32_t j, int sign) {
           if (const auto place = number.find(key(i, j)); place != number.end())
             found.push_back({place->second, gap.v, gap.w, i == j ? 2 * sign : sign});
         });

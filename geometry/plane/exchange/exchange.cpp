@@ -15,58 +15,39 @@
 namespace hottel {
 namespace {
 
-std::uint64_t count_all_pairs(const Labels2& labels) {
+std::uint64_t count_all_pairs(const ElementTable2& table) {
   std::uint64_t rows = 0;
-  for (std::uint32_t i = 0; i < labels.count(); ++i) rows += labels.has_row(i);
+  for (std::uint32_t i = 0; i < table.count(); ++i) rows += table.has_row(i);
   return rows * (rows - 1) / 2;
 }
 
-ExchangeMatrix to_matrix(const Labels2& labels, const std::vector<PairSum>& pairs,
+ExchangeMatrix to_matrix(const ElementTable2& table, const std::vector<PairSum>& pairs,
                          const std::vector<RoundedPair>& rounded, bool with_measures) {
-  ExchangeMatrix matrix(labels.elements(), Guarantee::kExact);
-  std::vector<std::size_t> begin(labels.count() + 1, 0);
+  ExchangeMatrix matrix(table.elements(), Guarantee::kExact);
+  std::vector<std::size_t> begin(table.count() + 1, 0);
   const auto each_entry = [&](const auto& visit) {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       if (rounded[k].is_zero) continue;
       const auto [i, j] = std::pair(pairs[k].i, pairs[k].j);
-      if (labels.has_row(i)) visit(i, j, rounded[k].forth, rounded[k]);
-      if (j != i && labels.has_row(j)) visit(j, i, rounded[k].back, rounded[k]);
+      if (table.has_row(i)) visit(i, j, rounded[k].forth, rounded[k]);
+      if (j != i && table.has_row(j)) visit(j, i, rounded[k].back, rounded[k]);
     }
   };
   each_entry([&](std::uint32_t from, std::uint32_t, const Rounded&, const RoundedPair&) { ++begin[from + 1]; });
-  for (std::uint32_t i = 0; i < labels.count(); ++i) begin[i + 1] += begin[i];
+  for (std::uint32_t i = 0; i < table.count(); ++i) begin[i + 1] += begin[i];
   std::vector<FactorEntry> entries(begin.back());
   std::vector<double> measures(with_measures ? begin.back() : 0);
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   each_entry([&](std::uint32_t from, std::uint32_t to, const Rounded& factor, const RoundedPair& pair) {
     const std::size_t place = next[from]++;
-    entries[place] = {to, factor, to == labels.sky() ? factor.value : pair.visibility};
+    entries[place] = {to, factor, to == table.sky() ? factor.value : pair.visibility};
     if (with_measures) measures[place] = pair.measure;
   });
   matrix.assign(std::move(begin), std::move(entries), std::move(measures));
   return matrix;
 }
 
-// S(i, j) in scene units.
-std::vector<RootSum> scaled_sums(const PreparedScene2& prepared, const Labels2& labels,
-                                 const std::vector<LabelPair>& pairs) {
-  std::vector<RootSum> sums = exact_sums(prepared.arrangement, labels, pairs);
-  for (RootSum& sum : sums) sum *= prepared.arrangement.vertices().scale() / 2;
-  return sums;
-}
-
 }  // namespace
-
-PreparedScene2 prepare(Scene2 scene, Divided divided) {
-  const DefaultFloatingPoint arithmetic;
-  Stopwatch watch;
-  Division division;
-  for (const Surface2& surface : scene.surfaces) division.push_back(divided == Divided::kYes ? surface.elements : 1);
-  Arrangement2 arrangement(scene, division);
-  PreparedScene2 prepared{std::move(scene), std::move(division), std::move(arrangement), 0};
-  prepared.seconds = watch.lap();
-  return prepared;
-}
 
 ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOptions2& options, ExchangeReport* report) {
   const DefaultFloatingPoint arithmetic;
@@ -74,14 +55,14 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   ExchangeReport ignored;
   ExchangeReport& r = report != nullptr ? *report : ignored;
   const Arrangement2& arrangement = prepared.arrangement;
-  const Labels2 labels(prepared.scene, arrangement, prepared.division, options.per);
+  const ElementTable2 table(prepared.scene, arrangement, prepared.division, options.granularity);
   r.seconds["prepare"] = prepared.seconds;
   r.seconds["label"] = watch.lap();
 
   std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();
   if (options.memory > 0) {
     most_pairs = options.memory / kBytesPerPair;
-    const std::uint64_t pairs = options.occlusion ? estimated_pairs(arrangement, labels) : count_all_pairs(labels);
+    const std::uint64_t pairs = options.occlusion ? estimated_pairs(arrangement, table) : count_all_pairs(table);
     if (pairs > most_pairs)
       throw RequestError("about " + std::to_string(pairs) + " visible pairs need about " +
                          std::to_string(pairs * kBytesPerPair) + " bytes; allowed are " +
@@ -89,13 +70,13 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   }
   SumCounts counts;
   const std::vector<PairSum> pairs = options.occlusion
-                                         ? sum_visible_pairs(arrangement, labels, options.progress, most_pairs, counts)
-                                         : sum_convex_pairs(arrangement, labels);
+                                         ? sum_visible_pairs(arrangement, table, options.progress, most_pairs, counts)
+                                         : sum_convex_pairs(arrangement, table);
   r.seconds[options.occlusion ? "sweep" : "strings"] = watch.lap();
-  r.closure_is_exact = closure_defect(pairs, labels) == 0;
+  r.closure_is_exact = closure_defect(pairs, table) == 0;
   HOTTEL_REQUIRE(r.closure_is_exact);
 
-  const PairRounding rounding(prepared, labels, options);
+  const PairRounding rounding(prepared, table, options);
   std::vector<RoundedPair> rounded(pairs.size());
   std::mutex tiers;
   const auto count = [&r, &tiers](const TierCounts& some) {
@@ -107,18 +88,18 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
     for (std::size_t k = begin; k < end; ++k) rounded[k] = rounding.quick(pairs[k], some);
     count(some);
   });
-  settle_lonely_rows(pairs, labels, rounded);
+  settle_lonely_rows(pairs, table, rounded);
   r.seconds["round"] = watch.lap();
 
   std::vector<std::size_t> open;
-  std::vector<LabelPair> open_pairs;
+  std::vector<ElementPair> open_pairs;
   for (std::size_t k = 0; k < pairs.size(); ++k)
     if (rounded[k].is_open()) {
       open.push_back(k);
       open_pairs.emplace_back(pairs[k].i, pairs[k].j);
     }
   if (!open.empty()) {
-    const std::vector<RootSum> sums = exact_sums(arrangement, labels, open_pairs);
+    const std::vector<RootSum> sums = exact_sums(arrangement, table, open_pairs);
     parallel_for(open.size(), [&](std::size_t k) {
       TierCounts some;
       rounding.exactly(pairs[open[k]], sums[k], rounded[open[k]], some);
@@ -130,63 +111,31 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
   r.surfaces = prepared.scene.surfaces.size();
   r.vertices = arrangement.vertices().size();
   r.pieces = arrangement.pieces().size();
-  r.elements = labels.count();
+  r.elements = table.count();
   r.pairs = static_cast<std::uint64_t>(
       std::count_if(rounded.begin(), rounded.end(), [](const auto& pair) { return !pair.is_zero; }));
   r.gaps = counts.gaps;
   r.terms = counts.updates;
-  ExchangeMatrix matrix = to_matrix(labels, pairs, rounded, options.wants_measures);
+  ExchangeMatrix matrix = to_matrix(table, pairs, rounded, options.wants_measures);
   r.seconds["matrix"] = watch.lap();
   return matrix;
 }
 
-std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Per per,
-                                             const std::vector<LabelPair>& pairs) {
-  return scaled_sums(prepared, Labels2(prepared.scene, prepared.arrangement, prepared.division, per), pairs);
-}
-
-ExactPair2 exact_pair(const PreparedScene2& prepared, Per per, std::uint32_t from, std::uint32_t to) {
-  return exact_pair(prepared, Labels2(prepared.scene, prepared.arrangement, prepared.division, per), per, from, to);
-}
-
-ExactPair2 exact_pair(const PreparedScene2& prepared, const Labels2& labels, Per per, std::uint32_t from,
-                      std::uint32_t to) {
-  const Vertices2& vertices = prepared.arrangement.vertices();
-  ExactPair2 result;
-  result.exchange = scaled_sums(prepared, labels, {{std::min(from, to), std::max(from, to)}}).front();
-  result.area_from = labels.exact_length(from, vertices) * vertices.scale();
-  if (to == labels.sky()) {
-    result.unobstructed = result.area_from;
-  } else {
-    result.area_to = labels.exact_length(to, vertices) * vertices.scale();
-    result.unobstructed = PairsAlone2(prepared, labels, per).exact(from, to);
-  }
-  return result;
-}
-
-std::vector<RootSum> exact_areas(const PreparedScene2& prepared, Per per) {
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
-  const Vertices2& vertices = prepared.arrangement.vertices();
-  std::vector<RootSum> areas;
-  for (std::uint32_t label = 0; label < labels.count(); ++label)
-    areas.push_back(labels.exact_length(label, vertices) * vertices.scale());
-  return areas;
-}
-
-std::vector<LabelPair> hidden_pairs(const PreparedScene2& prepared, Per per, const ExchangeMatrix& matrix) {
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
-  const PairsAlone2 alone(prepared, labels, per);
-  std::vector<LabelPair> result;
-  for (std::uint32_t i = 0; i < labels.count(); ++i) {
+std::vector<ElementPair> hidden_pairs(const PreparedScene2& prepared, Granularity granularity,
+                                      const ExchangeMatrix& matrix) {
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, granularity);
+  const PairsAlone2 alone(prepared, table, granularity);
+  std::vector<ElementPair> result;
+  for (std::uint32_t i = 0; i < table.count(); ++i) {
     if (!matrix.has_row(i)) continue;
     const auto row = matrix.row(i);
     auto entry = row.begin();
-    for (std::uint32_t j = 0; j < labels.count(); ++j) {
+    for (std::uint32_t j = 0; j < table.count(); ++j) {
       while (entry != row.end() && entry->to < j) ++entry;
       if (entry != row.end() && entry->to == j) continue;
       if (alone.is_positive(i, j)) result.emplace_back(i, j);
     }
-    if (row.empty() || row.back().to != labels.sky()) result.emplace_back(i, labels.sky());
+    if (row.empty() || row.back().to != table.sky()) result.emplace_back(i, table.sky());
   }
   return result;
 }

@@ -11,9 +11,9 @@ namespace {
 // Follows the gaps that start at one vertex.
 class Sweep {
  public:
-  Sweep(const Arrangement2& arrangement, const Labels2& labels) : arrangement_(arrangement), labels_(labels) {}
+  Sweep(const Arrangement2& arrangement, const ElementTable2& table) : arrangement_(arrangement), table_(table) {}
 
-  void operator()(VertexId v, Outbox<FixedTerm>& out) const {
+  void operator()(VertexId v, TermBuffer<FixedTerm>& out) const {
     const Vertices2& vertices = arrangement_.vertices();
     thread_local View2 view;
     look_around(vertices, arrangement_.triangulation(), v, view);
@@ -21,7 +21,7 @@ class Sweep {
       ++out.gaps;
       FixedLength length{0, false};
       bool is_measured = false;
-      for_each_term(gap, labels_, [&](std::uint32_t i, std::uint32_t j, int sign) {
+      for_each_term(gap, table_, [&](std::uint32_t i, std::uint32_t j, int sign) {
         if (!is_measured) {
           length = vertices.distance(gap.v, gap.w);
           is_measured = true;
@@ -35,19 +35,19 @@ class Sweep {
   }
 
  private:
-  bool is_end(std::uint32_t label, VertexId v) const { return label != labels_.sky() && labels_.has_end(label, v); }
+  bool is_end(std::uint32_t label, VertexId v) const { return label != table_.sky() && table_.has_end(label, v); }
 
   const Arrangement2& arrangement_;
-  const Labels2& labels_;
+  const ElementTable2& table_;
 };
 
 }  // namespace
 
-std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const Labels2& labels,
+std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
                                        const std::function<void(double)>& progress, std::uint64_t most_pairs,
                                        SumCounts& counts) {
-  const std::size_t label_count = labels.covered() + 1;
-  auto sums = sum_terms<FixedTerm>(arrangement.vertices().size(), label_count, Sweep(arrangement, labels), progress,
+  const std::size_t label_count = table.covered() + 1;
+  auto sums = sum_terms<FixedTerm>(arrangement.vertices().size(), label_count, Sweep(arrangement, table), progress,
                                    most_pairs, counts);
   std::size_t total = 0;
   for (const auto& part : sums) total += part.size();
@@ -62,7 +62,7 @@ std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const La
   return result;
 }
 
-std::uint64_t estimated_pairs(const Arrangement2& arrangement, const Labels2& labels) {
+std::uint64_t estimated_pairs(const Arrangement2& arrangement, const ElementTable2& table) {
   // Pairs that see each other through one opening have four terms; there are few with less.
   constexpr std::uint64_t kTermsPerPair = 4;
   constexpr std::uint64_t kSample = 256;
@@ -76,22 +76,22 @@ std::uint64_t estimated_pairs(const Arrangement2& arrangement, const Labels2& la
     look_around(arrangement.vertices(), arrangement.triangulation(), v, view);
     // Every gap is met from both its ends: half of it belongs to this one.
     for_each_gap(arrangement.vertices(), v, view, false, [&](const Gap2& gap) {
-      for_each_term(gap, labels, [&terms](std::uint32_t, std::uint32_t, int) { ++terms; });
+      for_each_term(gap, table, [&terms](std::uint32_t, std::uint32_t, int) { ++terms; });
     });
   }
   return sample == 0 ? 0 : terms * n / (2 * kTermsPerPair * sample);
 }
 
-Int128 closure_defect(const std::vector<PairSum>& pairs, const Labels2& labels) {
-  std::vector<Int128> sum(labels.sky() + 1, 0);
+Int128 closure_defect(const std::vector<PairSum>& pairs, const ElementTable2& table) {
+  std::vector<Int128> sum(table.sky() + 1, 0);
   for (const PairSum& pair : pairs) {
     sum[pair.i] += pair.value;
     if (pair.j != pair.i) sum[pair.j] += pair.value;
   }
   Int128 defect = 0;
-  for (std::uint32_t label = 0; label < labels.count(); ++label) {
-    if (!labels.has_row(label)) continue;
-    const Int128 difference = sum[label] - 2 * labels.length(label).value;
+  for (std::uint32_t label = 0; label < table.count(); ++label) {
+    if (!table.has_row(label)) continue;
+    const Int128 difference = sum[label] - 2 * table.length(label).value;
     defect = std::max(defect, difference < 0 ? -difference : difference);
   }
   return defect;

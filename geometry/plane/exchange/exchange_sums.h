@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/plane/arrangement/arrangement.h"
-#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/term_sums.h"
 
 namespace hottel {
@@ -31,7 +31,7 @@ struct PairSum {
 // `progress` is called from time to time with the fraction done and may throw to stop.
 //
 // Throws RequestError when the pairs become more than `most_pairs`.
-std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const Labels2& labels,
+std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
                                        const std::function<void(double)>& progress, std::uint64_t most_pairs,
                                        SumCounts& counts);
 
@@ -40,9 +40,9 @@ std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const La
 inline constexpr std::uint64_t kBytesPerPair = 200;
 
 // Estimates the number of visible pairs from the sweeps about 256 vertices, drawn by a fixed seed.
-std::uint64_t estimated_pairs(const Arrangement2& arrangement, const Labels2& labels);
+std::uint64_t estimated_pairs(const Arrangement2& arrangement, const ElementTable2& table);
 
 // Checks property (2) as an identity of integers; returns the largest defect, 0 when it holds.
-Int128 closure_defect(const std::vector<PairSum>& pairs, const Labels2& labels);
+Int128 closure_defect(const std::vector<PairSum>& pairs, const ElementTable2& table);
 
 }  // namespace hottel

@@ -1,7 +1,7 @@
 // What one gap adds to the exchange measures: the sum rule of docs/design/plane/exchange.md, in one place.
 #pragma once
 
-#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/visibility/visible_lines.h"
 
 namespace hottel {
@@ -11,18 +11,18 @@ namespace hottel {
 //
 //   (1) the signs of all terms of one row cancel, except on a covered gap, where each side of the piece gets +2 in all
 template <class Add>
-void for_each_term(const Gap2& gap, const Labels2& labels, const Add& add) {
+void for_each_term(const Gap2& gap, const ElementTable2& table, const Add& add) {
   const auto term = [&](std::uint32_t i, std::uint32_t j, int sign) {
-    if (labels.has_row(i) || labels.has_row(j)) add(i, j, sign);
+    if (table.has_row(i) || table.has_row(j)) add(i, j, sign);
   };
-  const std::uint32_t behind_left = labels.of(gap.behind_left), behind_right = labels.of(gap.behind_right);
-  const std::uint32_t ahead_left = labels.of(gap.ahead_left), ahead_right = labels.of(gap.ahead_right);
+  const std::uint32_t behind_left = table.of(gap.behind_left), behind_right = table.of(gap.behind_right);
+  const std::uint32_t ahead_left = table.of(gap.ahead_left), ahead_right = table.of(gap.ahead_right);
   if (gap.covered_left == kNoPiece) {
     if (behind_left == behind_right || ahead_left == ahead_right) return;
     term(behind_left, ahead_right, 1);
     term(behind_right, ahead_left, 1);
   } else {
-    const std::uint32_t left = labels.of(gap.covered_left), right = labels.of(gap.covered_right);
+    const std::uint32_t left = table.of(gap.covered_left), right = table.of(gap.covered_right);
     term(behind_left, right, 1);
     term(right, ahead_left, 1);
     term(behind_right, left, 1);

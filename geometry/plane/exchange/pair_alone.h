@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
-#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "kernel/root_sum.h"
 #include "kernel/rounding.h"
 
@@ -22,7 +22,7 @@ namespace hottel {
 class PairsAlone2 {
  public:
   // REQUIRES that both outlive this, and labels by `per`.
-  PairsAlone2(const PreparedScene2& prepared, const Labels2& labels, Per per);
+  PairsAlone2(const PreparedScene2& prepared, const ElementTable2& table, Granularity granularity);
 
   // 2 S0(i, j) in fixed point. Nothing where only the exact form knows it: two runs cross, or members of a group may
   // hide something.
@@ -43,13 +43,13 @@ class PairsAlone2 {
 
  private:
   std::uint32_t group_of(std::uint32_t label) const {
-    return prepared_.scene.surfaces[labels_.elements()[label].surface].group;
+    return prepared_.scene.surfaces[table_.elements()[label].surface].group;
   }
   bool is_straight(std::uint32_t label) const { return pieces_of_.empty() || size_[group_of(label)] == 1; }
   bool have_facing_runs(std::uint32_t i, std::uint32_t j) const;
 
   const PreparedScene2& prepared_;
-  const Labels2& labels_;
+  const ElementTable2& table_;
   std::vector<std::uint32_t> size_;                    // surfaces by group
   std::vector<std::vector<std::uint32_t>> pieces_of_;  // by group, ascending; empty unless labels are groups
 };

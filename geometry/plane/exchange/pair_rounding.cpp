@@ -15,11 +15,11 @@ double visibility_of(const Rounded& quotient) {
   return quotient.value;
 }
 
-PairRounding::PairRounding(const PreparedScene2& prepared, const Labels2& labels, const ExchangeOptions2& options)
+PairRounding::PairRounding(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeOptions2& options)
     : prepared_(prepared),
-      labels_(labels),
+      table_(table),
       options_(options),
-      alone_(prepared, labels, options.per),
+      alone_(prepared, table, options.granularity),
       half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {}
 
 RoundedPair PairRounding::quick(const PairSum& pair, TierCounts& tiers) const {
@@ -36,14 +36,14 @@ RoundedPair PairRounding::quick(const PairSum& pair, TierCounts& tiers) const {
     number = rounded->number;
     tiers.count(rounded->tier);
   };
-  if (labels_.has_row(pair.i)) settle(twice(labels_.length(pair.i)), result.forth, result.is_forth_open);
-  if (labels_.has_row(pair.j)) settle(twice(labels_.length(pair.j)), result.back, result.is_back_open);
+  if (table_.has_row(pair.i)) settle(twice(table_.length(pair.i)), result.forth, result.is_forth_open);
+  if (table_.has_row(pair.j)) settle(twice(table_.length(pair.j)), result.back, result.is_back_open);
   if (options_.wants_measures) {
     const auto rounded = may_be_zero ? std::nullopt : round_scaled(sum, half_unit_);
     result.is_measure_open = !rounded;
     if (rounded) result.measure = rounded->number.value;
   }
-  if (!options_.wants_visibility || pair.j == labels_.sky()) return result;
+  if (!options_.wants_visibility || pair.j == table_.sky()) return result;
   if (!alone_.are_straight(pair.i, pair.j)) {
     result.is_visibility_open = true;
   } else if (!pair.is_obstructed && !may_be_zero) {
@@ -70,7 +70,7 @@ void PairRounding::exactly(const PairSum& pair, const RootSum& sum, RoundedPair&
     return;
   }
   const auto settle = [&](std::uint32_t label) {
-    const RoundedByTier rounded = round_quotient(sum, labels_.exact_length(label, vertices) * Rational(2));
+    const RoundedByTier rounded = round_quotient(sum, table_.exact_length(label, vertices) * Rational(2));
     tiers.count(rounded.tier);
     return rounded.number;
   };
@@ -90,8 +90,9 @@ void PairRounding::exactly(const PairSum& pair, const RootSum& sum, RoundedPair&
   }
 }
 
-void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels, std::vector<RoundedPair>& rounded) {
-  std::vector<std::uint32_t> partners(labels.count() + 1, 0);
+void settle_lonely_rows(const std::vector<PairSum>& pairs, const ElementTable2& table,
+                        std::vector<RoundedPair>& rounded) {
+  std::vector<std::uint32_t> partners(table.count() + 1, 0);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     ++partners[pairs[k].i];
     if (pairs[k].i != pairs[k].j) ++partners[pairs[k].j];
@@ -102,7 +103,7 @@ void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels
       pair.forth = {1.0, 0};
       pair.is_forth_open = false;
     }
-    if (pair.is_back_open && pairs[k].j != labels.sky() && partners[pairs[k].j] == 1) {
+    if (pair.is_back_open && pairs[k].j != table.sky() && partners[pairs[k].j] == 1) {
       pair.back = {1.0, 0};
       pair.is_back_open = false;
     }

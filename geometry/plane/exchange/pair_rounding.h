@@ -4,9 +4,10 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/exchange/exchange_options.h"
 #include "geometry/plane/exchange/exchange_sums.h"
-#include "geometry/plane/exchange/labels.h"
 #include "geometry/plane/exchange/pair_alone.h"
 #include "kernel/rounding.h"
 
@@ -34,7 +35,7 @@ double visibility_of(const Rounded& quotient);
 class PairRounding {
  public:
   // REQUIRES that all three outlive this.
-  PairRounding(const PreparedScene2& prepared, const Labels2& labels, const ExchangeOptions2& options);
+  PairRounding(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeOptions2& options);
 
   RoundedPair quick(const PairSum& pair, TierCounts& tiers) const;
   // sum: 2 S(i, j) in integer form.
@@ -42,13 +43,14 @@ class PairRounding {
 
  private:
   const PreparedScene2& prepared_;
-  const Labels2& labels_;
+  const ElementTable2& table_;
   const ExchangeOptions2& options_;
   const PairsAlone2 alone_;
   const FixedScale half_unit_;  // 2 S in fixed point to S in scene units
 };
 
 // A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it.
-void settle_lonely_rows(const std::vector<PairSum>& pairs, const Labels2& labels, std::vector<RoundedPair>& rounded);
+void settle_lonely_rows(const std::vector<PairSum>& pairs, const ElementTable2& table,
+                        std::vector<RoundedPair>& rounded);
 
 }  // namespace hottel

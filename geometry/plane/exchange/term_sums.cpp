@@ -16,35 +16,35 @@ namespace {
 // A round of vertices is cut into so many runs, whoever sweeps them.
 constexpr std::size_t kRuns = 32;
 
-// The outboxes of a round. Where order matters each run has its own; else it takes any that is free, so that there are
+// The buffers of a round. Where order matters each run has its own; else it takes any that is free, so that there are
 // no more than threads.
 template <class Term>
 class Outboxes {
  public:
-  explicit Outboxes(const Outbox<Term>& empty) : empty_(empty) {
+  explicit Outboxes(const TermBuffer<Term>& empty) : empty_(empty) {
     if (Term::kOrderMatters) all_.assign(kRuns, empty);
   }
 
-  Outbox<Term>& take(std::size_t run) {
+  TermBuffer<Term>& take(std::size_t run) {
     if (Term::kOrderMatters) return all_[run];
     const std::lock_guard lock(mutex_);
     if (free_.empty()) return all_.emplace_back(empty_);
-    Outbox<Term>& outbox = *free_.back();
+    TermBuffer<Term>& buffer = *free_.back();
     free_.pop_back();
-    return outbox;
+    return buffer;
   }
-  void give_back(Outbox<Term>& outbox) {
+  void give_back(TermBuffer<Term>& buffer) {
     if (Term::kOrderMatters) return;
     const std::lock_guard lock(mutex_);
-    free_.push_back(&outbox);
+    free_.push_back(&buffer);
   }
 
-  std::deque<Outbox<Term>>& all() { return all_; }
+  std::deque<TermBuffer<Term>>& all() { return all_; }
 
  private:
-  const Outbox<Term> empty_;
-  std::deque<Outbox<Term>> all_;
-  std::vector<Outbox<Term>*> free_;
+  const TermBuffer<Term> empty_;
+  std::deque<TermBuffer<Term>> all_;
+  std::vector<TermBuffer<Term>*> free_;
   std::mutex mutex_;
 };
 
@@ -59,23 +59,23 @@ std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t label
   const std::size_t partitions = ((labels - 1) >> partition_shift) + 1;
   std::vector<PairTable<Term>> tables(partitions);
 
-  // Rounds: sweep some vertices, then empty the outboxes into the tables. A round is as large as keeps the terms in
+  // Rounds: sweep some vertices, then empty the buffers into the tables. A round is as large as keeps the terms in
   // flight near kTermsInFlight, judged by the round before.
   constexpr std::size_t kTermsInFlight = 1 << 19;
-  Outboxes<Term> outboxes(Outbox<Term>(partitions, partition_shift));
+  Outboxes<Term> buffers(TermBuffer<Term>(partitions, partition_shift));
   std::size_t round = 64;
   for (std::size_t begin = 0; begin < vertices;) {
     const std::size_t size = std::min(round, vertices - begin);
     parallel_for(kRuns, [&](std::size_t run) {
-      Outbox<Term>& out = outboxes.take(run);
+      TermBuffer<Term>& out = buffers.take(run);
       for (std::size_t v = begin + run * size / kRuns; v != begin + (run + 1) * size / kRuns; ++v)
         sweep(static_cast<VertexId>(v), out);
-      outboxes.give_back(out);
+      buffers.give_back(out);
     });
     std::size_t in_flight = 0;
-    for (const Outbox<Term>& out : outboxes.all()) in_flight += out.size();
+    for (const TermBuffer<Term>& out : buffers.all()) in_flight += out.size();
     parallel_for(partitions, [&](std::size_t partition) {
-      for (Outbox<Term>& out : outboxes.all()) {
+      for (TermBuffer<Term>& out : buffers.all()) {
         for (const Term& term : out.partition(partition)) tables[partition].add(term);
         out.partition(partition).clear();
       }
@@ -90,7 +90,7 @@ std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t label
                                     4 * round);
     if (progress) progress(static_cast<double>(begin) / static_cast<double>(vertices));
   }
-  for (const Outbox<Term>& out : outboxes.all()) {
+  for (const TermBuffer<Term>& out : buffers.all()) {
     counts.gaps += out.gaps;
     counts.updates += out.updates;
   }

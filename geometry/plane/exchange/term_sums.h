@@ -41,9 +41,9 @@ struct PlainTerm {
 
 // Where a sweep leaves its terms: by partition of the smaller label.
 template <class Term>
-class Outbox {
+class TermBuffer {
  public:
-  Outbox(std::size_t partitions, int shift) : by_partition_(partitions), shift_(shift) {}
+  TermBuffer(std::size_t partitions, int shift) : by_partition_(partitions), shift_(shift) {}
 
   void add(const Term& term) { by_partition_[term.key >> (32 + shift_)].push_back(term); }
   std::vector<Term>& partition(std::size_t k) { return by_partition_[k]; }
@@ -66,12 +66,12 @@ struct SumCounts {
 };
 
 template <class Term>
-using TermSweep = std::function<void(VertexId, Outbox<Term>&)>;
+using TermSweep = std::function<void(VertexId, TermBuffer<Term>&)>;
 
-// Calls sweep(v, outbox) for each vertex v and sums the terms by key. Returns the sums in partitions; one after the
+// Calls sweep(v, buffer) for each vertex v and sums the terms by key. Returns the sums in partitions; one after the
 // other they are sorted by key.
 //
-//   (1) the terms of a key are added in the order of the vertices and, for one vertex, of the outbox, for any number of
+//   (1) the terms of a key are added in the order of the vertices and, for one vertex, of the buffer, for any number of
 //       threads: sums of doubles are the same bit for bit
 //
 // COST: parallel; once or twice the size of a term for each term in flight, 1.3 to 2.7 times for each pair.

@@ -5,16 +5,17 @@
 #include <algorithm>
 #include <iterator>
 
-#include "geometry/plane/arrangement/cells.h"
+#include "geometry/plane/arrangement/free_regions.h"
 #include "geometry/plane/check/black_backs.h"
-#include "geometry/plane/check/cell_findings.h"
 #include "geometry/plane/check/contact_findings.h"
 #include "geometry/plane/check/gap_findings.h"
 #include "geometry/plane/check/near_misses.h"
 #include "geometry/plane/check/needles.h"
+#include "geometry/plane/check/region_findings.h"
 #include "geometry/plane/check/sight_findings.h"
 #include "geometry/plane/check/solid_findings.h"
 #include "geometry/plane/check/wording.h"
+#include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/solid_around.h"
 #include "kernel/support/failure.h"
@@ -44,7 +45,7 @@ Findings needle_findings(const Scene2& scene, const Arrangement2& arrangement) {
 ExchangeMatrix factors_as_solved(const PreparedScene2& prepared, const CheckOptions& options) {
   const auto& surfaces = prepared.scene.surfaces;
   const bool is_divided = std::any_of(surfaces.begin(), surfaces.end(), [](auto& s) { return s.elements > 1; });
-  const ExchangeOptions2 exchange{.per = is_divided ? Per::kElement : Per::kFace,
+  const ExchangeOptions2 exchange{.granularity = is_divided ? Granularity::kElement : Granularity::kFace,
                                   .wants_visibility = false,
                                   .memory = options.memory,
                                   .progress = options.progress};
@@ -66,7 +67,7 @@ std::vector<NearMiss2> free_near_misses(const Scene2& scene, const Arrangement2&
   return near_misses;
 }
 
-Cells2 cells_of(const PreparedScene2& prepared) {
+FreeRegions2 cells_of(const PreparedScene2& prepared) {
   return {prepared.arrangement.triangulation(), prepared.arrangement.side_count()};
 }
 
@@ -97,8 +98,8 @@ void check_light(const PreparedScene2& prepared, const FaceCover2& cover, const 
                  const CheckOptions& options, SceneCheck2& check) {
   const Scene2& scene = prepared.scene;
   append(check.findings, needle_findings(scene, prepared.arrangement));
-  const Cells2 cells = cells_of(prepared);
-  CellFindings2 rooms = cell_findings(prepared, cells);
+  const FreeRegions2 regions = cells_of(prepared);
+  RegionFindings2 rooms = region_findings(prepared, regions);
   append(check.findings, std::move(rooms.findings));
   try {
     check.factors = factors_as_solved(prepared, options);
@@ -112,7 +113,7 @@ void check_light(const PreparedScene2& prepared, const FaceCover2& cover, const 
   }
   append(check.findings, gap_findings(scene, near_misses, check.factors.has_value()));
   if (!check.factors) return;
-  BlackBacks2 black = black_backs(prepared, cells, *check.factors, rooms.is_inside_out);
+  BlackBacks2 black = black_backs(prepared, regions, *check.factors, rooms.is_inside_out);
   append(check.findings, std::move(black.findings));
   check.black_backs = std::move(black.surfaces);
   append(check.findings, sight_findings(prepared, *check.factors));
@@ -150,11 +151,11 @@ Findings lost_light_warnings(const PreparedScene2& prepared, const ExchangeMatri
   if (!prepared.arrangement.solids().is_empty())
     append(findings, solid_findings(prepared.scene, FaceCover2(prepared.scene, prepared.arrangement)));
   if (sees_black_backs(matrix)) {
-    const Cells2 cells = cells_of(prepared);
-    CellFindings2 rooms = cell_findings(prepared, cells);
+    const FreeRegions2 regions = cells_of(prepared);
+    RegionFindings2 rooms = region_findings(prepared, regions);
     std::erase_if(rooms.findings, [](const Finding& finding) { return finding.kind != "inside-out"; });
     append(findings, std::move(rooms.findings));
-    append(findings, black_backs(prepared, cells, matrix, rooms.is_inside_out).findings);
+    append(findings, black_backs(prepared, regions, matrix, rooms.is_inside_out).findings);
   }
   std::erase_if(findings, [](const Finding& finding) { return finding.severity != Severity::kWarning; });
   sort_findings(findings);

@@ -6,8 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/check/finding.h"
-#include "geometry/plane/exchange/exchange.h"
 
 namespace hottel {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 
@@ -27,7 +28,7 @@ double max_radiosity_error(const RadiositySolution& solution, const RadiositySol
 
 MethodComparison2::MethodComparison2(const PreparedScene2& prepared)
     : prepared_(prepared),
-      exact_(exact_exchange(prepared, {.per = Per::kElement})),
+      exact_(exact_exchange(prepared, {.granularity = Granularity::kElement})),
       exact_solution_(solve(exact_, why_no_solution_)) {}
 
 std::optional<RadiositySolution> MethodComparison2::solve(const ExchangeMatrix& matrix, std::string& why_not) const {

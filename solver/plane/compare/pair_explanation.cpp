@@ -54,14 +54,14 @@ std::string seen(const std::optional<double>& visibility) {
 PairExplainer2::PairExplainer2(const PreparedScene2& prepared, const ExchangeMatrix& exact)
     : prepared_(prepared),
       exact_(exact),
-      labels_(prepared.scene, prepared.arrangement, prepared.division, Per::kElement) {}
+      table_(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement) {}
 
 std::optional<double> PairExplainer2::visibility(std::uint32_t from, std::uint32_t to) const {
   for (const FactorEntry& entry : exact_.row(from))
     if (entry.to == to) return entry.visibility;
   if (to == exact_.sky()) return 0;
-  for (const Segment2& f : labels_.runs(from))
-    for (const Segment2& g : labels_.runs(to))
+  for (const Segment2& f : table_.runs(from))
+    for (const Segment2& g : table_.runs(to))
       if (face_each_other(prepared_.arrangement.vertices(), f, g)) return 0;
   return std::nullopt;
 }

@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "solver/compare/matrix_errors.h"
 
 namespace hottel {
@@ -33,7 +35,7 @@ class PairExplainer2 {
 
   const PreparedScene2& prepared_;
   const ExchangeMatrix& exact_;
-  Labels2 labels_;
+  ElementTable2 table_;
 };
 
 }  // namespace hottel

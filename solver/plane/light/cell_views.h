@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/view.h"
 

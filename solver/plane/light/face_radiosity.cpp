@@ -6,11 +6,11 @@
 
 namespace hottel {
 
-FaceRadiosity2::FaceRadiosity2(const Arrangement2& arrangement, const Labels2& labels,
+FaceRadiosity2::FaceRadiosity2(const Arrangement2& arrangement, const ElementTable2& table,
                                std::span<const double> by_element, std::span<const double> sky)
     : channels_(static_cast<std::uint32_t>(sky.size())) {
   HOTTEL_REQUIRE(channels_ > 0);
-  HOTTEL_REQUIRE(by_element.size() == std::size_t{labels.count()} * channels_);
+  HOTTEL_REQUIRE(by_element.size() == std::size_t{table.count()} * channels_);
   std::map<std::vector<double>, std::uint32_t> known;
   const auto shade_of = [&](std::vector<double> value) {
     const auto [place, is_new] = known.try_emplace(std::move(value), static_cast<std::uint32_t>(known.size()));
@@ -21,9 +21,9 @@ FaceRadiosity2::FaceRadiosity2(const Arrangement2& arrangement, const Labels2& l
   shade_of(black);
 
   std::vector<std::uint32_t> of_label;
-  for (std::uint32_t label = 0; label < labels.count(); ++label) {
+  for (std::uint32_t label = 0; label < table.count(); ++label) {
     const auto value = by_element.subspan(std::size_t{label} * channels_, channels_);
-    const bool is_black = !labels.elements()[label].material;
+    const bool is_black = !table.elements()[label].material;
     of_label.push_back(shade_of(is_black ? black : std::vector<double>(value.begin(), value.end())));
   }
   of_label.push_back(shade_of({sky.begin(), sky.end()}));
@@ -31,7 +31,7 @@ FaceRadiosity2::FaceRadiosity2(const Arrangement2& arrangement, const Labels2& l
   of_label.push_back(covered_);
   values_.insert(values_.end(), black.begin(), black.end());
   for (PieceSideId side = kSky; side < static_cast<PieceSideId>(arrangement.side_count()); ++side)
-    shade_.push_back(of_label[labels.of(side)]);
+    shade_.push_back(of_label[table.of(side)]);
 }
 
 std::vector<double> radiosity_by_element(const RadiositySolution& solution) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/plane/arrangement/arrangement.h"
-#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "solver/radiosity/radiosity.h"
 
 namespace hottel {
@@ -21,7 +21,7 @@ class FaceRadiosity2 {
  public:
   // by_element: channels values for each of labels.elements(), in their order (that of ExchangeMatrix::elements());
   // those of black backs are not looked at. sky: one value per channel.
-  FaceRadiosity2(const Arrangement2& arrangement, const Labels2& labels, std::span<const double> by_element,
+  FaceRadiosity2(const Arrangement2& arrangement, const ElementTable2& table, std::span<const double> by_element,
                  std::span<const double> sky);
 
   std::uint32_t channels() const { return channels_; }

@@ -6,7 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "solver/plane/light/face_radiosity.h"
 
 namespace hottel {
@@ -48,8 +49,8 @@ IlluminationGrid illuminate_points(const PreparedScene2& prepared, const Grid2& 
 // centre lies is not seen from there. NaN where the centre lies in a solid.
 // by_element: as for FaceRadiosity2. [unit: that of radiosity / length²]
 // Throws RequestError when a value is beyond the range of doubles.
-IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const Grid2& grid, const Labels2& labels,
-                                           std::span<const double> by_element, std::uint32_t channels,
-                                           const std::function<void(double)>& progress = {});
+IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const Grid2& grid,
+                                           const ElementTable2& table, std::span<const double> by_element,
+                                           std::uint32_t channels, const std::function<void(double)>& progress = {});
 
 }  // namespace hottel

@@ -21,10 +21,10 @@ Spot rounded(const ExactPoint2& p) { return {to_double(p.x), to_double(p.y)}; }
 // Lengths of pieces and elements, in the unit of approximate vertices.
 class Lengths {
  public:
-  Lengths(const Arrangement2& arrangement, const Labels2& labels) : arrangement_(arrangement) {
-    of_label_.assign(labels.covered() + std::size_t{1}, 0.0);
+  Lengths(const Arrangement2& arrangement, const ElementTable2& table) : arrangement_(arrangement) {
+    of_label_.assign(table.covered() + std::size_t{1}, 0.0);
     for (std::size_t side = 0; side < arrangement.side_count(); ++side)
-      of_label_[labels.of(static_cast<PieceSideId>(side))] += piece(side / 2);
+      of_label_[table.of(static_cast<PieceSideId>(side))] += piece(side / 2);
   }
 
   // The part of its element's length that is seen of one side of a piece between two vertices.
@@ -56,9 +56,9 @@ class Lengths {
   std::vector<double> of_label_;
 };
 
-std::vector<Spot> middles(const Scene2& scene, const Labels2& labels) {
+std::vector<Spot> middles(const Scene2& scene, const ElementTable2& table) {
   std::vector<Spot> result;
-  for (const Element& element : labels.elements()) {
+  for (const Element& element : table.elements()) {
     const Surface2& surface = scene.surfaces[element.surface];
     const Rational t = Rational(Integer(2ul * element.part + 1)) / Rational(Integer(2ul * element.parts));
     result.push_back(rounded(
@@ -69,14 +69,14 @@ std::vector<Spot> middles(const Scene2& scene, const Labels2& labels) {
 
 }  // namespace
 
-IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const Grid2& grid, const Labels2& labels,
-                                           std::span<const double> by_element, std::uint32_t channels,
-                                           const std::function<void(double)>& progress) {
-  HOTTEL_REQUIRE(channels > 0 && by_element.size() == std::size_t{labels.count()} * channels);
+IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const Grid2& grid,
+                                           const ElementTable2& table, std::span<const double> by_element,
+                                           std::uint32_t channels, const std::function<void(double)>& progress) {
+  HOTTEL_REQUIRE(channels > 0 && by_element.size() == std::size_t{table.count()} * channels);
   IlluminationGrid result{grid, channels, {}};
   result.values.assign(std::size_t{grid.nx} * grid.ny * channels, 0.0);
-  const Lengths lengths(prepared.arrangement, labels);
-  const std::vector<Spot> middle = middles(prepared.scene, labels);
+  const Lengths lengths(prepared.arrangement, table);
+  const std::vector<Spot> middle = middles(prepared.scene, table);
   std::vector<double> x, y;
   for (std::uint32_t ix = 0; ix < grid.nx; ++ix) x.push_back(to_double(cell_centre(grid, ix, 0).x));
   for (std::uint32_t iy = 0; iy < grid.ny; ++iy) y.push_back(to_double(cell_centre(grid, 0, iy).y));
@@ -94,8 +94,8 @@ IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const
     const std::size_t m = view.seen.size();
     for (std::size_t k = 0; k < m; ++k) {
       if (view.seen[k].behind == kSky) continue;
-      const std::uint32_t label = labels.of(view.seen[k].behind);
-      if (label == labels.covered() || !labels.elements()[label].material) continue;
+      const std::uint32_t label = table.of(view.seen[k].behind);
+      if (label == table.covered() || !table.elements()[label].material) continue;
       const double r = std::max(std::hypot(middle[label].x - cx, middle[label].y - cy), nearest);
       const double weight =
           lengths.seen_fraction(eye, view.seen[k], view.seen[k + 1 == m ? 0 : k + 1].vertex, label) / (r * r);

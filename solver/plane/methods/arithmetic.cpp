@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
@@ -24,8 +25,8 @@ constexpr double kHalfUlp = 0x1p-53;
 constexpr double kConversion = 0x1p12;  // more than the error of a fixed-point number below 2^63 in doubles
 constexpr std::array<const char*, 5> kNames{"naive", "doubles", "bounds", "rounded", "cgal"};
 
-Labels2 labels_of(const PreparedScene2& prepared) {
-  return Labels2(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
+ElementTable2 table_of(const PreparedScene2& prepared) {
+  return ElementTable2(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
 }
 
 // Vertices by exact signs and rounded lengths.
@@ -49,9 +50,9 @@ ExchangeMatrix naive_exchange(const PreparedScene2& prepared, MethodReport& repo
   const std::uint64_t limit = naive_step_limit(arrangement.triangulation());
   std::atomic<std::uint64_t> cut_off = 0;
   Stopwatch watch;
-  const Labels2 labels = labels_of(prepared);
-  const PlainSums sums = plain_sums(arrangement, labels, [&](VertexId) { return StepLimit2(points, limit, cut_off); });
-  ExchangeMatrix matrix = plain_matrix(labels, sums, plain_lengths(arrangement, labels, points));
+  const ElementTable2 table = table_of(prepared);
+  const PlainSums sums = plain_sums(arrangement, table, [&](VertexId) { return StepLimit2(points, limit, cut_off); });
+  ExchangeMatrix matrix = plain_matrix(table, sums, plain_lengths(arrangement, table, points));
   report.seconds = watch.lap();
   const WrongOrientations counts = count_wrong_orientations(arrangement, points);
   report.notes.push_back(fmt::format("of {} orientations {} have the wrong sign", counts.asked, counts.wrong));
@@ -62,17 +63,17 @@ ExchangeMatrix naive_exchange(const PreparedScene2& prepared, MethodReport& repo
 
 ExchangeMatrix filtered_exchange(const PreparedScene2& prepared) {
   const FilteredPoints points(prepared.arrangement.vertices());
-  const Labels2 labels = labels_of(prepared);
+  const ElementTable2 table = table_of(prepared);
   const PlainSums sums =
-      plain_sums(prepared.arrangement, labels, [&](VertexId) -> const FilteredPoints& { return points; });
-  return plain_matrix(labels, sums, plain_lengths(prepared.arrangement, labels, points));
+      plain_sums(prepared.arrangement, table, [&](VertexId) -> const FilteredPoints& { return points; });
+  return plain_matrix(table, sums, plain_lengths(prepared.arrangement, table, points));
 }
 
 ExchangeMatrix cgal_exchange(const PreparedScene2& prepared, MethodReport& report) {
-  const Labels2 labels = labels_of(prepared);
-  const CgalExchange2 exchange = cgal_exchange(prepared.arrangement, labels);
+  const ElementTable2 table = table_of(prepared);
+  const CgalExchange2 exchange = cgal_exchange(prepared.arrangement, table);
   Stopwatch watch;
-  ExchangeMatrix matrix = plain_matrix(labels, exchange.sums, exchange.lengths);
+  ExchangeMatrix matrix = plain_matrix(table, exchange.sums, exchange.lengths);
   report.seconds = exchange.seconds + watch.lap();
   return matrix;
 }
@@ -111,16 +112,16 @@ FactorEntry entry_of(std::uint32_t to, double factor) {
 }
 
 ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, MethodReport& report) {
-  const Labels2 labels = labels_of(prepared);
+  const ElementTable2 table = table_of(prepared);
   const double length_error = prepared.arrangement.vertices().length_error();
   SumCounts counts;
   const std::vector<PairSum> pairs =
-      sum_visible_pairs(prepared.arrangement, labels, {}, std::numeric_limits<std::uint64_t>::max(), counts);
+      sum_visible_pairs(prepared.arrangement, table, {}, std::numeric_limits<std::uint64_t>::max(), counts);
   const auto each_entry = [&](const auto& visit) {
     for (const PairSum& pair : pairs) {
       if (pair.value == 0 && pair.inexact == 0) continue;
-      if (labels.has_row(pair.i)) visit(pair.i, pair.j, pair);
-      if (pair.j != pair.i && labels.has_row(pair.j)) visit(pair.j, pair.i, pair);
+      if (table.has_row(pair.i)) visit(pair.i, pair.j, pair);
+      if (pair.j != pair.i && table.has_row(pair.j)) visit(pair.j, pair.i, pair);
     }
   };
   std::vector<FactorEntry> entries;
@@ -131,14 +132,14 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, MethodReport& r
     bounds.resize(count);
   };
   const auto put = [&](std::size_t place, std::uint32_t from, std::uint32_t to, const PairSum& pair) {
-    const FixedSum& length = labels.length(from);
+    const FixedSum& length = table.length(from);
     const EnclosedQuotient factor = quotient(pair.sum(length_error), {2 * length.value, 2 * length.error});
     // Of a pair that may see each other something must be said.
     entries[place] = entry_of(to, factor.value != 0 ? factor.value : factor.bounds.upper / 2);
     bounds[place] = factor.bounds;
     widest = std::max({widest, factor.value - factor.bounds.lower, factor.bounds.upper - factor.value});
   };
-  std::vector<std::size_t> begin = lay_out_rows(labels.count(), each_entry, allot, put);
+  std::vector<std::size_t> begin = lay_out_rows(table.count(), each_entry, allot, put);
 
   report.notes.push_back(fmt::format("every factor lies within {:.2g} of the real one", 1.06 * widest));
   const auto undecided = std::count_if(pairs.begin(), pairs.end(), [&](const PairSum& pair) {
@@ -146,7 +147,7 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, MethodReport& r
   });
   if (undecided > 0)
     report.notes.push_back(fmt::format("of {} pairs it is not decided whether they see each other", undecided));
-  ExchangeMatrix matrix(labels.elements(), Guarantee::kEnclosed);
+  ExchangeMatrix matrix(table.elements(), Guarantee::kEnclosed);
   matrix.assign(std::move(begin), std::move(entries), {}, std::move(bounds));
   return matrix;
 }
@@ -160,11 +161,11 @@ struct SumScale {
   double approximation;  // of a coordinate in doubles
 };
 // Nothing when no element has a row, or one is too short for fixed point.
-std::optional<SumScale> scale_of(const PreparedScene2& prepared, const Labels2& labels) {
+std::optional<SumScale> scale_of(const PreparedScene2& prepared, const ElementTable2& table) {
   const Vertices2& vertices = prepared.arrangement.vertices();
   std::optional<Int128> least;
-  for (std::uint32_t label = 0; label < labels.count(); ++label)
-    if (labels.has_row(label) && (!least || labels.length(label).value < *least)) least = labels.length(label).value;
+  for (std::uint32_t label = 0; label < table.count(); ++label)
+    if (table.has_row(label) && (!least || table.length(label).value < *least)) least = table.length(label).value;
   if (!least || *least <= 0) return std::nullopt;
   const Int128 smallest = *least;
   const Rational unit = vertices.fixed_unit();
@@ -209,7 +210,7 @@ class Arithmetic2 final : public ExchangeMethod2 {
       case Arithmetic::kRounded:
         break;
     }
-    return exact_exchange(prepared, {.per = Per::kElement, .wants_visibility = false});
+    return exact_exchange(prepared, {.granularity = Granularity::kElement, .wants_visibility = false});
   }
 
   Arithmetic arithmetic_;
@@ -221,7 +222,7 @@ class Arithmetic2 final : public ExchangeMethod2 {
 std::optional<double> Arithmetic2::declared_error(const PreparedScene2& prepared) const {
   if (arithmetic_ == Arithmetic::kRounded) return 0;
   if (arithmetic_ == Arithmetic::kNaive || arithmetic_ == Arithmetic::kCgal) return std::nullopt;
-  const std::optional<SumScale> scale = scale_of(prepared, labels_of(prepared));
+  const std::optional<SumScale> scale = scale_of(prepared, table_of(prepared));
   if (!scale) return std::nullopt;
   // Both the sum and the length it is divided by; a factor is at most 1.
   const auto of_quotient = [](double rounding, double of_sum) {
@@ -235,10 +236,10 @@ std::optional<double> Arithmetic2::declared_error(const PreparedScene2& prepared
 
 }  // namespace
 
-ExchangeMatrix plain_matrix(const Labels2& labels, const PlainSums& sums, const std::vector<double>& lengths) {
+ExchangeMatrix plain_matrix(const ElementTable2& table, const PlainSums& sums, const std::vector<double>& lengths) {
   const auto each_entry = [&](const auto& visit) {
     const auto visit_row = [&](std::uint32_t from, std::uint32_t to, double sum) {
-      if (labels.has_row(from) && lengths[from] > 0) visit(from, to, sum / (2 * lengths[from]));
+      if (table.has_row(from) && lengths[from] > 0) visit(from, to, sum / (2 * lengths[from]));
     };
     for (const auto& part : sums)
       for (const PlainTerm& sum : part) {
@@ -250,11 +251,11 @@ ExchangeMatrix plain_matrix(const Labels2& labels, const PlainSums& sums, const 
   };
   std::vector<FactorEntry> entries;
   std::vector<std::size_t> begin = lay_out_rows(
-      labels.count(), each_entry, [&](std::size_t count) { entries.resize(count); },
+      table.count(), each_entry, [&](std::size_t count) { entries.resize(count); },
       [&](std::size_t place, std::uint32_t, std::uint32_t to, double factor) {
         entries[place] = entry_of(to, factor);
       });
-  ExchangeMatrix matrix(labels.elements(), Guarantee::kEstimated);
+  ExchangeMatrix matrix(table.elements(), Guarantee::kEstimated);
   matrix.assign(std::move(begin), std::move(entries));
   return matrix;
 }

@@ -39,12 +39,12 @@ class CgalPoints {
 
 }  // namespace
 
-CgalExchange2 cgal_exchange(const Arrangement2& arrangement, const Labels2& labels) {
+CgalExchange2 cgal_exchange(const Arrangement2& arrangement, const ElementTable2& table) {
   const CgalPoints points(arrangement.vertices());
   CgalExchange2 result;
   Stopwatch watch;
-  result.sums = plain_sums(arrangement, labels, [&](VertexId) -> const CgalPoints& { return points; });
-  result.lengths = plain_lengths(arrangement, labels, points);
+  result.sums = plain_sums(arrangement, table, [&](VertexId) -> const CgalPoints& { return points; });
+  result.lengths = plain_lengths(arrangement, table, points);
   result.seconds = watch.lap();
   return result;
 }

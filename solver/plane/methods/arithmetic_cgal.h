@@ -11,6 +11,6 @@ struct CgalExchange2 {
   double seconds = 0;  // without the making of CGAL's points
 };
 
-CgalExchange2 cgal_exchange(const Arrangement2& arrangement, const Labels2& labels);
+CgalExchange2 cgal_exchange(const Arrangement2& arrangement, const ElementTable2& table);
 
 }  // namespace hottel

@@ -3,7 +3,8 @@
 
 #include <limits>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/gap_terms.h"
 #include "geometry/plane/exchange/term_sums.h"
 
@@ -14,15 +15,15 @@ using PlainSums = std::vector<std::vector<PlainTerm>>;  // sorted by key, one pa
 // Returns 2 S(i, j) in the unit of the lengths. points_at(v) answers for the sweep about v: orientation(i, j, k), and
 // distance(i, j) as a double. The triangulation is the exact one, whoever answers.
 template <class PointsAt>
-PlainSums plain_sums(const Arrangement2& arrangement, const Labels2& labels, const PointsAt& points_at) {
-  const auto sweep = [&](VertexId v, Outbox<PlainTerm>& out) {
+PlainSums plain_sums(const Arrangement2& arrangement, const ElementTable2& table, const PointsAt& points_at) {
+  const auto sweep = [&](VertexId v, TermBuffer<PlainTerm>& out) {
     thread_local View2 view;
     auto&& points = points_at(v);
     look_around(points, arrangement.triangulation(), v, view);
     for_each_gap(points, v, view, true, [&](const Gap2& gap) {
       ++out.gaps;
       double length = -1;
-      for_each_term(gap, labels, [&](std::uint32_t i, std::uint32_t j, int sign) {
+      for_each_term(gap, table, [&](std::uint32_t i, std::uint32_t j, int sign) {
         if (length < 0) length = points.distance(gap.v, gap.w);
         ++out.updates;
         out.add({pair_key(i, j), sign * (i == j ? 2 : 1) * length});
@@ -30,17 +31,17 @@ PlainSums plain_sums(const Arrangement2& arrangement, const Labels2& labels, con
     });
   };
   SumCounts counts;
-  return sum_terms<PlainTerm>(arrangement.vertices().size(), labels.covered() + std::size_t{1}, sweep, {},
+  return sum_terms<PlainTerm>(arrangement.vertices().size(), table.covered() + std::size_t{1}, sweep, {},
                               std::numeric_limits<std::uint64_t>::max(), counts);
 }
 
 // Returns the length of each element, in the unit of points.distance(i, j).
 template <class Points>
-std::vector<double> plain_lengths(const Arrangement2& arrangement, const Labels2& labels, const Points& points) {
-  std::vector<double> lengths(labels.count(), 0);
+std::vector<double> plain_lengths(const Arrangement2& arrangement, const ElementTable2& table, const Points& points) {
+  std::vector<double> lengths(table.count(), 0);
   for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-    const std::uint32_t label = labels.of(static_cast<PieceSideId>(side));
-    if (label == labels.covered()) continue;
+    const std::uint32_t label = table.of(static_cast<PieceSideId>(side));
+    if (label == table.covered()) continue;
     const Segment2& piece = arrangement.pieces()[side / 2];
     lengths[label] += points.distance(piece.a, piece.b);
   }
@@ -49,6 +50,6 @@ std::vector<double> plain_lengths(const Arrangement2& arrangement, const Labels2
 
 // Returns F_ij = 2 S(i, j) / (2 A_i) for all sums that are not zero. An element whose length came out as zero has an
 // empty row.
-ExchangeMatrix plain_matrix(const Labels2& labels, const PlainSums& sums, const std::vector<double>& lengths);
+ExchangeMatrix plain_matrix(const ElementTable2& table, const PlainSums& sums, const std::vector<double>& lengths);
 
 }  // namespace hottel

@@ -7,38 +7,39 @@ namespace hottel {
 namespace {
 
 // The label of each element, and of the sky, among those of faces or groups.
-std::vector<std::uint32_t> labels_of(const ExchangeMatrix& matrix, const Labels2& labels, const Scene2& scene,
-                                     Per per) {
+std::vector<std::uint32_t> table_of(const ExchangeMatrix& matrix, const ElementTable2& table, const Scene2& scene,
+                                    Granularity granularity) {
   const auto key = [&](const Element& element) {
-    return std::pair(per == Per::kGroup ? scene.surfaces[element.surface].group : element.surface, element.is_back);
+    return std::pair(granularity == Granularity::kGroup ? scene.surfaces[element.surface].group : element.surface,
+                     element.is_back);
   };
   std::map<std::pair<std::uint32_t, bool>, std::uint32_t> place;
-  for (std::uint32_t label = 0; label < labels.count(); ++label) place[key(labels.elements()[label])] = label;
+  for (std::uint32_t label = 0; label < table.count(); ++label) place[key(table.elements()[label])] = label;
   std::vector<std::uint32_t> result;
   for (const Element& element : matrix.elements()) result.push_back(place.at(key(element)));
-  result.push_back(labels.sky());
+  result.push_back(table.sky());
   return result;
 }
 
 }  // namespace
 
-ExchangeMatrix coarsened(const ExchangeMatrix& matrix, const PreparedScene2& prepared, Per per) {
+ExchangeMatrix coarsened(const ExchangeMatrix& matrix, const PreparedScene2& prepared, Granularity granularity) {
   const PreparedScene2 whole = prepare(prepared.scene, Divided::kNo);
-  const Labels2 labels(whole.scene, whole.arrangement, whole.division, per);
-  const std::vector<std::uint32_t> label_of = labels_of(matrix, labels, prepared.scene, per);
-  std::vector<std::map<std::uint32_t, double>> rows(labels.count());
+  const ElementTable2 table(whole.scene, whole.arrangement, whole.division, granularity);
+  const std::vector<std::uint32_t> label_of = table_of(matrix, table, prepared.scene, granularity);
+  std::vector<std::map<std::uint32_t, double>> rows(table.count());
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     for (const FactorEntry& entry : matrix.row(i))
       rows[label_of[i]][label_of[entry.to]] += matrix.elements()[i].area.value * entry.factor.value;
   std::vector<std::size_t> begin(1, 0);
   std::vector<FactorEntry> entries;
-  for (std::uint32_t label = 0; label < labels.count(); ++label) {
+  for (std::uint32_t label = 0; label < table.count(); ++label) {
     for (const auto& [to, exchange] : rows[label])
       entries.push_back(
-          {to, {exchange / labels.elements()[label].area.value, 0}, std::numeric_limits<double>::quiet_NaN()});
+          {to, {exchange / table.elements()[label].area.value, 0}, std::numeric_limits<double>::quiet_NaN()});
     begin.push_back(entries.size());
   }
-  ExchangeMatrix result(labels.elements(), Guarantee::kEstimated);
+  ExchangeMatrix result(table.elements(), Guarantee::kEstimated);
   result.assign(std::move(begin), std::move(entries));
   return result;
 }

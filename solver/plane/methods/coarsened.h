@@ -1,7 +1,9 @@
 // View factors of faces or groups from those of their elements.
 #pragma once
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/element_table.h"
 
 namespace hottel {
 
@@ -10,6 +12,6 @@ namespace hottel {
 //
 //   (1) row sums are means of row sums; reciprocity holds as far as it does among the elements
 // REQUIRES: a matrix over the elements of `prepared`.
-ExchangeMatrix coarsened(const ExchangeMatrix& matrix, const PreparedScene2& prepared, Per per);
+ExchangeMatrix coarsened(const ExchangeMatrix& matrix, const PreparedScene2& prepared, Granularity granularity);
 
 }  // namespace hottel

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
-#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/element_table.h"
 
 namespace hottel {
 
@@ -40,9 +40,9 @@ struct ElementRun2 {
   LocalPoint2 at(double t) const;                                      // from + t (to - from)
 };
 
-// The elements of Labels2(scene, arrangement, division, Per::kElement) in a frame of their own: translated by the first
-// vertex, exactly, and scaled by a power of two so that coordinates stay below 1. Factors do not depend on scale, so
-// methods need no other.
+// The elements of ElementTable2(scene, arrangement, division, Granularity::kElement) in a frame of their own:
+// translated by the first vertex, exactly, and scaled by a power of two so that coordinates stay below 1. Factors do
+// not depend on scale, so methods need no other.
 //
 // Where surfaces overlap an element may be left with several runs. A method treats each run as an element of its own;
 // with shares w the factors of the elements are F_ij = sum_a w_a sum_b F_ab over the runs a of i and b of j. There is
@@ -56,14 +56,14 @@ class ElementGeometry2 {
  public:
   explicit ElementGeometry2(const PreparedScene2& prepared);
 
-  const Labels2& labels() const { return labels_; }
-  std::uint32_t count() const { return labels_.count(); }
-  bool has_row(std::uint32_t element) const { return labels_.has_row(element); }
+  const ElementTable2& table() const { return table_; }
+  std::uint32_t count() const { return table_.count(); }
+  bool has_row(std::uint32_t element) const { return table_.has_row(element); }
   std::span<const ElementRun2> runs(std::uint32_t element) const {
     return {runs_.data() + begin_[element], runs_.data() + begin_[element + 1]};
   }
   // Whether no run of an element was left out.
-  bool is_whole(std::uint32_t element) const { return runs(element).size() == labels_.runs(element).size(); }
+  bool is_whole(std::uint32_t element) const { return runs(element).size() == table_.runs(element).size(); }
   std::span<const ElementRun2> all_runs() const { return runs_; }
   std::size_t number_of(const ElementRun2& run) const { return static_cast<std::size_t>(&run - runs_.data()); }
   double length(std::uint32_t element) const { return length_[element]; }  // in local units
@@ -75,7 +75,7 @@ class ElementGeometry2 {
  private:
   void add_run(const Vertices2& vertices, const Segment2& ends);
 
-  Labels2 labels_;
+  ElementTable2 table_;
   Rational unit_ = 1;
   double diagonal_ = 0;
   std::vector<LocalPoint2> place_;

@@ -1,6 +1,7 @@
 // Exact view factors, correctly rounded.
 // GUARANTEE: exact.
 // REFERENCE: docs/design/plane/exchange.md.
+#include "geometry/plane/exchange/exchange.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/method_catalogue.h"
 
@@ -11,7 +12,7 @@ class Exact2 final : public ExchangeMethod2 {
  public:
   const MethodInfo& info() const override { return info_; }
   ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport&) const override {
-    return exact_exchange(prepared, {.per = Per::kElement, .wants_visibility = false});
+    return exact_exchange(prepared, {.granularity = Granularity::kElement, .wants_visibility = false});
   }
   std::optional<double> declared_error(const PreparedScene2&) const override { return 0; }
 

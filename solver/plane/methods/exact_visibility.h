@@ -13,7 +13,7 @@ class ExactVisibility2 {
  public:
   // COST: that of the exact factors.
   explicit ExactVisibility2(const PreparedScene2& prepared)
-      : exact_(exact_exchange(prepared, {.per = Per::kElement})), rows_that_see_(exact_.size()) {
+      : exact_(exact_exchange(prepared, {.granularity = Granularity::kElement})), rows_that_see_(exact_.size()) {
     for (std::uint32_t i = 0; i < exact_.size(); ++i)
       for (const FactorEntry& entry : exact_.row(i))
         if (entry.to != exact_.sky() && !exact_.has_row(entry.to)) rows_that_see_[entry.to].push_back(i);

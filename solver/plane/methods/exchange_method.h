@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "kernel/enclosure.h"
 #include "solver/compare/written_factors.h"
 
@@ -34,7 +35,8 @@ struct MethodReport {
 
 // A way to compute the view factors of the elements of a prepared scene.
 //
-//   (1) the elements are those of Labels2(scene, arrangement, division, Per::kElement), in that order; a row is there
+//   (1) the elements are those of ElementTable2(scene, arrangement, division, Granularity::kElement), in that order; a
+//   row is there
 //       iff the exact matrix has it; the sky is a column
 //   (2) the same call gives the same matrix bit for bit, for any number of threads
 //   (3) a matrix that is not kExact says nothing of its factors' true values: FactorEntry::factor.side is 0

@@ -15,7 +15,7 @@ ExchangeMatrix matrix_of_rows(const ElementGeometry2& geometry, const std::vecto
     entries.insert(entries.end(), row.begin(), row.end());
     begin.push_back(entries.size());
   }
-  ExchangeMatrix matrix(geometry.labels().elements(), Guarantee::kEstimated);
+  ExchangeMatrix matrix(geometry.table().elements(), Guarantee::kEstimated);
   matrix.assign(std::move(begin), std::move(entries));
   return matrix;
 }

@@ -56,7 +56,8 @@ class CentreFrame {
 };
 
 // Every piece that is not wholly below the horizon, with the element on the side that is seen.
-std::vector<BufferItem2> items_of(const Arrangement2& arrangement, const Labels2& labels, const CentreFrame& frame) {
+std::vector<BufferItem2> items_of(const Arrangement2& arrangement, const ElementTable2& table,
+                                  const CentreFrame& frame) {
   std::vector<LocalVector2> seen;
   seen.reserve(arrangement.vertices().size());
   for (VertexId v = 0; v < arrangement.vertices().size(); ++v) seen.push_back(frame(v));
@@ -70,8 +71,8 @@ std::vector<BufferItem2> items_of(const Arrangement2& arrangement, const Labels2
     // side that is its right one in the scene.
     const auto left_side = static_cast<PieceSideId>(2 * k);
     if (turn == 0) continue;
-    const std::uint32_t label = labels.of(turn > 0 ? left_side + 1 : left_side);
-    if (label == labels.covered()) continue;
+    const std::uint32_t label = table.of(turn > 0 ? left_side + 1 : left_side);
+    if (label == table.covered()) continue;
     items.push_back(turn > 0 ? BufferItem2{a, b, label} : BufferItem2{b, a, label});
   }
   return items;
@@ -103,12 +104,12 @@ ExchangeMatrix Hemicube2::compute(const PreparedScene2& prepared, MethodReport& 
   std::vector<double> weight(square.pixels(), 1 / static_cast<double>(square.pixels()));
   if (!options_.is_uniform)
     for (std::size_t k = 0; k < weight.size(); ++k) weight[k] = square.weight(k);
-  const Labels2& labels = geometry.labels();
+  const ElementTable2& table = geometry.table();
   ExchangeMatrix matrix = matrix_by_rows(geometry, [&]() -> FillRow {
     return [&, buffer = std::shared_ptr(make_buffer_(options_.resolution))](std::uint32_t from, RowSums& by) {
       for (const ElementRun2& run : geometry.runs(from)) {
         const CentreFrame frame(prepared.arrangement.vertices(), geometry, run);
-        const auto image = buffer->draw(items_of(prepared.arrangement, labels, frame), labels.sky());
+        const auto image = buffer->draw(items_of(prepared.arrangement, table, frame), table.sky());
         for (std::size_t k = 0; k < image.size(); ++k) by.add(image[k], run.share * weight[k]);
       }
     };

@@ -5,8 +5,9 @@
 #include <limits>
 #include <span>
 
+#include "geometry/plane/exchange/element_table.h"
 #include "kernel/support/failure.h"
-#include "solver/radiosity/enclosed.h"
+#include "solver/radiosity/double_double_ball.h"
 
 namespace hottel {
 namespace {
@@ -40,7 +41,7 @@ void normalise(std::span<FactorEntry> row) {
   Rounded& largest = std::max_element(row.begin(), row.end(), [](const FactorEntry& a, const FactorEntry& b) {
                        return a.factor.value < b.factor.value;
                      })->factor;
-  Enclosed rest{1, 0, 0};
+  DoubleDoubleBall rest{1, 0, 0};
   for (const FactorEntry& entry : row)
     if (&entry.factor != &largest) rest = difference(rest, {entry.factor.value, 0, 0});
   largest.value = rest.lo < 0 ? std::nextafter(rest.hi, 0) : rest.hi;
@@ -77,12 +78,12 @@ std::optional<double> Normalised2::declared_error(const PreparedScene2& prepared
 }
 
 ExchangeMethod2::ClaimedErrors Normalised2::claimed_errors(const PreparedScene2& prepared) const {
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
   const ClaimedErrors raw = raw_->claimed_errors(prepared);
-  std::vector<double> row_error(labels.count(), 0.0);
-  for (std::uint32_t i = 0; i < labels.count(); ++i) {
-    if (!labels.has_row(i)) continue;
-    for (std::uint32_t j = 0; j <= labels.sky(); ++j) row_error[i] += raw(i, j) + 2 * kRounding;
+  std::vector<double> row_error(table.count(), 0.0);
+  for (std::uint32_t i = 0; i < table.count(); ++i) {
+    if (!table.has_row(i)) continue;
+    for (std::uint32_t j = 0; j <= table.sky(); ++j) row_error[i] += raw(i, j) + 2 * kRounding;
   }
   return [raw, row_error](std::uint32_t from, std::uint32_t to) {
     return error_after_division(raw(from, to), row_error[from]);

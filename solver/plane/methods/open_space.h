@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "geometry/plane/arrangement/arrangement.h"
-#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/exchange/element_table.h"
 
 namespace hottel {
 
 // Returns for every element whether its front borders the open space: whether a way that crosses no piece leads from
 // some point before the front to infinity. An element that does not sees no sky; one that does may see none.
-std::vector<char> borders_open_space(const Arrangement2& arrangement, const Labels2& labels);
+std::vector<char> borders_open_space(const Arrangement2& arrangement, const ElementTable2& table);
 
 }  // namespace hottel

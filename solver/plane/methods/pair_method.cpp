@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/unobstructed.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
@@ -65,10 +66,10 @@ ExchangeMatrix PairMethod2::compute(const PreparedScene2& prepared, MethodReport
       add(pair.to, i, pair.factors.back);
     }
 
-  const std::vector<char> is_open = borders_open_space(prepared.arrangement, geometry.labels());
+  const std::vector<char> is_open = borders_open_space(prepared.arrangement, geometry.table());
   for (std::uint32_t i = 0; i < n; ++i)
     if (geometry.has_row(i))
-      report.row_defect = std::max(report.row_defect, close_row(rows[i], geometry.labels().sky(), is_open[i] != 0));
+      report.row_defect = std::max(report.row_defect, close_row(rows[i], geometry.table().sky(), is_open[i] != 0));
   return matrix_of_rows(geometry, rows);
 }
 
@@ -95,7 +96,7 @@ ExchangeMethod2::ClaimedErrors PairMethod2::claimed_errors(const PreparedScene2&
     ExchangeMatrix exact;
   };
   const auto known = std::make_shared<const Known>(
-      Known{ElementGeometry2(prepared), exact_exchange(prepared, {.per = Per::kElement})});
+      Known{ElementGeometry2(prepared), exact_exchange(prepared, {.granularity = Granularity::kElement})});
   const auto of_pair = [this, known, &vertices = prepared.arrangement.vertices()](std::uint32_t from,
                                                                                   std::uint32_t to) {
     const auto row = known->exact.row(from);
@@ -105,9 +106,9 @@ ExchangeMethod2::ClaimedErrors PairMethod2::claimed_errors(const PreparedScene2&
     if (entry->visibility < 1 && !claims_hidden_pairs()) return kNothing;
     return error_of_free_pair(vertices, known->geometry, from, to);
   };
-  return [of_pair, known, is_open = borders_open_space(prepared.arrangement, known->geometry.labels())](
+  return [of_pair, known, is_open = borders_open_space(prepared.arrangement, known->geometry.table())](
              std::uint32_t from, std::uint32_t to) {
-    if (to != known->geometry.labels().sky()) return of_pair(from, to);
+    if (to != known->geometry.table().sky()) return of_pair(from, to);
     if (!is_open[from]) return 0.0;
     // What the sky gets is off by no more than all the others together, and by the roundings of their sum and its rest.
     double error = 0;
@@ -127,7 +128,7 @@ std::optional<double> PairMethod2::declared_error(const PreparedScene2& prepared
   const ClaimedErrors claimed = claimed_errors(prepared);
   double largest = 0;
   for (std::uint32_t i = 0; i < geometry.count(); ++i)
-    for (std::uint32_t j = 0; j <= geometry.labels().sky(); ++j)
+    for (std::uint32_t j = 0; j <= geometry.table().sky(); ++j)
       if (geometry.has_row(i)) largest = std::max(largest, claimed(i, j));
   return std::isfinite(largest) ? std::optional(largest) : std::nullopt;
 }

@@ -30,7 +30,7 @@ class RayStarts {
   RayStarts(const Arrangement2& arrangement, const ElementGeometry2& geometry) : parts_(geometry.count()) {
     for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
       const auto id = static_cast<PieceSideId>(side);
-      const std::uint32_t element = geometry.labels().of(id);
+      const std::uint32_t element = geometry.table().of(id);
       if (!geometry.has_row(element) || geometry.runs(element).empty()) continue;
       const Segment2& piece = arrangement.pieces()[side / 2];
       const LocalPoint2 &a = geometry.place(piece.a), &b = geometry.place(piece.b);
@@ -104,7 +104,7 @@ ExchangeMatrix Rays2::compute(const PreparedScene2& prepared, MethodReport& repo
       PieceRay2 ray = starts.at(from, point.position);
       ray.dx = sine * along.x + cosine * up.x;
       ray.dy = sine * along.y + cosine * up.y;
-      by.add(geometry.labels().of(first_hit(ray)), 1);
+      by.add(geometry.table().of(first_hit(ray)), 1);
     });
     by.divide_by(n);
   };

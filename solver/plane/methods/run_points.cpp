@@ -19,7 +19,7 @@ void RunPoints2::append_partners(std::uint32_t element, std::vector<std::uint32_
     for (const RunPoint2& point : points_[geometry_.number_of(run)]) {
       visibility_.look_around(point, view);
       for (const View2::Seen& seen : view.seen)
-        if (const std::uint32_t other = geometry_.labels().of(seen.behind); other < geometry_.count())
+        if (const std::uint32_t other = geometry_.table().of(seen.behind); other < geometry_.count())
           elements.push_back(other);
     }
 }

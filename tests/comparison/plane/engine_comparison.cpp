@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "tests/oracle/plane/brute_force.h"
 
@@ -46,17 +47,18 @@ std::string digits(const mpf_class& value) { return fmt::format("{:.17g}", value
 // The labels of the engine, and the label of each face of the oracle among them.
 class Labelling {
  public:
-  Labelling(const Scene2& scene, Per per) {
+  Labelling(const Scene2& scene, Granularity granularity) {
     std::vector<std::uint32_t> first_of_group(scene.groups.size(), kNone);
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
       const Surface2& surface = scene.surfaces[s];
-      const std::uint32_t set = per == Per::kGroup ? surface.group : s;
-      std::uint32_t first = per == Per::kGroup ? first_of_group[surface.group] : kNone;
+      const std::uint32_t set = granularity == Granularity::kGroup ? surface.group : s;
+      std::uint32_t first = granularity == Granularity::kGroup ? first_of_group[surface.group] : kNone;
       const bool is_known = first != kNone;
       if (!is_known) first = count();
       first_of_group[surface.group] = first;
-      const std::uint32_t parts = per == Per::kElement ? surface.elements : 1;
-      const std::uint32_t backs = surface.back ? parts : 1, first_back = first + (per == Per::kGroup ? 1 : parts);
+      const std::uint32_t parts = granularity == Granularity::kElement ? surface.elements : 1;
+      const std::uint32_t backs = surface.back ? parts : 1,
+                          first_back = first + (granularity == Granularity::kGroup ? 1 : parts);
       if (!is_known) {
         set_.insert(set_.end(), parts + backs, set);
         has_material_.insert(has_material_.end(), parts, 1);
@@ -96,16 +98,16 @@ class Labelling {
 // One scene, both ways.
 class Comparison {
  public:
-  Comparison(const Scene2& scene, ComparisonCounts& counts, Per per, Hidden hidden)
-      : per_(per),
+  Comparison(const Scene2& scene, ComparisonCounts& counts, Granularity granularity, Hidden hidden)
+      : granularity_(granularity),
         hidden_(hidden),
         counts_(counts),
-        labelling_(scene, per),
+        labelling_(scene, granularity),
         split_(split(to_edges(scene, divided()))),
         pieces_(labelling_.relabelled(split_.pieces)),
         measures_(exchange_measures(pieces_)),
         prepared_(prepare(scene, divided())),
-        matrix_(exact_exchange(prepared_, {.per = per})),
+        matrix_(exact_exchange(prepared_, {.granularity = granularity})),
         sky_(matrix_.sky()) {
     for (const Segment& piece : pieces_) {
       const Rational x = piece.bx - piece.ax, y = piece.by - piece.ay;
@@ -133,7 +135,7 @@ class Comparison {
   }
 
  private:
-  Divided divided() const { return per_ == Per::kElement ? Divided::kYes : Divided::kNo; }
+  Divided divided() const { return granularity_ == Granularity::kElement ? Divided::kYes : Divided::kNo; }
 
   template <class Message>
   void demand(bool holds, const Message& message) {
@@ -153,11 +155,11 @@ class Comparison {
   const LengthSum& measure(std::uint32_t i, std::uint32_t j) const { return of_pair(measures_, label(i), label(j)); }
 
   void check_sums() {
-    std::vector<hottel::LabelPair> pairs;
+    std::vector<hottel::ElementPair> pairs;
     for (std::uint32_t i = 0; i < sky_; ++i)
       for (std::uint32_t j = i; j <= sky_; ++j)
         if (has_row(i) || has_row(j)) pairs.emplace_back(i, j);
-    const std::vector<RootSum> sums = exact_exchange_measures(prepared_, per_, pairs);
+    const std::vector<RootSum> sums = exact_exchange_measures(prepared_, granularity_, pairs);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const std::uint32_t i = pairs[k].first, j = pairs[k].second;
       ++counts_.pairs;
@@ -240,8 +242,8 @@ class Comparison {
   }
 
   void check_hidden() {
-    const std::vector<hottel::LabelPair> found = hidden_pairs(prepared_, per_, matrix_);
-    std::vector<hottel::LabelPair> expected;
+    const std::vector<hottel::ElementPair> found = hidden_pairs(prepared_, granularity_, matrix_);
+    std::vector<hottel::ElementPair> expected;
     for (std::uint32_t i = 0; i < sky_; ++i)
       for (std::uint32_t j = 0; j <= sky_; ++j)
         if (has_row(i) && is_zero_.at(std::minmax({i, j})) &&
@@ -252,7 +254,7 @@ class Comparison {
            [&] { return fmt::format("{} hidden pairs, the oracle has {}", found.size(), expected.size()); });
   }
 
-  const Per per_;
+  const Granularity granularity_;
   const Hidden hidden_;
   ComparisonCounts& counts_;
   Labelling labelling_;
@@ -263,8 +265,8 @@ class Comparison {
   ExchangeMatrix matrix_;
   std::uint32_t sky_;
   std::map<int, LengthSum> length_;  // by label, as lengths of owned pieces
-  std::map<hottel::LabelPair, bool> is_zero_;
-  std::map<hottel::LabelPair, Measures> alone_;  // by pair of sets
+  std::map<hottel::ElementPair, bool> is_zero_;
+  std::map<hottel::ElementPair, Measures> alone_;  // by pair of sets
   std::string wrong_;
 };
 
@@ -276,8 +278,8 @@ ExactSum to_exact_sum(const RootSum& sum) {
   return result;
 }
 
-std::string disagreement(const Scene2& scene, ComparisonCounts& counts, Per per, Hidden hidden) {
-  return Comparison(scene, counts, per, hidden).run();
+std::string disagreement(const Scene2& scene, ComparisonCounts& counts, Granularity granularity, Hidden hidden) {
+  return Comparison(scene, counts, granularity, hidden).run();
 }
 
 }  // namespace hottel::oracle

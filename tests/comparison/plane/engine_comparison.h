@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/scene/scene.h"
 #include "kernel/root_sum.h"
 #include "tests/comparison/plane/ownership.h"
@@ -31,7 +31,7 @@ struct ComparisonCounts {
 //
 // REQUIRES that the scene is not refused. COST: that of the brute force, O(V^3); (5): once for each pair of surfaces.
 enum class Hidden : bool { kNo, kYes };
-std::string disagreement(const Scene2& scene, ComparisonCounts& counts, Per per = Per::kFace,
+std::string disagreement(const Scene2& scene, ComparisonCounts& counts, Granularity granularity = Granularity::kFace,
                          Hidden hidden = Hidden::kNo);
 
 }  // namespace hottel::oracle

@@ -85,9 +85,9 @@ TEST_P(ConvexRoom, RowsCancelToTheLastBit) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const PreparedScene2 prepared = prepare(convex_room(GetParam(), seed));
     ASSERT_TRUE(is_convex_room(prepared.scene)) << seed;
-    for (const Per per : {Per::kFace, Per::kElement, Per::kGroup}) {
-      const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, per);
-      EXPECT_EQ(closure_defect(sum_convex_pairs(prepared.arrangement, labels), labels), 0) << seed;
+    for (const Granularity granularity : {Granularity::kFace, Granularity::kElement, Granularity::kGroup}) {
+      const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, granularity);
+      EXPECT_EQ(closure_defect(sum_convex_pairs(prepared.arrangement, table), table), 0) << seed;
     }
   }
 }
@@ -95,8 +95,8 @@ TEST_P(ConvexRoom, RowsCancelToTheLastBit) {
 TEST_P(ConvexRoom, FactorsAreThoseOfTheSweep) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const PreparedScene2 prepared = prepare(convex_room(GetParam(), seed));
-    for (const Per per : {Per::kFace, Per::kElement}) {
-      ExchangeOptions2 options{.per = per};
+    for (const Granularity granularity : {Granularity::kFace, Granularity::kElement}) {
+      ExchangeOptions2 options{.granularity = granularity};
       const ExchangeMatrix swept = exact_exchange(prepared, options);
       options.occlusion = false;
       const ExchangeMatrix strung = exact_exchange(prepared, options);

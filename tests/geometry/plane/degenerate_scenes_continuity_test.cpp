@@ -71,11 +71,11 @@ struct Place {
       const auto& together = sweep.together;
       return std::find(together.begin(), together.end(), edge) == together.end() ? i : matrix.sky() + 1;
     };
-    std::vector<LabelPair> pairs;
+    std::vector<ElementPair> pairs;
     for (std::uint32_t i = 0; i < matrix.size(); ++i)
       for (std::uint32_t j = i + 1; j <= matrix.sky(); ++j)
         if (face(i) != face(j)) pairs.emplace_back(i, j);
-    const std::vector<RootSum> sums = exact_exchange_measures(exact.prepared(), Per::kFace, pairs);
+    const std::vector<RootSum> sums = exact_exchange_measures(exact.prepared(), Granularity::kFace, pairs);
     for (std::size_t k = 0; k < pairs.size(); ++k)
       measures[std::minmax({face(pairs[k].first), face(pairs[k].second)})] += sums[k];
     for (std::uint32_t i = 0; i < matrix.size(); ++i)

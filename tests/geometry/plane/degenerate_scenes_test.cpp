@@ -44,8 +44,8 @@ Rational resolution(const Scene2& scene) {
   return smallest / largest;
 }
 
-std::vector<LabelPair> all_pairs(const ExchangeMatrix& matrix) {
-  std::vector<LabelPair> pairs;
+std::vector<ElementPair> all_pairs(const ExchangeMatrix& matrix) {
+  std::vector<ElementPair> pairs;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     for (std::uint32_t j = i; j <= matrix.sky(); ++j)
       if (matrix.has_row(i) || (j < matrix.sky() && matrix.has_row(j))) pairs.emplace_back(i, j);
@@ -63,7 +63,7 @@ class DegenerateScenes : public testing::TestWithParam<std::string> {};
 
 TEST_P(DegenerateScenes, HaveTheClosedFormsOfTheirFile) {
   const Exact exact(degenerate(GetParam()));
-  const std::vector<RootSum> areas = exact_areas(exact.prepared(), Per::kFace);
+  const std::vector<RootSum> areas = exact_areas(exact.prepared(), Granularity::kFace);
   for (const Expectation& row : exact.prepared().scene.expect) {
     if (row.quantity != "factor") continue;
     EXPECT_FALSE(row.derivation.empty());
@@ -91,7 +91,7 @@ TEST_P(DegenerateScenes, HaveTheValuesOfTheirFile) {
   for (const Expectation& row : scene.expect) {
     if (row.quantity == "radiosity") continue;  // tests/solver/plane/degenerate_radiosity_test.cpp
     if (row.quantity == "group_visibility") {
-      const ExchangeMatrix groups = exact_exchange(exact.prepared(), {.per = Per::kGroup});
+      const ExchangeMatrix groups = exact_exchange(exact.prepared(), {.granularity = Granularity::kGroup});
       EXPECT_EQ(visibility(groups, row.of.at(0), row.of.at(1)), to_double(number(row.value))) << row.name;
       continue;
     }
@@ -113,15 +113,15 @@ TEST_P(DegenerateScenes, AgreeWithTheBruteForceInEveryPair) {
 // 2 S(i, j) as coefficients of the lengths of gaps, before gaps on one line or of one class of roots are put together.
 oracle::Measures coefficients_by_gap(const PreparedScene2& prepared) {
   const Vertices2& vertices = prepared.arrangement.vertices();
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
-  const auto label = [&](std::uint32_t i) { return i == labels.sky() ? oracle::kInfinity : static_cast<int>(i); };
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const auto label = [&](std::uint32_t i) { return i == table.sky() ? oracle::kInfinity : static_cast<int>(i); };
   oracle::Measures measures;
   View2 view;
   for (VertexId v = 0; v < vertices.size(); ++v) {
     look_around(vertices, prepared.arrangement.triangulation(), v, view);
     for_each_gap(vertices, v, view, true, [&](const Gap2& gap) {
       const Rational squared_length = vertices.squared_distance(gap.v, gap.w) * vertices.scale() * vertices.scale();
-      for_each_term(gap, labels, [&](std::uint32_t i, std::uint32_t j, int sign) {
+      for_each_term(gap, table, [&](std::uint32_t i, std::uint32_t j, int sign) {
         measures[std::minmax({label(i), label(j)})][squared_length] += i == j ? 2 * sign : sign;
       });
     });
@@ -181,9 +181,9 @@ TEST_P(DegenerateScenes, CloseAsIntegersAndAreNotNegative) {
     }
   }
   // The same as exact sums: what a face exchanges with all others is its length.
-  const std::vector<LabelPair> pairs = all_pairs(matrix);
-  const std::vector<RootSum> sums = exact_exchange_measures(exact.prepared(), Per::kFace, pairs);
-  std::vector<RootSum> left = exact_areas(exact.prepared(), Per::kFace);
+  const std::vector<ElementPair> pairs = all_pairs(matrix);
+  const std::vector<RootSum> sums = exact_exchange_measures(exact.prepared(), Granularity::kFace, pairs);
+  std::vector<RootSum> left = exact_areas(exact.prepared(), Granularity::kFace);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     EXPECT_GE(sums[k].sign(), 0);
     left[pairs[k].first] -= sums[k];
@@ -256,19 +256,19 @@ TEST_P(DegenerateScenes, AreTheSumsOfTheirElements) {
   Scene2 scene = degenerate(GetParam());
   const Exact whole(scene);
   for (Surface2& surface : scene.surfaces) surface.elements = 3;
-  const Exact parts(scene, Per::kElement);
-  std::map<LabelPair, RootSum> sums;
+  const Exact parts(scene, Granularity::kElement);
+  std::map<ElementPair, RootSum> sums;
   const auto face = [&](std::uint32_t i) {
     if (i == parts.matrix().sky()) return whole.matrix().sky();
     const std::string& name = parts.matrix().elements()[i].name;
     return whole.matrix().find(name.substr(0, name.find('#'))).value();
   };
-  const std::vector<LabelPair> pairs = all_pairs(parts.matrix());
-  const std::vector<RootSum> measures = exact_exchange_measures(parts.prepared(), Per::kElement, pairs);
+  const std::vector<ElementPair> pairs = all_pairs(parts.matrix());
+  const std::vector<RootSum> measures = exact_exchange_measures(parts.prepared(), Granularity::kElement, pairs);
   for (std::size_t k = 0; k < pairs.size(); ++k)
     sums[std::minmax({face(pairs[k].first), face(pairs[k].second)})] += measures[k];
-  const std::vector<LabelPair> faces = all_pairs(whole.matrix());
-  const std::vector<RootSum> expected = exact_exchange_measures(whole.prepared(), Per::kFace, faces);
+  const std::vector<ElementPair> faces = all_pairs(whole.matrix());
+  const std::vector<RootSum> expected = exact_exchange_measures(whole.prepared(), Granularity::kFace, faces);
   for (std::size_t k = 0; k < faces.size(); ++k)
     EXPECT_TRUE((sums[faces[k]] - expected[k]).is_zero()) << faces[k].first << " " << faces[k].second;
 }
@@ -300,7 +300,7 @@ TEST(CanyonWithBalconies, IsTheOneWhoseWallsAreCutByHand) {
     }
     cut.surfaces.push_back(alone);
   }
-  EXPECT_TRUE(printed(canyon) == printed(exact_exchange(prepare(cut), {.per = Per::kGroup})));
+  EXPECT_TRUE(printed(canyon) == printed(exact_exchange(prepare(cut), {.granularity = Granularity::kGroup})));
 }
 
 // The section of a scene in the README: from its heading to the next one.

@@ -192,7 +192,7 @@ TEST(DegenerateExchange2, NeedlesOfAViewHaveNoArea) {
 TEST(DegenerateExchange2, OnlyTheCanonicalSumOfRootsSettlesATie) {
   const auto tier = [](const std::string& stem) {
     const PreparedScene2 prepared = prepare(degenerate(stem));
-    const ExactPair2 pair = exact_pair(prepared, Per::kFace, 0, 2);  // floor and wall
+    const ExactPair2 pair = exact_pair(prepared, Granularity::kFace, 0, 2);  // floor and wall
     return round_quotient(pair.exchange, pair.area_from);
   };
   const RoundedByTier tie = tier("rounding_tie"), below = tier("rounding_just_below_a_tie"),

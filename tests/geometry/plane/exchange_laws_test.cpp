@@ -25,8 +25,8 @@ class ExactExchange2 : public testing::TestWithParam<std::string> {
   }
 };
 
-std::vector<LabelPair> all_pairs(const ExchangeMatrix& matrix) {
-  std::vector<LabelPair> pairs;
+std::vector<ElementPair> all_pairs(const ExchangeMatrix& matrix) {
+  std::vector<ElementPair> pairs;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     for (std::uint32_t j = i; j <= matrix.sky(); ++j)
       if (matrix.has_row(i) || (j < matrix.size() && matrix.has_row(j))) pairs.emplace_back(i, j);
@@ -35,14 +35,14 @@ std::vector<LabelPair> all_pairs(const ExchangeMatrix& matrix) {
 
 // sum over j of S(i, j) == A_i, as an identity of integers for doubles and of roots for the sums.
 TEST_P(ExactExchange2, IsClosed) {
-  for (const Per per : {Per::kFace, Per::kElement, Per::kGroup}) {
+  for (const Granularity granularity : {Granularity::kFace, Granularity::kElement, Granularity::kGroup}) {
     Scene2 with_elements = scene(60);
     for (std::size_t k = 0; k < with_elements.surfaces.size(); k += 4) with_elements.surfaces[k].elements = 3;
-    const Exact exact(with_elements, per);
+    const Exact exact(with_elements, granularity);
     EXPECT_TRUE(exact.report().closure_is_exact);
-    const std::vector<LabelPair> pairs = all_pairs(exact.matrix());
-    const std::vector<RootSum> sums = exact_exchange_measures(exact.prepared(), per, pairs);
-    std::vector<RootSum> defects = exact_areas(exact.prepared(), per);
+    const std::vector<ElementPair> pairs = all_pairs(exact.matrix());
+    const std::vector<RootSum> sums = exact_exchange_measures(exact.prepared(), granularity, pairs);
+    std::vector<RootSum> defects = exact_areas(exact.prepared(), granularity);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const auto [i, j] = pairs[k];
       EXPECT_GE(sums[k].sign(), 0);
@@ -85,9 +85,9 @@ TEST_P(ExactExchange2, IsReciprocal) {
 TEST_P(ExactExchange2, ListsExactlyThePairsThatExchangeLight) {
   const Exact exact(scene(60));
   const ExchangeMatrix& matrix = exact.matrix();
-  const std::vector<LabelPair> pairs = all_pairs(matrix);
-  const std::vector<RootSum> sums = exact_exchange_measures(exact.prepared(), Per::kFace, pairs);
-  std::map<LabelPair, bool> is_zero;
+  const std::vector<ElementPair> pairs = all_pairs(matrix);
+  const std::vector<RootSum> sums = exact_exchange_measures(exact.prepared(), Granularity::kFace, pairs);
+  std::map<ElementPair, bool> is_zero;
   for (std::size_t k = 0; k < pairs.size(); ++k) is_zero[pairs[k]] = sums[k].is_zero();
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) {
@@ -112,28 +112,28 @@ TEST_P(ExactExchange2, ListsExactlyThePairsThatExchangeLight) {
 // One pair alone is summed about the vertices between the two only.
 TEST_P(ExactExchange2, HasTheSameSumsWhateverElseIsAskedFor) {
   for (const char* factor : {"1", "0.1234567890123456789012345678901234567891"}) {
-    for (const Per per : {Per::kFace, Per::kGroup}) {
+    for (const Granularity granularity : {Granularity::kFace, Granularity::kGroup}) {
       const Rational scale = number(factor);
       // Far from the origin, stretched, and (with the long factor) in large form.
       const Scene2 stretched = moved(scene(40), [&](const Point2& p) -> Point2 {
         return {scale * p.x + 1000 * p.y, p.y + 1000000 * scale * scale};
       });
-      const Exact exact(stretched, per);
-      std::vector<LabelPair> pairs = all_pairs(exact.matrix());
-      const std::vector<RootSum> sums = exact_exchange_measures(exact.prepared(), per, pairs);
-      std::vector<LabelPair> without_sky;
+      const Exact exact(stretched, granularity);
+      std::vector<ElementPair> pairs = all_pairs(exact.matrix());
+      const std::vector<RootSum> sums = exact_exchange_measures(exact.prepared(), granularity, pairs);
+      std::vector<ElementPair> without_sky;
       std::vector<std::size_t> place;
       for (std::size_t k = 0; k < pairs.size(); ++k) {
         if (pairs[k].second == exact.matrix().sky()) continue;
         without_sky.push_back(pairs[k]);
         place.push_back(k);
       }
-      const std::vector<RootSum> together = exact_exchange_measures(exact.prepared(), per, without_sky);
+      const std::vector<RootSum> together = exact_exchange_measures(exact.prepared(), granularity, without_sky);
       for (std::size_t k = 0; k < place.size(); ++k) {
         EXPECT_TRUE((together[k] - sums[place[k]]).is_zero());
         if (k % 7 != 0) continue;
         const std::vector<RootSum> alone =
-            exact_exchange_measures(exact.prepared(), per, {without_sky[k], without_sky[k]});
+            exact_exchange_measures(exact.prepared(), granularity, {without_sky[k], without_sky[k]});
         EXPECT_TRUE((alone[0] - sums[place[k]]).is_zero());
         EXPECT_TRUE((alone[1] - sums[place[k]]).is_zero()) << "asked for twice";
       }
@@ -234,7 +234,7 @@ TEST_P(ExactExchange2, IsTheSumOverElements) {
   Scene2 divided = scene(40);
   for (std::size_t k = 0; k < divided.surfaces.size(); ++k)
     divided.surfaces[k].elements = static_cast<std::uint32_t>(1 + k % 4);
-  const Exact faces(divided), elements(divided, Per::kElement);
+  const Exact faces(divided), elements(divided, Granularity::kElement);
   std::map<std::tuple<std::uint32_t, bool>, std::uint32_t> face_of;
   for (std::uint32_t i = 0; i < faces.matrix().size(); ++i)
     face_of[{faces.matrix().elements()[i].surface, faces.matrix().elements()[i].is_back}] = i;
@@ -243,13 +243,13 @@ TEST_P(ExactExchange2, IsTheSumOverElements) {
     const Element& e = elements.matrix().elements()[element];
     return face_of.at({e.surface, e.is_back});
   };
-  std::map<LabelPair, RootSum> total;
-  const std::vector<LabelPair> parts = all_pairs(elements.matrix());
-  const std::vector<RootSum> part_sums = exact_exchange_measures(elements.prepared(), Per::kElement, parts);
+  std::map<ElementPair, RootSum> total;
+  const std::vector<ElementPair> parts = all_pairs(elements.matrix());
+  const std::vector<RootSum> part_sums = exact_exchange_measures(elements.prepared(), Granularity::kElement, parts);
   for (std::size_t k = 0; k < parts.size(); ++k)
     total[std::minmax(face(parts[k].first), face(parts[k].second))] += part_sums[k];
-  const std::vector<LabelPair> wholes = all_pairs(faces.matrix());
-  const std::vector<RootSum> sums = exact_exchange_measures(faces.prepared(), Per::kFace, wholes);
+  const std::vector<ElementPair> wholes = all_pairs(faces.matrix());
+  const std::vector<RootSum> sums = exact_exchange_measures(faces.prepared(), Granularity::kFace, wholes);
   for (std::size_t k = 0; k < wholes.size(); ++k) EXPECT_TRUE((sums[k] - total[wholes[k]]).is_zero());
 }
 
@@ -261,7 +261,7 @@ TEST_P(ExactExchange2, IsTheSumOverGroups) {
     if (k % 5 == 0) grouped.groups.push_back("group " + std::to_string(k));
     grouped.surfaces[k].group = static_cast<std::uint32_t>(grouped.groups.size() - 1);
   }
-  const Exact faces(grouped), groups(grouped, Per::kGroup);
+  const Exact faces(grouped), groups(grouped, Granularity::kGroup);
   std::map<std::string, std::uint32_t> number_of;
   for (std::uint32_t i = 0; i < groups.matrix().size(); ++i) number_of[groups.matrix().elements()[i].name] = i;
   const auto group = [&](std::uint32_t i) {
@@ -269,19 +269,19 @@ TEST_P(ExactExchange2, IsTheSumOverGroups) {
     const Element& e = faces.matrix().elements()[i];
     return number_of.at(grouped.groups[grouped.surfaces[e.surface].group].name + (e.is_back ? ":back" : ""));
   };
-  std::map<LabelPair, RootSum> total;
-  std::vector<LabelPair> wholes;
+  std::map<ElementPair, RootSum> total;
+  std::vector<ElementPair> wholes;
   for (std::uint32_t i = 0; i < faces.matrix().size(); ++i)
     for (std::uint32_t j = i; j <= faces.matrix().sky(); ++j) wholes.emplace_back(i, j);
-  const std::vector<RootSum> sums = exact_exchange_measures(faces.prepared(), Per::kFace, wholes);
+  const std::vector<RootSum> sums = exact_exchange_measures(faces.prepared(), Granularity::kFace, wholes);
   for (std::size_t k = 0; k < wholes.size(); ++k) {
-    const LabelPair pair = std::minmax(group(wholes[k].first), group(wholes[k].second));
+    const ElementPair pair = std::minmax(group(wholes[k].first), group(wholes[k].second));
     total[pair] += pair.first == pair.second ? sums[k] * Rational(2) : sums[k];
   }
   const bool has_only_whole_rows = std::all_of(grouped.surfaces.begin(), grouped.surfaces.end(),
                                                [](const Surface2& s) { return s.back.has_value(); });
-  const std::vector<LabelPair> pairs = all_pairs(groups.matrix());
-  const std::vector<RootSum> group_sums = exact_exchange_measures(groups.prepared(), Per::kGroup, pairs);
+  const std::vector<ElementPair> pairs = all_pairs(groups.matrix());
+  const std::vector<RootSum> group_sums = exact_exchange_measures(groups.prepared(), Granularity::kGroup, pairs);
   int self = 0;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto is_front = [&](std::uint32_t i) {
@@ -308,7 +308,7 @@ TEST(ExactExchange2OfGroups, SeesAllOfItselfInAClosedRoom) {
   Scene2 scene = scene_of(room("4"));
   scene.groups = {"room"};
   for (Surface2& surface : scene.surfaces) surface.group = 0;
-  const Exact exact(scene, Per::kGroup);
+  const Exact exact(scene, Granularity::kGroup);
   EXPECT_EQ(exact.factor("room", "room"), (Rounded{1, 0}));
   EXPECT_EQ(exact.text("room", "room"), "16");
   EXPECT_EQ(exact.visibility("room", "room"), 1);
@@ -319,7 +319,7 @@ TEST(ExactExchange2OfGroups, SeesWhatAnAngleSeesOfItself) {
   Scene2 scene = scene_of({{"up", "0", "0", "0", "3"}, {"along", "4", "0", "0", "0"}});
   scene.groups = {"angle"};
   for (Surface2& surface : scene.surfaces) surface.group = 0;
-  const Exact exact(scene, Per::kGroup);
+  const Exact exact(scene, Granularity::kGroup);
   EXPECT_EQ(exact.text("angle", "angle"), "2");
   EXPECT_EQ(exact.text("angle", "sky"), "5");
   EXPECT_EQ(exact.factor("angle", "angle").value, 2.0 / 7);

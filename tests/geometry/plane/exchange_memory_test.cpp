@@ -17,13 +17,13 @@ using namespace testing_scenes;
 class ExchangeMemory : public testing::Test {
  protected:
   const PreparedScene2 prepared_ = prepare(generated("comb", 300, 5));
-  const Labels2 labels_{prepared_.scene, prepared_.arrangement, prepared_.division, Per::kFace};
-  const std::uint64_t foreseen_ = estimated_pairs(prepared_.arrangement, labels_);
+  const ElementTable2 table_{prepared_.scene, prepared_.arrangement, prepared_.division, Granularity::kFace};
+  const std::uint64_t foreseen_ = estimated_pairs(prepared_.arrangement, table_);
   const std::uint64_t pairs_ = count();
 
   std::uint64_t count() const {
     SumCounts counts;
-    return sum_visible_pairs(prepared_.arrangement, labels_, {}, std::numeric_limits<std::uint64_t>::max(), counts)
+    return sum_visible_pairs(prepared_.arrangement, table_, {}, std::numeric_limits<std::uint64_t>::max(), counts)
         .size();
   }
 

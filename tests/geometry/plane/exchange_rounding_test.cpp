@@ -71,10 +71,10 @@ TEST(RoundingOfFactors2, OfUnobstructedPairsAreThoseOfTheExactSums) {
   for (const char* kind : {"clutter", "lattice", "comb", "plates"}) {
     const PreparedScene2 prepared = prepare(generate_2({.kind = kind, .n = 60, .seed = 2}), Divided::kYes);
     const Vertices2& vertices = prepared.arrangement.vertices();
-    const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
-    const PairsAlone2 alone(prepared, labels, Per::kElement);
-    for (std::uint32_t i = 0; i < labels.count(); ++i)
-      for (std::uint32_t j = 0; j < labels.count() && labels.has_row(i); ++j) {
+    const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+    const PairsAlone2 alone(prepared, table, Granularity::kElement);
+    for (std::uint32_t i = 0; i < table.count(); ++i)
+      for (std::uint32_t j = 0; j < table.count() && table.has_row(i); ++j) {
         const RootSum exact = alone.exact(i, j);
         const double factor = alone.factor(i, j);
         ++pairs;
@@ -83,7 +83,7 @@ TEST(RoundingOfFactors2, OfUnobstructedPairsAreThoseOfTheExactSums) {
           continue;
         }
         ++facing;
-        EXPECT_EQ(factor, round_quotient(exact, labels.exact_length(i, vertices) * vertices.scale()).number.value);
+        EXPECT_EQ(factor, round_quotient(exact, table.exact_length(i, vertices) * vertices.scale()).number.value);
       }
   }
   EXPECT_GT(facing, 1000u);

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"
 #include "geometry/plane/scene/scene.h"
@@ -120,10 +121,11 @@ inline Printed printed(const Scene2& scene) { return printed(exact_exchange(prep
 // The exact measures of one scene by name of element.
 class Exact {
  public:
-  explicit Exact(const Scene2& scene, Per per = Per::kFace)
-      : prepared_(prepare(scene, per == Per::kElement ? Divided::kYes : Divided::kNo)), per_(per) {
+  explicit Exact(const Scene2& scene, Granularity granularity = Granularity::kFace)
+      : prepared_(prepare(scene, granularity == Granularity::kElement ? Divided::kYes : Divided::kNo)),
+        granularity_(granularity) {
     ExchangeOptions2 options;
-    options.per = per;
+    options.granularity = granularity;
     options.wants_measures = true;
     matrix_ = exact_exchange(prepared_, options, &report_);
   }
@@ -135,7 +137,7 @@ class Exact {
   // S(from, to)
   RootSum measure(const std::string& from, const std::string& to) const {
     const std::uint32_t i = matrix_.find(from).value(), j = matrix_.find(to).value();
-    return exact_exchange_measures(prepared_, per_, {{std::min(i, j), std::max(i, j)}}).front();
+    return exact_exchange_measures(prepared_, granularity_, {{std::min(i, j), std::max(i, j)}}).front();
   }
   std::string text(const std::string& from, const std::string& to) const { return measure(from, to).to_string(); }
   Rounded factor(const std::string& from, const std::string& to) const {
@@ -151,7 +153,7 @@ class Exact {
 
  private:
   PreparedScene2 prepared_;
-  Per per_;
+  Granularity granularity_;
   ExchangeReport report_;
   ExchangeMatrix matrix_;
 };

@@ -82,8 +82,8 @@ TEST(FaceCover2, AFaceHasAnAreaIffItHasOneInTheMatrix) {
     const auto scene = prepared(lattice_of_boxes(seed, 1));
     ASSERT_TRUE(scene);
     const FaceCover2 cover(scene->scene, scene->arrangement);
-    const Labels2 labels(scene->scene, scene->arrangement, scene->division, Per::kFace);
-    for (const Element& element : labels.elements()) {
+    const ElementTable2 table(scene->scene, scene->arrangement, scene->division, Granularity::kFace);
+    for (const Element& element : table.elements()) {
       const std::uint32_t face = 2 * element.surface + (element.is_back ? 1 : 0);
       EXPECT_EQ(cover.has_area[face] != 0, element.area.value > 0) << seed << " " << element.name;
       without += cover.has_area[face] == 0;
@@ -100,15 +100,15 @@ TEST(BehindRemedies2, ARegionIsWhatStatingItWouldFillAndNothingWhereThatIsRefuse
     const auto scene = prepared(lattice_of_boxes(seed, 2));
     if (!scene) continue;
     const Arrangement2& before = scene->arrangement;
-    const Cells2 cells(before.triangulation(), before.side_count());
-    const auto regions = before.regions_behind(scene->scene, cells);
+    const FreeRegions2 free_regions(before.triangulation(), before.side_count());
+    const auto regions = before.regions_behind(scene->scene, free_regions);
     for (std::uint32_t group = 0; group < regions.size(); ++group) {
       if (scene->scene.groups[group].behind != Behind::kByOutline) continue;
       Scene2 changed = scene->scene;
       changed.groups[group].behind = Behind::kSolid;
       const auto after = prepared(changed);
       std::size_t filled = 0;
-      for (const std::uint32_t cell : regions[group]) filled += cells.sides(cell).size();
+      for (const std::uint32_t free_region : regions[group]) filled += free_regions.sides(free_region).size();
       EXPECT_TRUE(after || filled == 0) << seed << " " << group;
       if (after) {
         EXPECT_EQ(covered_sides(after->arrangement), covered_sides(before) + filled) << seed << " " << group;

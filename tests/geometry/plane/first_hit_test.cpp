@@ -7,7 +7,8 @@
 #include <random>
 #include <string>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
 namespace hottel {
@@ -115,13 +116,13 @@ TEST(FirstHit2, DoesNotSlipThroughWhereTwoPiecesMeet) {
                                                     {"left", "-3", "2", "0", "4", 1, 1},
                                                     {"right", "0", "4", "3", "2", 2, 2}}));
   const FirstHit2 first_hit(prepared.arrangement);
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   for (std::size_t side = 0; side < prepared.arrangement.side_count(); ++side) {
     const PieceRay2 up{static_cast<PieceSideId>(side), 0.5, 0, 1};
     if (!leaves_the_side(prepared.arrangement, up)) continue;
-    const std::string from = labels.elements()[labels.of(up.from)].name;
+    const std::string from = table.elements()[table.of(up.from)].name;
     if (!from.starts_with("floor")) continue;
-    EXPECT_EQ(labels.elements()[labels.of(first_hit(up))].name, "left");
+    EXPECT_EQ(table.elements()[table.of(first_hit(up))].name, "left");
   }
 }
 

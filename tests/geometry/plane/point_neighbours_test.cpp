@@ -8,7 +8,7 @@
 #include <random>
 
 #include "geometry/plane/arrangement/point_index.h"
-#include "geometry/plane/check/foot.h"
+#include "geometry/plane/check/closest_point.h"
 
 namespace hottel {
 namespace {
@@ -39,8 +39,8 @@ TEST(PointNeighbours2, AreAllThatAreInReachAndFewMore) {
       EXPECT_TRUE(std::ranges::is_sorted(near[v]));
       EXPECT_TRUE(std::ranges::adjacent_find(near[v]) == near[v].end());
       for (std::uint32_t s = 0; s < segments.size(); ++s) {
-        const Rational squared = foot_on(to_point(index.points()[segments[s].a]),
-                                         to_point(index.points()[segments[s].b]), to_point(index.points()[v]))
+        const Rational squared = closest_point(to_point(index.points()[segments[s].a]),
+                                               to_point(index.points()[segments[s].b]), to_point(index.points()[v]))
                                      .squared;
         const bool is_listed = std::ranges::binary_search(near[v], s);
         if (squared <= reach * reach) {

@@ -41,10 +41,10 @@ const std::string kBoxOnFloor = polyline("box", "[2,0],[4,0],[4,2],[2,2]");
 // The names of all faces that have an area, in the order of the contract.
 std::vector<std::string> faces(const Scene2& scene) {
   const PreparedScene2 prepared = prepare(scene);
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   std::vector<std::string> names;
-  for (std::uint32_t label = 0; label < labels.count(); ++label)
-    if (!labels.runs(label).empty()) names.push_back(labels.elements()[label].name);
+  for (std::uint32_t label = 0; label < table.count(); ++label)
+    if (!table.runs(label).empty()) names.push_back(table.elements()[label].name);
   return names;
 }
 
@@ -52,7 +52,7 @@ std::vector<std::string> faces(const Scene2& scene) {
 Rational solid_area(const Scene2& scene) {
   const Arrangement2 arrangement(scene, Division(scene.surfaces.size(), 1));
   const Triangulation2& triangulation = arrangement.triangulation();
-  const Cells2 cells(triangulation, arrangement.side_count());
+  const FreeRegions2 regions(triangulation, arrangement.side_count());
   const Vertices2& vertices = arrangement.vertices();
   Rational area = 0;
   for (PieceSideId side = 0; side < static_cast<PieceSideId>(arrangement.side_count()); ++side) {
@@ -178,10 +178,10 @@ TEST(Solids2, LeaveAShelfItsUnderside) {
   const std::string shelf = edge("shelf", "[6,3],[1,3]", R"(, "back": "b")");
   const std::string box = polyline("box", "[2,3],[4,3],[4,5],[2,5]");
   const PreparedScene2 prepared = prepare(scene(shelf, box));
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
-  EXPECT_EQ(labels.elements()[0].area.value, 3);  // shelf
-  EXPECT_EQ(labels.elements()[1].area.value, 5);  // shelf:back
-  EXPECT_TRUE(labels.runs(2).empty());            // box[0]
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  EXPECT_EQ(table.elements()[0].area.value, 3);  // shelf
+  EXPECT_EQ(table.elements()[1].area.value, 5);  // shelf:back
+  EXPECT_TRUE(table.runs(2).empty());            // box[0]
   // Without a material on its back the shelf is black there.
   EXPECT_THAT(faces(scene(edge("shelf", "[6,3],[1,3]"), box)),
               ElementsAre("shelf", "shelf:back", "box[1]", "box[2]", "box[3]"));
@@ -194,9 +194,9 @@ TEST(Solids2, CoverBothFrontsWhereBoxesTouch) {
   const std::string left = polyline("left", "[0,0],[2,0],[2,2],[0,2]"),
                     right = polyline("right", "[2,0],[4,0],[4,3],[2,3]");
   const PreparedScene2 prepared = prepare(scene("", left + "," + right));
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   const auto area = [&](const std::string& name) {
-    for (const Element& element : labels.elements())
+    for (const Element& element : table.elements())
       if (element.name == name) return element.area.value;
     return -1.0;
   };
@@ -211,8 +211,8 @@ TEST(Solids2, KeepTheFrontOfABuildingWhereFurnitureTouchesItsWallFromInside) {
                     room = polyline("room", "[0,1],[0,7],[7,7],[7,1]");
   const std::string cupboard = polyline("cupboard", "[0,2],[1,2],[1,4],[0,4]");
   const PreparedScene2 prepared = prepare(scene("", building + "," + room + "," + cupboard));
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
-  for (const Element& element : labels.elements()) {
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  for (const Element& element : table.elements()) {
     if (element.name == "building[3]") {
       EXPECT_EQ(element.area.value, 8);
     }

@@ -267,8 +267,8 @@ ExactSum exact_sum(const LengthSum& lengths) {
   return sum;
 }
 
-std::map<LabelPair, ExactSum> exact_measures(const std::vector<Segment>& segments) {
-  std::map<LabelPair, ExactSum> result;
+std::map<ElementPair, ExactSum> exact_measures(const std::vector<Segment>& segments) {
+  std::map<ElementPair, ExactSum> result;
   for (const auto& [pair, lengths] : exchange_measures(segments)) {
     ExactSum sum = exact_sum(lengths);
     if (!sum.terms().empty()) result.emplace(pair, std::move(sum));

@@ -23,9 +23,9 @@ struct Segment {
   int left, right;
 };
 
-using LabelPair = std::pair<int, int>;        // first <= second
+using ElementPair = std::pair<int, int>;      // first <= second
 using LengthSum = std::map<mpq_class, long>;  // squared length of a gap -> coefficient != 0
-using Measures = std::map<LabelPair, LengthSum>;
+using Measures = std::map<ElementPair, LengthSum>;
 
 // A free stretch of line between two consecutive vertices on it, and what it adds to the measures.
 struct Gap {
@@ -55,6 +55,6 @@ Measures exchange_measures(const std::vector<Segment>& segments);
 
 // Returns the same in normal form, without the pairs that are zero.
 ExactSum exact_sum(const LengthSum& lengths);
-std::map<LabelPair, ExactSum> exact_measures(const std::vector<Segment>& segments);
+std::map<ElementPair, ExactSum> exact_measures(const std::vector<Segment>& segments);
 
 }  // namespace hottel::oracle

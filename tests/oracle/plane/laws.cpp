@@ -10,7 +10,7 @@ namespace hottel::oracle {
 
 namespace {
 
-std::string name(const LabelPair& pair) {
+std::string name(const ElementPair& pair) {
   return "M(" + std::to_string(pair.first) + "," + std::to_string(pair.second) + ")";
 }
 
@@ -70,7 +70,7 @@ std::string broken_positivity(const std::vector<Segment>& pieces) {
 
 std::string broken_sweep(const std::vector<Segment>& pieces, double tolerance) {
   const ExactMeasures exact = exact_measures(pieces);
-  std::map<LabelPair, double> swept = line_sweep(pieces);
+  std::map<ElementPair, double> swept = line_sweep(pieces);
   for (const auto& entry : exact) swept.try_emplace(entry.first, 0.0);
   std::string broken;
   for (const auto& [pair, value] : swept) {

@@ -11,7 +11,7 @@
 
 namespace hottel::oracle {
 
-using ExactMeasures = std::map<LabelPair, ExactSum>;
+using ExactMeasures = std::map<ElementPair, ExactSum>;
 
 // Returns M(f,g), in either order: zero when the pair is missing.
 ExactSum measure(const ExactMeasures& measures, int f, int g);

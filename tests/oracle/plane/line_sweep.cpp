@@ -90,8 +90,8 @@ class Sweep {
   }
 
   // The sums, compensated while they are formed (Neumaier).
-  std::map<LabelPair, double> measures() const {
-    std::map<LabelPair, double> result;
+  std::map<ElementPair, double> measures() const {
+    std::map<ElementPair, double> result;
     for (const auto& [pair, sum] : sums_) result[pair] = sum.first + sum.second;
     return result;
   }
@@ -108,12 +108,12 @@ class Sweep {
 
   std::vector<Wall> walls_;
   std::vector<Point> points_;
-  std::map<LabelPair, std::pair<double, double>> sums_;
+  std::map<ElementPair, std::pair<double, double>> sums_;
 };
 
 }  // namespace
 
-std::map<LabelPair, double> line_sweep(const std::vector<Segment>& segments) {
+std::map<ElementPair, double> line_sweep(const std::vector<Segment>& segments) {
   Sweep sweep(segments);
   const std::vector<double> angles = sweep.critical_directions();
   for (std::size_t k = 0; k + 1 < angles.size(); ++k) {

@@ -16,6 +16,6 @@ namespace hottel::oracle {
 // of hits is constant, and each pair of neighbours in it gets the width. Between directions in which two vertices
 // coincide the strips stay the same and their widths are sines, which Gauss points integrate to rounding.
 // COST: O(V^2) intervals of direction times O(V n log n).
-std::map<LabelPair, double> line_sweep(const std::vector<Segment>& segments);
+std::map<ElementPair, double> line_sweep(const std::vector<Segment>& segments);
 
 }  // namespace hottel::oracle

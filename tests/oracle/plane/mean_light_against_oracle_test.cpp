@@ -48,15 +48,15 @@ std::vector<oracle::LitSegment> lit_segments(const oracle::RandomScene& random) 
 
 AverageIllumination averages(const oracle::RandomScene& random, const Grid2& cells, double sky) {
   const PreparedScene2 prepared = prepare(scene_of(random));
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   std::vector<double> radiosity;
-  for (const Element& element : labels.elements()) {
+  for (const Element& element : table.elements()) {
     const int edge = static_cast<int>(element.surface);
     radiosity.push_back(sent_out(element.is_back ? oracle::back_label(static_cast<std::size_t>(edge))
                                                  : oracle::front_label(static_cast<std::size_t>(edge))));
   }
   return illuminate_averages(prepared, cells,
-                             FaceRadiosity2(prepared.arrangement, labels, radiosity, std::vector<double>{sky}));
+                             FaceRadiosity2(prepared.arrangement, table, radiosity, std::vector<double>{sky}));
 }
 
 Rational lowest(const oracle::RandomScene& random) {

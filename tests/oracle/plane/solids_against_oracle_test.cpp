@@ -32,14 +32,14 @@ TEST(SolidsAgainstOracle, AgreeInEverySideOfTwoThousandScenes) {
   }
 }
 
-class VisibilityAgainstOracle : public testing::TestWithParam<Per> {};
+class VisibilityAgainstOracle : public testing::TestWithParam<Granularity> {};
 
 TEST_P(VisibilityAgainstOracle, IsThatOfThePiecesOfBothAlone) {
   ComparisonCounts counts;
   for (std::uint64_t number = 0; number < kScenes; ++number) {
     std::mt19937_64 random(number);
     Scene2 scene = to_scene(scene_at(number).edges);
-    if (GetParam() == Per::kElement)
+    if (GetParam() == Granularity::kElement)
       for (Surface2& surface : scene.surfaces) surface.elements = random() % 3 == 0 ? 2 : 1;
     ASSERT_EQ(disagreement(scene, counts, GetParam(), Hidden::kYes), "") << "scene " << number;
   }
@@ -48,11 +48,12 @@ TEST_P(VisibilityAgainstOracle, IsThatOfThePiecesOfBothAlone) {
   EXPECT_GT(counts.hidden, kScenes);
 }
 
-INSTANTIATE_TEST_SUITE_P(, VisibilityAgainstOracle, testing::Values(Per::kFace, Per::kElement, Per::kGroup),
+INSTANTIATE_TEST_SUITE_P(, VisibilityAgainstOracle,
+                         testing::Values(Granularity::kFace, Granularity::kElement, Granularity::kGroup),
                          [](const auto& test) {
-                           return std::string(test.param == Per::kFace      ? "OfFaces"
-                                              : test.param == Per::kElement ? "OfElements"
-                                                                            : "OfGroups");
+                           return std::string(test.param == Granularity::kFace      ? "OfFaces"
+                                              : test.param == Granularity::kElement ? "OfElements"
+                                                                                    : "OfGroups");
                          });
 
 }  // namespace

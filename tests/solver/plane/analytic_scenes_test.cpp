@@ -63,9 +63,9 @@ class AnalyticScene {
 
   const Scene2& scene() const { return prepared_.scene; }
 
-  const ExchangeMatrix& matrix(Per per) {
-    auto& matrix = matrices_[per];
-    if (!matrix) matrix = std::make_unique<ExchangeMatrix>(exact_exchange(prepared_, {per}));
+  const ExchangeMatrix& matrix(Granularity granularity) {
+    auto& matrix = matrices_[granularity];
+    if (!matrix) matrix = std::make_unique<ExchangeMatrix>(exact_exchange(prepared_, {granularity}));
     return *matrix;
   }
 
@@ -90,7 +90,7 @@ class AnalyticScene {
 
  private:
   PreparedScene2 prepared_;
-  std::map<Per, std::unique_ptr<ExchangeMatrix>> matrices_;
+  std::map<Granularity, std::unique_ptr<ExchangeMatrix>> matrices_;
   std::vector<mpf_class> radiosities_;
 };
 
@@ -103,7 +103,9 @@ AnalyticScene& analytic(const std::string& stem) {
 
 Rational value_of(const Expectation& row) { return parse_rational(row.value).value(); }
 
-Per per_of(const Expectation& row) { return row.quantity == "group_factor" ? Per::kGroup : Per::kFace; }
+Granularity per_of(const Expectation& row) {
+  return row.quantity == "group_factor" ? Granularity::kGroup : Granularity::kFace;
+}
 
 // F(of[0], of[1]) + F(of[0], of[2]) + ...
 double factor_sum(AnalyticScene& scene, const Expectation& row) {
@@ -115,11 +117,11 @@ double factor_sum(AnalyticScene& scene, const Expectation& row) {
 }
 
 mpf_class radiosity(AnalyticScene& scene, const Expectation& row) {
-  return scene.radiosities().at(scene.matrix(Per::kFace).find(row.of.at(0)).value());
+  return scene.radiosities().at(scene.matrix(Granularity::kFace).find(row.of.at(0)).value());
 }
 
 double visibility(AnalyticScene& scene, const Expectation& row) {
-  const ExchangeMatrix& matrix = scene.matrix(Per::kFace);
+  const ExchangeMatrix& matrix = scene.matrix(Granularity::kFace);
   const std::uint32_t to = matrix.find(row.of.at(1)).value();
   for (const FactorEntry& entry : matrix.row(matrix.find(row.of.at(0)).value()))
     if (entry.to == to) return entry.visibility;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "io/scene/scene_json.h"
 #include "solver/compare/matrix_errors.h"
 #include "solver/compare/timing.h"
@@ -267,7 +268,7 @@ TEST(PairExplanation, TellsHowMuchIsHiddenHowFarAndAtWhatAngle) {
     "edges":[{"name":"screen","points":[[0.5,0],[0.5,1]],"material":"m"}]})",
                             "divided"),
               Divided::kYes);
-  const ExchangeMatrix exact = exact_exchange(prepared, {.per = Per::kElement});
+  const ExchangeMatrix exact = exact_exchange(prepared, {.granularity = Granularity::kElement});
   const PairExplainer2 explainer(prepared, exact);
   const auto element = [&](const char* name) { return *exact.find(name); };
   const auto explain = [&](const char* from, const char* to, double value) {

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "kernel/support/failure.h"
-#include "solver/radiosity/crude_bounds.h"
+#include "solver/radiosity/a_priori_bounds.h"
 #include "solver/radiosity/net_flux.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
@@ -314,7 +314,7 @@ TEST(CrudeBounds, NarrowThoseOfEnclosedFactorsAndHold) {
     if (!solved) continue;
     const RadiositySolution& solution = *solved;
     RadiositySolution narrowed = solution;
-    set_crude_bounds(matrix, plan.materials, plan.sky_emission, narrowed);
+    set_a_priori_bounds(matrix, plan.materials, plan.sky_emission, narrowed);
     WithinCheck check;
     check.add(matrix, scene.factors(), narrowed, plan.materials, plan.sky_emission);
     EXPECT_EQ(check.misses, 0u) << check.first_miss;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "geometry/plane/exchange/closed_forms.h"
+#include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"
 #include "io/scene/scene_json.h"
 
@@ -36,14 +38,14 @@ std::vector<std::vector<mpf_class>> solve_dense(std::vector<std::vector<mpf_clas
 }
 
 ExactScene::ExactScene(Scene2 scene, Divided divided) : prepared_(prepare(std::move(scene), divided)) {
-  const Per per = divided == Divided::kYes ? Per::kElement : Per::kFace;
-  matrix_ = exact_exchange(prepared_, {per});
-  std::vector<LabelPair> pairs;
+  const Granularity granularity = divided == Divided::kYes ? Granularity::kElement : Granularity::kFace;
+  matrix_ = exact_exchange(prepared_, {granularity});
+  std::vector<ElementPair> pairs;
   for (std::uint32_t i = 0; i < matrix_.size(); ++i)
     for (const FactorEntry& entry : matrix_.row(i))
       if (i <= entry.to || !matrix_.has_row(entry.to)) pairs.emplace_back(std::min(i, entry.to), std::max(i, entry.to));
-  const std::vector<RootSum> measures = exact_exchange_measures(prepared_, per, pairs);
-  for (const RootSum& area : exact_areas(prepared_, per)) areas_.push_back(number(area));
+  const std::vector<RootSum> measures = exact_exchange_measures(prepared_, granularity, pairs);
+  for (const RootSum& area : exact_areas(prepared_, granularity)) areas_.push_back(number(area));
   factors_.assign(matrix_.size(), std::vector<mpf_class>(matrix_.size() + 1, mpf_class(0, kBits)));
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [i, j] = pairs[k];

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "solver/radiosity/radiosity.h"
 
 namespace hottel::testing_radiosity {

@@ -43,10 +43,10 @@ Everything everything(const Scene2& scene) {
     for (const ElementRadiosity& element : channel.elements)
       for (const double value : {element.radiosity, element.lower, element.upper, element.irradiance})
         result.radiosities.push_back(value);
-  const Labels2 labels(scene, prepared.arrangement, prepared.division, Per::kFace);
+  const ElementTable2 table(scene, prepared.arrangement, prepared.division, Granularity::kFace);
   const auto channels = static_cast<std::uint32_t>(solution.channels.size());
   result.light = illuminate_points(prepared, default_grid(scene, 24),
-                                   FaceRadiosity2(prepared.arrangement, labels, radiosity_by_element(solution),
+                                   FaceRadiosity2(prepared.arrangement, table, radiosity_by_element(solution),
                                                   sky_by_channel(scene.sky_emission, channels)))
                      .values;
   // Nothing is seen in solids: NaN, which equals nothing.

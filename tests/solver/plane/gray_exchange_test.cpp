@@ -8,6 +8,7 @@
 #include <cmath>
 #include <thread>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "tests/solver/plane/exact_radiosity.h"
@@ -158,7 +159,7 @@ TEST(GrayExchange, OfTwoFacesIsTheClosedForm) {
     "edges": [{"name": "base", "points": [[6,0],[0,0]], "material": "one"}],
     "polylines": [{"name": "legs", "points": [[0,0],[3,4],[6,0]], "material": "two"}]})");
   const PreparedScene2 prepared = prepare(scene);
-  const ExchangeMatrix gray = gray_exchange(exact_exchange(prepared, {Per::kGroup}), scene.materials);
+  const ExchangeMatrix gray = gray_exchange(exact_exchange(prepared, {Granularity::kGroup}), scene.materials);
   const std::uint32_t one = gray.find("base").value(), two = gray.find("legs").value();
   const Rational e1(2, 3), e2(1, 4), ratio(6, 10);
   const Rational exact = 1 / (1 / e1 + ratio * (1 / e2 - 1));

@@ -50,7 +50,7 @@ TEST(IlluminationInSolids, IsNaNForTheInverseSquareFormulaAtTheSamePoints) {
     const Lit lit(room.scene);
     for (const Grid2& cells : {kQuarters, kBetween}) {
       const IlluminationGrid points = lit.grid(cells),
-                             grid = illuminate_inverse_square(lit.prepared, cells, lit.labels, lit.by_element, 1);
+                             grid = illuminate_inverse_square(lit.prepared, cells, lit.table, lit.by_element, 1);
       for (std::size_t k = 0; k < grid.values.size(); ++k)
         ASSERT_EQ(std::isnan(grid.values[k]), std::isnan(points.values[k])) << room.name << " " << k;
     }

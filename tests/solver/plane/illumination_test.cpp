@@ -221,8 +221,8 @@ TEST(IlluminationGrid, ElementsSendOutWhatTheyHave) {
   scene.surfaces[1].elements = 2;
   Lit lit(scene, 1, 0);
   const auto label = [&](const std::string& name) {
-    for (std::uint32_t k = 0; k < lit.labels.count(); ++k)
-      if (lit.labels.elements()[k].name == name) return k;
+    for (std::uint32_t k = 0; k < lit.table.count(); ++k)
+      if (lit.table.elements()[k].name == name) return k;
     ADD_FAILURE() << name;
     return 0u;
   };
@@ -278,15 +278,15 @@ TEST(InverseSquare, EqualsTheSumOverSeenFractionsOfElements) {
   add_edge(scene, {Rational(1, 10), Rational(1, 2)}, {Rational(3, 10), Rational(7, 10)}, true);
   const Lit lit(scene);
   const Grid2 cells{{0, 0}, {1, 1}, 9, 7};
-  const IlluminationGrid grid = illuminate_inverse_square(lit.prepared, cells, lit.labels, lit.by_element, 1);
+  const IlluminationGrid grid = illuminate_inverse_square(lit.prepared, cells, lit.table, lit.by_element, 1);
   for (std::uint32_t iy = 0; iy < cells.ny; ++iy)
     for (std::uint32_t ix = 0; ix < cells.nx; ++ix) {
       const ExactPoint2 eye = cell_centre(cells, ix, iy);
       double sum = 0;
       for (const auto& part : visibility_polygon(lit.prepared.arrangement, lit.location, eye).parts) {
         if (part.side == kSky) continue;
-        const std::uint32_t label = lit.labels.of(part.side);
-        const Element& element = lit.labels.elements()[label];
+        const std::uint32_t label = lit.table.of(part.side);
+        const Element& element = lit.table.elements()[label];
         if (!element.material) continue;
         const Surface2& surface = lit.prepared.scene.surfaces[element.surface];
         const Rational t = Rational(2 * element.part + 1) / Rational(2 * element.parts);
@@ -305,7 +305,7 @@ TEST(InverseSquare, KeepsHalfACellAwayFromTheMiddleOfAnEdge) {
   add_edge(scene, {1, Rational(1, 1000)}, {-1, Rational(1, 1000)});  // its front looks up
   const Lit lit(scene, 1, 3);
   const IlluminationGrid grid = illuminate_inverse_square(
-      lit.prepared, {{-1, Rational(-1, 100)}, {1, Rational(1, 10)}, 1, 1}, lit.labels, lit.by_element, 1);
+      lit.prepared, {{-1, Rational(-1, 100)}, {1, Rational(1, 10)}, 1, 1}, lit.table, lit.by_element, 1);
   const double half = 0.055;
   EXPECT_NEAR(grid.values[0], 3 / (half * half), 1e-9);
 }

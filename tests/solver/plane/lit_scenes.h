@@ -58,15 +58,15 @@ inline Scene2 random_lattice_scene(unsigned seed, int edges) {
 struct Lit {
   explicit Lit(Scene2 scene, std::uint32_t channel_count = 1, double fixed = -1)
       : prepared(prepare(std::move(scene), Divided::kYes)),
-        labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement),
+        table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement),
         location(prepared.arrangement.vertices(), prepared.arrangement.triangulation()) {
     std::mt19937 random(1);
     const auto draw = [&] { return fixed >= 0 ? fixed : static_cast<double>(random() % 1000) / 100; };
-    for (std::size_t k = 0; k < std::size_t{labels.count()} * channel_count; ++k) by_element.push_back(draw());
+    for (std::size_t k = 0; k < std::size_t{table.count()} * channel_count; ++k) by_element.push_back(draw());
     for (std::uint32_t c = 0; c < channel_count; ++c) sky.push_back(draw());
   }
 
-  FaceRadiosity2 faces() const { return {prepared.arrangement, labels, by_element, sky}; }
+  FaceRadiosity2 faces() const { return {prepared.arrangement, table, by_element, sky}; }
   IlluminationGrid grid(const Grid2& cells) const { return illuminate_points(prepared, cells, faces()); }
   double radiosity(PieceSideId side, std::uint32_t channel = 0) const { return faces().of(side)[channel]; }
   double at(const Rational& x, const Rational& y) const {
@@ -86,7 +86,7 @@ struct Lit {
   }
 
   PreparedScene2 prepared;
-  Labels2 labels;
+  ElementTable2 table;
   PointLocation2 location;
   std::vector<double> by_element, sky;
 };

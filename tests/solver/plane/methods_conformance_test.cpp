@@ -11,6 +11,7 @@
 #include <memory>
 #include <set>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/parallel.h"
 #include "solver/plane/methods/method_catalogue.h"
@@ -48,7 +49,7 @@ const SceneCase& scene_case(const std::string& folder, const std::string& stem) 
   if (!one) {
     PreparedScene2 prepared =
         prepare(read_scene_2(fs::path(HOTTEL_SOURCE_DIR) / "scenes" / folder / (stem + ".json")), Divided::kYes);
-    ExchangeMatrix exact = exact_exchange(prepared, {.per = Per::kElement});
+    ExchangeMatrix exact = exact_exchange(prepared, {.granularity = Granularity::kElement});
     one = std::make_unique<SceneCase>(SceneCase{std::move(prepared), std::move(exact)});
   }
   return *one;

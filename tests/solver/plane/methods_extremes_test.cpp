@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/method_catalogue.h"
@@ -53,7 +54,7 @@ TEST_P(MethodsOnExtremes, GiveFiniteFactorsThatAreNotNegative) {
 
 TEST_P(MethodsOnExtremes, KeepWhatTheyClaim) {
   const PreparedScene2 prepared = scene_of(GetParam());
-  const ExchangeMatrix exact = exact_exchange(prepared, {.per = Per::kElement});
+  const ExchangeMatrix exact = exact_exchange(prepared, {.granularity = Granularity::kElement});
   for_each_method(prepared, [&](const MethodFamily&, const ExchangeMethod2& method, const ExchangeMatrix& matrix) {
     const auto claimed = method.declared_error(prepared);
     for (std::uint32_t i = 0; i < matrix.size(); ++i) {

@@ -336,34 +336,34 @@ struct CentreFactors {
   std::map<std::uint32_t, double> factor;
   std::map<std::uint32_t, int> stretches;
 };
-CentreFactors centre_factors(const PreparedScene2& prepared, const Labels2& labels, const PointLocation2& location,
+CentreFactors centre_factors(const PreparedScene2& prepared, const ElementTable2& table, const PointLocation2& location,
                              std::uint32_t from) {
-  const Element& element = labels.elements()[from];
+  const Element& element = table.elements()[from];
   const Surface2& surface = prepared.scene.surfaces[element.surface];
   const Rational half(1, 2);
   CentreFactors result;
   for (const PointFactor2& each :
        point_factors(prepared.arrangement, location, surface.from, surface.to, element.is_back, half))
-    result.factor[labels.of(each.side)] += Ball::of(each.factor, 128).nearest_of_ends().lower;
+    result.factor[table.of(each.side)] += Ball::of(each.factor, 128).nearest_of_ends().lower;
   const Vertices2& vertices = prepared.arrangement.vertices();
   const ExactPoint2 centre{half * (surface.from.x + surface.to.x), half * (surface.from.y + surface.to.y)};
   View2 view;
   location.look_around(Eye2(vertices, vertices.from_scene(centre)), view);
-  for (const View2::Seen& seen : view.seen) ++result.stretches[labels.of(seen.behind)];
+  for (const View2::Seen& seen : view.seen) ++result.stretches[table.of(seen.behind)];
   return result;
 }
 
 TEST(Hemicube2, ConvergesToTheFactorsFromTheCentreByOrderOne) {
   const PreparedScene2 prepared = clutter(40);
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
   const PointLocation2 location(prepared.arrangement.vertices(), prepared.arrangement.triangulation());
   std::vector<CentreFactors> exact;
-  for (std::uint32_t i = 0; i < labels.count(); ++i)
-    exact.push_back(labels.has_row(i) ? centre_factors(prepared, labels, location, i) : CentreFactors());
+  for (std::uint32_t i = 0; i < table.count(); ++i)
+    exact.push_back(table.has_row(i) ? centre_factors(prepared, table, location, i) : CentreFactors());
   const auto rms = [&](const std::string& name, double pixel_bound) {
     const ExchangeMatrix matrix = run(name, prepared);
     double sum = 0, count = 0;
-    for (std::uint32_t i = 0; i < labels.count(); ++i)
+    for (std::uint32_t i = 0; i < table.count(); ++i)
       for (const auto& [j, factor] : exact[i].factor) {
         const double error = matrix.factor(i, j).value - factor;
         EXPECT_LE(std::fabs(error), exact[i].stretches.at(j) * pixel_bound + 1e-12) << name;

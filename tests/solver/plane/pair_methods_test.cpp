@@ -260,10 +260,10 @@ TEST(Sky, BordersWhatAWayFromInfinityReaches) {
                                                {"a", "1", "1", "1", "2"},
                                                {"b", "1", "2", "2", "1"},
                                                {"c", "2", "1", "1", "1"}});
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
-  const std::vector<char> is_open = borders_open_space(prepared.arrangement, labels);
-  for (std::uint32_t i = 0; i < labels.count(); ++i) {
-    const std::string& name = labels.elements()[i].name;
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+  const std::vector<char> is_open = borders_open_space(prepared.arrangement, table);
+  for (std::uint32_t i = 0; i < table.count(); ++i) {
+    const std::string& name = table.elements()[i].name;
     EXPECT_EQ(is_open[i] != 0, !(name == "a" || name == "b" || name == "c")) << name;
   }
 }

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "kernel/support/failure.h"
 #include "tests/solver/plane/exact_radiosity.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
@@ -102,7 +103,7 @@ TEST(RadiosityBounds, StayNarrowUpToTheEndOfTheRangeOfDoubles) {
 TEST(RadiosityBounds, OfLargeScenesByGradientsAgreeWithElimination) {
   Scene2 scene = generate_2({"clutter", 900, 5});
   const PreparedScene2 prepared = prepare(scene);
-  const ExchangeMatrix matrix = exact_exchange(prepared, {Per::kFace, false});
+  const ExchangeMatrix matrix = exact_exchange(prepared, {Granularity::kFace, false});
   const auto solve = [&](Solver solver) {
     return solve_radiosity(matrix, scene.materials, scene.sky_emission, {solver, {}, {}, {}});
   };

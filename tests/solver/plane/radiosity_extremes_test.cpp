@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "kernel/support/failure.h"
 #include "solver/radiosity/gray_exchange.h"
 #include "solver/radiosity/matrix_checks.h"
@@ -195,7 +196,7 @@ TEST(RadiosityExtremes, ARoomOfMirrorsIsAsBrightAsItsLampHoweverSmallThatIs) {
                           mirror_room("40", "100", "0.01", "0.5"),  mirror_room("1", "1", "1e-155", "0.5"),
                           mirror_room("1", "1", "1e-161", "0.5"),   mirror_room("1e200", "1e200", "1e-200", "1e-200")};
   for (const Scene2& room : rooms) {
-    const ExchangeMatrix matrix = exact_exchange(prepare(room), {Per::kFace});
+    const ExchangeMatrix matrix = exact_exchange(prepare(room), {Granularity::kFace});
     for (const Solver solver : kSolvers) {
       const RadiositySolution solution =
           solve_radiosity(matrix, room.materials, room.sky_emission, {solver, 100, {}, {}});
@@ -254,7 +255,7 @@ TEST(RadiosityExtremes, AreasBeyondTheRangeOfDoublesAreNamedAndDoNotSpoilTheLigh
 {{"name":"x","points":[["-{0}",0],["{0}",0]],"material":"a"}},
 {{"name":"y","points":[["{0}","{0}"],["-{0}","{0}"]],"material":"a"}}]}})",
         size));
-    const ExchangeMatrix matrix = exact_exchange(prepare(plates), {Per::kFace});
+    const ExchangeMatrix matrix = exact_exchange(prepare(plates), {Granularity::kFace});
     const RadiositySolution solution = solve_radiosity(matrix, plates.materials, plates.sky_emission);
     for (const char* name : {"x", "y"}) {
       const ElementRadiosity& e = solution.channels[0].elements[matrix.find(name).value()];
@@ -274,7 +275,7 @@ TEST(RadiosityExtremes, AreasBeyondTheRangeOfDoublesAreNamedAndDoNotSpoilTheLigh
 
 TEST(RadiosityExtremes, ScriptFOfALampAmongMirrorsIsAllThatItSendsOut) {
   for (const Scene2& room : {mirror_room("100", "100", "0.01", "0.5"), mirror_room("1", "1", "1e-100", "0.5")}) {
-    const ExchangeMatrix factors = gray_exchange(exact_exchange(prepare(room), {Per::kFace}), room.materials);
+    const ExchangeMatrix factors = gray_exchange(exact_exchange(prepare(room), {Granularity::kFace}), room.materials);
     const std::uint32_t lamp = factors.find("lamp").value();
     ASSERT_EQ(factors.row(lamp).size(), 1u);
     EXPECT_GE(factors.bounds(lamp, 0).lower, 1 - 1e-15);
@@ -284,7 +285,7 @@ TEST(RadiosityExtremes, ScriptFOfALampAmongMirrorsIsAllThatItSendsOut) {
 
 TEST(RadiosityExtremes, ScriptFOfNextToMirrorsSharesOutWhatLittleTheyAbsorb) {
   Scene2 room = convex_polygon(5);
-  const ExchangeMatrix matrix = exact_exchange(prepare(room), {Per::kFace});
+  const ExchangeMatrix matrix = exact_exchange(prepare(room), {Granularity::kFace});
   for (const int decades : {100, 200, 290}) {
     const Rational emissivity = power_of_ten(-decades);
     for (Material& material : room.materials) material.reflectivity = Spectrum::scalar(1 - emissivity);

@@ -55,7 +55,7 @@ TEST_F(RadiosityVerdictTest, NamesWhatStandsForRadiosities) {
       {"radiosities times 100 (percent)", [](const ElementRadiosity& each) { return 100 * each.radiosity; }}};
   for (const auto& [words, value] : kReadings) {
     const RadiosityVerdict verdict = judged(value);
-    EXPECT_EQ(verdict.reading, words);
+    EXPECT_EQ(verdict.hypothesis, words);
     EXPECT_EQ(verdict.explained, verdict.outside);
   }
 }
@@ -65,7 +65,7 @@ TEST_F(RadiosityVerdictTest, NamesTheFaceThatIsWrong) {
   const RadiosityVerdict verdict =
       judged([&](const ElementRadiosity& each) { return each.radiosity == wall ? 1.01 * wall : each.radiosity; });
   EXPECT_EQ(verdict.outside, 1u);
-  EXPECT_EQ(verdict.reading, "");
+  EXPECT_EQ(verdict.hypothesis, "");
   EXPECT_THAT(verdict_sentences(verdict, exact_, solution_)[0], HasSubstr("('wall' (g): "));
 }
 

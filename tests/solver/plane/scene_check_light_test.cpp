@@ -36,7 +36,7 @@ TEST(SceneCheck2, ABrightRoomTellsHowManyIterationsItTakes) {
 // Would prepare, the promise to be closed, or solve fail?
 bool cannot_be_solved(const Scene2& scene) {
   try {
-    const ExchangeMatrix matrix = exact_exchange(prepare(scene, Divided::kYes), {.per = Per::kElement});
+    const ExchangeMatrix matrix = exact_exchange(prepare(scene, Divided::kYes), {.granularity = Granularity::kElement});
     for (std::uint32_t i = 0; i < matrix.size() && scene.closed; ++i)
       for (const FactorEntry& entry : matrix.row(i))
         if (matrix.has_row(i) && !matrix.elements()[i].is_back && entry.to == matrix.sky()) return true;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/plane/check/repair.h"
+#include "geometry/plane/exchange/exchange.h"
 #include "solver/radiosity/radiosity.h"
 #include "tests/solver/plane/check_scenes.h"
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <numbers>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/pair_alone.h"
 #include "geometry/plane/generate/generators.h"
 #include "io/scene/scene_json.h"
@@ -73,11 +74,11 @@ struct Judged {
   // Factor without obstacles.
   double free(std::uint32_t i, std::uint32_t j) const {
     if (const FactorEntry* known = entry(i, j)) return known->factor.value / known->visibility;
-    const RootSum sum = PairsAlone2(prepared, labels, Per::kFace).exact(i, j);
+    const RootSum sum = PairsAlone2(prepared, table, Granularity::kFace).exact(i, j);
     return sum.is_zero() ? 0 : round_quotient(sum, RootSum(Rational(1))).number.value / exact.elements()[i].area.value;
   }
   // A pair of faces with rows, of unequal areas and with a visibility that satisfies the condition.
-  LabelPair pair_with(const std::function<bool(double)>& visibility) const {
+  ElementPair pair_with(const std::function<bool(double)>& visibility) const {
     for (std::uint32_t i = 0; i < exact.size(); ++i)
       for (std::uint32_t j = 0; j < exact.size(); ++j)
         if (exact.has_row(i) && exact.has_row(j) && exact.factor(i, j).value > 0.01 && visibility(vis(i, j)) &&
@@ -88,7 +89,7 @@ struct Judged {
 
   PreparedScene2 prepared;
   ExchangeMatrix exact;
-  Labels2 labels{prepared.scene, prepared.arrangement, prepared.division, Per::kFace};
+  ElementTable2 table{prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace};
 };
 
 std::vector<Fault> faults(const Verdict& verdict) {

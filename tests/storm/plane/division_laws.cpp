@@ -7,6 +7,8 @@
 #include <random>
 #include <set>
 
+#include "geometry/plane/exchange/closed_forms.h"
+#include "geometry/plane/exchange/exchange.h"
 #include "tests/comparison/plane/engine_comparison.h"
 #include "tests/storm/plane/long_map.h"
 
@@ -58,20 +60,20 @@ std::string printed_sums_differ(const ExchangeMatrix& whole, const ExchangeMatri
 // What is behind it, as exact sums.
 std::string exact_sums_differ(const Subject& subject, const PreparedScene2& divided, const ExchangeMatrix& parts) {
   const auto pairs_of = [](const ExchangeMatrix& matrix) {
-    std::vector<LabelPair> pairs;
+    std::vector<ElementPair> pairs;
     for (std::uint32_t i = 0; i < matrix.size(); ++i)
       for (std::uint32_t j = i; j <= matrix.sky(); ++j)
         if (matrix.has_row(i) || (j < matrix.sky() && matrix.has_row(j))) pairs.emplace_back(i, j);
     return pairs;
   };
   std::map<Pair, RootSum> sums;
-  const std::vector<LabelPair> pairs = pairs_of(parts), faces = pairs_of(subject.matrix());
-  const std::vector<RootSum> measures = exact_exchange_measures(divided, Per::kElement, pairs);
+  const std::vector<ElementPair> pairs = pairs_of(parts), faces = pairs_of(subject.matrix());
+  const std::vector<RootSum> measures = exact_exchange_measures(divided, Granularity::kElement, pairs);
   const std::uint32_t sky = subject.matrix().sky();
   for (std::size_t k = 0; k < pairs.size(); ++k)
     sums[std::minmax({face_of(parts, pairs[k].first, sky), face_of(parts, pairs[k].second, sky)})] += measures[k];
   const std::vector<RootSum> expected =
-      exact_exchange_measures(prepare(oracle::to_scene(subject.edges())), Per::kFace, faces);
+      exact_exchange_measures(prepare(oracle::to_scene(subject.edges())), Granularity::kFace, faces);
   std::string wrong;
   for (std::size_t k = 0; k < faces.size(); ++k)
     if (!(sums[faces[k]] - expected[k]).is_zero())
@@ -136,7 +138,7 @@ std::string elements_are_broken(const Subject& subject) {
   divide(scene, random);
   const PreparedScene2 divided = prepare(std::move(scene), Divided::kYes);
   ExchangeOptions2 options;
-  options.per = Per::kElement;
+  options.granularity = Granularity::kElement;
   options.wants_measures = true;
   const ExchangeMatrix parts = exact_exchange(divided, options);
   return printed_sums_differ(subject.matrix(), parts) + exact_sums_differ(subject, divided, parts);
@@ -152,10 +154,10 @@ std::string convex_room_is_broken(const Subject& subject) {
   divide(scene, random);
   if (!is_convex_room(scene)) return "a convex room is not taken for one\n";
   std::string wrong;
-  for (const Per per : {Per::kFace, Per::kElement}) {
-    const PreparedScene2 prepared = prepare(scene, per == Per::kElement ? Divided::kYes : Divided::kNo);
+  for (const Granularity granularity : {Granularity::kFace, Granularity::kElement}) {
+    const PreparedScene2 prepared = prepare(scene, granularity == Granularity::kElement ? Divided::kYes : Divided::kNo);
     ExchangeOptions2 options;
-    options.per = per;
+    options.granularity = granularity;
     const Numbers swept = numbers_of(exact_exchange(prepared, options));
     options.occlusion = false;
     wrong += difference(swept, numbers_of(exact_exchange(prepared, options)));

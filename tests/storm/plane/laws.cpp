@@ -8,6 +8,8 @@
 #include <map>
 #include <random>
 
+#include "geometry/plane/exchange/closed_forms.h"
+#include "geometry/plane/exchange/exchange.h"
 #include "tests/comparison/plane/engine_comparison.h"
 #include "tests/solver/plane/exact_radiosity.h"
 #include "tests/storm/plane/division_laws.h"
@@ -183,12 +185,12 @@ std::vector<RootSum> measures_of_edge(const Edges& edges, std::uint32_t first, s
   const PreparedScene2 prepared = prepare(oracle::to_scene(edges));
   const std::uint32_t sky = static_cast<std::uint32_t>(2 * edges.size());
   const auto others = sky - 2 * parts + 1;
-  std::vector<LabelPair> pairs;
+  std::vector<ElementPair> pairs;
   for (std::uint32_t part = 0; part < parts; ++part)
     for (const std::uint32_t side : {0U, 1U})
       for (std::uint32_t i = 0; i <= sky; ++i)
         if (i / 2 < first || i / 2 >= first + parts) pairs.push_back(std::minmax({2 * (first + part) + side, i}));
-  const std::vector<RootSum> measures = exact_exchange_measures(prepared, Per::kFace, pairs);
+  const std::vector<RootSum> measures = exact_exchange_measures(prepared, Granularity::kFace, pairs);
   std::vector<RootSum> result(2 * others);
   for (std::size_t k = 0; k < measures.size(); ++k) result[k % result.size()] += measures[k];
   return result;
@@ -251,12 +253,12 @@ std::string brute_force_differs_in_elements(const Subject& subject) {
   Scene2 scene = oracle::to_scene(subject.edges());
   for (Surface2& surface : scene.surfaces) surface.elements = random() % 3 == 0 ? 2 : 1;
   oracle::ComparisonCounts counts;
-  return oracle::disagreement(scene, counts, Per::kElement);
+  return oracle::disagreement(scene, counts, Granularity::kElement);
 }
 
 std::string brute_force_differs_in_groups(const Subject& subject) {
   oracle::ComparisonCounts counts;
-  return oracle::disagreement(oracle::to_scene(subject.edges()), counts, Per::kGroup, oracle::Hidden::kYes);
+  return oracle::disagreement(oracle::to_scene(subject.edges()), counts, Granularity::kGroup, oracle::Hidden::kYes);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "tests/storm/plane/numbers.h"
 
 namespace hottel::storm {

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "geometry/plane/exchange/exchange.h"
 #include "tests/comparison/plane/engine_comparison.h"
 
 namespace hottel::storm {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/exchange_matrix.h"
 #include "tests/oracle/plane/split.h"
 
 namespace hottel::storm {

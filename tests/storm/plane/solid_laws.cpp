@@ -16,7 +16,7 @@ namespace {
 using oracle::InputSegment;
 
 ExchangeMatrix group_matrix(const Edges& edges, ExchangeReport* report = nullptr) {
-  return exact_exchange(prepare(oracle::to_scene(edges)), {.per = Per::kGroup}, report);
+  return exact_exchange(prepare(oracle::to_scene(edges)), {.granularity = Granularity::kGroup}, report);
 }
 
 // The same edges, each group with materials and something behind it at random.

@@ -45,7 +45,7 @@ FaceColouring face_errors(const MethodComparison2& comparison, const MethodResul
 IlluminationGrid light_of(const MethodComparison2& comparison, const RadiositySolution& solution) {
   const PreparedScene2& prepared = comparison.prepared();
   const auto channels = static_cast<std::uint32_t>(solution.channels.size());
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
+  const ElementTable2 labels(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
   const FaceRadiosity2 radiosity(prepared.arrangement, labels, radiosity_by_element(solution),
                                  sky_by_channel(prepared.scene.sky_emission, channels));
   return illuminate_points(prepared, default_grid(prepared.scene, kCells), radiosity);

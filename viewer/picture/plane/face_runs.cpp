@@ -1,6 +1,6 @@
 #include "viewer/picture/plane/face_runs.h"
 
-#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/exchange/element_table.h"
 
 namespace hottel {
 
@@ -10,7 +10,7 @@ FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame) {
     const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
     corners_.at.push_back(frame.at(Point2{p.x, p.y}));
   }
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kFace);
+  const ElementTable2 labels(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   begin_.assign(prepared.scene.surfaces.size() + 1, 0);
   for (std::uint32_t label = 0; label < labels.count(); ++label) {
     const Element& element = labels.elements()[label];

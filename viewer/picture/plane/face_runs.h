@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "viewer/picture/plane/corners.h"
 
 namespace hottel {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "solver/plane/light/illumination_grid.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/plane/corners.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/colour_map.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/plane/scene_sheet.h"

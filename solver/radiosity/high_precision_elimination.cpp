@@ -1,4 +1,4 @@
-#include "solver/radiosity/wide_elimination.h"
+#include "solver/radiosity/high_precision_elimination.h"
 
 #include <fmt/format.h>
 #include <gmpxx.h>
@@ -15,12 +15,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr unsigned kBits = 256;
-constexpr double kWideRoundoff = 0x1p-240;  // of one operation, relative: more than truncation to kBits loses
+constexpr double kOperationError = 0x1p-240;  // of one operation, relative: more than truncation to kBits loses
 
-// From where on wide elimination is worth it for a component of n unknowns: relative width.
+// From where on elimination in high precision is worth it for a component of n unknowns: relative width.
 double much(std::uint32_t n) { return std::max(0x1p-44, n * 0x1p-50); }
 
-mpf_class wide(double value) { return mpf_class(value, kBits); }
+mpf_class precise(double value) { return mpf_class(value, kBits); }
 
 // REQUIRES value >= 0.
 double rounded_down(const mpf_class& value) {
@@ -41,7 +41,7 @@ mpf_class scaled(const mpf_class& value, long exponent) {
 }
 
 // Two numbers >= 0 of any size, one not above, one not below the real one.
-struct WideEnclosure {
+struct ScaledEnclosure {
   mpf_class lower, upper;
 
   // The exponent that brings the upper one to between 1/2 and 1; 0 for 0.
@@ -57,18 +57,18 @@ struct WideEnclosure {
 
 }  // namespace
 
-class WideElimination::Component {
+class HighPrecisionElimination::Component {
  public:
   Component(const RadiositySystem& system, std::uint32_t component) : system_(system) {
     for (std::uint32_t i = 0; i < system.size(); ++i)
       if (system.rows()[i].component == component) unknowns_.push_back(i);
     const std::size_t n = unknowns_.size();
-    if (n > kMostWideUnknowns) return;
+    if (n > kMostEliminatedUnknowns) return;
     std::vector<std::size_t> place(system.size());
     for (std::size_t k = 0; k < n; ++k) place[unknowns_[k]] = k;
-    coupling_.assign(n * n, wide(0));
-    loss_.assign(n, wide(0));
-    spread_ = 4 * std::pow(static_cast<double>(n) + 8, 3) * kWideRoundoff;
+    coupling_.assign(n * n, precise(0));
+    loss_.assign(n, precise(0));
+    spread_ = 4 * std::pow(static_cast<double>(n) + 8, 3) * kOperationError;
     for (std::size_t k = 0; k < n; ++k) read_row(k, place);
     if (is_known()) eliminate();
   }
@@ -77,10 +77,11 @@ class WideElimination::Component {
   const std::vector<std::uint32_t>& unknowns() const { return unknowns_; }
 
   // Bounds of all unknowns of the component, in their order. REQUIRES is_known().
-  std::vector<WideEnclosure> bounds(const Sources& sources) const {
-    const std::vector<mpf_class> least = solved(sources, &Enclosed::lower), most = solved(sources, &Enclosed::upper);
-    const mpf_class part = pow2(mpf_class(1 - wide(spread_), kBits));
-    std::vector<WideEnclosure> result;
+  std::vector<ScaledEnclosure> bounds(const Sources& sources) const {
+    const std::vector<mpf_class> least = solved(sources, &DoubleDoubleBall::lower),
+                                 most = solved(sources, &DoubleDoubleBall::upper);
+    const mpf_class part = pow2(mpf_class(1 - precise(spread_), kBits));
+    std::vector<ScaledEnclosure> result;
     for (std::size_t k = 0; k < least.size(); ++k)
       result.push_back({mpf_class(least[k] * part, kBits), mpf_class(most[k] / part, kBits)});
     return result;
@@ -104,18 +105,18 @@ class WideElimination::Component {
     for (const FactorEntry& entry : system_.matrix().row(row.element)) {
       const std::int32_t j = system_.unknown(entry.to);
       if (j >= 0 && static_cast<std::uint32_t>(j) == unknowns_[k]) continue;
-      const Enclosed factor = Enclosed::of(entry.factor);
+      const DoubleDoubleBall factor = DoubleDoubleBall::of(entry.factor);
       if (factor.radius > 0)
         spread = std::max(spread, factor.radius / std::max(0.0, factor.hi - 2 * factor.radius) * kOutward);
       mpf_class& sum = j < 0 ? loss_[k] : coupling(k, place[static_cast<std::size_t>(j)]);
-      sum += rho * (wide(factor.hi) + wide(factor.lo));
+      sum += rho * (precise(factor.hi) + precise(factor.lo));
     }
     spread_ += spread;
   }
 
   void eliminate() {
     const std::size_t n = unknowns_.size();
-    mpf_class share = wide(0), product = wide(0);
+    mpf_class share = precise(0), product = precise(0);
     for (std::size_t k = 0; k < n; ++k) {
       throw_if_interrupted();
       pivot_.push_back(loss_[k]);
@@ -138,20 +139,20 @@ class WideElimination::Component {
   }
 
   // The solution for one end of all sources, which it ascends with.
-  std::vector<mpf_class> solved(const Sources& sources, double (Enclosed::*end)() const) const {
+  std::vector<mpf_class> solved(const Sources& sources, double (DoubleDoubleBall::*end)() const) const {
     const std::size_t n = unknowns_.size();
     std::vector<mpf_class> x;
     for (const std::uint32_t u : unknowns_) {
       const SystemRow& row = system_.rows()[u];
       const auto emission = [&](std::uint32_t element) {
-        const ScaledEnclosed& e = sources.emission[element];
-        return scaled(wide(std::max(0.0, (e.mantissa.*end)())), e.exponent);
+        const ScaledBall& e = sources.emission[element];
+        return scaled(precise(std::max(0.0, (e.mantissa.*end)())), e.exponent);
       };
-      mpf_class received = wide(0);
+      mpf_class received = precise(0);
       for (const FactorEntry& entry : system_.matrix().row(row.element))
         if (system_.unknown(entry.to) < 0) {
-          Enclosed factor = Enclosed::of(entry.factor);
-          received += emission(entry.to) * wide(std::max(0.0, (factor.*end)()));
+          DoubleDoubleBall factor = DoubleDoubleBall::of(entry.factor);
+          received += emission(entry.to) * precise(std::max(0.0, (factor.*end)()));
         }
       x.push_back(mpf_class(emission(row.element) + reflectivity(row) * received, kBits));
     }
@@ -172,35 +173,35 @@ class WideElimination::Component {
   double spread_ = kInfinity;
 };
 
-WideElimination::WideElimination(const RadiositySystem& system) : system_(system) {}
-WideElimination::~WideElimination() = default;
+HighPrecisionElimination::HighPrecisionElimination(const RadiositySystem& system) : system_(system) {}
+HighPrecisionElimination::~HighPrecisionElimination() = default;
 
-const WideElimination::Component& WideElimination::eliminated(std::uint32_t component) const {
+const HighPrecisionElimination::Component& HighPrecisionElimination::eliminated(std::uint32_t component) const {
   const std::lock_guard lock(mutex_);
   std::unique_ptr<Component>& place = components_[component];
   if (!place) place = std::make_unique<Component>(system_, component);
   return *place;
 }
 
-void WideElimination::narrow(const Sources& sources, const Wanted& wanted, CertifiedBounds& bounds) const {
-  std::vector<char> is_wide(system_.components().size(), 0);
+void HighPrecisionElimination::narrow(const Sources& sources, const Wanted& wanted, CertifiedBounds& bounds) const {
+  std::vector<char> is_eliminated(system_.components().size(), 0);
   for (std::size_t u = 0; u < system_.size(); ++u) {
     const std::uint32_t c = system_.rows()[u].component;
     const double width = bounds.upper[u] - bounds.lower[u];
     const double least = std::ldexp(1.0, -1074 - bounds.exponent[u]);  // what a double can tell
     if (bounds.upper[u] == kInfinity ||
         (wanted.narrow && width > much(system_.components()[c].size) * bounds.upper[u] + least))
-      is_wide[c] = 1;
+      is_eliminated[c] = 1;
   }
-  for (std::uint32_t c = 0; c < is_wide.size(); ++c) {
-    if (!is_wide[c]) continue;
+  for (std::uint32_t c = 0; c < is_eliminated.size(); ++c) {
+    if (!is_eliminated[c]) continue;
     const Component& component = eliminated(c);
     if (!component.is_known()) continue;
-    const std::vector<WideEnclosure> narrowed = component.bounds(sources);
+    const std::vector<ScaledEnclosure> narrowed = component.bounds(sources);
     for (std::size_t k = 0; k < narrowed.size(); ++k) {
       const std::uint32_t u = component.unknowns()[k];
       double &lower = bounds.lower[u], &upper = bounds.upper[u];
-      Enclosed& value = bounds.value[u];
+      DoubleDoubleBall& value = bounds.value[u];
       const bool is_kept = wanted.keeps_value && std::isfinite(value.hi) && value.hi >= 0;
       // From here on in a unit of its own.
       int unit = narrowed[k].upper > 0 ? narrowed[k].exponent() : bounds.exponent[u];

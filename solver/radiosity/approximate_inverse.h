@@ -16,9 +16,9 @@ struct Correction {
 
 // Solves A x = r about as well as doubles allow, for any number of right sides. Only wanted components are solved;
 // the others stay 0.
-class InnerSolver {
+class ApproximateInverse {
  public:
-  virtual ~InnerSolver() = default;
+  virtual ~ApproximateInverse() = default;
   virtual Correction solve(const std::vector<double>& r) = 0;
 };
 
@@ -28,7 +28,7 @@ class InnerSolver {
 // solve() may be called by many threads at once.
 // A component whose areas, couplings or losses leave the range of doubles is not solved: it stays 0.
 // REQUIRES rows that are closed. COST: n^3 / 3 for a component of n unknowns, in dense blocks, and 8 n^2 bytes.
-std::unique_ptr<InnerSolver> make_elimination(const RadiositySystem& system, const std::vector<char>& is_wanted);
+std::unique_ptr<ApproximateInverse> make_elimination(const RadiositySystem& system, const std::vector<char>& is_wanted);
 
 // Conjugate gradients on the symmetric form, preconditioned by the diagonal, the constant of each component deflated.
 // `history`, when given, gets max |residual| / max |right side| of the first solve, the start included.
@@ -37,12 +37,13 @@ struct CgLimits {
   int iterations = 5000;
   double until = 1e-10;  // relative, of the largest residual
 };
-std::unique_ptr<InnerSolver> make_conjugate_gradient(const RadiositySystem& system, const std::vector<char>& is_wanted,
-                                                     CgLimits limits = {}, std::vector<double>* history = nullptr);
+std::unique_ptr<ApproximateInverse> make_conjugate_gradient(const RadiositySystem& system,
+                                                            const std::vector<char>& is_wanted, CgLimits limits = {},
+                                                            std::vector<double>* history = nullptr);
 
 // I - rho F as it is: LU with partial pivoting, or BiCGSTAB, whose diagonal is 1 already.
-std::unique_ptr<InnerSolver> make_lu(const PlainSystem& system, std::size_t components);
-std::unique_ptr<InnerSolver> make_bicgstab(const PlainSystem& system, std::size_t components, CgLimits limits = {},
-                                           std::vector<double>* history = nullptr);
+std::unique_ptr<ApproximateInverse> make_lu(const PlainSystem& system, std::size_t components);
+std::unique_ptr<ApproximateInverse> make_bicgstab(const PlainSystem& system, std::size_t components,
+                                                  CgLimits limits = {}, std::vector<double>* history = nullptr);
 
 }  // namespace hottel

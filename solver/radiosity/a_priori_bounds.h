@@ -19,7 +19,7 @@ namespace hottel {
 //   (2) upper is infinite where a face with reflectivity 1 emits
 //   (3) where a radiosity is moved into its bounds the irradiances are summed anew
 // REQUIRES: the solution of `matrix` with these materials and this sky.
-void set_crude_bounds(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
-                      const Spectrum& sky_emission, RadiositySolution& solution);
+void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                         const Spectrum& sky_emission, RadiositySolution& solution);
 
 }  // namespace hottel

@@ -1,5 +1,5 @@
 // Readings of the numbers alone.
-#include "solver/compare/readings.h"
+#include "solver/compare/hypotheses.h"
 
 #include <fmt/format.h>
 
@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::uint64_t kFewest = 3;  // pairs that are no coincidence
 
-Reading nothing(Fault fault, const JudgedPairs& judged) {
+Hypothesis nothing(Fault fault, const JudgedPairs& judged) {
   return {fault, std::vector<char>(judged.pairs().size(), 0), ""};
 }
 
 // Marks the pairs that agree with what a reading predicts of them.
 template <class Predict>
-Reading reading(Fault fault, const JudgedPairs& judged, const Predict& predict) {
-  Reading result = nothing(fault, judged);
+Hypothesis hypothesis(Fault fault, const JudgedPairs& judged, const Predict& predict) {
+  Hypothesis result = nothing(fault, judged);
   for (const JudgedPair& pair : judged.pairs())
     if (pair.is_off)
       if (const std::optional<double> with = predict(pair); with && judged.agrees(pair, *with))
@@ -45,14 +45,14 @@ double best_ratio(std::span<const JudgedPair> pairs, const std::vector<char>* wa
   return squares > 0 ? products / squares : 0;
 }
 
-Reading scaled_by(double ratio, const JudgedPairs& judged) {
-  return reading(Fault::kConstantFactor, judged, [&](const JudgedPair& pair) -> std::optional<double> {
+Hypothesis scaled_by(double ratio, const JudgedPairs& judged) {
+  return hypothesis(Fault::kConstantFactor, judged, [&](const JudgedPair& pair) -> std::optional<double> {
     return pair.exact == 0 ? std::nullopt : std::optional(ratio * pair.exact);
   });
 }
 
 // A ratio that many of the pairs share: of those of the largest factors, the one that explains most, made better.
-Reading most_common_ratio(const JudgedPairs& judged, double& ratio) {
+Hypothesis most_common_ratio(const JudgedPairs& judged, double& ratio) {
   std::vector<const JudgedPair*> large;
   for (const JudgedPair& pair : judged.pairs())
     if (pair.is_off && pair.exact > 0 && std::abs(pair.value) > judged.tolerance(pair.value)) large.push_back(&pair);
@@ -60,14 +60,14 @@ Reading most_common_ratio(const JudgedPairs& judged, double& ratio) {
   const std::size_t tried = std::min(kTried, large.size());
   std::partial_sort(large.begin(), large.begin() + static_cast<std::ptrdiff_t>(tried), large.end(),
                     [](const JudgedPair* a, const JudgedPair* b) { return a->exact > b->exact; });
-  Reading best = nothing(Fault::kConstantFactor, judged);
+  Hypothesis best = nothing(Fault::kConstantFactor, judged);
   for (std::size_t k = 0; k < tried; ++k) {
-    Reading each = scaled_by(large[k]->value / large[k]->exact, judged);
+    Hypothesis each = scaled_by(large[k]->value / large[k]->exact, judged);
     if (each.count() > best.count()) best = std::move(each);
   }
   if (best.count() == 0) return best;
   ratio = best_ratio(judged.pairs(), &best.explains, judged);
-  Reading refined = scaled_by(ratio, judged);
+  Hypothesis refined = scaled_by(ratio, judged);
   return refined.count() >= best.count() ? refined : best;
 }
 
@@ -79,10 +79,10 @@ bool holds_for_all(const JudgedPairs& judged, double ratio) {
 }
 
 // How many different factors a reading explains: what is symmetric repeats itself, and is no further evidence.
-std::size_t different_factors(const JudgedPairs& judged, const Reading& reading) {
+std::size_t different_factors(const JudgedPairs& judged, const Hypothesis& hypothesis) {
   std::vector<double> factors;
   for (const JudgedPair& pair : judged.pairs())
-    if (reading.explains[judged.index_of(pair)]) factors.push_back(pair.exact);
+    if (hypothesis.explains[judged.index_of(pair)]) factors.push_back(pair.exact);
   std::sort(factors.begin(), factors.end());
   const auto end = std::unique(factors.begin(), factors.end(), [](double a, double b) { return b - a <= 1e-12 * b; });
   return static_cast<std::size_t>(end - factors.begin());
@@ -90,14 +90,14 @@ std::size_t different_factors(const JudgedPairs& judged, const Reading& reading)
 
 }  // namespace
 
-std::uint64_t Reading::count() const {
+std::uint64_t Hypothesis::count() const {
   return static_cast<std::uint64_t>(std::count(explains.begin(), explains.end(), 1));
 }
 
-Reading read_transposed(const JudgedPairs& judged) {
+Hypothesis suppose_transposed(const JudgedPairs& judged) {
   const ExchangeMatrix& exact = judged.exact();
   const auto has_row = [&](std::uint32_t j) { return j != exact.sky() && exact.has_row(j); };
-  Reading result = reading(Fault::kTransposed, judged, [&](const JudgedPair& pair) -> std::optional<double> {
+  Hypothesis result = hypothesis(Fault::kTransposed, judged, [&](const JudgedPair& pair) -> std::optional<double> {
     return has_row(pair.to) ? std::optional(exact.factor(pair.to, pair.from).value) : std::nullopt;
   });
   std::uint64_t off = 0;
@@ -115,13 +115,13 @@ Reading read_transposed(const JudgedPairs& judged) {
   return result;
 }
 
-Reading read_constant_factor(const JudgedPairs& judged) {
+Hypothesis suppose_constant_factor(const JudgedPairs& judged) {
   double ratio = 1;
-  Reading best = most_common_ratio(judged, ratio);
+  Hypothesis best = most_common_ratio(judged, ratio);
   std::string named;
   if (different_factors(judged, best) < kFewest) best = nothing(Fault::kConstantFactor, judged);
   for (const NamedFactor& factor : kNamedFactors) {
-    Reading each = scaled_by(factor.value, judged);
+    Hypothesis each = scaled_by(factor.value, judged);
     if (each.count() == 0 || each.count() < best.count() || (each.count() == best.count() && !named.empty())) continue;
     best = std::move(each);
     ratio = factor.value;
@@ -202,8 +202,8 @@ std::string row_factor_words(const JudgedPairs& judged, const std::vector<Scaled
 
 }  // namespace
 
-Reading read_row_factor(const JudgedPairs& judged) {
-  Reading result = nothing(Fault::kRowFactor, judged);
+Hypothesis suppose_row_factor(const JudgedPairs& judged) {
+  Hypothesis result = nothing(Fault::kRowFactor, judged);
   const std::vector<ScaledRow> rows = scaled_rows(judged);
   for (const ScaledRow& row : rows)
     for (const JudgedPair& pair : judged.row(row.row))
@@ -212,16 +212,16 @@ Reading read_row_factor(const JudgedPairs& judged) {
   return result;
 }
 
-Reading read_sky_missing(const JudgedPairs& judged) {
-  Reading result = reading(Fault::kSkyMissing, judged, [&](const JudgedPair& pair) {
+Hypothesis suppose_sky_missing(const JudgedPairs& judged) {
+  Hypothesis result = hypothesis(Fault::kSkyMissing, judged, [&](const JudgedPair& pair) {
     return pair.to == judged.exact().sky() ? std::optional(0.0) : std::nullopt;
   });
   result.words = "nothing goes to the sky";
   return result;
 }
 
-Reading read_sky_is_rest(const JudgedPairs& judged) {
-  Reading result = reading(Fault::kSkyIsRest, judged, [&](const JudgedPair& pair) -> std::optional<double> {
+Hypothesis suppose_sky_is_rest(const JudgedPairs& judged) {
+  Hypothesis result = hypothesis(Fault::kSkyIsRest, judged, [&](const JudgedPair& pair) -> std::optional<double> {
     if (pair.to != judged.exact().sky()) return std::nullopt;
     double rest = 1;
     for (const JudgedPair& other : judged.row(pair.from))
@@ -232,8 +232,8 @@ Reading read_sky_is_rest(const JudgedPairs& judged) {
   return result;
 }
 
-Reading read_missing(const JudgedPairs& judged) {
-  Reading result = reading(Fault::kMissing, judged, [](const JudgedPair&) { return std::optional(0.0); });
+Hypothesis suppose_missing(const JudgedPairs& judged) {
+  Hypothesis result = hypothesis(Fault::kMissing, judged, [](const JudgedPair&) { return std::optional(0.0); });
   result.words = "pairs that see each other are missing or 0";
   return result;
 }

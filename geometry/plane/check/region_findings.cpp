@@ -1,4 +1,4 @@
-#include "geometry/plane/check/cell_findings.h"
+#include "geometry/plane/check/region_findings.h"
 
 #include <fmt/format.h>
 
@@ -33,40 +33,40 @@ class VertexUnion {
   std::unordered_map<VertexId, VertexId> parent_;
 };
 
-class CellTeller {
+class RegionTeller {
  public:
-  CellTeller(const PreparedScene2& prepared, const Cells2& cells)
-      : scene_(prepared.scene), arrangement_(prepared.arrangement), cells_(cells) {
-    cell_of_face_.assign(2 * scene_.surfaces.size(), kNone);
+  RegionTeller(const PreparedScene2& prepared, const FreeRegions2& regions)
+      : scene_(prepared.scene), arrangement_(prepared.arrangement), regions_(regions) {
+    region_of_face_.assign(2 * scene_.surfaces.size(), kNone);
     for (std::size_t side = 0; side < arrangement_.side_count(); ++side) {
       if (arrangement_.is_covered(static_cast<PieceSideId>(side))) continue;
-      std::uint32_t& cell = cell_of_face_[face(static_cast<PieceSideId>(side))];
-      const std::uint32_t here = cells.of(static_cast<PieceSideId>(side));
-      cell = cell == kNone || cell == here ? here : kSeveral;
+      std::uint32_t& region = region_of_face_[face(static_cast<PieceSideId>(side))];
+      const std::uint32_t here = regions.of(static_cast<PieceSideId>(side));
+      region = region == kNone || region == here ? here : kSeveral;
     }
     told_.is_inside_out.assign(scene_.surfaces.size(), 0);
-    residents_.resize(cells.count());
-    for (std::uint32_t f = 0; f < cell_of_face_.size(); ++f)
-      if (cell_of_face_[f] < cells.count() && material(f) != nullptr) residents_[cell_of_face_[f]].push_back(f);
+    residents_.resize(regions.count());
+    for (std::uint32_t f = 0; f < region_of_face_.size(); ++f)
+      if (region_of_face_[f] < regions.count() && material(f) != nullptr) residents_[region_of_face_[f]].push_back(f);
   }
 
-  CellFindings2 tell() {
+  RegionFindings2 tell() {
     auto rooms = std::count_if(residents_.begin() + 1, residents_.end(), [](auto& faces) { return !faces.empty(); });
     if (has_outsider()) ++rooms;
     std::vector<std::uint32_t> whole;  // rooms that are not inside out
-    for (std::uint32_t cell = 1; cell < cells_.count(); ++cell) {
-      if (residents_[cell].empty()) continue;  // solid cells too
-      const std::vector<PieceSideId> walls = outer_walls(cell);
+    for (std::uint32_t region = 1; region < regions_.count(); ++region) {
+      if (residents_[region].empty()) continue;  // solid regions too
+      const std::vector<PieceSideId> walls = outer_walls(region);
       if (tell_black(walls)) continue;
-      if (is_reversed_solid(cell, walls)) {
+      if (is_reversed_solid(region, walls)) {
         tell_reversed_solid(walls);
         --rooms;
       } else {
-        whole.push_back(cell);
+        whole.push_back(region);
       }
     }
     if (rooms > 1)
-      for (const std::uint32_t cell : whole) tell_isolated(cell);
+      for (const std::uint32_t region : whole) tell_isolated(region);
     tell_spanning();
     return std::move(told_);
   }
@@ -83,29 +83,29 @@ class CellTeller {
   }
   const Segment2& piece(PieceSideId side) const { return arrangement_.pieces()[index(side) / 2]; }
 
-  // Some group has all its faces with a material in the unbounded cell. (The underside of a box on a floor is there
+  // Some group has all its faces with a material in the unbounded region. (The underside of a box on a floor is there
   // too.)
   bool has_outsider() const {
     std::vector<char> is_outside(scene_.groups.size(), 1);
-    for (std::uint32_t f = 0; f < cell_of_face_.size(); ++f)
-      if (cell_of_face_[f] != kNone && cell_of_face_[f] != 0 && material(f) != nullptr)
+    for (std::uint32_t f = 0; f < region_of_face_.size(); ++f)
+      if (region_of_face_[f] != kNone && region_of_face_[f] != 0 && material(f) != nullptr)
         is_outside[scene_.surfaces[f / 2].group] = 0;
     return std::any_of(residents_[0].begin(), residents_[0].end(),
                        [&](std::uint32_t f) { return is_outside[scene_.surfaces[f / 2].group] != 0; });
   }
 
-  // The sides around the cell that something else lies behind; those of what stands in it left out.
-  std::vector<PieceSideId> outer_walls(std::uint32_t cell) const {
+  // The sides around the region that something else lies behind; those of what stands in it left out.
+  std::vector<PieceSideId> outer_walls(std::uint32_t region) const {
     VertexUnion parts;
-    VertexId least = piece(cells_.sides(cell).front()).a;
-    for (const PieceSideId side : cells_.sides(cell)) {
+    VertexId least = piece(regions_.sides(region).front()).a;
+    for (const PieceSideId side : regions_.sides(region)) {
       parts.join(piece(side).a, piece(side).b);
       for (const VertexId v : {piece(side).a, piece(side).b})
         if (arrangement_.vertices().precedes(v, least)) least = v;
     }
     std::vector<PieceSideId> walls;
-    for (const PieceSideId side : cells_.sides(cell))
-      if (cells_.of(side ^ 1) != cell && parts.root(piece(side).a) == parts.root(least)) walls.push_back(side);
+    for (const PieceSideId side : regions_.sides(region))
+      if (regions_.of(side ^ 1) != region && parts.root(piece(side).a) == parts.root(least)) walls.push_back(side);
     return walls;
   }
 
@@ -124,13 +124,14 @@ class CellTeller {
     return surfaces_of(black);
   }
 
-  // Walls whose fronts alone stand in the cell, do not emit, and turn black backs to one cell with other faces in it.
-  bool is_reversed_solid(std::uint32_t cell, const std::vector<PieceSideId>& walls) const {
-    const std::uint32_t around = cells_.of(walls.front() ^ 1);
-    if (residents_[around].empty() || cells_.sides(cell).size() != walls.size()) return false;
+  // Walls whose fronts alone stand in the region, do not emit, and turn black backs to one region with other faces in
+  // it.
+  bool is_reversed_solid(std::uint32_t region, const std::vector<PieceSideId>& walls) const {
+    const std::uint32_t around = regions_.of(walls.front() ^ 1);
+    if (residents_[around].empty() || regions_.sides(region).size() != walls.size()) return false;
     return std::all_of(walls.begin(), walls.end(), [&](PieceSideId side) {
       return face(side) % 2 == 0 && !arrangement_.is_covered(side ^ 1) && material(face(side))->emission.is_zero() &&
-             cells_.of(side ^ 1) == around && material(face(side ^ 1)) == nullptr;
+             regions_.of(side ^ 1) == around && material(face(side ^ 1)) == nullptr;
     });
   }
 
@@ -138,7 +139,7 @@ class CellTeller {
   bool fronts_see_nothing(const std::vector<PieceSideId>& walls) const {
     const std::vector<std::uint32_t> own = surfaces_of(walls);
     return std::all_of(walls.begin(), walls.end(), [&](PieceSideId side) {
-      const auto& behind = residents_[cells_.of(side ^ 1)];
+      const auto& behind = residents_[regions_.of(side ^ 1)];
       return std::all_of(behind.begin(), behind.end(), [&](std::uint32_t f) {
         return f % 2 == 0 && material(f)->emission.is_zero() && std::binary_search(own.begin(), own.end(), f / 2);
       });
@@ -181,9 +182,9 @@ class CellTeller {
         "list the points the other way round (counter-clockwise around a solid), or give a \"back\"");
   }
 
-  void tell_isolated(std::uint32_t cell) {
+  void tell_isolated(std::uint32_t region) {
     std::vector<std::uint32_t> surfaces;
-    for (const std::uint32_t f : residents_[cell])
+    for (const std::uint32_t f : residents_[region])
       if (surfaces.empty() || surfaces.back() != f / 2) surfaces.push_back(f / 2);
     add(Severity::kNote, "isolated-cell", surfaces,
         fmt::format("nothing passes between the room of {} and the rest of the scene", names_text(scene_, surfaces)),
@@ -214,14 +215,14 @@ class CellTeller {
   // Faces with an element that a wall divides.
   void tell_spanning() {
     std::map<std::pair<std::uint32_t, Integer>, std::uint32_t> room_of_element;
-    std::vector<char> is_told(cell_of_face_.size(), 0);
+    std::vector<char> is_told(region_of_face_.size(), 0);
     for (std::size_t k = 0; k < arrangement_.side_count(); ++k) {
       const auto side = static_cast<PieceSideId>(k);
       if (arrangement_.is_covered(side)) continue;
-      const std::uint32_t cell = cells_.of(side), f = face(side);
-      if (cell_of_face_[f] != kSeveral || material(f) == nullptr || residents_[cell].empty()) continue;
+      const std::uint32_t region = regions_.of(side), f = face(side);
+      if (region_of_face_[f] != kSeveral || material(f) == nullptr || residents_[region].empty()) continue;
       for (const Integer& element : end_elements(side)) {
-        if (room_of_element.try_emplace({f, element}, cell).first->second == cell || is_told[f] != 0) continue;
+        if (room_of_element.try_emplace({f, element}, region).first->second == region || is_told[f] != 0) continue;
         is_told[f] = 1;
         add(Severity::kWarning, "spans-rooms", {f / 2},
             fmt::format("the {} of {} stands in several rooms between which nothing passes, but has one radiosity: in "
@@ -234,16 +235,16 @@ class CellTeller {
 
   const Scene2& scene_;
   const Arrangement2& arrangement_;
-  const Cells2& cells_;
-  std::vector<std::uint32_t> cell_of_face_;            // by 2 surface + back; kNone: owns nothing, kSeveral
-  std::vector<std::vector<std::uint32_t>> residents_;  // by cell: faces with a material that are wholly in it
-  CellFindings2 told_;
+  const FreeRegions2& regions_;
+  std::vector<std::uint32_t> region_of_face_;          // by 2 surface + back; kNone: owns nothing, kSeveral
+  std::vector<std::vector<std::uint32_t>> residents_;  // by region: faces with a material that are wholly in it
+  RegionFindings2 told_;
 };
 
 }  // namespace
 
-CellFindings2 cell_findings(const PreparedScene2& prepared, const Cells2& cells) {
-  return CellTeller(prepared, cells).tell();
+RegionFindings2 region_findings(const PreparedScene2& prepared, const FreeRegions2& regions) {
+  return RegionTeller(prepared, regions).tell();
 }
 
 }  // namespace hottel

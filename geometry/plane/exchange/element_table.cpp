@@ -1,4 +1,4 @@
-#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/exchange/element_table.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,18 +10,19 @@ constexpr VertexId kNoVertex = std::numeric_limits<VertexId>::max();
 
 }  // namespace
 
-Labels2::Labels2(const Scene2& scene, const Arrangement2& arrangement, const Division& division, Per per) {
+ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangement, const Division& division,
+                             Granularity granularity) {
   // First label of each front and back.
   std::vector<std::uint32_t> first[2];
   first[0].resize(scene.surfaces.size());
   first[1].resize(scene.surfaces.size());
   std::vector<std::uint32_t> group_label[2];
-  for (auto& labels : group_label) labels.assign(scene.groups.size(), std::numeric_limits<std::uint32_t>::max());
+  for (auto& table : group_label) table.assign(scene.groups.size(), std::numeric_limits<std::uint32_t>::max());
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Surface2& surface = scene.surfaces[s];
     for (const bool back : {false, true}) {
       const std::optional<std::uint32_t> material = back ? surface.back : std::optional(surface.material);
-      if (per == Per::kGroup) {
+      if (granularity == Granularity::kGroup) {
         // Both labels of a group are made with its first surface, so that front stands before back.
         if (group_label[back][surface.group] == std::numeric_limits<std::uint32_t>::max()) {
           group_label[back][surface.group] = count();
@@ -33,14 +34,14 @@ Labels2::Labels2(const Scene2& scene, const Arrangement2& arrangement, const Div
         continue;
       }
       const std::string name = surface.name + (back ? ":back" : "");
-      const std::uint32_t parts = per == Per::kElement && material ? division[s] : 1;
+      const std::uint32_t parts = granularity == Granularity::kElement && material ? division[s] : 1;
       first[back][s] = count();
       for (std::uint32_t k = 0; k < parts; ++k)
         elements_.push_back({parts == 1 ? name : name + "#" + std::to_string(k), s, k, parts, back, material, {}});
     }
   }
 
-  are_straight_ = per != Per::kGroup;
+  are_straight_ = granularity != Granularity::kGroup;
   of_side_.assign(arrangement.side_count() + 1, covered());
   of_side_[0] = sky();
   for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
@@ -52,9 +53,9 @@ Labels2::Labels2(const Scene2& scene, const Arrangement2& arrangement, const Div
   measure(arrangement);
 }
 
-Labels2 Labels2::restricted_to(std::uint32_t i, std::uint32_t j, const std::vector<std::uint32_t>& pieces,
-                               const Arrangement2& arrangement_of_pieces) const {
-  Labels2 result;
+ElementTable2 ElementTable2::restricted_to(std::uint32_t i, std::uint32_t j, const std::vector<std::uint32_t>& pieces,
+                                           const Arrangement2& arrangement_of_pieces) const {
+  ElementTable2 result;
   result.are_straight_ = are_straight_;
   result.elements_.push_back(elements_[i]);
   if (j != i) result.elements_.push_back(elements_[j]);
@@ -68,7 +69,7 @@ Labels2 Labels2::restricted_to(std::uint32_t i, std::uint32_t j, const std::vect
   return result;
 }
 
-void Labels2::measure(const Arrangement2& arrangement) {
+void ElementTable2::measure(const Arrangement2& arrangement) {
   const Vertices2& vertices = arrangement.vertices();
   length_.assign(elements_.size(), {});
   for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
@@ -93,7 +94,7 @@ void Labels2::measure(const Arrangement2& arrangement) {
     has_row_[label] = elements_[label].material.has_value() && !runs(label).empty();
 }
 
-void Labels2::find_runs(const Arrangement2& arrangement) {
+void ElementTable2::find_runs(const Arrangement2& arrangement) {
   // Sides by label, each run with its front on the right.
   std::vector<std::size_t> begin(elements_.size() + 1, 0);
   const auto is_covered = [this](std::size_t side) { return of_side_[side + 1] >= count(); };
@@ -136,7 +137,7 @@ void Labels2::find_runs(const Arrangement2& arrangement) {
   }
 }
 
-RootSum Labels2::exact_length(std::uint32_t label, const Vertices2& vertices) const {
+RootSum ElementTable2::exact_length(std::uint32_t label, const Vertices2& vertices) const {
   RootSum length;
   for (const Segment2& run : runs(label)) length.add(1, vertices.squared_distance(run.a, run.b));
   return length;

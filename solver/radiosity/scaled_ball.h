@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/radiosity/enclosed.h"
+#include "solver/radiosity/double_double_ball.h"
 
 namespace hottel {
 
@@ -16,13 +16,13 @@ namespace hottel {
 //       mantissa of every result is brought near 1
 //   (2) what is exactly 0 leaves a sum as it is
 //   (3) lower() and upper() are doubles; infinite where no bound is known or doubles end
-struct ScaledEnclosed {
-  Enclosed mantissa;
+struct ScaledBall {
+  DoubleDoubleBall mantissa;
   int exponent = 0;
 
-  static ScaledEnclosed of(const Rational& value);
-  static ScaledEnclosed of(const Enclosed& value, int exponent = 0) {
-    return ScaledEnclosed{value, exponent}.near_one();
+  static ScaledBall of(const Rational& value);
+  static ScaledBall of(const DoubleDoubleBall& value, int exponent = 0) {
+    return ScaledBall{value, exponent}.near_one();
   }
 
   bool is_zero() const { return mantissa.size() == 0; }
@@ -34,10 +34,10 @@ struct ScaledEnclosed {
   }
 
   // The mantissa in units of 2^unit.
-  Enclosed in_unit(int unit) const { return scaled(mantissa, exponent - unit); }
+  DoubleDoubleBall in_unit(int unit) const { return scaled(mantissa, exponent - unit); }
 
   // The same number with a mantissa of size 1 to 2; 0 is 0 times 1.
-  ScaledEnclosed near_one() const {
+  ScaledBall near_one() const {
     const double size = mantissa.size();
     if (size == 0) return {};
     if (!std::isfinite(size)) return *this;
@@ -45,21 +45,21 @@ struct ScaledEnclosed {
     return {scaled(mantissa, -shift), exponent + shift};
   }
 
-  friend ScaledEnclosed negated(const ScaledEnclosed& a) { return {hottel::negated(a.mantissa), a.exponent}; }
+  friend ScaledBall negated(const ScaledBall& a) { return {hottel::negated(a.mantissa), a.exponent}; }
 };
 
-inline ScaledEnclosed sum(const ScaledEnclosed& a, const ScaledEnclosed& b) {
+inline ScaledBall sum(const ScaledBall& a, const ScaledBall& b) {
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;
   const int unit = std::max(a.exponent, b.exponent);
-  return ScaledEnclosed::of(sum(a.in_unit(unit), b.in_unit(unit)), unit);
+  return ScaledBall::of(sum(a.in_unit(unit), b.in_unit(unit)), unit);
 }
 
-inline ScaledEnclosed difference(const ScaledEnclosed& a, const ScaledEnclosed& b) { return sum(a, negated(b)); }
+inline ScaledBall difference(const ScaledBall& a, const ScaledBall& b) { return sum(a, negated(b)); }
 
-inline ScaledEnclosed product(const ScaledEnclosed& a, const ScaledEnclosed& b) {
+inline ScaledBall product(const ScaledBall& a, const ScaledBall& b) {
   if (a.is_zero() || b.is_zero()) return {};
-  return ScaledEnclosed::of(product(a.mantissa, b.mantissa), a.exponent + b.exponent);
+  return ScaledBall::of(product(a.mantissa, b.mantissa), a.exponent + b.exponent);
 }
 
 // 2^exponent near value > 0.
@@ -68,10 +68,10 @@ inline int exponent_of(const Rational& value) {
          static_cast<int>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
 }
 
-inline ScaledEnclosed ScaledEnclosed::of(const Rational& value) {
+inline ScaledBall ScaledBall::of(const Rational& value) {
   if (value == 0) return {};
   const int exponent = exponent_of(value);
-  return {Enclosed::of(scaled_by_power_of_two(value, -exponent)), exponent};
+  return {DoubleDoubleBall::of(scaled_by_power_of_two(value, -exponent)), exponent};
 }
 
 }  // namespace hottel

@@ -1,4 +1,4 @@
-#include "solver/radiosity/crude_bounds.h"
+#include "solver/radiosity/a_priori_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,8 +61,8 @@ Enclosure both(const Enclosure& a, const Enclosure& b) {
 
 }  // namespace
 
-void set_crude_bounds(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
-                      const Spectrum& sky_emission, RadiositySolution& solution) {
+void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                         const Spectrum& sky_emission, RadiositySolution& solution) {
   solution.max_relative_width = 0;
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
     ChannelSolution& channel = solution.channels[c];

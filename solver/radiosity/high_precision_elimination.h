@@ -1,4 +1,4 @@
-// Radiosities where doubles give no bounds, or wide ones: elimination in wide arithmetic.
+// Radiosities where doubles give no bounds, or wide ones: elimination in high precision.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace hottel {
 
-inline constexpr std::uint32_t kMostWideUnknowns = 2000;
+inline constexpr std::uint32_t kMostEliminatedUnknowns = 2000;
 
 // Bounds that need no certificate, for whatever losses, areas and conditioning. With a_ij = rho_i F_ij and l_i what row
 // i loses, B = N / D, where D is a sum of products, all positive, with one a_ij or l_i from each row, and N one of
@@ -24,14 +24,14 @@ inline constexpr std::uint32_t kMostWideUnknowns = 2000;
 //
 //   (1) the bounds hold; they are about n 2^-52 wide, relatively, for n unknowns whose factors are no denormal doubles
 //   (2) those of components with a factor that underflows are [0, infinity], as are those of more than
-//       kMostWideUnknowns
+//       kMostEliminatedUnknowns
 // narrow() may be called by many threads at once. REQUIRES rows that are closed.
 // COST: for each component that needs it n^3 / 3 wide products, once (2 s for 500 unknowns, 2 min for 2000), and 64 n^2
 // bytes.
-class WideElimination {
+class HighPrecisionElimination {
  public:
-  explicit WideElimination(const RadiositySystem& system);
-  ~WideElimination();
+  explicit HighPrecisionElimination(const RadiositySystem& system);
+  ~HighPrecisionElimination();
 
   // Narrows the bounds in lit components in which an upper one is infinite or, if wanted, any is wider than 2^-44 of
   // itself (n 2^-50 for many unknowns), however small that is. They are then in units of their own. A value outside is

@@ -9,28 +9,29 @@
 
 namespace hottel {
 
-// Cells, and the sides of pieces around each.
+// The regions of free space, and the sides of pieces around each.
 //
-//   (1) cell 0 is the one that reaches infinity; the others are bounded
-//   (2) two sides are in one cell iff light can go from one to the other, perhaps by way of other sides and of the sky:
+//   (1) region 0 is the one that reaches infinity; the others are bounded
+//   (2) two sides are in one region iff light can go from one to the other, perhaps by way of other sides and of the
+//   sky:
 //       along a path in free space the line through a point changes one of its two ends at a time, so that the pairs
-//       of sides (and sky) that exchange light form one connected graph in each cell
+//       of sides (and sky) that exchange light form one connected graph in each region
 // COST: linear in the triangles.
-class Cells2 {
+class FreeRegions2 {
  public:
   // REQUIRES the triangulation of an arrangement that has so many sides.
-  Cells2(const Triangulation2& triangulation, std::size_t side_count);
+  FreeRegions2(const Triangulation2& triangulation, std::size_t side_count);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(begin_.size() - 1); }
   std::size_t side_count() const { return of_side_.size(); }
   std::uint32_t of(PieceSideId side) const { return of_side_[static_cast<std::size_t>(side)]; }
-  std::span<const PieceSideId> sides(std::uint32_t cell) const {
-    return {sides_.data() + begin_[cell], sides_.data() + begin_[cell + 1]};
+  std::span<const PieceSideId> sides(std::uint32_t region) const {
+    return {sides_.data() + begin_[region], sides_.data() + begin_[region + 1]};
   }
 
  private:
   std::vector<std::uint32_t> of_side_;
-  std::vector<PieceSideId> sides_;  // by cell, ascending
+  std::vector<PieceSideId> sides_;  // by region, ascending
   std::vector<std::size_t> begin_;
 };
 

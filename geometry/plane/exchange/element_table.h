@@ -13,13 +13,17 @@ namespace hottel {
 
 // What one row and column of the exchange matrix stands for. Elements: parts of faces with a material (a black back is
 // never divided). Groups: all fronts (backs) of one polyline.
-enum class Per : unsigned char { kFace, kElement, kGroup };
+enum class Granularity : unsigned char { kFace, kElement, kGroup };
+
+// Two elements by number, the smaller first, or an element and the sky.
+using ElementPair = std::pair<std::uint32_t, std::uint32_t>;
 
 // The elements of an arrangement in the order of the contract: surfaces in the order of the scene, front before back,
 // parts ascending.
-class Labels2 {
+class ElementTable2 {
  public:
-  Labels2(const Scene2& scene, const Arrangement2& arrangement, const Division& division, Per per);
+  ElementTable2(const Scene2& scene, const Arrangement2& arrangement, const Division& division,
+                Granularity granularity);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(elements_.size()); }
   std::uint32_t sky() const { return count(); }
@@ -32,8 +36,8 @@ class Labels2 {
 
   // The labels i and j alone (0, and 1 where j is another), on the arrangement of some pieces (ascending numbers) of
   // the one that these are of. All other sides are covered.
-  Labels2 restricted_to(std::uint32_t i, std::uint32_t j, const std::vector<std::uint32_t>& pieces,
-                        const Arrangement2& arrangement_of_pieces) const;
+  ElementTable2 restricted_to(std::uint32_t i, std::uint32_t j, const std::vector<std::uint32_t>& pieces,
+                              const Arrangement2& arrangement_of_pieces) const;
 
   // The element's straight runs: its owned pieces, joined where they follow each other, front on the right.
   std::span<const Segment2> runs(std::uint32_t label) const {
@@ -47,7 +51,7 @@ class Labels2 {
   RootSum exact_length(std::uint32_t label, const Vertices2& vertices) const;  // in integer form
 
  private:
-  Labels2() = default;
+  ElementTable2() = default;
   void measure(const Arrangement2& arrangement);
   void find_runs(const Arrangement2& arrangement);
 

@@ -8,18 +8,19 @@
 #include <tuple>
 
 #include "geometry/name.h"
-#include "geometry/plane/exchange/labels.h"
+#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/pair_alone.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
-#include "solver/compare/readings.h"
+#include "solver/compare/hypotheses.h"
 
 namespace hottel {
 namespace {
 
 constexpr std::size_t kPairsATask = 256;
 
-Reading nothing(Fault fault, const JudgedPairs& judged) {
+Hypothesis nothing(Fault fault, const JudgedPairs& judged) {
   return {fault, std::vector<char>(judged.pairs().size(), 0), ""};
 }
 
@@ -34,7 +35,7 @@ class BothSides {
       surface.elements = prepared.division[s];
     }
     const PreparedScene2 both = prepare(std::move(scene), Divided::kYes);
-    matrix_ = exact_exchange(both, {.per = Per::kElement, .wants_visibility = false});
+    matrix_ = exact_exchange(both, {.granularity = Granularity::kElement, .wants_visibility = false});
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) place_[key(matrix_.elements()[i], false)] = i;
   }
 
@@ -62,22 +63,22 @@ class BothSides {
 }  // namespace
 
 std::vector<double> unobstructed_factors(const PreparedScene2& prepared, const JudgedPairs& judged) {
-  const Labels2 labels(prepared.scene, prepared.arrangement, prepared.division, Per::kElement);
-  const PairsAlone2 alone(prepared, labels, Per::kElement);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+  const PairsAlone2 alone(prepared, table, Granularity::kElement);
   std::vector<double> result(judged.pairs().size(), 0);
   parallel_for(
       result.size(),
       [&](std::size_t k) {
         const JudgedPair& pair = judged.pairs()[k];
-        if (!pair.is_off || pair.to == labels.sky()) return;
+        if (!pair.is_off || pair.to == table.sky()) return;
         result[k] = pair.exact > 0 ? pair.exact / pair.visibility : alone.factor(pair.from, pair.to);
       },
       kPairsATask);
   return result;
 }
 
-Reading read_no_occlusion(const JudgedPairs& judged, const std::vector<double>& unobstructed) {
-  Reading result = nothing(Fault::kNoOcclusion, judged);
+Hypothesis suppose_no_occlusion(const JudgedPairs& judged, const std::vector<double>& unobstructed) {
+  Hypothesis result = nothing(Fault::kNoOcclusion, judged);
   std::uint64_t partly = 0, wholly = 0;
   for (const JudgedPair& pair : judged.pairs()) {
     const std::size_t k = judged.index_of(pair);
@@ -93,8 +94,8 @@ Reading read_no_occlusion(const JudgedPairs& judged, const std::vector<double>& 
   return result;
 }
 
-Reading read_all_or_nothing(const JudgedPairs& judged, const std::vector<double>& unobstructed) {
-  Reading result = nothing(Fault::kAllOrNothing, judged);
+Hypothesis suppose_all_or_nothing(const JudgedPairs& judged, const std::vector<double>& unobstructed) {
+  Hypothesis result = nothing(Fault::kAllOrNothing, judged);
   std::uint64_t visible = 0, hidden = 0;
   for (const JudgedPair& pair : judged.pairs()) {
     const std::size_t k = judged.index_of(pair);
@@ -111,8 +112,8 @@ Reading read_all_or_nothing(const JudgedPairs& judged, const std::vector<double>
   return result;
 }
 
-Reading read_behind(const JudgedPairs& judged, const std::vector<double>& unobstructed) {
-  Reading result = nothing(Fault::kBehind, judged);
+Hypothesis suppose_behind(const JudgedPairs& judged, const std::vector<double>& unobstructed) {
+  Hypothesis result = nothing(Fault::kBehind, judged);
   for (const JudgedPair& pair : judged.pairs()) {
     const std::size_t k = judged.index_of(pair);
     if (pair.is_off && pair.exact == 0 && unobstructed[k] == 0 && pair.to != judged.exact().sky())
@@ -122,8 +123,8 @@ Reading read_behind(const JudgedPairs& judged, const std::vector<double>& unobst
   return result;
 }
 
-Reading read_reversed(const PreparedScene2& prepared, const JudgedPairs& judged) {
-  Reading result = nothing(Fault::kReversed, judged);
+Hypothesis suppose_reversed(const PreparedScene2& prepared, const JudgedPairs& judged) {
+  Hypothesis result = nothing(Fault::kReversed, judged);
   const ExchangeMatrix& exact = judged.exact();
   const auto surface_of = [&](std::uint32_t i) { return exact.elements()[i].surface; };
   try {

@@ -5,25 +5,25 @@
 
 namespace hottel {
 
-struct Foot2 {
+struct ClosestPoint2 {
   Point2 at;
   int end = -1;      // 0, 1: the first, second point of the segment; -1: inside
   Rational squared;  // distance
 };
 
 // Exact. REQUIRES a != b.
-inline Foot2 foot_on(const Point2& a, const Point2& b, const Point2& p) {
+inline ClosestPoint2 closest_point(const Point2& a, const Point2& b, const Point2& p) {
   const Rational dx = b.x - a.x, dy = b.y - a.y;
   const Rational along = dx * (p.x - a.x) + dy * (p.y - a.y), whole = dx * dx + dy * dy;
-  Foot2 foot{a, 0, 0};
+  ClosestPoint2 closest{a, 0, 0};
   if (along >= whole) {
-    foot = {b, 1, 0};
+    closest = {b, 1, 0};
   } else if (along > 0) {
     const Rational t = along / whole;
-    foot = {{a.x + t * dx, a.y + t * dy}, -1, 0};
+    closest = {{a.x + t * dx, a.y + t * dy}, -1, 0};
   }
-  foot.squared = squared_distance(p, foot.at);
-  return foot;
+  closest.squared = squared_distance(p, closest.at);
+  return closest;
 }
 
 }  // namespace hottel
