@@ -22,20 +22,16 @@
 namespace hottel::benchmarks {
 namespace {
 
-using Edge = std::pair<Point2, Point2>;
-
-Scene2 scene_of(std::int64_t count, const std::function<Edge(std::int64_t)>& edge) {
+Scene2 scene_of(std::int64_t count, const std::function<Edge2(std::int64_t)>& edge) {
   Scene2 scene;
   scene.file = "crowd";
   scene.materials.push_back({"white", {}, {}});
   for (std::int64_t k = 0; k < count; ++k) {
-    const auto [from, to] = edge(k);
     scene.groups.push_back("edge[" + std::to_string(k) + "]");
-    Surface2& surface = scene.surfaces.emplace_back();
+    Surface surface;
     surface.name = scene.groups.back().name;
-    surface.from = from;
-    surface.to = to;
     surface.group = static_cast<std::uint32_t>(k);
+    scene.add(std::move(surface), edge(k));
   }
   return scene;
 }
@@ -46,9 +42,9 @@ Point2 on_circle(std::int64_t k, std::int64_t count) {
 }
 
 Scene2 crowd(const std::string& kind, std::int64_t n) {
-  return scene_of(n, [&](std::int64_t k) -> Edge {
+  return scene_of(n, [&](std::int64_t k) -> Edge2 {
     const long place = k;
-    if (kind == "equal") return k % 2 == 0 ? Edge{{0, 0}, {1, 0}} : Edge{{1, 0}, {0, 0}};
+    if (kind == "equal") return k % 2 == 0 ? Edge2{{0, 0}, {1, 0}} : Edge2{{1, 0}, {0, 0}};
     if (kind == "chain") return {{2 * place, 0}, {2 * place + 3, 0}};
     if (kind == "wheel") return {{0, 0}, on_circle(k, n)};
     return {{0, 0}, {1'000'000, place}};

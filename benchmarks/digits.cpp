@@ -18,9 +18,9 @@ namespace {
 Scene2 with_large_form(Scene2 scene) {
   const Rational a("1237940039285380274899124357"), b("309485009821345068724781371");
   const auto turn = [&](Point2& p) { p = {a * p.x - b * p.y, b * p.x + a * p.y}; };
-  for (Surface2& surface : scene.surfaces) {
-    turn(surface.from);
-    turn(surface.to);
+  for (Edge2& edge : scene.edges) {
+    turn(edge.from);
+    turn(edge.to);
   }
   scene.grid.reset();
   return scene;

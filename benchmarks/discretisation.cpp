@@ -29,7 +29,7 @@ struct Divided2 {
 };
 
 Divided2 solve_divided(Scene2 scene, std::uint32_t elements) {
-  for (Surface2& surface : scene.surfaces) surface.elements = elements;
+  for (Surface& surface : scene.surfaces) surface.elements = elements;
   const PreparedScene2 prepared = prepare(std::move(scene), Divided::kYes);
   const ExchangeMatrix matrix =
       exact_exchange(prepared, {.granularity = Granularity::kElement, .wants_visibility = false});

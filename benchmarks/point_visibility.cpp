@@ -96,12 +96,10 @@ struct Ours {
       scene.groups.push_back("ring" + std::to_string(group));
       for (std::size_t k = 0; k < ring.size(); ++k) {
         const Spot &a = ring[k], &b = ring[(k + 1) % ring.size()];
-        Surface2 surface;
+        Surface surface;
         surface.name = scene.groups.back().name + "[" + std::to_string(k) + "]";
-        surface.from = {Rational(a.x), Rational(a.y)};
-        surface.to = {Rational(b.x), Rational(b.y)};
         surface.group = group;
-        scene.surfaces.push_back(std::move(surface));
+        scene.add(std::move(surface), {{Rational(a.x), Rational(a.y)}, {Rational(b.x), Rational(b.y)}});
       }
     }
     return scene;

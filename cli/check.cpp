@@ -36,7 +36,7 @@ ExitCode exit_code(const SceneCheck2& check) { return has_error(check.findings) 
 
 Repair2 without_repair(const Scene2& scene) {
   Repair2 repair{scene, {}, {}};
-  for (const Surface2& surface : scene.surfaces) repair.former_names.push_back(surface.name);
+  for (const Surface& surface : scene.surfaces) repair.former_names.push_back(surface.name);
   return repair;
 }
 

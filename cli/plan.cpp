@@ -3,6 +3,7 @@
 #include "cli/scene_input.h"
 #include "io/results/radiosity_files.h"
 #include "io/scene/scene_json.h"
+#include "solver/plane/scene_plan.h"
 
 namespace hottel {
 namespace {
@@ -17,7 +18,7 @@ ExitCode plan(const PlanOptions& options, Streams& streams) {
   Scene2 scene = read_scene_2(options.scene);
   options.elements.apply_to(scene);
   const Grid2 grid = grid_of(scene, options.grid);
-  const Plan plan(scene, {.everything = false, .grid_cells = std::uint64_t{grid.nx} * grid.ny});
+  const Plan plan = plan_scene(scene, {.everything = false, .grid_cells = std::uint64_t{grid.nx} * grid.ny});
   streams.write("", options.json ? plan_json(options.scene, plan) : plan_text(plan));
   return ExitCode::kDone;
 }

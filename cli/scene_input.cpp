@@ -18,11 +18,11 @@ constexpr long kMostExtentsAway = 1'000'000'000;  // from the origin: then a dou
 // What may be named in a scene: the fronts and backs of its surfaces, or its surfaces and groups; and the sky.
 std::vector<std::string> names_of(const Scene2& scene, bool of_faces) {
   std::vector<std::string> names;
-  for (const Surface2& surface : scene.surfaces) {
+  for (const Surface& surface : scene.surfaces) {
     names.push_back(surface.name);
     if (of_faces) names.push_back(surface.name + ":back");
   }
-  for (const Group2& group : scene.groups)
+  for (const Group& group : scene.groups)
     if (!of_faces) names.push_back(group.name);
   names.emplace_back("sky");
   return names;
@@ -52,12 +52,14 @@ void ElementOptions::add_to(CLI::App& command) {
 
 void ElementOptions::apply_to(Scene2& scene) const {
   if (count)
-    for (Surface2& surface : scene.surfaces) surface.elements = *count;
+    for (Surface& surface : scene.surfaces) surface.elements = *count;
   if (!size) return;
   const auto h = parse_rational(*size);
   if (!h || *h <= 0) throw UsageError("--element-size must be a positive number, not '" + *size + "'");
-  for (Surface2& surface : scene.surfaces) {
-    const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const auto& [from, to] = scene.edges[s];
+    Surface& surface = scene.surfaces[s];
+    const Rational dx = to.x - from.x, dy = to.y - from.y;
     const Rational squared = (dx * dx + dy * dy) / (*h * *h);
     // The least n with n² >= squared.
     Integer whole, n;
@@ -78,7 +80,7 @@ void require_closed(const Scene2& scene, const ExchangeMatrix& matrix) {
     if (element.is_back || !matrix.has_row(i)) continue;
     const Rounded sky = matrix.factor(i, matrix.sky());
     if (sky.value == 0 && sky.side == 0) continue;
-    const Surface2& surface = scene.surfaces[element.surface];
+    const Surface& surface = scene.surfaces[element.surface];
     throw RequestError(
         fmt::format("{}:{}: the scene promises to be closed, but the front of '{}' sees the sky (F = {})", scene.file,
                     surface.line, surface.name, shortest(sky.value)));
@@ -92,17 +94,17 @@ std::filesystem::path output_folder(const std::string& option, const std::string
 
 void require_drawable(const Scene2& scene) {
   if (scene.surfaces.empty()) return;
-  Point2 low = scene.surfaces.front().from, high = low;
-  const Surface2* farthest = &scene.surfaces.front();
+  Point2 low = scene.edges.front().from, high = low;
+  const Surface* farthest = &scene.surfaces.front();
   Rational largest;
-  for (const Surface2& surface : scene.surfaces)
-    for (const Point2& p : {surface.from, surface.to}) {
+  for (std::size_t s = 0; s < scene.edges.size(); ++s)
+    for (const Point2& p : {scene.edges[s].from, scene.edges[s].to}) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
       const Rational distance = std::max<Rational>(abs(p.x), abs(p.y));
       if (distance <= largest) continue;
       largest = distance;
-      farthest = &surface;
+      farthest = &scene.surfaces[s];
     }
   const Rational extent = std::max<Rational>(high.x - low.x, high.y - low.y);
   const char* why = to_double(largest) > kLargestDrawn      ? "larger than 1e300"

@@ -18,9 +18,9 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
-#include "solver/plan.h"
 #include "solver/plane/check/scene_check.h"
 #include "solver/plane/light/average_illumination.h"
+#include "solver/plane/scene_plan.h"
 #include "solver/radiosity/a_priori_bounds.h"
 #include "solver/radiosity/matrix_checks.h"
 #include "solver/radiosity/radiosity.h"
@@ -163,7 +163,8 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
 
   if (wants_light) require_room_for(grid, channel_count(scene), options, directory);
 
-  const Plan plan(scene, {options.simulate == "everything", wants_light ? std::uint64_t{grid.nx} * grid.ny : 0});
+  const Plan plan =
+      plan_scene(scene, {options.simulate == "everything", wants_light ? std::uint64_t{grid.nx} * grid.ny : 0});
   streams.note(plan_text(plan));
   const bool is_divided = plan.uses(Plan::kSubdivision);
   const Granularity granularity = is_divided ? Granularity::kElement : Granularity::kFace;

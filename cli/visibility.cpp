@@ -45,11 +45,11 @@ ExactPoint2 point(const std::string& text) {
 // free.
 std::uint32_t solid_at(const PreparedScene2& prepared, const FaceName& face, const Rational& t) {
   const Arrangement2& arrangement = prepared.arrangement;
-  const Surface2& surface = prepared.scene.surfaces[face.surface];
-  const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
+  const auto& [from, to] = prepared.scene.edges[face.surface];
+  const Rational dx = to.x - from.x, dy = to.y - from.y;
   const auto place = [&](VertexId v) -> Rational {
     const ExactPoint2 p = arrangement.vertices().to_scene(arrangement.vertices().exact(v));
-    return ((p.x - surface.from.x) * dx + (p.y - surface.from.y) * dy) / (dx * dx + dy * dy);
+    return ((p.x - from.x) * dx + (p.y - from.y) * dy) / (dx * dx + dy * dy);
   };
   for (std::size_t piece = 0; piece < arrangement.pieces().size(); ++piece)
     for (const PieceSource2& source : arrangement.sources(piece)) {
@@ -65,7 +65,7 @@ std::uint32_t solid_at(const PreparedScene2& prepared, const FaceName& face, con
 
 // "scene.json:4: the front of 'floor'"
 std::string face_text(const Scene2& scene, const FaceName& face) {
-  const Surface2& surface = scene.surfaces[face.surface];
+  const Surface& surface = scene.surfaces[face.surface];
   return fmt::format("{}:{}: the {} of {}", scene.file, surface.line, face.is_back ? "back" : "front",
                      quoted_name(surface.name));
 }
@@ -75,13 +75,13 @@ Answer from_face(const PreparedScene2& prepared, const std::string& name, const 
   if (name == "sky") throw UsageError("--on is a face, which the sky is not");
   const Arrangement2& arrangement = prepared.arrangement;
   const FaceName face = face_of(prepared.scene, name);
-  const Surface2& surface = prepared.scene.surfaces[face.surface];
+  const Edge2& edge = prepared.scene.edges[face.surface];
   if (const std::uint32_t solid = solid_at(prepared, face, t); solid != Solids2::kNone)
     throw RequestError(fmt::format("{} looks into {} at t = {}: nothing is seen there", face_text(prepared.scene, face),
                                    solid_text(prepared.scene, solid), to_string(t)));
   const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());
-  const ExactPoint2 x{surface.from.x + t * (surface.to.x - surface.from.x),
-                      surface.from.y + t * (surface.to.y - surface.from.y)};
+  const Point2 at = point_at(edge, t);
+  const ExactPoint2 x{at.x, at.y};
   Answer answer;
   answer.json["on"] = name;
   answer.json["t"] = json_of(t);
@@ -90,7 +90,7 @@ Answer from_face(const PreparedScene2& prepared, const std::string& name, const 
   answer.text = fmt::format("view factors from the point t = {} of '{}', {}\n", to_string(t), name, text_of(x));
   // Pieces of one face are added up.
   std::vector<std::pair<std::string, RootSum>> factors;
-  for (const PointFactor2& factor : point_factors(arrangement, location, surface.from, surface.to, face.is_back, t)) {
+  for (const PointFactor2& factor : point_factors(arrangement, location, edge.from, edge.to, face.is_back, t)) {
     const std::string to = name_of(prepared.scene, arrangement, factor.side);
     const auto same =
         std::find_if(factors.begin(), factors.end(), [&](const auto& entry) { return entry.first == to; });

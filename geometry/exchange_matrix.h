@@ -7,19 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "geometry/element.h"
 #include "kernel/enclosure.h"
 
 namespace hottel {
-
-// One row or column of an exchange matrix: a face, a part of one, or a group of faces.
-struct Element {
-  std::string name;                   // "wall", "wall:back", "wall#2"
-  std::uint32_t surface = 0;          // index into the scene's surfaces (the first one of a group)
-  std::uint32_t part = 0, parts = 1;  // which of how many equal parts
-  bool is_back = false;
-  std::optional<std::uint32_t> material;  // none: an opaque black back, which has a column but no row
-  Rounded area;                           // length in 2D [scene unit], 0 when other surfaces own all of it
-};
 
 // One view factor, as seen from its row.
 struct FactorEntry {

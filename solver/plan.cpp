@@ -21,16 +21,9 @@ std::string plural(std::size_t count, const std::string& noun) {
 
 }  // namespace
 
-int channel_count(const Scene2& scene) {
-  bool is_scalar = scene.sky_emission.is_scalar;
-  for (const Material& material : scene.materials)
-    is_scalar = is_scalar && material.reflectivity.is_scalar && material.emission.is_scalar;
-  return is_scalar ? 1 : 3;
-}
-
-Plan::Plan(const Scene2& scene, const PlanRequest& request) {
+Plan::Plan(const SceneTable& scene, const PlannedShape& shape, const PlanRequest& request) {
   const auto n = static_cast<double>(scene.surfaces.size());
-  const bool is_convex = is_convex_room(scene);
+  const bool is_convex = shape.is_convex_room;
   const auto add = [&](const char* name, bool used, const std::string& why_used, const std::string& why_not,
                        double seconds) {
     const bool is_used = used || request.everything;
@@ -44,15 +37,15 @@ Plan::Plan(const Scene2& scene, const PlanRequest& request) {
     return static_cast<std::size_t>(std::count_if(scene.surfaces.begin(), scene.surfaces.end(), test));
   };
   const auto is_used_material = [&](const auto& test) {
-    return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface2& surface) {
+    return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
       return test(scene.materials[surface.material]) || (surface.back && test(scene.materials[*surface.back]));
     });
   };
 
-  add(kOcclusion, !is_convex, plural(scene.surfaces.size(), "edge") + " that may hide each other",
+  add(kOcclusion, !is_convex, plural(scene.surfaces.size(), shape.noun) + " that may hide each other",
       "one convex room: nothing can hide anything", n * std::min(n, kTypicalVisible) * kSecondsPerPair);
 
-  const std::size_t backs = count_surfaces([](const Surface2& surface) { return surface.back.has_value(); });
+  const std::size_t backs = count_surfaces([](const Surface& surface) { return surface.back.has_value(); });
   add(kBackFaces, backs > 0, plural(backs, "back") + " with a material",
       "no back has a material: backs are black and have no row", 0);
 
@@ -60,9 +53,9 @@ Plan::Plan(const Scene2& scene, const PlanRequest& request) {
       scene.sky_emission.is_zero() ? "the scene is not promised to be closed; the sky is dark" : "the sky emits",
       is_convex ? "one closed room" : "the scene is promised to be closed", 0);
 
-  const std::size_t divided = count_surfaces([](const Surface2& surface) { return surface.elements > 1; });
-  add(kSubdivision, divided > 0, plural(divided, "edge") + " divided into elements",
-      "no gradients along edges are asked for", 0);
+  const std::size_t divided = count_surfaces([](const Surface& surface) { return surface.elements > 1; });
+  add(kSubdivision, divided > 0, plural(divided, shape.noun) + " divided into elements",
+      fmt::format("no gradients along {}s are asked for", shape.noun), 0);
 
   const int channels = channel_count(scene);
   add(kChannels, channels > 1, "spectra differ: r, g, b", "every spectrum is a scalar: one channel", 0);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/scene/scene.h"
+#include "geometry/scene_table.h"
 
 namespace hottel {
 
@@ -22,6 +22,12 @@ struct PlanRequest {
   std::uint64_t grid_cells = 0;  // cells of the illumination grid; 0: none is wanted
 };
 
+// What a scene's shape says, and what its surfaces are called.
+struct PlannedShape {
+  bool is_convex_room = false;  // one closed convex room, fronts inside, no back with a material
+  std::string noun;             // "edge"
+};
+
 // The effects in the order in which they are simulated.
 //
 //   (1) an effect is left out only where it cannot change any number: with everything used the results are the same,
@@ -30,7 +36,7 @@ struct PlanRequest {
 // COST: O(n) exact operations; nothing is computed of the light itself.
 class Plan {
  public:
-  Plan(const Scene2& scene, const PlanRequest& request);
+  Plan(const SceneTable& scene, const PlannedShape& shape, const PlanRequest& request);
 
   const std::vector<PlannedEffect>& effects() const { return effects_; }
   bool uses(const std::string& effect) const;  // REQUIRES one of the names
@@ -48,8 +54,5 @@ class Plan {
  private:
   std::vector<PlannedEffect> effects_;
 };
-
-// Number of channels the spectra of a scene need: 1 when all are scalars, else 3.
-int channel_count(const Scene2& scene);
 
 }  // namespace hottel

@@ -181,7 +181,7 @@ void write_faces_csv(const FactorTable& table, const Sink& sink) {
   out << "index,face,element,area,material,x0,y0,x1,y1\n";
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     const Element& element = matrix.elements()[i];
-    const Surface2& surface = table.scene.surfaces[element.surface];
+    const Edge2& edge = table.scene.edges[element.surface];
     const std::string face = table.granularity == Granularity::kGroup ? element.name : face_name(table.scene, element);
     require_double(element.area.value, area_of(matrix, i));
     out << fmt::format("{},{},{},", i + 1, csv_field(face), element.part) << element.area.value << ","
@@ -193,8 +193,8 @@ void write_faces_csv(const FactorTable& table, const Sink& sink) {
     for (const std::uint32_t k : {element.part, element.part + 1}) {
       Rational t(k, element.parts);
       t.canonicalize();
-      const double x = to_double(surface.from.x + t * (surface.to.x - surface.from.x)),
-                   y = to_double(surface.from.y + t * (surface.to.y - surface.from.y));
+      const Point2 point = point_at(edge, t);
+      const double x = to_double(point.x), y = to_double(point.y);
       require_double(x, "a coordinate of '" + element.name + "'");
       require_double(y, "a coordinate of '" + element.name + "'");
       out << "," << x << "," << y;
@@ -301,14 +301,14 @@ DenseSize dense_size(const Scene2& scene, Granularity granularity, DenseFormat f
   };
   if (granularity == Granularity::kGroup) {
     std::vector<char> has_back(scene.groups.size(), 0);
-    for (const Surface2& surface : scene.surfaces)
+    for (const Surface& surface : scene.surfaces)
       if (surface.back) has_back[surface.group] = 1;
     for (const char back : has_back) {
       add(1, true);
       add(1, back != 0);
     }
   } else {
-    for (const Surface2& surface : scene.surfaces) {
+    for (const Surface& surface : scene.surfaces) {
       const std::uint64_t parts = granularity == Granularity::kElement ? surface.elements : 1;
       add(parts, true);
       add(surface.back ? parts : 1, surface.back.has_value());

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "geometry/plane/scene/scene.h"
 
@@ -13,17 +14,24 @@ namespace hottel {
 inline constexpr std::uint32_t kMaxElements = 1'000'000;  // of one edge
 inline constexpr std::uint32_t kMaxGridCells = 16384;     // of a grid, along one axis
 
-// Returns the scene of a file.
+// A scene of either dimension. In this version all are in the plane: files of dimension 3 are refused.
+using Scene = std::variant<Scene2>;
+
+// Returns the scene of a file, in the plane or in space as its "dimension" says.
 //
 //   (1) every number has exactly the value that is typed; validate(scene) holds
 //   (2) surfaces are in the order of the file: edges, then the pieces of polylines
-//   (3) Surface2::line is the line of the edge, or of the first point of the piece
+//   (3) Surface::line is the line of the edge, or of the first point of the piece
 //
 // Throws InputError with file, line and surface for everything that docs/scene_format.md does not allow, unknown and
 // duplicate keys included: nothing is ignored.                      COST: linear; 10^6 edges take about 5 s.
-Scene2 read_scene_2(const std::filesystem::path& file);
+Scene read_scene(const std::filesystem::path& file);
 
 // The same for a text in memory.
+Scene parse_scene(std::string_view text, const std::string& name_for_messages);
+
+// The same for those who can use a scene in the plane only: others are refused.
+Scene2 read_scene_2(const std::filesystem::path& file);
 Scene2 parse_scene_2(std::string_view text, const std::string& name_for_messages);
 
 // Returns the text of a scene file.

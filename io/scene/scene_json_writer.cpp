@@ -8,6 +8,7 @@
 #include "geometry/name.h"
 #include "io/scene/scene_json.h"
 #include "kernel/decimal.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
@@ -146,13 +147,14 @@ class SceneWriter {
 
   // The index after the run of surfaces that begins at `first` and is one polyline; `first` itself if it is none.
   std::size_t end_of_polyline(std::size_t first) const {
-    const std::vector<Surface2>& s = scene_.surfaces;
+    const std::vector<Surface>& s = scene_.surfaces;
+    const std::vector<Edge2>& e = scene_.edges;
     const std::string& group = scene_.groups[s[first].group].name;
     if (!name_problem(group).empty()) return first;
     std::size_t i = first;
     while (i < s.size() && s[i].group == s[first].group) {
       if (s[i].name != group + "[" + std::to_string(i - first) + "]") return first;
-      if (i > first && (s[i].from != s[i - 1].to || s[i].material != s[first].material || s[i].back != s[first].back ||
+      if (i > first && (e[i].from != e[i - 1].to || s[i].material != s[first].material || s[i].back != s[first].back ||
                         s[i].elements != s[first].elements))
         return first;
       ++i;
@@ -162,7 +164,8 @@ class SceneWriter {
 
   // Writes the surfaces before the final polylines as edges; returns where those begin.
   std::size_t write_edges() {
-    const std::vector<Surface2>& s = scene_.surfaces;
+    const std::vector<Surface>& s = scene_.surfaces;
+    const std::vector<Edge2>& e = scene_.edges;
     std::size_t first_polyline = 0;
     std::vector<bool> is_written(scene_.groups.size());
     for (std::size_t i = 0; i < s.size();) {
@@ -174,27 +177,28 @@ class SceneWriter {
     if (first_polyline == 0) return 0;
     Block block(out_, "edges", '[', ']');
     for (std::size_t i = 0; i < first_polyline; ++i)
-      block.add(entry(s[i].name, fmt::format("[{}, {}]", point(s[i].from), point(s[i].to)), false, s[i]));
+      block.add(entry(s[i].name, fmt::format("[{}, {}]", point(e[i].from), point(e[i].to)), false, s[i]));
     block.end();
     return first_polyline;
   }
 
   void write_polylines(std::size_t first) {
-    const std::vector<Surface2>& s = scene_.surfaces;
+    const std::vector<Surface>& s = scene_.surfaces;
+    const std::vector<Edge2>& e = scene_.edges;
     if (first == s.size()) return;
     Block block(out_, "polylines", '[', ']');
     while (first < s.size()) {
       const std::size_t end = end_of_polyline(first);
-      const bool closed = end - first > 1 && s[end - 1].to == s[first].from;
-      std::string points = fmt::format("[{}", point(s[first].from));
-      for (std::size_t i = first; i + (closed ? 1 : 0) < end; ++i) points += fmt::format(", {}", point(s[i].to));
+      const bool closed = end - first > 1 && e[end - 1].to == e[first].from;
+      std::string points = fmt::format("[{}", point(e[first].from));
+      for (std::size_t i = first; i + (closed ? 1 : 0) < end; ++i) points += fmt::format(", {}", point(e[i].to));
       block.add(entry(scene_.groups[s[first].group].name, points + "]", closed, s[first]));
       first = end;
     }
     block.end();
   }
 
-  std::string entry(const std::string& name, const std::string& points, bool closed, const Surface2& surface) const {
+  std::string entry(const std::string& name, const std::string& points, bool closed, const Surface& surface) const {
     std::string text =
         fmt::format("{{\"name\": {}, \"points\": {}{}, \"material\": {}", json_string(name), points,
                     closed ? ", \"closed\": true" : "", json_string(scene_.materials[surface.material].name));

@@ -11,6 +11,7 @@
 #include "io/scene/svg_geometry.h"
 #include "io/scene/svg_style.h"
 #include "io/scene/xml_references.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
@@ -66,7 +67,7 @@ class SvgReader {
     if (scene_.surfaces.empty()) refuse(0, "has no lines");
     // Edges stand before polylines, as in a scene file.
     std::stable_partition(scene_.surfaces.begin(), scene_.surfaces.end(),
-                          [&](const Surface2& s) { return s.name == scene_.groups[s.group]; });
+                          [&](const Surface& s) { return s.name == scene_.groups[s.group]; });
     validate(scene_);
     return std::move(scene_);
   }
@@ -282,7 +283,7 @@ class SvgReader {
     if (run.closed) p.push_back(p.front());
     if (style.is_reversed) std::reverse(p.begin(), p.end());
 
-    Surface2 surface;
+    Surface surface;
     surface.material = material(node, style.material);
     if (!style.back.empty()) surface.back = material(node, style.back);
     surface.group = static_cast<std::uint32_t>(scene_.groups.size());
@@ -291,9 +292,7 @@ class SvgReader {
     for (std::size_t i = 0; i + 1 < p.size(); ++i) {
       if (p[i] == p[i + 1]) refuse(node, "has two equal points in a row (piece " + std::to_string(i) + ")");
       surface.name = is_edge ? name : name + "[" + std::to_string(i) + "]";
-      surface.from = p[i];
-      surface.to = p[i + 1];
-      scene_.surfaces.push_back(surface);
+      scene_.add(surface, {p[i], p[i + 1]});
     }
   }
 

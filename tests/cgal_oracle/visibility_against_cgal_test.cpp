@@ -85,9 +85,9 @@ Scene2 scene(const std::string& kind, std::uint64_t n, std::uint64_t seed) {
 
 // A room around the scene: of edges on a lattice all are inside, and everything is bounded. CGAL knows no solids.
 Scene2 in_a_room(Scene2 scene) {
-  for (Group2& group : scene.groups) group.behind = Behind::kOpen;
-  Rational low = scene.surfaces[0].from.x, high = low;
-  for (const Surface2& s : scene.surfaces)
+  for (Group& group : scene.groups) group.behind = Behind::kOpen;
+  Rational low = scene.edges[0].from.x, high = low;
+  for (const Edge2& s : scene.edges)
     for (const Rational* v : {&s.from.x, &s.from.y, &s.to.x, &s.to.y}) {
       low = std::min(low, *v);
       high = std::max(high, *v);
@@ -96,11 +96,9 @@ Scene2 in_a_room(Scene2 scene) {
   high += 1;
   const Point2 corner[] = {{low, low}, {low, high}, {high, high}, {high, low}};
   for (int k = 0; k < 4; ++k) {
-    Surface2 wall;
+    Surface wall;
     wall.name = "outer wall " + std::to_string(k);
-    wall.from = corner[k];
-    wall.to = corner[(k + 1) % 4];
-    scene.surfaces.push_back(wall);
+    scene.add(wall, {corner[k], corner[(k + 1) % 4]});
   }
   return scene;
 }
@@ -112,7 +110,7 @@ class VisibilityAgainstCgal : public testing::TestWithParam<std::string> {
         : arrangement(scene, Division(scene.surfaces.size(), 1)),
           location(arrangement.vertices(), arrangement.triangulation()) {
       std::vector<Kernel::Segment_2> segments;
-      for (const Surface2& s : scene.surfaces)
+      for (const Edge2& s : scene.edges)
         segments.emplace_back(to_cgal({s.from.x, s.from.y}), to_cgal({s.to.x, s.to.y}));
       CGAL::insert(cgal, segments.begin(), segments.end());
       visibility.attach(cgal);

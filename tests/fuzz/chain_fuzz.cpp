@@ -50,15 +50,13 @@ Scene2 scene_of(FuzzedDataProvider& bytes) {
   };
   const auto add = [&scene](const Point2& from, const Point2& to, std::uint32_t front,
                             std::optional<std::uint32_t> back) {
-    Surface2 surface;
+    Surface surface;
     surface.name = "e" + std::to_string(scene.surfaces.size());
-    surface.from = from;
-    surface.to = to;
     surface.material = front;
     surface.back = back;
     surface.group = static_cast<std::uint32_t>(scene.groups.size());
     scene.groups.push_back(surface.name);
-    scene.surfaces.push_back(surface);
+    scene.add(surface, {from, to});
   };
   if (bytes.ConsumeBool()) {
     Rational far(steps, denominator);
@@ -78,9 +76,12 @@ Scene2 scene_of(FuzzedDataProvider& bytes) {
 
 std::vector<oracle::InputSegment> for_oracle(const Scene2& scene) {
   std::vector<oracle::InputSegment> edges;
-  for (const Surface2& s : scene.surfaces)
+  for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+    const Surface& s = scene.surfaces[k];
+    const auto& [from, to] = scene.edges[k];
     edges.push_back(
-        {s.from.x, s.from.y, s.to.x, s.to.y, static_cast<int>(s.material), s.back ? static_cast<int>(*s.back) : -1});
+        {from.x, from.y, to.x, to.y, static_cast<int>(s.material), s.back ? static_cast<int>(*s.back) : -1});
+  }
   return edges;
 }
 

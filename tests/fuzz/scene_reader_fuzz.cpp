@@ -15,8 +15,8 @@ void require(bool holds) {
 bool same_surfaces(const hottel::Scene2& a, const hottel::Scene2& b) {
   if (a.surfaces.size() != b.surfaces.size()) return false;
   for (std::size_t k = 0; k < a.surfaces.size(); ++k) {
-    const hottel::Surface2 &s = a.surfaces[k], &t = b.surfaces[k];
-    if (s.name != t.name || s.from != t.from || s.to != t.to || s.elements != t.elements) return false;
+    const hottel::Surface &s = a.surfaces[k], &t = b.surfaces[k];
+    if (s.name != t.name || a.edges[k] != b.edges[k] || s.elements != t.elements) return false;
     if (a.materials[s.material] != b.materials[t.material] || s.back.has_value() != t.back.has_value()) return false;
     if (s.back && a.materials[*s.back] != b.materials[*t.back]) return false;
   }

@@ -44,7 +44,7 @@ TEST(DenseSize, IsThatOfTheFile) {
 TEST(DenseSize, DoesNotOverflow) {
   Scene2 scene;
   scene.surfaces.resize(5000);
-  for (Surface2& surface : scene.surfaces) surface.elements = 1'000'000;
+  for (Surface& surface : scene.surfaces) surface.elements = 1'000'000;
   EXPECT_GE(dense_size(scene, Granularity::kElement, DenseFormat::kNpy).bytes, std::uint64_t{1} << 63);
 }
 

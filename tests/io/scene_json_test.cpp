@@ -38,7 +38,7 @@ std::string with_edges(const std::string& edges) { return scene_with("\"edges\":
 std::string with_polylines(const std::string& lines) { return scene_with("\"polylines\": [\n" + lines + "]"); }
 
 Rational x_of(const std::string& typed) {
-  return parse(with_edges(R"({"points": [[)" + typed + R"(, 0], [0, 1]], "material": "m"})")).surfaces[0].from.x;
+  return parse(with_edges(R"({"points": [[)" + typed + R"(, 0], [0, 1]], "material": "m"})")).edges[0].from.x;
 }
 
 TEST(SceneJson, ReadsEveryPartOfAScene) {
@@ -63,19 +63,19 @@ TEST(SceneJson, ReadsEveryPartOfAScene) {
   EXPECT_EQ(scene.materials[1].emission.value[2], 6);
 
   std::vector<std::string> names;
-  for (const Surface2& s : scene.surfaces) names.push_back(s.name);
+  for (const Surface& s : scene.surfaces) names.push_back(s.name);
   EXPECT_THAT(names,
               ::testing::ElementsAre("lamp", "edge[1]", "room[0]", "room[1]", "room[2]", "room[3]", "polyline[1][0]"));
   EXPECT_THAT(scene.groups, ::testing::ElementsAre("lamp", "edge[1]", "room", "polyline[1]"));
-  const Surface2& lamp = scene.surfaces[0];
-  EXPECT_EQ(lamp.from, (Point2{1, Rational(29, 10)}));
-  EXPECT_EQ(lamp.to, (Point2{Rational(4, 3), Rational(29, 10)}));
+  const Surface& lamp = scene.surfaces[0];
+  EXPECT_EQ(scene.edges[0].from, (Point2{1, Rational(29, 10)}));
+  EXPECT_EQ(scene.edges[0].to, (Point2{Rational(4, 3), Rational(29, 10)}));
   EXPECT_EQ(lamp.material, 1u);
   EXPECT_EQ(lamp.back, 0u);
   EXPECT_EQ(lamp.elements, 4u);
   EXPECT_EQ(lamp.line, 3);
-  EXPECT_EQ(scene.surfaces[5].from, (Point2{4, 0}));
-  EXPECT_EQ(scene.surfaces[5].to, (Point2{0, 0}));
+  EXPECT_EQ(scene.edges[5].from, (Point2{4, 0}));
+  EXPECT_EQ(scene.edges[5].to, (Point2{0, 0}));
   EXPECT_EQ(scene.surfaces[3].line, 5);
   EXPECT_EQ(scene.surfaces[4].line, 6);
   EXPECT_EQ(scene.surfaces[5].group, 2u);
@@ -346,7 +346,7 @@ TEST(SceneJson, LineNumbersDoNotDependOnTheLayout) {
   EXPECT_EQ(scene.surfaces[1].line, 9);
   std::string one_line = text;
   std::replace(one_line.begin(), one_line.end(), '\n', ' ');
-  for (const Surface2& surface : parse(one_line).surfaces) EXPECT_EQ(surface.line, 1);
+  for (const Surface& surface : parse(one_line).surfaces) EXPECT_EQ(surface.line, 1);
   // A number is the last thing before the end of its line.
   EXPECT_EQ(refusal(with_edges("{\"elements\": 0\n, \"points\": [[0,0],[1,1]], \"material\": \"m\"}")),
             "scene.json:4: edge 'edge[0]': elements must be an integer from 1 to 1000000");

@@ -23,9 +23,12 @@ Scene2 scene(const std::string& body) { return parse_svg_2(svg(body), "plan.svg"
 // "name: x0,y0 x1,y1" for each surface.
 std::vector<std::string> lines(const std::string& body) {
   std::vector<std::string> result;
-  for (const Surface2& s : scene(body).surfaces)
-    result.push_back(s.name + ": " + to_string(s.from.x) + "," + to_string(s.from.y) + " " + to_string(s.to.x) + "," +
-                     to_string(s.to.y));
+  const Scene2 read = scene(body);
+  for (std::size_t s = 0; s < read.surfaces.size(); ++s) {
+    const auto& [from, to] = read.edges[s];
+    result.push_back(read.surfaces[s].name + ": " + to_string(from.x) + "," + to_string(from.y) + " " +
+                     to_string(to.x) + "," + to_string(to.y));
+  }
   return result;
 }
 
@@ -60,7 +63,7 @@ TEST(SvgReader, KeepsTheInsideOfARectThatIsMirrored) {
   // Twice the area to the right of the outline, by the formula of the shoelace: positive for a room.
   const auto twice_the_area_inside = [](const std::string& body) {
     Rational sum = 0;
-    for (const Surface2& s : scene(body).surfaces) sum += s.to.x * s.from.y - s.from.x * s.to.y;
+    for (const Edge2& s : scene(body).edges) sum += s.to.x * s.from.y - s.from.x * s.to.y;
     return sum;
   };
   for (const char* transform :
@@ -134,8 +137,8 @@ TEST(SvgReader, WritesASceneThatReadsBack) {
   ASSERT_EQ(read.surfaces.size(), drawn.surfaces.size());
   for (std::size_t i = 0; i < read.surfaces.size(); ++i) {
     EXPECT_EQ(read.surfaces[i].name, drawn.surfaces[i].name);
-    EXPECT_EQ(read.surfaces[i].from, drawn.surfaces[i].from);
-    EXPECT_EQ(read.surfaces[i].to, drawn.surfaces[i].to);
+    EXPECT_EQ(read.edges[i].from, drawn.edges[i].from);
+    EXPECT_EQ(read.edges[i].to, drawn.edges[i].to);
     EXPECT_EQ(read.groups[read.surfaces[i].group], drawn.groups[drawn.surfaces[i].group]);
   }
 }

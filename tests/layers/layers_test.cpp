@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <regex>
 #include <string>
@@ -41,6 +44,18 @@ std::vector<Include> includes(std::istream& text) {
   return result;
 }
 
+// The dimension a file belongs to, by the folder "plane" or "space" that it stands in; empty when it has none.
+std::string slice_of(const fs::path& path) {
+  for (const fs::path& part : path)
+    if (part == "plane" || part == "space") return part.string();
+  return "";
+}
+
+// Files that have to know every dimension: commands, and the readers and writers of scenes of either.
+bool serves_both(const fs::path& file) {
+  return *file.begin() == "cli" || file.string().starts_with("io/scene/scene_json");
+}
+
 // Why a file (path from the root) may not include this; empty when it may.
 std::string problem(const fs::path& file, const Include& include) {
   const auto layer = layer_of(file);
@@ -48,6 +63,9 @@ std::string problem(const fs::path& file, const Include& include) {
     const auto other = layer_of(include.path);
     if (!other) return "is not written from the root";
     if (*other > *layer) return "goes upwards";
+    const std::string from = slice_of(file), to = slice_of(include.path);
+    if (!from.empty() && !to.empty() && from != to) return "goes from " + from + " to " + to;
+    if (from.empty() && !to.empty() && !serves_both(file)) return "has no dimension and knows the " + to;
   }
   const bool is_cgal = include.path.rfind("CGAL/", 0) == 0 || include.path == "kernel/kernels.h";
   if (is_cgal && file.extension() == ".h" && file != "kernel/kernels.h") return "brings CGAL into a header";
@@ -80,6 +98,57 @@ TEST(Layers, NothingIncludesUpwardsAndNoHeaderBringsCgal) {
   for (const Source& source : sources)
     for (const Include& include : source.includes)
       EXPECT_EQ(problem(source.path, include), "") << source.path << " includes " << include.path;
+}
+
+// The last identifier of what the linker calls a function or variable, and whether it may stand in the slice of a
+// dimension: its own name or a type among its parameters ends in the dimension, or it has a namespace of its own.
+bool names_its_dimension(const std::string& symbol, char dimension) {
+  static const std::regex kOwn(R"re(^hottel::([A-Za-z_]\w*))re");
+  std::smatch own;
+  if (!std::regex_search(symbol, own, kOwn)) return true;  // of a library
+  const std::string first = own[1];
+  const std::size_t end = static_cast<std::size_t>(own.length());
+  if (first.back() == dimension) return true;
+  const bool is_namespace = symbol.compare(end, 2, "::") == 0 && std::islower(static_cast<unsigned char>(first[0]));
+  static const std::regex kPlane(R"re(\b[A-Za-z_]\w*2\b)re"), kSpace(R"re(\b[A-Za-z_]\w*3\b)re");
+  return is_namespace || std::regex_search(symbol, dimension == '2' ? kPlane : kSpace);
+}
+
+TEST(Layers, NamesOfASliceSayTheirDimension) {
+  std::size_t names = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(HOTTEL_BINARY_DIR) / "CMakeFiles")) {
+    const fs::path path = entry.path();
+    const std::string slice = slice_of(path);
+    if (path.extension() != ".o" || slice.empty()) continue;
+    const std::unique_ptr<FILE, int (*)(FILE*)> output(
+        popen(("nm --demangle --defined-only --extern-only '" + path.string() + "'").c_str(), "r"), pclose);
+    ASSERT_TRUE(output);
+    std::string line;
+    for (int c = 0; (c = std::fgetc(output.get())) != EOF;) {
+      if (c != '\n') {
+        line += static_cast<char>(c);
+        continue;
+      }
+      // "0000000000000000 T hottel::name(...)". Weak symbols are inline functions and templates of any header.
+      const bool is_own = line.size() > 19 && std::string("TDBR").find(line[17]) != std::string::npos;
+      const std::string symbol = is_own ? line.substr(19) : "";
+      names += symbol.starts_with("hottel::");
+      EXPECT_TRUE(names_its_dimension(symbol, slice == "plane" ? '2' : '3')) << symbol << " in " << path.filename();
+      line.clear();
+    }
+  }
+  EXPECT_GT(names, 1000u);
+}
+
+TEST(Layers, TheCheckOfNamesSeesWhatItForbids) {
+  EXPECT_TRUE(names_its_dimension("hottel::Vertices2::distance(unsigned int) const", '2'));
+  EXPECT_TRUE(names_its_dimension("hottel::check_scene(hottel::Scene2 const&)", '2'));
+  EXPECT_TRUE(names_its_dimension("hottel::generate_2(hottel::Request const&)", '2'));
+  EXPECT_TRUE(names_its_dimension("hottel::sampling::below_one(double)", '2'));
+  EXPECT_TRUE(names_its_dimension("std::vector<int>::size() const", '2'));
+  EXPECT_FALSE(names_its_dimension("hottel::below_one(double)", '2'));
+  EXPECT_FALSE(names_its_dimension("hottel::Chance::below(unsigned long)", '2'));
+  EXPECT_FALSE(names_its_dimension("hottel::Vertices2::distance(unsigned int) const", '3'));
 }
 
 TEST(Layers, FewUnitsOfTheProductCompileCgal) {
@@ -117,6 +186,11 @@ TEST(Layers, TheCheckSeesWhatItForbids) {
   EXPECT_EQ(problem("geometry/a.h", {"kernel/kernels.h", true}), "brings CGAL into a header");
   EXPECT_EQ(problem("geometry/a.cpp", {"CGAL/Arrangement_2.h", false}), "");
   EXPECT_EQ(problem("kernel/kernels.h", {"CGAL/Epeck.h", false}), "");
+  EXPECT_EQ(problem("solver/plane/a.h", {"geometry/space/b.h", true}), "goes from plane to space");
+  EXPECT_EQ(problem("solver/space/a.cpp", {"solver/plane/light/b.h", true}), "goes from space to plane");
+  EXPECT_EQ(problem("solver/plan.h", {"geometry/plane/scene/scene.h", true}), "has no dimension and knows the plane");
+  EXPECT_EQ(problem("viewer/picture/plane/a.h", {"geometry/plane/scene/scene.h", true}), "");
+  EXPECT_EQ(problem("cli/plan.cpp", {"geometry/plane/scene/scene.h", true}), "");
 }
 
 }  // namespace

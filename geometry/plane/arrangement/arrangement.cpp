@@ -28,17 +28,16 @@ Arrangement2::Arrangement2(const Scene2& scene, const Division& division, Confli
   HOTTEL_REQUIRE(division.size() == scene.surfaces.size());
   std::vector<ExactPoint2> points;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const Surface2& surface = scene.surfaces[s];
+    const Edge2& edge = scene.edges[s];
     const std::uint32_t parts = division[s];
     HOTTEL_REQUIRE(parts > 0);
-    const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
-    points.push_back(exact(surface.from));
+    points.push_back(exact(edge.from));
     for (std::uint32_t k = 1; k < parts; ++k) {
       Rational t(k, parts);
       t.canonicalize();
-      points.push_back({surface.from.x + t * dx, surface.from.y + t * dy});
+      points.push_back(exact(point_at(edge, t)));
     }
-    points.push_back(exact(surface.to));
+    points.push_back(exact(edge.to));
   }
   PointIndex2 index = number_in_space(points);
   std::size_t next = 0;
@@ -106,7 +105,7 @@ SideOwner2 Arrangement2::claims(const Scene2& scene, PieceSideId side,
 
 void Arrangement2::refuse_conflict(const Scene2& scene, PieceSideId side, const SideOwner2& claims) const {
   const auto& [owner, rival] = claims;
-  const Surface2 &first = scene.surfaces[owner.face.surface], &other = scene.surfaces[rival->face.surface];
+  const Surface &first = scene.surfaces[owner.face.surface], &other = scene.surfaces[rival->face.surface];
   const Segment2& p = pieces()[static_cast<std::size_t>(side / 2)];
   throw InputError(
       {scene.file, other.line},

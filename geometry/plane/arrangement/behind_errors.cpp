@@ -14,9 +14,9 @@
 namespace hottel {
 namespace {
 
-const Surface2& first_of(const Scene2& scene, std::uint32_t group) {
+const Surface& first_of(const Scene2& scene, std::uint32_t group) {
   return *std::find_if(scene.surfaces.begin(), scene.surfaces.end(),
-                       [group](const Surface2& s) { return s.group == group; });
+                       [group](const Surface& s) { return s.group == group; });
 }
 
 Rational squared_length(const Rational& x, const Rational& y) { return x * x + y * y; }
@@ -38,9 +38,8 @@ std::optional<std::pair<std::uint32_t, Rational>> nearest_other(const Scene2& sc
                                                                 const Point2& p) {
   std::optional<std::pair<std::uint32_t, Rational>> nearest;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const Surface2& surface = scene.surfaces[s];
-    if (surface.group == group) continue;
-    Rational squared = squared_distance(p, surface.from, surface.to);
+    if (scene.surfaces[s].group == group) continue;
+    Rational squared = squared_distance(p, scene.edges[s].from, scene.edges[s].to);
     if (!nearest || squared < nearest->second) nearest = {s, std::move(squared)};
   }
   return nearest;
@@ -154,7 +153,7 @@ void refuse_unbounded(const UnboundedBehind2& behind) {
 }
 
 void refuse_conflict(const Scene2& scene, std::uint32_t solid, std::uint32_t open) {
-  const Surface2 &one = first_of(scene, solid), &other = first_of(scene, open);
+  const Surface &one = first_of(scene, solid), &other = first_of(scene, open);
   throw InputError({scene.file, std::max(one.line, other.line)},
                    quoted_name(scene.groups[solid].name) + " says that a region is solid, " +
                        quoted_name(scene.groups[open].name) + " that it is open",

@@ -9,7 +9,7 @@ namespace {
 
 // What a surface claims of the right (left) side of a piece that it lies on.
 Claim2 claim_of(const Scene2& scene, const PieceSource2& source, bool right) {
-  const Surface2& surface = scene.surfaces[source.surface];
+  const Surface& surface = scene.surfaces[source.surface];
   const bool is_back = source.is_reversed == right;  // the front is the right side of the surface
   const Material* material = !is_back       ? &scene.materials[surface.material]
                              : surface.back ? &scene.materials[*surface.back]

@@ -9,7 +9,7 @@ PreparedScene2 prepare(Scene2 scene, Divided divided) {
   const DefaultFloatingPoint arithmetic;
   Stopwatch watch;
   Division division;
-  for (const Surface2& surface : scene.surfaces) division.push_back(divided == Divided::kYes ? surface.elements : 1);
+  for (const Surface& surface : scene.surfaces) division.push_back(divided == Divided::kYes ? surface.elements : 1);
   Arrangement2 arrangement(scene, division);
   PreparedScene2 prepared{std::move(scene), std::move(division), std::move(arrangement), 0};
   prepared.seconds = watch.lap();

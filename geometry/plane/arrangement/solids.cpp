@@ -106,7 +106,7 @@ class SolidFinder {
   void look_at(std::size_t piece, const std::vector<PieceSource2>& sources) {
     std::vector<NetRun2> runs;
     for (const PieceSource2& source : sources) {
-      const Surface2& surface = scene_.surfaces[source.surface];
+      const Surface& surface = scene_.surfaces[source.surface];
       if (looks_ == Looks::kAll || behind(surface.group) != Behind::kByOutline) {
         const auto left = static_cast<PieceSideId>(2 * piece), right = left + 1;
         Sight& sight = sight_[surface.group];
@@ -290,7 +290,7 @@ std::vector<std::vector<std::uint32_t>> regions_behind(const BarePieces2& pieces
 }
 
 bool may_have_solids(const Scene2& scene) {
-  const auto says = [](const Group2& group) { return group.behind != Behind::kByOutline; };
+  const auto says = [](const Group& group) { return group.behind != Behind::kByOutline; };
   if (std::any_of(scene.groups.begin(), scene.groups.end(), says)) return true;
   const std::vector<ClosedGroup2> closed = closed_groups(scene);
   return std::any_of(closed.begin(), closed.end(),

@@ -47,7 +47,7 @@ BehindRemedy2 BehindRemedies2::remedy(const std::vector<std::uint32_t>& free_reg
   for (const std::uint32_t free_region : free_regions)
     for (const PieceSideId side : free_regions_.sides(free_region)) {
       const std::uint32_t face = number(prepared_.arrangement.owner(side));
-      const Surface2& surface = scene.surfaces[face / 2];
+      const Surface& surface = scene.surfaces[face / 2];
       if (face % 2 == 1 && !surface.back) continue;
       result.emits |= !scene.materials[face % 2 == 1 ? *surface.back : surface.material].emission.is_zero();
       if (is_within(face, free_regions)) result.swallows.push_back(face);

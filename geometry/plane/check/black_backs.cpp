@@ -78,7 +78,7 @@ BlackBacks2 black_backs(const PreparedScene2& prepared, const FreeRegions2& regi
     const auto& [from, factor, faces] = losses[s];
     if (factor < 0 || told[s] != 0) continue;
     if (!remedies) remedies.emplace(prepared, regions);
-    const Surface2& surface = scene.surfaces[s];
+    const Surface& surface = scene.surfaces[s];
     std::string message =
         fmt::format("the back of {} is black: there {} loses F = {} of its light", quoted_name(surface.name),
                     quoted_name(matrix.elements()[from].name), shortest(factor));
@@ -87,7 +87,7 @@ BlackBacks2 black_backs(const PreparedScene2& prepared, const FreeRegions2& regi
     result.findings.push_back({Severity::kWarning,
                                "black-back",
                                {s},
-                               middle(surface.from, surface.to),
+                               middle(scene.edges[s]),
                                std::move(message),
                                suggestion(scene, s, remedies->of(s))});
     result.surfaces.push_back(s);

@@ -107,8 +107,7 @@ class ContactTeller {
   bool is_duplicate(const Overlap2& overlap) const {
     return !touches_solid(overlap) &&
            std::all_of(overlap.covering.begin(), overlap.covering.end(), [&](const PieceSource2& source) {
-             const Surface2 &a = scene_.surfaces[overlap.covering.front().surface],
-                            &b = scene_.surfaces[source.surface];
+             const Edge2 &a = scene_.edges[overlap.covering.front().surface], &b = scene_.edges[source.surface];
              return (a.from == b.from && a.to == b.to) || (a.from == b.to && a.to == b.from);
            });
   }
@@ -155,13 +154,13 @@ class ContactTeller {
   // A thin wall, one side of which is covered, is told as an overlap.
   void tell_duplicate(const std::vector<std::uint32_t>& surfaces) {
     if (is_in_conflict(surfaces)) return;
-    const Surface2& first = scene_.surfaces[surfaces.front()];
-    const bool is_wall = surfaces.size() == 2 && scene_.surfaces[surfaces.back()].from == first.to;
+    const Edge2& first = scene_.edges[surfaces.front()];
+    const bool is_wall = surfaces.size() == 2 && scene_.edges[surfaces.back()].from == first.to;
     if (is_wall && std::any_of(surfaces.begin(), surfaces.end(),
                                [&](std::uint32_t s) { return looks_into_solid(2 * s) || looks_into_solid(2 * s + 1); }))
       return;
     findings_.push_back(
-        {is_wall ? Severity::kNote : Severity::kWarning, "duplicate", surfaces, middle(first.from, first.to),
+        {is_wall ? Severity::kNote : Severity::kWarning, "duplicate", surfaces, middle(first),
          fmt::format("{} are the same segment, from {} to {}{}", names_text(scene_, surfaces), place_text(first.from),
                      place_text(first.to),
                      is_wall ? ", listed in opposite directions: a thin wall, each the front of one side" : ""),
@@ -181,7 +180,6 @@ class ContactTeller {
   }
 
   void tell_nothing_left(std::uint32_t s) {
-    const Surface2& surface = scene_.surfaces[s];
     const auto is_lost = [&](std::uint32_t face) {
       return has_material(face) && !has_area(face) && !looks_into_solid(face);
     };
@@ -190,7 +188,7 @@ class ContactTeller {
     findings_.push_back({Severity::kWarning,
                          "nothing-left",
                          {s},
-                         middle(surface.from, surface.to),
+                         middle(scene_.edges[s]),
                          fmt::format("nothing is left of {} of {}: surfaces listed before it own all of it, so it has "
                                      "no rows and takes no part in the exchange of light",
                                      front && back ? "front and back"

@@ -23,15 +23,13 @@ struct Leak {
 
 // Puts a black surface across a gap, after the surfaces of the scene.
 void fill_gap(const NearMiss2& miss, Scene2& scene) {
-  Surface2 surface;
+  Surface surface;
   surface.name = "gap";
-  surface.from = miss.tip;
-  surface.to = miss.foot;
   surface.material = static_cast<std::uint32_t>(scene.materials.size() - 1);
   surface.back = surface.material;
   surface.group = static_cast<std::uint32_t>(scene.groups.size());
   scene.groups.emplace_back("gap");
-  scene.surfaces.push_back(std::move(surface));
+  scene.add(std::move(surface), {miss.tip, miss.foot});
 }
 
 Scene2 with_gaps_filled(Scene2 scene, const std::vector<NearMiss2>& near_misses, const std::vector<std::size_t>& gaps) {

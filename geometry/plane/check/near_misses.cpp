@@ -19,8 +19,8 @@ class NearMissFinder {
  public:
   explicit NearMissFinder(const Scene2& scene) {
     PointIndex2 index;
-    for (const Surface2& surface : scene.surfaces)
-      segments_.push_back({index.insert(to_exact(surface.from)), index.insert(to_exact(surface.to))});
+    for (const auto& [from, to] : scene.edges)
+      segments_.push_back({index.insert(to_exact(from)), index.insert(to_exact(to))});
     points_ = index.points();
     vertices_ = Vertices2(points_, points_.size());
     ending_.resize(points_.size());

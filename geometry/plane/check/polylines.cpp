@@ -12,15 +12,15 @@ namespace hottel {
 namespace {
 
 struct Piece {
-  Surface2 surface;
+  Surface surface;
+  Edge2 edge;
   std::string former_name;
 };
 using Pieces = std::vector<Piece>;
 
 bool follow_each_other(const Pieces& pieces) {
-  return std::adjacent_find(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
-           return a.surface.to != b.surface.from;
-         }) == pieces.end();
+  return std::adjacent_find(pieces.begin(), pieces.end(),
+                            [](const Piece& a, const Piece& b) { return a.edge.to != b.edge.from; }) == pieces.end();
 }
 
 class PolylineRestorer {
@@ -34,17 +34,18 @@ class PolylineRestorer {
       const std::uint32_t group = scene_.surfaces[begin].group;
       Pieces pieces;
       for (; end < scene_.surfaces.size() && scene_.surfaces[end].group == group; ++end)
-        pieces.push_back({scene_.surfaces[end], repair_.former_names[end]});
+        pieces.push_back({scene_.surfaces[end], scene_.edges[end], repair_.former_names[end]});
       const std::string& name = scene_.groups[group].name;
       const bool was_polyline = pieces.front().surface.name.starts_with(name + "[");
       Pieces& list = was_polyline && is_restored(name, pieces) ? polylines_ : edges_;
       std::move(pieces.begin(), pieces.end(), std::back_inserter(list));
     }
     scene_.surfaces.clear();
+    scene_.edges.clear();
     repair_.former_names.clear();
     for (Pieces* list : {&edges_, &polylines_})
       for (Piece& piece : *list) {
-        scene_.surfaces.push_back(std::move(piece.surface));
+        scene_.add(std::move(piece.surface), std::move(piece.edge));
         repair_.former_names.push_back(std::move(piece.former_name));
       }
   }

@@ -77,7 +77,7 @@ class RegionTeller {
     return 2 * owner.surface + (owner.is_back ? 1 : 0);
   }
   const Material* material(std::uint32_t face) const {
-    const Surface2& surface = scene_.surfaces[face / 2];
+    const Surface& surface = scene_.surfaces[face / 2];
     if (face % 2 == 0) return &scene_.materials[surface.material];
     return surface.back ? &scene_.materials[*surface.back] : nullptr;
   }
@@ -148,9 +148,8 @@ class RegionTeller {
 
   void add(Severity severity, const char* kind, const std::vector<std::uint32_t>& surfaces, std::string message,
            std::string suggestion) {
-    const Surface2& first = scene_.surfaces[surfaces.front()];
     told_.findings.push_back(
-        {severity, kind, surfaces, middle(first.from, first.to), std::move(message), std::move(suggestion)});
+        {severity, kind, surfaces, middle(scene_.edges[surfaces.front()]), std::move(message), std::move(suggestion)});
   }
 
   void add_inside_out(const std::vector<std::uint32_t>& surfaces, std::string message, std::string suggestion) {
@@ -192,16 +191,17 @@ class RegionTeller {
   }
 
   // Where a vertex lies on a surface: 0 at its first point, 1 at its second.
-  Rational place_on(const Surface2& surface, VertexId v) const {
+  Rational place_on(const Edge2& edge, VertexId v) const {
     const Point2 p = to_point(arrangement_.vertices().to_scene(arrangement_.vertices().exact(v)));
-    const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
-    return ((p.x - surface.from.x) * dx + (p.y - surface.from.y) * dy) / (dx * dx + dy * dy);
+    const Rational dx = edge.to.x - edge.from.x, dy = edge.to.y - edge.from.y;
+    return ((p.x - edge.from.x) * dx + (p.y - edge.from.y) * dy) / (dx * dx + dy * dy);
   }
 
   // The elements of its face that a side begins and ends in. (All between lie on it wholly.)
   std::array<Integer, 2> end_elements(PieceSideId side) const {
-    const Surface2& surface = scene_.surfaces[face(side) / 2];
-    Rational low = place_on(surface, piece(side).a), high = place_on(surface, piece(side).b);
+    const Surface& surface = scene_.surfaces[face(side) / 2];
+    const Edge2& edge = scene_.edges[face(side) / 2];
+    Rational low = place_on(edge, piece(side).a), high = place_on(edge, piece(side).b);
     if (high < low) std::swap(low, high);
     low *= surface.elements;
     high *= surface.elements;

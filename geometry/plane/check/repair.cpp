@@ -53,8 +53,8 @@ class GapCloser {
   GapCloser(const Scene2& scene, const Rational& distance)
       : scene_(scene), distance_(distance), squared_(distance * distance) {
     PointIndex2 index;
-    for (const Surface2& surface : scene.surfaces)
-      segments_.push_back({index.insert(to_exact(surface.from)), index.insert(to_exact(surface.to))});
+    for (const auto& [from, to] : scene.edges)
+      segments_.push_back({index.insert(to_exact(from)), index.insert(to_exact(to))});
     for (const ExactPoint2& p : index.points()) origin_.push_back(to_point(p));
     place_ = origin_;
     into_.resize(place_.size());
@@ -198,7 +198,8 @@ class GapCloser {
   }
 
   void rebuild(Repair2& repair) const {
-    std::vector<Surface2> kept;
+    std::vector<Surface> kept;
+    std::vector<Edge2> edges;
     std::map<std::pair<VertexId, VertexId>, std::vector<std::uint32_t>> by_ends;
     for (std::uint32_t s = 0; s < segments_.size(); ++s) {
       const Segment2 now = segment(s);
@@ -219,11 +220,11 @@ class GapCloser {
       }
       same.push_back(s);
       kept.push_back(scene_.surfaces[s]);
-      kept.back().from = place_[now.a];
-      kept.back().to = place_[now.b];
+      edges.push_back({place_[now.a], place_[now.b]});
     }
-    for (const Surface2& surface : kept) repair.former_names.push_back(surface.name);
+    for (const Surface& surface : kept) repair.former_names.push_back(surface.name);
     repair.scene.surfaces = std::move(kept);
+    repair.scene.edges = std::move(edges);
   }
 
   void find_outlines() {
@@ -235,7 +236,7 @@ class GapCloser {
   }
 
   bool act_alike(std::uint32_t s, std::uint32_t t) const {
-    const Surface2 &a = scene_.surfaces[s], &b = scene_.surfaces[t];
+    const Surface &a = scene_.surfaces[s], &b = scene_.surfaces[t];
     return scene_.materials[a.material] == scene_.materials[b.material] && a.back.has_value() == b.back.has_value() &&
            (!a.back || scene_.materials[*a.back] == scene_.materials[*b.back]);
   }

@@ -24,11 +24,11 @@ void reverse_inside_out(Repair2& repair) {
   for (const std::vector<std::uint32_t>& surfaces : told.certainly_reversed) {
     if (std::any_of(surfaces.begin(), surfaces.end(), says_behind)) continue;
     for (const std::uint32_t s : surfaces) {
-      Surface2& surface = repair.scene.surfaces[s];
-      std::swap(surface.from, surface.to);
-      repair.steps.push_back({"reversed", surface.name,
-                              fmt::format("{} goes from {} to {} now", names_text(repair.scene, {s}),
-                                          place_text(surface.from), place_text(surface.to))});
+      auto& [from, to] = repair.scene.edges[s];
+      std::swap(from, to);
+      repair.steps.push_back(
+          {"reversed", repair.scene.surfaces[s].name,
+           fmt::format("{} goes from {} to {} now", names_text(repair.scene, {s}), place_text(from), place_text(to))});
     }
   }
 }

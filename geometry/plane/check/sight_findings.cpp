@@ -75,8 +75,7 @@ void tell_open(const PreparedScene2& prepared, const ExchangeMatrix& matrix, Fin
     if (!scene.closed && (gap == nullptr || !gap->closes_the_room || gap->part >= kLeakPart)) continue;
     std::vector<std::uint32_t> surfaces;
     std::string text = sky_text(scene, matrix, fronts, surfaces);
-    const Surface2& first = scene.surfaces[surfaces.front()];
-    Point2 at = middle(first.from, first.to);
+    Point2 at = middle(scene.edges[surfaces.front()]);
     if (gap != nullptr) {
       at = middle(gap->from, gap->to);
       text += fmt::format(" through the opening from {} to {}, {} wide", place_text(gap->from), place_text(gap->to),
@@ -118,8 +117,7 @@ void tell_lonely(const Scene2& scene, const ExchangeMatrix& matrix, const Lonely
   if (lonely.sky.empty() || lonely.sky.size() < lonely.faces) return;
   std::vector<std::uint32_t> surfaces;
   const std::string text = faces_text(scene, matrix, lonely.sky, surfaces);
-  const Surface2& first = scene.surfaces[surfaces.front()];
-  findings.push_back({Severity::kNote, "sees-only-sky", surfaces, middle(first.from, first.to),
+  findings.push_back({Severity::kNote, "sees-only-sky", surfaces, middle(scene.edges[surfaces.front()]),
                       text + " nothing but the sky: no surface gets light from there or sends any",
                       "if others should be seen, list the points the other way round"});
 }

@@ -21,7 +21,7 @@ std::vector<std::uint32_t> surfaces_of(const Scene2& scene, std::uint32_t group)
 
 bool emits(const Scene2& scene, std::uint32_t material) { return !scene.materials[material].emission.is_zero(); }
 
-bool emits(const Scene2& scene, const Surface2& surface) {
+bool emits(const Scene2& scene, const Surface& surface) {
   return emits(scene, surface.material) || (surface.back && emits(scene, *surface.back));
 }
 
@@ -38,11 +38,10 @@ Finding filled_room(const Scene2& scene, std::uint32_t solid, const std::vector<
   }
   const std::string name = quoted_name(scene.groups[solid].name);
   const bool is_stated = scene.groups[solid].behind == Behind::kSolid;
-  const Surface2& first = scene.surfaces[surfaces[own > 0 ? 0 : own]];
   return {Severity::kWarning,
           "filled-room",
           surfaces,
-          middle(first.from, first.to),
+          middle(scene.edges[surfaces[own > 0 ? 0 : own]]),
           fmt::format("{} is solid, and {} {} in its interior, where nothing is seen{}: was a room meant?", name,
                       listed_names(names), names.size() == 1 ? "is" : "are",
                       lost.empty() ? "" : "; the light of " + listed_names(lost) + " is lost"),
@@ -60,7 +59,7 @@ Findings solid_findings(const Scene2& scene, const FaceCover2& cover) {
     if (cover.holder[group] != Solids2::kNone) held[cover.holder[group]].push_back(group);
   for (const auto& [solid, groups] : held) findings.push_back(filled_room(scene, solid, groups));
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const Surface2& surface = scene.surfaces[s];
+    const Surface& surface = scene.surfaces[s];
     if (cover.holder[surface.group] != Solids2::kNone) continue;
     for (const bool is_back : {false, true}) {
       const std::uint32_t face = 2 * s + (is_back ? 1 : 0);
@@ -70,7 +69,7 @@ Findings solid_findings(const Scene2& scene, const FaceCover2& cover) {
           {is_lost ? Severity::kWarning : Severity::kNote,
            "covered",
            {s},
-           middle(surface.from, surface.to),
+           middle(scene.edges[s]),
            fmt::format("the {} of {} looks into the solid {} all along: it has no rows and takes no part in the "
                        "exchange of light{}",
                        is_back ? "back" : "front", quoted_name(surface.name),

@@ -27,6 +27,7 @@ std::string names_text(const Scene2& scene, const std::vector<std::uint32_t>& su
 inline Point2 to_point(const ExactPoint2& p) { return {p.x, p.y}; }
 inline ExactPoint2 to_exact(const Point2& p) { return {p.x, p.y}; }
 inline Point2 middle(const Point2& a, const Point2& b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
+inline Point2 middle(const Edge2& edge) { return middle(edge.from, edge.to); }
 
 inline Rational squared_distance(const Point2& a, const Point2& b) {
   const Rational dx = b.x - a.x, dy = b.y - a.y;

@@ -19,7 +19,7 @@ ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangemen
   std::vector<std::uint32_t> group_label[2];
   for (auto& table : group_label) table.assign(scene.groups.size(), std::numeric_limits<std::uint32_t>::max());
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const Surface2& surface = scene.surfaces[s];
+    const Surface& surface = scene.surfaces[s];
     for (const bool back : {false, true}) {
       const std::optional<std::uint32_t> material = back ? surface.back : std::optional(surface.material);
       if (granularity == Granularity::kGroup) {

@@ -11,13 +11,6 @@
 
 namespace hottel {
 
-// What one row and column of the exchange matrix stands for. Elements: parts of faces with a material (a black back is
-// never divided). Groups: all fronts (backs) of one polyline.
-enum class Granularity : unsigned char { kFace, kElement, kGroup };
-
-// Two elements by number, the smaller first, or an element and the sky.
-using ElementPair = std::pair<std::uint32_t, std::uint32_t>;
-
 // The elements of an arrangement in the order of the contract: surfaces in the order of the scene, front before back,
 // parts ascending.
 class ElementTable2 {

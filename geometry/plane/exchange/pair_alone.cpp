@@ -13,7 +13,7 @@ PairsAlone2::PairsAlone2(const PreparedScene2& prepared, const ElementTable2& ta
   if (granularity != Granularity::kGroup) return;
   const Scene2& scene = prepared.scene;
   size_.assign(scene.groups.size(), 0);
-  for (const Surface2& surface : scene.surfaces) ++size_[surface.group];
+  for (const Surface& surface : scene.surfaces) ++size_[surface.group];
   pieces_of_.resize(scene.groups.size());
   for (std::uint32_t piece = 0; piece < prepared.arrangement.pieces().size(); ++piece)
     for (const PieceSource2& source : prepared.arrangement.sources(piece))

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "kernel/support/failure.h"
+
 namespace hottel {
 namespace {
 
@@ -45,7 +47,7 @@ std::vector<Material> paints() {
 
 void drop_unused_materials(Scene2& scene) {
   std::vector<char> used(scene.materials.size(), 0);
-  for (const Surface2& s : scene.surfaces) used[s.material] = used[s.back.value_or(s.material)] = 1;
+  for (const Surface& s : scene.surfaces) used[s.material] = used[s.back.value_or(s.material)] = 1;
   std::vector<std::uint32_t> place(used.size(), 0);
   std::vector<Material> kept;
   for (std::size_t m = 0; m < used.size(); ++m) {
@@ -53,7 +55,7 @@ void drop_unused_materials(Scene2& scene) {
     if (used[m]) kept.push_back(std::move(scene.materials[m]));
   }
   scene.materials = std::move(kept);
-  for (Surface2& s : scene.surfaces) {
+  for (Surface& s : scene.surfaces) {
     s.material = place[s.material];
     if (s.back) s.back = place[*s.back];
   }
@@ -128,38 +130,36 @@ Rational Canvas::coordinate(std::int64_t placed) const {
   return value;
 }
 
-Surface2 Canvas::surface(std::string name, const Dot& from, const Dot& to, Paint paint) const {
-  Surface2 surface;
-  surface.name = std::move(name);
-  surface.from = {coordinate(from.x), coordinate(from.y)};
-  surface.to = {coordinate(to.x), coordinate(to.y)};
-  surface.material = paint;
-  return surface;
+Edge2 Canvas::edge(const Dot& from, const Dot& to) const {
+  return {{coordinate(from.x), coordinate(from.y)}, {coordinate(to.x), coordinate(to.y)}};
 }
 
 void Canvas::add_edge(std::string name, const Dot& from, const Dot& to, Paint paint, std::optional<Paint> back) {
   scene_.groups.push_back(name);
-  Surface2 edge = surface(std::move(name), from, to, paint);
-  if (back) edge.back = *back;
-  edge.group = static_cast<std::uint32_t>(scene_.groups.size() - 1);
-  scene_.surfaces.push_back(std::move(edge));
+  Surface surface;
+  surface.name = std::move(name);
+  surface.material = paint;
+  if (back) surface.back = *back;
+  surface.group = static_cast<std::uint32_t>(scene_.groups.size() - 1);
+  scene_.add(std::move(surface), edge(from, to));
 }
 
 void Canvas::add_polygon(const std::string& name, const std::vector<Dot>& corners, Paint paint) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    polygon_pieces_.push_back(
-        surface(name + "[" + std::to_string(i) + "]", corners[i], corners[(i + 1) % corners.size()], paint));
-    polygon_pieces_.back().group = static_cast<std::uint32_t>(polygon_names_.size());
+    Surface surface;
+    surface.name = name + "[" + std::to_string(i) + "]";
+    surface.material = paint;
+    surface.group = static_cast<std::uint32_t>(polygon_names_.size());
+    polygon_pieces_.emplace_back(std::move(surface), edge(corners[i], corners[(i + 1) % corners.size()]));
   }
   polygon_names_.push_back(name);
 }
 
 Scene2 Canvas::finish(bool closed) {
   const auto groups_of_edges = static_cast<std::uint32_t>(scene_.groups.size());
-  scene_.surfaces.reserve(scene_.surfaces.size() + polygon_pieces_.size());
-  for (Surface2& piece : polygon_pieces_) {
-    piece.group += groups_of_edges;
-    scene_.surfaces.push_back(std::move(piece));
+  for (auto& [surface, edge] : polygon_pieces_) {
+    surface.group += groups_of_edges;
+    scene_.add(std::move(surface), std::move(edge));
   }
   for (std::string& name : polygon_names_) scene_.groups.push_back(std::move(name));
   polygon_pieces_.clear();

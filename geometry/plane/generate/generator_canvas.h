@@ -76,7 +76,7 @@ class Canvas {
 
  private:
   Canvas(const GeneratorRequest& request, int placed_decimals);
-  Surface2 surface(std::string name, const Dot& from, const Dot& to, Paint paint) const;
+  Edge2 edge(const Dot& from, const Dot& to) const;
   Rational coordinate(std::int64_t placed) const;
 
   std::string about_;
@@ -85,7 +85,7 @@ class Canvas {
   std::int64_t added_digits_ = 1;  // 10^m for m digits below the unit
   Integer denominator_;
   Scene2 scene_;
-  std::vector<Surface2> polygon_pieces_;
+  std::vector<std::pair<Surface, Edge2>> polygon_pieces_;
   std::vector<std::string> polygon_names_;
 };
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "geometry/plane/generate/generator_canvas.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

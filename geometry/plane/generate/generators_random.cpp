@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/plane/generate/generator_canvas.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {

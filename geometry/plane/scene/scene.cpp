@@ -1,38 +1,28 @@
 #include "geometry/plane/scene/scene.h"
 
-#include <string_view>
-#include <unordered_map>
-
 #include "geometry/name.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 
-std::optional<std::uint32_t> Scene2::find(const std::string& name) const {
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-    if (surfaces[i].name == name) return static_cast<std::uint32_t>(i);
-  return std::nullopt;
+void validate(const Scene2& scene) {
+  HOTTEL_REQUIRE(scene.edges.size() == scene.surfaces.size());
+  validate_table(scene);
+  for (std::size_t s = 0; s < scene.edges.size(); ++s)
+    if (scene.edges[s].from == scene.edges[s].to)
+      throw InputError({scene.file, scene.surfaces[s].line},
+                       "surface " + quoted_name(scene.surfaces[s].name) + " has length zero");
 }
 
-void validate(const Scene2& scene) {
-  std::unordered_map<std::string_view, const Surface2*> first;
-  first.reserve(scene.surfaces.size());
-  for (const Surface2& surface : scene.surfaces) {
-    const auto refuse = [&](const std::string& text, std::vector<std::string> hints = {}) {
-      throw InputError({scene.file, surface.line}, text, std::move(hints));
-    };
-    if (const auto problem = name_problem(surface.name); !problem.empty())
-      refuse("the name " + quoted_name(surface.name) + " " + std::string(problem));
-    if (const auto [other, is_new] = first.emplace(surface.name, &surface); !is_new) {
-      const int line = other->second->line;
-      refuse("two surfaces have the name " + quoted_name(surface.name) +
-             (line > 0 ? ", the other one in line " + std::to_string(line) : ""));
-    }
-    if (surface.from == surface.to) refuse("surface " + quoted_name(surface.name) + " has length zero");
-    if (surface.material >= scene.materials.size() || (surface.back && *surface.back >= scene.materials.size()))
-      refuse("surface " + quoted_name(surface.name) + " has a material that is not defined");
-    if (surface.group >= scene.groups.size())
-      refuse("surface " + quoted_name(surface.name) + " has a group that is not defined");
-  }
+void Scene2::keep(const std::vector<std::uint32_t>& which) {
+  Scene2 kept;
+  for (const std::uint32_t s : which) kept.add(surfaces[s], edges[s]);
+  surfaces = std::move(kept.surfaces);
+  edges = std::move(kept.edges);
+}
+
+Point2 point_at(const Edge2& edge, const Rational& t) {
+  return {edge.from.x + t * (edge.to.x - edge.from.x), edge.from.y + t * (edge.to.y - edge.from.y)};
 }
 
 bool is_convex_room(const Scene2& scene) {
@@ -43,9 +33,9 @@ bool is_convex_room(const Scene2& scene) {
   int changes = 0, last = 0, first = 0;
   bool turns = false;
   for (std::size_t k = 0; k < n; ++k) {
-    const Surface2 &surface = scene.surfaces[k], &next = scene.surfaces[(k + 1) % n];
-    if (surface.back || !(surface.to == next.from)) return false;
-    const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
+    const Edge2 &edge = scene.edges[k], &next = scene.edges[(k + 1) % n];
+    if (scene.surfaces[k].back || !(edge.to == next.from)) return false;
+    const Rational dx = edge.to.x - edge.from.x, dy = edge.to.y - edge.from.y;
     const Rational ex = next.to.x - next.from.x, ey = next.to.y - next.from.y;
     const Rational turn = dx * ey - dy * ex;
     if (turn > 0 || (turn == 0 && dx * ex + dy * ey < 0)) return false;

@@ -13,9 +13,9 @@ class Collector {
   Collector(const Arrangement2& arrangement, const Scene2& scene, const FaceSide2& a, const FaceSide2& b)
       : arrangement_(arrangement), a_(a), b_(b) {
     const Vertices2& vertices = arrangement.vertices();
-    const Surface2& surface = scene.surfaces[a.surface];
-    from_ = vertices.from_scene({surface.from.x, surface.from.y});
-    to_ = vertices.from_scene({surface.to.x, surface.to.y});
+    const auto& [from, to] = scene.edges[a.surface];
+    from_ = vertices.from_scene({from.x, from.y});
+    to_ = vertices.from_scene({to.x, to.y});
   }
 
   void look_along(const Gap2& gap) {

@@ -81,7 +81,7 @@ class LightTeller {
   void add(Severity severity, const char* kind, std::vector<std::uint32_t> surfaces, std::string message,
            std::string suggestion) {
     std::optional<Point2> at;
-    if (!surfaces.empty()) at = middle(scene_.surfaces[surfaces.front()].from, scene_.surfaces[surfaces.front()].to);
+    if (!surfaces.empty()) at = middle(scene_.edges[surfaces.front()]);
     findings_.push_back({severity, kind, std::move(surfaces), at, std::move(message), std::move(suggestion)});
   }
 
@@ -216,7 +216,7 @@ class LightTeller {
 
   void tell_materials() {
     std::vector<char> is_used(scene_.materials.size(), 0);
-    for (const Surface2& surface : scene_.surfaces) {
+    for (const Surface& surface : scene_.surfaces) {
       is_used[surface.material] = 1;
       if (surface.back) is_used[*surface.back] = 1;
     }

@@ -77,7 +77,7 @@ void leave_out_consequences(const Scene2& scene, const FaceCover2& cover, const 
   std::vector<char> is_asked_about(scene.groups.size(), 0);
   bool holds_light = false;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const Surface2& surface = scene.surfaces[s];
+    const Surface& surface = scene.surfaces[s];
     const std::uint32_t holder = cover.holder[surface.group];
     if (holder == Solids2::kNone) continue;
     is_asked_about[holder] = is_asked_about[surface.group] = 1;

@@ -30,7 +30,7 @@ class BothSides {
   explicit BothSides(const PreparedScene2& prepared) {
     Scene2 scene = prepared.scene;
     for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-      Surface2& surface = scene.surfaces[s];
+      Surface& surface = scene.surfaces[s];
       if (!surface.back) surface.back = surface.material;
       surface.elements = prepared.division[s];
     }

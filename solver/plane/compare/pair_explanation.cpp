@@ -24,11 +24,11 @@ struct Line {
 };
 
 Line line_of(const Scene2& scene, const Element& element) {
-  const Surface2& surface = scene.surfaces[element.surface];
+  const Edge2& edge = scene.edges[element.surface];
   const auto at = [&](std::uint32_t part) -> Point2 {
     Rational t(part, element.parts);
     t.canonicalize();
-    return {surface.from.x + t * (surface.to.x - surface.from.x), surface.from.y + t * (surface.to.y - surface.from.y)};
+    return point_at(edge, t);
   };
   return {at(element.part), at(element.part + 1), element.is_back};
 }

@@ -18,9 +18,9 @@ struct Box {
 
 Box bounding_box(const Scene2& scene) {
   if (scene.surfaces.empty()) return {};
-  Box box{scene.surfaces.front().from, scene.surfaces.front().from};
-  for (const Surface2& surface : scene.surfaces)
-    for (const Point2* p : {&surface.from, &surface.to}) {
+  Box box{scene.edges.front().from, scene.edges.front().from};
+  for (const Edge2& edge : scene.edges)
+    for (const Point2* p : {&edge.from, &edge.to}) {
       box.min.x = std::min(box.min.x, p->x);
       box.min.y = std::min(box.min.y, p->y);
       box.max.x = std::max(box.max.x, p->x);

@@ -59,10 +59,9 @@ class Lengths {
 std::vector<Spot> middles(const Scene2& scene, const ElementTable2& table) {
   std::vector<Spot> result;
   for (const Element& element : table.elements()) {
-    const Surface2& surface = scene.surfaces[element.surface];
     const Rational t = Rational(Integer(2ul * element.part + 1)) / Rational(Integer(2ul * element.parts));
-    result.push_back(rounded(
-        {surface.from.x + t * (surface.to.x - surface.from.x), surface.from.y + t * (surface.to.y - surface.from.y)}));
+    const Point2 centre = point_at(scene.edges[element.surface], t);
+    result.push_back(rounded({centre.x, centre.y}));
   }
   return result;
 }

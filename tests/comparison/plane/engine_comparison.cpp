@@ -50,7 +50,7 @@ class Labelling {
   Labelling(const Scene2& scene, Granularity granularity) {
     std::vector<std::uint32_t> first_of_group(scene.groups.size(), kNone);
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-      const Surface2& surface = scene.surfaces[s];
+      const Surface& surface = scene.surfaces[s];
       const std::uint32_t set = granularity == Granularity::kGroup ? surface.group : s;
       std::uint32_t first = granularity == Granularity::kGroup ? first_of_group[surface.group] : kNone;
       const bool is_known = first != kNone;

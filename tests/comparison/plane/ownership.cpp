@@ -76,14 +76,12 @@ Scene2 to_scene(const std::vector<InputSegment>& edges) {
     const std::string name = (is_polyline ? "p" : "e") + std::to_string(group.front());
     for (const std::size_t k : group) {
       const InputSegment& edge = edges[k];
-      Surface2 surface;
+      Surface surface;
       surface.name = is_polyline ? fmt::format("{}[{}]", name, k - group.front()) : name;
-      surface.from = {edge.ax, edge.ay};
-      surface.to = {edge.bx, edge.by};
       surface.material = static_cast<std::uint32_t>(edge.front_material);
       if (edge.back_material >= 0) surface.back = static_cast<std::uint32_t>(edge.back_material);
       surface.group = static_cast<std::uint32_t>(scene.groups.size());
-      scene.surfaces.push_back(surface);
+      scene.add(surface, {{edge.ax, edge.ay}, {edge.bx, edge.by}});
     }
     scene.groups.push_back({name, to_engine(first.behind)});
   }
@@ -97,12 +95,14 @@ std::vector<InputSegment> to_edges(const Scene2& scene, Divided divided) {
     return static_cast<int>(std::find(materials.begin(), materials.end(), materials[material]) - materials.begin());
   };
   std::vector<InputSegment> edges;
-  for (const Surface2& s : scene.surfaces) {
+  for (std::size_t place = 0; place < scene.surfaces.size(); ++place) {
+    const Surface& s = scene.surfaces[place];
+    const auto& [from, to] = scene.edges[place];
     const std::uint32_t parts = divided == Divided::kYes ? s.elements : 1;
     for (std::uint32_t k = 0; k < parts; ++k)
-      edges.push_back({part_of(s.from.x, s.to.x, k, parts), part_of(s.from.y, s.to.y, k, parts),
-                       part_of(s.from.x, s.to.x, k + 1, parts), part_of(s.from.y, s.to.y, k + 1, parts),
-                       number(s.material), s.back ? number(*s.back) : -1, static_cast<int>(s.group),
+      edges.push_back({part_of(from.x, to.x, k, parts), part_of(from.y, to.y, k, parts),
+                       part_of(from.x, to.x, k + 1, parts), part_of(from.y, to.y, k + 1, parts), number(s.material),
+                       s.back ? number(*s.back) : -1, static_cast<int>(s.group),
                        to_oracle(scene.groups[s.group].behind)});
   }
   return edges;

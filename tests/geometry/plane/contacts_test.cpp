@@ -35,21 +35,17 @@ Rational cross(const Point2& o, const Point2& p, const Point2& q) {
 }
 
 // Where p lies along a -> b: 0 at a, 1 at b. REQUIRES p on the line.
-Rational along(const Surface2& s, const Point2& p) {
+Rational along(const Edge2& s, const Point2& p) {
   const Rational dx = s.to.x - s.from.x, dy = s.to.y - s.from.y;
   return ((p.x - s.from.x) * dx + (p.y - s.from.y) * dy) / (dx * dx + dy * dy);
 }
 
-Point2 point_at(const Surface2& s, const Rational& t) {
-  return {s.from.x + t * (s.to.x - s.from.x), s.from.y + t * (s.to.y - s.from.y)};
-}
-
-bool are_parallel(const Surface2& s, const Surface2& t) {
+bool are_parallel(const Edge2& s, const Edge2& t) {
   return (s.to.x - s.from.x) * (t.to.y - t.from.y) == (s.to.y - s.from.y) * (t.to.x - t.from.x);
 }
 
 void add_pair(const Scene2& scene, std::uint32_t i, std::uint32_t j, Pairs& pairs) {
-  const Surface2 &s = scene.surfaces[i], &t = scene.surfaces[j];
+  const Edge2 &s = scene.edges[i], &t = scene.edges[j];
   if (are_parallel(s, t)) {
     if (cross(s.from, s.to, t.from) != 0) return;
     Rational low = along(s, t.from), high = along(s, t.to);
@@ -87,7 +83,7 @@ void add_overlaps(const Scene2& scene, const Contacts2& contacts, Pairs& pairs) 
     for (const PieceSource2& s : overlap.covering)
       for (const PieceSource2& t : overlap.covering) {
         if (s.surface >= t.surface) continue;
-        const Surface2& first = scene.surfaces[s.surface];
+        const Edge2& first = scene.edges[s.surface];
         Rational low = along(first, overlap.from), high = along(first, overlap.to);
         EXPECT_EQ(high < low, s.is_reversed);
         if (high < low) std::swap(low, high);
@@ -96,7 +92,7 @@ void add_overlaps(const Scene2& scene, const Contacts2& contacts, Pairs& pairs) 
         place->second = {std::min(low, place->second.first), std::max(high, place->second.second)};
       }
   for (const auto& [pair, ends] : stretch) {
-    const Surface2& first = scene.surfaces[pair.first];
+    const Edge2& first = scene.edges[pair.first];
     std::string a = text(point_at(first, ends.first)), b = text(point_at(first, ends.second));
     if (b < a) std::swap(a, b);
     pairs.overlaps.emplace(pair.first, pair.second, a + " to " + b);

@@ -35,12 +35,10 @@ Scene2 convex_room(const Room& room, std::uint64_t seed) {
   scene.materials.push_back({"wall", Spectrum{{0.5, 0.5, 0.5}}, {}});
   scene.groups.emplace_back("room");
   const auto add = [&](const ExactPoint2& from, const ExactPoint2& to) {
-    Surface2 surface;
+    Surface surface;
     surface.name = "s" + std::to_string(scene.surfaces.size());
-    surface.from = {from.x, from.y};
-    surface.to = {to.x, to.y};
     surface.elements = 1 + static_cast<std::uint32_t>(below(room.most_elements));
-    scene.surfaces.push_back(surface);
+    scene.add(surface, {{from.x, from.y}, {to.x, to.y}});
   };
   // The first wall may begin in the middle of a side, as when a user starts there.
   const auto on = [](const ExactPoint2& a, const ExactPoint2& b, const Rational& t) {
@@ -57,7 +55,10 @@ Scene2 convex_room(const Room& room, std::uint64_t seed) {
     add(inside, further);
     add(further, b);
   }
-  if (room.divides_walls) std::rotate(scene.surfaces.begin(), scene.surfaces.begin() + 1, scene.surfaces.end());
+  if (room.divides_walls) {
+    std::rotate(scene.surfaces.begin(), scene.surfaces.begin() + 1, scene.surfaces.end());
+    std::rotate(scene.edges.begin(), scene.edges.begin() + 1, scene.edges.end());
+  }
   return scene;
 }
 
@@ -66,9 +67,7 @@ TEST(IsConvexRoom, NotWithACornerThatJutsIn) {
     Scene2 scene;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const ExactPoint2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
-      Surface2& surface = scene.surfaces.emplace_back();
-      surface.from = {a.x, a.y};
-      surface.to = {b.x, b.y};
+      scene.add({}, {{a.x, a.y}, {b.x, b.y}});
     }
     return scene;
   };

@@ -36,7 +36,7 @@ std::vector<Sweep> sweeps() {
   const Scene2 star = in_room({{"a", "1", "1", "3", "3", 1, 2}, diagonal, {"c", "1/2", "2", "7/2", "2", 2, 1}});
   const Scene2 junction = in_room({{"a", "2", "2", "3", "3", 1, 2}, diagonal});
   Scene2 hanging = degenerate("tip_misses_floor");
-  hanging.surfaces[hanging.find("partition").value()].from = {2, 0};
+  hanging.edges[hanging.find("partition").value()].from = {2, 0};
   const Rational half(1, 2);
   return {
       {"tip on a slanting wall", degenerate("fin_on_wall"), "fin", true, false, half, -half},
@@ -53,9 +53,9 @@ std::vector<Sweep> sweeps() {
 
 Scene2 at(const Sweep& sweep, const Rational& t) {
   Scene2 scene = sweep.scene;
-  Surface2& surface = scene.surfaces[scene.find(sweep.edge).value()];
-  if (sweep.moves_from) surface.from = {surface.from.x + t * sweep.x, surface.from.y + t * sweep.y};
-  if (sweep.moves_to) surface.to = {surface.to.x + t * sweep.x, surface.to.y + t * sweep.y};
+  auto& [from, to] = scene.edges[scene.find(sweep.edge).value()];
+  if (sweep.moves_from) from = {from.x + t * sweep.x, from.y + t * sweep.y};
+  if (sweep.moves_to) to = {to.x + t * sweep.x, to.y + t * sweep.y};
   return scene;
 }
 

@@ -33,7 +33,7 @@ RootSum over_one_root(const RootSum& sum, const RootSum& root) {
 // The smallest difference of two coordinates along one axis, over the largest coordinate.
 Rational resolution(const Scene2& scene) {
   std::set<Rational> xs, ys;
-  for (const Surface2& s : scene.surfaces)
+  for (const Edge2& s : scene.edges)
     for (const Point2& p : {s.from, s.to}) xs.insert(p.x), ys.insert(p.y);
   Rational largest = 0, smallest = abs(*xs.rbegin() - *xs.begin()) + 1;
   for (const std::set<Rational>& values : {xs, ys}) {
@@ -80,7 +80,7 @@ TEST_P(DegenerateScenes, HaveTheValuesOfTheirFile) {
   const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());
   const auto computed = [&](const Expectation& row) {
     if (row.quantity == "factor") return exact.factor(row.of.at(0), row.of.at(1));
-    const Surface2& from = scene.surfaces[scene.find(row.of.at(0)).value()];
+    const Edge2& from = scene.edges[scene.find(row.of.at(0)).value()];
     const FacePart to{scene.find(row.of.at(1)).value(), 0, false};
     RootSum sum;
     for (const PointFactor2& part : point_factors(arrangement, location, from.from, from.to, false, number(row.at)))
@@ -204,15 +204,15 @@ double printed_measure(const ExchangeMatrix& matrix, const std::string& from, co
 }
 
 // The last group first; polylines stay what they are.
-void reverse_groups(std::vector<Surface2>& surfaces) {
-  std::vector<Surface2> reversed;
-  for (auto end = surfaces.end(); end != surfaces.begin();) {
-    auto begin = std::prev(end);
-    while (begin != surfaces.begin() && std::prev(begin)->group == begin->group) --begin;
-    reversed.insert(reversed.end(), begin, end);
+void reverse_groups(Scene2& scene) {
+  std::vector<std::uint32_t> order;
+  for (auto end = static_cast<std::uint32_t>(scene.surfaces.size()); end > 0;) {
+    std::uint32_t begin = end - 1;
+    while (begin > 0 && scene.surfaces[begin - 1].group == scene.surfaces[begin].group) --begin;
+    for (std::uint32_t s = begin; s < end; ++s) order.push_back(s);
     end = begin;
   }
-  surfaces = std::move(reversed);
+  scene.keep(order);
 }
 
 // Of a scene and of its edges in reverse order, where each pair is computed the other way round. Not of faces that own
@@ -220,7 +220,7 @@ void reverse_groups(std::vector<Surface2>& surfaces) {
 TEST_P(DegenerateScenes, AreSymmetric) {
   Scene2 scene = degenerate(GetParam());
   const Exact forth(scene);
-  reverse_groups(scene.surfaces);
+  reverse_groups(scene);
   const Exact back(scene);
   const ExchangeMatrix &matrix = forth.matrix(), &other = back.matrix();
   const auto owns_the_same = [&](std::uint32_t i) {
@@ -255,7 +255,7 @@ TEST_P(DegenerateScenes, AreTheSameMagnifiedAndFarAway) {
 TEST_P(DegenerateScenes, AreTheSumsOfTheirElements) {
   Scene2 scene = degenerate(GetParam());
   const Exact whole(scene);
-  for (Surface2& surface : scene.surfaces) surface.elements = 3;
+  for (Surface& surface : scene.surfaces) surface.elements = 3;
   const Exact parts(scene, Granularity::kElement);
   std::map<ElementPair, RootSum> sums;
   const auto face = [&](std::uint32_t i) {
@@ -278,27 +278,30 @@ TEST_P(DegenerateScenes, AreTheSumsOfTheirElements) {
 TEST(CanyonWithBalconies, IsTheOneWhoseWallsAreCutByHand) {
   const Scene2 canyon = degenerate("canyon_with_balconies");
   Scene2 cut = canyon;
-  cut.surfaces.clear();
+  cut.keep({});
   const auto add_parts = [&](const std::string& name, const std::vector<std::pair<int, int>>& heights) {
     for (const auto& [from, to] : heights) {
-      Surface2 part = canyon.surfaces[canyon.find(name).value()];
+      const std::uint32_t wall = canyon.find(name).value();
+      Surface part = canyon.surfaces[wall];
       part.name += " " + std::to_string(from);
-      part.from.y = from;
-      part.to.y = to;
-      cut.surfaces.push_back(part);
+      Edge2 edge = canyon.edges[wall];
+      edge.from.y = from;
+      edge.to.y = to;
+      cut.add(part, edge);
     }
   };
   add_parts("west", {{0, 2}, {3, 5}, {6, 8}});
   add_parts("east", {{8, 4}, {3, 0}});
-  for (const Surface2& surface : canyon.surfaces) {
+  for (std::size_t s = 0; s < canyon.surfaces.size(); ++s) {
+    const Surface& surface = canyon.surfaces[s];
     const bool is_wall = surface.name == "west" || surface.name == "east";
     if (is_wall || surface.name == "low[3]" || surface.name == "high[3]" || surface.name == "opposite[1]") continue;
-    Surface2 alone = surface;
+    Surface alone = surface;
     if (surface.group > 1) {  // of a balcony: a group of its own
       alone.group = static_cast<std::uint32_t>(cut.groups.size());
       cut.groups.push_back(surface.name);
     }
-    cut.surfaces.push_back(alone);
+    cut.add(alone, canyon.edges[s]);
   }
   EXPECT_TRUE(printed(canyon) == printed(exact_exchange(prepare(cut), {.granularity = Granularity::kGroup})));
 }

@@ -77,7 +77,7 @@ double largest_change(const Printed& before, const Printed& after) {
 
 // The scene with the second point of one edge moved.
 Scene2 with_tip_moved(Scene2 scene, const std::string& name, const Rational& x, const Rational& y) {
-  Point2& tip = scene.surfaces[scene.find(name).value()].to;
+  Point2& tip = scene.edges[scene.find(name).value()].to;
   tip = {tip.x + x, tip.y + y};
   return scene;
 }
@@ -96,11 +96,11 @@ TEST(DegenerateExchange2, GrazingTipsAreContinuousInTheirPlaces) {
 TEST(DegenerateExchange2, AFinOnAnEdgeIsTheEdgeCutThere) {
   const Scene2 whole = degenerate("fin_on_wall");
   Scene2 cut = whole;
-  Surface2& wall = cut.surfaces[cut.find("wall").value()];
-  Surface2 rest = wall;
-  wall.to = rest.from = {2, 1};
+  const std::uint32_t wall = cut.find("wall").value();
+  Surface rest = cut.surfaces[wall];
   rest.name = "rest";
-  cut.surfaces.push_back(rest);
+  cut.add(rest, {{2, 1}, cut.edges[wall].to});
+  cut.edges[wall].to = {2, 1};
   const Exact one(whole), two(cut);
   for (const std::string side : {"", ":back"})
     for (const std::string other : {"west", "north", "east", "south", "fin", "fin:back"}) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 
 #include "kernel/support/parallel.h"
@@ -181,7 +182,7 @@ TEST_P(ExactExchange2, IsInvariantUnderMotionsAndScaling) {
 TEST_P(ExactExchange2, IsInvariantUnderReflection) {
   const Scene2 original = scene(80);
   Scene2 mirrored = moved(original, [](const Point2& p) -> Point2 { return {-p.x, p.y}; });
-  for (Surface2& surface : mirrored.surfaces) std::swap(surface.from, surface.to);
+  for (Edge2& surface : mirrored.edges) std::swap(surface.from, surface.to);
   EXPECT_TRUE(printed(mirrored) == printed(original));
 }
 
@@ -192,10 +193,9 @@ std::string other_side(const std::string& name) {
 // An edge reversed is the same wall with front and back swapped.
 TEST_P(ExactExchange2, IsInvariantUnderReversalOfEdges) {
   Scene2 original = scene(80);
-  for (Surface2& surface : original.surfaces) surface.back = surface.material;
+  for (Surface& surface : original.surfaces) surface.back = surface.material;
   Scene2 reversed = original;
-  for (std::size_t k = 0; k < reversed.surfaces.size(); k += 2)
-    std::swap(reversed.surfaces[k].from, reversed.surfaces[k].to);
+  for (std::size_t k = 0; k < reversed.surfaces.size(); k += 2) std::swap(reversed.edges[k].from, reversed.edges[k].to);
   std::map<std::string, bool> is_reversed;
   for (std::size_t k = 0; k < reversed.surfaces.size(); ++k) is_reversed[reversed.surfaces[k].name] = k % 2 == 0;
   const auto rename = [&](const std::string& name) {
@@ -213,10 +213,10 @@ Scene2 without_overlaps(Scene2 scene) {
     const auto sources = arrangement.sources(piece);
     for (std::size_t k = 1; k < sources.size(); ++k) is_dropped[sources[k].surface] = 1;
   }
-  std::vector<Surface2> kept;
-  for (std::size_t k = 0; k < scene.surfaces.size(); ++k)
-    if (!is_dropped[k]) kept.push_back(scene.surfaces[k]);
-  scene.surfaces = std::move(kept);
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t k = 0; k < scene.surfaces.size(); ++k)
+    if (!is_dropped[k]) kept.push_back(k);
+  scene.keep(kept);
   return scene;
 }
 
@@ -225,7 +225,10 @@ TEST_P(ExactExchange2, IsInvariantUnderPermutationOfEdges) {
   ASSERT_GT(original.surfaces.size(), 30u);
   Scene2 shuffled = original;
   std::mt19937_64 random(1);
-  std::shuffle(shuffled.surfaces.begin(), shuffled.surfaces.end(), random);
+  std::vector<std::uint32_t> order(original.surfaces.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::shuffle(order.begin(), order.end(), random);
+  shuffled.keep(order);
   EXPECT_TRUE(printed(shuffled) == printed(original));
 }
 
@@ -279,7 +282,7 @@ TEST_P(ExactExchange2, IsTheSumOverGroups) {
     total[pair] += pair.first == pair.second ? sums[k] * Rational(2) : sums[k];
   }
   const bool has_only_whole_rows = std::all_of(grouped.surfaces.begin(), grouped.surfaces.end(),
-                                               [](const Surface2& s) { return s.back.has_value(); });
+                                               [](const Surface& s) { return s.back.has_value(); });
   const std::vector<ElementPair> pairs = all_pairs(groups.matrix());
   const std::vector<RootSum> group_sums = exact_exchange_measures(groups.prepared(), Granularity::kGroup, pairs);
   int self = 0;
@@ -307,7 +310,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ExactExchange2, testing::ValuesIn(kinds()),
 TEST(ExactExchange2OfGroups, SeesAllOfItselfInAClosedRoom) {
   Scene2 scene = scene_of(room("4"));
   scene.groups = {"room"};
-  for (Surface2& surface : scene.surfaces) surface.group = 0;
+  for (Surface& surface : scene.surfaces) surface.group = 0;
   const Exact exact(scene, Granularity::kGroup);
   EXPECT_EQ(exact.factor("room", "room"), (Rounded{1, 0}));
   EXPECT_EQ(exact.text("room", "room"), "16");
@@ -318,7 +321,7 @@ TEST(ExactExchange2OfGroups, SeesWhatAnAngleSeesOfItself) {
   // The inside of a right angle with legs 3 and 4: 2 S = 3 + 4 - 5 in each direction.
   Scene2 scene = scene_of({{"up", "0", "0", "0", "3"}, {"along", "4", "0", "0", "0"}});
   scene.groups = {"angle"};
-  for (Surface2& surface : scene.surfaces) surface.group = 0;
+  for (Surface& surface : scene.surfaces) surface.group = 0;
   const Exact exact(scene, Granularity::kGroup);
   EXPECT_EQ(exact.text("angle", "angle"), "2");
   EXPECT_EQ(exact.text("angle", "sky"), "5");

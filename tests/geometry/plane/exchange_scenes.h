@@ -39,15 +39,13 @@ inline std::vector<Material> four_materials() {
 }
 
 inline void add(Scene2& scene, const Line& line, std::uint32_t group) {
-  Surface2 surface;
+  Surface surface;
   surface.name = line.name;
-  surface.from = {number(line.x0), number(line.y0)};
-  surface.to = {number(line.x1), number(line.y1)};
   surface.material = static_cast<std::uint32_t>(line.material);
   if (line.back != kBlack) surface.back = static_cast<std::uint32_t>(line.back);
   surface.elements = line.elements;
   surface.group = group;
-  scene.surfaces.push_back(surface);
+  scene.add(surface, {{number(line.x0), number(line.y0)}, {number(line.x1), number(line.y1)}});
 }
 
 // Every line is a group of its own.
@@ -93,7 +91,7 @@ inline std::vector<Scene2> all_kinds(std::uint64_t n) {
 }
 
 inline Scene2 moved(Scene2 scene, const std::function<Point2(const Point2&)>& motion) {
-  for (Surface2& surface : scene.surfaces) {
+  for (Edge2& surface : scene.edges) {
     surface.from = motion(surface.from);
     surface.to = motion(surface.to);
   }

@@ -36,14 +36,12 @@ Scene2 lattice_of_boxes(unsigned seed, unsigned materials) {
     const auto material = static_cast<std::uint32_t>(draw(materials));
     const bool has_back = draw(6) == 0;
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-      Surface2 surface;
+      Surface surface;
       surface.name = scene.groups.back().name + "[" + std::to_string(k) + "]";
-      surface.from = points[k];
-      surface.to = points[k + 1];
       surface.material = material;
       if (has_back) surface.back = material;
       surface.group = static_cast<std::uint32_t>(g);
-      scene.surfaces.push_back(surface);
+      scene.add(surface, {points[k], points[k + 1]});
     }
   }
   return scene;

@@ -16,30 +16,30 @@ int turn(const Point2& a, const Point2& b, const Point2& c) {
   return sgn(area);
 }
 
-bool within_box(const Point2& p, const Surface2& s) {
+bool within_box(const Point2& p, const Edge2& s) {
   return std::min(s.from.x, s.to.x) <= p.x && p.x <= std::max(s.from.x, s.to.x) && std::min(s.from.y, s.to.y) <= p.y &&
          p.y <= std::max(s.from.y, s.to.y);
 }
 
-bool contains(const Surface2& s, const Point2& p) { return turn(s.from, s.to, p) == 0 && within_box(p, s); }
+bool contains(const Edge2& s, const Point2& p) { return turn(s.from, s.to, p) == 0 && within_box(p, s); }
 
 enum class Contact { kNone, kEndPoint, kTee, kCrossing, kOverlap };
 
-bool boxes_meet(const Surface2& s, const Surface2& t) {
+bool boxes_meet(const Edge2& s, const Edge2& t) {
   return std::max(s.from.x, s.to.x) >= std::min(t.from.x, t.to.x) &&
          std::max(t.from.x, t.to.x) >= std::min(s.from.x, s.to.x) &&
          std::max(s.from.y, s.to.y) >= std::min(t.from.y, t.to.y) &&
          std::max(t.from.y, t.to.y) >= std::min(s.from.y, s.to.y);
 }
 
-Contact contact(const Surface2& s, const Surface2& t) {
+Contact contact(const Edge2& s, const Edge2& t) {
   if (!boxes_meet(s, t)) return Contact::kNone;
   const int a = turn(s.from, s.to, t.from), b = turn(s.from, s.to, t.to);
   const int c = turn(t.from, t.to, s.from), d = turn(t.from, t.to, s.to);
   if (a * b < 0 && c * d < 0) return Contact::kCrossing;
   std::set<std::pair<std::string, std::string>> common;  // end points of one that lie on the other
   bool end_to_end = true;
-  const auto note = [&](const Point2& p, const Surface2& on) {
+  const auto note = [&](const Point2& p, const Edge2& on) {
     if (!contains(on, p)) return;
     common.insert({p.x.get_str(), p.y.get_str()});
     if (p != on.from && p != on.to) end_to_end = false;
@@ -70,9 +70,11 @@ std::vector<std::string> kinds() {
 
 std::string text_of(const Scene2& scene) {
   std::string text;
-  for (const Surface2& s : scene.surfaces) {
-    text += s.name + " " + s.from.x.get_str() + " " + s.from.y.get_str() + " " + s.to.x.get_str() + " " +
-            s.to.y.get_str() + " " + std::to_string(s.material) + (s.back ? " " + std::to_string(*s.back) : "") + "\n";
+  for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+    const Surface& s = scene.surfaces[k];
+    const auto& [from, to] = scene.edges[k];
+    text += s.name + " " + from.x.get_str() + " " + from.y.get_str() + " " + to.x.get_str() + " " + to.y.get_str() +
+            " " + std::to_string(s.material) + (s.back ? " " + std::to_string(*s.back) : "") + "\n";
   }
   return text;
 }
@@ -159,7 +161,7 @@ TEST(Generators2, CoordinatesHaveTheDigitsAskedFor) {
   for (const std::string& kind : kinds()) {
     for (const int digits : {12, 17}) {
       const Scene2 scene = generate_2(request(kind, 100, 5, digits));
-      for (const Surface2& s : scene.surfaces)
+      for (const Edge2& s : scene.edges)
         for (const Rational& c : {s.from.x, s.from.y, s.to.x, s.to.y}) {
           if (kind == "lattice") {
             EXPECT_LE(significant_digits(c), static_cast<std::size_t>(digits)) << c;
@@ -169,7 +171,7 @@ TEST(Generators2, CoordinatesHaveTheDigitsAskedFor) {
         }
     }
     const Scene2 plain = generate_2(request(kind, 100, 5));
-    for (const Surface2& s : plain.surfaces) EXPECT_LE(significant_digits(s.from.x), 6u) << kind;
+    for (const Edge2& s : plain.edges) EXPECT_LE(significant_digits(s.from.x), 6u) << kind;
   }
 }
 
@@ -186,7 +188,7 @@ TEST(Generators2, LatticeHasEveryContactAndOneMaterial) {
   for (const std::uint64_t n : {40u, 200u}) {
     const Scene2 scene = generate_2(request("lattice", n, 2));
     for (const int count : contacts(scene)) EXPECT_GT(count, 0);
-    for (const Surface2& s : scene.surfaces) {
+    for (const Surface& s : scene.surfaces) {
       EXPECT_EQ(s.material, scene.surfaces.front().material);
       if (s.back) {
         EXPECT_EQ(*s.back, s.material);
@@ -207,11 +209,13 @@ TEST(Generators2, NoFrontOnTheRimOfAClosedSceneLooksOut) {
       const Scene2 scene = generate_2(request(kind, 150, seed));
       EXPECT_EQ(scene.closed, kind != "plates");
       if (!scene.closed) continue;
-      for (const Surface2& s : scene.surfaces) {
+      for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+        const Surface& s = scene.surfaces[k];
+        const auto& [from, to] = scene.edges[k];
         bool something_left = false, something_right = false;
-        for (const Surface2& t : scene.surfaces) {
-          something_left |= turn(s.from, s.to, t.from) > 0;
-          something_right |= turn(s.from, s.to, t.from) < 0;
+        for (const Edge2& t : scene.edges) {
+          something_left |= turn(from, to, t.from) > 0;
+          something_right |= turn(from, to, t.from) < 0;
         }
         EXPECT_TRUE(something_right) << scene.about << " " << s.name;
         EXPECT_TRUE(something_left || !s.back) << scene.about << " " << s.name;
@@ -225,7 +229,7 @@ TEST(Generators2, SomethingEmitsAndEveryReferenceIsValid) {
     const Scene2 scene = generate_2(request(kind, 50, 4));
     bool emits = false;
     std::set<std::string> names;
-    for (const Surface2& s : scene.surfaces) {
+    for (const Surface& s : scene.surfaces) {
       ASSERT_LT(s.material, scene.materials.size());
       ASSERT_LT(s.group, scene.groups.size());
       emits |= !scene.materials[s.material].emission.is_zero();
@@ -242,8 +246,9 @@ TEST(Generators2, HalfOfTheClutterHasABackAndLengthIsObeyed) {
     const Scene2 scene = generate_2(r);
     int backs = 0, full = 0;
     for (std::size_t i = 4; i < scene.surfaces.size(); ++i) {
-      const Surface2& s = scene.surfaces[i];
-      const Rational dx = s.to.x - s.from.x, dy = s.to.y - s.from.y;
+      const Surface& s = scene.surfaces[i];
+      const auto& [from, to] = scene.edges[i];
+      const Rational dx = to.x - from.x, dy = to.y - from.y;
       const Rational squared = dx * dx + dy * dy;
       EXPECT_LE(squared, length * length);
       full += squared >= length * length * Rational(16, 25);

@@ -31,16 +31,14 @@ std::vector<std::string> kinds(const Repair2& repair) {
 }
 
 bool same_places(const Scene2& a, const Scene2& b) {
-  return std::ranges::equal(a.surfaces, b.surfaces, [](const Surface2& s, const Surface2& t) {
-    return s.name == t.name && s.from == t.from && s.to == t.to;
-  });
+  return a.edges == b.edges && std::ranges::equal(a.surfaces, b.surfaces, {}, &Surface::name, &Surface::name);
 }
 
 TEST(Repair2, PutsAnEndExactlyOntoTheNearestSurface) {
   const Scene2 scene = scene_of(room("4") + std::vector<Line>{{"door", "2", "0", "2", "3.9999999"}});
   const Repair2 repair = close_gaps(scene, number("1e-6"));
   EXPECT_THAT(kinds(repair), ElementsAre("snapped door"));
-  EXPECT_EQ(repair.scene.surfaces[4].to, (Point2{2, 4}));
+  EXPECT_EQ(repair.scene.edges[4].to, (Point2{2, 4}));
   EXPECT_THAT(find_near_misses(repair.scene), IsEmpty());
 }
 
@@ -50,12 +48,12 @@ TEST(Repair2, PutsAnEndOntoASlantedSurfaceWithFewDigits) {
   ASSERT_THAT(kinds(repair), ElementsAre("snapped fin"));
   const Contacts2 contacts = find_contacts(repair.scene);
   ASSERT_EQ(contacts.junctions.size(), 1u);  // exactly on it
-  EXPECT_LT(to_string(repair.scene.surfaces[1].to.x).size(), 32u);
+  EXPECT_LT(to_string(repair.scene.edges[1].to.x).size(), 32u);
 }
 
 TEST(Repair2, CutsAStubOff) {
   const Scene2 scene = scene_of(room("4") + std::vector<Line>{{"door", "2", "0", "2", "4.0000001"}});
-  EXPECT_EQ(close_gaps(scene, number("1e-6")).scene.surfaces[4].to, (Point2{2, 4}));
+  EXPECT_EQ(close_gaps(scene, number("1e-6")).scene.edges[4].to, (Point2{2, 4}));
 }
 
 TEST(Repair2, MergesEndsIntoTheOneListedFirst) {
@@ -63,7 +61,7 @@ TEST(Repair2, MergesEndsIntoTheOneListedFirst) {
       scene_of({{"a", "0", "0", "1", "0"}, {"b", "1.0000001", "0", "2", "1"}, {"c", "1", "1e-7", "0", "3"}});
   const Repair2 repair = close_gaps(scene, number("1e-6"));
   EXPECT_THAT(kinds(repair), ElementsAre("merged b", "merged c"));
-  for (const std::size_t s : {1u, 2u}) EXPECT_EQ(repair.scene.surfaces[s].from, (Point2{1, 0}));
+  for (const std::size_t s : {1u, 2u}) EXPECT_EQ(repair.scene.edges[s].from, (Point2{1, 0}));
 }
 
 TEST(Repair2, MovesNothingFartherThanAsked) {
@@ -73,10 +71,11 @@ TEST(Repair2, MovesNothingFartherThanAsked) {
     lines.push_back({"e" + std::to_string(k), std::to_string(k), "0", std::to_string(k), "100"});
   const Scene2 scene = scene_of(lines);
   const Repair2 repair = close_gaps(scene, number("1.5"));
-  for (const Surface2& after : repair.scene.surfaces) {
-    const Surface2& before = scene.surfaces[*scene.find(after.name)];
-    EXPECT_LE(squared_distance(before.from, after.from), number("2.25")) << after.name;
-    EXPECT_LE(squared_distance(before.to, after.to), number("2.25")) << after.name;
+  for (std::size_t s = 0; s < repair.scene.surfaces.size(); ++s) {
+    const std::string& name = repair.scene.surfaces[s].name;
+    const Edge2 &before = scene.edges[*scene.find(name)], &after = repair.scene.edges[s];
+    EXPECT_LE(squared_distance(before.from, after.from), number("2.25")) << name;
+    EXPECT_LE(squared_distance(before.to, after.to), number("2.25")) << name;
   }
 }
 
@@ -92,10 +91,10 @@ TEST(Repair2, JoinsWithTheNextEndWhereTheNearestCannotBeJoined) {
                                  {"h", "0.92", "0.95", "190", "100"},
                                  {"p", "1.5", "0.95", "200", "110"}});
   const Repair2 repair = close_gaps(scene, number("1"));
-  const auto first_end = [&](const char* name) { return repair.scene.surfaces[*repair.scene.find(name)].from; };
+  const auto first_end = [&](const char* name) { return repair.scene.edges[*repair.scene.find(name)].from; };
   for (const char* name : {"k", "n", "q", "r"}) EXPECT_EQ(first_end(name), (Point2{0, 0})) << name;
-  for (const char* name : {"g", "m"}) EXPECT_EQ(first_end(name), scene.surfaces[2].from) << name;
-  for (const char* name : {"h", "p"}) EXPECT_EQ(first_end(name), scene.surfaces[6].from) << name;
+  for (const char* name : {"g", "m"}) EXPECT_EQ(first_end(name), scene.edges[2].from) << name;
+  for (const char* name : {"h", "p"}) EXPECT_EQ(first_end(name), scene.edges[6].from) << name;
 }
 
 TEST(Repair2, ReachesAsFarAsAskedInAnyScale) {
@@ -108,9 +107,9 @@ TEST(Repair2, ReachesAsFarAsAskedInAnyScale) {
                                      {"b", "0.4" + e, "0", "0.4" + e, to_string(-number(length) * number(scale))}});
       const Repair2 repair = close_gaps(scene, number("0.5") * number(scale));
       ASSERT_GE(repair.scene.surfaces.size(), 1u);
-      EXPECT_EQ(repair.scene.surfaces[0].from, scene.surfaces[0].from);
+      EXPECT_EQ(repair.scene.edges[0].from, scene.edges[0].from);
       if (const auto found = repair.scene.find("b")) {
-        EXPECT_EQ(repair.scene.surfaces[*found].from, (Point2{0, 0})) << scale << ", " << length;
+        EXPECT_EQ(repair.scene.edges[*found].from, (Point2{0, 0})) << scale << ", " << length;
       }
       EXPECT_EQ(repair.scene.surfaces.size(), std::string(length) == "1" ? 3u : 1u) << scale << ", " << length;
     }
@@ -134,12 +133,10 @@ Scene2 polylines(const std::vector<std::vector<Point2>>& of) {
     const std::string name(1, static_cast<char>('p' + k));
     scene.groups.push_back(name);
     for (std::size_t i = 0; i + 1 < of[k].size(); ++i) {
-      Surface2 piece;
+      Surface piece;
       piece.name = name + "[" + std::to_string(i) + "]";
-      piece.from = of[k][i];
-      piece.to = of[k][i + 1];
       piece.group = static_cast<std::uint32_t>(scene.groups.size() - 1);
-      scene.surfaces.push_back(piece);
+      scene.add(piece, {of[k][i], of[k][i + 1]});
     }
   }
   return scene;
@@ -147,7 +144,7 @@ Scene2 polylines(const std::vector<std::vector<Point2>>& of) {
 
 std::vector<std::string> surface_names(const Scene2& scene) {
   std::vector<std::string> names;
-  for (const Surface2& surface : scene.surfaces) names.push_back(surface.name);
+  for (const Surface& surface : scene.surfaces) names.push_back(surface.name);
   return names;
 }
 
@@ -160,19 +157,19 @@ TEST(RestoredPolylines, AreCountedAnewWhereAPieceBecameAPoint) {
   EXPECT_EQ(repair.steps.back().message, "the pieces of 'p' are counted anew: 'p[2]' is 'p[1]' now");
   EXPECT_THAT(surface_names(repair.scene), ElementsAre("p[0]", "p[1]", "p[2]", "p[3]", "q[0]", "q[1]"));
   EXPECT_THAT(repair.former_names, ElementsAre("p[0]", "p[2]", "p[3]", "p[4]", "q[0]", "q[1]"));
-  EXPECT_EQ(repair.scene.surfaces[1].from, (Point2{0, 3}));
+  EXPECT_EQ(repair.scene.edges[1].from, (Point2{0, 3}));
 }
 
 TEST(RestoredPolylines, AreListedTheOtherWayRoundWhereAllWasReversed) {
   Repair2 repair{polylines({{{0, 0}, {4, 0}, {4, 3}, {0, 3}}}), {}, {"p[0]", "p[1]", "p[2]"}};
-  for (Surface2& surface : repair.scene.surfaces) std::swap(surface.from, surface.to);
+  for (Edge2& surface : repair.scene.edges) std::swap(surface.from, surface.to);
   restore_polylines(repair);
   EXPECT_THAT(kinds(repair), ElementsAre("renumbered p"));
   EXPECT_EQ(repair.steps.back().message, "the pieces of 'p' are listed the other way round: 'p[2]' is 'p[0]' now");
   EXPECT_THAT(surface_names(repair.scene), ElementsAre("p[0]", "p[1]", "p[2]"));
   EXPECT_THAT(repair.former_names, ElementsAre("p[2]", "p[1]", "p[0]"));
-  EXPECT_EQ(repair.scene.surfaces[0].from, (Point2{0, 3}));
-  EXPECT_EQ(repair.scene.surfaces[2].to, (Point2{0, 0}));
+  EXPECT_EQ(repair.scene.edges[0].from, (Point2{0, 3}));
+  EXPECT_EQ(repair.scene.edges[2].to, (Point2{0, 0}));
 }
 
 TEST(RestoredPolylines, OfOthersThePiecesAreEdgesBeforeAllPolylines) {
@@ -232,7 +229,7 @@ Scene2 shaken(const Scene2& scene, std::uint64_t seed) {
 
 std::size_t count_of_ends(const Scene2& scene) {
   PointIndex2 index;
-  for (const Surface2& surface : scene.surfaces) {
+  for (const Edge2& surface : scene.edges) {
     index.insert(to_exact(surface.from));
     index.insert(to_exact(surface.to));
   }
@@ -270,7 +267,7 @@ TEST(Repair2, PutsFinsBackOntoTheirWall) {
 // A segment in doubles.
 struct Flat {
   double ax, ay, dx, dy, length;
-  explicit Flat(const Surface2& s)
+  explicit Flat(const Edge2& s)
       : ax(s.from.x.get_d()),
         ay(s.from.y.get_d()),
         dx(s.to.x.get_d() - ax),
@@ -290,7 +287,7 @@ TEST(NearMisses2, AreThoseOfAllPairsAmongDisjointSegments) {
     if (miss.is_at_end) tips.insert(place_text(miss.foot));
   }
   std::vector<Flat> flat;
-  for (const Surface2& surface : scene.surfaces) flat.emplace_back(surface);
+  for (const Edge2& edge : scene.edges) flat.emplace_back(edge);
   for (std::size_t i = 4; i < flat.size(); ++i)  // the walls of the room meet each other
     for (const bool second : {false, true})
       for (std::size_t j = 0; j < flat.size(); ++j) {
@@ -298,7 +295,7 @@ TEST(NearMisses2, AreThoseOfAllPairsAmongDisjointSegments) {
         if (i == j ||
             kNearPart * t.distance(s.ax + second * s.dx, s.ay + second * s.dy) >= std::min(s.length, t.length))
           continue;
-        expected.insert(place_text(second ? scene.surfaces[i].to : scene.surfaces[i].from));
+        expected.insert(place_text(second ? scene.edges[i].to : scene.edges[i].from));
       }
   EXPECT_EQ(tips, expected);
   EXPECT_GT(tips.size(), 3u);

@@ -15,9 +15,10 @@ Scene2 two_edges() {
   scene.materials.resize(1);
   scene.groups = {"a", "b"};
   scene.surfaces.resize(2);
+  scene.edges.resize(2);
   for (std::uint32_t i = 0; i < 2; ++i) {
     scene.surfaces[i].name = scene.groups[i].name;
-    scene.surfaces[i].to = {1, Rational(i)};
+    scene.edges[i].to = {1, Rational(i)};
     scene.surfaces[i].group = i;
     scene.surfaces[i].line = static_cast<int>(i) + 5;
   }
@@ -50,7 +51,7 @@ TEST(ValidateScene2, RefusesNamesThatAreNotAllowedOrNotUnique) {
 
 TEST(ValidateScene2, RefusesSurfacesWithoutLength) {
   Scene2 scene = two_edges();
-  scene.surfaces[0].to = scene.surfaces[0].from;
+  scene.edges[0].to = scene.edges[0].from;
   EXPECT_EQ(refusal(scene), "memory:5: surface 'a' has length zero");
 }
 

@@ -17,15 +17,13 @@ Scene2 scene_of(const oracle::RandomScene& random) {
   Scene2 scene;
   for (int m = 0; m < 3; ++m) scene.materials.push_back({std::string(1, static_cast<char>('a' + m)), {}, {}});
   for (const oracle::InputSegment& edge : random.edges) {
-    Surface2 surface;
+    Surface surface;
     surface.name = "edge" + std::to_string(scene.surfaces.size());
-    surface.from = {edge.ax, edge.ay};
-    surface.to = {edge.bx, edge.by};
     surface.material = static_cast<std::uint32_t>(edge.front_material);
     if (edge.back_material >= 0) surface.back = static_cast<std::uint32_t>(edge.back_material);
     surface.group = static_cast<std::uint32_t>(scene.groups.size());
     scene.groups.push_back(surface.name);
-    scene.surfaces.push_back(std::move(surface));
+    scene.add(std::move(surface), {{edge.ax, edge.ay}, {edge.bx, edge.by}});
   }
   return scene;
 }

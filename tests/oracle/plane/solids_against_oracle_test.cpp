@@ -40,7 +40,7 @@ TEST_P(VisibilityAgainstOracle, IsThatOfThePiecesOfBothAlone) {
     std::mt19937_64 random(number);
     Scene2 scene = to_scene(scene_at(number).edges);
     if (GetParam() == Granularity::kElement)
-      for (Surface2& surface : scene.surfaces) surface.elements = random() % 3 == 0 ? 2 : 1;
+      for (Surface& surface : scene.surfaces) surface.elements = random() % 3 == 0 ? 2 : 1;
     ASSERT_EQ(disagreement(scene, counts, GetParam(), Hidden::kYes), "") << "scene " << number;
   }
   fmt::print("{} scenes: {} pairs, {} sums; {} factors, {} visibilities, {} hidden pairs\n", counts.scenes,

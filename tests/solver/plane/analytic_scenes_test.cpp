@@ -70,7 +70,7 @@ class AnalyticScene {
   }
 
   Rounded point_factor(const Expectation& row) const {
-    const Surface2& from = scene().surfaces.at(scene().find(row.of.at(0)).value());
+    const Edge2& from = scene().edges.at(scene().find(row.of.at(0)).value());
     const std::uint32_t to = scene().find(row.of.at(1)).value();
     const Arrangement2& arrangement = prepared_.arrangement;
     const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());

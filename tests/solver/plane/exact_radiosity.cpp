@@ -115,12 +115,10 @@ Scene2 convex_polygon(int n) {
     return Point2{Rational(std::lround(1e6 * std::cos(angle))), Rational(std::lround(1e6 * std::sin(angle)))};
   };
   for (int k = 0; k < n; ++k) {
-    Surface2 surface;
+    Surface surface;
     surface.name = fmt::format("side[{}]", k);
-    surface.from = corner(k);
-    surface.to = corner((k + 1) % n);
     surface.material = k == 0 ? 0 : 1;
-    scene.surfaces.push_back(surface);
+    scene.add(surface, {corner(k), corner((k + 1) % n)});
   }
   return scene;
 }
@@ -151,7 +149,7 @@ Scene2 random_scene(std::uint64_t seed) {
   }
   scene.sky_emission = Spectrum::scalar(Rational(seed % 4, 3));
   if (seed % 5 == 0)
-    for (Surface2& surface : scene.surfaces) surface.elements = 1 + seed % 2;
+    for (Surface& surface : scene.surfaces) surface.elements = 1 + seed % 2;
   return scene;
 }
 

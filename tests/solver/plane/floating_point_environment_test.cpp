@@ -79,14 +79,12 @@ Scene2 room_with_a_hair_crack() {
   scene.materials = {{"lamp", Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(1)},
                      {"wall", Spectrum::scalar(Rational(1, 2)), {}}};
   const auto add = [&scene](const char* name, const Point2& from, const Point2& to, std::uint32_t material) {
-    Surface2 surface;
+    Surface surface;
     surface.name = name;
-    surface.from = from;
-    surface.to = to;
     surface.material = material;
     if (scene.surfaces.size() >= 4) surface.back = material;
     surface.group = static_cast<std::uint32_t>(scene.groups.size());
-    scene.surfaces.push_back(surface);
+    scene.add(surface, {from, to});
     scene.groups.push_back(name);
   };
   add("bottom", {4, 0}, {0, 0}, 0);

@@ -199,7 +199,7 @@ TEST(AverageIllumination, DoesNotChangeWhenSceneAndGridAreMovedAndScaled) {
       Scene2 moved = scene;
       Grid2 there = cells;
       const auto move = [&](Point2& p) { p = {p.x * scale + offset, p.y * scale - 2 * offset}; };
-      for (Surface2& surface : moved.surfaces) {
+      for (Edge2& surface : moved.edges) {
         move(surface.from);
         move(surface.to);
       }

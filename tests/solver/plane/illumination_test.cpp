@@ -288,10 +288,10 @@ TEST(InverseSquare, EqualsTheSumOverSeenFractionsOfElements) {
         const std::uint32_t label = lit.table.of(part.side);
         const Element& element = lit.table.elements()[label];
         if (!element.material) continue;
-        const Surface2& surface = lit.prepared.scene.surfaces[element.surface];
+        const Edge2& edge = lit.prepared.scene.edges[element.surface];
         const Rational t = Rational(2 * element.part + 1) / Rational(2 * element.parts);
-        const Rational dx = surface.from.x + t * (surface.to.x - surface.from.x) - eye.x,
-                       dy = surface.from.y + t * (surface.to.y - surface.from.y) - eye.y;
+        const Point2 centre = point_at(edge, t);
+        const Rational dx = centre.x - eye.x, dy = centre.y - eye.y;
         const double squared = std::max(to_double(dx * dx + dy * dy), 1.0 / 18 / 18);
         const double seen = std::hypot(to_double(part.to.x - part.from.x), to_double(part.to.y - part.from.y));
         sum += seen / element.area.value / squared * lit.by_element[label];

@@ -12,14 +12,12 @@ namespace hottel {
 
 inline void add_edge(Scene2& scene, Point2 from, Point2 to, bool has_back = false) {
   if (scene.materials.empty()) scene.materials.push_back({"white", {}, {}});
-  Surface2 surface;
+  Surface surface;
   surface.name = "edge" + std::to_string(scene.surfaces.size());
-  surface.from = std::move(from);
-  surface.to = std::move(to);
   if (has_back) surface.back = 0;
   surface.group = static_cast<std::uint32_t>(scene.groups.size());
   scene.groups.push_back(surface.name);
-  scene.surfaces.push_back(std::move(surface));
+  scene.add(std::move(surface), {std::move(from), std::move(to)});
 }
 
 inline void add_polygon(Scene2& scene, const std::vector<Point2>& corners) {

@@ -141,7 +141,7 @@ TEST(Arithmetic2, NaiveSignsAreWrongOnALineOfDecimals) {
   scene.file = "line";
   scene.materials.push_back({"white", Spectrum::scalar(Rational(1, 2)), {}});
   for (int k = 0; k < 8; ++k) {
-    Surface2 surface;
+    Surface surface;
     surface.name = fmt::format("piece {}", k);
     const auto at = [](int tenth) {
       Point2 p{Rational(tenth, 10), Rational(3 * tenth, 10)};
@@ -149,16 +149,12 @@ TEST(Arithmetic2, NaiveSignsAreWrongOnALineOfDecimals) {
       p.y.canonicalize();
       return p;
     };
-    surface.from = at(2 * k + 1);
-    surface.to = at(2 * k + 2);
     surface.group = static_cast<std::uint32_t>(k);
     scene.groups.push_back(surface.name);
-    scene.surfaces.push_back(surface);
+    scene.add(surface, {at(2 * k + 1), at(2 * k + 2)});
   }
-  scene.surfaces.push_back(scene.surfaces.front());
+  scene.add(scene.surfaces.front(), {{5, 0}, {0, -5}});
   scene.surfaces.back().name = "wall";
-  scene.surfaces.back().from = {Rational(5), Rational(0)};
-  scene.surfaces.back().to = {Rational(0), Rational(-5)};
   scene.surfaces.back().group = 8;
   scene.groups.push_back("wall");
   const PreparedScene2 prepared = prepare(scene);

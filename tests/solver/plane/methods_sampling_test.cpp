@@ -307,13 +307,11 @@ TEST(Hemicube2, SeesNothingOfAnEdgeThatEndsAtTheEye) {
   scene.materials.push_back({"white", Spectrum::scalar(Rational(1, 2)), {}});
   const auto add = [&scene](const char* name, const char* x0, const char* y0, const char* x1, const char* y1) {
     const auto number = [](const char* text) { return parse_rational(text).value(); };
-    Surface2 surface;
+    Surface surface;
     surface.name = name;
-    surface.from = {number(x0), number(y0)};
-    surface.to = {number(x1), number(y1)};
     surface.group = static_cast<std::uint32_t>(scene.groups.size());
     scene.groups.push_back(name);
-    scene.surfaces.push_back(surface);
+    scene.add(surface, {{number(x0), number(y0)}, {number(x1), number(y1)}});
   };
   add("floor", "1", "1/3", "1/3", "1/3");
   add("wall", "1/3", "1/3", "1/3", "1");
@@ -339,14 +337,14 @@ struct CentreFactors {
 CentreFactors centre_factors(const PreparedScene2& prepared, const ElementTable2& table, const PointLocation2& location,
                              std::uint32_t from) {
   const Element& element = table.elements()[from];
-  const Surface2& surface = prepared.scene.surfaces[element.surface];
+  const Edge2& edge = prepared.scene.edges[element.surface];
   const Rational half(1, 2);
   CentreFactors result;
   for (const PointFactor2& each :
-       point_factors(prepared.arrangement, location, surface.from, surface.to, element.is_back, half))
+       point_factors(prepared.arrangement, location, edge.from, edge.to, element.is_back, half))
     result.factor[table.of(each.side)] += Ball::of(each.factor, 128).nearest_of_ends().lower;
   const Vertices2& vertices = prepared.arrangement.vertices();
-  const ExactPoint2 centre{half * (surface.from.x + surface.to.x), half * (surface.from.y + surface.to.y)};
+  const ExactPoint2 centre{half * (edge.from.x + edge.to.x), half * (edge.from.y + edge.to.y)};
   View2 view;
   location.look_around(Eye2(vertices, vertices.from_scene(centre)), view);
   for (const View2::Seen& seen : view.seen) ++result.stretches[table.of(seen.behind)];

@@ -69,7 +69,7 @@ TEST(PlaceTree2, VisitsEveryVertexNearASegment) {
 
 Scene2 polygon_seen_from_outside(int n) {
   Scene2 scene = testing_radiosity::convex_polygon(n);
-  for (Surface2& surface : scene.surfaces) std::swap(surface.from, surface.to);
+  for (Edge2& surface : scene.edges) std::swap(surface.from, surface.to);
   return scene;
 }
 

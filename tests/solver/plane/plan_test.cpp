@@ -1,6 +1,4 @@
 // What a plan leaves out is not reached.
-#include "solver/plan.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -8,6 +6,7 @@
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "kernel/support/failure.h"
+#include "solver/plane/scene_plan.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
 namespace hottel {
@@ -21,7 +20,7 @@ struct SweepReached : std::runtime_error {
 
 // The factors as solve computes them, where every sweep throws.
 ExchangeReport exchange_without_sweep(const Scene2& scene, bool everything) {
-  const Plan plan(scene, {.everything = everything, .grid_cells = 0});
+  const Plan plan = plan_scene(scene, {.everything = everything, .grid_cells = 0});
   const PreparedScene2 prepared = prepare(scene);
   ExchangeReport report;
   exact_exchange(prepared,
@@ -56,7 +55,7 @@ TEST(Plan, WithoutInterreflectionSolvesNothing) {
   Scene2 scene = analytic_scene("square_radiosity");
   EXPECT_EQ(ExactScene(scene).solve().factorizations, 1u);
   for (Material& material : scene.materials) material.reflectivity = {};
-  EXPECT_FALSE(Plan(scene, {}).uses(Plan::kInterreflection));
+  EXPECT_FALSE(plan_scene(scene, {}).uses(Plan::kInterreflection));
   const ExactScene black(scene);
   for (const Solver solver : {Solver::kAuto, Solver::kCholesky, Solver::kCg, Solver::kLu, Solver::kJacobi}) {
     RadiosityOptions options;

@@ -57,7 +57,10 @@ TEST(SceneCheck2, TellsAnErrorIffTheSceneCannotBeSolved) {
       scene.closed = closed;
       if (seed % 3 == 0)  // mirrors all around, and lamps
         for (Material& material : scene.materials) material.reflectivity = Spectrum::scalar(1);
-      if (seed % 2 == 0) scene.surfaces.erase(scene.surfaces.begin());
+      if (seed % 2 == 0) {
+        scene.surfaces.erase(scene.surfaces.begin());
+        scene.edges.erase(scene.edges.begin());
+      }
       if (seed % 5 == 0) scene.surfaces[3].elements = 2;
       const bool told = has_error(check_scene(scene).findings);
       EXPECT_EQ(told, cannot_be_solved(scene)) << "seed " << seed << (closed ? ", closed" : "");
@@ -76,8 +79,8 @@ TEST(SceneCheck2, ForeseesWhatDoublesCannotTell) {
       for (const char* loss : {"1e-400", "1e-320", "1e-200", "1e-100", "1/2", "1"})
         for (const bool is_open : {false, true}) {
           Scene2 scene = scene_of(kLamp, rings({kRoom}));
-          if (is_open) scene.surfaces.back().from.x -= number("1e-180");  // a slit in the floor
-          for (Surface2& surface : scene.surfaces)
+          if (is_open) scene.edges.back().from.x -= number("1e-180");  // a slit in the floor
+          for (Edge2& surface : scene.edges)
             for (Point2* point : {&surface.from, &surface.to})
               *point = {point->x * number(scale), point->y * number(scale)};
           for (const std::uint32_t used : {scene.surfaces.front().material, scene.surfaces.back().material}) {
@@ -113,7 +116,7 @@ TEST(SceneCheck2, NamesWhatIsBeyondDoubles) {
   EXPECT_THAT(found(bright).front().message, HasSubstr("the emission of 'lamp' is beyond the range of doubles"));
   const Scene2 sky = with([&](Scene2& scene) { scene.sky_emission = Spectrum::scalar(large); });
   EXPECT_THAT(found(sky).front().message, HasSubstr("the emission of the sky is beyond the range of doubles"));
-  const Scene2 wide = with([&](Scene2& scene) { scene.surfaces.front().to.x = large; });
+  const Scene2 wide = with([&](Scene2& scene) { scene.edges.front().to.x = large; });
   EXPECT_THAT(names(wide, found(wide).front()), ElementsAre("lamp"));
   const Scene2 mirrors = with([&](Scene2& scene) {
     for (Material& material : scene.materials) material.reflectivity = Spectrum::scalar(1 - 1 / large);

@@ -283,7 +283,7 @@ TEST(SceneCheck2, FindsTheGapThatWasCutIntoAClosedRoom) {
     Scene2 scene = testing_scenes::generated("clutter", 100, seed);
     scene.closed = true;
     ASSERT_FALSE(has_error(check_scene(scene).findings));
-    Surface2& wall = scene.surfaces[seed % 4];
+    Edge2& wall = scene.edges[seed % 4];
     const Point2 end = wall.to;
     const Rational part = Rational(static_cast<long>(seed)) / 1000;
     wall.to = {end.x + part * (wall.from.x - end.x), end.y + part * (wall.from.y - end.y)};

@@ -249,7 +249,7 @@ TEST_P(VerdictTest, FindsFacesThatAreTurnedAround) {
   Scene2 right = turned;
   const std::uint32_t which = 5;
   for (Scene2* scene : {&turned, &right}) scene->surfaces[which].back = scene->surfaces[which].material;
-  std::swap(turned.surfaces[which].from, turned.surfaces[which].to);
+  std::swap(turned.edges[which].from, turned.edges[which].to);
   const Judged judged(right), other(turned);
   const Verdict verdict =
       judged.judge_it([&](auto i, auto j, double) { return other.exact.factor(i, j).value; }, GetParam());
@@ -258,10 +258,8 @@ TEST_P(VerdictTest, FindsFacesThatAreTurnedAround) {
 
   // All edges the other way round, as in a file where y points down: fronts see what backs should.
   Scene2 inside_out = clutter();
-  for (Surface2& surface : inside_out.surfaces) {
-    std::swap(surface.from, surface.to);
-    surface.back = surface.material;
-  }
+  for (Surface& surface : inside_out.surfaces) surface.back = surface.material;
+  for (Edge2& edge : inside_out.edges) std::swap(edge.from, edge.to);
   const Judged room(clutter()), reversed(inside_out);
   expect_only(Fault::kReversed, room, [&](auto i, auto j, double) { return reversed.exact.factor(i, j).value; });
 }

@@ -19,7 +19,7 @@ namespace {
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 void divide(Scene2& scene, std::mt19937_64& random) {
-  for (Surface2& surface : scene.surfaces) surface.elements = 1 + static_cast<std::uint32_t>(random() % 4);
+  for (Surface& surface : scene.surfaces) surface.elements = 1 + static_cast<std::uint32_t>(random() % 4);
 }
 
 // The face of an element, or the sky, in the scene that is not divided.

@@ -251,7 +251,7 @@ std::string brute_force_differs(const Subject& subject) {
 std::string brute_force_differs_in_elements(const Subject& subject) {
   std::mt19937_64 random(subject.chance());
   Scene2 scene = oracle::to_scene(subject.edges());
-  for (Surface2& surface : scene.surfaces) surface.elements = random() % 3 == 0 ? 2 : 1;
+  for (Surface& surface : scene.surfaces) surface.elements = random() % 3 == 0 ? 2 : 1;
   oracle::ComparisonCounts counts;
   return oracle::disagreement(scene, counts, Granularity::kElement);
 }

@@ -19,12 +19,11 @@ class DrawnScene {
 
   std::uint32_t edge(Point2 from, Point2 to, std::uint32_t material = 0, std::optional<std::uint32_t> back = {}) {
     const auto index = static_cast<std::uint32_t>(scene.surfaces.size());
-    scene.surfaces.push_back({.name = "edge[" + std::to_string(index) + "]",
-                              .from = std::move(from),
-                              .to = std::move(to),
-                              .material = material,
-                              .back = back,
-                              .group = static_cast<std::uint32_t>(scene.groups.size())});
+    scene.add({.name = "edge[" + std::to_string(index) + "]",
+               .material = material,
+               .back = back,
+               .group = static_cast<std::uint32_t>(scene.groups.size())},
+              {std::move(from), std::move(to)});
     scene.groups.push_back(scene.surfaces.back().name);
     return index;
   }

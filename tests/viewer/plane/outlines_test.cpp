@@ -25,7 +25,7 @@ TEST(Outlines2, JoinEdgesToRoomsAndFindSolidsInThem) {
 
 TEST(Outlines2, DoorLeafAtAWallCornerIsLoose) {
   Scene2 scene = furnished_room();
-  scene.surfaces[kScreen].from = {0, 0};
+  scene.edges[kScreen].from = {0, 0};
   const Outlines2 found = outlines(scene);
   EXPECT_EQ(found.closed.size(), 2u);
   EXPECT_EQ(found.loose, std::vector<std::uint32_t>{kScreen});
@@ -64,10 +64,10 @@ TEST(Frame2, FitsScenesOfAnySize) {
   const Rational huge("1" + std::string(1000, '0'));
   for (const Rational& scale : {Rational(1), huge, Rational(1 / huge)}) {
     Scene2 scene = furnished_room();
-    for (Surface2& s : scene.surfaces)
+    for (Edge2& s : scene.edges)
       for (Point2* p : {&s.from, &s.to}) *p = {p->x * scale + huge, p->y * scale - 7};
     const Frame2 frame(scene, {}, 1000, {100, 100, 50, 50});
-    const Pixel low = frame.at(scene.surfaces[0].from), high = frame.at(scene.surfaces[1].to);
+    const Pixel low = frame.at(scene.edges[0].from), high = frame.at(scene.edges[1].to);
     EXPECT_EQ(low, (Pixel{100, 650}));
     EXPECT_EQ(high, (Pixel{900, 50}));
     EXPECT_EQ(frame.height(), 700);

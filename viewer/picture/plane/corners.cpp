@@ -9,12 +9,12 @@ Corners2::Corners2(const Scene2& scene, const Frame2& frame) {
   const std::size_t n = scene.surfaces.size();
   std::vector<Pixel> pixels;
   pixels.reserve(2 * n);
-  for (const Surface2& surface : scene.surfaces) {
-    pixels.push_back(frame.at(surface.from));
-    pixels.push_back(frame.at(surface.to));
+  for (const Edge2& edge : scene.edges) {
+    pixels.push_back(frame.at(edge.from));
+    pixels.push_back(frame.at(edge.to));
   }
   const auto point = [&](std::uint32_t k) -> const Point2& {
-    return k % 2 == 0 ? scene.surfaces[k / 2].from : scene.surfaces[k / 2].to;
+    return k % 2 == 0 ? scene.edges[k / 2].from : scene.edges[k / 2].to;
   };
   // Rounding keeps the order, so exact comparisons are needed only where pixels are equal.
   const auto before = [&](std::uint32_t a, std::uint32_t b) {

@@ -37,9 +37,9 @@ Frame2::Frame2(const Scene2& scene, const std::vector<std::array<double, 2>>& ex
     : width_(width) {
   HOTTEL_REQUIRE(width > margins.left + margins.right);
   Box box;
-  for (const Surface2& surface : scene.surfaces) {
-    box.add(surface.from.x, surface.from.y);
-    box.add(surface.to.x, surface.to.y);
+  for (const auto& [from, to] : scene.edges) {
+    box.add(from.x, from.y);
+    box.add(to.x, to.y);
   }
   for (const auto& [x, y] : extra_points) {
     HOTTEL_REQUIRE(std::isfinite(x) && std::isfinite(y));

@@ -28,8 +28,8 @@ LightPixels2::LightPixels2(const IlluminationGrid& grid, std::uint32_t across, s
   const Rational wide = cells.max.x - cells.min.x, high = cells.max.y - cells.min.y;
   const auto x = [&](const Point2& p) { return to_double((p.x - cells.min.x) / wide) * cells.nx; };
   const auto y = [&](const Point2& p) { return to_double((p.y - cells.min.y) / high) * cells.ny; };
-  for (const Surface2& s : walls->surfaces) {
-    const double ax = x(s.from), ay = y(s.from), bx = x(s.to), by = y(s.to);
+  for (const auto& [from, to] : walls->edges) {
+    const double ax = x(from), ay = y(from), bx = x(to), by = y(to);
     walls_.push_back({ax, ay, bx, by, kOnWall * std::hypot(bx - ax, by - ay)});
   }
 

@@ -31,7 +31,7 @@ ScenePicturePainter2::ScenePicturePainter2(const PreparedScene2& prepared, const
 
 // Of the stripe of a face, if it has one: its value, or in a plain plan that it emits.
 std::optional<Colour> ScenePicturePainter2::colour(std::uint32_t surface, Side side) const {
-  const Surface2& s = scene_.surfaces[surface];
+  const Surface& s = scene_.surfaces[surface];
   if (side == Side::kBack && !s.back) return std::nullopt;
   if (picture_.colouring) {
     const FaceColouring& colouring = *picture_.colouring;

@@ -1,0 +1,80 @@
+// What a scene says beside its shape, whatever its dimension.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/material.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+
+// One edge (in the plane) or polygon (in space) of the input, but for its points. A back without a material is opaque
+// and black and makes no claim on an overlap.
+struct Surface {
+  std::string name;
+  std::uint32_t material = 0;         // of the front; index into SceneTable::materials
+  std::optional<std::uint32_t> back;  // of the back
+  std::uint32_t elements = 1;         // equal parts it is divided into
+  std::uint32_t group = 0;            // index into SceneTable::groups
+  int line = 0;                       // where it stands in the file, 0 if nowhere
+};
+
+// What is behind the backs of a group.
+enum class Behind : unsigned char {
+  kByOutline,  // nothing is said: a solid where the group is a closed outline with its fronts outward
+  kSolid,      // the bounded regions that its black backs look into are solid
+  kOpen,       // the group makes nothing solid
+};
+
+// A surface of its own, or those of one polyline or mesh.
+struct Group {
+  std::string name;
+  Behind behind = Behind::kByOutline;
+
+  Group(std::string n, Behind b = Behind::kByOutline) : name(std::move(n)), behind(b) {}
+  Group(const char* n) : name(n) {}
+  friend bool operator==(const Group&, const Group&) = default;
+};
+
+// An expectation that a scene file carries about itself: what a stranger can check, and why it holds.
+struct Expectation {
+  std::string name;             // of the reference value, e.g. "strip_parallel_h1"; may be empty
+  std::string kind;             // "exact", "rounded", "limit", "point", ...
+  std::string quantity;         // "factor", "radiosity", ...
+  std::vector<std::string> of;  // names the quantity is about, e.g. {from, to}
+  std::string at;               // of a point quantity: t in [0,1] from the first to the second point of of[0]
+  std::string value;            // p/q or decimal where exact, otherwise at least 21 significant digits
+  std::string form;             // closed form for people, e.g. "-1 + 1*sqrt(2)"
+  std::string derivation;
+  int line = 0;
+};
+
+// Names, materials, groups and lines: all that plans, verdicts, reports and net fluxes know of a scene.
+//
+//   (1) names are not empty, unique after expansion, none is "sky"; see docs/scene_format.md
+//   (2) every material and group index is valid
+struct SceneTable {
+  std::string file;  // for messages; may be a description when the scene was not read from a file
+  std::string about;
+  std::vector<Material> materials;
+  std::vector<Surface> surfaces;  // in the order of the file
+  std::vector<Group> groups;
+  Spectrum sky_emission;
+  bool closed = false;
+  std::vector<Expectation> expect;
+
+  // Returns the index of the surface of that name, or nothing.                       COST: linear.
+  std::optional<std::uint32_t> find(const std::string& name) const;
+};
+
+// Throws InputError naming file, line and surface unless the numbered properties hold.
+void validate_table(const SceneTable& table);
+
+// Number of channels the spectra of a scene need: 1 when all are scalars, else 3.
+int channel_count(const SceneTable& table);
+
+}  // namespace hottel

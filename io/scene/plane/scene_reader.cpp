@@ -1,0 +1,166 @@
+#include "io/scene/plane/scene_reader.h"
+
+#include <unordered_map>
+
+#include "geometry/name.h"
+#include "io/scene/json_fields.h"
+#include "io/scene/scene_json.h"
+#include "io/scene/table_reader.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+class PlaneReader {
+ public:
+  explicit PlaneReader(const std::string& name) : table_(scene_) { scene_.file = name; }
+
+  Scene2 read(const JsonValue& root) {
+    const auto [hottel, dimension, about, materials, edges, polylines, polygons, mesh, sky, closed, grid, camera,
+                lights, expect] = read_members(root, {"the scene"}, kSceneKeys);
+    if (about) scene_.about = read_string(about, {"about"});
+    if (materials) table_.read_materials(materials);
+    if (edges) read_shapes(edges, "edges", "edge", &PlaneReader::read_edge);
+    if (polylines) read_shapes(polylines, "polylines", "polyline", &PlaneReader::read_polyline);
+    refuse_space_only(polygons, mesh, camera);
+    if (sky) table_.read_sky(sky);
+    if (closed) scene_.closed = read_boolean(closed, {"closed"});
+    if (grid) read_grid(grid);
+    if (lights) TableReader::refuse_lights(lights);
+    if (expect) table_.read_expectations(expect);
+    validate(scene_);
+    refuse_duplicate_groups();
+    return std::move(scene_);
+  }
+
+ private:
+  void read_shapes(const JsonValue& list, std::string_view key, const std::string& noun,
+                   void (PlaneReader::*read_shape)(const JsonValue&, const std::string&)) {
+    require_kind(list, JsonKind::kArray, {key});
+    scene_.surfaces.reserve(scene_.surfaces.size() + list.size());
+    scene_.edges.reserve(scene_.edges.size() + list.size());
+    scene_.groups.reserve(scene_.groups.size() + list.size());
+    table_.read_list(list, key, noun,
+                     [&](const JsonValue& value, const std::string& name) { (this->*read_shape)(value, name); });
+  }
+
+  void read_edge(const JsonValue& value, const std::string& default_name) {
+    SceneEntry entry = table_.read_entry(value, default_name, "edge");
+    if (entry.points.size() < 2) refuse(entry.points, entry.owner + " has fewer than two points");
+    if (entry.points.size() > 2)
+      refuse(entry.points, entry.owner + " has " + std::to_string(entry.points.size()) + " points; an edge has two",
+             {"a chain of edges is an entry of \"polylines\""});
+    entry.surface.name = std::move(entry.name);
+    entry.surface.line = value.line();
+    Edge2 edge;
+    Point2* point = &edge.from;
+    for (const JsonValue item : entry.points.items()) {
+      *point = read_point(item, {entry.owner, "point"});
+      point = &edge.to;
+    }
+    if (edge.from == edge.to) refuse(value, entry.owner + " has length zero");
+    scene_.add(std::move(entry.surface), std::move(edge));
+  }
+
+  void read_polyline(const JsonValue& value, const std::string& default_name) {
+    constexpr std::array<std::string_view, 1> kMore{"closed"};
+    const SceneEntry entry = table_.read_entry(value, default_name, "polyline", kMore);
+    polyline_line_.emplace_back(value.line());
+    const bool closed = entry.more[0] && read_boolean(entry.more[0], {entry.owner, "closed"});
+    if (entry.points.size() < 2) refuse(entry.points, entry.owner + " has fewer than two points");
+    Point2 first, previous;
+    JsonValue at;
+    std::size_t k = 0;
+    const auto add = [&](const Point2& to, bool closes) {
+      const std::string name = entry.name + "[" + std::to_string(k - 1) + "]";
+      if (previous == to)
+        refuse(at, entry.owner + ": its piece " + quoted_name(name) + " has length zero",
+               {closes ? "\"closed\" joins the last point to the first: leave the repeated point out"
+                       : "a point stands twice in a row"});
+      Surface surface = entry.surface;
+      surface.name = name;
+      surface.line = at.line();
+      scene_.add(std::move(surface), {previous, to});
+    };
+    for (const JsonValue item : entry.points.items()) {
+      Point2 point = read_point(item, {entry.owner, "point"});
+      if (k == 0)
+        first = point;
+      else
+        add(point, false);
+      previous = std::move(point);
+      at = item;
+      ++k;
+    }
+    if (closed) add(first, true);
+  }
+
+  // Edges differ from each other already; a polyline has to differ from edges and other polylines.
+  void refuse_duplicate_groups() const {
+    const std::size_t edges = scene_.groups.size() - polyline_line_.size();
+    std::unordered_map<std::string_view, int> polylines;
+    for (std::size_t i = 0; i < polyline_line_.size(); ++i)
+      polylines.emplace(scene_.groups[edges + i].name, polyline_line_[i]);
+    if (polylines.empty()) return;
+    for (std::size_t i = 0; i < edges; ++i)
+      if (const auto found = polylines.find(scene_.groups[i].name); found != polylines.end())
+        throw InputError({scene_.file, found->second}, "polyline " + quoted_name(found->first) +
+                                                           " has the name of an edge, the one in line " +
+                                                           std::to_string(scene_.surfaces[i].line));
+  }
+
+  Point2 read_point(const JsonValue& value, const Subject& subject) const {
+    require_kind(value, JsonKind::kArray, subject);
+    if (value.size() != 2)
+      refuse(value,
+             subject.text() + " has " + std::to_string(value.size()) + " coordinates; in dimension 2 it has two");
+    Point2 point;
+    Rational* coordinate = &point.x;
+    for (const JsonValue item : value.items()) {
+      *coordinate = read_number(item, {subject.owner, "coordinate"});
+      coordinate = &point.y;
+    }
+    return point;
+  }
+
+  static void refuse_space_only(const JsonValue& polygons, const JsonValue& mesh, const JsonValue& camera) {
+    if (polygons) {
+      require_kind(polygons, JsonKind::kArray, {"polygons"});
+      if (polygons.size() > 0) refuse(polygons, "polygons belong to dimension 3; this scene has dimension 2");
+    }
+    if (mesh) refuse(mesh, "mesh belongs to dimension 3; this scene has dimension 2");
+    if (camera) refuse(camera, "camera belongs to dimension 3; this scene has dimension 2");
+  }
+
+  void read_grid(const JsonValue& grid) {
+    const auto [min, max, cells] = read_members(grid, {"grid"}, std::array<std::string_view, 3>{"min", "max", "cells"});
+    require_member(min, "min", grid, {"grid"});
+    require_member(max, "max", grid, {"grid"});
+    require_member(cells, "cells", grid, {"grid"});
+    Grid2 result;
+    result.min = read_point(min, {"grid", "min"});
+    result.max = read_point(max, {"grid", "max"});
+    if (result.max.x <= result.min.x || result.max.y <= result.min.y)
+      refuse(max, "grid: max must be greater than min in both coordinates");
+    require_kind(cells, JsonKind::kArray, {"grid", "cells"});
+    if (cells.size() != 2) refuse(cells, "grid: cells must be two numbers, along x and along y");
+    std::uint32_t* count = &result.nx;
+    for (const JsonValue item : cells.items()) {
+      *count = read_count(item, kMaxGridCells, {"grid", "cells"});
+      count = &result.ny;
+    }
+    scene_.grid = std::move(result);
+  }
+
+  Scene2 scene_;
+  TableReader table_;
+  std::vector<int> polyline_line_;
+};
+
+}  // namespace
+
+Scene2 read_plane_scene(const JsonValue& root, const std::string& name_for_messages) {
+  return PlaneReader(name_for_messages).read(root);
+}
+
+}  // namespace hottel

@@ -1,0 +1,14 @@
+// The part of the scene reader that knows the plane: edges, polylines, grids.
+#pragma once
+
+#include <string>
+
+#include "geometry/plane/scene/scene.h"
+#include "io/scene/exact_json.h"
+
+namespace hottel {
+
+// Returns the scene of a document of dimension 2, as read_scene says. Throws InputError.
+Scene2 read_plane_scene(const JsonValue& root, const std::string& name_for_messages);
+
+}  // namespace hottel

@@ -1,0 +1,188 @@
+#include "io/scene/table_reader.h"
+
+#include <algorithm>
+
+#include "geometry/name.h"
+#include "geometry/near_names.h"
+#include "io/scene/scene_json.h"
+
+namespace hottel {
+namespace {
+
+// sigma in W/(m² K⁴).
+const Rational& stefan_boltzmann() {
+  static const Rational sigma = *parse_rational("5.670374419e-8");
+  return sigma;
+}
+
+bool in_range(const Spectrum& spectrum, bool at_most_one) {
+  return std::all_of(spectrum.value.begin(), spectrum.value.end(),
+                     [&](const Rational& v) { return sgn(v) >= 0 && (!at_most_one || v <= 1); });
+}
+
+// A spectrum that is not negative, and not above one where that is asked.
+Spectrum read_spectrum_in_range(const JsonValue& value, const Subject& subject, bool at_most_one) {
+  Spectrum result = read_spectrum(value, subject);
+  if (!in_range(result, at_most_one))
+    refuse(value, subject.text() + (at_most_one ? " must be from 0 to 1" : " must not be negative"));
+  return result;
+}
+
+// Reflectivity 1 - e and emission e sigma T⁴.
+void set_grey_body(const Spectrum& emissivity, const Spectrum& temperature, Material& material) {
+  material.reflectivity.is_scalar = emissivity.is_scalar;
+  material.emission.is_scalar = emissivity.is_scalar && temperature.is_scalar;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Rational& t = temperature.value[c];
+    material.reflectivity.value[c] = 1 - emissivity.value[c];
+    material.emission.value[c] = emissivity.value[c] * stefan_boltzmann() * t * t * t * t;
+  }
+}
+
+Material read_material(const JsonValue& key, const JsonValue& value) {
+  const std::string owner = "material " + quoted_name(key.text());
+  const auto [about, reflectivity, emission, emissivity, temperature] =
+      read_members(value, {owner},
+                   std::array<std::string_view, 5>{"about", "reflectivity", "emission", "emissivity", "temperature"});
+  Material material;
+  material.name = key.text();
+  if (about) read_string(about, {owner, "about"});
+  if ((reflectivity || emission) && (emissivity || temperature))
+    refuse(value, owner + " has both reflectivity or emission and emissivity or temperature",
+           {"give either reflectivity and emission, or emissivity and temperature"});
+  if (temperature && !emissivity) refuse(value, owner + " has a temperature but no emissivity");
+  if (reflectivity) material.reflectivity = read_spectrum_in_range(reflectivity, {owner, "reflectivity"}, true);
+  if (emission) material.emission = read_spectrum_in_range(emission, {owner, "emission"}, false);
+  if (emissivity) {
+    const Spectrum e = read_spectrum_in_range(emissivity, {owner, "emissivity"}, true);
+    const Spectrum t = temperature ? read_spectrum_in_range(temperature, {owner, "temperature"}, false) : Spectrum();
+    set_grey_body(e, t, material);
+  }
+  return material;
+}
+
+Behind read_behind(const JsonValue& value, const Subject& subject) {
+  const std::string text = read_string(value, subject);
+  if (text == "solid") return Behind::kSolid;
+  if (text == "open") return Behind::kOpen;
+  refuse(value, subject.text() + " is " + quoted_name(text) + "; it may be \"solid\" or \"open\"");
+}
+
+// The number as it is typed.
+std::string number_text(const JsonValue& value, const Subject& subject) {
+  read_number(value, subject);
+  return std::string(value.text());
+}
+
+}  // namespace
+
+void TableReader::read_materials(const JsonValue& materials) {
+  require_kind(materials, JsonKind::kObject, {"materials"});
+  for (const auto [key, value] : materials.members()) {
+    // A material may be called as it likes; it only has to print on one line.
+    if (key.text().empty()) refuse(key, "the name of a material must not be empty");
+    if (has_control_character(key.text()))
+      refuse(key, "the name of material " + quoted_name(key.text()) + " must not contain a control character");
+    material_index_.emplace(key.text(), static_cast<std::uint32_t>(table_.materials.size()));
+    table_.materials.push_back(read_material(key, value));
+  }
+}
+
+void TableReader::read_sky(const JsonValue& sky) {
+  const auto [emission] = read_members(sky, {"sky"}, std::array<std::string_view, 1>{"emission"});
+  if (emission) table_.sky_emission = read_spectrum_in_range(emission, {"sky", "emission"}, false);
+}
+
+void TableReader::read_list(const JsonValue& list, std::string_view key, const std::string& noun,
+                            const std::function<void(const JsonValue&, const std::string&)>& read_item) {
+  require_kind(list, JsonKind::kArray, {key});
+  std::size_t k = 0;
+  for (const JsonValue item : list.items()) read_item(item, noun + "[" + std::to_string(k++) + "]");
+}
+
+SceneEntry TableReader::read_entry(const JsonValue& value, const std::string& default_name, std::string_view noun,
+                                   std::span<const std::string_view> more) {
+  SceneEntry entry;
+  entry.value = value;
+  entry.name = default_name;
+  require_kind(value, JsonKind::kObject, {default_name});
+  for (const auto [key, member] : value.members())
+    if (key.text() == "name") {
+      entry.name = read_string(member, {default_name, "name"});
+      if (const auto problem = name_problem(entry.name); !problem.empty())
+        refuse(member, default_name + ": the name " + quoted_name(entry.name) + " " + std::string(problem));
+    }
+  entry.owner = std::string(noun) + " " + quoted_name(entry.name);
+
+  constexpr std::array<std::string_view, 7> kCommon{"name",     "points", "material", "back",
+                                                    "elements", "about",  "behind"};
+  std::vector<std::string_view> keys(kCommon.begin(), kCommon.end());
+  keys.insert(keys.end(), more.begin(), more.end());
+  std::vector<JsonValue> members(keys.size());
+  read_members(value, {entry.owner}, keys, members);
+  const JsonValue material = members[2], back = members[3], elements = members[4], about = members[5],
+                  behind = members[6];
+  entry.points = members[1];
+  entry.more.assign(members.begin() + kCommon.size(), members.end());
+  require_member(entry.points, "points", value, {entry.owner});
+  require_member(material, "material", value, {entry.owner});
+  require_kind(entry.points, JsonKind::kArray, {entry.owner, "points"});
+  entry.surface.material = material_of(material, {entry.owner, "material"});
+  if (back) entry.surface.back = material_of(back, {entry.owner, "back"});
+  if (elements) entry.surface.elements = read_count(elements, kMaxElements, {entry.owner, "elements"});
+  if (about) read_string(about, {entry.owner, "about"});
+
+  entry.surface.group = static_cast<std::uint32_t>(table_.groups.size());
+  table_.groups.emplace_back(entry.name, behind ? read_behind(behind, {entry.owner, "behind"}) : Behind::kByOutline);
+  return entry;
+}
+
+void TableReader::refuse_lights(const JsonValue& lights) {
+  require_kind(lights, JsonKind::kArray, {"lights"});
+  if (lights.size() > 0) refuse(lights, "lights are not simulated by this version");
+}
+
+void TableReader::read_expectations(const JsonValue& list) {
+  read_list(list, "expect", "expectation",
+            [this](const JsonValue& value, const std::string& owner) { read_expectation(value, owner); });
+}
+
+std::uint32_t TableReader::material_of(const JsonValue& value, const Subject& subject) const {
+  require_kind(value, JsonKind::kString, subject);
+  if (const auto found = material_index_.find(value.text()); found != material_index_.end()) return found->second;
+  std::string defined = material_index_.empty() ? "the scene defines no materials" : "defined are:";
+  constexpr std::size_t kMost = 10;
+  for (std::size_t i = 0; i < table_.materials.size() && i < kMost; ++i)
+    defined += (i > 0 ? ", " : " ") + quoted_name(table_.materials[i].name);
+  if (table_.materials.size() > kMost) defined += ", ...";
+  std::vector<std::string> names;
+  for (const Material& material : table_.materials) names.push_back(material.name);
+  std::vector<std::string> hints = near_name_hints(value.text(), names);
+  hints.push_back(defined);
+  refuse(value, subject.text() + " " + quoted_name(value.text()) + " is not defined", std::move(hints));
+}
+
+void TableReader::read_expectation(const JsonValue& value, const std::string& owner) {
+  const auto [name, kind, quantity, of, at, expected, form, derivation] = read_members(
+      value, {owner},
+      std::array<std::string_view, 8>{"name", "kind", "quantity", "of", "at", "value", "form", "derivation"});
+  require_member(kind, "kind", value, {owner});
+  require_member(quantity, "quantity", value, {owner});
+  require_member(expected, "value", value, {owner});
+  Expectation result;
+  result.line = value.line();
+  result.kind = read_string(kind, {owner, "kind"});
+  result.quantity = read_string(quantity, {owner, "quantity"});
+  if (of) {
+    require_kind(of, JsonKind::kArray, {owner, "of"});
+    for (const JsonValue item : of.items()) result.of.push_back(read_string(item, {owner, "of"}));
+  }
+  if (name) result.name = read_string(name, {owner, "name"});
+  if (at) result.at = number_text(at, {owner, "at"});
+  result.value = number_text(expected, {owner, "value"});
+  if (form) result.form = read_string(form, {owner, "form"});
+  if (derivation) result.derivation = read_string(derivation, {owner, "derivation"});
+  table_.expect.push_back(std::move(result));
+}
+
+}  // namespace hottel

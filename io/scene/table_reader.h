@@ -1,0 +1,62 @@
+// What the readers of scenes in the plane and in space have in common: all of a scene but its shape.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/scene_table.h"
+#include "io/scene/exact_json.h"
+#include "io/scene/json_fields.h"
+
+namespace hottel {
+
+// The members that a scene may have, in this order; what belongs to the other dimension is refused by its reader.
+inline constexpr std::array<std::string_view, 14> kSceneKeys{"hottel",    "dimension", "about",  "materials", "edges",
+                                                             "polylines", "polygons",  "mesh",   "sky",       "closed",
+                                                             "grid",      "camera",    "lights", "expect"};
+
+// One item of "edges", "polylines" or "polygons", but for its points.
+struct SceneEntry {
+  JsonValue value, points;
+  std::string name;
+  std::string owner;            // for messages: "edge 'lamp'"
+  std::vector<JsonValue> more;  // members beyond those that all have, in the order of the keys asked for
+  Surface surface;              // without its name and line
+};
+
+// Fills the table of a scene. Every function throws InputError with file and line for what docs/scene_format.md does
+// not allow.
+class TableReader {
+ public:
+  // REQUIRES that the table outlives this.
+  explicit TableReader(SceneTable& table) : table_(table) {}
+
+  void read_materials(const JsonValue& materials);
+  void read_sky(const JsonValue& sky);
+  void read_expectations(const JsonValue& list);
+
+  // Calls read_item(item, "edge[k]") for each item of a list; `key` and `noun` are for messages.
+  void read_list(const JsonValue& list, std::string_view key, const std::string& noun,
+                 const std::function<void(const JsonValue&, const std::string&)>& read_item);
+
+  // Reads an item and makes a group of its name. Keys beyond name, points, material, back, elements, about and behind
+  // are those of `more`.
+  SceneEntry read_entry(const JsonValue& value, const std::string& default_name, std::string_view noun,
+                        std::span<const std::string_view> more = {});
+
+  static void refuse_lights(const JsonValue& lights);
+
+ private:
+  std::uint32_t material_of(const JsonValue& value, const Subject& subject) const;
+  void read_expectation(const JsonValue& value, const std::string& owner);
+
+  SceneTable& table_;
+  std::unordered_map<std::string_view, std::uint32_t> material_index_;
+};
+
+}  // namespace hottel
