@@ -10,11 +10,12 @@
 #include <set>
 
 #include "cli/command.h"
-#include "cli/foreign_results.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
-#include "cli/unknown_name.h"
+#include "geometry/near_names.h"
 #include "io/files/output_folder.h"
+#include "io/foreign/foreign_matrix.h"
+#include "io/foreign/foreign_radiosity.h"
 #include "io/results/comparison_files.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
@@ -23,6 +24,7 @@
 #include "solver/plane/compare/method_comparison.h"
 #include "solver/plane/compare/pair_explanation.h"
 #include "solver/plane/methods/method_catalogue.h"
+#include "viewer/picture/plane/drawable.h"
 #include "viewer/picture/plane/error_map.h"
 #include "viewer/picture/work_precision_plot.h"
 
@@ -45,8 +47,6 @@ struct CompareOptions {
 };
 
 using Methods = std::vector<std::unique_ptr<ExchangeMethod2>>;
-
-std::string family_of(const std::string& name) { return name.substr(0, name.find(':')); }
 
 // The names to run, each once, in the order asked for: without --methods the middle of each family's sweep; with
 // --sweep the whole sweep of each family that is named, in the variant (":normalised") it is named in.
@@ -74,7 +74,7 @@ std::vector<std::string> names_to_run(const MethodCatalogue2& methods, const Com
 
 Methods methods_to_run(const MethodCatalogue2& catalogue, const CompareOptions& options) {
   Methods methods;
-  for (const std::string& name : names_to_run(catalogue, options)) methods.push_back(make_method(catalogue, name));
+  for (const std::string& name : names_to_run(catalogue, options)) methods.push_back(catalogue.make(name));
   return methods;
 }
 
@@ -83,16 +83,16 @@ void require_effect(const CompareOptions& options, const MethodCatalogue2& catal
                     const std::vector<std::string>& radiosity_files) {
   std::vector<std::string> names;
   std::map<std::string, int> members;
-  bool is_foreign = !radiosity_files.empty();
+  bool has_foreign = !radiosity_files.empty();
   for (const auto& method : methods) {
     names.push_back(method->info().name);
     ++members[method->info().family];
-    is_foreign = is_foreign || has_rows_of_its_own(method->info().name);
+    has_foreign = has_foreign || is_foreign(method->info().name);
   }
   if (!options.map.empty() && std::ranges::find(names, options.map) == names.end())
     throw UnknownName("--map takes one of the methods that are compared, not '" + options.map + "'", options.map,
                       names);
-  if (options.beyond && !is_foreign)
+  if (options.beyond && !has_foreign)
     throw UsageError("--beyond is about results of others: none of the methods is file: or run:");
   if (options.at_most > 0 && std::ranges::none_of(members, [](const auto& each) { return each.second > 1; }))
     throw UsageError(
@@ -259,9 +259,9 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   const std::vector<WorkReading> readings = read_off(curves, kErrorsReadOff);
   const LogPlot plot = work_precision_plot(curves, "What accuracy costs: " + stem, size_of(comparison.exact()));
 
-  for (const std::string& name : radiosity_files)
+  for (const std::string& file : radiosity_files)
     outcome.results.push_back(naming_file(
-        options.scene, [&] { return judge_radiosity_file(name, comparison, options.beyond.value_or(kBeyond)); }));
+        options.scene, [&] { return judge_radiosity_file(file, comparison, options.beyond.value_or(kBeyond)); }));
   csv.write(compare_csv(outcome.results));
   worst.write(worst_csv(outcome.worst));
   read.write(readings_csv(curves, kErrorsReadOff));

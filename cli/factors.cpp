@@ -7,19 +7,21 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
-#include "cli/disk_space.h"
-#include "cli/factor_picture.h"
-#include "cli/memory.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "io/files/disk_space.h"
+#include "io/foreign/foreign_matrix.h"
 #include "io/results/factor_files.h"
 #include "io/results/npy_sidecar.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "kernel/support/stopwatch.h"
 #include "kernel/version.h"
+#include "solver/plane/methods/computed_factors.h"
 #include "solver/radiosity/gray_exchange.h"
+#include "viewer/picture/plane/factor_picture.h"
 
 namespace hottel {
 namespace {
@@ -263,7 +265,7 @@ ExchangeMatrix compute(const FactorsOptions& options, const ExchangeMethod2& met
 ExitCode factors(FactorsOptions options, Streams& streams) {
   take_exact_form(options);
   require_sense(options);
-  const std::unique_ptr<ExchangeMethod2> method = make_method(program_methods(), options.method);
+  const std::unique_ptr<ExchangeMethod2> method = program_methods().make(options.method);
   const Format format = format_of(options);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   if (!options.picture.empty() && !picture)
@@ -279,10 +281,9 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   options.elements.apply_to(scene);
   require_room_for(options, scene, format);
   const Granularity granularity = per_of(options.granularity);
-  const PictureTargets targets = picture ? picture_targets(scene, options.toward) : PictureTargets{};
+  const PictureTargets2 targets = picture ? picture_targets(scene, options.toward) : PictureTargets2{};
   // An approximate method works on elements, whatever is asked for in the end.
-  const bool is_divided =
-      granularity == Granularity::kElement || !(is_exact(options) || has_rows_of_its_own(options.method));
+  const bool is_divided = granularity == Granularity::kElement || !(is_exact(options) || is_foreign(options.method));
   if (!is_divided && options.elements.is_given())
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");
@@ -305,7 +306,7 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   if (options.pairs == "facing" || options.matrix == "visibility")
     table.hidden = hidden_pairs(prepared, granularity, matrix);
   if (drawing)
-    drawing->write(factor_picture(prepared, table.matrix, targets, gray ? "script-F" : "view factor", *picture));
+    drawing->write(factor_picture_2(prepared, table.matrix, targets, gray ? "script-F" : "view factor", *picture));
   if (out) naming_file(options.scene, [&] { write_factors(options, prepared, table, format, *out, rows); });
 
   // All files are whole before the first one takes its name.

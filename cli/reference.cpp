@@ -6,15 +6,15 @@
 #include <set>
 
 #include "cli/command.h"
-#include "cli/memory.h"
 #include "cli/scene_input.h"
-#include "cli/sha256.h"
+#include "geometry/plane/check/sight_findings.h"
 #include "io/files/output_folder.h"
 #include "io/files/text_file.h"
 #include "io/results/factor_files.h"
 #include "io/results/radiosity_files.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "kernel/version.h"
 #include "solver/radiosity/matrix_checks.h"
 #include "solver/radiosity/radiosity.h"

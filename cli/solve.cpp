@@ -4,11 +4,11 @@
 #include <filesystem>
 
 #include "cli/command.h"
-#include "cli/disk_space.h"
-#include "cli/memory.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
-#include "cli/unknown_name.h"
+#include "geometry/near_names.h"
+#include "geometry/plane/check/sight_findings.h"
+#include "io/files/disk_space.h"
 #include "io/files/output_folder.h"
 #include "io/results/check_report.h"
 #include "io/results/factor_files.h"
@@ -17,10 +17,12 @@
 #include "io/results/radiosity_files.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plan.h"
 #include "solver/plane/check/scene_check.h"
 #include "solver/plane/light/average_illumination.h"
+#include "solver/plane/methods/computed_factors.h"
 #include "solver/radiosity/a_priori_bounds.h"
 #include "solver/radiosity/matrix_checks.h"
 #include "solver/radiosity/radiosity.h"
@@ -140,7 +142,7 @@ ExchangeMatrix approximate_factors(const ExchangeMethod2& method, const Prepared
 }
 
 ExitCode solve(const SolveOptions& options, Streams& streams) {
-  const std::unique_ptr<ExchangeMethod2> method = make_method(program_methods(), options.method);
+  const std::unique_ptr<ExchangeMethod2> method = program_methods().make(options.method);
   const Solver solver = solver_of(options);
   const auto tone = tone_of(options.tone);
   if (!tone)

@@ -11,11 +11,13 @@
 #include "geometry/plane/check/face_cover.h"
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/pair_rounding.h"
+#include "geometry/plane/scene/scene_names.h"
 #include "geometry/plane/visibility/critical_points.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
 #include "io/scene/scene_json.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
+#include "viewer/picture/plane/drawable.h"
 #include "viewer/picture/plane/visibility_picture.h"
 
 namespace hottel {
@@ -234,8 +236,7 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
 
   const PreparedScene2 prepared = prepare(read_scene_2(options.scene));
   if (format) require_drawable(prepared.scene);
-  if (format && eye && std::max(std::abs(rounded(*eye)[0]), std::abs(rounded(*eye)[1])) > kLargestDrawn)
-    throw RequestError(options.scene + ": the point " + options.at + " is too far away to be drawn");
+  if (format && eye) require_drawable(prepared.scene, *eye, options.at);
   const Answer answer = is_pair               ? between_faces(prepared, options.from, options.to)
                         : !options.on.empty() ? from_face(prepared, options.on, t)
                                               : from_point(prepared, *eye, true);

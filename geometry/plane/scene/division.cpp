@@ -1,0 +1,34 @@
+#include "geometry/plane/scene/division.h"
+
+namespace hottel {
+namespace {
+
+// The least n with n^2 >= squared.
+Integer root_above(const Rational& squared) {
+  Integer whole;
+  mpz_cdiv_q(whole.get_mpz_t(), squared.get_num_mpz_t(), squared.get_den_mpz_t());
+  Integer n = sqrt(whole);
+  if (n * n < whole) ++n;
+  return n;
+}
+
+}  // namespace
+
+void divide_into(Scene2& scene, std::uint32_t n) {
+  HOTTEL_REQUIRE(n > 0);
+  for (Surface2& surface : scene.surfaces) surface.elements = n;
+}
+
+std::optional<std::uint32_t> divide_by_length(Scene2& scene, const Rational& h, std::uint32_t most) {
+  HOTTEL_REQUIRE(h > 0);
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    Surface2& surface = scene.surfaces[s];
+    const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
+    const Integer n = root_above((dx * dx + dy * dy) / (h * h));
+    if (n > most) return s;
+    surface.elements = static_cast<std::uint32_t>(n.get_ui());
+  }
+  return std::nullopt;
+}
+
+}  // namespace hottel
