@@ -14,7 +14,7 @@
 #include "io/results/factor_files.h"
 #include "io/results/npy.h"
 #include "io/results/npy_sidecar.h"
-#include "io/results/radiosity_files.h"
+#include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
@@ -72,27 +72,6 @@ void require_room_for(const Grid2& grid, int channels, const SolveOptions& optio
   require_space(directory / "illumination.npy", bytes, what + " takes", advice);
 }
 
-// The factor matrix and the radiosities in full, for scenes that fit on a screen.
-std::string small_scene_text(const ExchangeMatrix& matrix, const RadiositySolution& solution) {
-  std::string text = fmt::format("\n{:<16}", "factor to");
-  for (const Element& element : matrix.elements()) text += fmt::format("{:>14.14}", element.name);
-  text += fmt::format("{:>14}\n", "sky");
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    if (!matrix.has_row(i)) continue;
-    text += fmt::format("{:<16.16}", matrix.elements()[i].name);
-    for (std::uint32_t j = 0; j <= matrix.sky(); ++j) text += fmt::format("{:>14.10g}", matrix.factor(i, j).value);
-    text += "\n";
-  }
-  text += fmt::format("\n{:<16}{:>8}{:>24}{:>24}{:>24}\n", "radiosity", "channel", "lower", "value", "upper");
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (std::size_t c = 0; matrix.has_row(i) && c < solution.channels.size(); ++c) {
-      const ElementRadiosity& r = solution.channels[c].elements[i];
-      text += fmt::format("{:<16.16}{:>8}{:>24}{:>24}{:>24}\n", matrix.elements()[i].name, solution.channel_names[c],
-                          shortest(r.lower), shortest(r.radiosity), shortest(r.upper));
-    }
-  return text;
-}
-
 // The light on the grid by the way that was asked for, and the proven bound on its values where there is one.
 struct Light {
   IlluminationGrid grid;
@@ -123,8 +102,6 @@ std::string draw(const SolveOptions& options, Tone tone, const PreparedScene2& p
   scale = painter.tone().scale();
   return canvas.finish();
 }
-
-constexpr std::size_t kFacesOnAScreen = 12;
 
 // View factors by another method than the exact one; what is to be said of it.
 ExchangeMatrix approximate_factors(const ExchangeMethod2& method, const PreparedScene2& prepared,
@@ -257,18 +234,16 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
                            light ? light->max_error : std::nullopt,
                            matrix.guarantee() == Guarantee::kEstimated ? Guarantee::kEstimated : Guarantee::kEnclosed,
                            finding_notes(lost_light)};
-  json.write(report_json(report));
+  json.write(solve_json(report));
   // All files are whole before the first one takes its name.
   std::vector<OutputFile*> files{&csv, &flux};
   for (std::optional<OutputFile>* file : {&sidecar, &npy, &png})
     if (*file) files.push_back(&**file);
   files.push_back(&json);
   for (OutputFile* file : files) file->finish();
-  if (options.json) streams.write("", report_json(report));
+  if (options.json) streams.write("", solve_json(report));
   for (OutputFile* file : files) file->commit();
-  std::string text = report_text(report);
-  if (matrix.elements().size() <= 2 * kFacesOnAScreen && prepared.scene.surfaces.size() <= kFacesOnAScreen)
-    text += small_scene_text(matrix, solution);
+  const std::string text = solve_text(report) + small_scene_text(prepared.scene, matrix, solution);
   streams.note(text + "\nin " + directory.string() + ": radiosity.csv flux.csv" +
                (npy ? " illumination.npy illumination.npy.json" : "") + (png ? " illumination.png" : "") +
                " report.json");
