@@ -17,4 +17,7 @@ struct ComputedFactors {
 // Throws RequestError naming scene and method when it cannot be run.
 ComputedFactors factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared, Granularity granularity);
 
+// Throws RequestError, naming scene, method and element, where a factor is negative: nothing can be solved then.
+void require_not_negative(const ExchangeMatrix& matrix, const PreparedScene2& prepared, const ExchangeMethod2& method);
+
 }  // namespace hottel
