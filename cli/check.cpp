@@ -2,11 +2,11 @@
 #include <optional>
 
 #include "cli/command.h"
-#include "cli/memory.h"
 #include "cli/scene_input.h"
 #include "io/results/check_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "solver/plane/check/scene_check.h"
 
 namespace hottel {

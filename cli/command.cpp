@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "cli/signals.h"
-#include "cli/unknown_name.h"
 #include "geometry/near_names.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"

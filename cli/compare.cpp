@@ -6,23 +6,24 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "cli/command.h"
-#include "cli/foreign_results.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
-#include "cli/unknown_name.h"
+#include "geometry/near_names.h"
 #include "io/files/output_folder.h"
+#include "io/foreign/foreign_matrix.h"
+#include "io/foreign/foreign_radiosity.h"
 #include "io/results/comparison_files.h"
+#include "io/results/comparison_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
-#include "kernel/version.h"
 #include "solver/compare/work_precision.h"
 #include "solver/plane/compare/method_comparison.h"
 #include "solver/plane/compare/pair_explanation.h"
 #include "solver/plane/methods/method_catalogue.h"
+#include "viewer/picture/plane/drawable.h"
 #include "viewer/picture/plane/error_map.h"
 #include "viewer/picture/work_precision_plot.h"
 
@@ -45,8 +46,6 @@ struct CompareOptions {
 };
 
 using Methods = std::vector<std::unique_ptr<ExchangeMethod2>>;
-
-std::string family_of(const std::string& name) { return name.substr(0, name.find(':')); }
 
 // The names to run, each once, in the order asked for: without --methods the middle of each family's sweep; with
 // --sweep the whole sweep of each family that is named, in the variant (":normalised") it is named in.
@@ -74,7 +73,7 @@ std::vector<std::string> names_to_run(const MethodCatalogue2& methods, const Com
 
 Methods methods_to_run(const MethodCatalogue2& catalogue, const CompareOptions& options) {
   Methods methods;
-  for (const std::string& name : names_to_run(catalogue, options)) methods.push_back(make_method(catalogue, name));
+  for (const std::string& name : names_to_run(catalogue, options)) methods.push_back(catalogue.make(name));
   return methods;
 }
 
@@ -83,16 +82,16 @@ void require_effect(const CompareOptions& options, const MethodCatalogue2& catal
                     const std::vector<std::string>& radiosity_files) {
   std::vector<std::string> names;
   std::map<std::string, int> members;
-  bool is_foreign = !radiosity_files.empty();
+  bool has_foreign = !radiosity_files.empty();
   for (const auto& method : methods) {
     names.push_back(method->info().name);
     ++members[method->info().family];
-    is_foreign = is_foreign || has_rows_of_its_own(method->info().name);
+    has_foreign = has_foreign || is_foreign(method->info().name);
   }
   if (!options.map.empty() && std::ranges::find(names, options.map) == names.end())
     throw UnknownName("--map takes one of the methods that are compared, not '" + options.map + "'", options.map,
                       names);
-  if (options.beyond && !is_foreign)
+  if (options.beyond && !has_foreign)
     throw UsageError("--beyond is about results of others: none of the methods is file: or run:");
   if (options.at_most > 0 && std::ranges::none_of(members, [](const auto& each) { return each.second > 1; }))
     throw UsageError(
@@ -116,91 +115,12 @@ MethodResult run(const MethodComparison2& comparison, const ExchangeMethod2& met
   }
 }
 
-std::string report_json(const CompareOptions& options, const MethodComparison2& comparison,
-                        std::span<const MethodResult> results, std::span<const WorkReading> readings) {
-  nlohmann::ordered_json json;
-  json["hottel"] = 1;
-  json["version"] = kVersion;
-  json["scene"] = options.scene;
-  json["counts"] = {{"surfaces", comparison.prepared().scene.surfaces.size()},
-                    {"elements", comparison.exact().size()},
-                    {"entries", comparison.exact().entry_count()}};
-  json["seconds"] = {{"prepare", comparison.prepared().seconds}};
-  json["methods"] = nlohmann::ordered_json::array();
-  const auto optional = [](const std::optional<double>& value) {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
-  };
-  for (const MethodResult& each : results)
-    json["methods"].push_back({{"method", each.info.name},
-                               {"family", each.info.family},
-                               {"guarantee", to_string(each.info.guarantee)},
-                               {"reference", each.info.reference},
-                               {"seconds",
-                                {{"median", each.timing.median},
-                                 {"fastest", each.timing.fastest},
-                                 {"slowest", each.timing.slowest},
-                                 {"runs", each.timing.runs}}},
-                               {"max_error", each.errors.max},
-                               {"rms_error", each.errors.rms},
-                               {"closure", each.errors.closure},
-                               {"row_defect_before_normalising", each.report.row_defect},
-                               {"pairs", each.errors.pairs},
-                               {"declared_error", optional(each.declared_error)},
-                               {"standard_error", optional(each.report.standard_error)},
-                               {"max_radiosity_error", optional(each.max_radiosity_error)},
-                               {"notes", each.notes}});
-  json["readings"] = nlohmann::ordered_json::array();
-  for (const WorkReading& reading : readings)
-    json["readings"].push_back(
-        {{"error", reading.error},
-         {"exact_seconds", reading.exact_seconds},
-         {"family", reading.family},
-         {"seconds", optional(reading.family.empty() ? std::nullopt : std::optional(reading.seconds))}});
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
-// "812 elements, 5852 factors": elements that have a row, and the exact factors in these rows.
-std::string size_of(const ExchangeMatrix& exact) {
-  std::uint32_t rows = 0;
-  for (std::uint32_t i = 0; i < exact.size(); ++i) rows += exact.has_row(i) ? 1 : 0;
-  return fmt::format("{} elements, {} view factors", rows, exact.entry_count());
-}
-
-std::string report_text(const MethodComparison2& comparison, std::span<const MethodResult> results,
-                        std::span<const WorkReading> readings) {
-  std::string text = fmt::format("{}; prepared once for all in {:.3g} s\n\n", size_of(comparison.exact()),
-                                 comparison.prepared().seconds) +
-                     compare_table(results) + "\n";
-  if (!comparison.exact_solution()) text += "no radiosities are compared: " + comparison.why_no_solution() + "\n";
-  std::vector<std::pair<std::string, std::string>> notes;  // what is said, of which methods
-  for (const MethodResult& each : results)
-    for (const std::string& note : each.notes) {
-      auto place = std::find_if(notes.begin(), notes.end(), [&](const auto& other) { return other.first == note; });
-      if (place == notes.end()) place = notes.insert(place, {note, ""});
-      place->second += (place->second.empty() ? "" : ", ") + each.info.name;
-    }
-  for (const auto& [note, whose] : notes) text += whose + ": " + note + "\n";
-  for (const WorkReading& reading : readings) text += to_sentence(reading) + "\n";
-  return text;
-}
-
 // What the methods came to, without their matrices.
 struct Outcome {
   std::vector<MethodResult> results;
   std::vector<ExplainedPair> worst;
   std::string map;  // bytes of errors.png
 };
-
-std::vector<ExplainedPair> explain_worst(const PairExplainer2& explainer, const ExchangeMatrix& exact,
-                                         const MethodResult& result, std::size_t count) {
-  const auto name = [&](std::uint32_t element) {
-    return element == exact.sky() ? "sky" : exact.elements()[element].name;
-  };
-  std::vector<ExplainedPair> explained;
-  for (const PairError& pair : worst_pairs(result.matrix, exact, count))
-    explained.push_back({result.info.name, name(pair.from), name(pair.to), pair, explainer.explain(pair)});
-  return explained;
-}
 
 // Runs one method after the other. A matrix is looked at from all sides here, then dropped.
 Outcome run_all(const MethodComparison2& comparison, const Methods& methods, const CompareOptions& options,
@@ -218,7 +138,7 @@ Outcome run_all(const MethodComparison2& comparison, const Methods& methods, con
     }
     MethodResult result = run(comparison, *methods[k], options);
     if (options.at_most > 0 && result.timing.median > options.at_most) slow.insert(info.family);
-    std::ranges::move(explain_worst(explainer, comparison.exact(), result, options.worst),
+    std::ranges::move(explained_worst_pairs(explainer, comparison.exact(), result, options.worst),
                       std::back_inserter(outcome.worst));
     if (info.name == options.map) outcome.map = error_map_2(comparison, result, PictureFormat::kPng);
     add_verdict(comparison, options.beyond.value_or(kBeyond), result);
@@ -257,11 +177,12 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   Outcome outcome = run_all(comparison, methods, options, streams);
   const std::vector<WorkCurve> curves = work_curves(outcome.results);
   const std::vector<WorkReading> readings = read_off(curves, kErrorsReadOff);
-  const LogPlot plot = work_precision_plot(curves, "What accuracy costs: " + stem, size_of(comparison.exact()));
+  const LogPlot plot = work_precision_plot(curves, "What accuracy costs: " + stem, size_text(comparison.exact()));
 
-  for (const std::string& name : radiosity_files)
+  for (const std::string& file : radiosity_files)
     outcome.results.push_back(naming_file(
-        options.scene, [&] { return judge_radiosity_file(name, comparison, options.beyond.value_or(kBeyond)); }));
+        options.scene, [&] { return judge_radiosity_file(file, comparison, options.beyond.value_or(kBeyond)); }));
+  const ComparisonReport2 report{options.scene, comparison, outcome.results, readings};
   csv.write(compare_csv(outcome.results));
   worst.write(worst_csv(outcome.worst));
   read.write(readings_csv(curves, kErrorsReadOff));
@@ -273,11 +194,11 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   std::vector<OutputFile*> files = {&csv, &worst, &read, &svg, &png};
   if (map) files.push_back(&*map);
   for (OutputFile* file : files) file->finish();
-  if (options.json) streams.write("", report_json(options, comparison, outcome.results, readings));
+  if (options.json) streams.write("", comparison_json(report));
   for (OutputFile* file : files) file->commit();
   std::string names;
   for (const OutputFile* file : files) names += " " + std::filesystem::path(file->name()).filename().string();
-  streams.note(report_text(comparison, outcome.results, readings) + "\nin " + directory.string() + ":" + names);
+  streams.note(comparison_text(report) + "\nin " + directory.string() + ":" + names);
   return ExitCode::kDone;
 }
 

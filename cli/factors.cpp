@@ -4,22 +4,23 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "cli/command.h"
-#include "cli/disk_space.h"
-#include "cli/factor_picture.h"
-#include "cli/memory.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "io/files/disk_space.h"
+#include "io/foreign/foreign_matrix.h"
 #include "io/results/factor_files.h"
+#include "io/results/factors_report.h"
 #include "io/results/npy_sidecar.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "kernel/support/stopwatch.h"
-#include "kernel/version.h"
+#include "solver/plane/methods/computed_factors.h"
 #include "solver/radiosity/gray_exchange.h"
+#include "viewer/picture/plane/factor_picture.h"
 
 namespace hottel {
 namespace {
@@ -60,98 +61,47 @@ Granularity per_of(const std::string& name) {
 
 bool is_exact(const FactorsOptions& options) { return options.method == "exact"; }
 
-// Script-F and what is said of it.
-struct GrayFactors {
-  ExchangeMatrix matrix;
-  int channel = 0;
-  std::string channel_name = "all";
-  double max_relative_width = 0;
-  double seconds = 0;
-};
-
 constexpr std::array<const char*, 3> kChannels{"r", "g", "b"};
 
 // The channel asked for; without one all materials of faces must be gray.
-void choose_channel(const FactorsOptions& options, const PreparedScene2& prepared, const ExchangeMatrix& matrix,
-                    GrayFactors& gray) {
-  if (!options.channel.empty()) {
-    const auto place = std::find(kChannels.begin(), kChannels.end(), options.channel);
-    gray.channel = static_cast<int>(place - kChannels.begin());
-    gray.channel_name = options.channel;
-    return;
+int channel_of(const FactorsOptions& options, const PreparedScene2& prepared, const ExchangeMatrix& matrix) {
+  if (!options.channel.empty())
+    return static_cast<int>(std::find(kChannels.begin(), kChannels.end(), options.channel) - kChannels.begin());
+  if (const auto row = first_coloured(matrix, prepared.scene.materials)) {
+    const Element& element = matrix.elements()[*row];
+    throw RequestError(fmt::format("{}: '{}', the material of '{}', is not gray: choose --channel r, g or b",
+                                   prepared.scene.file, prepared.scene.materials[*element.material].name,
+                                   element.name));
   }
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    if (!matrix.has_row(i)) continue;
-    const Material& material = prepared.scene.materials[*matrix.elements()[i].material];
-    const auto& rho = material.reflectivity.value;
-    if (rho[0] != rho[1] || rho[0] != rho[2])
-      throw RequestError(fmt::format("{}: '{}', the material of '{}', is not gray: choose --channel r, g or b",
-                                     prepared.scene.file, material.name, matrix.elements()[i].name));
-  }
+  return 0;
 }
 
-GrayFactors gray_factors(const FactorsOptions& options, const PreparedScene2& prepared, const ExchangeMatrix& matrix,
-                         const Streams& streams) {
+// What is computed of a scene, and what is said of it.
+struct Factors {
+  ExchangeMatrix matrix;               // view factors
+  std::optional<ExchangeMatrix> gray;  // script-F instead
+  int channel = 0;                     // of script-F
+  FactorsReport report;
+
+  const ExchangeMatrix& written() const { return gray ? *gray : matrix; }
+};
+
+void add_script_f(const FactorsOptions& options, const PreparedScene2& prepared, const Streams& streams,
+                  Factors& factors) {
   Stopwatch watch;
-  GrayFactors gray;
-  choose_channel(options, prepared, matrix, gray);
-  gray.matrix = naming_file(options.scene, [&] {
-    return gray_exchange(
-        matrix, prepared.scene.materials,
-        {.channel = gray.channel, .memory = memory_allowed(options.memory), .progress = streams.progress("script-F")});
+  factors.channel = channel_of(options, prepared, factors.matrix);
+  factors.gray = naming_file(options.scene, [&] {
+    return gray_exchange(factors.matrix, prepared.scene.materials,
+                         {.channel = factors.channel,
+                          .memory = memory_allowed(options.memory),
+                          .progress = streams.progress("script-F")});
   });
-  for (std::uint32_t i = 0; i < gray.matrix.size(); ++i)
-    for (std::size_t k = 0; k < gray.matrix.row(i).size(); ++k)
-      if (const double factor = gray.matrix.row(i)[k].factor.value; factor > 0)
-        gray.max_relative_width = std::max(gray.max_relative_width, gray.matrix.bounds(i, k).width() / factor);
+  FactorsReport::Gray gray;
+  gray.channel = options.channel.empty() ? "all" : options.channel;
+  gray.pairs = factors.gray->entry_count();
+  gray.max_relative_width = max_relative_width(*factors.gray);
   gray.seconds = watch.lap();
-  return gray;
-}
-
-nlohmann::ordered_json report_json(const FactorsOptions& options, const ExchangeReport& report,
-                                   const MethodReport& method, const std::optional<GrayFactors>& gray) {
-  nlohmann::ordered_json json;
-  json["hottel"] = 1;
-  json["version"] = kVersion;
-  json["scene"] = options.scene;
-  json["method"] = options.method;
-  json["counts"] = {{"surfaces", report.surfaces}, {"vertices", report.vertices}, {"pieces", report.pieces},
-                    {"elements", report.elements}, {"pairs", report.pairs},       {"gaps", report.gaps},
-                    {"terms", report.terms}};
-  json["tiers"] = {{"double", report.tiers.by_tier[0]},
-                   {"double_double", report.tiers.by_tier[1]},
-                   {"ball", report.tiers.by_tier[2]},
-                   {"root_sum", report.tiers.by_tier[3]}};
-  json["seconds"] = report.seconds;
-  json["closure"] = {{"max_defect", 0}, {"exact", report.closure_is_exact}};
-  if (!is_exact(options)) json["closure"]["max_defect"] = method.row_defect;
-  if (!method.notes.empty()) json["notes"] = method.notes;
-  if (gray) {
-    json["seconds"]["script_f"] = gray->seconds;
-    json["script_f"] = {{"channel", gray->channel_name}, {"max_relative_width", gray->max_relative_width}};
-  }
-  return json;
-}
-
-std::string report_text(const FactorsOptions& options, const ExchangeReport& report, const MethodReport& method,
-                        const std::optional<GrayFactors>& gray) {
-  double seconds = 0;
-  for (const auto& [stage, time] : report.seconds) seconds += time;
-  if (!is_exact(options)) {
-    std::string text =
-        fmt::format("{} factors of {} {}s; {:.3f} s", report.pairs, report.elements, options.granularity, seconds);
-    for (const std::string& note : method.notes) text += "\n" + note;
-    return text;
-  }
-  std::string text = fmt::format(
-      "{} visible pairs of {} {}s, every factor correctly rounded; rows close exactly\n"
-      "settled by: {} without rounding, {} in 128-bit fixed point, {} by balls, {} by root sums; {:.3f} s",
-      report.pairs, report.elements, options.granularity, report.tiers.by_tier[0], report.tiers.by_tier[1],
-      report.tiers.by_tier[2], report.tiers.by_tier[3], seconds);
-  if (gray)
-    text += fmt::format("\nscript-F of {} pairs, bounds within {:.1e} of the value; {:.3f} s",
-                        gray->matrix.entry_count(), gray->max_relative_width, gray->seconds);
-  return text;
+  factors.report.gray = gray;
 }
 
 // Sorts out what --exact-form took: its two names, or the scene, or both.
@@ -192,6 +142,16 @@ void require_sense(const FactorsOptions& options) {
   if (options.picture.empty() != options.toward.empty()) throw UsageError("--picture and --toward go together");
   if (!options.picture.empty() && options.granularity != "face")
     throw UsageError("--picture colours whole faces: it is drawn --per face, not --per " + options.granularity);
+}
+
+// What cannot be kept to. (Told once the scene is read: in space it could.)
+void require_use_of_limits(const FactorsOptions& options) {
+  if (options.memory > 0 && !is_exact(options))
+    throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
+  if (options.tolerance)
+    throw UsageError(
+        "--tolerance is for scenes in space: in the plane every factor is correctly rounded, and those of "
+        "other methods are as good as the method");
 }
 
 // Writes the factors to `out`, and for .mtx and .npy what their rows are to `rows`.
@@ -241,80 +201,91 @@ void require_room_for(const FactorsOptions& options, const Scene2& scene, Format
                 "; lists of the pairs that see each other, -o FILE.csv or FILE.mtx without --matrix, are smaller");
 }
 
-ExchangeMatrix compute(const FactorsOptions& options, const ExchangeMethod2& method, const PreparedScene2& prepared,
-                       const Streams& streams, ExchangeReport& report, MethodReport& of_method) {
-  const Granularity granularity = per_of(options.granularity);
-  if (is_exact(options))
-    return naming_file(options.scene, [&] {
+Factors compute(const FactorsOptions& options, const ExchangeMethod2& method, const PreparedScene2& prepared,
+                const Streams& streams) {
+  Factors factors;
+  factors.report = {options.scene, options.method, per_of(options.granularity)};
+  if (is_exact(options)) {
+    factors.matrix = naming_file(options.scene, [&] {
       return exact_exchange(prepared,
-                            {.granularity = granularity,
+                            {.granularity = factors.report.granularity,
                              .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
                              .wants_measures = options.matrix == "exchange",
                              .memory = memory_allowed(options.memory),
                              .progress = streams.progress("view factors")},
-                            &report);
+                            &factors.report.counts);
     });
-  ComputedFactors computed = factors_by(method, prepared, granularity);
-  report = computed.counts;
-  of_method = computed.report;
-  return std::move(computed.matrix);
+  } else {
+    ComputedFactors computed = factors_by(method, prepared, factors.report.granularity);
+    factors.report.counts = std::move(computed.counts);
+    factors.report.of_method = std::move(computed.report);
+    factors.matrix = std::move(computed.matrix);
+  }
+  if (options.script_f) add_script_f(options, prepared, streams, factors);
+  return factors;
+}
+
+// The files of a run, opened before the work: a path that cannot be written is found at once.
+struct Outputs {
+  std::optional<OutputFile> out, rows, drawing;
+
+  Outputs(const FactorsOptions& options, Format format, const Streams& streams) {
+    if (!options.json || !options.out.empty()) out.emplace(streams.output(options.out));
+    if (format == Format::kMtx) rows.emplace(options.out + ".faces.csv");
+    if (format == Format::kNpy) rows.emplace(options.out + ".json");
+    if (!options.picture.empty()) drawing.emplace(options.picture);
+  }
+  // All files are whole before the first one takes its name.
+  void finish() {
+    for (std::optional<OutputFile>* file : {&out, &rows, &drawing})
+      if (*file) (*file)->finish();
+  }
+  void commit() {
+    for (std::optional<OutputFile>* file : {&rows, &drawing, &out})
+      if (*file) (*file)->commit();
+  }
+};
+
+// The scene as its rows are asked for. An approximate method works on elements, whatever is asked for in the end.
+PreparedScene2 prepare_for(const FactorsOptions& options, Scene2 scene, const Streams& streams) {
+  const bool is_divided = options.granularity == "element" || !(is_exact(options) || is_foreign(options.method));
+  if (!is_divided && options.elements.is_given())
+    streams.note("elements change nothing here: rows are those of whole " + options.granularity +
+                 "s; --per element has a row each");
+  return prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
 }
 
 ExitCode factors(FactorsOptions options, Streams& streams) {
   take_exact_form(options);
   require_sense(options);
-  const std::unique_ptr<ExchangeMethod2> method = make_method(program_methods(), options.method);
+  const std::unique_ptr<ExchangeMethod2> method = program_methods().make(options.method);
   const Format format = format_of(options);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   if (!options.picture.empty() && !picture)
     throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
 
   Scene2 scene = read_scene_2(options.scene);
-  if (options.memory > 0 && !is_exact(options))
-    throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
-  if (options.tolerance)
-    throw UsageError(
-        "--tolerance is for scenes in space: in the plane every factor is correctly rounded, and those of "
-        "other methods are as good as the method");
+  require_use_of_limits(options);
   options.elements.apply_to(scene);
   require_room_for(options, scene, format);
-  const Granularity granularity = per_of(options.granularity);
-  const PictureTargets targets = picture ? picture_targets(scene, options.toward) : PictureTargets{};
-  // An approximate method works on elements, whatever is asked for in the end.
-  const bool is_divided =
-      granularity == Granularity::kElement || !(is_exact(options) || has_rows_of_its_own(options.method));
-  if (!is_divided && options.elements.is_given())
-    streams.note("elements change nothing here: rows are those of whole " + options.granularity +
-                 "s; --per element has a row each");
-  const PreparedScene2 prepared = prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
+  const PictureTargets2 targets = picture ? picture_targets(scene, options.toward) : PictureTargets2{};
+  const PreparedScene2 prepared = prepare_for(options, std::move(scene), streams);
 
-  // Opened before the work: a path that cannot be written is found at once.
-  std::optional<OutputFile> out, rows, drawing;
-  if (!options.json || !options.out.empty()) out.emplace(streams.output(options.out));
-  if (format == Format::kMtx) rows.emplace(options.out + ".faces.csv");
-  if (format == Format::kNpy) rows.emplace(options.out + ".json");
-  if (picture) drawing.emplace(options.picture);
-
-  ExchangeReport report;
-  MethodReport of_method;
-  const ExchangeMatrix matrix = compute(options, *method, prepared, streams, report, of_method);
-  const std::optional<GrayFactors> gray =
-      options.script_f ? std::optional(gray_factors(options, prepared, matrix, streams)) : std::nullopt;
-  FactorTable table{prepared.scene, gray ? gray->matrix : matrix, granularity, {}, {}};
-  if (gray) table.gray_channel = gray->channel;
+  Outputs outputs(options, format, streams);
+  const Factors factors = compute(options, *method, prepared, streams);
+  FactorTable table{prepared.scene, factors.written(), factors.report.granularity, {}, {}};
+  if (factors.gray) table.gray_channel = factors.channel;
   if (options.pairs == "facing" || options.matrix == "visibility")
-    table.hidden = hidden_pairs(prepared, granularity, matrix);
-  if (drawing)
-    drawing->write(factor_picture(prepared, table.matrix, targets, gray ? "script-F" : "view factor", *picture));
-  if (out) naming_file(options.scene, [&] { write_factors(options, prepared, table, format, *out, rows); });
-
-  // All files are whole before the first one takes its name.
-  for (std::optional<OutputFile>* file : {&out, &rows, &drawing})
-    if (*file) (*file)->finish();
-  if (options.json) streams.write("", report_json(options, report, of_method, gray).dump(2) + "\n");
-  for (std::optional<OutputFile>* file : {&rows, &drawing, &out})
-    if (*file) (*file)->commit();
-  streams.note(report_text(options, report, of_method, gray));
+    table.hidden = hidden_pairs(prepared, table.granularity, factors.matrix);
+  if (picture)
+    outputs.drawing->write(
+        factor_picture_2(prepared, table.matrix, targets, factors.gray ? "script-F" : "view factor", *picture));
+  if (outputs.out)
+    naming_file(options.scene, [&] { write_factors(options, prepared, table, format, *outputs.out, outputs.rows); });
+  outputs.finish();
+  if (options.json) streams.write("", factors_json(factors.report));
+  outputs.commit();
+  streams.note(factors_text(factors.report));
   return ExitCode::kDone;
 }
 

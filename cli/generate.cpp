@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "cli/command.h"
-#include "cli/unknown_name.h"
+#include "geometry/near_names.h"
 #include "geometry/plane/generate/generators.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"

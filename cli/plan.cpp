@@ -1,7 +1,7 @@
 // hottel plan: what solve would simulate of a scene, and what not.
 #include "cli/command.h"
 #include "cli/scene_input.h"
-#include "io/results/radiosity_files.h"
+#include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "solver/plane/scene_plan.h"
 

@@ -2,20 +2,17 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "cli/command.h"
-#include "cli/memory.h"
 #include "cli/scene_input.h"
-#include "cli/sha256.h"
+#include "geometry/plane/check/sight_findings.h"
 #include "io/files/output_folder.h"
 #include "io/files/text_file.h"
-#include "io/results/factor_files.h"
-#include "io/results/radiosity_files.h"
+#include "io/results/reference_set.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
-#include "kernel/version.h"
+#include "kernel/support/memory.h"
 #include "solver/radiosity/matrix_checks.h"
 #include "solver/radiosity/radiosity.h"
 
@@ -27,35 +24,15 @@ struct ReferenceOptions {
   std::vector<std::string> scenes;
 };
 
-// A file of the set, whole in memory: its path from the folder, and what it holds.
-struct SetFile {
-  std::string path, text;
-};
-
-struct SceneReference {
-  std::string name;
-  ExchangeReport exchange;
-  std::uint64_t factors = 0;
-  double max_relative_width = 0;
-  std::vector<SetFile> files;
-};
-
-std::string written(const std::function<void(const Sink&)>& write) {
-  std::string text;
-  write([&text](std::string_view piece) { text += piece; });
-  return text;
-}
-
 // The factors of all elements and the radiosities of one scene.
 SceneReference refer(const std::string& file, const std::string& name, const Streams& streams) {
-  SceneReference result;
-  result.name = name;
   const PreparedScene2 prepared = prepare(read_scene_2(file), Divided::kYes);
+  ExchangeReport exchange;
   const ExchangeMatrix matrix = exact_exchange(prepared,
                                                {.granularity = Granularity::kElement,
                                                 .memory = memory_allowed(),
                                                 .progress = streams.progress("view factors of " + name)},
-                                               &result.exchange);
+                                               &exchange);
   require_closed(prepared.scene, matrix);
   RadiosityOptions options;
   options.progress = streams.progress("radiosities of " + name);
@@ -65,65 +42,7 @@ SceneReference refer(const std::string& file, const std::string& name, const Str
     require_doubles(matrix, sky, solved);
     return solved;
   });
-  result.factors = matrix.entry_count();
-  result.max_relative_width = solution.max_relative_width;
-  const FactorTable table{prepared.scene, matrix, Granularity::kElement, {}, {}};
-  const std::string folder = name + "/";
-  result.files.push_back({folder + "scene.json", read_text_file(file)});
-  result.files.push_back({folder + "factors.csv", written([&](const Sink& sink) { write_factors_csv(table, sink); })});
-  result.files.push_back({folder + "factors.mtx", written([&](const Sink& sink) { write_factors_mtx(table, sink); })});
-  result.files.push_back(
-      {folder + "factors.mtx.faces.csv", written([&](const Sink& sink) { write_faces_csv(table, sink); })});
-  result.files.push_back({folder + "radiosity.csv", written([&](const Sink& sink) {
-                            write_radiosity_csv(prepared.scene, matrix, solution, sink);
-                          })});
-  return result;
-}
-
-nlohmann::ordered_json manifest_entry(const SceneReference& scene) {
-  nlohmann::ordered_json json;
-  json["name"] = scene.name;
-  json["counts"] = {{"surfaces", scene.exchange.surfaces},
-                    {"elements", scene.exchange.elements},
-                    {"vertices", scene.exchange.vertices},
-                    {"pairs", scene.exchange.pairs},
-                    {"factors", scene.factors}};
-  json["factors"] = {{"guarantee", to_string(Guarantee::kExact)},
-                     {"closure_is_exact", scene.exchange.closure_is_exact}};
-  json["radiosities"] = {{"guarantee", to_string(Guarantee::kEnclosed)},
-                         {"max_relative_width", scene.max_relative_width}};
-  json["files"] = nlohmann::ordered_json::array();
-  for (const SetFile& file : scene.files)
-    json["files"].push_back({{"file", file.path}, {"bytes", file.text.size()}, {"sha256", sha256(file.text)}});
-  return json;
-}
-
-constexpr const char* kReadme =
-    R"(Reference solutions of diffuse light in the plane, computed by hottel {version}.
-
-One folder a scene:
-
-  scene.json              the scene, as it was given; coordinates are the decimals as typed
-  factors.csv             view factors F(from, to) of all elements that see each other. Each is the double nearest to
-                          the real number; it lies in [lower, upper]. Vis is the visible part (S / S0)
-  factors.mtx             the same in Matrix Market's format; rows and columns as in the next file, the sky last
-  factors.mtx.faces.csv   the elements: number, face, part, area, material, end points (front on the right of 0 -> 1)
-  radiosity.csv           B, irradiance and net of each element and channel; the true B lies in [lower, upper], proven
-
-reference.json says how many of each there are and what is guaranteed; SHA256SUMS holds the checksums of all files.
-
-To check the files:             sha256sum -c SHA256SUMS
-To judge your own factors:      hottel compare NAME/scene.json --methods file:YOUR_FACTORS.csv
-To compute the set again:       hottel reference DIR NAME/scene.json    (scenes are named after their folder then)
-To cite it: name hottel {version} and the checksum of SHA256SUMS. The same version writes the same bytes.
-)";
-
-std::string readme() {
-  std::string text = kReadme;
-  const std::string place = "{version}";
-  for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at))
-    text.replace(at, place.size(), kVersion);
-  return text;
+  return scene_reference(name, read_text_file(file), prepared.scene, matrix, exchange, solution);
 }
 
 // The name of a scene in the set: of its file, or of the folder of a scene.json.
@@ -139,22 +58,13 @@ ExitCode reference(const ReferenceOptions& options, Streams& streams) {
     if (!names.insert(name_of(file)).second)
       throw UsageError("two scenes are called '" + name_of(file) + "': names of scenes in a set must differ");
 
-  nlohmann::ordered_json manifest;
-  manifest["hottel"] = kVersion;
-  manifest["scenes"] = nlohmann::ordered_json::array();
-  std::vector<SetFile> files;
+  std::vector<SceneReference> scenes;
   for (const std::string& file : options.scenes) {
-    SceneReference scene = refer(file, name_of(file), streams);
-    manifest["scenes"].push_back(manifest_entry(scene));
+    const SceneReference& scene = scenes.emplace_back(refer(file, name_of(file), streams));
     streams.note(fmt::format("{}: {} elements, {} factors, bounds of radiosities within {:.1e} of the value",
                              scene.name, scene.exchange.elements, scene.factors, scene.max_relative_width));
-    std::move(scene.files.begin(), scene.files.end(), std::back_inserter(files));
   }
-  files.push_back({"reference.json", manifest.dump(2) + "\n"});
-  files.push_back({"README.txt", readme()});
-  std::string sums;
-  for (const SetFile& file : files) sums += sha256(file.text) + "  " + file.path + "\n";
-  files.push_back({"SHA256SUMS", std::move(sums)});
+  const std::vector<SetFile> files = set_files(std::move(scenes));
 
   const std::filesystem::path directory = options.directory;
   const OutputFolder whole(directory);

@@ -4,22 +4,23 @@
 #include <filesystem>
 
 #include "cli/command.h"
-#include "cli/disk_space.h"
-#include "cli/memory.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
-#include "cli/unknown_name.h"
+#include "geometry/near_names.h"
+#include "geometry/plane/check/sight_findings.h"
+#include "io/files/disk_space.h"
 #include "io/files/output_folder.h"
 #include "io/results/check_report.h"
-#include "io/results/factor_files.h"
 #include "io/results/npy.h"
 #include "io/results/npy_sidecar.h"
-#include "io/results/radiosity_files.h"
+#include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plane/check/scene_check.h"
-#include "solver/plane/light/average_illumination.h"
+#include "solver/plane/light/solved_light.h"
+#include "solver/plane/methods/computed_factors.h"
 #include "solver/plane/scene_plan.h"
 #include "solver/radiosity/a_priori_bounds.h"
 #include "solver/radiosity/matrix_checks.h"
@@ -70,140 +71,137 @@ void require_room_for(const Grid2& grid, int channels, const SolveOptions& optio
   require_space(directory / "illumination.npy", bytes, what + " takes", advice);
 }
 
-// The factor matrix and the radiosities in full, for scenes that fit on a screen.
-std::string small_scene_text(const ExchangeMatrix& matrix, const RadiositySolution& solution) {
-  std::string text = fmt::format("\n{:<16}", "factor to");
-  for (const Element& element : matrix.elements()) text += fmt::format("{:>14.14}", element.name);
-  text += fmt::format("{:>14}\n", "sky");
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    if (!matrix.has_row(i)) continue;
-    text += fmt::format("{:<16.16}", matrix.elements()[i].name);
-    for (std::uint32_t j = 0; j <= matrix.sky(); ++j) text += fmt::format("{:>14.10g}", matrix.factor(i, j).value);
-    text += "\n";
-  }
-  text += fmt::format("\n{:<16}{:>8}{:>24}{:>24}{:>24}\n", "radiosity", "channel", "lower", "value", "upper");
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (std::size_t c = 0; matrix.has_row(i) && c < solution.channels.size(); ++c) {
-      const ElementRadiosity& r = solution.channels[c].elements[i];
-      text += fmt::format("{:<16.16}{:>8}{:>24}{:>24}{:>24}\n", matrix.elements()[i].name, solution.channel_names[c],
-                          shortest(r.lower), shortest(r.radiosity), shortest(r.upper));
-    }
-  return text;
-}
-
-// The light on the grid by the way that was asked for, and the proven bound on its values where there is one.
-struct Light {
-  IlluminationGrid grid;
-  std::optional<double> max_error{};
-};
-
-Light illuminate(const std::string& way, const PreparedScene2& prepared, const Grid2& grid, Granularity granularity,
-                 const RadiositySolution& solution, const std::function<void(double)>& progress) {
-  const auto channels = static_cast<std::uint32_t>(solution.channels.size());
-  const std::vector<double> by_element = radiosity_by_element(solution);
-  const std::vector<double> sky = sky_by_channel(prepared.scene.sky_emission, channels);
-  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, granularity);
-  if (way == "inverse-square")
-    return {illuminate_inverse_square(prepared, grid, table, by_element, channels, progress)};
-  const FaceRadiosity2 faces(prepared.arrangement, table, by_element, sky);
-  if (way == "point") return {illuminate_points(prepared, grid, faces, progress)};
-  AverageIllumination averages = illuminate_averages(prepared, grid, faces, progress);
-  return {std::move(averages.grid), averages.max_error};
-}
-
-// Draws the light as the bytes of a PNG file; tells what the tone curve multiplied values by.
-std::string draw(const SolveOptions& options, Tone tone, const PreparedScene2& prepared, const IlluminationGrid& light,
-                 std::optional<double>& scale) {
-  const IlluminationPainter2 painter(prepared, light,
-                                     {.tone = tone, .exposure = options.exposure, .wanted_width = options.size});
-  CairoCanvas canvas(PictureFormat::kPng, painter.width(), painter.height());
-  painter.draw(canvas);
-  scale = painter.tone().scale();
-  return canvas.finish();
-}
-
-constexpr std::size_t kFacesOnAScreen = 12;
-
 // View factors by another method than the exact one; what is to be said of it.
 ExchangeMatrix approximate_factors(const ExchangeMethod2& method, const PreparedScene2& prepared,
                                    Granularity granularity, ExchangeReport& exchange, std::vector<std::string>& notes) {
   ComputedFactors computed = factors_by(method, prepared, granularity);
-  for (std::uint32_t i = 0; i < computed.matrix.size(); ++i)
-    for (const FactorEntry& entry : computed.matrix.row(i))
-      if (entry.factor.value < 0)
-        throw RequestError(fmt::format("{}: the method {}: a factor of '{}' is negative ({}): nothing can be solved",
-                                       prepared.scene.file, method.info().name, computed.matrix.elements()[i].name,
-                                       shortest(entry.factor.value)));
+  require_not_negative(computed.matrix, prepared, method);
   exchange = computed.counts;
   notes = computed.report.notes;
   return std::move(computed.matrix);
 }
 
-ExitCode solve(const SolveOptions& options, Streams& streams) {
-  const std::unique_ptr<ExchangeMethod2> method = make_method(program_methods(), options.method);
-  const Solver solver = solver_of(options);
+// What is asked for, once names and combinations of options are found to make sense.
+struct Request {
+  std::unique_ptr<ExchangeMethod2> method;
+  Solver solver = Solver::kAuto;
+  Tone tone = Tone::kLog;
+  bool is_exact = true, wants_light = true, wants_picture = true;
+  std::filesystem::path directory;
+};
+
+Request request_of(const SolveOptions& options) {
+  Request request;
+  request.method = program_methods().make(options.method);
+  request.solver = solver_of(options);
   const auto tone = tone_of(options.tone);
   if (!tone)
     throw UnknownName("there is no tone curve called '" + options.tone + "': linear, reinhard, log, max", options.tone,
                       std::vector<std::string>{"linear", "reinhard", "log", "max"});
-  if (options.memory && options.method != "exact")
+  request.tone = *tone;
+  request.is_exact = options.method == "exact";
+  if (options.memory && !request.is_exact)
     throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
-
   if (options.no_illumination && options.simulate == "everything")
     throw UsageError("--simulate everything and --no-illumination exclude each other");
-  const bool wants_light = !options.no_illumination, wants_picture = wants_light && !options.no_picture;
-  const std::filesystem::path directory = output_folder(options.out, options.scene);
+  request.wants_light = !options.no_illumination;
+  request.wants_picture = request.wants_light && !options.no_picture;
+  request.directory = output_folder(options.out, options.scene);
+  return request;
+}
 
+// The files of a run, opened before the work: a path that cannot be written is found at once.
+struct Outputs {
+  OutputFolder folder;
+  OutputFile csv, flux, json;
+  std::optional<OutputFile> npy, sidecar, png;
+
+  explicit Outputs(const Request& request)
+      : folder(request.directory),
+        csv(request.directory / "radiosity.csv"),
+        flux(request.directory / "flux.csv"),
+        json(request.directory / "report.json") {
+    if (request.wants_light) {
+      npy.emplace(request.directory / "illumination.npy");
+      sidecar.emplace(request.directory / "illumination.npy.json");
+    }
+    if (request.wants_picture) png.emplace(request.directory / "illumination.png");
+  }
+
+  // In the order in which they take their names.
+  std::vector<OutputFile*> all() {
+    std::vector<OutputFile*> files{&csv, &flux};
+    for (std::optional<OutputFile>* file : {&sidecar, &npy, &png})
+      if (*file) files.push_back(&**file);
+    files.push_back(&json);
+    return files;
+  }
+  std::string names() const {
+    return std::string(" radiosity.csv flux.csv") + (npy ? " illumination.npy illumination.npy.json" : "") +
+           (png ? " illumination.png" : "") + " report.json";
+  }
+};
+
+// A scene, what is done about it, and what came of it, stage by stage.
+struct Run {
+  Grid2 grid;
+  Plan plan;
+  Granularity granularity = Granularity::kFace;
+  PreparedScene2 prepared;
+  ExchangeReport exchange{};
+  std::vector<std::string> notes{};  // of the method
+  ExchangeMatrix matrix{};
+  Findings lost_light{};
+  RadiositySolution solution{};
+  std::optional<SolvedLight> light{};
+  std::string pixels{};
+  std::optional<double> picture_scale{};
+  std::map<std::string, double> seconds{};
+};
+
+Run planned(const SolveOptions& options, const Request& request, Streams& streams) {
   Stopwatch watch;
-  std::map<std::string, double> seconds;
   Scene2 scene = read_scene_2(options.scene);
   options.elements.apply_to(scene);
   const Grid2 grid = grid_of(scene, options.grid);
-  seconds["read"] = watch.lap();
-
-  if (wants_light) require_room_for(grid, channel_count(scene), options, directory);
-
+  const double seconds = watch.lap();
+  if (request.wants_light) require_room_for(grid, channel_count(scene), options, request.directory);
   const Plan plan =
-      plan_scene(scene, {options.simulate == "everything", wants_light ? std::uint64_t{grid.nx} * grid.ny : 0});
+      plan_scene(scene, {options.simulate == "everything", request.wants_light ? std::uint64_t{grid.nx} * grid.ny : 0});
   streams.note(plan_text(plan));
   const bool is_divided = plan.uses(Plan::kSubdivision);
-  const Granularity granularity = is_divided ? Granularity::kElement : Granularity::kFace;
-  const PreparedScene2 prepared = prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
+  Run run{grid, plan, is_divided ? Granularity::kElement : Granularity::kFace,
+          prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo)};
+  run.seconds["read"] = seconds;
+  return run;
+}
 
-  const OutputFolder folder(directory);
-  OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), json(directory / "report.json");
-  std::optional<OutputFile> npy, sidecar, png;
-  if (wants_light) {
-    npy.emplace(directory / "illumination.npy");
-    sidecar.emplace(directory / "illumination.npy.json");
-  }
-  if (wants_picture) png.emplace(directory / "illumination.png");
-
-  ExchangeReport exchange;
-  std::vector<std::string> notes;
-  const bool is_exact = options.method == "exact";
+void compute_factors(const SolveOptions& options, const Request& request, Streams& streams, Run& run) {
   const auto exact_factors = [&] {
-    return exact_exchange(prepared,
-                          {.granularity = granularity,
+    return exact_exchange(run.prepared,
+                          {.granularity = run.granularity,
                            .wants_visibility = false,
-                           .occlusion = plan.uses(Plan::kOcclusion),
+                           .occlusion = run.plan.uses(Plan::kOcclusion),
                            .memory = memory_allowed(options.memory.value_or(0)),
                            .progress = streams.progress("view factors")},
-                          &exchange);
+                          &run.exchange);
   };
-  const ExchangeMatrix matrix = is_exact ? naming_file(options.scene, exact_factors)
-                                         : approximate_factors(*method, prepared, granularity, exchange, notes);
-  if (is_exact) require_closed(prepared.scene, matrix);  // an error of the method is none of the scene
-  seconds.insert(exchange.seconds.begin(), exchange.seconds.end());
+  run.matrix = request.is_exact
+                   ? naming_file(options.scene, exact_factors)
+                   : approximate_factors(*request.method, run.prepared, run.granularity, run.exchange, run.notes);
+  if (request.is_exact) require_closed(run.prepared.scene, run.matrix);  // an error of the method is none of the scene
+  run.seconds.insert(run.exchange.seconds.begin(), run.exchange.seconds.end());
+  run.lost_light = lost_light_warnings(run.prepared, run.matrix);
+  if (!run.lost_light.empty()) streams.note(findings_text(run.prepared.scene, run.lost_light));
+}
 
-  const Findings lost_light = lost_light_warnings(prepared, matrix);
-  if (!lost_light.empty()) streams.note(findings_text(prepared.scene, lost_light));
-
-  const std::vector<Material>& materials = prepared.scene.materials;
-  const Spectrum& sky = prepared.scene.sky_emission;
+void compute_radiosities(const SolveOptions& options, const Request& request, Streams& streams, Run& run) {
+  const ExchangeMatrix& matrix = run.matrix;
+  const std::vector<Material>& materials = run.prepared.scene.materials;
+  const Spectrum& sky = run.prepared.scene.sky_emission;
   RadiositySolution solution = naming_file(options.scene, [&] {
     RadiositySolution result = solve_radiosity(matrix, materials, sky,
-                                               {.solver = solver,
+                                               {.solver = request.solver,
                                                 .iterations = options.iterations,
                                                 .until = options.until,
                                                 .progress = streams.progress("radiosity")});
@@ -211,66 +209,81 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
     return result;
   });
   if (matrix.guarantee() != Guarantee::kExact) {
-    notes.push_back(matrix.guarantee() == Guarantee::kEnclosed
-                        ? "the bounds hold for all factors within their enclosures that sum to 1"
-                        : fmt::format("the equations of these factors are solved within {:.1e}; the bounds are those "
-                                      "that hold for any factors",
-                                      solution.max_relative_width));
+    run.notes.push_back(matrix.guarantee() == Guarantee::kEnclosed
+                            ? "the bounds hold for all factors within their enclosures that sum to 1"
+                            : fmt::format("the equations of these factors are solved within {:.1e}; the bounds are "
+                                          "those that hold for any factors",
+                                          solution.max_relative_width));
     set_a_priori_bounds(matrix, materials, sky, solution);
   }
-  solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
-  seconds.insert(solution.seconds.begin(), solution.seconds.end());
-  const NetFluxes fluxes(prepared.scene, matrix, solution);
+  solution.notes.insert(solution.notes.begin(), run.notes.begin(), run.notes.end());
+  run.seconds.insert(solution.seconds.begin(), solution.seconds.end());
+  run.solution = std::move(solution);
+}
 
-  watch.lap();
-  std::optional<Light> light;
-  if (wants_light) {
-    light = naming_file(options.scene, [&] {
-      return illuminate(options.illumination, prepared, grid, granularity, solution, streams.progress("illumination"));
+void compute_light(const SolveOptions& options, const Request& request, Streams& streams, Run& run) {
+  Stopwatch watch;
+  if (request.wants_light) {
+    run.light = naming_file(options.scene, [&] {
+      return illuminate(options.illumination, run.prepared, run.grid, run.granularity, run.solution,
+                        streams.progress("illumination"));
     });
-    seconds["illumination"] = watch.lap();
+    run.seconds["illumination"] = watch.lap();
   }
-  std::string pixels;
-  std::optional<double> picture_scale;
-  if (wants_picture) {
-    pixels = draw(options, *tone, prepared, light->grid, picture_scale);
-    seconds["picture"] = watch.lap();
+  if (request.wants_picture) {
+    run.pixels =
+        illumination_picture_2(run.prepared, run.light->grid,
+                               {.tone = request.tone, .exposure = options.exposure, .wanted_width = options.size},
+                               PictureFormat::kPng, &run.picture_scale.emplace());
+    run.seconds["picture"] = watch.lap();
   }
+}
 
-  write_radiosity_csv(prepared.scene, matrix, solution, [&csv](std::string_view text) { csv.write(text); });
-  write_flux_csv(fluxes, solution.channel_names, [&flux](std::string_view text) { flux.write(text); });
-  if (npy) {
-    const std::size_t shape[3] = {grid.ny, grid.nx, light->grid.channels};
-    write_npy(shape, light->grid.values, [&npy](std::string_view bytes) { npy->write(bytes); });
-    sidecar->write(illumination_sidecar(light->grid, solution.channel_names, options.illumination));
+void write_results(const SolveOptions& options, const Run& run, const NetFluxes& fluxes, Outputs& outputs) {
+  const RadiositySolution& solution = run.solution;
+  write_radiosity_csv(run.prepared.scene, run.matrix, solution,
+                      [&outputs](std::string_view text) { outputs.csv.write(text); });
+  write_flux_csv(fluxes, solution.channel_names, [&outputs](std::string_view text) { outputs.flux.write(text); });
+  if (outputs.npy) {
+    const IlluminationGrid& light = run.light->grid;
+    const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
+    write_npy(shape, light.values, [&outputs](std::string_view bytes) { outputs.npy->write(bytes); });
+    outputs.sidecar->write(illumination_sidecar(light, solution.channel_names, options.illumination));
   }
-  if (png) png->write(pixels);
-  seconds["write"] = watch.lap();
-  const SolveReport report{options.scene,
-                           &plan,
-                           &exchange,
-                           &solution,
-                           &fluxes,
-                           seconds,
-                           picture_scale,
-                           light ? light->max_error : std::nullopt,
-                           matrix.guarantee() == Guarantee::kEstimated ? Guarantee::kEstimated : Guarantee::kEnclosed,
-                           finding_notes(lost_light)};
-  json.write(report_json(report));
+  if (outputs.png) outputs.png->write(run.pixels);
+}
+
+ExitCode solve(const SolveOptions& options, Streams& streams) {
+  const Request request = request_of(options);
+  Run run = planned(options, request, streams);
+  Outputs outputs(request);
+  compute_factors(options, request, streams, run);
+  compute_radiosities(options, request, streams, run);
+  const NetFluxes fluxes(run.prepared.scene, run.matrix, run.solution);
+  compute_light(options, request, streams, run);
+  Stopwatch watch;
+  write_results(options, run, fluxes, outputs);
+  run.seconds["write"] = watch.lap();
+
+  const SolveReport report{
+      options.scene,
+      &run.plan,
+      &run.exchange,
+      &run.solution,
+      &fluxes,
+      run.seconds,
+      run.picture_scale,
+      run.light ? run.light->max_error : std::nullopt,
+      run.matrix.guarantee() == Guarantee::kEstimated ? Guarantee::kEstimated : Guarantee::kEnclosed,
+      finding_notes(run.lost_light)};
+  outputs.json.write(solve_json(report));
   // All files are whole before the first one takes its name.
-  std::vector<OutputFile*> files{&csv, &flux};
-  for (std::optional<OutputFile>* file : {&sidecar, &npy, &png})
-    if (*file) files.push_back(&**file);
-  files.push_back(&json);
+  const std::vector<OutputFile*> files = outputs.all();
   for (OutputFile* file : files) file->finish();
-  if (options.json) streams.write("", report_json(report));
+  if (options.json) streams.write("", solve_json(report));
   for (OutputFile* file : files) file->commit();
-  std::string text = report_text(report);
-  if (matrix.elements().size() <= 2 * kFacesOnAScreen && prepared.scene.surfaces.size() <= kFacesOnAScreen)
-    text += small_scene_text(matrix, solution);
-  streams.note(text + "\nin " + directory.string() + ": radiosity.csv flux.csv" +
-               (npy ? " illumination.npy illumination.npy.json" : "") + (png ? " illumination.png" : "") +
-               " report.json");
+  streams.note(solve_text(report) + small_scene_text(run.prepared.scene, run.matrix, run.solution) + "\nin " +
+               request.directory.string() + ":" + outputs.names());
   return ExitCode::kDone;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/near_names.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -83,6 +84,14 @@ std::optional<std::uint32_t> ExchangeMatrix::find(const std::string& name) const
   for (std::uint32_t i = 0; i < size(); ++i)
     if (elements_[i].name == name) return i;
   return std::nullopt;
+}
+
+std::uint32_t require_element(const ExchangeMatrix& matrix, const std::string& name) {
+  if (const auto found = matrix.find(name)) return *found;
+  std::vector<std::string> known;
+  for (const Element& element : matrix.elements()) known.push_back(element.name);
+  known.emplace_back("sky");
+  throw UnknownName("there is no face called '" + name + "'", name, known);
 }
 
 }  // namespace hottel

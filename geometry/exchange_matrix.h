@@ -81,4 +81,7 @@ class ExchangeMatrix {
   Guarantee guarantee_ = Guarantee::kEstimated;
 };
 
+// The place of an element (or of the sky, matrix.sky()) by name. Throws UnknownName when there is none.
+std::uint32_t require_element(const ExchangeMatrix& matrix, const std::string& name);
+
 }  // namespace hottel

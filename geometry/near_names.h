@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "kernel/support/failure.h"
+
 namespace hottel {
 
 inline constexpr std::size_t kMostNearNames = 3;
@@ -23,5 +25,17 @@ std::vector<std::string> near_names(std::string_view name, std::span<const std::
 
 // Returns the hint of a message about a name that there is not, "did you mean 'wall', 'wall:back'?", or no hint.
 std::vector<std::string> near_name_hints(std::string_view name, std::span<const std::string> known);
+
+// A name was asked for that there is not: a UsageError with hints below its line.
+class UnknownName : public UsageError {
+ public:
+  // Of the known names those near to `name` are offered.
+  UnknownName(const std::string& text, std::string_view name, std::span<const std::string> known)
+      : UsageError(text), hints_(near_name_hints(name, known)) {}
+  const std::vector<std::string>& hints() const { return hints_; }
+
+ private:
+  std::vector<std::string> hints_;
+};
 
 }  // namespace hottel

@@ -1,5 +1,8 @@
 #include "io/files/text_file.h"
 
+#include <openssl/evp.h>
+
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -27,6 +30,17 @@ std::string read_text_file(const std::filesystem::path& file) {
     if (text.size() > kMaxTextFileBytes) refuse("is larger than " + std::to_string(kMaxTextFileBytes) + " bytes");
   }
   if (std::ferror(stream.get())) refuse(std::string("cannot be read: ") + std::strerror(errno));
+  return text;
+}
+
+std::string sha256(std::string_view bytes) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+  unsigned int length = 0;
+  const int done = EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr);
+  HOTTEL_REQUIRE(done == 1 && length == 32);
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string text;
+  for (unsigned int k = 0; k < length; ++k) text += {kDigits[digest[k] >> 4], kDigits[digest[k] & 15]};
   return text;
 }
 

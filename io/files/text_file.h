@@ -1,8 +1,9 @@
-// A text file as a whole.
+// A text file as a whole, and checksums.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace hottel {
 
@@ -12,5 +13,8 @@ inline constexpr std::size_t kMaxTextFileBytes = 0x7fffffff;
 // Returns the bytes of a file. Throws InputError naming the file when it is missing, a directory, not readable, or
 // larger than kMaxTextFileBytes.
 std::string read_text_file(const std::filesystem::path& file);
+
+// Returns SHA-256 of the bytes in 64 hexadecimal digits, as `sha256sum` prints it.
+std::string sha256(std::string_view bytes);
 
 }  // namespace hottel

@@ -266,4 +266,9 @@ MethodFamily run_family_2() {
           }};
 }
 
+bool is_foreign(const std::string& method) {
+  const std::string family = family_of(method);
+  return family == "file" || family == "run";
+}
+
 }  // namespace hottel

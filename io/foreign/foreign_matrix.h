@@ -28,4 +28,7 @@ MethodFamily file_family_2();
 // MethodReport::seconds. What it wrote and cannot be read is a RequestError that names the command.
 MethodFamily run_family_2();
 
+// Returns true for a name of these two families: their rows are as others made them, whatever elements are asked for.
+bool is_foreign(const std::string& method);
+
 }  // namespace hottel

@@ -1,6 +1,7 @@
 #include "io/foreign/foreign_radiosity.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 
@@ -10,6 +11,7 @@
 #include "io/foreign/csv_reader.h"
 #include "io/foreign/foreign_file.h"
 #include "io/foreign/foreign_number.h"
+#include "solver/compare/radiosity_verdict.h"
 
 namespace hottel {
 namespace {
@@ -100,6 +102,23 @@ ForeignRadiosities read_foreign_radiosities(const std::filesystem::path& file, c
   }
   require_all(name, matrix, is_given);
   result.digits = numbers.digits();
+  return result;
+}
+
+MethodResult judge_radiosity_file(const std::string& file, const MethodComparison2& comparison, double beyond) {
+  if (!comparison.exact_solution())
+    throw RequestError("radiosities cannot be compared: " + comparison.why_no_solution());
+  const RadiositySolution& exact = *comparison.exact_solution();
+  const ForeignRadiosities foreign = read_foreign_radiosities(file, comparison.exact(), exact.channel_names);
+  const RadiosityVerdict verdict =
+      judge_radiosities(comparison.exact(), exact, foreign.by_channel, foreign.digits, beyond);
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  MethodResult result;
+  result.info = {"file:" + file, "file", 0, Guarantee::kEstimated, file};
+  result.timing = {kUnknown, kUnknown, kUnknown, 0};
+  result.errors = {kUnknown, kUnknown, kUnknown, 0};
+  result.max_radiosity_error = verdict.max_error;
+  result.notes = verdict_sentences(verdict, comparison.exact(), exact);
   return result;
 }
 

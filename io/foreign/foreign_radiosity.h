@@ -7,6 +7,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "solver/compare/written_factors.h"
+#include "solver/plane/compare/method_comparison.h"
 
 namespace hottel {
 
@@ -24,5 +25,10 @@ ForeignRadiosities read_foreign_radiosities(const std::filesystem::path& file, c
 
 // True iff the file is a csv with a column `radiosity`.
 bool holds_radiosities(const std::filesystem::path& file);
+
+// Reads such a file and holds it against the exact radiosities: max_radiosity_error, and the verdict in words as notes.
+// There are no factors and no time, so that all else is NaN. beyond: as in judge_radiosities.
+// Throws RequestError when the scene has no exact radiosities.
+MethodResult judge_radiosity_file(const std::string& file, const MethodComparison2& comparison, double beyond);
 
 }  // namespace hottel

@@ -31,21 +31,6 @@ std::string compare_csv(std::span<const MethodResult> results) {
   return text;
 }
 
-std::string compare_table(std::span<const MethodResult> results) {
-  std::size_t widest = 6;
-  for (const MethodResult& each : results) widest = std::max(widest, each.info.name.size());
-  std::string text =
-      fmt::format("{:<{}}  {:<9} {:>12} {:>17} {:>10} {:>10} {:>10} {:>10}\n", "method", widest, "guarantee", "seconds",
-                  "fastest..slowest", "max error", "rms error", "closure", "radiosity");
-  for (const MethodResult& each : results)
-    text += fmt::format("{:<{}}  {:<9} {:>12.3g} {:>17} {:>10.2g} {:>10.2g} {:>10.2g} {:>10}\n", each.info.name, widest,
-                        to_string(each.info.guarantee), each.timing.median,
-                        fmt::format("{:.2g}..{:.2g}", each.timing.fastest, each.timing.slowest), each.errors.max,
-                        each.errors.rms, each.errors.closure,
-                        each.max_radiosity_error ? fmt::format("{:.2g}", *each.max_radiosity_error) : "-");
-  return text;
-}
-
 std::string worst_csv(std::span<const ExplainedPair> pairs) {
   std::string text = "method,from,to,value,exact,error,visibility,distance,angle,reason\n";
   for (const auto& [method, from, to, error, explanation] : pairs)

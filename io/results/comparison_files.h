@@ -1,4 +1,4 @@
-// What comparing methods came to, as files and as a table.
+// What comparing methods came to, as files.
 #pragma once
 
 #include <functional>
@@ -16,16 +16,6 @@ namespace hottel {
 // `method,guarantee,seconds,max_error,rms_error,closure,max_radiosity_error`: one line a method. Shortest decimals that
 // read back to the same double; `inf` where a matrix has no radiosities, nothing where the scene has none.
 std::string compare_csv(std::span<const MethodResult> results);
-
-// The same as an aligned table for people, with the spread of the times.
-std::string compare_table(std::span<const MethodResult> results);
-
-// A pair that a method gets most wrong.
-struct ExplainedPair {
-  std::string method, from, to;
-  PairError error;
-  PairExplanation explanation;
-};
 
 // `method,from,to,value,exact,error,visibility,distance,angle,reason`: distance in scene units between the middles,
 // angle in degrees between the normals; empty where there is none (the sky; faces that do not face each other).

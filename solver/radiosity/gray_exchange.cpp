@@ -132,4 +132,22 @@ ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Mat
   return from_columns(matrix.elements(), columns);
 }
 
+double max_relative_width(const ExchangeMatrix& matrix) {
+  double widest = 0;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k)
+      if (const double factor = matrix.row(i)[k].factor.value; factor > 0)
+        widest = std::max(widest, matrix.bounds(i, k).width() / factor);
+  return widest;
+}
+
+std::optional<std::uint32_t> first_coloured(const ExchangeMatrix& matrix, const std::vector<Material>& materials) {
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const auto& rho = materials[*matrix.elements()[i].material].reflectivity.value;
+    if (rho[0] != rho[1] || rho[0] != rho[2]) return i;
+  }
+  return std::nullopt;
+}
+
 }  // namespace hottel

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
@@ -47,5 +48,12 @@ struct GrayExchangeOptions {
 // `emit=1`).
 ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                              const GrayExchangeOptions& options = {});
+
+// Returns the largest width of bounds over its factor, of all positive factors of an enclosed matrix; 0 without any.
+double max_relative_width(const ExchangeMatrix& matrix);
+
+// Returns the first row whose material reflects the channels differently; nothing when all faces are gray.
+// REQUIRES materials of the elements that index into `materials`.
+std::optional<std::uint32_t> first_coloured(const ExchangeMatrix& matrix, const std::vector<Material>& materials);
 
 }  // namespace hottel

@@ -135,7 +135,7 @@ class ContactTeller {
       return;
     const auto side_text = [&](bool right) {
       const OverlapSide2& side = overlap.sides[right ? 1 : 0];
-      if (is_solid(side)) return "the solid " + quoted_name(scene_.groups[side.solid].name);
+      if (is_solid(side)) return solid_text(scene_, side.solid);
       const Claim2& owner = side.claims.owner;
       return owner.material != nullptr ? name(owner.face) : "the black back of " + name(owner.face.surface);
     };

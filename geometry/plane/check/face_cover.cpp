@@ -1,6 +1,12 @@
 #include "geometry/plane/check/face_cover.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "geometry/name.h"
+#include "geometry/plane/check/wording.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
@@ -66,6 +72,55 @@ FaceCover2::FaceCover2(const Scene2& scene, const Arrangement2& arrangement)
   }
   for (std::uint32_t group = 0; group < holder.size(); ++group)
     if (is_free[group] != 0) holder[group] = Solids2::kNone;
+}
+
+namespace {
+
+// The solid that a face looks into at a place (just after it, at its end just before it); Solids2::kNone where it is
+// free.
+std::uint32_t solid_at(const PreparedScene2& prepared, const FaceName& face, const Rational& t) {
+  const Arrangement2& arrangement = prepared.arrangement;
+  const auto& [from, to] = prepared.scene.edges[face.surface];
+  const Rational dx = to.x - from.x, dy = to.y - from.y;
+  const auto place = [&](VertexId v) -> Rational {
+    const ExactPoint2 p = arrangement.vertices().to_scene(arrangement.vertices().exact(v));
+    return ((p.x - from.x) * dx + (p.y - from.y) * dy) / (dx * dx + dy * dy);
+  };
+  for (std::size_t piece = 0; piece < arrangement.pieces().size(); ++piece)
+    for (const PieceSource2& source : arrangement.sources(piece)) {
+      if (source.surface != face.surface) continue;
+      const Rational a = place(arrangement.pieces()[piece].a), b = place(arrangement.pieces()[piece].b);
+      const Rational &low = std::min(a, b), &high = std::max(a, b);
+      if (t < low || t > high || (t == high && t < 1)) continue;
+      const bool right = source.is_reversed == face.is_back;
+      return arrangement.solids().maker(static_cast<PieceSideId>(2 * piece + (right ? 1 : 0)));
+    }
+  return Solids2::kNone;
+}
+
+// "scene.json:4: the front of 'floor'"
+std::string face_text(const Scene2& scene, const FaceName& face) {
+  const Surface& surface = scene.surfaces[face.surface];
+  return fmt::format("{}:{}: the {} of {}", scene.file, surface.line, face.is_back ? "back" : "front",
+                     quoted_name(surface.name));
+}
+
+}  // namespace
+
+void require_free(const PreparedScene2& prepared, const FaceName& face) {
+  if (prepared.arrangement.solids().is_empty()) return;
+  const FaceCover2 cover(prepared.scene, prepared.arrangement);
+  const std::uint32_t place = 2 * face.surface + (face.is_back ? 1 : 0);
+  if (cover.has_area[place] == 0 && cover.covered_by[place] != Solids2::kNone)
+    throw RequestError(fmt::format("{} looks into {} all along: it has no area and exchanges nothing",
+                                   face_text(prepared.scene, face),
+                                   solid_text(prepared.scene, cover.covered_by[place])));
+}
+
+void require_free_at(const PreparedScene2& prepared, const FaceName& face, const Rational& t) {
+  if (const std::uint32_t solid = solid_at(prepared, face, t); solid != Solids2::kNone)
+    throw RequestError(fmt::format("{} looks into {} at t = {}: nothing is seen there", face_text(prepared.scene, face),
+                                   solid_text(prepared.scene, solid), to_string(t)));
 }
 
 }  // namespace hottel

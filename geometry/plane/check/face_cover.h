@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/plane/arrangement/arrangement.h"
-#include "geometry/plane/scene/scene.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/scene_names.h"
 
 namespace hottel {
 
@@ -27,5 +27,11 @@ struct FaceCover2 {
   // REQUIRES the arrangement of the scene, divided or not; conflicts may be kept.
   FaceCover2(const Scene2& scene, const Arrangement2& arrangement);
 };
+
+// Throws RequestError, naming the solid, where a face looks into solids all along.
+void require_free(const PreparedScene2& prepared, const FaceName& face);
+
+// The same where it looks into a solid at the place t: just after it, at its end just before it. REQUIRES 0 <= t <= 1.
+void require_free_at(const PreparedScene2& prepared, const FaceName& face, const Rational& t);
 
 }  // namespace hottel

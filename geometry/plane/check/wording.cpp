@@ -37,4 +37,8 @@ std::string names_text(const Scene2& scene, const std::vector<std::uint32_t>& su
   return text;
 }
 
+std::string solid_text(const Scene2& scene, std::uint32_t group) {
+  return "the solid " + quoted_name(scene.groups[group].name);
+}
+
 }  // namespace hottel

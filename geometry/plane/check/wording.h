@@ -24,6 +24,9 @@ std::string length_text(const Rational& squared);
 // "'a'", "'a' and 'b'", "'a', 'b', 'c' and 4 more"
 std::string names_text(const Scene2& scene, const std::vector<std::uint32_t>& surfaces);
 
+// "the solid 'box'"
+std::string solid_text(const Scene2& scene, std::uint32_t group);
+
 inline Point2 to_point(const ExactPoint2& p) { return {p.x, p.y}; }
 inline ExactPoint2 to_exact(const Point2& p) { return {p.x, p.y}; }
 inline Point2 middle(const Point2& a, const Point2& b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }

@@ -52,4 +52,21 @@ std::vector<RootSum> exact_areas(const PreparedScene2& prepared, Granularity gra
   return areas;
 }
 
+ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<FaceName>& a,
+                      const std::optional<FaceName>& b) {
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const auto label_of = [&](const std::optional<FaceName>& face) {
+    if (!face) return table.sky();
+    const auto& elements = table.elements();
+    return static_cast<std::uint32_t>(
+        std::find_if(elements.begin(), elements.end(),
+                     [&](const Element& e) { return e.surface == face->surface && e.is_back == face->is_back; }) -
+        elements.begin());
+  };
+  if (a) return exact_pair(prepared, table, Granularity::kFace, label_of(a), label_of(b));
+  ExactPair2 pair = exact_pair(prepared, table, Granularity::kFace, label_of(b), label_of(a));
+  std::swap(pair.area_from, pair.area_to);
+  return pair;
+}
+
 }  // namespace hottel

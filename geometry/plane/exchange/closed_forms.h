@@ -1,11 +1,13 @@
 // Exchange measures and areas in closed form: sums of square roots.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exact_sums.h"
+#include "geometry/scene_names.h"
 #include "kernel/root_sum.h"
 
 namespace hottel {
@@ -18,6 +20,10 @@ ExactPair2 exact_pair(const PreparedScene2& prepared, Granularity granularity, s
 // The same for those who have the labels of `per` already.
 ExactPair2 exact_pair(const PreparedScene2& prepared, const ElementTable2& table, Granularity granularity,
                       std::uint32_t from, std::uint32_t to);
+
+// Of two faces, of which one (nothing) may be the sky, whose area is left 0 and which takes all there is: S0 = A.
+ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<FaceName>& from,
+                      const std::optional<FaceName>& to);
 
 // Closed forms of many exchange measures S(i, j) at once, in scene units.
 std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Granularity granularity,

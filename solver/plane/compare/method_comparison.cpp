@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "geometry/plane/exchange/exchange.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/compare/verdict.h"
 
 namespace hottel {
 
@@ -63,6 +65,13 @@ MethodResult MethodComparison2::run(const ExchangeMethod2& method, const std::op
                                                : std::numeric_limits<double>::infinity();
   if (!result.solution) result.notes.push_back(why_not);
   return result;
+}
+
+void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result) {
+  if (!result.report.written) return;
+  const Verdict verdict = judge(comparison.prepared(), comparison.exact(), result.matrix,
+                                {.beyond = beyond, .written = *result.report.written});
+  std::ranges::move(verdict_sentences(verdict, comparison.exact()), std::back_inserter(result.notes));
 }
 
 }  // namespace hottel

@@ -57,4 +57,8 @@ class MethodComparison2 {
   std::optional<RadiositySolution> exact_solution_;
 };
 
+// Adds the verdict in words to the notes of a result whose factors were read from a file or came from a command; does
+// nothing to others. REQUIRES a result of this comparison, with its matrix. beyond: as in VerdictOptions.
+void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result);
+
 }  // namespace hottel

@@ -5,8 +5,8 @@
 #include <limits>
 #include <span>
 
+#include "geometry/near_names.h"
 #include "geometry/plane/exchange/element_table.h"
-#include "kernel/support/failure.h"
 #include "solver/radiosity/double_double_ball.h"
 
 namespace hottel {
@@ -92,6 +92,8 @@ ExchangeMethod2::ClaimedErrors Normalised2::claimed_errors(const PreparedScene2&
 
 }  // namespace
 
+std::string family_of(const std::string& name) { return name.substr(0, name.find(':')); }
+
 SplitMethodName split_method_name(const std::string& name) {
   const std::string_view normalised = name.ends_with(kNormalised) ? kNormalised : "";
   return {name.substr(0, name.size() - normalised.size()), std::string(normalised)};
@@ -100,12 +102,16 @@ SplitMethodName split_method_name(const std::string& name) {
 std::unique_ptr<ExchangeMethod2> MethodCatalogue2::make(const std::string& name) const {
   if (const SplitMethodName split = split_method_name(name); !split.normalised.empty())
     return std::make_unique<Normalised2>(make(split.raw));
-  const std::string family = name.substr(0, name.find(':'));
+  const std::string family = family_of(name);
   for (const MethodFamily& each : families_)
     if (each.name == family) return each.make(std::string_view(name).substr(family.size()));
   std::string patterns;
-  for (const MethodFamily& each : families_) patterns += (patterns.empty() ? "" : ", ") + each.pattern;
-  throw UsageError("there is no method called '" + name + "': " + patterns);
+  std::vector<std::string> known;
+  for (const MethodFamily& each : families_) {
+    patterns += (patterns.empty() ? "" : ", ") + each.pattern;
+    known.push_back(each.name);
+  }
+  throw UnknownName("there is no method called '" + name + "': " + patterns, family, known);
 }
 
 }  // namespace hottel

@@ -24,6 +24,9 @@ struct MethodFamily {
   std::function<std::unique_ptr<ExchangeMethod2>(std::string_view variant)> make;
 };
 
+// The name of a method up to the first colon.
+std::string family_of(const std::string& name);
+
 // The name of a method without the ":normalised" at its end, and that, or nothing.
 struct SplitMethodName {
   std::string raw, normalised;
@@ -39,7 +42,8 @@ class MethodCatalogue2 {
   void add(MethodFamily family) { families_.push_back(std::move(family)); }
   const std::vector<MethodFamily>& families() const { return families_; }
 
-  // Throws UsageError that lists the patterns when there is no such method.
+  // Throws UnknownName that lists the patterns when there is no such family, UsageError when its variant makes no
+  // sense.
   std::unique_ptr<ExchangeMethod2> make(const std::string& name) const;
 
  private:

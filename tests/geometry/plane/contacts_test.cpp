@@ -101,9 +101,7 @@ void add_overlaps(const Scene2& scene, const Contacts2& contacts, Pairs& pairs) 
 
 Pairs found(const Scene2& scene) {
   const Contacts2 contacts = find_contacts(scene);
-  const auto parallel = [&](std::uint32_t s, std::uint32_t t) {
-    return are_parallel(scene.surfaces[s], scene.surfaces[t]);
-  };
+  const auto parallel = [&](std::uint32_t s, std::uint32_t t) { return are_parallel(scene.edges[s], scene.edges[t]); };
   Pairs pairs;
   for (const Crossing2& crossing : contacts.crossings)
     for (const std::uint32_t s : crossing.surfaces)

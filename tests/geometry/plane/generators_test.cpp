@@ -119,7 +119,7 @@ TEST(Generators2, EdgesTouchInSharedEndPointsOnly) {
           const Scene2 scene = generate_2(request(kind, n, seed, digits));
           for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) {
-              const Contact c = contact(scene.surfaces[i], scene.surfaces[j]);
+              const Contact c = contact(scene.edges[i], scene.edges[j]);
               ASSERT_TRUE(c == Contact::kNone || c == Contact::kEndPoint)
                   << scene.about << ": " << scene.surfaces[i].name << " and " << scene.surfaces[j].name;
               if (kind == "clutter" && i >= 4) {
@@ -179,8 +179,7 @@ TEST(Generators2, CoordinatesHaveTheDigitsAskedFor) {
 std::vector<int> contacts(const Scene2& scene) {
   std::vector<int> count(5, 0);
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      ++count[static_cast<std::size_t>(contact(scene.surfaces[i], scene.surfaces[j]))];
+    for (std::size_t j = 0; j < i; ++j) ++count[static_cast<std::size_t>(contact(scene.edges[i], scene.edges[j]))];
   return count;
 }
 

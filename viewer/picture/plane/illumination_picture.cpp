@@ -102,10 +102,11 @@ void IlluminationPainter2::draw_walls(PictureCanvas& canvas) const {
 }
 
 std::string illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid& grid,
-                                   const IlluminationPicture2& picture, PictureFormat format) {
+                                   const IlluminationPicture2& picture, PictureFormat format, double* scale) {
   const IlluminationPainter2 painter(prepared, grid, picture);
   CairoCanvas canvas(format, painter.width(), painter.height());
   painter.draw(canvas);
+  if (scale != nullptr) *scale = painter.tone().scale();
   return canvas.finish();
 }
 

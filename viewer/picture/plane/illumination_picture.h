@@ -56,8 +56,8 @@ class IlluminationPainter2 {
   double unit_, wall_width_;
 };
 
-// Returns the bytes of the picture file.
+// Returns the bytes of the picture file. scale: receives what the tone curve multiplied values by.
 std::string illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid& grid,
-                                   const IlluminationPicture2& picture, PictureFormat format);
+                                   const IlluminationPicture2& picture, PictureFormat format, double* scale = nullptr);
 
 }  // namespace hottel

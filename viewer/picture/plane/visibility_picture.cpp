@@ -75,7 +75,50 @@ void draw_ring(PictureCanvas& canvas, Mark mark, Pixel at, double radius, const 
   canvas.circle(mark, at, radius, palette::kInk, line_width);
 }
 
+std::array<double, 2> rounded(const ExactPoint2& p) { return {to_double(p.x), to_double(p.y)}; }
+
 }  // namespace
+
+VisibilityDrawing drawing_of(const VisibilityPolygon2& polygon) {
+  VisibilityDrawing drawing;
+  drawing.eye = rounded(polygon.eye);
+  if (polygon.solid != Solids2::kNone) return drawing;
+  for (const auto& part : polygon.parts) {
+    if (part.solid != Solids2::kNone) {
+      drawing.polygon.push_back(drawing.eye);
+      continue;
+    }
+    const auto far = [&](const ExactPoint2& p) {
+      const auto [x, y] = rounded(p);
+      return std::array<double, 2>{drawing.eye[0] + 1e4 * (x - drawing.eye[0]),
+                                   drawing.eye[1] + 1e4 * (y - drawing.eye[1])};
+    };
+    drawing.polygon.push_back(rounded(part.from));
+    if (part.side == kSky) {
+      drawing.polygon.push_back(far(part.from));
+      drawing.polygon.push_back(far(part.to));
+    }
+    drawing.polygon.push_back(rounded(part.to));
+  }
+  return drawing;
+}
+
+PairDrawing drawing_of(const PairSight2& sight) {
+  const FaceName a = sight.face_from ? *sight.face_from : *sight.face_to;
+  const FaceName b = sight.face_to ? *sight.face_to : *sight.face_from;
+  PairDrawing drawing;
+  drawing.a = a.surface;
+  drawing.b = b.surface;
+  drawing.a_is_back = a.is_back;
+  drawing.b_is_back = b.is_back;
+  drawing.a_label = sight.face_from ? sight.from : sight.to;
+  drawing.b_label = sight.face_from && sight.face_to ? sight.to : "";
+  for (const CriticalPoint2& c : sight.critical) {
+    drawing.critical_on_a.push_back(rounded(c.point));
+    drawing.lines.emplace_back(rounded(c.point), rounded(c.far));
+  }
+  return drawing;
+}
 
 VisibilityPainter2::VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing& drawing)
     : drawing_(drawing), sheet_(prepared, drawing.sheet, kFooter, {drawing.eye}) {}

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/visibility/visibility_polygon.h"
+#include "io/results/visibility_report.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/plane/scene_sheet.h"
@@ -31,6 +33,11 @@ struct PairDrawing {
   std::vector<std::array<double, 2>> critical_on_a{};
   std::vector<std::pair<std::array<double, 2>, std::array<double, 2>>> lines{};
 };
+
+// What is drawn of a point's view, and of what two faces see of each other. Towards the sky the region is drawn far
+// beyond the picture; from within a solid only the eye. The sky is not drawn: its place is taken by the face, under it.
+VisibilityDrawing drawing_of(const VisibilityPolygon2& polygon);
+PairDrawing drawing_of(const PairSight2& sight);
 
 // The size of the drawing on a sheet, and the drawing on a canvas of that size.
 //

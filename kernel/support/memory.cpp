@@ -1,4 +1,4 @@
-#include "cli/memory.h"
+#include "kernel/support/memory.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// How much memory a command may take.
+// How much memory work may take.
 #pragma once
 
 #include <cstdint>

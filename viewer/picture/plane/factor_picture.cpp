@@ -1,14 +1,14 @@
-#include "cli/factor_picture.h"
+#include "viewer/picture/plane/factor_picture.h"
 
 #include <algorithm>
 
-#include "cli/scene_input.h"
+#include "geometry/scene_names.h"
 #include "viewer/picture/plane/scene_picture.h"
 
 namespace hottel {
 namespace {
 
-FaceColouring colouring_toward(const Scene2& scene, const ExchangeMatrix& matrix, const PictureTargets& targets) {
+FaceColouring colouring_toward(const Scene2& scene, const ExchangeMatrix& matrix, const PictureTargets2& targets) {
   std::vector<char> is_target(scene.surfaces.size(), 0);
   for (const std::uint32_t s : targets.surfaces) is_target[s] = 1;
   const auto counts = [&](std::uint32_t to) {
@@ -35,14 +35,14 @@ FaceColouring colouring_toward(const Scene2& scene, const ExchangeMatrix& matrix
 
 }  // namespace
 
-PictureTargets picture_targets(const Scene2& scene, const std::string& toward) {
-  if (toward == "sky") return {.is_sky = true, .label = "sky"};
-  return {.surfaces = surfaces_matching(scene, toward),
-          .label = toward.ends_with("*") ? toward.substr(0, toward.size() - 1) : toward};
+PictureTargets2 picture_targets(const Scene2& scene, const std::string& name) {
+  if (name == "sky") return {.is_sky = true, .label = "sky"};
+  return {.surfaces = surfaces_matching(scene, name),
+          .label = name.ends_with("*") ? name.substr(0, name.size() - 1) : name};
 }
 
-std::string factor_picture(const PreparedScene2& prepared, const ExchangeMatrix& matrix, const PictureTargets& targets,
-                           const std::string& quantity, PictureFormat format) {
+std::string factor_picture_2(const PreparedScene2& prepared, const ExchangeMatrix& matrix,
+                             const PictureTargets2& targets, const std::string& quantity, PictureFormat format) {
   ScenePicture2 picture;
   picture.targets = targets.surfaces;
   picture.target_label = targets.is_sky ? "" : targets.label;

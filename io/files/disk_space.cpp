@@ -1,4 +1,4 @@
-#include "cli/disk_space.h"
+#include "io/files/disk_space.h"
 
 #include <fmt/format.h>
 

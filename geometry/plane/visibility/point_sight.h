@@ -1,0 +1,45 @@
+// What a point sees, face by face: how much of the full turn each takes, or the factor from a point of a face.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/visibility/visibility_polygon.h"
+#include "geometry/scene_names.h"
+
+namespace hottel {
+
+// The face that owns a side of a piece: "wall", "wall:back"; "sky". REQUIRES a side that is not covered.
+std::string face_name(const Scene2& scene, const Arrangement2& arrangement, PieceSideId side);
+
+// What a point sees of one face, of the sky, or of one solid that directions lead into.
+struct SeenFrom2 {
+  std::string name;                // of the face, "sky", or of the group that makes the solid
+  std::vector<std::size_t> parts;  // of the polygon
+  Rounded fraction;                // of the full turn, correctly rounded
+};
+
+// What a point sees.
+//
+//   (1) faces are in the order of first sight, counter-clockwise from where the polygon begins; solids by group
+//   (2) the parts of all partition those of the polygon, the fractions of the real numbers sum to 1
+//   (3) from within a solid nothing is seen: both lists are empty
+struct PointSight2 {
+  VisibilityPolygon2 polygon;
+  std::vector<SeenFrom2> faces, solids;
+};
+PointSight2 point_sight(const PreparedScene2& prepared, const ExactPoint2& eye);
+
+// The point of an edge at t: 0 at its first point, 1 at its second.
+ExactPoint2 point_on(const Edge2& edge, const Rational& t);
+
+// The view factor from a point of a face to another face or the sky; point_factors summed up by faces, in their order
+// of first sight.
+struct FaceFactor2 {
+  std::string to;
+  RootSum factor;
+};
+std::vector<FaceFactor2> point_factors_by_face(const PreparedScene2& prepared, const FaceName& face, const Rational& t);
+
+}  // namespace hottel

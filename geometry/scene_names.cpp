@@ -1,0 +1,55 @@
+#include "geometry/scene_names.h"
+
+#include <algorithm>
+
+#include "geometry/near_names.h"
+
+namespace hottel {
+namespace {
+
+// What may be named in a scene: the fronts and backs of its surfaces, or its surfaces and groups; and the sky.
+std::vector<std::string> names_of(const SceneTable& scene, bool of_faces) {
+  std::vector<std::string> names;
+  for (const Surface& surface : scene.surfaces) {
+    names.push_back(surface.name);
+    if (of_faces) names.push_back(surface.name + ":back");
+  }
+  for (const Group& group : scene.groups)
+    if (!of_faces) names.push_back(group.name);
+  names.emplace_back("sky");
+  return names;
+}
+
+// "window*" for "window3", "room*" for "room[0]".
+std::vector<std::string> beginnings(const SceneTable& scene) {
+  std::vector<std::string> names = names_of(scene, false);
+  for (std::string& name : names) {
+    name.resize(std::min(name.size(), name.find_last_not_of("0123456789[].") + 1));
+    name += '*';
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> surfaces_matching(const SceneTable& scene, const std::string& pattern) {
+  const bool is_prefix = !pattern.empty() && pattern.back() == '*';
+  const std::string prefix = pattern.substr(0, pattern.size() - (is_prefix ? 1 : 0));
+  const auto matches = [&](const std::string& name) { return is_prefix ? name.starts_with(prefix) : name == pattern; };
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    if (matches(scene.surfaces[s].name) || matches(scene.groups[scene.surfaces[s].group].name)) result.push_back(s);
+  if (result.empty())
+    throw UnknownName("no surface of " + scene.file + " is called '" + pattern + "'", pattern,
+                      is_prefix ? beginnings(scene) : names_of(scene, false));
+  return result;
+}
+
+FaceName face_of(const SceneTable& scene, const std::string& name) {
+  if (const auto surface = scene.find(name)) return {*surface, false};
+  if (name.ends_with(":back"))
+    if (const auto surface = scene.find(name.substr(0, name.size() - 5))) return {*surface, true};
+  throw UnknownName("no face of " + scene.file + " is called '" + name + "'", name, names_of(scene, true));
+}
+
+}  // namespace hottel

@@ -1,0 +1,23 @@
+// What is called so in a scene.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/scene_table.h"
+
+namespace hottel {
+
+// Returns the surfaces whose name, or whose polyline's name, matches: equal, or equal up to a final '*'. Ascending.
+// Throws UnknownName when there is none.
+std::vector<std::uint32_t> surfaces_matching(const SceneTable& scene, const std::string& pattern);
+
+// One face of the scene by name, "wall" or "wall:back". Throws UnknownName when there is none.
+struct FaceName {
+  std::uint32_t surface = 0;
+  bool is_back = false;
+};
+FaceName face_of(const SceneTable& scene, const std::string& name);
+
+}  // namespace hottel

@@ -1,0 +1,101 @@
+#include "io/results/comparison_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "kernel/version.h"
+
+namespace hottel {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json optional(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json method_json(const MethodResult& each) {
+  return {{"method", each.info.name},
+          {"family", each.info.family},
+          {"guarantee", to_string(each.info.guarantee)},
+          {"reference", each.info.reference},
+          {"seconds",
+           {{"median", each.timing.median},
+            {"fastest", each.timing.fastest},
+            {"slowest", each.timing.slowest},
+            {"runs", each.timing.runs}}},
+          {"max_error", each.errors.max},
+          {"rms_error", each.errors.rms},
+          {"closure", each.errors.closure},
+          {"row_defect_before_normalising", each.report.row_defect},
+          {"pairs", each.errors.pairs},
+          {"declared_error", optional(each.declared_error)},
+          {"standard_error", optional(each.report.standard_error)},
+          {"max_radiosity_error", optional(each.max_radiosity_error)},
+          {"notes", each.notes}};
+}
+
+}  // namespace
+
+std::string comparison_json(const ComparisonReport2& report) {
+  const MethodComparison2& comparison = report.comparison;
+  Json json;
+  json["hottel"] = 1;
+  json["version"] = kVersion;
+  json["scene"] = report.scene;
+  json["counts"] = {{"surfaces", comparison.prepared().scene.surfaces.size()},
+                    {"elements", comparison.exact().size()},
+                    {"entries", comparison.exact().entry_count()}};
+  json["seconds"] = {{"prepare", comparison.prepared().seconds}};
+  json["methods"] = Json::array();
+  for (const MethodResult& each : report.results) json["methods"].push_back(method_json(each));
+  json["readings"] = Json::array();
+  for (const WorkReading& reading : report.readings)
+    json["readings"].push_back(
+        {{"error", reading.error},
+         {"exact_seconds", reading.exact_seconds},
+         {"family", reading.family},
+         {"seconds", optional(reading.family.empty() ? std::nullopt : std::optional(reading.seconds))}});
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string size_text(const ExchangeMatrix& matrix) {
+  std::uint32_t rows = 0;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) rows += matrix.has_row(i) ? 1 : 0;
+  return fmt::format("{} elements, {} view factors", rows, matrix.entry_count());
+}
+
+std::string compare_table(std::span<const MethodResult> results) {
+  std::size_t widest = 6;
+  for (const MethodResult& each : results) widest = std::max(widest, each.info.name.size());
+  std::string text =
+      fmt::format("{:<{}}  {:<9} {:>12} {:>17} {:>10} {:>10} {:>10} {:>10}\n", "method", widest, "guarantee", "seconds",
+                  "fastest..slowest", "max error", "rms error", "closure", "radiosity");
+  for (const MethodResult& each : results)
+    text += fmt::format("{:<{}}  {:<9} {:>12.3g} {:>17} {:>10.2g} {:>10.2g} {:>10.2g} {:>10}\n", each.info.name, widest,
+                        to_string(each.info.guarantee), each.timing.median,
+                        fmt::format("{:.2g}..{:.2g}", each.timing.fastest, each.timing.slowest), each.errors.max,
+                        each.errors.rms, each.errors.closure,
+                        each.max_radiosity_error ? fmt::format("{:.2g}", *each.max_radiosity_error) : "-");
+  return text;
+}
+
+std::string comparison_text(const ComparisonReport2& report) {
+  const MethodComparison2& comparison = report.comparison;
+  std::string text = fmt::format("{}; prepared once for all in {:.3g} s\n\n", size_text(comparison.exact()),
+                                 comparison.prepared().seconds) +
+                     compare_table(report.results) + "\n";
+  if (!comparison.exact_solution()) text += "no radiosities are compared: " + comparison.why_no_solution() + "\n";
+  std::vector<std::pair<std::string, std::string>> notes;  // what is said, of which methods
+  for (const MethodResult& each : report.results)
+    for (const std::string& note : each.notes) {
+      auto place = std::find_if(notes.begin(), notes.end(), [&](const auto& other) { return other.first == note; });
+      if (place == notes.end()) place = notes.insert(place, {note, ""});
+      place->second += (place->second.empty() ? "" : ", ") + each.info.name;
+    }
+  for (const auto& [note, whose] : notes) text += whose + ": " + note + "\n";
+  for (const WorkReading& reading : report.readings) text += to_sentence(reading) + "\n";
+  return text;
+}
+
+}  // namespace hottel

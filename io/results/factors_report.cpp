@@ -1,0 +1,72 @@
+#include "io/results/factors_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "kernel/version.h"
+
+namespace hottel {
+namespace {
+
+const char* plural(Granularity granularity) {
+  switch (granularity) {
+    case Granularity::kFace:
+      return "faces";
+    case Granularity::kElement:
+      return "elements";
+    case Granularity::kGroup:
+      return "groups";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string factors_json(const FactorsReport& report) {
+  const ExchangeReport& counts = report.counts;
+  nlohmann::ordered_json json;
+  json["hottel"] = 1;
+  json["version"] = kVersion;
+  json["scene"] = report.scene;
+  json["method"] = report.method;
+  json["counts"] = {{"surfaces", counts.surfaces}, {"vertices", counts.vertices}, {"pieces", counts.pieces},
+                    {"elements", counts.elements}, {"pairs", counts.pairs},       {"gaps", counts.gaps},
+                    {"terms", counts.terms}};
+  json["tiers"] = {{"double", counts.tiers.by_tier[0]},
+                   {"double_double", counts.tiers.by_tier[1]},
+                   {"ball", counts.tiers.by_tier[2]},
+                   {"root_sum", counts.tiers.by_tier[3]}};
+  json["seconds"] = counts.seconds;
+  json["closure"] = {{"max_defect", 0}, {"exact", counts.closure_is_exact}};
+  if (!report.is_exact()) json["closure"]["max_defect"] = report.of_method.row_defect;
+  if (!report.of_method.notes.empty()) json["notes"] = report.of_method.notes;
+  if (report.gray) {
+    json["seconds"]["script_f"] = report.gray->seconds;
+    json["script_f"] = {{"channel", report.gray->channel}, {"max_relative_width", report.gray->max_relative_width}};
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string factors_text(const FactorsReport& report) {
+  const ExchangeReport& counts = report.counts;
+  const char* const noun = plural(report.granularity);
+  double seconds = 0;
+  for (const auto& [stage, time] : counts.seconds) seconds += time;
+  if (!report.is_exact()) {
+    std::string text = fmt::format("{} factors of {} {}; {:.3f} s", counts.pairs, counts.elements, noun, seconds);
+    for (const std::string& note : report.of_method.notes) text += "\n" + note;
+    return text;
+  }
+  std::string text = fmt::format(
+      "{} visible pairs of {} {}, every factor correctly rounded; rows close exactly\n"
+      "settled by: {} without rounding, {} in 128-bit fixed point, {} by balls, {} by root sums; {:.3f} s",
+      counts.pairs, counts.elements, noun, counts.tiers.by_tier[0], counts.tiers.by_tier[1], counts.tiers.by_tier[2],
+      counts.tiers.by_tier[3], seconds);
+  if (report.gray)
+    text += fmt::format("\nscript-F of {} pairs, bounds within {:.1e} of the value; {:.3f} s", report.gray->pairs,
+                        report.gray->max_relative_width, report.gray->seconds);
+  return text;
+}
+
+}  // namespace hottel

@@ -1,0 +1,37 @@
+// What computing view factors came to, as JSON and as text for people.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "geometry/plane/exchange/exchange.h"
+#include "solver/plane/methods/exchange_method.h"
+
+namespace hottel {
+
+// Everything that is said about one run of `factors`.
+struct FactorsReport {
+  // Of script-F, where it was asked for.
+  struct Gray {
+    std::string channel;  // "all", "r", "g", "b"
+    std::uint64_t pairs = 0;
+    double max_relative_width = 0;
+    double seconds = 0;
+  };
+
+  std::string scene, method;
+  Granularity granularity = Granularity::kFace;
+  ExchangeReport counts{};
+  MethodReport of_method{};  // of the method exact: empty
+  std::optional<Gray> gray{};
+
+  bool is_exact() const { return method == "exact"; }
+};
+
+// Returns the report as one JSON object and a final newline.
+std::string factors_json(const FactorsReport& report);
+
+// Returns a line or more, without a final newline.
+std::string factors_text(const FactorsReport& report);
+
+}  // namespace hottel

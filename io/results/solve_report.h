@@ -1,0 +1,42 @@
+// What `solve` plans and what it came to, as JSON and as text for people.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/plane/exchange/exchange.h"
+#include "io/results/radiosity_files.h"
+#include "solver/plan.h"
+
+namespace hottel {
+
+// Returns a plan as text for people, and as the head of a report.
+std::string plan_text(const Plan& plan);
+std::string plan_json(const std::string& scene, const Plan& plan);
+
+// Everything that is said about one run of `solve`.
+struct SolveReport {
+  std::string scene;
+  const Plan* plan = nullptr;
+  const ExchangeReport* exchange = nullptr;
+  const RadiositySolution* solution = nullptr;
+  const NetFluxes* fluxes = nullptr;
+  std::map<std::string, double> seconds{};         // of stages that ran, and of no others
+  std::optional<double> picture_scale{};           // what a value was multiplied by before the tone curve
+  std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
+  Guarantee guarantee = Guarantee::kEnclosed;      // of the radiosities
+  std::vector<std::string> warnings{};             // first of the notes of the JSON object; not in the text
+};
+
+// Returns the report as one JSON object (the contract's report.json), and as text for people.
+std::string solve_json(const SolveReport& report);
+std::string solve_text(const SolveReport& report);
+
+// Returns the factor matrix and the radiosities in full where the scene fits on a screen: at most kFacesOnAScreen
+// surfaces and twice as many elements. Else nothing.
+inline constexpr std::size_t kFacesOnAScreen = 12;
+std::string small_scene_text(const Scene2& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution);
+
+}  // namespace hottel

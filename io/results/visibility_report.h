@@ -1,0 +1,39 @@
+// What points and faces see, as JSON and as text for people.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/plane/exchange/closed_forms.h"
+#include "geometry/plane/visibility/critical_points.h"
+#include "geometry/plane/visibility/point_sight.h"
+#include "solver/plane/light/solved_light.h"
+
+namespace hottel {
+
+// One answer in two forms: a JSON object, and lines. Both end in a newline.
+struct VisibilityAnswer {
+  std::string json, text;
+};
+
+// What a point sees: the visibility polygon, the angles, and the mean irradiance. In a solid: which, and nothing else;
+// on the border of solids the directions into them are told apart, as fractions of the full turn.
+// light: nothing from within a solid.
+VisibilityAnswer point_answer(const PreparedScene2& prepared, const PointSight2& sight,
+                              const std::optional<PointLight>& light);
+
+// The view factors from the point t of a face, each as a double and in closed form. name: what the face was called.
+VisibilityAnswer face_point_answer(const PreparedScene2& prepared, const std::string& name, const FaceName& face,
+                                   const Rational& t, const std::vector<FaceFactor2>& factors);
+
+// What two faces, of which one may be the sky (no face), see of each other.
+struct PairSight2 {
+  std::string from, to;  // what they were called
+  std::optional<FaceName> face_from, face_to;
+  ExactPair2 pair;
+  std::vector<CriticalPoint2> critical;  // of `from` with respect to `to`; none of the sky
+};
+VisibilityAnswer pair_answer(const PairSight2& sight);
+
+}  // namespace hottel
