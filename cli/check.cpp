@@ -34,17 +34,11 @@ SceneCheck2 look_at(const Scene2& scene, const Streams& streams) {
 
 ExitCode exit_code(const SceneCheck2& check) { return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone; }
 
-Repair2 without_repair(const Scene2& scene) {
-  Repair2 repair{scene, {}, {}};
-  for (const Surface& surface : scene.surfaces) repair.former_names.push_back(surface.name);
-  return repair;
-}
-
 // Writes the repaired scene, and tells what was done and what is found in it.
 ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const Scene2& scene, Streams& streams) {
   OutputFile out(options.fix);
   const SceneCheck2 before = look_at(scene, streams);
-  Repair2 repair = distance > 0 ? close_gaps(scene, distance) : without_repair(scene);
+  Repair2 repair = distance > 0 ? close_gaps(scene, distance) : unrepaired(scene);
   reverse_inside_out(repair);
   state_solids(repair, repair.steps.empty() ? before.black_backs : look_at(repair.scene, streams).black_backs);
   restore_polylines(repair);
@@ -54,9 +48,8 @@ ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const
 
   std::optional<std::vector<FactorChange>> changes;
   if (before.factors && after.factors)
-    changes = factor_changes(*before.factors, *after.factors, [&](const Element& element) {
-      return repair.former_names[element.surface] + element.name.substr(repaired.surfaces[element.surface].name.size());
-    });
+    changes = factor_changes(*before.factors, *after.factors,
+                             [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
   out.write(text);
   out.finish();

@@ -12,10 +12,9 @@
 #include "cli/methods.h"
 #include "cli/scene_input.h"
 #include "geometry/near_names.h"
-#include "io/files/output_folder.h"
+#include "io/files/output_file.h"
 #include "io/foreign/foreign_matrix.h"
 #include "io/foreign/foreign_radiosity.h"
-#include "io/results/comparison_files.h"
 #include "io/results/comparison_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
@@ -23,9 +22,9 @@
 #include "solver/plane/compare/method_comparison.h"
 #include "solver/plane/compare/pair_explanation.h"
 #include "solver/plane/methods/method_catalogue.h"
+#include "viewer/picture/log_plot.h"
 #include "viewer/picture/plane/drawable.h"
 #include "viewer/picture/plane/error_map.h"
-#include "viewer/picture/work_precision_plot.h"
 
 namespace hottel {
 namespace {

@@ -13,7 +13,7 @@
 #include "io/foreign/foreign_matrix.h"
 #include "io/results/factor_files.h"
 #include "io/results/factors_report.h"
-#include "io/results/npy_sidecar.h"
+#include "io/results/npy.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
@@ -289,6 +289,27 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   return ExitCode::kDone;
 }
 
+// What is written of the pairs, and of which elements.
+void add_quantity_options(CLI::App& command, FactorsOptions& options) {
+  CLI::Option* matrix =
+      command.add_option("--matrix", options.matrix, "a dense matrix of this quantity instead of a list");
+  matrix->check(CLI::IsMember({"factor", "exchange", "visibility"}));
+  options.elements.add_to(command);
+  CLI::Option* script_f = command.add_flag(
+      "--script-f", options.script_f,
+      "gray-body exchange factors instead: q = A script-F sigma (T^4 - T^4), reflections counted, with proven bounds");
+  command.add_option("--channel", options.channel, "r, g or b: whose reflectivities, where materials are not gray")
+      ->check(CLI::IsMember({"r", "g", "b"}))
+      ->needs(script_f);
+  options.exact_form_option = command
+                                  .add_option("--exact-form", options.exact_form,
+                                              "exchange measures as sums of square roots, of A and B or of all pairs")
+                                  ->expected(0, 3)  // the scene may follow
+                                  ->excludes(matrix)
+                                  ->excludes(script_f)
+                                  ->type_name("[A B]");
+}
+
 }  // namespace
 
 void add_factors(Commands& commands) {
@@ -327,23 +348,7 @@ void add_factors(Commands& commands) {
           .add_option("--pairs", options->pairs, "visible: S > 0; facing: also pairs that something hides completely")
           ->check(CLI::IsMember({"visible", "facing"}))
           ->capture_default_str();
-  CLI::Option* matrix =
-      command.add_option("--matrix", options->matrix, "a dense matrix of this quantity instead of a list");
-  matrix->check(CLI::IsMember({"factor", "exchange", "visibility"}));
-  options->elements.add_to(command);
-  CLI::Option* script_f = command.add_flag(
-      "--script-f", options->script_f,
-      "gray-body exchange factors instead: q = A script-F sigma (T^4 - T^4), reflections counted, with proven bounds");
-  command.add_option("--channel", options->channel, "r, g or b: whose reflectivities, where materials are not gray")
-      ->check(CLI::IsMember({"r", "g", "b"}))
-      ->needs(script_f);
-  options->exact_form_option = command
-                                   .add_option("--exact-form", options->exact_form,
-                                               "exchange measures as sums of square roots, of A and B or of all pairs")
-                                   ->expected(0, 3)  // the scene may follow
-                                   ->excludes(matrix)
-                                   ->excludes(script_f)
-                                   ->type_name("[A B]");
+  add_quantity_options(command, *options);
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));

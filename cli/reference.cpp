@@ -7,7 +7,7 @@
 #include "cli/command.h"
 #include "cli/scene_input.h"
 #include "geometry/plane/check/sight_findings.h"
-#include "io/files/output_folder.h"
+#include "io/files/output_file.h"
 #include "io/files/text_file.h"
 #include "io/results/reference_set.h"
 #include "io/scene/scene_json.h"

@@ -9,10 +9,9 @@
 #include "geometry/near_names.h"
 #include "geometry/plane/check/sight_findings.h"
 #include "io/files/disk_space.h"
-#include "io/files/output_folder.h"
+#include "io/files/output_file.h"
 #include "io/results/check_report.h"
 #include "io/results/npy.h"
-#include "io/results/npy_sidecar.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
@@ -287,6 +286,33 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   return ExitCode::kDone;
 }
 
+void add_light_options(CLI::App& command, SolveOptions& options) {
+  command.add_option("--grid", options.grid, "cells of the illumination over the scene's region")->type_name("NXxNY");
+  command
+      .add_option("--illumination", options.illumination,
+                  "point: mean irradiance at cell centres, exact visibility; average: its mean over each cell, in "
+                  "closed form with a proven bound; inverse-square: the source formula")
+      ->check(CLI::IsMember({"point", "average", "inverse-square"}))
+      ->capture_default_str();
+  command.add_option("--tone", options.tone, "linear, reinhard, log or max (the largest value is 1)")
+      ->type_name("TONE")
+      ->capture_default_str();
+  command.add_option("--exposure", options.exposure, "multiply the light by E before the tone curve")
+      ->type_name("E")
+      ->check(positive_number())
+      ->capture_default_str();
+  CLI::Option* size =
+      command.add_option("--size", options.size, "pixels of the picture across, rounded to whole pixels a cell");
+  size->type_name("W")->check(CLI::Range(1u, kMaxPictureSide));
+  CLI::Option* no_picture =
+      command.add_flag("--no-picture", options.no_picture, "no illumination.png; one that is there stays as it is");
+  CLI::Option* no_illumination = command.add_flag("--no-illumination", options.no_illumination,
+                                                  "no light in space: neither illumination.npy nor illumination.png");
+  for (const char* of_picture : {"--size", "--tone", "--exposure"})
+    for (CLI::Option* none : {no_picture, no_illumination}) none->excludes(command.get_option(of_picture));
+  for (const char* of_light : {"--grid", "--illumination"}) no_illumination->excludes(command.get_option(of_light));
+}
+
 }  // namespace
 
 void add_solve(Commands& commands) {
@@ -318,30 +344,7 @@ void add_solve(Commands& commands) {
       .add_option("--until", options->until, "stop it when the largest residual is below R times the largest source")
       ->type_name("R")
       ->check(number_not_below_zero());
-  command.add_option("--grid", options->grid, "cells of the illumination over the scene's region")->type_name("NXxNY");
-  command
-      .add_option("--illumination", options->illumination,
-                  "point: mean irradiance at cell centres, exact visibility; average: its mean over each cell, in "
-                  "closed form with a proven bound; inverse-square: the source formula")
-      ->check(CLI::IsMember({"point", "average", "inverse-square"}))
-      ->capture_default_str();
-  command.add_option("--tone", options->tone, "linear, reinhard, log or max (the largest value is 1)")
-      ->type_name("TONE")
-      ->capture_default_str();
-  command.add_option("--exposure", options->exposure, "multiply the light by E before the tone curve")
-      ->type_name("E")
-      ->check(positive_number())
-      ->capture_default_str();
-  CLI::Option* size =
-      command.add_option("--size", options->size, "pixels of the picture across, rounded to whole pixels a cell");
-  size->type_name("W")->check(CLI::Range(1u, kMaxPictureSide));
-  CLI::Option* no_picture =
-      command.add_flag("--no-picture", options->no_picture, "no illumination.png; one that is there stays as it is");
-  CLI::Option* no_illumination = command.add_flag("--no-illumination", options->no_illumination,
-                                                  "no light in space: neither illumination.npy nor illumination.png");
-  for (const char* of_picture : {"--size", "--tone", "--exposure"})
-    for (CLI::Option* none : {no_picture, no_illumination}) none->excludes(command.get_option(of_picture));
-  for (const char* of_light : {"--grid", "--illumination"}) no_illumination->excludes(command.get_option(of_light));
+  add_light_options(command, *options);
   command
       .add_option("--simulate", options->simulate,
                   "auto: what the scene calls for; everything: all effects, same numbers")

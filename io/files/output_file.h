@@ -1,4 +1,4 @@
-// A file that appears whole or not at all.
+// A file that appears whole or not at all, and a folder that is there only if something comes into it.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "io/files/pending_removal.h"
 
@@ -71,5 +73,21 @@ class OutputFile {
 
 // Writes a whole file; see OutputFile.
 void write_output_file(const std::filesystem::path& file, std::string_view bytes);
+
+// Makes the folder where there is none, with those that it lies in.
+//
+//   (1) what it made and is empty at the end is removed again: by the destructor, or when a signal ends the program
+//   (2) a folder that was there before stays
+class OutputFolder {
+ public:
+  // Throws OutputError, or std::filesystem::filesystem_error, when it cannot be made, or is a file.
+  explicit OutputFolder(const std::filesystem::path& folder);
+  OutputFolder(OutputFolder&&) noexcept = default;
+  OutputFolder& operator=(OutputFolder&&) = delete;
+  ~OutputFolder();
+
+ private:
+  std::vector<std::pair<std::filesystem::path, PendingRemoval>> made_;  // each in the one before
+};
 
 }  // namespace hottel

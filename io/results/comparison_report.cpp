@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "io/results/factor_files.h"
+#include "kernel/rational.h"
 #include "kernel/version.h"
 
 namespace hottel {
@@ -33,6 +37,21 @@ Json method_json(const MethodResult& each) {
           {"standard_error", optional(each.report.standard_error)},
           {"max_radiosity_error", optional(each.max_radiosity_error)},
           {"notes", each.notes}};
+}
+
+std::string compare_table(std::span<const MethodResult> results) {
+  std::size_t widest = 6;
+  for (const MethodResult& each : results) widest = std::max(widest, each.info.name.size());
+  std::string text =
+      fmt::format("{:<{}}  {:<9} {:>12} {:>17} {:>10} {:>10} {:>10} {:>10}\n", "method", widest, "guarantee", "seconds",
+                  "fastest..slowest", "max error", "rms error", "closure", "radiosity");
+  for (const MethodResult& each : results)
+    text += fmt::format("{:<{}}  {:<9} {:>12.3g} {:>17} {:>10.2g} {:>10.2g} {:>10.2g} {:>10}\n", each.info.name, widest,
+                        to_string(each.info.guarantee), each.timing.median,
+                        fmt::format("{:.2g}..{:.2g}", each.timing.fastest, each.timing.slowest), each.errors.max,
+                        each.errors.rms, each.errors.closure,
+                        each.max_radiosity_error ? fmt::format("{:.2g}", *each.max_radiosity_error) : "-");
+  return text;
 }
 
 }  // namespace
@@ -65,21 +84,6 @@ std::string size_text(const ExchangeMatrix& matrix) {
   return fmt::format("{} elements, {} view factors", rows, matrix.entry_count());
 }
 
-std::string compare_table(std::span<const MethodResult> results) {
-  std::size_t widest = 6;
-  for (const MethodResult& each : results) widest = std::max(widest, each.info.name.size());
-  std::string text =
-      fmt::format("{:<{}}  {:<9} {:>12} {:>17} {:>10} {:>10} {:>10} {:>10}\n", "method", widest, "guarantee", "seconds",
-                  "fastest..slowest", "max error", "rms error", "closure", "radiosity");
-  for (const MethodResult& each : results)
-    text += fmt::format("{:<{}}  {:<9} {:>12.3g} {:>17} {:>10.2g} {:>10.2g} {:>10.2g} {:>10}\n", each.info.name, widest,
-                        to_string(each.info.guarantee), each.timing.median,
-                        fmt::format("{:.2g}..{:.2g}", each.timing.fastest, each.timing.slowest), each.errors.max,
-                        each.errors.rms, each.errors.closure,
-                        each.max_radiosity_error ? fmt::format("{:.2g}", *each.max_radiosity_error) : "-");
-  return text;
-}
-
 std::string comparison_text(const ComparisonReport2& report) {
   const MethodComparison2& comparison = report.comparison;
   std::string text = fmt::format("{}; prepared once for all in {:.3g} s\n\n", size_text(comparison.exact()),
@@ -95,6 +99,49 @@ std::string comparison_text(const ComparisonReport2& report) {
     }
   for (const auto& [note, whose] : notes) text += whose + ": " + note + "\n";
   for (const WorkReading& reading : report.readings) text += to_sentence(reading) + "\n";
+  return text;
+}
+
+namespace {
+
+// Empty for what is not known.
+std::string field(const std::optional<double>& value) { return value && !std::isnan(*value) ? shortest(*value) : ""; }
+
+// Empty also for a length beyond the range of doubles.
+std::string length_field(const std::optional<double>& value) {
+  return field(value && std::isfinite(*value) ? value : std::nullopt);
+}
+
+}  // namespace
+
+std::string compare_csv(std::span<const MethodResult> results) {
+  std::string text = "method,guarantee,seconds,max_error,rms_error,closure,max_radiosity_error\n";
+  for (const MethodResult& each : results)
+    text += fmt::format("{},{},{},{},{},{},{}\n", csv_field(each.info.name), to_string(each.info.guarantee),
+                        field(each.timing.median), field(each.errors.max), field(each.errors.rms),
+                        field(each.errors.closure), field(each.max_radiosity_error));
+  return text;
+}
+
+std::string worst_csv(std::span<const ExplainedPair> pairs) {
+  std::string text = "method,from,to,value,exact,error,visibility,distance,angle,reason\n";
+  for (const auto& [method, from, to, error, explanation] : pairs)
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_field(method), csv_field(from), csv_field(to),
+                        shortest(error.value), shortest(error.exact), shortest(error.error()),
+                        field(explanation.visibility), length_field(explanation.distance), field(explanation.angle),
+                        csv_field(explanation.reason));
+  return text;
+}
+
+std::string readings_csv(std::span<const WorkCurve> curves, std::span<const double> errors) {
+  std::string text = "error,family,seconds,exact_seconds\n";
+  const auto exact =
+      std::find_if(curves.begin(), curves.end(), [](const WorkCurve& curve) { return curve.family == kExactFamily; });
+  for (const double error : errors)
+    for (const WorkCurve& curve : curves)
+      text += fmt::format("{},{},{},{}\n", shortest(error), csv_field(curve.family),
+                          field(seconds_to_reach(curve.points, error)),
+                          exact == curves.end() ? "" : shortest(exact->points.front().seconds));
   return text;
 }
 

@@ -1,11 +1,14 @@
-// What comparing methods came to, as JSON and as text for people.
+// What comparing methods came to: as files, as JSON and as text for people.
 #pragma once
 
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "solver/compare/work_precision.h"
 #include "solver/plane/compare/method_comparison.h"
+#include "solver/plane/compare/pair_explanation.h"
 
 namespace hottel {
 
@@ -20,13 +23,23 @@ struct ComparisonReport2 {
 // Returns the report as one JSON object and a final newline.
 std::string comparison_json(const ComparisonReport2& report);
 
-// Returns the table with its size above it, notes (each once, with the methods it is said of) and readings below it.
+// Returns an aligned table, a line a method, with the spread of the times; its size above it, notes (each once, with
+// the methods it is said of) and readings below it.
 std::string comparison_text(const ComparisonReport2& report);
-
-// Returns an aligned table, a line a method, with the spread of the times.
-std::string compare_table(std::span<const MethodResult> results);
 
 // "812 elements, 5852 view factors": elements that have a row, and the factors in these rows.
 std::string size_text(const ExchangeMatrix& matrix);
+
+// `method,guarantee,seconds,max_error,rms_error,closure,max_radiosity_error`: one line a method. Shortest decimals that
+// read back to the same double; `inf` where a matrix has no radiosities, nothing where the scene has none.
+std::string compare_csv(std::span<const MethodResult> results);
+
+// `method,from,to,value,exact,error,visibility,distance,angle,reason`: distance in scene units between the middles,
+// angle in degrees between the normals; empty where there is none (the sky; faces that do not face each other).
+std::string worst_csv(std::span<const ExplainedPair> pairs);
+
+// `error,family,seconds,exact_seconds`: the least time in which each family reaches each error, empty where it does
+// not; times between the points of a sweep are interpolated (seconds_to_reach).
+std::string readings_csv(std::span<const WorkCurve> curves, std::span<const double> errors);
 
 }  // namespace hottel

@@ -1,10 +1,15 @@
-// NumPy's file format, version 1.0: arrays of float64 in C order, little-endian.
+// NumPy's file format, version 1.0: arrays of float64 in C order, little-endian; and beside FILE.npy, as FILE.npy.json,
+// what such a file does not say of itself.
 #pragma once
 
 #include <functional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "io/results/factor_files.h"
+#include "solver/plane/light/illumination_grid.h"
 
 namespace hottel {
 
@@ -16,5 +21,15 @@ std::string npy_header(std::span<const std::size_t> shape);
 // REQUIRES as many values as the shape has places.
 void write_npy(std::span<const std::size_t> shape, std::span<const double> values,
                const std::function<void(std::string_view)>& sink);
+
+// Returns a JSON object of `quantity`, `shape`, `order` ("C": the last index runs fastest), `axes`, `region` (`min` and
+// `max`: the outer borders of the first and the last cells, as the doubles next to them) and `channels`. A place that
+// is NaN lies in a solid. way: how the light was computed, as `--illumination` names it.
+std::string illumination_sidecar(const IlluminationGrid& light, const std::vector<std::string>& channels,
+                                 std::string_view way);
+
+// Returns a JSON object of `quantity`, `shape`, `order`, `axes`, and of `names` and `areas` of rows and columns alike,
+// the sky last; an area that is beyond the range of doubles, as that of the sky, is null.
+std::string factors_sidecar(const FactorTable& table);
 
 }  // namespace hottel

@@ -1,10 +1,9 @@
-#include "io/results/npy_sidecar.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "geometry/plane/exchange/exchange.h"
+#include "io/results/npy.h"
 #include "tests/solver/plane/lit_scenes.h"
 
 namespace hottel {

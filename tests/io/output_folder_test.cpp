@@ -1,4 +1,3 @@
-#include "io/files/output_folder.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,10 +1,12 @@
-// Curves over two logarithmic axes.
+// Curves over two logarithmic axes; what accuracy costs is one such plot.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "solver/compare/work_precision.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/canvas.h"
 
@@ -71,5 +73,9 @@ class LogPlotPainter {
 
 // Returns the bytes of the picture file.
 std::string log_plot(const LogPlot& plot, PictureFormat format);
+
+// What accuracy costs: seconds along x, the largest error of a view factor along y, points labelled by their parameter.
+// The exact method, in ink, is a line down to its error: 0, on a level of its own.
+LogPlot work_precision_plot(std::span<const WorkCurve> curves, const std::string& title, const std::string& subtitle);
 
 }  // namespace hottel

@@ -260,4 +260,15 @@ Repair2 close_gaps(const Scene2& scene, const Rational& distance) {
   return GapCloser(scene, distance).close();
 }
 
+Repair2 unrepaired(const Scene2& scene) {
+  Repair2 repair{scene, {}, {}};
+  for (const Surface2& surface : scene.surfaces) repair.former_names.push_back(surface.name);
+  return repair;
+}
+
+std::string former_name(const Repair2& repair, const Element& element) {
+  const std::size_t length = repair.scene.surfaces[element.surface].name.size();
+  return repair.former_names[element.surface] + element.name.substr(length);
+}
+
 }  // namespace hottel

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/exchange_matrix.h"
 #include "geometry/plane/scene/scene.h"
 
 namespace hottel {
@@ -21,6 +22,12 @@ struct Repair2 {
   std::vector<RepairStep> steps;
   std::vector<std::string> former_names;  // by surface: what it was called before the repair
 };
+
+// Returns the scene as it is, without any step.
+Repair2 unrepaired(const Scene2& scene);
+
+// Returns what an element of the repaired scene was called before: as factor_changes asks for.
+std::string former_name(const Repair2& repair, const Element& element);
 
 // Returns the scene with ends that are within `distance` of each other merged (into the one listed first), ends within
 // `distance` of a surface put exactly onto it, and surfaces that became points, or the same as an earlier one in

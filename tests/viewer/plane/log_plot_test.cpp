@@ -1,4 +1,6 @@
 // Plots of errors against time, counted and measured on a canvas that remembers.
+#include "viewer/picture/log_plot.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +8,6 @@
 #include <limits>
 
 #include "viewer/picture/recording_canvas.h"
-#include "viewer/picture/work_precision_plot.h"
 
 namespace hottel {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/plane/exchange/element_table.h"
+
 namespace hottel {
 
 Corners2::Corners2(const Scene2& scene, const Frame2& frame) {
@@ -31,6 +33,26 @@ Corners2::Corners2(const Scene2& scene, const Frame2& frame) {
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k == 0 || before(order[k - 1], order[k])) at.push_back(pixels[order[k]]);
     (order[k] % 2 == 0 ? from : to)[order[k] / 2] = static_cast<std::uint32_t>(at.size() - 1);
+  }
+}
+
+FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame) {
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  for (VertexId v = 0; v < vertices.size(); ++v) {
+    const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
+    corners_.at.push_back(frame.at(Point2{p.x, p.y}));
+  }
+  const ElementTable2 labels(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  begin_.assign(prepared.scene.surfaces.size() + 1, 0);
+  for (std::uint32_t label = 0; label < labels.count(); ++label) {
+    const Element& element = labels.elements()[label];
+    for (const Segment2& run : labels.runs(label)) {
+      corners_.from.push_back(run.a);
+      corners_.to.push_back(run.b);
+      surface_.push_back(element.surface);
+      is_back_.push_back(element.is_back);
+    }
+    begin_[element.surface + 1] = static_cast<std::uint32_t>(surface_.size());
   }
 }
 

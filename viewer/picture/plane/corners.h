@@ -1,9 +1,11 @@
-// Where the edges of a scene lie in a picture, and which of them meet.
+// Where the edges and faces of a scene lie in a picture, and which of them meet.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/scene/scene.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/plane/frame.h"
@@ -23,6 +25,27 @@ struct Corners2 {
   Corners2(const Scene2& scene, const Frame2& frame);
 
   std::size_t surfaces() const { return from.size(); }
+};
+
+// The straight parts of faces that exchange light: a part that looks into a solid, or that another surface owns, is
+// missing.
+//
+//   (1) the runs of a surface, those of its front before those of its back
+//   (2) edge k of corners() is run k, the face on its right
+class FaceRuns2 {
+ public:
+  FaceRuns2(const PreparedScene2& prepared, const Frame2& frame);
+
+  const Corners2& corners() const { return corners_; }
+  std::uint32_t begin(std::uint32_t surface) const { return begin_[surface]; }
+  std::uint32_t end(std::uint32_t surface) const { return begin_[surface + 1]; }
+  std::uint32_t surface(std::uint32_t run) const { return surface_[run]; }
+  bool is_back(std::uint32_t run) const { return is_back_[run]; }
+
+ private:
+  Corners2 corners_;
+  std::vector<std::uint32_t> begin_, surface_;
+  std::vector<bool> is_back_;
 };
 
 }  // namespace hottel

@@ -7,7 +7,6 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
-#include "viewer/picture/hatch.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/plane/solid_polygons.h"
 

@@ -8,7 +8,6 @@
 #include "solver/plane/light/illumination_grid.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/plane/corners.h"
-#include "viewer/picture/plane/face_runs.h"
 #include "viewer/picture/plane/light_pixels.h"
 #include "viewer/picture/tone_curve.h"
 

@@ -11,7 +11,7 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/colour_map.h"
-#include "viewer/picture/plane/face_runs.h"
+#include "viewer/picture/plane/corners.h"
 #include "viewer/picture/plane/scene_sheet.h"
 #include "viewer/picture/plane/stripes.h"
 

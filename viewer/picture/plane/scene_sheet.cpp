@@ -9,7 +9,6 @@
 
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
-#include "viewer/picture/hatch.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/plane/solid_polygons.h"
 

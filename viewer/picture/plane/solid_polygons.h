@@ -1,6 +1,7 @@
-// Solids as they are drawn.
+// Solids as they are drawn: their outlines, and the hatching inside.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "geometry/plane/arrangement/arrangement.h"
@@ -12,5 +13,10 @@ namespace hottel {
 // Returns a polygon for each connected region of the interior of the union of all solids (solid_regions.h), the solid
 // on one side of it throughout. A hole is reached along a line that is walked there and back, and so is not seen.
 std::vector<std::vector<Pixel>> solid_polygons(const Arrangement2& arrangement, const Frame2& frame);
+
+// Draws lines that rise to the right inside a polygon, `spacing` apart along the axes. Lines of neighbouring polygons
+// meet.
+void draw_hatch(PictureCanvas& canvas, std::span<const Pixel> outline, double spacing, double line_width,
+                Colour colour);
 
 }  // namespace hottel
