@@ -58,7 +58,7 @@ std::uint32_t solid_at(const PreparedScene2& prepared, const FaceName& face, con
       const Rational &low = std::min(a, b), &high = std::max(a, b);
       if (t < low || t > high || (t == high && t < 1)) continue;
       const bool right = source.is_reversed == face.is_back;
-      return arrangement.solids().maker(static_cast<PieceSideId>(2 * piece + (right ? 1 : 0)));
+      return arrangement.solids().maker(right ? right_side(piece) : left_side(piece));
     }
   return Solids2::kNone;
 }

@@ -77,8 +77,8 @@ std::string where(const PreparedScene2& prepared, const VisibilityPolygon2& poly
                          : "at a vertex; every direction is seen";
     case Location2::Kind::kOnEdge: {
       const HalfEdgeId h = polygon.location.half_edge;
-      if (arrangement.triangulation().twin(h) >= 0 || arrangement.triangulation().side(h) == kSky) return "in the open";
-      const auto piece = static_cast<std::size_t>(arrangement.triangulation().side(h) / 2);
+      if (!arrangement.triangulation().is_piece(h)) return "in the open";
+      const std::size_t piece = piece_of(arrangement.triangulation().side(h));
       return "on '" + prepared.scene.surfaces[arrangement.sources(piece).front().surface].name +
              (is_on_solid ? "'; one side is seen, the other is in " + solid_text(prepared.scene, covered->solid)
                           : "'; both sides are seen");

@@ -79,13 +79,12 @@ std::vector<LooseEnd> loose_ends(const UnboundedBehind2& behind) {
     ++degree[piece.b];
   }
   std::vector<LooseEnd> ends;
-  const auto piece_of = [&](PieceSideId side) { return behind.overlay.pieces[static_cast<std::size_t>(side / 2)]; };
+  const auto piece = [&](PieceSideId side) { return behind.overlay.pieces[piece_of(side)]; };
   std::vector<VertexId> own;
-  for (const PieceSideId side : behind.backs) own.insert(own.end(), {piece_of(side).a, piece_of(side).b});
+  for (const PieceSideId side : behind.backs) own.insert(own.end(), {piece(side).a, piece(side).b});
   const std::unordered_set<VertexId> connected = connected_with(behind.overlay, std::move(own));
   const auto add = [&](PieceSideId side, bool is_own) {
-    const Segment2 piece = piece_of(side);
-    for (const VertexId v : {piece.a, piece.b}) {
+    for (const VertexId v : {piece(side).a, piece(side).b}) {
       if (degree[v] != 1 || !connected.contains(v)) continue;
       const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
       const Point2 at{p.x, p.y};
@@ -133,8 +132,9 @@ void refuse_unbounded(const UnboundedBehind2& behind) {
                      {"take the \"back\" or the \"behind\" away"});
   const bool is_open = std::all_of(behind.backs.begin(), behind.backs.end(),
                                    [&](PieceSideId side) { return behind.regions.of(side) == 0; });
-  const bool is_reversed = is_open && std::all_of(behind.backs.begin(), behind.backs.end(),
-                                                  [&](PieceSideId side) { return behind.regions.of(side ^ 1) != 0; });
+  const bool is_reversed = is_open && std::all_of(behind.backs.begin(), behind.backs.end(), [&](PieceSideId side) {
+                             return behind.regions.of(opposite(side)) != 0;
+                           });
   std::vector<std::string> hints = gap_hints(behind);
   if (is_open) {
     hints.emplace_back(is_reversed

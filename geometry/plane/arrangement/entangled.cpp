@@ -42,12 +42,11 @@ class Sweep {
         line_(Below{this}) {}
 
   std::vector<char> run() {
-    std::vector<VertexId> order(vertices_.size());
-    std::iota(order.begin(), order.end(), VertexId{0});
+    std::vector<VertexId> order(vertices_.ids().begin(), vertices_.ids().end());
     std::sort(order.begin(), order.end(), [&](VertexId i, VertexId j) { return vertices_.precedes(i, j); });
-    for (std::uint32_t k = 0; k < order.size(); ++k) rank_[order[k]] = k;
+    for (std::uint32_t k = 0; k < order.size(); ++k) rank_[order[k].index()] = k;
     for (Segment2& s : segments_)
-      if (rank_[s.b] < rank_[s.a]) std::swap(s.a, s.b);
+      if (rank(s.b) < rank(s.a)) std::swap(s.a, s.b);
 
     const std::vector<std::uint32_t> begins = sorted_by([](const Segment2& s) { return s.a; });
     const std::vector<std::uint32_t> ends = sorted_by([](const Segment2& s) { return s.b; });
@@ -69,11 +68,13 @@ class Sweep {
   };
   using Line = std::set<std::uint32_t, Below>;
 
+  std::uint32_t rank(VertexId v) const { return rank_[v.index()]; }
+
   // +1 when t is above s, -1 when it is below.
   int height(std::uint32_t s, std::uint32_t t) const {
     const Segment2 &f = segments_[s], &g = segments_[t];
     if (f.a == g.a) return vertices_.orientation(f.a, f.b, g.b);
-    return rank_[f.a] < rank_[g.a] ? vertices_.orientation(f.a, f.b, g.a) : -vertices_.orientation(g.a, g.b, f.a);
+    return rank(f.a) < rank(g.a) ? vertices_.orientation(f.a, f.b, g.a) : -vertices_.orientation(g.a, g.b, f.a);
   }
 
   template <class End>
@@ -81,7 +82,7 @@ class Sweep {
     std::vector<std::uint32_t> order(segments_.size());
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(),
-              [&](std::uint32_t s, std::uint32_t t) { return rank_[end(segments_[s])] < rank_[end(segments_[t])]; });
+              [&](std::uint32_t s, std::uint32_t t) { return rank(end(segments_[s])) < rank(end(segments_[t])); });
     return order;
   }
 

@@ -46,8 +46,8 @@ class SolidFinder {
 
   std::vector<std::uint32_t> makers() const {
     std::vector<std::uint32_t> makers(free_regions_.side_count());
-    for (std::size_t side = 0; side < makers.size(); ++side)
-      makers[side] = solid_[free_regions_.of(static_cast<PieceSideId>(side))];
+    for (const PieceSideId side : IdRange<PieceSideId>(makers.size()))
+      makers[side.index()] = solid_[free_regions_.of(side)];
     return makers;
   }
   // REQUIRES Looks::kAll, and find() before.
@@ -108,14 +108,14 @@ class SolidFinder {
     for (const PieceSource2& source : sources) {
       const Surface2& surface = scene_.surfaces[source.surface];
       if (looks_ == Looks::kAll || behind(surface.group) != Behind::kByOutline) {
-        const auto left = static_cast<PieceSideId>(2 * piece), right = left + 1;
+        const PieceSideId left = left_side(piece), right = right_side(piece);
         Sight& sight = sight_[surface.group];
         sight.fronted.push_back(free_regions_.of(source.is_reversed ? left : right));
         if (!surface.back) sight.backs.push_back(source.is_reversed ? right : left);
       }
       if (role_[surface.group] == Role::kNone) continue;
       if (role_[surface.group] == Role::kSolid)
-        backs_.emplace_back(2 * static_cast<PieceSideId>(piece) + (source.is_reversed ? 1 : 0), surface.group);
+        backs_.emplace_back(source.is_reversed ? right_side(piece) : left_side(piece), surface.group);
       const auto run =
           std::find_if(runs.begin(), runs.end(), [&](const NetRun2& r) { return r.group == surface.group; });
       const std::int32_t step = source.is_reversed ? -1 : 1;
@@ -140,7 +140,7 @@ class SolidFinder {
 
   // The side of a piece where the winding number of a room is not 0.
   static PieceSideId inner_side_of_room(std::size_t piece, const NetRun2& run) {
-    return static_cast<PieceSideId>(2 * piece + (run.net > 0 ? 1 : 0));
+    return run.net > 0 ? right_side(piece) : left_side(piece);
   }
 
   // For each room the solids that it is in.
@@ -160,10 +160,8 @@ class SolidFinder {
         },
         [&](std::uint32_t free_region) {
           for (const PieceSideId side : free_regions_.sides(free_region))
-            for (const NetRun2& run : runs_.of(static_cast<std::size_t>(side / 2))) {
-              if (role_[run.group] != Role::kRoom ||
-                  inner_side_of_room(static_cast<std::size_t>(side / 2), run) != side)
-                continue;
+            for (const NetRun2& run : runs_.of(piece_of(side))) {
+              if (role_[run.group] != Role::kRoom || inner_side_of_room(piece_of(side), run) != side) continue;
               Groups& within = within_[run.group];
               if (is_known[run.group] == 0)
                 within.assign(around.begin(), around.end());
@@ -279,7 +277,7 @@ Solids2 Solids2::restricted_to(const std::vector<std::uint32_t>& pieces) const {
   Solids2 result;
   if (is_empty()) return result;
   for (const std::uint32_t piece : pieces)
-    for (const std::uint32_t side : {2 * piece, 2 * piece + 1}) result.maker_.push_back(maker_[side]);
+    for (const PieceSideId side : sides_of(piece)) result.maker_.push_back(maker_[side.index()]);
   return result;
 }
 

@@ -45,9 +45,7 @@ class Solids2 {
 
   bool is_empty() const { return maker_.empty(); }
   // The first listed group that makes the region that a side looks into solid; kNone where it is free.
-  std::uint32_t maker(PieceSideId side) const {
-    return maker_.empty() ? kNone : maker_[static_cast<std::size_t>(side)];
-  }
+  std::uint32_t maker(PieceSideId side) const { return maker_.empty() ? kNone : maker_[side.index()]; }
   bool is_covered(PieceSideId side) const { return maker(side) != kNone; }
   // Does the side look into a solid that this group makes, and is a back of the group on it?
   bool is_inside_of(PieceSideId side, std::uint32_t group) const;

@@ -20,8 +20,7 @@ BehindRemedies2::BehindRemedies2(const PreparedScene2& prepared, const FreeRegio
       regions_(prepared.arrangement.regions_behind(prepared.scene, free_regions)),
       cells_of_face_(2 * prepared.scene.surfaces.size()) {
   const Arrangement2& arrangement = prepared.arrangement;
-  for (std::size_t k = 0; k < arrangement.side_count(); ++k) {
-    const auto side = static_cast<PieceSideId>(k);
+  for (const PieceSideId side : arrangement.sides()) {
     if (arrangement.is_covered(side)) continue;
     std::vector<std::uint32_t>& list = cells_of_face_[number(arrangement.owner(side))];
     if (list.empty() || list.back() != free_regions.of(side)) list.push_back(free_regions.of(side));

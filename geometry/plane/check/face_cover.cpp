@@ -8,10 +8,10 @@ namespace {
 std::uint32_t number(const FacePart& face) { return 2 * face.surface + (face.is_back ? 1 : 0); }
 
 // The first group with a solid on a side of a piece on which it has no surface.
-std::uint32_t holder_of(const Scene2& scene, const Solids2& solids, PieceSideId left,
+std::uint32_t holder_of(const Scene2& scene, const Solids2& solids, std::size_t piece,
                         const std::vector<PieceSource2>& covering) {
   std::uint32_t holder = Solids2::kNone;
-  for (const PieceSideId side : {left, left + 1}) {
+  for (const PieceSideId side : sides_of(piece)) {
     const std::uint32_t maker = solids.maker(side);
     if (std::none_of(covering.begin(), covering.end(),
                      [&](const PieceSource2& source) { return scene.surfaces[source.surface].group == maker; }))
@@ -21,11 +21,12 @@ std::uint32_t holder_of(const Scene2& scene, const Solids2& solids, PieceSideId 
 }
 
 // A group whose surface lies on the border of a solid of another group from within.
-bool lies_within(const Scene2& scene, const Solids2& solids, PieceSideId left, std::uint32_t group,
+bool lies_within(const Scene2& scene, const Solids2& solids, std::size_t piece, std::uint32_t group,
                  const std::vector<PieceSource2>& covering) {
   return std::any_of(covering.begin(), covering.end(), [&](const PieceSource2& source) {
     const std::uint32_t other = scene.surfaces[source.surface].group;
-    return other != group && (solids.is_inside_of(left, other) || solids.is_inside_of(left + 1, other));
+    return other != group &&
+           (solids.is_inside_of(left_side(piece), other) || solids.is_inside_of(right_side(piece), other));
   });
 }
 
@@ -39,8 +40,7 @@ FaceCover2::FaceCover2(const Scene2& scene, const Arrangement2& arrangement)
   std::vector<char> is_free(scene.groups.size(), 0);
   for (std::size_t piece = 0; 2 * piece < arrangement.side_count(); ++piece) {
     const std::vector<PieceSource2> covering = arrangement.sources(piece);
-    const auto left = static_cast<PieceSideId>(2 * piece);
-    for (const PieceSideId side : {left, left + 1}) {
+    for (const PieceSideId side : sides_of(piece)) {
       if (!solids.is_covered(side)) {
         const SideOwner2 claims = arrangement.claims(scene, side);
         has_area[number(claims.owner.face)] = 1;
@@ -48,17 +48,17 @@ FaceCover2::FaceCover2(const Scene2& scene, const Arrangement2& arrangement)
         continue;
       }
       for (const PieceSource2& source : covering) {
-        std::uint32_t& group = covered_by[2 * source.surface + (source.is_reversed == (side != left) ? 1 : 0)];
+        std::uint32_t& group = covered_by[2 * source.surface + (source.is_reversed == is_right(side) ? 1 : 0)];
         group = std::min(group, solids.maker(side));
       }
     }
-    const bool is_inside = solids.is_covered(left) && solids.is_covered(left + 1);
+    const bool is_inside = solids.is_covered(left_side(piece)) && solids.is_covered(right_side(piece));
     for (const PieceSource2& source : covering) {
       const std::uint32_t group = scene.surfaces[source.surface].group;
-      if (!is_inside && !lies_within(scene, solids, left, group, covering)) is_free[group] = 1;
+      if (!is_inside && !lies_within(scene, solids, piece, group, covering)) is_free[group] = 1;
     }
     if (!is_inside) continue;
-    const std::uint32_t held_by = holder_of(scene, solids, left, covering);
+    const std::uint32_t held_by = holder_of(scene, solids, piece, covering);
     for (const PieceSource2& source : covering) {
       const std::uint32_t group = scene.surfaces[source.surface].group;
       if (held_by != group) holder[group] = std::min(holder[group], held_by);

@@ -17,8 +17,6 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffff;
 constexpr std::uint32_t kSeveral = 0xfffffffe;
 
-std::size_t index(PieceSideId side) { return static_cast<std::size_t>(side); }
-
 // Joins vertices that pieces connect.
 class VertexUnion {
  public:
@@ -38,10 +36,10 @@ class RegionTeller {
   RegionTeller(const PreparedScene2& prepared, const FreeRegions2& regions)
       : scene_(prepared.scene), arrangement_(prepared.arrangement), regions_(regions) {
     region_of_face_.assign(2 * scene_.surfaces.size(), kNone);
-    for (std::size_t side = 0; side < arrangement_.side_count(); ++side) {
-      if (arrangement_.is_covered(static_cast<PieceSideId>(side))) continue;
-      std::uint32_t& region = region_of_face_[face(static_cast<PieceSideId>(side))];
-      const std::uint32_t here = regions.of(static_cast<PieceSideId>(side));
+    for (const PieceSideId side : arrangement_.sides()) {
+      if (arrangement_.is_covered(side)) continue;
+      std::uint32_t& region = region_of_face_[face(side)];
+      const std::uint32_t here = regions.of(side);
       region = region == kNone || region == here ? here : kSeveral;
     }
     told_.is_inside_out.assign(scene_.surfaces.size(), 0);
@@ -81,7 +79,7 @@ class RegionTeller {
     if (face % 2 == 0) return &scene_.materials[surface.material];
     return surface.back ? &scene_.materials[*surface.back] : nullptr;
   }
-  const Segment2& piece(PieceSideId side) const { return arrangement_.pieces()[index(side) / 2]; }
+  const Segment2& piece(PieceSideId side) const { return arrangement_.piece(side); }
 
   // Some group has all its faces with a material in the unbounded region. (The underside of a box on a floor is there
   // too.)
@@ -105,7 +103,8 @@ class RegionTeller {
     }
     std::vector<PieceSideId> walls;
     for (const PieceSideId side : regions_.sides(region))
-      if (regions_.of(side ^ 1) != region && parts.root(piece(side).a) == parts.root(least)) walls.push_back(side);
+      if (regions_.of(opposite(side)) != region && parts.root(piece(side).a) == parts.root(least))
+        walls.push_back(side);
     return walls;
   }
 
@@ -127,11 +126,12 @@ class RegionTeller {
   // Walls whose fronts alone stand in the region, do not emit, and turn black backs to one region with other faces in
   // it.
   bool is_reversed_solid(std::uint32_t region, const std::vector<PieceSideId>& walls) const {
-    const std::uint32_t around = regions_.of(walls.front() ^ 1);
+    const std::uint32_t around = regions_.of(opposite(walls.front()));
     if (residents_[around].empty() || regions_.sides(region).size() != walls.size()) return false;
     return std::all_of(walls.begin(), walls.end(), [&](PieceSideId side) {
-      return face(side) % 2 == 0 && !arrangement_.is_covered(side ^ 1) && material(face(side))->emission.is_zero() &&
-             regions_.of(side ^ 1) == around && material(face(side ^ 1)) == nullptr;
+      return face(side) % 2 == 0 && !arrangement_.is_covered(opposite(side)) &&
+             material(face(side))->emission.is_zero() && regions_.of(opposite(side)) == around &&
+             material(face(opposite(side))) == nullptr;
     });
   }
 
@@ -139,7 +139,7 @@ class RegionTeller {
   bool fronts_see_nothing(const std::vector<PieceSideId>& walls) const {
     const std::vector<std::uint32_t> own = surfaces_of(walls);
     return std::all_of(walls.begin(), walls.end(), [&](PieceSideId side) {
-      const auto& behind = residents_[regions_.of(side ^ 1)];
+      const auto& behind = residents_[regions_.of(opposite(side))];
       return std::all_of(behind.begin(), behind.end(), [&](std::uint32_t f) {
         return f % 2 == 0 && material(f)->emission.is_zero() && std::binary_search(own.begin(), own.end(), f / 2);
       });
@@ -216,8 +216,7 @@ class RegionTeller {
   void tell_spanning() {
     std::map<std::pair<std::uint32_t, Integer>, std::uint32_t> room_of_element;
     std::vector<char> is_told(region_of_face_.size(), 0);
-    for (std::size_t k = 0; k < arrangement_.side_count(); ++k) {
-      const auto side = static_cast<PieceSideId>(k);
+    for (const PieceSideId side : arrangement_.sides()) {
       if (arrangement_.is_covered(side)) continue;
       const std::uint32_t region = regions_.of(side), f = face(side);
       if (region_of_face_[f] != kSeveral || material(f) == nullptr || residents_[region].empty()) continue;

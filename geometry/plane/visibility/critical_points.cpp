@@ -72,7 +72,7 @@ std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, con
   Collector collector(arrangement, scene, a, b);
   View2 view;
   const Vertices2& vertices = arrangement.vertices();
-  for (VertexId v = 0; v < vertices.size(); ++v) {
+  for (const VertexId v : vertices.ids()) {
     look_around(vertices, arrangement.triangulation(), v, view);
     for_each_gap(vertices, v, view, true, [&](const Gap2& gap) { collector.look_along(gap); });
   }

@@ -131,7 +131,7 @@ std::string ownership_differs(const PreparedScene2& prepared, const Split& split
       return End{p.x, p.y};
     };
     End a = end(arrangement.pieces()[k].a), b = end(arrangement.pieces()[k].b);
-    Sides sides{owner(static_cast<PieceSideId>(2 * k)), owner(static_cast<PieceSideId>(2 * k + 1))};
+    Sides sides{owner(left_side(k)), owner(right_side(k))};
     if (b < a) {
       std::swap(a, b);
       std::swap(sides.first, sides.second);

@@ -117,7 +117,7 @@ oracle::Measures coefficients_by_gap(const PreparedScene2& prepared) {
   const auto label = [&](std::uint32_t i) { return i == table.sky() ? oracle::kInfinity : static_cast<int>(i); };
   oracle::Measures measures;
   View2 view;
-  for (VertexId v = 0; v < vertices.size(); ++v) {
+  for (const VertexId v : vertices.ids()) {
     look_around(vertices, prepared.arrangement.triangulation(), v, view);
     for_each_gap(vertices, v, view, true, [&](const Gap2& gap) {
       const Rational squared_length = vertices.squared_distance(gap.v, gap.w) * vertices.scale() * vertices.scale();

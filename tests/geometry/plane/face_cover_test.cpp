@@ -59,8 +59,7 @@ std::optional<PreparedScene2> prepared(const Scene2& scene) {
 
 std::size_t covered_sides(const Arrangement2& arrangement) {
   std::size_t count = 0;
-  for (std::size_t side = 0; side < arrangement.side_count(); ++side)
-    count += arrangement.is_covered(static_cast<PieceSideId>(side));
+  for (const PieceSideId side : arrangement.sides()) count += arrangement.is_covered(side);
   return count;
 }
 

@@ -6,7 +6,7 @@ namespace hottel {
 
 FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame) {
   const Vertices2& vertices = prepared.arrangement.vertices();
-  for (VertexId v = 0; v < vertices.size(); ++v) {
+  for (const VertexId v : vertices.ids()) {
     const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
     corners_.at.push_back(frame.at(Point2{p.x, p.y}));
   }
@@ -15,8 +15,8 @@ FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame) {
   for (std::uint32_t label = 0; label < labels.count(); ++label) {
     const Element& element = labels.elements()[label];
     for (const Segment2& run : labels.runs(label)) {
-      corners_.from.push_back(run.a);
-      corners_.to.push_back(run.b);
+      corners_.from.push_back(static_cast<std::uint32_t>(run.a.index()));
+      corners_.to.push_back(static_cast<std::uint32_t>(run.b.index()));
       surface_.push_back(element.surface);
       is_back_.push_back(element.is_back);
     }
