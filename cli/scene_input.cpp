@@ -151,7 +151,7 @@ std::uint32_t require_element(const ExchangeMatrix& matrix, const std::string& n
   throw UnknownName("there is no face called '" + name + "'", name, known);
 }
 
-FaceName face_of(const Scene2& scene, const std::string& name) {
+Face face_of(const Scene2& scene, const std::string& name) {
   if (const auto surface = scene.find(name)) return {*surface, false};
   if (name.ends_with(":back"))
     if (const auto surface = scene.find(name.substr(0, name.size() - 5))) return {*surface, true};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
+#include "geometry/face.h"
 #include "geometry/plane/scene/scene.h"
 #include "kernel/support/failure.h"
 
@@ -60,10 +61,6 @@ std::vector<std::uint32_t> surfaces_matching(const Scene2& scene, const std::str
 std::uint32_t require_element(const ExchangeMatrix& matrix, const std::string& name);
 
 // One face of the scene by name, "wall" or "wall:back". Throws UnknownName when there is none.
-struct FaceName {
-  std::uint32_t surface = 0;
-  bool is_back = false;
-};
-FaceName face_of(const Scene2& scene, const std::string& name);
+Face face_of(const Scene2& scene, const std::string& name);
 
 }  // namespace hottel

@@ -43,7 +43,7 @@ ExactPoint2 point(const std::string& text) {
 
 // The solid that a face looks into at a place (just after it, at its end just before it); Solids2::kNone where it is
 // free.
-std::uint32_t solid_at(const PreparedScene2& prepared, const FaceName& face, const Rational& t) {
+std::uint32_t solid_at(const PreparedScene2& prepared, const Face& face, const Rational& t) {
   const Arrangement2& arrangement = prepared.arrangement;
   const Surface2& surface = prepared.scene.surfaces[face.surface];
   const Rational dx = surface.to.x - surface.from.x, dy = surface.to.y - surface.from.y;
@@ -64,7 +64,7 @@ std::uint32_t solid_at(const PreparedScene2& prepared, const FaceName& face, con
 }
 
 // "scene.json:4: the front of 'floor'"
-std::string face_text(const Scene2& scene, const FaceName& face) {
+std::string face_text(const Scene2& scene, const Face& face) {
   const Surface2& surface = scene.surfaces[face.surface];
   return fmt::format("{}:{}: the {} of {}", scene.file, surface.line, face.is_back ? "back" : "front",
                      quoted_name(surface.name));
@@ -74,7 +74,7 @@ Answer from_face(const PreparedScene2& prepared, const std::string& name, const 
   if (t < 0 || t > 1) throw UsageError("--at is a position on the edge, between 0 and 1, not " + to_string(t));
   if (name == "sky") throw UsageError("--on is a face, which the sky is not");
   const Arrangement2& arrangement = prepared.arrangement;
-  const FaceName face = face_of(prepared.scene, name);
+  const Face face = face_of(prepared.scene, name);
   const Surface2& surface = prepared.scene.surfaces[face.surface];
   if (const std::uint32_t solid = solid_at(prepared, face, t); solid != Solids2::kNone)
     throw RequestError(fmt::format("{} looks into {} at t = {}: nothing is seen there", face_text(prepared.scene, face),
@@ -112,27 +112,25 @@ Answer from_face(const PreparedScene2& prepared, const std::string& name, const 
 }
 
 // Throws RequestError where a face looks into solids all along.
-void require_free(const PreparedScene2& prepared, const FaceName& face) {
+void require_free(const PreparedScene2& prepared, const Face& face) {
   if (prepared.arrangement.solids().is_empty()) return;
   const FaceCover2 cover(prepared.scene, prepared.arrangement);
-  const std::uint32_t number = 2 * face.surface + (face.is_back ? 1 : 0);
-  if (cover.has_area[number] == 0 && cover.covered_by[number] != Solids2::kNone)
+  if (cover.has_area[face.number()] == 0 && cover.covered_by[face.number()] != Solids2::kNone)
     throw RequestError(fmt::format("{} looks into {} all along: it has no area and exchanges nothing",
                                    face_text(prepared.scene, face),
-                                   solid_text(prepared.scene, cover.covered_by[number])));
+                                   solid_text(prepared.scene, cover.covered_by[face.number()])));
 }
 
 // A face of --from or --to by name; nothing for the sky.
-std::optional<FaceName> face_or_sky(const Scene2& scene, const std::string& name) {
+std::optional<Face> face_or_sky(const Scene2& scene, const std::string& name) {
   if (name == "sky") return std::nullopt;
   return face_of(scene, name);
 }
 
 // The pair in closed form; one of the two may be the sky, whose area is left 0 and which takes all there is: S0 = A.
-ExactPair2 exact_pair_of(const PreparedScene2& prepared, const std::optional<FaceName>& a,
-                         const std::optional<FaceName>& b) {
+ExactPair2 exact_pair_of(const PreparedScene2& prepared, const std::optional<Face>& a, const std::optional<Face>& b) {
   const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
-  const auto label_of = [&](const std::optional<FaceName>& face) {
+  const auto label_of = [&](const std::optional<Face>& face) {
     if (!face) return table.sky();
     const auto& elements = table.elements();
     return static_cast<std::uint32_t>(
@@ -147,7 +145,7 @@ ExactPair2 exact_pair_of(const PreparedScene2& prepared, const std::optional<Fac
 }
 
 Answer between_faces(const PreparedScene2& prepared, const std::string& from, const std::string& to) {
-  const std::optional<FaceName> a = face_or_sky(prepared.scene, from), b = face_or_sky(prepared.scene, to);
+  const std::optional<Face> a = face_or_sky(prepared.scene, from), b = face_or_sky(prepared.scene, to);
   for (const auto& face : {a, b})
     if (face) require_free(prepared, *face);
   const ExactPair2 pair = exact_pair_of(prepared, a, b);
@@ -187,18 +185,15 @@ Answer between_faces(const PreparedScene2& prepared, const std::string& from, co
   add("factor_back", "F from '" + to + "'", pair.exchange, pair.area_to, false);
 
   PairDrawing drawing;  // the sky is not drawn: its place is taken by the face, under it
-  drawing.a = (a ? a : b)->surface;
-  drawing.b = (b ? b : a)->surface;
-  drawing.a_is_back = (a ? a : b)->is_back;
-  drawing.b_is_back = (b ? b : a)->is_back;
+  drawing.a = a ? *a : *b;
+  drawing.b = b ? *b : *a;
   drawing.a_label = a ? from : to;
   drawing.b_label = a && b ? to : "";
   answer.json["critical_points"] = Json::array();
   if (!a) answer.text += "critical points are those of a face: the sky has none\n";
   std::vector<CriticalPoint2> critical;
   if (a) {
-    const FaceSide2 toward = b ? FaceSide2{b->surface, b->is_back} : FaceSide2{.is_sky = true};
-    critical = critical_points(prepared.arrangement, prepared.scene, {a->surface, a->is_back}, toward);
+    critical = critical_points(prepared.arrangement, prepared.scene, *a, b);
     answer.text += fmt::format("critical points on '{}': {}\n", from, critical.size());
   }
   for (const CriticalPoint2& c : critical) {

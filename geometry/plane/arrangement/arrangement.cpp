@@ -45,7 +45,7 @@ Arrangement2::Arrangement2(const Scene2& scene, const Division& division, Confli
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     for (std::uint32_t k = 0; k < division[s]; ++k) {
       segments_.push_back({index.insert(points[next + k]), index.insert(points[next + k + 1])});
-      segment_part_.push_back({s, k, false});
+      segment_part_.push_back({{s, false}, k});
     }
     next += division[s] + 1;
   }

@@ -5,8 +5,6 @@
 namespace hottel {
 namespace {
 
-std::uint32_t number(const FacePart& face) { return 2 * face.surface + (face.is_back ? 1 : 0); }
-
 // The first group with a solid on a side of a piece on which it has no surface.
 std::uint32_t holder_of(const Scene2& scene, const Solids2& solids, std::size_t piece,
                         const std::vector<PieceSource2>& covering) {
@@ -43,12 +41,13 @@ FaceCover2::FaceCover2(const Scene2& scene, const Arrangement2& arrangement)
     for (const PieceSideId side : sides_of(piece)) {
       if (!solids.is_covered(side)) {
         const SideOwner2 claims = arrangement.claims(scene, side);
-        has_area[number(claims.owner.face)] = 1;
-        if (claims.rival) has_area[number(claims.rival->face)] = 1;
+        has_area[claims.owner.face.number()] = 1;
+        if (claims.rival) has_area[claims.rival->face.number()] = 1;
         continue;
       }
       for (const PieceSource2& source : covering) {
-        std::uint32_t& group = covered_by[2 * source.surface + (source.is_reversed == is_right(side) ? 1 : 0)];
+        const Face face{source.surface, source.is_reversed == is_right(side)};
+        std::uint32_t& group = covered_by[face.number()];
         group = std::min(group, solids.maker(side));
       }
     }

@@ -9,7 +9,7 @@
 
 namespace hottel {
 
-// Faces are numbered 2 s (front of s) and 2 s + 1 (back).
+// What is left of each face (by Face::number()) and what solids do to it.
 //
 //   (1) has_area: the face owns a side of a piece, or is one of two that claim it
 //   (2) covered_by: the first listed group with a solid that the face looks into somewhere; Solids2::kNone: nowhere

@@ -81,7 +81,7 @@ TEST_P(DegenerateScenes, HaveTheValuesOfTheirFile) {
   const auto computed = [&](const Expectation& row) {
     if (row.quantity == "factor") return exact.factor(row.of.at(0), row.of.at(1));
     const Surface2& from = scene.surfaces[scene.find(row.of.at(0)).value()];
-    const FacePart to{scene.find(row.of.at(1)).value(), 0, false};
+    const Face to{scene.find(row.of.at(1)).value(), false};
     RootSum sum;
     for (const PointFactor2& part : point_factors(arrangement, location, from.from, from.to, false, number(row.at)))
       if (part.side != kSky && arrangement.owner(part.side) == to) sum += part.factor;

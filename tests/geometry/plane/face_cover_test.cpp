@@ -83,7 +83,7 @@ TEST(FaceCover2, AFaceHasAnAreaIffItHasOneInTheMatrix) {
     const FaceCover2 cover(scene->scene, scene->arrangement);
     const ElementTable2 table(scene->scene, scene->arrangement, scene->division, Granularity::kFace);
     for (const Element& element : table.elements()) {
-      const std::uint32_t face = 2 * element.surface + (element.is_back ? 1 : 0);
+      const std::uint32_t face = Face{element.surface, element.is_back}.number();
       EXPECT_EQ(cover.has_area[face] != 0, element.area.value > 0) << seed << " " << element.name;
       without += cover.has_area[face] == 0;
     }

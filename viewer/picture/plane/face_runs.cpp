@@ -17,10 +17,9 @@ FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame) {
     for (const Segment2& run : labels.runs(label)) {
       corners_.from.push_back(static_cast<std::uint32_t>(run.a.index()));
       corners_.to.push_back(static_cast<std::uint32_t>(run.b.index()));
-      surface_.push_back(element.surface);
-      is_back_.push_back(element.is_back);
+      face_.push_back({element.surface, element.is_back});
     }
-    begin_[element.surface + 1] = static_cast<std::uint32_t>(surface_.size());
+    begin_[element.surface + 1] = static_cast<std::uint32_t>(face_.size());
   }
 }
 
