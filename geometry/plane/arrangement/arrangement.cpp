@@ -67,14 +67,17 @@ std::vector<PieceSource2> Arrangement2::sources(std::size_t piece) const {
 }
 
 void Arrangement2::find_solids(const Scene2& scene) {
-  if (!may_have_solids(scene)) return;
+  const std::vector<ClosedGroup2> closed = closed_groups(scene);
+  if (!may_have_solids(scene, closed)) return;
   const FreeRegions2 regions(triangulation_, 2 * pieces().size());
-  solids_ = Solids2({scene, overlay_, regions, [this](std::size_t piece) { return sources(piece); }});
+  solids_ = Solids2({scene, overlay_, regions, closed, [this](std::size_t piece) { return sources(piece); }});
 }
 
 std::vector<std::vector<std::uint32_t>> Arrangement2::regions_behind(const Scene2& scene,
                                                                      const FreeRegions2& regions) const {
-  return hottel::regions_behind({scene, overlay_, regions, [this](std::size_t piece) { return sources(piece); }});
+  const std::vector<ClosedGroup2> closed = closed_groups(scene);
+  return hottel::regions_behind(
+      {scene, overlay_, regions, closed, [this](std::size_t piece) { return sources(piece); }});
 }
 
 void Arrangement2::assign_owners(const Scene2& scene, Conflicts conflicts) {

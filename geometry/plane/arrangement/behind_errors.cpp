@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/name.h"
+#include "geometry/plane/scene/closest_point.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
 
@@ -19,18 +20,6 @@ const Surface2& first_of(const Scene2& scene, std::uint32_t group) {
                        [group](const Surface2& s) { return s.group == group; });
 }
 
-Rational squared_length(const Rational& x, const Rational& y) { return x * x + y * y; }
-
-// The squared distance from p to the segment.
-Rational squared_distance(const Point2& p, const Point2& a, const Point2& b) {
-  const Rational ux = b.x - a.x, uy = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
-  const Rational along = ux * px + uy * py, whole = squared_length(ux, uy);
-  if (along <= 0) return squared_length(px, py);
-  if (along >= whole) return squared_length(p.x - b.x, p.y - b.y);
-  const Rational across = ux * py - uy * px;
-  return across * across / whole;
-}
-
 std::string text(const Point2& p) { return "(" + decimal_text(p.x) + ", " + decimal_text(p.y) + ")"; }
 
 // The surface of another group nearest to a point.
@@ -40,7 +29,7 @@ std::optional<std::pair<std::uint32_t, Rational>> nearest_other(const Scene2& sc
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Surface2& surface = scene.surfaces[s];
     if (surface.group == group) continue;
-    Rational squared = squared_distance(p, surface.from, surface.to);
+    Rational squared = closest_point(surface.from, surface.to, p).squared;
     if (!nearest || squared < nearest->second) nearest = {s, std::move(squared)};
   }
   return nearest;
@@ -108,7 +97,7 @@ std::string distance_text(const Rational& squared) {
 std::vector<std::string> gap_hints(const UnboundedBehind2& behind) {
   const std::vector<LooseEnd> ends = loose_ends(behind);
   if (ends.size() == 2 && !ends[0].is_own) {
-    const Rational squared = squared_length(ends[0].at.x - ends[1].at.x, ends[0].at.y - ends[1].at.y);
+    const Rational squared = squared_distance(ends[0].at, ends[1].at);
     return {"there is a gap from " + text(ends[0].at) + " to " + text(ends[1].at) + ", " + distance_text(squared) +
             " wide"};
   }

@@ -10,14 +10,13 @@
 namespace hottel {
 namespace {
 
-// Do the two segments meet in more than common end points?
+// Do the two segments meet in more than common end points? REQUIRES that they do not have the same two ends.
 bool are_entangled(const Vertices2& v, const Segment2& s, const Segment2& t) {
   const int ta = v.orientation(s.a, s.b, t.a), tb = v.orientation(s.a, s.b, t.b);
   if (ta * tb > 0) return false;
   const int sa = v.orientation(t.a, t.b, s.a), sb = v.orientation(t.a, t.b, s.b);
   if (sa * sb > 0) return false;
   if (ta * tb < 0 && sa * sb < 0) return true;
-  if ((s.a == t.a && s.b == t.b) || (s.a == t.b && s.b == t.a)) return true;
   return (ta == 0 && v.is_between(s.a, s.b, t.a)) || (tb == 0 && v.is_between(s.a, s.b, t.b)) ||
          (sa == 0 && v.is_between(t.a, t.b, s.a)) || (sb == 0 && v.is_between(t.a, t.b, s.b));
 }

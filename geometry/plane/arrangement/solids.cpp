@@ -7,7 +7,6 @@
 
 #include "geometry/plane/arrangement/behind_errors.h"
 #include "geometry/plane/arrangement/winding.h"
-#include "geometry/plane/scene/closed_groups.h"
 
 namespace hottel {
 namespace {
@@ -28,7 +27,7 @@ class SolidFinder {
         overlay_(pieces.overlay),
         looks_(looks),
         group_count_(scene_.groups.size()) {
-    find_roles();
+    find_roles(pieces.closed);
     const std::size_t piece_count = free_regions_.side_count() / 2;
     for (std::size_t piece = 0; piece < piece_count; ++piece) look_at(piece, pieces.sources(piece));
     std::sort(backs_.begin(), backs_.end());
@@ -95,9 +94,9 @@ class SolidFinder {
                        [&](const auto& outlined) { return open_[outlined.second] != Solids2::kNone; });
   }
 
-  void find_roles() {
+  void find_roles(const std::vector<ClosedGroup2>& closed_groups) {
     role_.assign(group_count_, Role::kNone);
-    for (const ClosedGroup2& closed : closed_groups(scene_)) {
+    for (const ClosedGroup2& closed : closed_groups) {
       if (closed.turn > 0 && !closed.has_back) role_[closed.group] = Role::kSolid;
       if (closed.turn < 0) role_[closed.group] = Role::kRoom;
     }
@@ -287,10 +286,9 @@ std::vector<std::vector<std::uint32_t>> regions_behind(const BarePieces2& pieces
   return finder.regions_behind();
 }
 
-bool may_have_solids(const Scene2& scene) {
+bool may_have_solids(const Scene2& scene, const std::vector<ClosedGroup2>& closed) {
   const auto says = [](const Group2& group) { return group.behind != Behind::kByOutline; };
   if (std::any_of(scene.groups.begin(), scene.groups.end(), says)) return true;
-  const std::vector<ClosedGroup2> closed = closed_groups(scene);
   return std::any_of(closed.begin(), closed.end(),
                      [](const ClosedGroup2& group) { return group.turn > 0 && !group.has_back; });
 }

@@ -9,8 +9,9 @@
 
 #include "geometry/plane/arrangement/overlay.h"
 #include "geometry/plane/arrangement/point_index.h"
-#include "geometry/plane/check/closest_point.h"
 #include "geometry/plane/check/point_neighbours.h"
+#include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {
 namespace {

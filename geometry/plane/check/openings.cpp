@@ -6,7 +6,8 @@
 #include <limits>
 #include <queue>
 
-#include "geometry/plane/check/closest_point.h"
+#include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {
 namespace {

@@ -14,9 +14,10 @@
 #include "geometry/plane/arrangement/overlay.h"
 #include "geometry/plane/arrangement/point_index.h"
 #include "geometry/plane/arrangement/solids.h"
-#include "geometry/plane/check/closest_point.h"
 #include "geometry/plane/check/point_neighbours.h"
+#include "geometry/plane/check/wording.h"
 #include "geometry/plane/scene/closed_groups.h"
+#include "geometry/plane/scene/closest_point.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -230,8 +231,9 @@ class GapCloser {
 
   void find_outlines() {
     must_close_.assign(scene_.groups.size(), 0);
-    if (!may_have_solids(scene_)) return;
-    for (const ClosedGroup2& closed : closed_groups(scene_)) must_close_[closed.group] = 1;
+    const std::vector<ClosedGroup2> closed = closed_groups(scene_);
+    if (!may_have_solids(scene_, closed)) return;
+    for (const ClosedGroup2& group : closed) must_close_[group.group] = 1;
     for (std::uint32_t group = 0; group < scene_.groups.size(); ++group)
       if (scene_.groups[group].behind != Behind::kByOutline) must_close_[group] = 1;
   }

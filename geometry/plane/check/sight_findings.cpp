@@ -8,6 +8,7 @@
 #include "geometry/name.h"
 #include "geometry/plane/check/openings.h"
 #include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {
 namespace {

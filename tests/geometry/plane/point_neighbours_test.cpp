@@ -8,7 +8,8 @@
 #include <random>
 
 #include "geometry/plane/arrangement/point_index.h"
-#include "geometry/plane/check/closest_point.h"
+#include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {
 namespace {
