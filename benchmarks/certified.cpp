@@ -52,7 +52,7 @@ PlainMatrix plain_exchange(const PreparedScene2& prepared) {
 
   PairTable<PlainTerm> pairs;
   View2 view;
-  for (VertexId v = 0; v < vertices.size(); ++v) {
+  for (const VertexId v : vertices.ids()) {
     look_around(vertices, arrangement.triangulation(), v, view);
     for_each_gap(vertices, v, view, true, [&](const Gap2& gap) {
       const double length = distance(gap.v, gap.w);
@@ -63,9 +63,9 @@ PlainMatrix plain_exchange(const PreparedScene2& prepared) {
   }
 
   std::vector<double> twice_length(elements.count() + 1, 0);
-  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-    const Segment2& piece = arrangement.pieces()[side / 2];
-    twice_length[elements.of(static_cast<PieceSideId>(side))] += 2 * distance(piece.a, piece.b);
+  for (const PieceSideId side : arrangement.sides()) {
+    const Segment2& piece = arrangement.piece(side);
+    twice_length[elements.of(side)] += 2 * distance(piece.a, piece.b);
   }
   const std::vector<PlainTerm> sums = pairs.take();
   PlainMatrix matrix;

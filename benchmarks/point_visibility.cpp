@@ -122,7 +122,7 @@ void round_corners(const Arrangement2& arrangement, const Eye2& eye, const View2
   const std::size_t m = view.seen.size();
   for (std::size_t k = 0; k < m; ++k) {
     if (view.seen[k].behind == kSky) continue;
-    const Segment2& piece = arrangement.pieces()[static_cast<std::size_t>(view.seen[k].behind / 2)];
+    const Segment2& piece = arrangement.piece(view.seen[k].behind);
     const auto &a = vertices.approximate(piece.a), &b = vertices.approximate(piece.b);
     for (const VertexId v : {view.seen[k].vertex, view.seen[k + 1 == m ? 0 : k + 1].vertex}) {
       const auto& p = vertices.approximate(v);

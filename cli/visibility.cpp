@@ -55,7 +55,7 @@ Shown from_point(const PreparedScene2& prepared, const ExactPoint2& eye) {
 Shown from_face(const PreparedScene2& prepared, const std::string& name, const Rational& t) {
   if (t < 0 || t > 1) throw UsageError("--at is a position on the edge, between 0 and 1, not " + to_string(t));
   if (name == "sky") throw UsageError("--on is a face, which the sky is not");
-  const FaceName face = face_of(prepared.scene, name);
+  const Face face = face_of(prepared.scene, name);
   require_free_at(prepared, face, t);
   return {face_point_answer(prepared, name, face, t, point_factors_by_face(prepared, face, t)),
           [&prepared, face, t](PictureFormat format) {
@@ -65,7 +65,7 @@ Shown from_face(const PreparedScene2& prepared, const std::string& name, const R
 }
 
 // A face of --from or --to by name; nothing for the sky.
-std::optional<FaceName> face_or_sky(const Scene2& scene, const std::string& name) {
+std::optional<Face> face_or_sky(const Scene2& scene, const std::string& name) {
   if (name == "sky") return std::nullopt;
   return face_of(scene, name);
 }
@@ -77,8 +77,7 @@ Shown between_faces(const PreparedScene2& prepared, const std::string& from, con
   sight.pair = exact_pair(prepared, sight.face_from, sight.face_to);
   if (const auto& a = sight.face_from) {
     const auto& b = sight.face_to;
-    const FaceSide2 toward = b ? FaceSide2{b->surface, b->is_back} : FaceSide2{.is_sky = true};
-    sight.critical = critical_points(prepared.arrangement, prepared.scene, {a->surface, a->is_back}, toward);
+    sight.critical = critical_points(prepared.arrangement, prepared.scene, *a, b);
   }
   VisibilityAnswer answer = pair_answer(sight);
   return {std::move(answer), [&prepared, drawing = drawing_of(sight)](PictureFormat format) {

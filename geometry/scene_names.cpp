@@ -45,7 +45,7 @@ std::vector<std::uint32_t> surfaces_matching(const SceneTable& scene, const std:
   return result;
 }
 
-FaceName face_of(const SceneTable& scene, const std::string& name) {
+Face face_of(const SceneTable& scene, const std::string& name) {
   if (const auto surface = scene.find(name)) return {*surface, false};
   if (name.ends_with(":back"))
     if (const auto surface = scene.find(name.substr(0, name.size() - 5))) return {*surface, true};

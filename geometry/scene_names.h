@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/face.h"
 #include "geometry/scene_table.h"
 
 namespace hottel {
@@ -14,10 +15,6 @@ namespace hottel {
 std::vector<std::uint32_t> surfaces_matching(const SceneTable& scene, const std::string& pattern);
 
 // One face of the scene by name, "wall" or "wall:back". Throws UnknownName when there is none.
-struct FaceName {
-  std::uint32_t surface = 0;
-  bool is_back = false;
-};
-FaceName face_of(const SceneTable& scene, const std::string& name);
+Face face_of(const SceneTable& scene, const std::string& name);
 
 }  // namespace hottel

@@ -64,8 +64,8 @@ std::string where(const PreparedScene2& prepared, const VisibilityPolygon2& poly
                          : "at a vertex; every direction is seen";
     case Location2::Kind::kOnEdge: {
       const HalfEdgeId h = polygon.location.half_edge;
-      if (arrangement.triangulation().twin(h) >= 0 || arrangement.triangulation().side(h) == kSky) return "in the open";
-      const auto piece = static_cast<std::size_t>(arrangement.triangulation().side(h) / 2);
+      if (!arrangement.triangulation().is_piece(h)) return "in the open";
+      const std::size_t piece = piece_of(arrangement.triangulation().side(h));
       return "on '" + prepared.scene.surfaces[arrangement.sources(piece).front().surface].name +
              (is_on_solid ? "'; one side is seen, the other is in " + solid_text(prepared.scene, covered->solid)
                           : "'; both sides are seen");
@@ -153,7 +153,7 @@ VisibilityAnswer point_answer(const PreparedScene2& prepared, const PointSight2&
   return answer.done();
 }
 
-VisibilityAnswer face_point_answer(const PreparedScene2& prepared, const std::string& name, const FaceName& face,
+VisibilityAnswer face_point_answer(const PreparedScene2& prepared, const std::string& name, const Face& face,
                                    const Rational& t, const std::vector<FaceFactor2>& factors) {
   const ExactPoint2 x = point_on(prepared.scene.edges[face.surface], t);
   Draft answer;

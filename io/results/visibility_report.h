@@ -24,13 +24,13 @@ VisibilityAnswer point_answer(const PreparedScene2& prepared, const PointSight2&
                               const std::optional<PointLight>& light);
 
 // The view factors from the point t of a face, each as a double and in closed form. name: what the face was called.
-VisibilityAnswer face_point_answer(const PreparedScene2& prepared, const std::string& name, const FaceName& face,
+VisibilityAnswer face_point_answer(const PreparedScene2& prepared, const std::string& name, const Face& face,
                                    const Rational& t, const std::vector<FaceFactor2>& factors);
 
 // What two faces, of which one may be the sky (no face), see of each other.
 struct PairSight2 {
   std::string from, to;  // what they were called
-  std::optional<FaceName> face_from, face_to;
+  std::optional<Face> face_from, face_to;
   ExactPair2 pair;
   std::vector<CriticalPoint2> critical;  // of `from` with respect to `to`; none of the sky
 };

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "io/files/output_file.h"
+#include "tests/geometry/plane/vertex_literal.h"
 #include "tests/neighbouring_doubles/grid.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
@@ -59,7 +60,7 @@ void draw(const char* file) {
              [&](const Double2& p) { return naive_orientation(p, grid.q, grid.r); });
   draw_panel(canvas, grid, 2 * kGap + kPanel, "hottel", [&](const Double2& p) {
     const std::vector<ExactPoint2> points{exact(grid.q), exact(grid.r), exact(p)};
-    return Vertices2(points, points.size()).orientation(2, 0, 1);
+    return Vertices2(points, points.size()).orientation(2_v, 0_v, 1_v);
   });
   draw_legend(canvas, kTitle + kPanel + 28);
   write_output_file(file, canvas.finish());

@@ -44,7 +44,7 @@ Arrangement2::Arrangement2(const Scene2& scene, const Division& division, Confli
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     for (std::uint32_t k = 0; k < division[s]; ++k) {
       segments_.push_back({index.insert(points[next + k]), index.insert(points[next + k + 1])});
-      segment_part_.push_back({s, k, false});
+      segment_part_.push_back({{s, false}, k});
     }
     next += division[s] + 1;
   }
@@ -66,38 +66,41 @@ std::vector<PieceSource2> Arrangement2::sources(std::size_t piece) const {
 }
 
 void Arrangement2::find_solids(const Scene2& scene) {
-  if (!may_have_solids(scene)) return;
+  const std::vector<ClosedGroup2> closed = closed_groups(scene);
+  if (!may_have_solids(scene, closed)) return;
   const FreeRegions2 regions(triangulation_, 2 * pieces().size());
-  solids_ = Solids2({scene, overlay_, regions, [this](std::size_t piece) { return sources(piece); }});
+  solids_ = Solids2({scene, overlay_, regions, closed, [this](std::size_t piece) { return sources(piece); }});
 }
 
 std::vector<std::vector<std::uint32_t>> Arrangement2::regions_behind(const Scene2& scene,
                                                                      const FreeRegions2& regions) const {
-  return hottel::regions_behind({scene, overlay_, regions, [this](std::size_t piece) { return sources(piece); }});
+  const std::vector<ClosedGroup2> closed = closed_groups(scene);
+  return hottel::regions_behind(
+      {scene, overlay_, regions, closed, [this](std::size_t piece) { return sources(piece); }});
 }
 
 void Arrangement2::assign_owners(const Scene2& scene, Conflicts conflicts) {
   owner_.resize(2 * pieces().size());
   for (std::size_t piece = 0; piece < pieces().size(); ++piece) {
     const std::vector<PieceSource2> covering = sources(piece);
-    for (const PieceSideId side : {2 * static_cast<PieceSideId>(piece), 2 * static_cast<PieceSideId>(piece) + 1}) {
+    for (const PieceSideId side : sides_of(piece)) {
       if (is_covered(side)) continue;
       const SideOwner2 claimed = claims(scene, side, covering);
       if (claimed.rival && conflicts == Conflicts::kRefused) refuse_conflict(scene, side, claimed);
-      owner_[static_cast<std::size_t>(side)] = claimed.owner.face;
+      owner_[side.index()] = claimed.owner.face;
     }
   }
 }
 
 SideOwner2 Arrangement2::claims(const Scene2& scene, PieceSideId side) const {
   HOTTEL_REQUIRE(!is_covered(side));
-  return claims(scene, side, sources(static_cast<std::size_t>(side / 2)));
+  return claims(scene, side, sources(piece_of(side)));
 }
 
 SideOwner2 Arrangement2::claims(const Scene2& scene, PieceSideId side,
                                 const std::vector<PieceSource2>& covering) const {
-  const bool right = side % 2 == 1;
-  const PieceSideId behind = side ^ 1;
+  const bool right = is_right(side);
+  const PieceSideId behind = opposite(side);
   const SilentGroups is_silent = [&](std::uint32_t group) { return solids_.is_inside_of(behind, group); };
   const bool lies_on_solid = is_covered(behind) && has_material_on(scene, covering, !right);
   return owner_of_side(scene, covering, right, lies_on_solid ? is_silent : SilentGroups());
@@ -106,14 +109,14 @@ SideOwner2 Arrangement2::claims(const Scene2& scene, PieceSideId side,
 void Arrangement2::refuse_conflict(const Scene2& scene, PieceSideId side, const SideOwner2& claims) const {
   const auto& [owner, rival] = claims;
   const Surface &first = scene.surfaces[owner.face.surface], &other = scene.surfaces[rival->face.surface];
-  const Segment2& p = pieces()[static_cast<std::size_t>(side / 2)];
+  const Segment2& p = piece(side);
   throw InputError(
       {scene.file, other.line},
       "'" + first.name + "' (" + (owner.face.is_back ? "back" : "front") + ") and '" + other.name + "' (" +
           (rival->face.is_back ? "back" : "front") + ") claim the same side with different materials along " +
           text(vertices().to_scene(vertices().exact(p.a))) + " to " + text(vertices().to_scene(vertices().exact(p.b))),
       {"materials '" + owner.material->name + "' and '" + rival->material->name + "', on the " +
-           (side % 2 == 1 ? "right" : "left") + " of that piece",
+           (is_right(side) ? "right" : "left") + " of that piece",
        "give both the same material, or take one of the surfaces away"});
 }
 
@@ -125,7 +128,7 @@ Arrangement2 Arrangement2::restricted_to(const std::vector<std::uint32_t>& kept)
   for (const std::uint32_t piece : kept) {
     result.overlay_.pieces.push_back({id_of(pieces()[piece].a), id_of(pieces()[piece].b)});
     result.overlay_.source_begin.push_back(0);
-    for (const std::uint32_t side : {2 * piece, 2 * piece + 1}) result.owner_.push_back(owner_[side]);
+    for (const PieceSideId side : sides_of(piece)) result.owner_.push_back(owner_[side.index()]);
   }
   result.overlay_.vertices = Vertices2(index.points(), index.points().size());
   result.overlay_.set_total_length();

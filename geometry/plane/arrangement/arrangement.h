@@ -37,15 +37,22 @@ class Arrangement2 {
   const std::vector<Segment2>& pieces() const { return overlay_.pieces; }
   const Triangulation2& triangulation() const { return triangulation_; }
   const Solids2& solids() const { return solids_; }
+  // The piece of a side, and the same turned so that the side is its right one.
+  const Segment2& piece(PieceSideId side) const { return pieces()[piece_of(side)]; }
+  Segment2 turned_piece(PieceSideId side) const {
+    const Segment2& p = piece(side);
+    return is_right(side) ? p : Segment2{p.b, p.a};
+  }
   bool is_covered(PieceSideId side) const { return solids_.is_covered(side); }
   // REQUIRES that the side is not covered.
   const FacePart& owner(PieceSideId side) const {
     HOTTEL_REQUIRE(!is_covered(side));
-    return owner_[static_cast<std::size_t>(side)];
+    return owner_[side.index()];
   }
   // Who gets a side that is not covered, and who else claims it.
   SideOwner2 claims(const Scene2& scene, PieceSideId side) const;
   std::size_t side_count() const { return owner_.size(); }
+  IdRange<PieceSideId> sides() const { return IdRange<PieceSideId>(side_count()); }
 
   // The vertices where an undivided surface begins and ends; of a divided one, where its first part does. REQUIRES that
   // no surface listed before it is divided.

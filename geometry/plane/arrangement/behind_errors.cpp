@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/name.h"
+#include "geometry/plane/scene/closest_point.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
 
@@ -19,18 +20,6 @@ const Surface& first_of(const Scene2& scene, std::uint32_t group) {
                        [group](const Surface& s) { return s.group == group; });
 }
 
-Rational squared_length(const Rational& x, const Rational& y) { return x * x + y * y; }
-
-// The squared distance from p to the segment.
-Rational squared_distance(const Point2& p, const Point2& a, const Point2& b) {
-  const Rational ux = b.x - a.x, uy = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
-  const Rational along = ux * px + uy * py, whole = squared_length(ux, uy);
-  if (along <= 0) return squared_length(px, py);
-  if (along >= whole) return squared_length(p.x - b.x, p.y - b.y);
-  const Rational across = ux * py - uy * px;
-  return across * across / whole;
-}
-
 std::string text(const Point2& p) { return "(" + decimal_text(p.x) + ", " + decimal_text(p.y) + ")"; }
 
 // The surface of another group nearest to a point.
@@ -39,7 +28,7 @@ std::optional<std::pair<std::uint32_t, Rational>> nearest_other(const Scene2& sc
   std::optional<std::pair<std::uint32_t, Rational>> nearest;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     if (scene.surfaces[s].group == group) continue;
-    Rational squared = squared_distance(p, scene.edges[s].from, scene.edges[s].to);
+    Rational squared = closest_point(scene.edges[s].from, scene.edges[s].to, p).squared;
     if (!nearest || squared < nearest->second) nearest = {s, std::move(squared)};
   }
   return nearest;
@@ -78,13 +67,12 @@ std::vector<LooseEnd> loose_ends(const UnboundedBehind2& behind) {
     ++degree[piece.b];
   }
   std::vector<LooseEnd> ends;
-  const auto piece_of = [&](PieceSideId side) { return behind.overlay.pieces[static_cast<std::size_t>(side / 2)]; };
+  const auto piece = [&](PieceSideId side) { return behind.overlay.pieces[piece_of(side)]; };
   std::vector<VertexId> own;
-  for (const PieceSideId side : behind.backs) own.insert(own.end(), {piece_of(side).a, piece_of(side).b});
+  for (const PieceSideId side : behind.backs) own.insert(own.end(), {piece(side).a, piece(side).b});
   const std::unordered_set<VertexId> connected = connected_with(behind.overlay, std::move(own));
   const auto add = [&](PieceSideId side, bool is_own) {
-    const Segment2 piece = piece_of(side);
-    for (const VertexId v : {piece.a, piece.b}) {
+    for (const VertexId v : {piece(side).a, piece(side).b}) {
       if (degree[v] != 1 || !connected.contains(v)) continue;
       const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
       const Point2 at{p.x, p.y};
@@ -108,7 +96,7 @@ std::string distance_text(const Rational& squared) {
 std::vector<std::string> gap_hints(const UnboundedBehind2& behind) {
   const std::vector<LooseEnd> ends = loose_ends(behind);
   if (ends.size() == 2 && !ends[0].is_own) {
-    const Rational squared = squared_length(ends[0].at.x - ends[1].at.x, ends[0].at.y - ends[1].at.y);
+    const Rational squared = squared_distance(ends[0].at, ends[1].at);
     return {"there is a gap from " + text(ends[0].at) + " to " + text(ends[1].at) + ", " + distance_text(squared) +
             " wide"};
   }
@@ -132,8 +120,9 @@ void refuse_unbounded(const UnboundedBehind2& behind) {
                      {"take the \"back\" or the \"behind\" away"});
   const bool is_open = std::all_of(behind.backs.begin(), behind.backs.end(),
                                    [&](PieceSideId side) { return behind.regions.of(side) == 0; });
-  const bool is_reversed = is_open && std::all_of(behind.backs.begin(), behind.backs.end(),
-                                                  [&](PieceSideId side) { return behind.regions.of(side ^ 1) != 0; });
+  const bool is_reversed = is_open && std::all_of(behind.backs.begin(), behind.backs.end(), [&](PieceSideId side) {
+                             return behind.regions.of(opposite(side)) != 0;
+                           });
   std::vector<std::string> hints = gap_hints(behind);
   if (is_open) {
     hints.emplace_back(is_reversed

@@ -14,7 +14,7 @@ Claim2 claim_of(const Scene2& scene, const PieceSource2& source, bool right) {
   const Material* material = !is_back       ? &scene.materials[surface.material]
                              : surface.back ? &scene.materials[*surface.back]
                                             : nullptr;
-  return {{source.surface, source.part, is_back}, material};
+  return {{{source.surface, is_back}, source.part}, material};
 }
 
 }  // namespace

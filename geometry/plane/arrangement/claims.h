@@ -6,15 +6,14 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/face.h"
 #include "geometry/plane/scene/scene.h"
 
 namespace hottel {
 
-// One side of a surface, or one part of a side that carries elements.
-struct FacePart {
-  std::uint32_t surface = 0;
+// A face, or one part of a face that carries elements.
+struct FacePart : Face {
   std::uint32_t part = 0;  // 0 .. parts - 1, from the surface's first to its second point
-  bool is_back = false;
   friend bool operator==(const FacePart&, const FacePart&) = default;
 };
 

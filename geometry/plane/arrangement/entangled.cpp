@@ -10,14 +10,13 @@
 namespace hottel {
 namespace {
 
-// Do the two segments meet in more than common end points?
+// Do the two segments meet in more than common end points? REQUIRES that they do not have the same two ends.
 bool are_entangled(const Vertices2& v, const Segment2& s, const Segment2& t) {
   const int ta = v.orientation(s.a, s.b, t.a), tb = v.orientation(s.a, s.b, t.b);
   if (ta * tb > 0) return false;
   const int sa = v.orientation(t.a, t.b, s.a), sb = v.orientation(t.a, t.b, s.b);
   if (sa * sb > 0) return false;
   if (ta * tb < 0 && sa * sb < 0) return true;
-  if ((s.a == t.a && s.b == t.b) || (s.a == t.b && s.b == t.a)) return true;
   return (ta == 0 && v.is_between(s.a, s.b, t.a)) || (tb == 0 && v.is_between(s.a, s.b, t.b)) ||
          (sa == 0 && v.is_between(t.a, t.b, s.a)) || (sb == 0 && v.is_between(t.a, t.b, s.b));
 }
@@ -42,12 +41,11 @@ class Sweep {
         line_(Below{this}) {}
 
   std::vector<char> run() {
-    std::vector<VertexId> order(vertices_.size());
-    std::iota(order.begin(), order.end(), VertexId{0});
+    std::vector<VertexId> order(vertices_.ids().begin(), vertices_.ids().end());
     std::sort(order.begin(), order.end(), [&](VertexId i, VertexId j) { return vertices_.precedes(i, j); });
-    for (std::uint32_t k = 0; k < order.size(); ++k) rank_[order[k]] = k;
+    for (std::uint32_t k = 0; k < order.size(); ++k) rank_[order[k].index()] = k;
     for (Segment2& s : segments_)
-      if (rank_[s.b] < rank_[s.a]) std::swap(s.a, s.b);
+      if (rank(s.b) < rank(s.a)) std::swap(s.a, s.b);
 
     const std::vector<std::uint32_t> begins = sorted_by([](const Segment2& s) { return s.a; });
     const std::vector<std::uint32_t> ends = sorted_by([](const Segment2& s) { return s.b; });
@@ -69,11 +67,13 @@ class Sweep {
   };
   using Line = std::set<std::uint32_t, Below>;
 
+  std::uint32_t rank(VertexId v) const { return rank_[v.index()]; }
+
   // +1 when t is above s, -1 when it is below.
   int height(std::uint32_t s, std::uint32_t t) const {
     const Segment2 &f = segments_[s], &g = segments_[t];
     if (f.a == g.a) return vertices_.orientation(f.a, f.b, g.b);
-    return rank_[f.a] < rank_[g.a] ? vertices_.orientation(f.a, f.b, g.a) : -vertices_.orientation(g.a, g.b, f.a);
+    return rank(f.a) < rank(g.a) ? vertices_.orientation(f.a, f.b, g.a) : -vertices_.orientation(g.a, g.b, f.a);
   }
 
   template <class End>
@@ -81,7 +81,7 @@ class Sweep {
     std::vector<std::uint32_t> order(segments_.size());
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(),
-              [&](std::uint32_t s, std::uint32_t t) { return rank_[end(segments_[s])] < rank_[end(segments_[t])]; });
+              [&](std::uint32_t s, std::uint32_t t) { return rank(end(segments_[s])) < rank(end(segments_[t])); });
     return order;
   }
 

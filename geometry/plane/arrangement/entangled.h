@@ -15,7 +15,7 @@ namespace hottel {
 std::vector<char> find_entangled(const Vertices2& vertices, const std::vector<Segment2>& segments);
 
 // A set of segments without which none of the others are entangled with each other: a part of the entangled ones,
-// marked 1. COST: O(n log n).
+// marked 1. REQUIRES what find_entangled does. COST: O(n log n).
 //
 // A line sweeps over the plane (Shamos, Hoey 1976). Two neighbours on it that are entangled are both taken away, and it
 // goes on with the rest.

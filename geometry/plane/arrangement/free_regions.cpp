@@ -8,36 +8,34 @@ constexpr std::uint32_t kNone = 0xffffffff;
 }  // namespace
 
 FreeRegions2::FreeRegions2(const Triangulation2& triangulation, std::size_t side_count) : of_side_(side_count, 0) {
-  const auto triangles = static_cast<HalfEdgeId>(triangulation.triangle_count());
-  std::vector<std::uint32_t> of_triangle(static_cast<std::size_t>(triangles), kNone);
-  const auto region_of = [&](HalfEdgeId triangle) -> std::uint32_t& {
-    return of_triangle[static_cast<std::size_t>(triangle)];
-  };
-  std::vector<HalfEdgeId> waiting;
-  const auto flood = [&](HalfEdgeId seed, std::uint32_t region) {
+  std::vector<std::uint32_t> of_triangle(triangulation.triangle_count(), kNone);
+  const auto region_of = [&](TriangleId triangle) -> std::uint32_t& { return of_triangle[triangle.index()]; };
+  std::vector<TriangleId> waiting;
+  const auto flood = [&](TriangleId seed, std::uint32_t region) {
     if (region_of(seed) != kNone) return false;
     region_of(seed) = region;
     waiting.push_back(seed);
     while (!waiting.empty()) {
-      const HalfEdgeId triangle = waiting.back();
+      const TriangleId triangle = waiting.back();
       waiting.pop_back();
-      for (HalfEdgeId h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        if (const HalfEdgeId twin = triangulation.twin(h); twin >= 0) {
-          if (region_of(twin / 3) == kNone) {
-            region_of(twin / 3) = region;
-            waiting.push_back(twin / 3);
+      for (const HalfEdgeId h : half_edges_of(triangle)) {
+        if (triangulation.is_open(h)) {
+          const TriangleId next = triangle_of(triangulation.twin(h));
+          if (region_of(next) == kNone) {
+            region_of(next) = region;
+            waiting.push_back(next);
           }
         } else if (triangulation.side(h) != kSky) {
-          of_side_[static_cast<std::size_t>(triangulation.side(h))] = region;
+          of_side_[triangulation.side(h).index()] = region;
         }
       }
     }
     return true;
   };
-  for (HalfEdgeId h = 0; h < 3 * triangles; ++h)
-    if (triangulation.twin(h) < 0 && triangulation.side(h) == kSky) flood(h / 3, 0);
+  for (const HalfEdgeId h : triangulation.half_edges())
+    if (triangulation.is_bare_hull(h)) flood(triangle_of(h), 0);
   std::uint32_t count = 1;
-  for (HalfEdgeId triangle = 0; triangle < triangles; ++triangle)
+  for (const TriangleId triangle : triangulation.triangles())
     if (flood(triangle, count)) ++count;
 
   begin_.assign(count + 1, 0);
@@ -45,8 +43,7 @@ FreeRegions2::FreeRegions2(const Triangulation2& triangulation, std::size_t side
   for (std::uint32_t region = 0; region < count; ++region) begin_[region + 1] += begin_[region];
   sides_.resize(of_side_.size());
   std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-  for (std::size_t side = 0; side < of_side_.size(); ++side)
-    sides_[next[of_side_[side]]++] = static_cast<PieceSideId>(side);
+  for (const PieceSideId side : IdRange<PieceSideId>(of_side_.size())) sides_[next[of(side)]++] = side;
 }
 
 }  // namespace hottel

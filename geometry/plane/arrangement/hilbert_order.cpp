@@ -55,9 +55,12 @@ std::vector<std::size_t> hilbert_order(const std::vector<Vertices2::Approximate>
 
 std::vector<VertexId> hilbert_order(const Vertices2& vertices) {
   std::vector<Vertices2::Approximate> points(vertices.size());
-  for (VertexId i = 0; i < vertices.size(); ++i) points[i] = vertices.approximate(i);
+  for (const VertexId i : vertices.ids()) points[i.index()] = vertices.approximate(i);
   const std::vector<std::size_t> order = hilbert_order(points);
-  return {order.begin(), order.end()};
+  std::vector<VertexId> result;
+  result.reserve(order.size());
+  for (const std::size_t i : order) result.emplace_back(i);
+  return result;
 }
 
 }  // namespace hottel

@@ -14,9 +14,9 @@ namespace {
 class LineIndex {
  public:
   std::uint32_t insert(const ExactPoint2& p, const ExactPoint2& q) {
-    if (p.x == q.x) return 2 * vertical_.insert({p.x, 0});
+    if (p.x == q.x) return static_cast<std::uint32_t>(2 * vertical_.insert({p.x, 0}).index());
     const Rational slope = (q.y - p.y) / (q.x - p.x);
-    return 2 * others_.insert({slope, p.y - slope * p.x}) + 1;
+    return static_cast<std::uint32_t>(2 * others_.insert({slope, p.y - slope * p.x}).index() + 1);
   }
 
  private:

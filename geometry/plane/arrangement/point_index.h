@@ -36,7 +36,7 @@ class PointIndex2 {
   }
 
   VertexId insert(const ExactPoint2& point) {
-    const auto [place, is_new] = number_.try_emplace(point, static_cast<VertexId>(points_.size()));
+    const auto [place, is_new] = number_.try_emplace(point, points_.size());
     if (is_new) points_.push_back(point);
     return place->second;
   }

@@ -7,8 +7,8 @@ enum class Edge : unsigned char { kOpen, kWithin, kBorder };
 
 // What an edge of a solid triangle is: no piece, one inside the solid, or one on its border.
 Edge kind_of(const Arrangement2& arrangement, HalfEdgeId h) {
-  if (arrangement.triangulation().twin(h) >= 0) return Edge::kOpen;
-  return arrangement.is_covered(arrangement.triangulation().side(h) ^ 1) ? Edge::kWithin : Edge::kBorder;
+  if (arrangement.triangulation().is_open(h)) return Edge::kOpen;
+  return arrangement.is_covered(opposite(arrangement.triangulation().side(h))) ? Edge::kWithin : Edge::kBorder;
 }
 
 }  // namespace
@@ -17,28 +17,26 @@ SolidRegions2::SolidRegions2(const Arrangement2& arrangement) {
   if (arrangement.solids().is_empty()) return;
   const Triangulation2& triangulation = arrangement.triangulation();
   region_.assign(triangulation.triangle_count(), kNone);
-  const auto half_edges = static_cast<HalfEdgeId>(3 * triangulation.triangle_count());
-  for (HalfEdgeId h = 0; h < half_edges; ++h) {
-    const bool looks_at_a_piece = triangulation.twin(h) < 0 && triangulation.side(h) != kSky;
-    if (looks_at_a_piece && arrangement.is_covered(triangulation.side(h)) && of(h) == kNone) fill(arrangement, h);
-  }
+  for (const HalfEdgeId h : triangulation.half_edges())
+    if (triangulation.is_piece(h) && arrangement.is_covered(triangulation.side(h)) && of(h) == kNone)
+      fill(arrangement, triangle_of(h));
   find_borders(arrangement);
 }
 
-void SolidRegions2::fill(const Arrangement2& arrangement, HalfEdgeId first) {
+void SolidRegions2::fill(const Arrangement2& arrangement, TriangleId first) {
   const std::uint32_t region = count();
   borders_.emplace_back();
-  std::vector<HalfEdgeId> waiting{first - first % 3};
-  region_[static_cast<std::size_t>(first / 3)] = region;
+  std::vector<TriangleId> waiting{first};
+  region_[first.index()] = region;
   while (!waiting.empty()) {
-    const HalfEdgeId triangle = waiting.back();
+    const TriangleId triangle = waiting.back();
     waiting.pop_back();
-    for (HalfEdgeId h = triangle; h < triangle + 3; ++h) {
+    for (const HalfEdgeId h : half_edges_of(triangle)) {
       if (kind_of(arrangement, h) == Edge::kBorder) continue;
-      const HalfEdgeId next = arrangement.triangulation().across(h);
-      if (of(next) != kNone) continue;
-      region_[static_cast<std::size_t>(next / 3)] = region;
-      waiting.push_back(next - next % 3);
+      const TriangleId next = triangle_of(arrangement.triangulation().across(h));
+      if (region_[next.index()] != kNone) continue;
+      region_[next.index()] = region;
+      waiting.push_back(next);
     }
   }
 }
@@ -47,15 +45,13 @@ void SolidRegions2::fill(const Arrangement2& arrangement, HalfEdgeId first) {
 void SolidRegions2::find_borders(const Arrangement2& arrangement) {
   const Triangulation2& triangulation = arrangement.triangulation();
   std::vector<char> is_done(3 * region_.size(), 0);
-  for (HalfEdgeId first = 0; first < static_cast<HalfEdgeId>(is_done.size()); ++first) {
-    if (of(first) == kNone || is_done[static_cast<std::size_t>(first)] != 0 ||
-        kind_of(arrangement, first) != Edge::kBorder)
-      continue;
+  for (const HalfEdgeId first : triangulation.half_edges()) {
+    if (of(first) == kNone || is_done[first.index()] != 0 || kind_of(arrangement, first) != Edge::kBorder) continue;
     Border& border = borders_[of(first)].emplace_back();
     HalfEdgeId h = first;
     do {
-      is_done[static_cast<std::size_t>(h)] = 1;
-      border.push_back(triangulation.corner(next_half_edge(h)));
+      is_done[h.index()] = 1;
+      border.push_back(triangulation.origin(h));
       h = next_half_edge(h);
       while (kind_of(arrangement, h) != Edge::kBorder) h = next_half_edge(triangulation.across(h));
     } while (h != first);

@@ -26,11 +26,11 @@ class SolidRegions2 {
   explicit SolidRegions2(const Arrangement2& arrangement);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(borders_.size()); }
-  std::uint32_t of(HalfEdgeId h) const { return region_.empty() ? kNone : region_[static_cast<std::size_t>(h / 3)]; }
+  std::uint32_t of(HalfEdgeId h) const { return region_.empty() ? kNone : region_[triangle_of(h).index()]; }
   const std::vector<Border>& borders(std::uint32_t region) const { return borders_[region]; }
 
  private:
-  void fill(const Arrangement2& arrangement, HalfEdgeId first);
+  void fill(const Arrangement2& arrangement, TriangleId first);
   void find_borders(const Arrangement2& arrangement);
 
   std::vector<std::uint32_t> region_;         // by triangle; empty where nothing is solid

@@ -7,7 +7,6 @@
 
 #include "geometry/plane/arrangement/behind_errors.h"
 #include "geometry/plane/arrangement/winding.h"
-#include "geometry/plane/scene/closed_groups.h"
 
 namespace hottel {
 namespace {
@@ -28,7 +27,7 @@ class SolidFinder {
         overlay_(pieces.overlay),
         looks_(looks),
         group_count_(scene_.groups.size()) {
-    find_roles();
+    find_roles(pieces.closed);
     const std::size_t piece_count = free_regions_.side_count() / 2;
     for (std::size_t piece = 0; piece < piece_count; ++piece) look_at(piece, pieces.sources(piece));
     std::sort(backs_.begin(), backs_.end());
@@ -46,8 +45,8 @@ class SolidFinder {
 
   std::vector<std::uint32_t> makers() const {
     std::vector<std::uint32_t> makers(free_regions_.side_count());
-    for (std::size_t side = 0; side < makers.size(); ++side)
-      makers[side] = solid_[free_regions_.of(static_cast<PieceSideId>(side))];
+    for (const PieceSideId side : IdRange<PieceSideId>(makers.size()))
+      makers[side.index()] = solid_[free_regions_.of(side)];
     return makers;
   }
   // REQUIRES Looks::kAll, and find() before.
@@ -95,9 +94,9 @@ class SolidFinder {
                        [&](const auto& outlined) { return open_[outlined.second] != Solids2::kNone; });
   }
 
-  void find_roles() {
+  void find_roles(const std::vector<ClosedGroup2>& closed_groups) {
     role_.assign(group_count_, Role::kNone);
-    for (const ClosedGroup2& closed : closed_groups(scene_)) {
+    for (const ClosedGroup2& closed : closed_groups) {
       if (closed.turn > 0 && !closed.has_back) role_[closed.group] = Role::kSolid;
       if (closed.turn < 0) role_[closed.group] = Role::kRoom;
     }
@@ -108,14 +107,14 @@ class SolidFinder {
     for (const PieceSource2& source : sources) {
       const Surface& surface = scene_.surfaces[source.surface];
       if (looks_ == Looks::kAll || behind(surface.group) != Behind::kByOutline) {
-        const auto left = static_cast<PieceSideId>(2 * piece), right = left + 1;
+        const PieceSideId left = left_side(piece), right = right_side(piece);
         Sight& sight = sight_[surface.group];
         sight.fronted.push_back(free_regions_.of(source.is_reversed ? left : right));
         if (!surface.back) sight.backs.push_back(source.is_reversed ? right : left);
       }
       if (role_[surface.group] == Role::kNone) continue;
       if (role_[surface.group] == Role::kSolid)
-        backs_.emplace_back(2 * static_cast<PieceSideId>(piece) + (source.is_reversed ? 1 : 0), surface.group);
+        backs_.emplace_back(source.is_reversed ? right_side(piece) : left_side(piece), surface.group);
       const auto run =
           std::find_if(runs.begin(), runs.end(), [&](const NetRun2& r) { return r.group == surface.group; });
       const std::int32_t step = source.is_reversed ? -1 : 1;
@@ -140,7 +139,7 @@ class SolidFinder {
 
   // The side of a piece where the winding number of a room is not 0.
   static PieceSideId inner_side_of_room(std::size_t piece, const NetRun2& run) {
-    return static_cast<PieceSideId>(2 * piece + (run.net > 0 ? 1 : 0));
+    return run.net > 0 ? right_side(piece) : left_side(piece);
   }
 
   // For each room the solids that it is in.
@@ -160,10 +159,8 @@ class SolidFinder {
         },
         [&](std::uint32_t free_region) {
           for (const PieceSideId side : free_regions_.sides(free_region))
-            for (const NetRun2& run : runs_.of(static_cast<std::size_t>(side / 2))) {
-              if (role_[run.group] != Role::kRoom ||
-                  inner_side_of_room(static_cast<std::size_t>(side / 2), run) != side)
-                continue;
+            for (const NetRun2& run : runs_.of(piece_of(side))) {
+              if (role_[run.group] != Role::kRoom || inner_side_of_room(piece_of(side), run) != side) continue;
               Groups& within = within_[run.group];
               if (is_known[run.group] == 0)
                 within.assign(around.begin(), around.end());
@@ -279,7 +276,7 @@ Solids2 Solids2::restricted_to(const std::vector<std::uint32_t>& pieces) const {
   Solids2 result;
   if (is_empty()) return result;
   for (const std::uint32_t piece : pieces)
-    for (const std::uint32_t side : {2 * piece, 2 * piece + 1}) result.maker_.push_back(maker_[side]);
+    for (const PieceSideId side : sides_of(piece)) result.maker_.push_back(maker_[side.index()]);
   return result;
 }
 
@@ -289,10 +286,9 @@ std::vector<std::vector<std::uint32_t>> regions_behind(const BarePieces2& pieces
   return finder.regions_behind();
 }
 
-bool may_have_solids(const Scene2& scene) {
+bool may_have_solids(const Scene2& scene, const std::vector<ClosedGroup2>& closed) {
   const auto says = [](const Group& group) { return group.behind != Behind::kByOutline; };
   if (std::any_of(scene.groups.begin(), scene.groups.end(), says)) return true;
-  const std::vector<ClosedGroup2> closed = closed_groups(scene);
   return std::any_of(closed.begin(), closed.end(),
                      [](const ClosedGroup2& group) { return group.turn > 0 && !group.has_back; });
 }

@@ -9,6 +9,7 @@
 #include "geometry/plane/arrangement/claims.h"
 #include "geometry/plane/arrangement/free_regions.h"
 #include "geometry/plane/arrangement/overlay.h"
+#include "geometry/plane/scene/closed_groups.h"
 #include "geometry/plane/scene/scene.h"
 
 namespace hottel {
@@ -18,6 +19,7 @@ struct BarePieces2 {
   const Scene2& scene;
   const Overlay2& overlay;
   const FreeRegions2& regions;
+  const std::vector<ClosedGroup2>& closed;                        // closed_groups(scene)
   std::function<std::vector<PieceSource2>(std::size_t)> sources;  // of a piece, in the order of the scene
 };
 
@@ -45,9 +47,7 @@ class Solids2 {
 
   bool is_empty() const { return maker_.empty(); }
   // The first listed group that makes the region that a side looks into solid; kNone where it is free.
-  std::uint32_t maker(PieceSideId side) const {
-    return maker_.empty() ? kNone : maker_[static_cast<std::size_t>(side)];
-  }
+  std::uint32_t maker(PieceSideId side) const { return maker_.empty() ? kNone : maker_[side.index()]; }
   bool is_covered(PieceSideId side) const { return maker(side) != kNone; }
   // Does the side look into a solid that this group makes, and is a back of the group on it?
   bool is_inside_of(PieceSideId side, std::uint32_t group) const;
@@ -66,7 +66,7 @@ class Solids2 {
 std::vector<std::vector<std::uint32_t>> regions_behind(const BarePieces2& pieces);
 
 // Returns whether the scene has a group that may enclose a solid or says what is behind it: only then are regions
-// needed.
-bool may_have_solids(const Scene2& scene);
+// needed. REQUIRES closed_groups(scene).
+bool may_have_solids(const Scene2& scene, const std::vector<ClosedGroup2>& closed);
 
 }  // namespace hottel

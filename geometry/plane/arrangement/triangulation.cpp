@@ -23,7 +23,7 @@ struct VertexTraits {
   const Vertices2* vertices = nullptr;
 
   struct Point_2 {
-    VertexId id = 0;
+    VertexId id{0};
   };
   using Segment_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Segment_2;
   using Triangle_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Triangle_2;
@@ -69,7 +69,7 @@ struct VertexTraits {
 using VertexBase = CGAL::Triangulation_vertex_base_2<VertexTraits>;
 using FaceBase =
     CGAL::Constrained_triangulation_face_base_2<VertexTraits,
-                                                CGAL::Triangulation_face_base_with_info_2<HalfEdgeId, VertexTraits>>;
+                                                CGAL::Triangulation_face_base_with_info_2<TriangleId, VertexTraits>>;
 using Cdt =
     CGAL::Constrained_Delaunay_triangulation_2<VertexTraits, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
                                                CGAL::No_constraint_intersection_tag>;
@@ -79,27 +79,26 @@ class PieceBetween {
  public:
   explicit PieceBetween(const std::vector<Segment2>& pieces) : pieces_(pieces) {
     number_.reserve(pieces.size());
-    for (std::size_t p = 0; p < pieces.size(); ++p)
-      number_.emplace(key(pieces[p].a, pieces[p].b), static_cast<PieceSideId>(p));
+    for (std::size_t p = 0; p < pieces.size(); ++p) number_.emplace(key(pieces[p].a, pieces[p].b), p);
   }
   // The side of the piece u-v that faces the left of u -> v; kNoPiece if there is no such piece.
-  PieceSideId left_side(VertexId u, VertexId v) const {
+  PieceSideId side_facing_left(VertexId u, VertexId v) const {
     const auto place = number_.find(key(u, v));
     if (place == number_.end()) return kNoPiece;
-    return 2 * place->second + (pieces_[static_cast<std::size_t>(place->second)].a == u ? 0 : 1);
+    return pieces_[place->second].a == u ? left_side(place->second) : right_side(place->second);
   }
 
  private:
   static std::uint64_t key(VertexId u, VertexId v) {
-    return (static_cast<std::uint64_t>(std::min(u, v)) << 32) | std::max(u, v);
+    return std::uint64_t{std::min(u, v).index()} << 32 | std::max(u, v).index();
   }
   const std::vector<Segment2>& pieces_;
-  std::unordered_map<std::uint64_t, PieceSideId> number_;
+  std::unordered_map<std::uint64_t, std::size_t> number_;
 };
 
-StarEntry star_entry(const PieceBetween& piece_between, VertexId v, VertexId neighbour, HalfEdgeId opposite) {
-  const PieceSideId left = piece_between.left_side(v, neighbour);
-  return {neighbour, opposite, left, left == kNoPiece ? kNoPiece : left ^ 1};
+StarEntry star_entry(const PieceBetween& piece_between, VertexId v, VertexId neighbour, HalfEdgeId beyond) {
+  const PieceSideId left = piece_between.side_facing_left(v, neighbour);
+  return {neighbour, beyond, left, left == kNoPiece ? kNoPiece : opposite(left)};
 }
 
 // Along a curve, but in rounds that double, drawn by number: where vertices lie on a convex outline, neighbours that
@@ -108,7 +107,7 @@ StarEntry star_entry(const PieceBetween& piece_between, VertexId v, VertexId nei
 std::vector<VertexId> insertion_order(const Vertices2& vertices) {
   std::vector<VertexId> order = hilbert_order(vertices);
   const auto rounds_from_last = [](VertexId v) {
-    return std::countr_zero((v + 1) * 0x9E3779B97F4A7C15u >> 32 | std::uint64_t{1} << 31);
+    return std::countr_zero((v.index() + 1) * 0x9E3779B97F4A7C15u >> 32 | std::uint64_t{1} << 31);
   };
   std::stable_sort(order.begin(), order.end(),
                    [&](VertexId u, VertexId v) { return rounds_from_last(u) > rounds_from_last(v); });
@@ -133,7 +132,7 @@ void insert_constraint(Cdt& cdt, Cdt::Vertex_handle u, Cdt::Vertex_handle v) {
 
 Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segment2>& pieces) {
   const PieceBetween piece_between(pieces);
-  const auto count = static_cast<VertexId>(vertices.size());
+  const std::size_t count = vertices.size();
   star_begin_.assign(count + 1, 0);
 
   // CGAL looks for its way among all points while they lie on one line: many of them wait for one that does not.
@@ -152,10 +151,10 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
     std::sort(order.begin(), order.end(), [&](VertexId i, VertexId j) { return vertices.precedes(i, j); });
     std::vector<std::vector<StarEntry>> stars(count);
     for (std::size_t k = 1; k < order.size(); ++k) {
-      stars[order[k]].push_back(star_entry(piece_between, order[k], order[k - 1], -1));
-      stars[order[k - 1]].push_back(star_entry(piece_between, order[k - 1], order[k], -1));
+      stars[order[k].index()].push_back(star_entry(piece_between, order[k], order[k - 1], HalfEdgeId::none()));
+      stars[order[k - 1].index()].push_back(star_entry(piece_between, order[k - 1], order[k], HalfEdgeId::none()));
     }
-    for (VertexId v = 0; v < count; ++v) {
+    for (std::size_t v = 0; v < count; ++v) {
       star_.insert(star_.end(), stars[v].begin(), stars[v].end());
       star_begin_[v + 1] = static_cast<std::uint32_t>(star_.size());
     }
@@ -163,41 +162,43 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
   }
 
   for (const VertexId v : order) {
-    handle[v] = cdt.insert(VertexTraits::Point_2{v}, hint);
-    hint = handle[v]->face();
+    handle[v.index()] = cdt.insert(VertexTraits::Point_2{v}, hint);
+    hint = handle[v.index()]->face();
   }
-  for (const Segment2& piece : pieces) insert_constraint(cdt, handle[piece.a], handle[piece.b]);
+  for (const Segment2& piece : pieces) insert_constraint(cdt, handle[piece.a.index()], handle[piece.b.index()]);
 
-  HalfEdgeId next = 0;
-  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face, next += 3) face->info() = next;
-  corner_.resize(static_cast<std::size_t>(next));
-  twin_.assign(corner_.size(), -1);
-  across_.assign(corner_.size(), -1);
+  TriangleId next(0);
+  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face, ++next) face->info() = next;
+  corner_.resize(3 * next.index());
+  twin_.assign(corner_.size(), HalfEdgeId::none());
+  across_.assign(corner_.size(), HalfEdgeId::none());
   side_.assign(corner_.size(), kSky);
   for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face)
     for (int i = 0; i < 3; ++i) {
-      const auto h = static_cast<std::size_t>(face->info() + i);
+      const std::size_t h = half_edge(face->info(), i).index();
       corner_[h] = face->vertex(i)->point().id;
       const auto neighbour = face->neighbor(i);
-      if (!cdt.is_infinite(neighbour)) across_[h] = neighbour->info() + neighbour->index(face);
+      if (!cdt.is_infinite(neighbour)) across_[h] = half_edge(neighbour->info(), neighbour->index(face));
       if (face->is_constrained(i))
-        side_[h] = piece_between.left_side(face->vertex(Cdt::ccw(i))->point().id, face->vertex(Cdt::cw(i))->point().id);
+        side_[h] =
+            piece_between.side_facing_left(face->vertex(Cdt::ccw(i))->point().id, face->vertex(Cdt::cw(i))->point().id);
       else
         twin_[h] = across_[h];
     }
 
   star_.reserve(6 * count);
-  for (VertexId v = 0; v < count; ++v) {
-    auto face = cdt.incident_faces(handle[v]);
+  for (const VertexId v : vertices.ids()) {
+    const Cdt::Vertex_handle here = handle[v.index()];
+    auto face = cdt.incident_faces(here);
     const auto first = face;
     do {
-      const int i = face->index(handle[v]);
+      const int i = face->index(here);
       const auto neighbour = face->vertex(Cdt::ccw(i));
       if (!cdt.is_infinite(neighbour))
-        star_.push_back(
-            star_entry(piece_between, v, neighbour->point().id, cdt.is_infinite(face) ? -1 : face->info() + i));
+        star_.push_back(star_entry(piece_between, v, neighbour->point().id,
+                                   cdt.is_infinite(face) ? HalfEdgeId::none() : half_edge(face->info(), i)));
     } while (++face != first);
-    star_begin_[v + 1] = static_cast<std::uint32_t>(star_.size());
+    star_begin_[v.index() + 1] = static_cast<std::uint32_t>(star_.size());
   }
 }
 

@@ -1,6 +1,7 @@
 // A constrained triangulation of a scene, in flat arrays, labelled with what one sees when crossing each edge.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,15 +11,42 @@
 
 namespace hottel {
 
-using HalfEdgeId = std::int32_t;
-using PieceSideId = std::int32_t;  // 2 piece + 0 for the left side of a -> b, + 1 for its right side
-inline constexpr PieceSideId kNoPiece = -1;
-inline constexpr PieceSideId kSky = -1;
+using TriangleId = Id<struct TriangleTag>;
+using HalfEdgeId = Id<struct HalfEdgeTag>;
+
+// Triangle t has the half-edges 0, 1 and 2, which follow each other counter-clockwise.
+constexpr TriangleId triangle_of(HalfEdgeId h) { return TriangleId(h.number() / 3); }
+constexpr HalfEdgeId half_edge(TriangleId t, int k) { return HalfEdgeId(3 * t.number() + k); }
+constexpr std::array<HalfEdgeId, 3> half_edges_of(TriangleId t) {
+  return {half_edge(t, 0), half_edge(t, 1), half_edge(t, 2)};
+}
+constexpr int place_in_triangle(HalfEdgeId h) { return h.number() % 3; }
+constexpr HalfEdgeId next_half_edge(HalfEdgeId h) {
+  return HalfEdgeId(place_in_triangle(h) == 2 ? h.number() - 2 : h.number() + 1);
+}
+constexpr HalfEdgeId previous_half_edge(HalfEdgeId h) {
+  return HalfEdgeId(place_in_triangle(h) == 0 ? h.number() + 2 : h.number() - 1);
+}
+
+// One side of a piece a -> b: its left side or its right side. What is looked at is a side or the sky.
+using PieceSideId = Id<struct PieceSideTag>;
+inline constexpr PieceSideId kNoPiece = PieceSideId::none();
+inline constexpr PieceSideId kSky{-1};
+
+constexpr PieceSideId left_side(std::size_t piece) { return PieceSideId(2 * piece); }
+constexpr PieceSideId right_side(std::size_t piece) { return PieceSideId(2 * piece + 1); }
+constexpr std::array<PieceSideId, 2> sides_of(std::size_t piece) { return {left_side(piece), right_side(piece)}; }
+// REQUIRES a side, not the sky.
+constexpr std::size_t piece_of(PieceSideId side) { return static_cast<std::size_t>(side.number() / 2); }
+constexpr bool is_right(PieceSideId side) { return side.number() % 2 == 1; }
+constexpr PieceSideId opposite(PieceSideId side) { return PieceSideId(side.number() ^ 1); }
+// The place in a table of the sky, which comes first, and of all sides.
+constexpr std::size_t place_after_sky(PieceSideId side) { return static_cast<std::size_t>(side.number() + 1); }
 
 // The neighbours of a vertex in counter-clockwise order, with what lies between them.
 struct StarEntry {
   VertexId neighbour;
-  HalfEdgeId opposite;      // of the triangle between this neighbour and the next one; -1: the sky lies between them
+  HalfEdgeId opposite;      // of the triangle between this neighbour and the next one; none: the sky lies between them
   PieceSideId left, right;  // sides of the piece vertex-neighbour as seen on its left (right); kNoPiece if it is none
 };
 
@@ -26,9 +54,11 @@ struct StarEntry {
 // so that from corner i its origin is on the right and its target on the left.
 //
 //   (1) every piece is an edge of the triangulation; triangles are counter-clockwise and fill the convex hull
-//   (2) twin(h) >= 0: nothing stands on the edge; twin(h) == -1: side(h) is the side of the piece that stands on it, as
-//       seen from inside the triangle, or kSky on an edge of the convex hull that is no piece
-//       across(h) is the half-edge on the other side whatever stands there
+//   (2) is_open(h): nothing stands on the edge, and twin(h) is the half-edge on its other side. Else twin(h) is none,
+//   and
+//       side(h) is the side of the piece that stands on it, as seen from inside the triangle, or kSky on an edge of the
+//       convex hull that is no piece
+//       across(h) is the half-edge on the other side whatever stands there; none on the hull only
 //   (3) star(v) is in counter-clockwise order and holds every edge at v; a scene on one line has stars, no triangles
 class Triangulation2 {
  public:
@@ -36,12 +66,19 @@ class Triangulation2 {
   Triangulation2(const Vertices2& vertices, const std::vector<Segment2>& pieces);
 
   std::size_t triangle_count() const { return corner_.size() / 3; }
-  VertexId corner(HalfEdgeId h) const { return corner_[static_cast<std::size_t>(h)]; }    // opposite half-edge h
-  HalfEdgeId twin(HalfEdgeId h) const { return twin_[static_cast<std::size_t>(h)]; }      // -1 on a piece or the hull
-  HalfEdgeId across(HalfEdgeId h) const { return across_[static_cast<std::size_t>(h)]; }  // -1 on the hull only
-  PieceSideId side(HalfEdgeId h) const { return side_[static_cast<std::size_t>(h)]; }     // where twin is -1
+  IdRange<TriangleId> triangles() const { return IdRange<TriangleId>(triangle_count()); }
+  IdRange<HalfEdgeId> half_edges() const { return IdRange<HalfEdgeId>(corner_.size()); }
+  VertexId corner(HalfEdgeId h) const { return corner_[h.index()]; }  // opposite half-edge h
+  VertexId origin(HalfEdgeId h) const { return corner(next_half_edge(h)); }
+  VertexId target(HalfEdgeId h) const { return corner(previous_half_edge(h)); }
+  HalfEdgeId twin(HalfEdgeId h) const { return twin_[h.index()]; }
+  HalfEdgeId across(HalfEdgeId h) const { return across_[h.index()]; }
+  bool is_open(HalfEdgeId h) const { return !twin(h).is_none(); }
+  PieceSideId side(HalfEdgeId h) const { return side_[h.index()]; }  // where it is not open
+  bool is_piece(HalfEdgeId h) const { return !is_open(h) && side(h) != kSky; }
+  bool is_bare_hull(HalfEdgeId h) const { return !is_open(h) && side(h) == kSky; }
   std::span<const StarEntry> star(VertexId v) const {
-    return {star_.data() + star_begin_[v], star_.data() + star_begin_[v + 1]};
+    return {star_.data() + star_begin_[v.index()], star_.data() + star_begin_[v.index() + 1]};
   }
 
  private:
@@ -52,8 +89,5 @@ class Triangulation2 {
   std::vector<std::uint32_t> star_begin_;
   std::vector<StarEntry> star_;
 };
-
-inline HalfEdgeId next_half_edge(HalfEdgeId h) { return h % 3 == 2 ? h - 2 : h + 1; }
-inline HalfEdgeId previous_half_edge(HalfEdgeId h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
 }  // namespace hottel

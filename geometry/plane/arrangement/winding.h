@@ -41,13 +41,13 @@ void walk_regions(const FreeRegions2& regions, const NetRuns2& runs, std::size_t
                   const Visit& visit) {
   struct Step {
     std::uint32_t region;
-    PieceSideId entered_by;  // the side of the region before; -1 for the first
+    PieceSideId entered_by;  // the side of the region before; none for the first
     std::size_t next_side;
   };
   std::vector<std::int32_t> winding(group_count, 0);
   const auto cross = [&](PieceSideId side, bool there) {
-    const bool to_left = (side % 2 == 1) == there;
-    for (const NetRun2& run : runs.of(static_cast<std::size_t>(side / 2))) {
+    const bool to_left = is_right(side) == there;
+    for (const NetRun2& run : runs.of(piece_of(side))) {
       std::int32_t& number = winding[run.group];
       const std::int32_t before = number;
       number += to_left ? run.net : -run.net;
@@ -55,19 +55,19 @@ void walk_regions(const FreeRegions2& regions, const NetRuns2& runs, std::size_t
     }
   };
   std::vector<char> is_visited(regions.count(), 0);
-  std::vector<Step> way{{0, -1, 0}};
+  std::vector<Step> way{{0, PieceSideId::none(), 0}};
   is_visited[0] = 1;
   visit(std::uint32_t{0});
   while (!way.empty()) {
     Step& step = way.back();
     const auto sides = regions.sides(step.region);
     if (step.next_side == sides.size()) {
-      if (step.entered_by >= 0) cross(step.entered_by, false);
+      if (!step.entered_by.is_none()) cross(step.entered_by, false);
       way.pop_back();
       continue;
     }
     const PieceSideId side = sides[step.next_side++];
-    const std::uint32_t beyond = regions.of(side ^ 1);
+    const std::uint32_t beyond = regions.of(opposite(side));
     if (is_visited[beyond] != 0) continue;
     is_visited[beyond] = 1;
     cross(side, true);

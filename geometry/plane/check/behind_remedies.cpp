@@ -5,9 +5,8 @@
 namespace hottel {
 namespace {
 
-std::uint32_t number(const FacePart& face) { return 2 * face.surface + (face.is_back ? 1 : 0); }
-
-void make_set(std::vector<std::uint32_t>& list) {
+template <class Item>
+void make_set(std::vector<Item>& list) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
@@ -20,10 +19,9 @@ BehindRemedies2::BehindRemedies2(const PreparedScene2& prepared, const FreeRegio
       regions_(prepared.arrangement.regions_behind(prepared.scene, free_regions)),
       cells_of_face_(2 * prepared.scene.surfaces.size()) {
   const Arrangement2& arrangement = prepared.arrangement;
-  for (std::size_t k = 0; k < arrangement.side_count(); ++k) {
-    const auto side = static_cast<PieceSideId>(k);
+  for (const PieceSideId side : arrangement.sides()) {
     if (arrangement.is_covered(side)) continue;
-    std::vector<std::uint32_t>& list = cells_of_face_[number(arrangement.owner(side))];
+    std::vector<std::uint32_t>& list = cells_of_face_[arrangement.owner(side).number()];
     if (list.empty() || list.back() != free_regions.of(side)) list.push_back(free_regions.of(side));
   }
   for (std::vector<std::uint32_t>& list : cells_of_face_) make_set(list);
@@ -31,13 +29,13 @@ BehindRemedies2::BehindRemedies2(const PreparedScene2& prepared, const FreeRegio
 
 const BehindRemedy2* BehindRemedies2::of(std::uint32_t surface) {
   const std::vector<std::uint32_t>& region = regions_[prepared_.scene.surfaces[surface].group];
-  if (region.empty() || !is_within(2 * surface + 1, region)) return nullptr;
+  if (region.empty() || !is_within({surface, true}, region)) return nullptr;
   const auto place = known_.find(region);
   return &(place != known_.end() ? place : known_.emplace(region, remedy(region)).first)->second;
 }
 
-bool BehindRemedies2::is_within(std::uint32_t face, const std::vector<std::uint32_t>& free_regions) const {
-  const std::vector<std::uint32_t>& list = cells_of_face_[face];
+bool BehindRemedies2::is_within(const Face& face, const std::vector<std::uint32_t>& free_regions) const {
+  const std::vector<std::uint32_t>& list = cells_of_face_[face.number()];
   return !list.empty() && std::includes(free_regions.begin(), free_regions.end(), list.begin(), list.end());
 }
 
@@ -46,10 +44,10 @@ BehindRemedy2 BehindRemedies2::remedy(const std::vector<std::uint32_t>& free_reg
   BehindRemedy2 result{free_regions, {}, false};
   for (const std::uint32_t free_region : free_regions)
     for (const PieceSideId side : free_regions_.sides(free_region)) {
-      const std::uint32_t face = number(prepared_.arrangement.owner(side));
-      const Surface& surface = scene.surfaces[face / 2];
-      if (face % 2 == 1 && !surface.back) continue;
-      result.emits |= !scene.materials[face % 2 == 1 ? *surface.back : surface.material].emission.is_zero();
+      const Face face = prepared_.arrangement.owner(side);
+      const Surface& surface = scene.surfaces[face.surface];
+      if (face.is_back && !surface.back) continue;
+      result.emits |= !scene.materials[face.is_back ? *surface.back : surface.material].emission.is_zero();
       if (is_within(face, free_regions)) result.swallows.push_back(face);
     }
   make_set(result.swallows);

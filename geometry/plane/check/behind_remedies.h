@@ -14,9 +14,8 @@ namespace hottel {
 // The regions that would become solid, and what light would lose by it.
 struct BehindRemedy2 {
   std::vector<std::uint32_t> free_regions;  // ascending
-  std::vector<std::uint32_t>
-      swallows;        // faces with a material that would be covered wholly: 2 surface + back, ascending
-  bool emits = false;  // some face with a material that looks into the regions does
+  std::vector<Face> swallows;               // faces with a material that would be covered wholly, ascending
+  bool emits = false;                       // some face with a material that looks into the regions does
 };
 
 // Remedies for the black backs of a scene.
@@ -32,8 +31,8 @@ class BehindRemedies2 {
   // The remedy for the back of a surface; nothing where there is none. Valid as long as this object.
   const BehindRemedy2* of(std::uint32_t surface);
 
-  // Returns whether all of a face (2 surface + back) looks into some regions (ascending).
-  bool is_within(std::uint32_t face, const std::vector<std::uint32_t>& free_regions) const;
+  // Returns whether all of a face looks into some regions (ascending).
+  bool is_within(const Face& face, const std::vector<std::uint32_t>& free_regions) const;
 
  private:
   BehindRemedy2 remedy(const std::vector<std::uint32_t>& free_regions) const;
@@ -41,7 +40,7 @@ class BehindRemedies2 {
   const PreparedScene2& prepared_;
   const FreeRegions2& free_regions_;
   std::vector<std::vector<std::uint32_t>> regions_;        // by group
-  std::vector<std::vector<std::uint32_t>> cells_of_face_;  // by 2 surface + back, ascending: where it owns a side
+  std::vector<std::vector<std::uint32_t>> cells_of_face_;  // by Face::number(), ascending: where it owns a side
   std::map<std::vector<std::uint32_t>, BehindRemedy2> known_;
 };
 

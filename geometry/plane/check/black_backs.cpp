@@ -53,8 +53,8 @@ std::string suggestion(const Scene2& scene, std::uint32_t surface, const BehindR
   if (remedy->swallows.empty())
     return fmt::format("give {} \"behind\": \"solid\" where nothing is behind it, else a \"back\"", group);
   std::vector<std::uint32_t> surfaces;
-  for (const std::uint32_t face : remedy->swallows)
-    if (surfaces.empty() || surfaces.back() != face / 2) surfaces.push_back(face / 2);
+  for (const Face& face : remedy->swallows)
+    if (surfaces.empty() || surfaces.back() != face.surface) surfaces.push_back(face.surface);
   return fmt::format("give {} a \"back\"; \"behind\": \"solid\" would fill the space there and cover {} wholly", group,
                      names_text(scene, surfaces));
 }

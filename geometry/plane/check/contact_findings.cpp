@@ -33,7 +33,7 @@ class ContactTeller {
 
  private:
   std::string name(std::uint32_t s) const { return quoted_name(scene_.surfaces[s].name); }
-  std::string name(const FacePart& face) const {
+  std::string name(const Face& face) const {
     return fmt::format("the {} of {}", face.is_back ? "back" : "front", name(face.surface));
   }
 
@@ -112,14 +112,14 @@ class ContactTeller {
            });
   }
 
-  bool has_material(std::uint32_t face) const { return face % 2 == 0 || scene_.surfaces[face / 2].back.has_value(); }
-  bool has_area(std::uint32_t face) const { return contacts_.faces.has_area[face] != 0; }
-  bool looks_into_solid(std::uint32_t face) const { return contacts_.faces.covered_by[face] != Solids2::kNone; }
+  bool has_material(const Face& face) const { return !face.is_back || scene_.surfaces[face.surface].back.has_value(); }
+  bool has_area(const Face& face) const { return contacts_.faces.has_area[face.number()] != 0; }
+  bool looks_into_solid(const Face& face) const { return contacts_.faces.covered_by[face.number()] != Solids2::kNone; }
 
   std::vector<std::uint32_t> silent_surfaces(const Overlap2& overlap) const {
     std::vector<std::uint32_t> surfaces;
     for (const PieceSource2& source : overlap.covering) {
-      const std::uint32_t front = 2 * source.surface;
+      const Face front{source.surface, false};
       if (!has_area(front) && !looks_into_solid(front) && is_silent_[source.surface] != 0)
         surfaces.push_back(source.surface);
     }
@@ -130,7 +130,7 @@ class ContactTeller {
     const std::vector<std::uint32_t> surfaces = surfaces_of(overlap);
     if (is_duplicate(overlap) || (is_solid(overlap.sides[0]) && is_solid(overlap.sides[1]) &&
                                   std::all_of(surfaces.begin(), surfaces.end(), [&](std::uint32_t s) {
-                                    return !has_area(2 * s) && !has_area(2 * s + 1);
+                                    return !has_area({s, false}) && !has_area({s, true});
                                   })))
       return;
     const auto side_text = [&](bool right) {
@@ -156,8 +156,9 @@ class ContactTeller {
     if (is_in_conflict(surfaces)) return;
     const Edge2& first = scene_.edges[surfaces.front()];
     const bool is_wall = surfaces.size() == 2 && scene_.edges[surfaces.back()].from == first.to;
-    if (is_wall && std::any_of(surfaces.begin(), surfaces.end(),
-                               [&](std::uint32_t s) { return looks_into_solid(2 * s) || looks_into_solid(2 * s + 1); }))
+    if (is_wall && std::any_of(surfaces.begin(), surfaces.end(), [&](std::uint32_t s) {
+          return looks_into_solid({s, false}) || looks_into_solid({s, true});
+        }))
       return;
     findings_.push_back(
         {is_wall ? Severity::kNote : Severity::kWarning, "duplicate", surfaces, middle(first),
@@ -180,10 +181,11 @@ class ContactTeller {
   }
 
   void tell_nothing_left(std::uint32_t s) {
-    const auto is_lost = [&](std::uint32_t face) {
+    const auto is_lost = [&](const Face& face) {
       return has_material(face) && !has_area(face) && !looks_into_solid(face);
     };
-    const bool front = !is_held(s) && is_lost(2 * s) && is_silent_[s] == 0, back = !is_held(s) && is_lost(2 * s + 1);
+    const bool front = !is_held(s) && is_lost({s, false}) && is_silent_[s] == 0,
+               back = !is_held(s) && is_lost({s, true});
     if (!front && !back) return;
     findings_.push_back({Severity::kWarning,
                          "nothing-left",

@@ -20,13 +20,12 @@ class ContactFinder {
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
       segments_.push_back(arrangement.segment(s));
       for (const VertexId v : {segments_[s].a, segments_[s].b})
-        if (rank_[v] == kNoRank) rank_[v] = next++;
+        if (rank_[v.index()] == kNoRank) rank_[v.index()] = next++;
     }
     for (std::size_t p = 0; p < arrangement.pieces().size(); ++p) {
       covering_.push_back(arrangement.sources(p));
-      const auto left = static_cast<PieceSideId>(2 * p);
-      if (arrangement.is_covered(left) && arrangement.is_covered(left + 1)) continue;
-      for (const VertexId v : {arrangement.pieces()[p].a, arrangement.pieces()[p].b}) is_free_[v] = 1;
+      if (arrangement.is_covered(left_side(p)) && arrangement.is_covered(right_side(p))) continue;
+      for (const VertexId v : {arrangement.pieces()[p].a, arrangement.pieces()[p].b}) is_free_[v.index()] = 1;
     }
   }
 
@@ -65,11 +64,11 @@ class ContactFinder {
       for (const PieceSource2& source : covering_[p])
         for (const VertexId v : {pieces()[p].a, pieces()[p].b})
           if (v != segments_[source.surface].a && v != segments_[source.surface].b)
-            through.push_back({rank_[v], v, source.surface});
+            through.push_back({rank_[v.index()], v, source.surface});
     std::sort(through.begin(), through.end());
     through.erase(std::unique(through.begin(), through.end()), through.end());
     for (std::uint32_t s = 0; s < segments_.size(); ++s)
-      for (const VertexId v : {segments_[s].a, segments_[s].b}) ends.push_back({rank_[v], v, s});
+      for (const VertexId v : {segments_[s].a, segments_[s].b}) ends.push_back({rank_[v.index()], v, s});
     std::sort(ends.begin(), ends.end());
 
     auto end = ends.begin();
@@ -89,7 +88,7 @@ class ContactFinder {
       return std::all_of(surfaces.begin(), surfaces.end(),
                          [&](std::uint32_t t) { return are_parallel(surfaces.front(), t); });
     };
-    const bool is_in_solid = is_free_[v] == 0;
+    const bool is_in_solid = is_free_[v.index()] == 0;
     const bool through_one_line = are_on_one_line(inside), ends_on_one_line = are_on_one_line(ending);
     if (!through_one_line) found_.crossings.push_back({place(v), inside, is_in_solid});
     Junction2 junction;
@@ -103,8 +102,7 @@ class ContactFinder {
     found_.junctions.push_back(std::move(junction));
   }
 
-  OverlapSide2 side_of(std::size_t piece, bool right) const {
-    const auto side = static_cast<PieceSideId>(2 * piece + (right ? 1 : 0));
+  OverlapSide2 overlap_side(PieceSideId side) const {
     if (arrangement_.is_covered(side)) return {arrangement_.solids().maker(side)};
     return {Solids2::kNone, arrangement_.claims(scene_, side)};
   }
@@ -117,7 +115,7 @@ class ContactFinder {
     std::size_t last = 0;  // the piece before, when it belongs to the overlap that is open
     for (std::size_t p = 0; p < pieces().size(); ++p) {
       if (covering_[p].size() < 2) continue;
-      std::array<OverlapSide2, 2> sides{side_of(p, false), side_of(p, true)};
+      std::array<OverlapSide2, 2> sides{overlap_side(left_side(p)), overlap_side(right_side(p))};
       const bool goes_on =
           p > 0 && last + 1 == p && !found_.overlaps.empty() && pieces()[last].b == pieces()[p].a &&
           std::ranges::equal(covering_[p], covering_[last], {}, &PieceSource2::surface, &PieceSource2::surface) &&
@@ -131,7 +129,7 @@ class ContactFinder {
   void find_duplicates() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> by_ends;
     for (std::uint32_t s = 0; s < segments_.size(); ++s)
-      by_ends[std::minmax(rank_[segments_[s].a], rank_[segments_[s].b])].push_back(s);
+      by_ends[std::minmax(rank_[segments_[s].a.index()], rank_[segments_[s].b.index()])].push_back(s);
     for (auto& [ends, surfaces] : by_ends)
       if (surfaces.size() > 1) found_.duplicates.push_back(std::move(surfaces));
   }

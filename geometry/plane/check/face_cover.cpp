@@ -11,13 +11,11 @@
 namespace hottel {
 namespace {
 
-std::uint32_t number(const FacePart& face) { return 2 * face.surface + (face.is_back ? 1 : 0); }
-
 // The first group with a solid on a side of a piece on which it has no surface.
-std::uint32_t holder_of(const Scene2& scene, const Solids2& solids, PieceSideId left,
+std::uint32_t holder_of(const Scene2& scene, const Solids2& solids, std::size_t piece,
                         const std::vector<PieceSource2>& covering) {
   std::uint32_t holder = Solids2::kNone;
-  for (const PieceSideId side : {left, left + 1}) {
+  for (const PieceSideId side : sides_of(piece)) {
     const std::uint32_t maker = solids.maker(side);
     if (std::none_of(covering.begin(), covering.end(),
                      [&](const PieceSource2& source) { return scene.surfaces[source.surface].group == maker; }))
@@ -27,11 +25,12 @@ std::uint32_t holder_of(const Scene2& scene, const Solids2& solids, PieceSideId 
 }
 
 // A group whose surface lies on the border of a solid of another group from within.
-bool lies_within(const Scene2& scene, const Solids2& solids, PieceSideId left, std::uint32_t group,
+bool lies_within(const Scene2& scene, const Solids2& solids, std::size_t piece, std::uint32_t group,
                  const std::vector<PieceSource2>& covering) {
   return std::any_of(covering.begin(), covering.end(), [&](const PieceSource2& source) {
     const std::uint32_t other = scene.surfaces[source.surface].group;
-    return other != group && (solids.is_inside_of(left, other) || solids.is_inside_of(left + 1, other));
+    return other != group &&
+           (solids.is_inside_of(left_side(piece), other) || solids.is_inside_of(right_side(piece), other));
   });
 }
 
@@ -45,26 +44,26 @@ FaceCover2::FaceCover2(const Scene2& scene, const Arrangement2& arrangement)
   std::vector<char> is_free(scene.groups.size(), 0);
   for (std::size_t piece = 0; 2 * piece < arrangement.side_count(); ++piece) {
     const std::vector<PieceSource2> covering = arrangement.sources(piece);
-    const auto left = static_cast<PieceSideId>(2 * piece);
-    for (const PieceSideId side : {left, left + 1}) {
+    for (const PieceSideId side : sides_of(piece)) {
       if (!solids.is_covered(side)) {
         const SideOwner2 claims = arrangement.claims(scene, side);
-        has_area[number(claims.owner.face)] = 1;
-        if (claims.rival) has_area[number(claims.rival->face)] = 1;
+        has_area[claims.owner.face.number()] = 1;
+        if (claims.rival) has_area[claims.rival->face.number()] = 1;
         continue;
       }
       for (const PieceSource2& source : covering) {
-        std::uint32_t& group = covered_by[2 * source.surface + (source.is_reversed == (side != left) ? 1 : 0)];
+        const Face face{source.surface, source.is_reversed == is_right(side)};
+        std::uint32_t& group = covered_by[face.number()];
         group = std::min(group, solids.maker(side));
       }
     }
-    const bool is_inside = solids.is_covered(left) && solids.is_covered(left + 1);
+    const bool is_inside = solids.is_covered(left_side(piece)) && solids.is_covered(right_side(piece));
     for (const PieceSource2& source : covering) {
       const std::uint32_t group = scene.surfaces[source.surface].group;
-      if (!is_inside && !lies_within(scene, solids, left, group, covering)) is_free[group] = 1;
+      if (!is_inside && !lies_within(scene, solids, piece, group, covering)) is_free[group] = 1;
     }
     if (!is_inside) continue;
-    const std::uint32_t held_by = holder_of(scene, solids, left, covering);
+    const std::uint32_t held_by = holder_of(scene, solids, piece, covering);
     for (const PieceSource2& source : covering) {
       const std::uint32_t group = scene.surfaces[source.surface].group;
       if (held_by != group) holder[group] = std::min(holder[group], held_by);
@@ -78,7 +77,7 @@ namespace {
 
 // The solid that a face looks into at a place (just after it, at its end just before it); Solids2::kNone where it is
 // free.
-std::uint32_t solid_at(const PreparedScene2& prepared, const FaceName& face, const Rational& t) {
+std::uint32_t solid_at(const PreparedScene2& prepared, const Face& face, const Rational& t) {
   const Arrangement2& arrangement = prepared.arrangement;
   const auto& [from, to] = prepared.scene.edges[face.surface];
   const Rational dx = to.x - from.x, dy = to.y - from.y;
@@ -93,13 +92,13 @@ std::uint32_t solid_at(const PreparedScene2& prepared, const FaceName& face, con
       const Rational &low = std::min(a, b), &high = std::max(a, b);
       if (t < low || t > high || (t == high && t < 1)) continue;
       const bool right = source.is_reversed == face.is_back;
-      return arrangement.solids().maker(static_cast<PieceSideId>(2 * piece + (right ? 1 : 0)));
+      return arrangement.solids().maker(right ? right_side(piece) : left_side(piece));
     }
   return Solids2::kNone;
 }
 
 // "scene.json:4: the front of 'floor'"
-std::string face_text(const Scene2& scene, const FaceName& face) {
+std::string face_text(const Scene2& scene, const Face& face) {
   const Surface& surface = scene.surfaces[face.surface];
   return fmt::format("{}:{}: the {} of {}", scene.file, surface.line, face.is_back ? "back" : "front",
                      quoted_name(surface.name));
@@ -107,17 +106,17 @@ std::string face_text(const Scene2& scene, const FaceName& face) {
 
 }  // namespace
 
-void require_free(const PreparedScene2& prepared, const FaceName& face) {
+void require_free(const PreparedScene2& prepared, const Face& face) {
   if (prepared.arrangement.solids().is_empty()) return;
   const FaceCover2 cover(prepared.scene, prepared.arrangement);
-  const std::uint32_t place = 2 * face.surface + (face.is_back ? 1 : 0);
+  const std::uint32_t place = face.number();
   if (cover.has_area[place] == 0 && cover.covered_by[place] != Solids2::kNone)
     throw RequestError(fmt::format("{} looks into {} all along: it has no area and exchanges nothing",
                                    face_text(prepared.scene, face),
                                    solid_text(prepared.scene, cover.covered_by[place])));
 }
 
-void require_free_at(const PreparedScene2& prepared, const FaceName& face, const Rational& t) {
+void require_free_at(const PreparedScene2& prepared, const Face& face, const Rational& t) {
   if (const std::uint32_t solid = solid_at(prepared, face, t); solid != Solids2::kNone)
     throw RequestError(fmt::format("{} looks into {} at t = {}: nothing is seen there", face_text(prepared.scene, face),
                                    solid_text(prepared.scene, solid), to_string(t)));

@@ -9,7 +9,7 @@
 
 namespace hottel {
 
-// Faces are numbered 2 s (front of s) and 2 s + 1 (back).
+// What is left of each face (by Face::number()) and what solids do to it.
 //
 //   (1) has_area: the face owns a side of a piece, or is one of two that claim it
 //   (2) covered_by: the first listed group with a solid that the face looks into somewhere; Solids2::kNone: nowhere
@@ -29,9 +29,9 @@ struct FaceCover2 {
 };
 
 // Throws RequestError, naming the solid, where a face looks into solids all along.
-void require_free(const PreparedScene2& prepared, const FaceName& face);
+void require_free(const PreparedScene2& prepared, const Face& face);
 
 // The same where it looks into a solid at the place t: just after it, at its end just before it. REQUIRES 0 <= t <= 1.
-void require_free_at(const PreparedScene2& prepared, const FaceName& face, const Rational& t);
+void require_free_at(const PreparedScene2& prepared, const Face& face, const Rational& t);
 
 }  // namespace hottel

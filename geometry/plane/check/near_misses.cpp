@@ -9,8 +9,9 @@
 
 #include "geometry/plane/arrangement/overlay.h"
 #include "geometry/plane/arrangement/point_index.h"
-#include "geometry/plane/check/closest_point.h"
 #include "geometry/plane/check/point_neighbours.h"
+#include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {
 namespace {
@@ -25,8 +26,8 @@ class NearMissFinder {
     vertices_ = Vertices2(points_, points_.size());
     ending_.resize(points_.size());
     for (std::uint32_t s = 0; s < segments_.size(); ++s) {
-      ending_[segments_[s].a].push_back(s);
-      ending_[segments_[s].b].push_back(s);
+      ending_[segments_[s].a.index()].push_back(s);
+      ending_[segments_[s].b.index()].push_back(s);
     }
   }
 
@@ -34,15 +35,15 @@ class NearMissFinder {
     const std::vector<std::vector<std::uint32_t>> near = surfaces_near_points();
     std::set<std::pair<VertexId, VertexId>> told;
     std::vector<NearMiss2> result;
-    for (VertexId v = 0; v < points_.size(); ++v) {
-      const auto nearest = nearest_target(v, near[v]);
+    for (const VertexId v : IdRange<VertexId>(points_.size())) {
+      const auto nearest = nearest_target(v, near[v.index()]);
       if (!nearest || !is_near(v, *nearest)) continue;
       const auto end = end_of(*nearest);
       if (end && !told.insert(std::minmax(v, *end)).second) continue;
-      const bool sticks_out =
-          std::any_of(ending_[v].begin(), ending_[v].end(), [&](auto s) { return cross(s, nearest->surface); });
-      result.push_back({point(v), ending_[v], nearest->surface, nearest->closest.at, end.has_value(), sticks_out,
-                        nearest->closest.squared});
+      const bool sticks_out = std::any_of(ending_[v.index()].begin(), ending_[v.index()].end(),
+                                          [&](auto s) { return cross(s, nearest->surface); });
+      result.push_back({point(v), ending_[v.index()], nearest->surface, nearest->closest.at, end.has_value(),
+                        sticks_out, nearest->closest.squared});
     }
     return result;
   }
@@ -53,7 +54,7 @@ class NearMissFinder {
     ClosestPoint2 closest;
   };
 
-  Point2 point(VertexId v) const { return to_point(points_[v]); }
+  Point2 point(VertexId v) const { return to_point(points_[v.index()]); }
 
   std::optional<VertexId> end_of(const Target& to) const {
     if (to.closest.end < 0) return std::nullopt;
@@ -78,15 +79,15 @@ class NearMissFinder {
       reach.push_back((shortest_length + 4 * vertices_.approximation_error()) / kNearPart);
     }
     auto near = segments_near_vertices(vertices_, segments_, reach);
-    for (VertexId v = 0; v < near.size(); ++v)
-      std::erase_if(near[v], [&](std::uint32_t s) { return segments_[s].a == v || segments_[s].b == v; });
+    for (const VertexId v : IdRange<VertexId>(near.size()))
+      std::erase_if(near[v.index()], [&](std::uint32_t s) { return segments_[s].a == v || segments_[s].b == v; });
     return near;
   }
 
   // The nearest surface that does not meet v, unless one as near as that is joined to one that does.
   std::optional<Target> nearest_target(VertexId v, const std::vector<std::uint32_t>& candidates) const {
     std::vector<Target> nearest;  // all at the same distance
-    std::vector<std::uint32_t> meeting = ending_[v];
+    std::vector<std::uint32_t> meeting = ending_[v.index()];
     double least_upper = std::numeric_limits<double>::infinity();  // of the distances of those that do not meet v
     for (const std::uint32_t s : candidates)
       if (const DistanceBounds d = distance_bounds(vertices_, segments_[s], v); d.lower > 0)
@@ -123,7 +124,7 @@ class NearMissFinder {
   bool is_near(VertexId v, const Target& to) const {
     Rational least = squared_length(to.surface);
     const auto look_at = [&](VertexId end) {
-      for (const std::uint32_t s : ending_[end]) least = std::min(least, squared_length(s));
+      for (const std::uint32_t s : ending_[end.index()]) least = std::min(least, squared_length(s));
     };
     look_at(v);
     if (const auto end = end_of(to)) look_at(*end);

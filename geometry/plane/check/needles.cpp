@@ -27,7 +27,7 @@ std::vector<Needle2> find_needles(const Arrangement2& arrangement) {
   const Vertices2& vertices = arrangement.vertices();
   std::vector<Needle2> needles;
   std::vector<StarEntry> around;
-  for (VertexId v = 0; v < vertices.size(); ++v) {
+  for (const VertexId v : vertices.ids()) {
     around.clear();
     for (const StarEntry& entry : arrangement.triangulation().star(v))
       if (entry.left != kNoPiece) around.push_back(entry);
@@ -35,9 +35,7 @@ std::vector<Needle2> find_needles(const Arrangement2& arrangement) {
       const StarEntry &right = around[k], &left = around[(k + 1) % around.size()];
       if (arrangement.is_covered(right.left)) continue;  // in a solid
       const double degrees = needle_degrees(vertices, v, right.neighbour, left.neighbour);
-      if (degrees >= 0)
-        needles.push_back(
-            {v, static_cast<std::size_t>(right.left) / 2, static_cast<std::size_t>(left.left) / 2, degrees});
+      if (degrees >= 0) needles.push_back({v, piece_of(right.left), piece_of(left.left), degrees});
     }
   }
   return needles;

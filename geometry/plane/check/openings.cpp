@@ -6,7 +6,8 @@
 #include <limits>
 #include <queue>
 
-#include "geometry/plane/check/closest_point.h"
+#include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {
 namespace {
@@ -37,24 +38,23 @@ class Flood {
       : vertices_(arrangement.vertices()),
         triangulation_(arrangement.triangulation()),
         pocket_of_(triangulation_.triangle_count(), kNone) {
-    for (HalfEdgeId h = 0; h < half_edges(); ++h)
-      if (is_outer(h)) arrive({length(h), h, kNone, along(h)});
+    for (const HalfEdgeId h : triangulation_.half_edges())
+      if (triangulation_.is_bare_hull(h)) arrive({length(h), h, kNone, along(h)});
     while (!waiting_.empty()) {
       const Arrival next = waiting_.top();
       waiting_.pop();
-      if (pocket(next.entry / 3) == kNone) enter(next);
+      if (pocket(triangle_of(next.entry)) == kNone) enter(next);
     }
     for (std::size_t p = pockets_.size(); p-- > 0;)
       if (pockets_[p].parent != kNone) pockets_[pockets_[p].parent].walls += pockets_[p].walls;
     for (const Pocket& pocket : pockets_)
       if (pocket.parent != kNone && 2 * pocket.walls >= pockets_[pocket.parent].walls)
         pockets_[pocket.parent].is_narrowed = true;
-    for (HalfEdgeId h = 0; h < half_edges(); ++h) find_other_ways(h);
+    for (const HalfEdgeId h : triangulation_.half_edges()) find_other_ways(h);
   }
 
   std::vector<Pocket>& pockets() { return pockets_; }
-  std::uint32_t pocket(HalfEdgeId triangle) const { return pocket_of_[static_cast<std::size_t>(triangle)]; }
-  HalfEdgeId half_edges() const { return static_cast<HalfEdgeId>(3 * triangulation_.triangle_count()); }
+  std::uint32_t pocket(TriangleId triangle) const { return pocket_of_[triangle.index()]; }
 
  private:
   struct Arrival {
@@ -67,9 +67,8 @@ class Flood {
     }
   };
 
-  bool is_outer(HalfEdgeId h) const { return triangulation_.twin(h) < 0 && triangulation_.side(h) == kSky; }
-  VertexId origin(HalfEdgeId h) const { return triangulation_.corner(next_half_edge(h)); }
-  VertexId target(HalfEdgeId h) const { return triangulation_.corner(previous_half_edge(h)); }
+  VertexId origin(HalfEdgeId h) const { return triangulation_.origin(h); }
+  VertexId target(HalfEdgeId h) const { return triangulation_.target(h); }
 
   double length(HalfEdgeId h) const {
     const auto &p = vertices_.approximate(origin(h)), &q = vertices_.approximate(target(h));
@@ -87,7 +86,7 @@ class Flood {
   }
 
   void arrive(Arrival arrival) {
-    if (pocket(arrival.entry / 3) == kNone) waiting_.push(arrival);
+    if (pocket(triangle_of(arrival.entry)) == kNone) waiting_.push(arrival);
   }
 
   void enter(const Arrival& arrival) {
@@ -96,16 +95,16 @@ class Flood {
       here = static_cast<std::uint32_t>(pockets_.size());
       pockets_.push_back({arrival.pocket, arrival.entry, arrival.gap});
     }
-    pocket_of_[static_cast<std::size_t>(arrival.entry / 3)] = here;
+    pocket_of_[triangle_of(arrival.entry).index()] = here;
     const std::array<HalfEdgeId, 2> others{next_half_edge(arrival.entry), previous_half_edge(arrival.entry)};
     for (std::size_t k = 0; k < 2; ++k) {
       const HalfEdgeId exit = others[k], third = others[1 - k];
-      if (triangulation_.twin(exit) < 0) {
+      if (!triangulation_.is_open(exit)) {
         if (triangulation_.side(exit) != kSky) pockets_[here].walls += length(exit);
         continue;
       }
       Gap narrowest = along(exit);
-      if (triangulation_.twin(third) < 0 && triangulation_.side(third) != kSky)
+      if (triangulation_.is_piece(third))
         if (const Gap corner = past(third); corner.width < narrowest.width) narrowest = corner;
       arrive({std::min(pockets_[here].gap.width, narrowest.width), triangulation_.twin(exit), here, narrowest});
     }
@@ -113,9 +112,9 @@ class Flood {
 
   // Marks the pockets that a half-edge leads out of although it is not their door.
   void find_other_ways(HalfEdgeId h) {
-    const HalfEdgeId twin = triangulation_.twin(h);
-    if ((twin < 0 && !is_outer(h)) || pocket(h / 3) == kNone) return;
-    std::uint32_t beyond = twin < 0 ? kNone : pocket(twin / 3), here = pocket(h / 3);
+    std::uint32_t here = pocket(triangle_of(h));
+    if (triangulation_.is_piece(h) || here == kNone) return;
+    std::uint32_t beyond = triangulation_.is_open(h) ? pocket(triangle_of(triangulation_.twin(h))) : kNone;
     // Pockets are numbered after those they are in: the larger of two different ones does not hold the other.
     while (here != beyond && here != kNone) {
       if (beyond != kNone && beyond > here) {
@@ -153,13 +152,15 @@ Openings2::Openings2(const Arrangement2& arrangement) : of_side_(arrangement.sid
     openings_.push_back(opening_at(arrangement.vertices(), pocket));
   }
   const Triangulation2& triangulation = arrangement.triangulation();
-  for (HalfEdgeId h = 0; h < flood.half_edges(); ++h)
-    if (triangulation.twin(h) < 0 && triangulation.side(h) != kSky && flood.pocket(h / 3) != kNone)
-      of_side_[static_cast<std::size_t>(triangulation.side(h))] = flood.pockets()[flood.pocket(h / 3)].opening;
+  for (const HalfEdgeId h : triangulation.half_edges()) {
+    const std::uint32_t pocket = flood.pocket(triangle_of(h));
+    if (triangulation.is_piece(h) && pocket != kNone)
+      of_side_[triangulation.side(h).index()] = flood.pockets()[pocket].opening;
+  }
 }
 
 std::optional<std::uint32_t> Openings2::behind(PieceSideId side) const {
-  const std::uint32_t opening = of_side_[static_cast<std::size_t>(side)];
+  const std::uint32_t opening = of_side_[side.index()];
   return opening == kNone ? std::nullopt : std::optional(opening);
 }
 

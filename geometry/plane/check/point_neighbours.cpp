@@ -32,8 +32,9 @@ void for_each_box_along(const Vertices2& vertices, const Segment2& segment, doub
 // A box is that large that about as many of them as there are segments cover the plane that the segments lie in.
 double box_size(const Vertices2& vertices, std::size_t segments) {
   if (vertices.size() == 0) return 0;
-  double low_x = vertices.approximate(0).x, high_x = low_x, low_y = vertices.approximate(0).y, high_y = low_y;
-  for (VertexId v = 0; v < vertices.size(); ++v) {
+  double low_x = vertices.approximate(VertexId(0)).x, high_x = low_x, low_y = vertices.approximate(VertexId(0)).y,
+         high_y = low_y;
+  for (const VertexId v : vertices.ids()) {
     const auto& p = vertices.approximate(v);
     low_x = std::min(low_x, p.x);
     high_x = std::max(high_x, p.x);
@@ -63,10 +64,10 @@ std::vector<std::vector<std::uint32_t>> segments_near_vertices(const Vertices2& 
                                                                const std::vector<double>& reach) {
   const double error = vertices.approximation_error();
   std::vector<NumberedBox2> around, boxes;
-  for (VertexId v = 0; v < vertices.size(); ++v) {
+  for (const VertexId v : vertices.ids()) {
     const auto& p = vertices.approximate(v);
-    const double r = 1.01 * reach[v] + 2 * error;
-    around.push_back({{p.x - r, p.y - r}, {p.x + r, p.y + r}, v});
+    const double r = 1.01 * reach[v.index()] + 2 * error;
+    around.push_back({{p.x - r, p.y - r}, {p.x + r, p.y + r}, static_cast<std::uint32_t>(v.index())});
   }
   const double size = box_size(vertices, segments.size());
   for (std::uint32_t s = 0; s < segments.size(); ++s)
@@ -74,8 +75,8 @@ std::vector<std::vector<std::uint32_t>> segments_near_vertices(const Vertices2& 
       boxes.push_back({low, high, s});
     });
   std::vector<std::vector<std::uint32_t>> near(vertices.size());
-  for_each_meeting(around, boxes, [&](VertexId v, std::uint32_t s) {
-    if (!(distance_bounds(vertices, segments[s], v).lower > 1.01 * reach[v])) near[v].push_back(s);
+  for_each_meeting(around, boxes, [&](std::uint32_t v, std::uint32_t s) {
+    if (!(distance_bounds(vertices, segments[s], VertexId(v)).lower > 1.01 * reach[v])) near[v].push_back(s);
   });
   for (auto& list : near) {
     std::sort(list.begin(), list.end());

@@ -17,8 +17,6 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffff;
 constexpr std::uint32_t kSeveral = 0xfffffffe;
 
-std::size_t index(PieceSideId side) { return static_cast<std::size_t>(side); }
-
 // Joins vertices that pieces connect.
 class VertexUnion {
  public:
@@ -38,16 +36,17 @@ class RegionTeller {
   RegionTeller(const PreparedScene2& prepared, const FreeRegions2& regions)
       : scene_(prepared.scene), arrangement_(prepared.arrangement), regions_(regions) {
     region_of_face_.assign(2 * scene_.surfaces.size(), kNone);
-    for (std::size_t side = 0; side < arrangement_.side_count(); ++side) {
-      if (arrangement_.is_covered(static_cast<PieceSideId>(side))) continue;
-      std::uint32_t& region = region_of_face_[face(static_cast<PieceSideId>(side))];
-      const std::uint32_t here = regions.of(static_cast<PieceSideId>(side));
+    for (const PieceSideId side : arrangement_.sides()) {
+      if (arrangement_.is_covered(side)) continue;
+      std::uint32_t& region = region_of_face_[face(side).number()];
+      const std::uint32_t here = regions.of(side);
       region = region == kNone || region == here ? here : kSeveral;
     }
     told_.is_inside_out.assign(scene_.surfaces.size(), 0);
     residents_.resize(regions.count());
     for (std::uint32_t f = 0; f < region_of_face_.size(); ++f)
-      if (region_of_face_[f] < regions.count() && material(f) != nullptr) residents_[region_of_face_[f]].push_back(f);
+      if (region_of_face_[f] < regions.count() && material(Face::of(f)) != nullptr)
+        residents_[region_of_face_[f]].push_back(Face::of(f));
   }
 
   RegionFindings2 tell() {
@@ -72,26 +71,23 @@ class RegionTeller {
   }
 
  private:
-  std::uint32_t face(PieceSideId side) const {
-    const FacePart& owner = arrangement_.owner(side);
-    return 2 * owner.surface + (owner.is_back ? 1 : 0);
-  }
-  const Material* material(std::uint32_t face) const {
-    const Surface& surface = scene_.surfaces[face / 2];
-    if (face % 2 == 0) return &scene_.materials[surface.material];
+  const Face& face(PieceSideId side) const { return arrangement_.owner(side); }
+  const Material* material(const Face& face) const {
+    const Surface& surface = scene_.surfaces[face.surface];
+    if (!face.is_back) return &scene_.materials[surface.material];
     return surface.back ? &scene_.materials[*surface.back] : nullptr;
   }
-  const Segment2& piece(PieceSideId side) const { return arrangement_.pieces()[index(side) / 2]; }
+  const Segment2& piece(PieceSideId side) const { return arrangement_.piece(side); }
 
   // Some group has all its faces with a material in the unbounded region. (The underside of a box on a floor is there
   // too.)
   bool has_outsider() const {
     std::vector<char> is_outside(scene_.groups.size(), 1);
     for (std::uint32_t f = 0; f < region_of_face_.size(); ++f)
-      if (region_of_face_[f] != kNone && region_of_face_[f] != 0 && material(f) != nullptr)
-        is_outside[scene_.surfaces[f / 2].group] = 0;
+      if (region_of_face_[f] != kNone && region_of_face_[f] != 0 && material(Face::of(f)) != nullptr)
+        is_outside[scene_.surfaces[Face::of(f).surface].group] = 0;
     return std::any_of(residents_[0].begin(), residents_[0].end(),
-                       [&](std::uint32_t f) { return is_outside[scene_.surfaces[f / 2].group] != 0; });
+                       [&](const Face& f) { return is_outside[scene_.surfaces[f.surface].group] != 0; });
   }
 
   // The sides around the region that something else lies behind; those of what stands in it left out.
@@ -105,13 +101,14 @@ class RegionTeller {
     }
     std::vector<PieceSideId> walls;
     for (const PieceSideId side : regions_.sides(region))
-      if (regions_.of(side ^ 1) != region && parts.root(piece(side).a) == parts.root(least)) walls.push_back(side);
+      if (regions_.of(opposite(side)) != region && parts.root(piece(side).a) == parts.root(least))
+        walls.push_back(side);
     return walls;
   }
 
   std::vector<std::uint32_t> surfaces_of(const std::vector<PieceSideId>& sides) const {
     std::vector<std::uint32_t> surfaces;
-    for (const PieceSideId side : sides) surfaces.push_back(face(side) / 2);
+    for (const PieceSideId side : sides) surfaces.push_back(face(side).surface);
     std::sort(surfaces.begin(), surfaces.end());
     surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
     return surfaces;
@@ -127,11 +124,12 @@ class RegionTeller {
   // Walls whose fronts alone stand in the region, do not emit, and turn black backs to one region with other faces in
   // it.
   bool is_reversed_solid(std::uint32_t region, const std::vector<PieceSideId>& walls) const {
-    const std::uint32_t around = regions_.of(walls.front() ^ 1);
+    const std::uint32_t around = regions_.of(opposite(walls.front()));
     if (residents_[around].empty() || regions_.sides(region).size() != walls.size()) return false;
     return std::all_of(walls.begin(), walls.end(), [&](PieceSideId side) {
-      return face(side) % 2 == 0 && !arrangement_.is_covered(side ^ 1) && material(face(side))->emission.is_zero() &&
-             regions_.of(side ^ 1) == around && material(face(side ^ 1)) == nullptr;
+      return !face(side).is_back && !arrangement_.is_covered(opposite(side)) &&
+             material(face(side))->emission.is_zero() && regions_.of(opposite(side)) == around &&
+             material(face(opposite(side))) == nullptr;
     });
   }
 
@@ -139,9 +137,9 @@ class RegionTeller {
   bool fronts_see_nothing(const std::vector<PieceSideId>& walls) const {
     const std::vector<std::uint32_t> own = surfaces_of(walls);
     return std::all_of(walls.begin(), walls.end(), [&](PieceSideId side) {
-      const auto& behind = residents_[regions_.of(side ^ 1)];
-      return std::all_of(behind.begin(), behind.end(), [&](std::uint32_t f) {
-        return f % 2 == 0 && material(f)->emission.is_zero() && std::binary_search(own.begin(), own.end(), f / 2);
+      const auto& behind = residents_[regions_.of(opposite(side))];
+      return std::all_of(behind.begin(), behind.end(), [&](const Face& f) {
+        return !f.is_back && material(f)->emission.is_zero() && std::binary_search(own.begin(), own.end(), f.surface);
       });
     });
   }
@@ -183,8 +181,8 @@ class RegionTeller {
 
   void tell_isolated(std::uint32_t region) {
     std::vector<std::uint32_t> surfaces;
-    for (const std::uint32_t f : residents_[region])
-      if (surfaces.empty() || surfaces.back() != f / 2) surfaces.push_back(f / 2);
+    for (const Face& f : residents_[region])
+      if (surfaces.empty() || surfaces.back() != f.surface) surfaces.push_back(f.surface);
     add(Severity::kNote, "isolated-cell", surfaces,
         fmt::format("nothing passes between the room of {} and the rest of the scene", names_text(scene_, surfaces)),
         "nothing to do where that is meant");
@@ -199,8 +197,8 @@ class RegionTeller {
 
   // The elements of its face that a side begins and ends in. (All between lie on it wholly.)
   std::array<Integer, 2> end_elements(PieceSideId side) const {
-    const Surface& surface = scene_.surfaces[face(side) / 2];
-    const Edge2& edge = scene_.edges[face(side) / 2];
+    const Surface& surface = scene_.surfaces[face(side).surface];
+    const Edge2& edge = scene_.edges[face(side).surface];
     Rational low = place_on(edge, piece(side).a), high = place_on(edge, piece(side).b);
     if (high < low) std::swap(low, high);
     low *= surface.elements;
@@ -214,20 +212,21 @@ class RegionTeller {
 
   // Faces with an element that a wall divides.
   void tell_spanning() {
-    std::map<std::pair<std::uint32_t, Integer>, std::uint32_t> room_of_element;
+    std::map<std::pair<Face, Integer>, std::uint32_t> room_of_element;
     std::vector<char> is_told(region_of_face_.size(), 0);
-    for (std::size_t k = 0; k < arrangement_.side_count(); ++k) {
-      const auto side = static_cast<PieceSideId>(k);
+    for (const PieceSideId side : arrangement_.sides()) {
       if (arrangement_.is_covered(side)) continue;
-      const std::uint32_t region = regions_.of(side), f = face(side);
-      if (region_of_face_[f] != kSeveral || material(f) == nullptr || residents_[region].empty()) continue;
+      const std::uint32_t region = regions_.of(side);
+      const Face f = face(side);
+      if (region_of_face_[f.number()] != kSeveral || material(f) == nullptr || residents_[region].empty()) continue;
       for (const Integer& element : end_elements(side)) {
-        if (room_of_element.try_emplace({f, element}, region).first->second == region || is_told[f] != 0) continue;
-        is_told[f] = 1;
-        add(Severity::kWarning, "spans-rooms", {f / 2},
+        if (room_of_element.try_emplace({f, element}, region).first->second == region || is_told[f.number()] != 0)
+          continue;
+        is_told[f.number()] = 1;
+        add(Severity::kWarning, "spans-rooms", {f.surface},
             fmt::format("the {} of {} stands in several rooms between which nothing passes, but has one radiosity: in "
                         "a solution it carries light from one room to the other",
-                        f % 2 == 0 ? "front" : "back", names_text(scene_, {f / 2})),
+                        f.is_back ? "back" : "front", names_text(scene_, {f.surface})),
             "give each room a surface of its own, or divide it so that \"elements\" end where the rooms do");
       }
     }
@@ -236,8 +235,8 @@ class RegionTeller {
   const Scene2& scene_;
   const Arrangement2& arrangement_;
   const FreeRegions2& regions_;
-  std::vector<std::uint32_t> region_of_face_;          // by 2 surface + back; kNone: owns nothing, kSeveral
-  std::vector<std::vector<std::uint32_t>> residents_;  // by region: faces with a material that are wholly in it
+  std::vector<std::uint32_t> region_of_face_;  // by Face::number(); kNone: owns nothing, kSeveral
+  std::vector<std::vector<Face>> residents_;   // by region: faces with a material that are wholly in it
   RegionFindings2 told_;
 };
 

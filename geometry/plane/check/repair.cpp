@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -15,9 +14,10 @@
 #include "geometry/plane/arrangement/overlay.h"
 #include "geometry/plane/arrangement/point_index.h"
 #include "geometry/plane/arrangement/solids.h"
-#include "geometry/plane/check/closest_point.h"
 #include "geometry/plane/check/point_neighbours.h"
+#include "geometry/plane/check/wording.h"
 #include "geometry/plane/scene/closed_groups.h"
+#include "geometry/plane/scene/closest_point.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -57,13 +57,13 @@ class GapCloser {
       segments_.push_back({index.insert(to_exact(from)), index.insert(to_exact(to))});
     for (const ExactPoint2& p : index.points()) origin_.push_back(to_point(p));
     place_ = origin_;
-    into_.resize(place_.size());
-    std::iota(into_.begin(), into_.end(), 0u);
+    const IdRange<VertexId> all(place_.size());
+    into_.assign(all.begin(), all.end());
     members_.resize(place_.size());
     ending_.resize(place_.size());
-    for (VertexId v = 0; v < place_.size(); ++v) members_[v] = {v};
+    for (const VertexId v : all) members_[v.index()] = {v};
     for (std::uint32_t s = 0; s < segments_.size(); ++s)
-      for (const VertexId v : {segments_[s].a, segments_[s].b}) ending_[v].push_back(s);
+      for (const VertexId v : {segments_[s].a, segments_[s].b}) ending_[v.index()].push_back(s);
     snapped_to_.resize(place_.size());
     find_outlines();
   }
@@ -75,34 +75,35 @@ class GapCloser {
     tell_moves(repair.steps);
     rebuild(repair);
     for (const auto& [v, s] : left_)
-      if (into_[v] == v && still_apart(v, s))
-        repair.steps.push_back({"not-repaired", scene_.surfaces[ending_[v].front()].name,
+      if (into_[v.index()] == v && still_apart(v, s))
+        repair.steps.push_back({"not-repaired", scene_.surfaces[ending_[v.index()].front()].name,
                                 fmt::format("the end of {} at {} is within reach of {}, with which it makes an angle",
-                                            name(ending_[v].front()), place_text(place_[v]), name(s))});
+                                            name(ending_[v.index()].front()), place_text(place_[v.index()]), name(s))});
     return repair;
   }
 
  private:
   std::string name(std::uint32_t s) const { return quoted_name(scene_.surfaces[s].name); }
-  Segment2 segment(std::uint32_t s) const { return {into_[segments_[s].a], into_[segments_[s].b]}; }
+  Segment2 segment(std::uint32_t s) const { return {into_[segments_[s].a.index()], into_[segments_[s].b.index()]}; }
   bool is_point(std::uint32_t s) const { return segment(s).a == segment(s).b; }
 
   // All that was joined at v may go there: nothing would be farther than the distance from where it was.
   bool may_move(VertexId v, const Point2& to) const {
-    return std::all_of(members_[v].begin(), members_[v].end(),
-                       [&](VertexId m) { return squared_distance(origin_[m], to) <= squared_; });
+    return std::all_of(members_[v.index()].begin(), members_[v.index()].end(),
+                       [&](VertexId m) { return squared_distance(origin_[m.index()], to) <= squared_; });
   }
 
   // At least the distance, in the units of the approximate coordinates: as it compares with the width of the scene.
   double reach_in(const Vertices2& vertices) const {
-    VertexId left = 0, right = 0, low = 0, high = 0;
-    for (VertexId v = 0; v < place_.size(); ++v) {
-      if (place_[v].x < place_[left].x) left = v;
-      if (place_[v].x > place_[right].x) right = v;
-      if (place_[v].y < place_[low].y) low = v;
-      if (place_[v].y > place_[high].y) high = v;
+    VertexId left(0), right(0), low(0), high(0);
+    for (const VertexId v : IdRange<VertexId>(place_.size())) {
+      if (place_[v.index()].x < place_[left.index()].x) left = v;
+      if (place_[v.index()].x > place_[right.index()].x) right = v;
+      if (place_[v.index()].y < place_[low.index()].y) low = v;
+      if (place_[v.index()].y > place_[high.index()].y) high = v;
     }
-    const Rational wide = place_[right].x - place_[left].x, tall = place_[high].y - place_[low].y;
+    const Rational wide = place_[right.index()].x - place_[left.index()].x,
+                   tall = place_[high.index()].y - place_[low.index()].y;
     const double approximate = wide > tall ? vertices.approximate(right).x - vertices.approximate(left).x
                                            : vertices.approximate(high).y - vertices.approximate(low).y;
     const double reach = 2 * approximate * to_double(distance_ / std::max(wide, tall));
@@ -123,8 +124,8 @@ class GapCloser {
     const auto near = candidates();
     left_.clear();
     bool moved = false;
-    for (VertexId v = 0; v < place_.size(); ++v)
-      if (into_[v] == v) moved |= merge(v, near[v]) || snap(v, near[v]);
+    for (const VertexId v : IdRange<VertexId>(place_.size()))
+      if (into_[v.index()] == v) moved |= merge(v, near[v.index()]) || snap(v, near[v.index()]);
     return moved;
   }
 
@@ -133,17 +134,19 @@ class GapCloser {
     std::set<std::pair<Rational, VertexId>> ends;
     for (const std::uint32_t s : near)
       for (const VertexId u : {segment(s).a, segment(s).b}) {
-        Rational squared = squared_distance(place_[v], place_[u]);
+        Rational squared = squared_distance(place_[v.index()], place_[u.index()]);
         if (u != v && squared <= squared_) ends.emplace(std::move(squared), u);
       }
     const auto nearest = std::find_if(ends.begin(), ends.end(), [&](const auto& end) {
-      return may_move(std::max(v, end.second), place_[std::min(v, end.second)]);
+      return may_move(std::max(v, end.second), place_[std::min(v, end.second).index()]);
     });
     if (nearest == ends.end()) return false;
     const VertexId keep = std::min(v, nearest->second), gone = std::max(v, nearest->second);
-    for (const VertexId m : members_[gone]) into_[m] = keep;
-    members_[keep].insert(members_[keep].end(), members_[gone].begin(), members_[gone].end());
-    ending_[keep].insert(ending_[keep].end(), ending_[gone].begin(), ending_[gone].end());
+    for (const VertexId m : members_[gone.index()]) into_[m.index()] = keep;
+    members_[keep.index()].insert(members_[keep.index()].end(), members_[gone.index()].begin(),
+                                  members_[gone.index()].end());
+    ending_[keep.index()].insert(ending_[keep.index()].end(), ending_[gone.index()].begin(),
+                                 ending_[gone.index()].end());
     return true;
   }
 
@@ -153,7 +156,7 @@ class GapCloser {
     for (const std::uint32_t s : near) {
       const Segment2 now = segment(s);
       if (now.a == now.b || now.a == v || now.b == v) continue;
-      ClosestPoint2 closest = closest_point(place_[now.a], place_[now.b], place_[v]);
+      ClosestPoint2 closest = closest_point(place_[now.a.index()], place_[now.b.index()], place_[v.index()]);
       if (closest.squared == 0) return false;  // it lies on one
       if (closest.end < 0 && closest.squared <= squared_ && (!nearest || closest.squared < nearest->second.squared))
         nearest = {s, std::move(closest)};
@@ -161,39 +164,39 @@ class GapCloser {
     if (!nearest) return false;
     const auto& [s, closest] = *nearest;
     const Segment2 onto = segment(s);
-    for (const std::uint32_t own : ending_[v])
+    for (const std::uint32_t own : ending_[v.index()])
       for (const VertexId end : {segment(own).a, segment(own).b})
         if (end != v && (end == onto.a || end == onto.b)) {
           left_.emplace_back(v, s);
           return false;
         }
-    Point2 to = short_point_near(place_[onto.a], place_[onto.b], place_[v], closest);
+    Point2 to = short_point_near(place_[onto.a.index()], place_[onto.b.index()], place_[v.index()], closest);
     if (!may_move(v, to)) to = closest.at;
     if (!may_move(v, to)) return false;
-    place_[v] = std::move(to);
-    snapped_to_[v] = s;
+    place_[v.index()] = std::move(to);
+    snapped_to_[v.index()] = s;
     return true;
   }
 
   bool still_apart(VertexId v, std::uint32_t s) const {
     const Segment2 now = segment(s);
     return now.a != now.b && now.a != v && now.b != v &&
-           closest_point(place_[now.a], place_[now.b], place_[v]).squared > 0;
+           closest_point(place_[now.a.index()], place_[now.b.index()], place_[v.index()]).squared > 0;
   }
 
   void tell_moves(std::vector<RepairStep>& steps) const {
-    for (VertexId m = 0; m < origin_.size(); ++m) {
-      const VertexId v = into_[m];
-      if (place_[v] == origin_[m]) continue;
+    for (const VertexId m : IdRange<VertexId>(origin_.size())) {
+      const VertexId v = into_[m.index()];
+      if (place_[v.index()] == origin_[m.index()]) continue;
       // Those that ended here before anything was joined stand first.
-      const std::uint32_t s = ending_[m].front();
+      const std::uint32_t s = ending_[m.index()].front();
       const bool is_merged = v != m;
-      const std::string what = is_merged        ? "where " + name(ending_[v].front()) + " ends"
-                               : snapped_to_[v] ? "on " + name(*snapped_to_[v])
-                                                : "";
+      const std::string what = is_merged                ? "where " + name(ending_[v.index()].front()) + " ends"
+                               : snapped_to_[v.index()] ? "on " + name(*snapped_to_[v.index()])
+                                                        : "";
       steps.push_back({is_merged ? "merged" : "snapped", scene_.surfaces[s].name,
-                       fmt::format("the end of {} went from {} to {}, {}", name(s), place_text(origin_[m]),
-                                   place_text(place_[v]), what)});
+                       fmt::format("the end of {} went from {} to {}, {}", name(s), place_text(origin_[m.index()]),
+                                   place_text(place_[v.index()]), what)});
     }
   }
 
@@ -220,7 +223,7 @@ class GapCloser {
       }
       same.push_back(s);
       kept.push_back(scene_.surfaces[s]);
-      edges.push_back({place_[now.a], place_[now.b]});
+      edges.push_back({place_[now.a.index()], place_[now.b.index()]});
     }
     for (const Surface& surface : kept) repair.former_names.push_back(surface.name);
     repair.scene.surfaces = std::move(kept);
@@ -229,8 +232,9 @@ class GapCloser {
 
   void find_outlines() {
     must_close_.assign(scene_.groups.size(), 0);
-    if (!may_have_solids(scene_)) return;
-    for (const ClosedGroup2& closed : closed_groups(scene_)) must_close_[closed.group] = 1;
+    const std::vector<ClosedGroup2> closed = closed_groups(scene_);
+    if (!may_have_solids(scene_, closed)) return;
+    for (const ClosedGroup2& group : closed) must_close_[group.group] = 1;
     for (std::uint32_t group = 0; group < scene_.groups.size(); ++group)
       if (scene_.groups[group].behind != Behind::kByOutline) must_close_[group] = 1;
   }
@@ -262,7 +266,7 @@ Repair2 close_gaps(const Scene2& scene, const Rational& distance) {
 
 Repair2 unrepaired(const Scene2& scene) {
   Repair2 repair{scene, {}, {}};
-  for (const Surface2& surface : scene.surfaces) repair.former_names.push_back(surface.name);
+  for (const Surface& surface : scene.surfaces) repair.former_names.push_back(surface.name);
   return repair;
 }
 

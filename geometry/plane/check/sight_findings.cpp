@@ -8,6 +8,7 @@
 #include "geometry/name.h"
 #include "geometry/plane/check/openings.h"
 #include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {
 namespace {
@@ -35,8 +36,7 @@ constexpr std::uint32_t kNoOpening = 0xffffffff;
 OpenFronts fronts_by_opening(const PreparedScene2& prepared, const ExchangeMatrix& matrix, const Openings2& openings) {
   const Arrangement2& arrangement = prepared.arrangement;
   std::vector<std::uint32_t> opening(prepared.scene.surfaces.size(), kNoOpening);
-  for (std::size_t k = 0; k < arrangement.side_count(); ++k) {
-    const auto side = static_cast<PieceSideId>(k);
+  for (const PieceSideId side : arrangement.sides()) {
     if (arrangement.is_covered(side)) continue;
     const FacePart& owner = arrangement.owner(side);
     if (const auto found = openings.behind(side); found && !owner.is_back)

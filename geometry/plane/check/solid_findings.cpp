@@ -62,7 +62,7 @@ Findings solid_findings(const Scene2& scene, const FaceCover2& cover) {
     const Surface& surface = scene.surfaces[s];
     if (cover.holder[surface.group] != Solids2::kNone) continue;
     for (const bool is_back : {false, true}) {
-      const std::uint32_t face = 2 * s + (is_back ? 1 : 0);
+      const std::uint32_t face = Face{s, is_back}.number();
       if ((is_back && !surface.back) || cover.has_area[face] != 0 || cover.covered_by[face] == Solids2::kNone) continue;
       const bool is_lost = emits(scene, is_back ? *surface.back : surface.material);
       findings.push_back(

@@ -21,14 +21,12 @@ Regions united(const Regions& a, const Regions& b) {
 }
 
 // The faces with a material that look into some regions.
-std::vector<std::uint32_t> faces_around(const PreparedScene2& prepared, const FreeRegions2& regions,
-                                        const Regions& some) {
-  std::vector<std::uint32_t> faces;
+std::vector<Face> faces_around(const PreparedScene2& prepared, const FreeRegions2& regions, const Regions& some) {
+  std::vector<Face> faces;
   for (const std::uint32_t region : some)
     for (const PieceSideId side : regions.sides(region)) {
-      const FacePart& owner = prepared.arrangement.owner(side);
-      if (!owner.is_back || prepared.scene.surfaces[owner.surface].back)
-        faces.push_back(2 * owner.surface + (owner.is_back ? 1 : 0));
+      const Face face = prepared.arrangement.owner(side);
+      if (!face.is_back || prepared.scene.surfaces[face.surface].back) faces.push_back(face);
     }
   return faces;
 }
@@ -57,8 +55,8 @@ void state_solids(Repair2& repair, const std::vector<std::uint32_t>& black_backs
     }
     if (std::includes(solid.begin(), solid.end(), remedy->free_regions.begin(), remedy->free_regions.end())) continue;
     Regions together = united(solid, remedy->free_regions);
-    const std::vector<std::uint32_t> faces = faces_around(prepared, regions, remedy->free_regions);
-    if (std::any_of(faces.begin(), faces.end(), [&](std::uint32_t face) { return remedies.is_within(face, together); }))
+    const std::vector<Face> faces = faces_around(prepared, regions, remedy->free_regions);
+    if (std::any_of(faces.begin(), faces.end(), [&](const Face& face) { return remedies.is_within(face, together); }))
       continue;
     solid = std::move(together);
     const std::uint32_t group = scene.surfaces[s].group;

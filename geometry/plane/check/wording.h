@@ -32,9 +32,4 @@ inline ExactPoint2 to_exact(const Point2& p) { return {p.x, p.y}; }
 inline Point2 middle(const Point2& a, const Point2& b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
 inline Point2 middle(const Edge2& edge) { return middle(edge.from, edge.to); }
 
-inline Rational squared_distance(const Point2& a, const Point2& b) {
-  const Rational dx = b.x - a.x, dy = b.y - a.y;
-  return dx * dx + dy * dy;
-}
-
 }  // namespace hottel

@@ -52,10 +52,10 @@ std::vector<RootSum> exact_areas(const PreparedScene2& prepared, Granularity gra
   return areas;
 }
 
-ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<FaceName>& a,
-                      const std::optional<FaceName>& b) {
+ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<Face>& a,
+                      const std::optional<Face>& b) {
   const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
-  const auto label_of = [&](const std::optional<FaceName>& face) {
+  const auto label_of = [&](const std::optional<Face>& face) {
     if (!face) return table.sky();
     const auto& elements = table.elements();
     return static_cast<std::uint32_t>(

@@ -1,6 +1,5 @@
 #include "geometry/plane/exchange/convex_sums.h"
 
-#include <limits>
 #include <utility>
 
 #include "kernel/support/failure.h"
@@ -20,28 +19,28 @@ class Outline {
   Outline(const Arrangement2& arrangement, const ElementTable2& table)
       : vertices_(arrangement.vertices()), sides_of_(table.count()) {
     const std::vector<Segment2>& pieces = arrangement.pieces();
-    constexpr VertexId kNone = std::numeric_limits<VertexId>::max();
-    std::vector<VertexId> next(vertices_.size(), kNone);
+    std::vector<VertexId> next_of(vertices_.size(), VertexId::none());
+    const auto next = [&next_of](VertexId v) -> VertexId& { return next_of[v.index()]; };
     std::vector<std::uint32_t> label_from(vertices_.size());
-    for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-      const std::uint32_t label = table.of(static_cast<PieceSideId>(side));
+    for (const PieceSideId side : arrangement.sides()) {
+      const std::uint32_t label = table.of(side);
       if (!table.has_row(label)) continue;
-      const auto [a, b] = side % 2 == 1 ? pieces[side / 2] : Segment2{pieces[side / 2].b, pieces[side / 2].a};
-      HOTTEL_REQUIRE(next[a] == kNone);
-      next[a] = b;
-      label_from[a] = label;
+      const auto [a, b] = arrangement.turned_piece(side);
+      HOTTEL_REQUIRE(next(a).is_none());
+      next(a) = b;
+      label_from[a.index()] = label;
     }
-    const auto ends_at_corner = [&](VertexId a) { return vertices_.orientation(a, next[a], next[next[a]]) != 0; };
+    const auto ends_at_corner = [&](VertexId a) { return vertices_.orientation(a, next(a), next(next(a))) != 0; };
     VertexId a = pieces.front().a;
-    while (!ends_at_corner(a)) a = next[a];
+    while (!ends_at_corner(a)) a = next(a);
     Length at{0, 0};
     std::uint32_t wall = 0;
     for (std::uint32_t k = 0; k < pieces.size(); ++k) {
-      a = next[a];
-      const FixedLength length = vertices_.distance(a, next[a]);
+      a = next(a);
+      const FixedLength length = vertices_.distance(a, next(a));
       vertex_.push_back(a);
       wall_.push_back(wall);
-      sides_of_[label_from[a]].push_back(k);
+      sides_of_[label_from[a.index()]].push_back(k);
       at_.push_back(at);
       at = {at.value + length.value, at.inexact + !length.is_exact};
       wall += ends_at_corner(a);

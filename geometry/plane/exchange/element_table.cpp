@@ -4,12 +4,6 @@
 #include <limits>
 
 namespace hottel {
-namespace {
-
-constexpr VertexId kNoVertex = std::numeric_limits<VertexId>::max();
-
-}  // namespace
-
 ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangement, const Division& division,
                              Granularity granularity) {
   // First label of each front and back.
@@ -43,12 +37,12 @@ ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangemen
 
   are_straight_ = granularity != Granularity::kGroup;
   of_side_.assign(arrangement.side_count() + 1, covered());
-  of_side_[0] = sky();
-  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-    if (arrangement.is_covered(static_cast<PieceSideId>(side))) continue;
-    const FacePart& owner = arrangement.owner(static_cast<PieceSideId>(side));
+  of_side_[place_after_sky(kSky)] = sky();
+  for (const PieceSideId side : arrangement.sides()) {
+    if (arrangement.is_covered(side)) continue;
+    const FacePart& owner = arrangement.owner(side);
     const std::uint32_t label = first[owner.is_back][owner.surface];
-    of_side_[side + 1] = label + (elements_[label].parts > 1 ? owner.part : 0);
+    of_side_[place_after_sky(side)] = label + (elements_[label].parts > 1 ? owner.part : 0);
   }
   measure(arrangement);
 }
@@ -61,8 +55,8 @@ ElementTable2 ElementTable2::restricted_to(std::uint32_t i, std::uint32_t j, con
   if (j != i) result.elements_.push_back(elements_[j]);
   result.of_side_.push_back(result.sky());
   for (const std::uint32_t piece : pieces)
-    for (const std::uint32_t side : {2 * piece, 2 * piece + 1}) {
-      const std::uint32_t label = of(static_cast<PieceSideId>(side));
+    for (const PieceSideId side : sides_of(piece)) {
+      const std::uint32_t label = of(side);
       result.of_side_.push_back(label == i ? 0 : label == j ? 1 : result.covered());
     }
   result.measure(arrangement_of_pieces);
@@ -72,11 +66,11 @@ ElementTable2 ElementTable2::restricted_to(std::uint32_t i, std::uint32_t j, con
 void ElementTable2::measure(const Arrangement2& arrangement) {
   const Vertices2& vertices = arrangement.vertices();
   length_.assign(elements_.size(), {});
-  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-    if (of_side_[side + 1] >= count()) continue;
-    const Segment2& piece = arrangement.pieces()[side / 2];
+  for (const PieceSideId side : arrangement.sides()) {
+    if (of(side) >= count()) continue;
+    const Segment2& piece = arrangement.piece(side);
     const FixedLength length = vertices.distance(piece.a, piece.b);
-    FixedSum& sum = length_[of_side_[side + 1]];
+    FixedSum& sum = length_[of(side)];
     sum.value += length.value;
     if (!length.is_exact) sum.error += vertices.length_error();
   }
@@ -97,20 +91,17 @@ void ElementTable2::measure(const Arrangement2& arrangement) {
 void ElementTable2::find_runs(const Arrangement2& arrangement) {
   // Sides by label, each run with its front on the right.
   std::vector<std::size_t> begin(elements_.size() + 1, 0);
-  const auto is_covered = [this](std::size_t side) { return of_side_[side + 1] >= count(); };
-  for (std::size_t side = 0; side < arrangement.side_count(); ++side)
-    if (!is_covered(side)) ++begin[of_side_[side + 1] + 1];
+  const auto is_covered = [this](PieceSideId side) { return of(side) >= count(); };
+  for (const PieceSideId side : arrangement.sides())
+    if (!is_covered(side)) ++begin[of(side) + 1];
   for (std::size_t label = 0; label < elements_.size(); ++label) begin[label + 1] += begin[label];
   std::vector<Segment2> directed(begin.back());
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-    if (is_covered(side)) continue;
-    const Segment2& piece = arrangement.pieces()[side / 2];
-    directed[next[of_side_[side + 1]]++] = side % 2 == 1 ? piece : Segment2{piece.b, piece.a};
-  }
+  for (const PieceSideId side : arrangement.sides())
+    if (!is_covered(side)) directed[next[of(side)]++] = arrangement.turned_piece(side);
   const Vertices2& vertices = arrangement.vertices();
   runs_begin_.push_back(0);
-  end_.assign(2 * elements_.size(), kNoVertex);
+  end_.assign(2 * elements_.size(), VertexId::none());
   for (std::size_t label = 0; label < elements_.size(); ++label) {
     const auto from = directed.begin() + static_cast<std::ptrdiff_t>(begin[label]);
     const auto to = directed.begin() + static_cast<std::ptrdiff_t>(begin[label + 1]);

@@ -24,7 +24,7 @@ class ElementTable2 {
   std::uint32_t covered() const { return count() + 1; }
   const std::vector<Element>& elements() const { return elements_; }
 
-  std::uint32_t of(PieceSideId side) const { return of_side_[static_cast<std::size_t>(side + 1)]; }
+  std::uint32_t of(PieceSideId side) const { return of_side_[place_after_sky(side)]; }
   bool has_row(std::uint32_t label) const { return has_row_[label] != 0; }
 
   // The labels i and j alone (0, and 1 where j is another), on the arrangement of some pieces (ascending numbers) of
@@ -49,7 +49,7 @@ class ElementTable2 {
   void find_runs(const Arrangement2& arrangement);
 
   std::vector<Element> elements_;
-  std::vector<std::uint32_t> of_side_;  // by PieceSideId + 1; the sky first
+  std::vector<std::uint32_t> of_side_;  // by place_after_sky
   std::vector<char> has_row_;           // two more than elements: the sky and what is covered have none
   bool are_straight_ = true;
   std::vector<Segment2> runs_;

@@ -78,31 +78,27 @@ class Corridor {
 std::vector<VertexId> vertices_between(const Arrangement2& arrangement, const ElementTable2& table,
                                        const std::vector<ElementPair>& pairs) {
   const Vertices2& vertices = arrangement.vertices();
-  const auto n = static_cast<VertexId>(vertices.size());
+  const std::size_t n = vertices.size();
   std::vector<VertexId> result;
   const bool everywhere =
       static_cast<double>(n) * static_cast<double>(pairs.size()) > 2e8 ||
       std::any_of(pairs.begin(), pairs.end(), [&](const ElementPair& pair) {
         return pair.second == table.sky() || table.runs(pair.first).empty() || table.runs(pair.second).empty();
       });
-  if (everywhere) {
-    result.resize(n);
-    std::iota(result.begin(), result.end(), 0u);
-    return result;
-  }
+  if (everywhere) return {vertices.ids().begin(), vertices.ids().end()};
   std::vector<Corridor> corridors;
   for (const ElementPair& pair : pairs) corridors.emplace_back(vertices, table, pair);
   std::vector<char> is_between(n, 0);
   parallel_for(n, [&](std::size_t k) {
-    const auto v = static_cast<VertexId>(k);
+    const auto v = VertexId(k);
     for (const Corridor& corridor : corridors)
       if (corridor.contains(vertices.approximate(v))) {
-        is_between[v] = 1;
+        is_between[k] = 1;
         break;
       }
   });
-  for (VertexId v = 0; v < n; ++v)
-    if (is_between[v]) result.push_back(v);
+  for (const VertexId v : vertices.ids())
+    if (is_between[v.index()]) result.push_back(v);
   return result;
 }
 

@@ -72,7 +72,7 @@ std::uint64_t estimated_pairs(const Arrangement2& arrangement, const ElementTabl
   std::uint64_t terms = 0;
   View2 view;
   for (std::uint64_t k = 0; k < sample; ++k) {
-    const auto v = static_cast<VertexId>(sample == n ? k : random() % n);
+    const auto v = VertexId(sample == n ? k : random() % n);
     look_around(arrangement.vertices(), arrangement.triangulation(), v, view);
     // Every gap is met from both its ends: half of it belongs to this one.
     for_each_gap(arrangement.vertices(), v, view, false, [&](const Gap2& gap) {

@@ -69,7 +69,7 @@ std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t label
     parallel_for(kRuns, [&](std::size_t run) {
       TermBuffer<Term>& out = buffers.take(run);
       for (std::size_t v = begin + run * size / kRuns; v != begin + (run + 1) * size / kRuns; ++v)
-        sweep(static_cast<VertexId>(v), out);
+        sweep(VertexId(v), out);
       buffers.give_back(out);
     });
     std::size_t in_flight = 0;

@@ -15,7 +15,7 @@ struct Strings {
   std::array<String, 4> strings;
   int count = 0;
   bool crosses = false;
-  VertexId p = 0, q = 0;
+  VertexId p{0}, q{0};
 
   void add(VertexId u, VertexId v, int sign) { strings[static_cast<std::size_t>(count++)] = {u, v, sign}; }
 };

@@ -31,7 +31,7 @@ int EyeLine2::exact_side(VertexId v) const {
   };
   const auto p = fraction(*from_), q = fraction(*to_);
   if (p && q && is_small(p->x) && is_small(p->y) && is_small(q->x) && is_small(q->y)) {
-    const Vertices2::Small& r = from_->vertices_->small_[v];
+    const Vertices2::Small& r = from_->vertices_->small_[v.index()];
     const Int128 factors[] = {q->x * p->denominator, p->x * q->denominator, q->y * p->denominator,
                               p->y * q->denominator, r.x * p->denominator,  r.y * p->denominator};
     bool all_are_small = true;

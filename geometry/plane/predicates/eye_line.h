@@ -23,7 +23,7 @@ class EyeLine2 {
   // Where vertex v lies: +1 left of the line, -1 right of it, 0 on it; exactly.
   // COST: about 2 ns when the filter decides; about 20 ns when 128 bits do; else about 1 µs.
   int side(VertexId v) const {
-    const Vertices2::Approximate& p = approximate_[v];
+    const Vertices2::Approximate& p = approximate_[v.index()];
     const double bx = p.x - x_, by = p.y - y_;
     const double left = dx_ * by, right = dy_ * bx, determinant = left - right;
     const double bound = Vertices2::kOrientationError * (std::fabs(left) + std::fabs(right)) +

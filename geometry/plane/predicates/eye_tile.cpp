@@ -56,7 +56,7 @@ EyeTile2::Group EyeTile2::group(Set eyes) const {
 
 // Seen from (x + u, y + v) the determinant is larger by v dx - u dy than from (x, y).
 EyeTile2::Set EyeTile2::seeing_left_turn_each(const Group& group, VertexId j, VertexId k) const {
-  const Vertices2::Approximate &q = approximate_[j], &r = approximate_[k];
+  const Vertices2::Approximate &q = approximate_[j.index()], &r = approximate_[k.index()];
   const double ax = q.x - group.x, ay = q.y - group.y, bx = r.x - group.x, by = r.y - group.y;
   const double left = ax * by, right = ay * bx, determinant = left - right, dx = bx - ax, dy = by - ay;
   // Of the determinant, and of dx and dy as far as it matters in the box.

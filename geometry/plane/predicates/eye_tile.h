@@ -36,7 +36,7 @@ class EyeTile2 {
   // The eyes of the group whose orientation(j, k) is positive; exactly.
   // COST: about 3 ns where the line through j and k passes by the box, else about as much again for each eye.
   Set seeing_left_turn(const Group& group, VertexId j, VertexId k) const {
-    const Vertices2::Approximate &q = approximate_[j], &r = approximate_[k];
+    const Vertices2::Approximate &q = approximate_[j.index()], &r = approximate_[k.index()];
     const double ax = q.x - group.x, ay = q.y - group.y, bx = r.x - group.x, by = r.y - group.y;
     const double determinant = ax * by - ay * bx;
     const double bound = error_anywhere_ + group.radius_x * std::fabs(by - ay) + group.radius_y * std::fabs(bx - ax);

@@ -152,20 +152,20 @@ void Vertices2::set_total_length(double diameters) {
 
 int Vertices2::exact_orientation(VertexId i, VertexId j, VertexId k) const {
   if (is_small()) {
-    const Small &p = small_[i], &q = small_[j], &r = small_[k];
+    const Small &p = small_[i.index()], &q = small_[j.index()], &r = small_[k.index()];
     return sign_of(static_cast<Int128>(q.x - p.x) * (r.y - p.y) - static_cast<Int128>(q.y - p.y) * (r.x - p.x));
   }
-  const ExactPoint2 &p = large_[i], &q = large_[j], &r = large_[k];
+  const ExactPoint2 &p = large_[i.index()], &q = large_[j.index()], &r = large_[k.index()];
   const Rational left = (q.x - p.x) * (r.y - p.y), right = (q.y - p.y) * (r.x - p.x);
   return sign_of(cmp(left, right));
 }
 
 int Vertices2::direction_sign(VertexId i, VertexId j, VertexId k) const {
   if (is_small()) {
-    const Small &p = small_[i], &q = small_[j], &r = small_[k];
+    const Small &p = small_[i.index()], &q = small_[j.index()], &r = small_[k.index()];
     return sign_of(static_cast<Int128>(q.x - p.x) * (r.x - p.x) + static_cast<Int128>(q.y - p.y) * (r.y - p.y));
   }
-  const ExactPoint2 &p = large_[i], &q = large_[j], &r = large_[k];
+  const ExactPoint2 &p = large_[i.index()], &q = large_[j.index()], &r = large_[k.index()];
   const Rational product = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
   return sgn(product);
 }
@@ -180,7 +180,7 @@ FixedLength Vertices2::distance(VertexId i, VertexId j) const {
 // comes from a double and one exact correction; with R = N - S² the root is S + R / (2 S) up to 2^-65. That fraction is
 // divided out to 62 bits in two steps of doubles.
 FixedLength Vertices2::small_distance(VertexId i, VertexId j) const {
-  const std::int64_t dx = small_[j].x - small_[i].x, dy = small_[j].y - small_[i].y;
+  const std::int64_t dx = small_[j.index()].x - small_[i.index()].x, dy = small_[j.index()].y - small_[i.index()].y;
   const UInt128 squared =
       static_cast<UInt128>(static_cast<Int128>(dx) * dx) + static_cast<UInt128>(static_cast<Int128>(dy) * dy);
   if (squared == 0) return {0, true};
@@ -216,8 +216,10 @@ FixedLength Vertices2::large_distance(VertexId i, VertexId j) const {
     two_sum(s, e, hi, lo);
     return DoubleDouble{hi, lo + f};
   };
-  const DoubleDouble dx = difference(approximate_[i].x, low_[i].x, approximate_[j].x, low_[j].x);
-  const DoubleDouble dy = difference(approximate_[i].y, low_[i].y, approximate_[j].y, low_[j].y);
+  const DoubleDouble dx =
+      difference(approximate_[i.index()].x, low_[i.index()].x, approximate_[j.index()].x, low_[j.index()].x);
+  const DoubleDouble dy =
+      difference(approximate_[i.index()].y, low_[i.index()].y, approximate_[j.index()].y, low_[j.index()].y);
   double xx, xe, yy, ye, s, e;
   two_product(dx.hi, dx.hi, xx, xe);
   xe += 2 * dx.hi * dx.lo;
@@ -234,10 +236,10 @@ FixedLength Vertices2::large_distance(VertexId i, VertexId j) const {
 }
 
 int Vertices2::side_of_circle(VertexId i, VertexId j, VertexId k, VertexId l) const {
-  const Approximate& d = approximate_[l];
-  const double ax = approximate_[i].x - d.x, ay = approximate_[i].y - d.y;
-  const double bx = approximate_[j].x - d.x, by = approximate_[j].y - d.y;
-  const double cx = approximate_[k].x - d.x, cy = approximate_[k].y - d.y;
+  const Approximate& d = approximate_[l.index()];
+  const double ax = approximate_[i.index()].x - d.x, ay = approximate_[i.index()].y - d.y;
+  const double bx = approximate_[j.index()].x - d.x, by = approximate_[j.index()].y - d.y;
+  const double cx = approximate_[k.index()].x - d.x, cy = approximate_[k.index()].y - d.y;
   const double a = ax * ax + ay * ay, b = bx * bx + by * by, c = cx * cx + cy * cy;
   const double determinant = a * (bx * cy - cx * by) + b * (cx * ay - ax * cy) + c * (ax * by - bx * ay);
   const double permanent = a * (std::fabs(bx * cy) + std::fabs(cx * by)) +
@@ -252,8 +254,8 @@ int Vertices2::side_of_circle(VertexId i, VertexId j, VertexId k, VertexId l) co
   if (determinant > bound) return 1;
   if (determinant < -bound) return -1;
   if (is_small() && largest < 0x1p28) {
-    const auto dx = [&](VertexId v) { return small_[v].x - small_[l].x; };
-    const auto dy = [&](VertexId v) { return small_[v].y - small_[l].y; };
+    const auto dx = [&](VertexId v) { return small_[v.index()].x - small_[l.index()].x; };
+    const auto dy = [&](VertexId v) { return small_[v.index()].y - small_[l.index()].y; };
     const std::int64_t pax = dx(i), pay = dy(i), pbx = dx(j), pby = dy(j), pcx = dx(k), pcy = dy(k);
     return sign_of(static_cast<Int128>(pax * pax + pay * pay) * (pbx * pcy - pcx * pby) +
                    static_cast<Int128>(pbx * pbx + pby * pby) * (pcx * pay - pax * pcy) +
@@ -268,11 +270,13 @@ int Vertices2::side_of_circle(VertexId i, VertexId j, VertexId k, VertexId l) co
 }
 
 int Vertices2::compare_x(VertexId i, VertexId j) const {
-  return is_small() ? sign_of(small_[i].x - small_[j].x) : sign_of(cmp(large_[i].x, large_[j].x));
+  return is_small() ? sign_of(small_[i.index()].x - small_[j.index()].x)
+                    : sign_of(cmp(large_[i.index()].x, large_[j.index()].x));
 }
 
 int Vertices2::compare_y(VertexId i, VertexId j) const {
-  return is_small() ? sign_of(small_[i].y - small_[j].y) : sign_of(cmp(large_[i].y, large_[j].y));
+  return is_small() ? sign_of(small_[i.index()].y - small_[j.index()].y)
+                    : sign_of(cmp(large_[i.index()].y, large_[j.index()].y));
 }
 
 bool Vertices2::precedes(VertexId i, VertexId j) const {
@@ -281,8 +285,9 @@ bool Vertices2::precedes(VertexId i, VertexId j) const {
 }
 
 ExactPoint2 Vertices2::exact(VertexId i) const {
-  if (!is_small()) return large_[i];
-  return {Rational(Integer(static_cast<long>(small_[i].x))), Rational(Integer(static_cast<long>(small_[i].y)))};
+  if (!is_small()) return large_[i.index()];
+  return {Rational(Integer(static_cast<long>(small_[i.index()].x))),
+          Rational(Integer(static_cast<long>(small_[i.index()].y)))};
 }
 
 Rational Vertices2::squared_distance(VertexId i, VertexId j) const {
@@ -329,7 +334,7 @@ Eye2::Eye2(const Vertices2& vertices, std::shared_ptr<const std::pair<EyeCoordin
 int Eye2::exact_orientation(VertexId j, VertexId k) const {
   const EyeCoordinate2 &x = *exact_x_, &y = *exact_y_;
   if (x.denominator_ != 0 && y.denominator_ != 0) {
-    const auto &q = vertices_->small_[j], &r = vertices_->small_[k];
+    const auto &q = vertices_->small_[j.index()], &r = vertices_->small_[k.index()];
     return sign_of(static_cast<Int128>(q.x * x.denominator_ - x.numerator_) * (r.y * y.denominator_ - y.numerator_) -
                    static_cast<Int128>(q.y * y.denominator_ - y.numerator_) * (r.x * x.denominator_ - x.numerator_));
   }

@@ -10,10 +10,11 @@
 #include "kernel/int128.h"
 #include "kernel/rational.h"
 #include "kernel/rounding.h"
+#include "kernel/support/id.h"
 
 namespace hottel {
 
-using VertexId = std::uint32_t;
+using VertexId = Id<struct VertexTag>;
 
 struct ExactPoint2 {
   Rational x, y;
@@ -43,11 +44,12 @@ class Vertices2 {
   Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed);
 
   std::size_t size() const { return approximate_.size(); }
+  IdRange<VertexId> ids() const { return IdRange<VertexId>(size()); }
   bool is_small() const { return !small_.empty() || size() == 0; }
 
   // Sign of the area of the triangle i j k: +1 counter-clockwise, -1 clockwise, 0 collinear.
   int orientation(VertexId i, VertexId j, VertexId k) const {
-    const Approximate &p = approximate_[i], &q = approximate_[j], &r = approximate_[k];
+    const Approximate &p = approximate_[i.index()], &q = approximate_[j.index()], &r = approximate_[k.index()];
     const double ax = q.x - p.x, ay = q.y - p.y, bx = r.x - p.x, by = r.y - p.y;
     const double left = ax * by, right = ay * bx, determinant = left - right;
     const double bound =
@@ -88,7 +90,7 @@ class Vertices2 {
   struct Approximate {
     double x, y;
   };
-  const Approximate& approximate(VertexId i) const { return approximate_[i]; }
+  const Approximate& approximate(VertexId i) const { return approximate_[i.index()]; }
   double approximation_error() const { return input_error_; }
 
   // Every coordinate in integer form is below 2^exponent() in absolute value.
@@ -165,7 +167,7 @@ class Eye2 {
         error_(x.error_ > y.error_ ? x.error_ : y.error_) {}
 
   int orientation(VertexId j, VertexId k) const {
-    const auto &q = vertices_->approximate_[j], &r = vertices_->approximate_[k];
+    const auto &q = vertices_->approximate_[j.index()], &r = vertices_->approximate_[k.index()];
     const double ax = q.x - x_, ay = q.y - y_, bx = r.x - x_, by = r.y - y_;
     const double left = ax * by, right = ay * bx, determinant = left - right;
     const double bound = Vertices2::kOrientationError * (std::fabs(left) + std::fabs(right)) +

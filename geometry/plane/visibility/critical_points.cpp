@@ -10,7 +10,7 @@ namespace {
 
 class Collector {
  public:
-  Collector(const Arrangement2& arrangement, const Scene2& scene, const FaceSide2& a, const FaceSide2& b)
+  Collector(const Arrangement2& arrangement, const Scene2& scene, const Face& a, const std::optional<Face>& b)
       : arrangement_(arrangement), a_(a), b_(b) {
     const Vertices2& vertices = arrangement.vertices();
     const auto& [from, to] = scene.edges[a.surface];
@@ -33,10 +33,9 @@ class Collector {
   }
 
  private:
-  bool is(PieceSideId side, const FaceSide2& face) const {
-    if (face.is_sky) return side == kSky;
-    return side != kSky && !arrangement_.is_covered(side) && arrangement_.owner(side).surface == face.surface &&
-           arrangement_.owner(side).is_back == face.is_back;
+  bool is(PieceSideId side, const std::optional<Face>& face) const {
+    if (!face || side == kSky) return !face && side == kSky;
+    return !arrangement_.is_covered(side) && arrangement_.owner(side) == *face;
   }
 
   // The line runs from face a past vertex near, then past vertex far.
@@ -60,19 +59,20 @@ class Collector {
   }
 
   const Arrangement2& arrangement_;
-  const FaceSide2 a_, b_;
+  const Face a_;
+  const std::optional<Face> b_;
   ExactPoint2 from_, to_;  // of surface a, in integer form
   std::vector<CriticalPoint2> found_;
 };
 
 }  // namespace
 
-std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, const Scene2& scene, const FaceSide2& a,
-                                            const FaceSide2& b) {
+std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, const Scene2& scene, const Face& a,
+                                            const std::optional<Face>& b) {
   Collector collector(arrangement, scene, a, b);
   View2 view;
   const Vertices2& vertices = arrangement.vertices();
-  for (VertexId v = 0; v < vertices.size(); ++v) {
+  for (const VertexId v : vertices.ids()) {
     look_around(vertices, arrangement.triangulation(), v, view);
     for_each_gap(vertices, v, view, true, [&](const Gap2& gap) { collector.look_along(gap); });
   }

@@ -1,8 +1,10 @@
 // Where, along a face, the view of another face changes its combinatorics.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "geometry/face.h"
 #include "geometry/plane/arrangement/arrangement.h"
 
 namespace hottel {
@@ -16,16 +18,9 @@ struct CriticalPoint2 {
   bool is_jump = false;   // D0: something touches the face here; otherwise D1, a kink
 };
 
-// A side of a surface, or the sky.
-struct FaceSide2 {
-  std::uint32_t surface = 0;
-  bool is_back = false;
-  bool is_sky = false;
-};
-
-// Returns the critical points of face a with respect to b, another face or the sky, by ascending t; several lines may
-// pass through one point. COST: one sweep about every vertex.
-std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, const Scene2& scene, const FaceSide2& a,
-                                            const FaceSide2& b);
+// Returns the critical points of face a with respect to b, another face or the sky (no face), by ascending t; several
+// lines may pass through one point. COST: one sweep about every vertex.
+std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, const Scene2& scene, const Face& a,
+                                            const std::optional<Face>& b);
 
 }  // namespace hottel

@@ -47,25 +47,24 @@ class RayLine {
 
 }  // namespace
 
-FirstHit2::FirstHit2(const Arrangement2& arrangement) : arrangement_(arrangement), gate_(arrangement.side_count(), -1) {
+FirstHit2::FirstHit2(const Arrangement2& arrangement)
+    : arrangement_(arrangement), gate_(arrangement.side_count(), HalfEdgeId::none()) {
   const Triangulation2& triangulation = arrangement.triangulation();
-  const auto half_edges = static_cast<HalfEdgeId>(3 * triangulation.triangle_count());
-  for (HalfEdgeId h = 0; h < half_edges; ++h)
-    if (triangulation.twin(h) < 0 && triangulation.side(h) != kSky)
-      gate_[static_cast<std::size_t>(triangulation.side(h))] = h;
+  for (const HalfEdgeId h : triangulation.half_edges())
+    if (triangulation.is_piece(h)) gate_[triangulation.side(h).index()] = h;
 }
 
 PieceSideId FirstHit2::operator()(const PieceRay2& ray) const {
   const Triangulation2& triangulation = arrangement_.triangulation();
-  const RayLine line(arrangement_.vertices(), arrangement_.pieces()[static_cast<std::size_t>(ray.from / 2)], ray);
-  HalfEdgeId entry = gate_[static_cast<std::size_t>(ray.from)];
+  const RayLine line(arrangement_.vertices(), arrangement_.piece(ray.from), ray);
+  HalfEdgeId entry = gate_[ray.from.index()];
   PieceSideId met = kSky;
-  while (entry >= 0) {
+  while (!entry.is_none()) {
     // Seen along the ray the entry's origin is on the left, its target on the right.
     const HalfEdgeId exit =
         line.side(triangulation.corner(entry)) > 0 ? next_half_edge(entry) : previous_half_edge(entry);
     entry = triangulation.twin(exit);
-    if (entry < 0) met = triangulation.side(exit);
+    if (entry.is_none()) met = triangulation.side(exit);
   }
   return met;
 }

@@ -11,7 +11,7 @@ namespace hottel {
 // the scene's axes. It is exactly the ray that these doubles say.
 // REQUIRES 0 < s < 1, and a direction that points away from that side.
 struct PieceRay2 {
-  PieceSideId from = 0;
+  PieceSideId from{0};
   double s = 0.5;
   double dx = 0, dy = 0;
 };
@@ -31,7 +31,7 @@ class FirstHit2 {
 
  private:
   const Arrangement2& arrangement_;
-  std::vector<HalfEdgeId> gate_;  // by side: the half-edge on it, in the triangle before it; -1 on the hull
+  std::vector<HalfEdgeId> gate_;  // by side: the half-edge on it, in the triangle before it; none on the hull
 };
 
 }  // namespace hottel

@@ -12,8 +12,9 @@ namespace hottel {
 struct Location2 {
   enum class Kind { kInTriangle, kOnEdge, kOnVertex, kOutside };
   Kind kind = Kind::kOutside;
-  HalfEdgeId half_edge = -1;  // of the triangle (the first of three), or the edge the point lies on (the lower of two)
-  VertexId vertex = 0;        // kOnVertex
+  HalfEdgeId half_edge =
+      HalfEdgeId::none();  // of the triangle (the first of three), or the edge the point lies on (the lower of two)
+  VertexId vertex{0};      // kOnVertex
 };
 
 // Finds points by walking through triangles from one near by.
@@ -27,15 +28,15 @@ class PointLocation2 {
   PointLocation2(const Vertices2& vertices, const Triangulation2& triangulation);
 
   Location2 locate(const Eye2& eye) const;
-  // near: where the walk begins, a triangle of another location; changed to where it ends. -1: nowhere yet.
-  Location2 locate(const Eye2& eye, HalfEdgeId& near) const;
+  // near: where the walk begins, a triangle near by; changed to where it ends. None: nowhere yet.
+  Location2 locate(const Eye2& eye, TriangleId& near) const;
 
   const Triangulation2& triangulation() const { return triangulation_; }
 
   // Fills the view from the eye; from a point on an edge or vertex both sides are seen, the edges at it edge-on.
   // Returns where the eye is.
   Location2 look_around(const Eye2& eye, View2& view) const;
-  Location2 look_around(const Eye2& eye, View2& view, HalfEdgeId& near) const;
+  Location2 look_around(const Eye2& eye, View2& view, TriangleId& near) const;
 
  private:
   void look_around_outside(const Eye2& eye, View2& view) const;
@@ -43,7 +44,7 @@ class PointLocation2 {
 
   const Vertices2& vertices_;
   const Triangulation2& triangulation_;
-  std::vector<HalfEdgeId> start_;  // by grid cell: some triangle near it
+  std::vector<TriangleId> start_;  // by grid cell: some triangle near it
   std::vector<HalfEdgeId> hull_;   // half-edges on the hull, counter-clockwise
   double x0_ = 0, y0_ = 0, cells_per_length_ = 0;
   int cells_ = 1;

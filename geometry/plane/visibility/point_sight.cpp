@@ -54,7 +54,7 @@ ExactPoint2 point_on(const Edge2& edge, const Rational& t) {
   return {point.x, point.y};
 }
 
-std::vector<FaceFactor2> point_factors_by_face(const PreparedScene2& prepared, const FaceName& face,
+std::vector<FaceFactor2> point_factors_by_face(const PreparedScene2& prepared, const Face& face,
                                                const Rational& t) {
   const Arrangement2& arrangement = prepared.arrangement;
   const Edge2& edge = prepared.scene.edges[face.surface];

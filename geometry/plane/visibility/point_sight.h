@@ -40,6 +40,6 @@ struct FaceFactor2 {
   std::string to;
   RootSum factor;
 };
-std::vector<FaceFactor2> point_factors_by_face(const PreparedScene2& prepared, const FaceName& face, const Rational& t);
+std::vector<FaceFactor2> point_factors_by_face(const PreparedScene2& prepared, const Face& face, const Rational& t);
 
 }  // namespace hottel

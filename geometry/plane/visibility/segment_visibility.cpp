@@ -45,7 +45,7 @@ RunPoint2::RunPoint2(const Arrangement2& arrangement, const Segment2& run, const
 // The triangle right of from -> to is the one left of to -> from: that after the edge to `from` in the star of `to`.
 void RunPoint2::stand_on(const Triangulation2& triangulation, VertexId from, VertexId to) {
   for (const StarEntry& entry : triangulation.star(to))
-    if (entry.neighbour == from && entry.opposite >= 0) gate_ = previous_half_edge(entry.opposite);
+    if (entry.neighbour == from && !entry.opposite.is_none()) gate_ = previous_half_edge(entry.opposite);
 }
 
 // On which side of a line that was moved a little the vertices lie: what was on it is on the side it was moved from.
@@ -78,11 +78,10 @@ void SegmentVisibility2::look_around(const RunPoint2& p, View2& view) const {
     return;
   }
   view.seen.clear();
-  if (p.gate_ < 0) return;
+  if (p.gate_.is_none()) return;
   const auto orientation = [&p](VertexId j, VertexId k) { return p.eye_.orientation(j, k); };
   for (const HalfEdgeId exit : {next_half_edge(p.gate_), previous_half_edge(p.gate_)}) {
-    const VertexId right = triangulation_.corner(next_half_edge(exit));
-    const VertexId left = triangulation_.corner(previous_half_edge(exit));
+    const VertexId right = triangulation_.origin(exit), left = triangulation_.target(exit);
     view.seen.push_back({right, kSky, kNoPiece, kNoPiece});
     expand_cone_through(triangulation_, exit, right, left, orientation, view);
   }
@@ -108,21 +107,21 @@ bool SegmentVisibility2::is_free(const RunPoint2& p, const RunPoint2& q, Sides& 
     std::size_t k = 0;
     const auto next = [&star](std::size_t i) { return i + 1 == star.size() ? 0 : i + 1; };
     while (k < star.size() &&
-           !(star[k].opposite >= 0 && sides.of(star[k].neighbour) < 0 && sides.of(star[next(k)].neighbour) > 0))
+           !(!star[k].opposite.is_none() && sides.of(star[k].neighbour) < 0 && sides.of(star[next(k)].neighbour) > 0))
       ++k;
     // No triangle: the segment lies on the convex hull and was moved out of it.
     if (k == star.size()) return true;
     if (q.is_vertex_ && (star[k].neighbour == q.vertex_ || star[next(k)].neighbour == q.vertex_)) return true;
     const HalfEdgeId exit = star[k].opposite;
     entry = triangulation_.twin(exit);
-    if (entry < 0) return exit == q.gate_;
+    if (entry.is_none()) return exit == q.gate_;
   }
   for (;;) {
     const VertexId apex = triangulation_.corner(entry);
     if (q.is_vertex_ && apex == q.vertex_) return true;
     const HalfEdgeId exit = sides.of(apex) > 0 ? next_half_edge(entry) : previous_half_edge(entry);
     entry = triangulation_.twin(exit);
-    if (entry < 0) return exit == q.gate_;
+    if (entry.is_none()) return exit == q.gate_;
   }
 }
 

@@ -24,9 +24,9 @@ class RunPoint2 {
 
   Segment2 run_;
   Eye2 eye_;
-  HalfEdgeId gate_ = -1;  // of the piece the point lies inside of, in the triangle before the front
+  HalfEdgeId gate_ = HalfEdgeId::none();  // of the piece the point lies inside of, in the triangle before the front
   bool is_vertex_ = false;
-  VertexId vertex_ = 0;
+  VertexId vertex_{0};
 };
 
 // Segments between points of runs.

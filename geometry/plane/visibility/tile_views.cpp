@@ -40,7 +40,7 @@ void TileViews2::look_around(const PointLocation2& location, const EyeTile2& til
 // Eyes on edges, at vertices and outside look around by themselves.
 void TileViews2::locate(const PointLocation2& location, const EyeTile2& tile) {
   homes_.clear();
-  HalfEdgeId near = -1;
+  TriangleId near = TriangleId::none();
   for (std::size_t row = 0; row < tile.rows(); ++row)
     for (std::size_t column = 0; column < tile.columns(); ++column) {
       const std::size_t k = EyeTile2::kSide * row + column;
@@ -50,7 +50,7 @@ void TileViews2::locate(const PointLocation2& location, const EyeTile2& tile) {
         continue;
       }
       views_[k].seen.clear();
-      const HalfEdgeId triangle = places_[k].half_edge;
+      const TriangleId triangle = triangle_of(places_[k].half_edge);
       const auto home =
           std::find_if(homes_.begin(), homes_.end(), [&](const Home& h) { return h.triangle == triangle; });
       if (home == homes_.end())
@@ -68,12 +68,12 @@ void TileViews2::join_homes(const Triangulation2& triangulation) {
   });
   joined_.assign(1, *largest);
   homes_.erase(largest);
-  const HalfEdgeId first = joined_.front().triangle;
-  borders_.assign({first, first + 1, first + 2});
+  const auto first = half_edges_of(joined_.front().triangle);
+  borders_.assign(first.begin(), first.end());
   for (std::size_t k = 0; k < borders_.size();) {
     const HalfEdgeId entry = triangulation.twin(borders_[k]);
     const auto home = std::find_if(homes_.begin(), homes_.end(),
-                                   [&](const Home& h) { return entry >= 0 && h.triangle == entry - entry % 3; });
+                                   [&](const Home& h) { return !entry.is_none() && h.triangle == triangle_of(entry); });
     if (home == homes_.end()) {
       ++k;
       continue;
@@ -89,11 +89,9 @@ void TileViews2::join_homes(const Triangulation2& triangulation) {
 void TileViews2::leave_homes(const Triangulation2& triangulation, const EyeTile2& tile) {
   crossed_.clear();
   for (const Home& home : joined_)
-    for (int k = 0; k < 3; ++k) {
-      const HalfEdgeId exit = home.triangle + k;
+    for (const HalfEdgeId exit : half_edges_of(home.triangle)) {
       open(exit);
-      add(tile, triangulation.corner(next_half_edge(exit)), triangulation.corner(previous_half_edge(exit)),
-          tile.group(home.eyes));
+      add(tile, triangulation.origin(exit), triangulation.target(exit), tile.group(home.eyes));
       while (!openings_.empty()) {
         const auto [half_edge, first] = openings_.back();
         if (std::find(borders_.begin(), borders_.end(), half_edge) == borders_.end()) {
@@ -112,7 +110,7 @@ void TileViews2::expand(const Triangulation2& triangulation, const EyeTile2& til
   while (!openings_.empty()) {
     const auto [half_edge, first] = openings_.back();
     const HalfEdgeId entry = triangulation.twin(half_edge);
-    if (entry >= 0) {
+    if (!entry.is_none()) {
       enter(triangulation, tile, entry);
       continue;
     }
@@ -174,7 +172,7 @@ void TileViews2::see(const Cone& cone, PieceSideId behind) {
 // Lets each view begin with the corner of its own triangle that an eye alone would begin with.
 void TileViews2::begin_at_home(const Triangulation2& triangulation) {
   for (const Home& home : joined_) {
-    const VertexId corner = triangulation.corner(next_half_edge(home.triangle));
+    const VertexId corner = triangulation.origin(half_edge(home.triangle, 0));
     for_each_eye(home.eyes, [&](std::size_t k) {
       auto& seen = views_[k].seen;
       const auto first = std::find_if(seen.begin(), seen.end(), [&](const auto& s) { return s.vertex == corner; });

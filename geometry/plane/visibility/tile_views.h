@@ -36,9 +36,9 @@ class TileViews2 {
     HalfEdgeId half_edge;
     std::size_t first_cone;
   };
-  // The eyes in a triangle (its first half-edge).
+  // The eyes in a triangle.
   struct Home {
-    HalfEdgeId triangle;
+    TriangleId triangle;
     EyeTile2::Set eyes;
   };
   // A cone that leaves the joined homes through one of their borders.

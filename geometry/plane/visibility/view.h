@@ -24,7 +24,7 @@ struct View2 {
   std::vector<Seen> seen;
 };
 
-// Follows the cone between right and left into the triangle of half-edge `entry`, which it enters through it (-1: the
+// Follows the cone between right and left into the triangle of half-edge `entry`, which it enters through it (none: the
 // cone ends at the piece side or sky `blocked_by`), counter-clockwise; appends the vertices found strictly inside the
 // cone and what is seen between them. The last entry of the view must be the right end.
 // Orientation(j, k) is the sign of the triangle eye, j, k.
@@ -40,7 +40,7 @@ void expand_cone(const Triangulation2& triangulation, HalfEdgeId entry, PieceSid
   const std::size_t bottom = waiting.size();
   for (;;) {
     HalfEdgeId exit;
-    if (entry < 0) {
+    if (entry.is_none()) {
       view.seen.back().behind = blocked_by;
       if (waiting.size() == bottom) return;
       exit = waiting.back().half_edge;
@@ -61,7 +61,7 @@ void expand_cone(const Triangulation2& triangulation, HalfEdgeId entry, PieceSid
       }
     }
     entry = triangulation.twin(exit);
-    if (entry < 0) blocked_by = triangulation.side(exit);
+    if (entry.is_none()) blocked_by = triangulation.side(exit);
   }
 }
 
@@ -81,7 +81,7 @@ void look_around(const Points& points, const Triangulation2& triangulation, Vert
   for (std::size_t k = 0; k < star.size(); ++k) {
     const StarEntry& entry = star[k];
     view.seen.push_back({entry.neighbour, kSky, entry.left, entry.right});
-    if (entry.opposite < 0) continue;
+    if (entry.opposite.is_none()) continue;
     const VertexId next = star[k + 1 == star.size() ? 0 : k + 1].neighbour;
     expand_cone_through(triangulation, entry.opposite, entry.neighbour, next, orientation, view);
   }

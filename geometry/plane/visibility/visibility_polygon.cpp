@@ -63,7 +63,7 @@ VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const Poi
     if (side == kSky) {
       is_bounded = false;
     } else {
-      const Segment2& piece = arrangement.pieces()[static_cast<std::size_t>(side / 2)];
+      const Segment2& piece = arrangement.piece(side);
       const ExactPoint2 a = vertices.exact(piece.a), b = vertices.exact(piece.b);
       if (right != piece.a && right != piece.b) from = ray_meets_piece(at, from, a, b);
       if (left != piece.a && left != piece.b) to = ray_meets_piece(at, to, a, b);

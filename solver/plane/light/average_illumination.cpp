@@ -21,7 +21,7 @@ constexpr std::size_t kVerticesInABlock = 16;
 std::vector<double> largest_radiosities(const Arrangement2& arrangement, const FaceRadiosity2& radiosity) {
   const auto sky = radiosity.of(kSky);
   std::vector<double> largest(sky.begin(), sky.end());
-  for (PieceSideId side = 0; side < static_cast<PieceSideId>(arrangement.side_count()); ++side)
+  for (const PieceSideId side : arrangement.sides())
     for (std::size_t c = 0; c < largest.size(); ++c) largest[c] = std::max(largest[c], radiosity.of(side)[c]);
   return largest;
 }
@@ -38,7 +38,7 @@ double add_all(const Arrangement2& arrangement, const FaceRadiosity2& radiosity,
     const std::size_t end = std::min(vertices, begin + kVerticesInABlock);
     parallel_for(end - begin, [&](std::size_t k) {
       throw_if_interrupted();
-      lighting.find(static_cast<VertexId>(begin + k), of_vertex[k]);
+      lighting.find(VertexId(begin + k), of_vertex[k]);
     });
     parallel_for(bands, [&](std::size_t band) {
       const auto first = static_cast<std::uint32_t>(band * kRowsInABand);

@@ -38,7 +38,7 @@ class CellFrame2 {
   // REQUIRES that the vertices outlive it.
   CellFrame2(const Vertices2& vertices, const Grid2& grid);
 
-  const FinePoint2& vertex(VertexId v) const { return places_[v]; }
+  const FinePoint2& vertex(VertexId v) const { return places_[v.index()]; }
   // A vector of any length from a to b, good to kDirection of its length: near each other or far from the grid, too.
   FinePoint2 direction(VertexId a, VertexId b) const;
   FinePoint2 centre(std::uint32_t ix, std::uint32_t iy) const { return {{ix + 0.5, 0}, rows_[iy]}; }

@@ -30,8 +30,9 @@ FaceRadiosity2::FaceRadiosity2(const Arrangement2& arrangement, const ElementTab
   covered_ = static_cast<std::uint32_t>(known.size());
   of_label.push_back(covered_);
   values_.insert(values_.end(), black.begin(), black.end());
-  for (PieceSideId side = kSky; side < static_cast<PieceSideId>(arrangement.side_count()); ++side)
-    shade_.push_back(of_label[table.of(side)]);
+  shade_.resize(arrangement.side_count() + 1);
+  shade_[place_after_sky(kSky)] = of_label[table.sky()];
+  for (const PieceSideId side : arrangement.sides()) shade_[place_after_sky(side)] = of_label[table.of(side)];
 }
 
 std::vector<double> radiosity_by_element(const RadiositySolution& solution) {

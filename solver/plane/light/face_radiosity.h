@@ -25,8 +25,8 @@ class FaceRadiosity2 {
                  std::span<const double> sky);
 
   std::uint32_t channels() const { return channels_; }
-  bool is_covered(PieceSideId side) const { return shade(side) == covered_; }  // does it look into a solid?
-  std::uint32_t shade(PieceSideId side) const { return shade_[static_cast<std::size_t>(side + 1)]; }  // kSky too
+  bool is_covered(PieceSideId side) const { return shade(side) == covered_; }            // does it look into a solid?
+  std::uint32_t shade(PieceSideId side) const { return shade_[place_after_sky(side)]; }  // kSky too
   std::span<const double> of_shade(std::uint32_t shade) const {
     return {values_.data() + std::size_t{shade} * channels_, channels_};
   }
@@ -34,7 +34,7 @@ class FaceRadiosity2 {
 
  private:
   std::uint32_t channels_, covered_;
-  std::vector<std::uint32_t> shade_;  // by PieceSideId + 1; the sky first
+  std::vector<std::uint32_t> shade_;  // by place_after_sky
   std::vector<double> values_;        // by shade and channel
 };
 

@@ -59,7 +59,7 @@ class FreeShares {
         height_((grid.max.y - grid.min.y) / rational(grid.ny) / width_),
         shares_(std::size_t{grid.nx} * grid.ny, kUnknown) {
     const Vertices2& vertices = arrangement.vertices();
-    for (VertexId v = 0; v < vertices.size(); ++v) {
+    for (const VertexId v : vertices.ids()) {
       const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
       exact_.push_back({(p.x - grid.min.x) / width_, (p.y - grid.min.y) / width_});
     }
@@ -110,29 +110,30 @@ class FreeShares {
 
   void find_triangles_in_them() {
     triangles_.resize(at_border_.size());
-    for (std::size_t t = 0; t < triangulation_.triangle_count(); ++t) {
-      const auto h = static_cast<HalfEdgeId>(3 * t);
-      if (regions_.of(h) == SolidRegions2::kNone) continue;
-      for_each_cell_of(corners(h), [&](std::uint32_t ix, std::uint32_t iy) {
+    for (const TriangleId t : triangulation_.triangles()) {
+      if (regions_.of(half_edge(t, 0)) == SolidRegions2::kNone) continue;
+      for_each_cell_of(corners(t), [&](std::uint32_t ix, std::uint32_t iy) {
         const std::uint32_t place = place_[std::size_t{iy} * grid_.nx + ix];
-        if (place != 0) triangles_[place - 1].push_back(h);
+        if (place != 0) triangles_[place - 1].push_back(t);
       });
     }
   }
 
-  std::array<VertexId, 3> corners(HalfEdgeId h) const {
-    return {triangulation_.corner(h), triangulation_.corner(h + 1), triangulation_.corner(h + 2)};
+  std::array<VertexId, 3> corners(TriangleId t) const {
+    return {triangulation_.corner(half_edge(t, 0)), triangulation_.corner(half_edge(t, 1)),
+            triangulation_.corner(half_edge(t, 2))};
   }
 
-  double measured(std::size_t cell, const std::vector<HalfEdgeId>& triangles) const {
+  double measured(std::size_t cell, const std::vector<TriangleId>& triangles) const {
     const Rational left(Integer(static_cast<unsigned long>(cell % grid_.nx))),
         bottom = height_ * Rational(Integer(static_cast<unsigned long>(cell / grid_.nx)));
     const Rational right = left + 1, top = bottom + height_;
     const std::vector<ExactPoint2> whole{{left, bottom}, {right, bottom}, {right, top}, {left, top}};
     Rational rest = 2 * height_;
-    for (const HalfEdgeId h : triangles) {
-      const std::array<VertexId, 3> of_triangle = corners(h);
-      const ExactPoint2 &a = exact_[of_triangle[0]], &b = exact_[of_triangle[1]], &c = exact_[of_triangle[2]];
+    for (const TriangleId t : triangles) {
+      const std::array<VertexId, 3> of_triangle = corners(t);
+      const ExactPoint2 &a = exact_[of_triangle[0].index()], &b = exact_[of_triangle[1].index()],
+                        &c = exact_[of_triangle[2].index()];
       rest -= doubled_area(left_part(left_part(left_part(whole, a, b), b, c), c, a));
     }
     if (rest == 0) return 0;
@@ -161,7 +162,7 @@ class FreeShares {
     HalfEdgeId h = at.half_edge;
     if (at.kind == Location2::Kind::kOutside) return false;
     if (at.kind == Location2::Kind::kOnVertex) h = triangulation_.star(at.vertex).front().opposite;
-    return h >= 0 && regions_.of(h) != SolidRegions2::kNone;
+    return !h.is_none() && regions_.of(h) != SolidRegions2::kNone;
   }
 
   const Arrangement2& arrangement_;
@@ -174,7 +175,7 @@ class FreeShares {
   std::vector<double> shares_;
   std::vector<std::size_t> at_border_;              // cells that a border may come near
   std::vector<std::uint32_t> place_;                // by cell: 1 + where it is in at_border_, else 0
-  std::vector<std::vector<HalfEdgeId>> triangles_;  // by place: the solid ones that may reach into it
+  std::vector<std::vector<TriangleId>> triangles_;  // by place: the solid ones that may reach into it
 };
 
 }  // namespace

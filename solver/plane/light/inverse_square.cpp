@@ -23,13 +23,12 @@ class Lengths {
  public:
   Lengths(const Arrangement2& arrangement, const ElementTable2& table) : arrangement_(arrangement) {
     of_label_.assign(table.covered() + std::size_t{1}, 0.0);
-    for (std::size_t side = 0; side < arrangement.side_count(); ++side)
-      of_label_[table.of(static_cast<PieceSideId>(side))] += piece(side / 2);
+    for (const PieceSideId side : arrangement.sides()) of_label_[table.of(side)] += piece(piece_of(side));
   }
 
   // The part of its element's length that is seen of one side of a piece between two vertices.
   double seen_fraction(const Eye2& eye, const View2::Seen& right, VertexId left, std::uint32_t label) const {
-    const auto index = static_cast<std::size_t>(right.behind / 2);
+    const std::size_t index = piece_of(right.behind);
     return std::fabs(place(eye, left, index) - place(eye, right.vertex, index)) * piece(index) / of_label_[label];
   }
 

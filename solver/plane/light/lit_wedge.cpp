@@ -26,7 +26,7 @@ Vector2 diagonal(const Vector2& right, const Vector2& left) {
 FinePoint2 WedgeLighting2::direction(VertexId v, const VertexRay2& ray) const {
   constexpr Vector2 kAxes[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   if (ray.kind == VertexRay2::Kind::kAxis) return {{kAxes[ray.index % 4].x, 0}, {kAxes[ray.index % 4].y, 0}};
-  const FinePoint2 way = frame_.direction(v, ray.index);
+  const FinePoint2 way = frame_.direction(v, ray.vertex());
   return ray.kind == VertexRay2::Kind::kTowards ? way : -way;
 }
 
@@ -37,9 +37,7 @@ std::uint32_t WedgeLighting2::add_ray(VertexId v, const VertexRay2& ray, LitWedg
 
 // The line of the piece that ends the wedge, and the corners on it.
 void WedgeLighting2::place_end(VertexId v, const Wedge2& wedge, LitWedge2& lit) const {
-  const Segment2& piece = arrangement_.pieces()[static_cast<std::size_t>(wedge.behind / 2)];
-  const bool is_seen_from_left = wedge.behind % 2 == 0;
-  const VertexId first = is_seen_from_left ? piece.a : piece.b, second = is_seen_from_left ? piece.b : piece.a;
+  const auto [second, first] = arrangement_.turned_piece(wedge.behind);
   const FinePoint2 &apex = frame_.vertex(v), &p = frame_.vertex(first), &q = frame_.vertex(second);
   lit.end = CutLine2(p, frame_.direction(first, second), frame_);
   const Vector2 from = rounded(p - apex), step = rounded(q - p);
@@ -48,8 +46,8 @@ void WedgeLighting2::place_end(VertexId v, const Wedge2& wedge, LitWedge2& lit) 
   for (int side = 0; side < 2; ++side) {
     const VertexRay2& ray = side == 0 ? wedge.right : wedge.left;
     Vector2& corner = lit.corners[side + 1];
-    if (ray.kind == VertexRay2::Kind::kTowards && (ray.index == first || ray.index == second)) {
-      corner = rounded(frame_.vertex(ray.index));
+    if (ray.kind == VertexRay2::Kind::kTowards && (ray.vertex() == first || ray.vertex() == second)) {
+      corner = rounded(frame_.vertex(ray.vertex()));
       continue;
     }
     const Vector2 way = normalized(rounded(direction(v, ray)));
@@ -73,9 +71,8 @@ void WedgeLighting2::place_without_end(VertexId v, const Wedge2& wedge, LitWedge
 // The angle from the piece, its front on the right, to the direction from the axis to the apex. From any point of the
 // wedge the apex is seen between 0 and pi, and less than pi/4 from the axis.
 double WedgeLighting2::angle_to_axis(PieceSideId side, const Vector2& axis, double& doubt) const {
-  const Segment2& piece = arrangement_.pieces()[static_cast<std::size_t>(side / 2)];
-  const Vector2 along =
-      rounded(side % 2 == 0 ? frame_.direction(piece.b, piece.a) : frame_.direction(piece.a, piece.b));
+  const Segment2 piece = arrangement_.turned_piece(side);
+  const Vector2 along = rounded(frame_.direction(piece.a, piece.b));
   doubt += 9 * kUnit * std::numbers::pi;
   const double angle = std::atan2(-cross(along, axis), -dot(along, axis));
   return angle < -std::numbers::pi / 2 ? angle + 2 * std::numbers::pi : angle;

@@ -20,7 +20,7 @@ class TurningRay {
 
   void run() {
     for (std::uint32_t q = 0; q < 4; ++q) {
-      VertexRay2 start{VertexRay2::Kind::kAxis, q};
+      VertexRay2 start = VertexRay2::axis(q);
       Wedge2 sight = current();
       for (;;) {
         const bool has_seen = ahead_ < m_ && quadrant_[at(ahead_)] == static_cast<int>(q);
@@ -28,16 +28,16 @@ class TurningRay {
         if (!has_seen && !has_opposite) break;
         VertexRay2 event;
         if (has_seen && (!has_opposite || vertices_.orientation(v_, vertex(ahead_), vertex(opposite(behind_))) <= 0))
-          event = {VertexRay2::Kind::kTowards, vertex(ahead_++)};
+          event = VertexRay2::towards(vertex(ahead_++));
         else
-          event = {VertexRay2::Kind::kAwayFrom, vertex(opposite(behind_++))};
+          event = VertexRay2::away_from(vertex(opposite(behind_++)));
         const Wedge2 next = current();
         if (same_sight(sight, next)) continue;
         emit(sight, start, event);
         start = event;
         sight = next;
       }
-      emit(sight, start, {VertexRay2::Kind::kAxis, q + 1});
+      emit(sight, start, VertexRay2::axis(q + 1));
     }
   }
 
@@ -93,8 +93,8 @@ class TurningRay {
   // REQUIRES two rays of one quadrant.
   bool same_direction(const VertexRay2& a, const VertexRay2& b) const {
     if (b.kind == VertexRay2::Kind::kAxis) return false;  // the axis that ends the quadrant
-    if (a.kind == VertexRay2::Kind::kAxis) return is_along(a, b.index);
-    return vertices_.orientation(v_, a.index, b.index) == 0;
+    if (a.kind == VertexRay2::Kind::kAxis) return is_along(a, b.vertex());
+    return vertices_.orientation(v_, a.vertex(), b.vertex()) == 0;
   }
   void emit(Wedge2 sight, const VertexRay2& right, const VertexRay2& left) {
     if (same_direction(right, left)) return;

@@ -12,7 +12,12 @@ namespace hottel {
 struct VertexRay2 {
   enum class Kind : unsigned char { kAxis, kTowards, kAwayFrom };
   Kind kind = Kind::kAxis;
-  std::uint32_t index = 0;  // kAxis: quarter turns from the x axis; else a vertex
+  std::uint32_t index = 0;  // kAxis: quarter turns from the x axis; else the number of a vertex
+
+  static VertexRay2 axis(std::uint32_t quarter_turns) { return {Kind::kAxis, quarter_turns}; }
+  static VertexRay2 towards(VertexId v) { return {Kind::kTowards, static_cast<std::uint32_t>(v.index())}; }
+  static VertexRay2 away_from(VertexId v) { return {Kind::kAwayFrom, static_cast<std::uint32_t>(v.index())}; }
+  VertexId vertex() const { return VertexId(index); }  // REQUIRES that it is none along an axis
 };
 
 // The points between two rays from a vertex, on its side of what ends the view there. From each of them one sees the

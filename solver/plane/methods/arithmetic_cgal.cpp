@@ -16,7 +16,7 @@ class CgalPoints {
     const auto below_one = [shift = -vertices.exponent()](const Rational& value) {
       return ExactKernel::FT(scaled_by_power_of_two(value, shift));
     };
-    for (VertexId v = 0; v < vertices.size(); ++v) {
+    for (const VertexId v : vertices.ids()) {
       const Vertices2::Approximate& near = vertices.approximate(v);
       const ExactPoint2 exact = vertices.exact(v);
       if (vertices.approximation_error() == 0)
@@ -27,10 +27,10 @@ class CgalPoints {
   }
 
   int orientation(VertexId i, VertexId j, VertexId k) const {
-    return static_cast<int>(CGAL::orientation(points_[i], points_[j], points_[k]));
+    return static_cast<int>(CGAL::orientation(points_[i.index()], points_[j.index()], points_[k.index()]));
   }
   double distance(VertexId i, VertexId j) const {
-    return std::sqrt(CGAL::to_double(CGAL::squared_distance(points_[i], points_[j])));
+    return std::sqrt(CGAL::to_double(CGAL::squared_distance(points_[i.index()], points_[j.index()])));
   }
 
  private:

@@ -45,7 +45,7 @@ int exponent_of(const std::vector<ExactPoint2>& points) {
 
 NaivePoints2::NaivePoints2(const Vertices2& vertices) {
   std::vector<ExactPoint2> points;
-  for (VertexId v = 0; v < vertices.size(); ++v) points.push_back(vertices.to_scene(vertices.exact(v)));
+  for (const VertexId v : vertices.ids()) points.push_back(vertices.to_scene(vertices.exact(v)));
   const int exponent = exponent_of(points);
   for (const ExactPoint2& p : points)
     place_.push_back(
@@ -61,7 +61,7 @@ WrongOrientations count_wrong_orientations(const Arrangement2& arrangement, cons
   WrongOrientations counts;
   std::atomic<std::uint64_t> cut_off = 0;
   View2 view;
-  for (VertexId v = 0; v < arrangement.vertices().size(); ++v) {
+  for (const VertexId v : arrangement.vertices().ids()) {
     const StepLimit2 limited(points, limit, cut_off);
     const WatchedPoints watched(limited, arrangement.vertices(), counts);
     look_around(watched, arrangement.triangulation(), v, view);

@@ -17,12 +17,12 @@ class NaivePoints2 {
 
   // Sign of the determinant as it comes out.
   int orientation(VertexId i, VertexId j, VertexId k) const {
-    const Place &p = place_[i], &q = place_[j], &r = place_[k];
+    const Place &p = place_[i.index()], &q = place_[j.index()], &r = place_[k.index()];
     const double determinant = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
     return (determinant > 0) - (determinant < 0);
   }
   double distance(VertexId i, VertexId j) const {
-    const double dx = place_[j].x - place_[i].x, dy = place_[j].y - place_[i].y;
+    const double dx = place_[j.index()].x - place_[i.index()].x, dy = place_[j.index()].y - place_[i.index()].y;
     return std::sqrt(dx * dx + dy * dy);
   }
 

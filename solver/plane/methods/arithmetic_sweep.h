@@ -39,10 +39,10 @@ PlainSums plain_sums(const Arrangement2& arrangement, const ElementTable2& table
 template <class Points>
 std::vector<double> plain_lengths(const Arrangement2& arrangement, const ElementTable2& table, const Points& points) {
   std::vector<double> lengths(table.count(), 0);
-  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-    const std::uint32_t label = table.of(static_cast<PieceSideId>(side));
+  for (const PieceSideId side : arrangement.sides()) {
+    const std::uint32_t label = table.of(side);
     if (label == table.covered()) continue;
-    const Segment2& piece = arrangement.pieces()[side / 2];
+    const Segment2& piece = arrangement.piece(side);
     lengths[label] += points.distance(piece.a, piece.b);
   }
   return lengths;

@@ -20,8 +20,8 @@ std::vector<LocalPoint2> places_of(const Vertices2& vertices) {
   const int exponent = vertices.exponent();
   const bool doubles_are_exact = vertices.approximation_error() == 0;
   std::vector<LocalPoint2> places(vertices.size());
-  for (VertexId v = 0; v < vertices.size(); ++v) {
-    LocalPoint2& place = places[v];
+  for (const VertexId v : vertices.ids()) {
+    LocalPoint2& place = places[v.index()];
     if (doubles_are_exact) {
       place.x = std::ldexp(vertices.approximate(v).x, -exponent);
       place.y = std::ldexp(vertices.approximate(v).y, -exponent);
@@ -36,7 +36,7 @@ std::vector<LocalPoint2> places_of(const Vertices2& vertices) {
 
 // The exact difference b - a, rounded.
 LocalVector2 span_of(const Vertices2& vertices, const std::vector<LocalPoint2>& places, const Segment2& ends) {
-  if (vertices.approximation_error() == 0) return places[ends.b] - places[ends.a];
+  if (vertices.approximation_error() == 0) return places[ends.b.index()] - places[ends.a.index()];
   const ExactPoint2 a = vertices.exact(ends.a), b = vertices.exact(ends.b);
   const int exponent = vertices.exponent();
   return {to_double(scaled_by_power_of_two(b.x - a.x, -exponent)),
@@ -95,8 +95,8 @@ void ElementGeometry2::add_run(const Vertices2& vertices, const Segment2& ends) 
   run.length = std::hypot(span.x, span.y);
   if (!(run.length >= kShortest)) return;
   run.ends = ends;
-  run.from = place_[ends.a];
-  run.to = place_[ends.b];
+  run.from = place_[ends.a.index()];
+  run.to = place_[ends.b.index()];
   run.direction = {span.x / run.length, span.y / run.length};
   run.centre = run.at(0.5);
   runs_.push_back(run);

@@ -70,7 +70,7 @@ class ElementGeometry2 {
 
   double diagonal() const { return diagonal_; }   // of the bounding box of all vertices, in local units
   const Rational& unit() const { return unit_; }  // one local unit in units of the scene
-  const LocalPoint2& place(VertexId v) const { return place_[v]; }
+  const LocalPoint2& place(VertexId v) const { return place_[v.index()]; }
 
  private:
   void add_run(const Vertices2& vertices, const Segment2& ends);

@@ -60,18 +60,17 @@ std::vector<BufferItem2> items_of(const Arrangement2& arrangement, const Element
                                   const CentreFrame& frame) {
   std::vector<LocalVector2> seen;
   seen.reserve(arrangement.vertices().size());
-  for (VertexId v = 0; v < arrangement.vertices().size(); ++v) seen.push_back(frame(v));
+  for (const VertexId v : arrangement.vertices().ids()) seen.push_back(frame(v));
   std::vector<BufferItem2> items;
   for (std::size_t k = 0; k < arrangement.pieces().size(); ++k) {
     const Segment2& piece = arrangement.pieces()[k];
-    const LocalVector2 &a = seen[piece.a], &b = seen[piece.b];
+    const LocalVector2 &a = seen[piece.a.index()], &b = seen[piece.b.index()];
     if (a.y <= 0 && b.y <= 0) continue;
     const double turn = a.x * b.y - a.y * b.x;
     // The frame mirrors the scene (y points to the right of x): a piece that runs counter-clockwise in it shows the
     // side that is its right one in the scene.
-    const auto left_side = static_cast<PieceSideId>(2 * k);
     if (turn == 0) continue;
-    const std::uint32_t label = table.of(turn > 0 ? left_side + 1 : left_side);
+    const std::uint32_t label = table.of(turn > 0 ? right_side(k) : left_side(k));
     if (label == table.covered()) continue;
     items.push_back(turn > 0 ? BufferItem2{a, b, label} : BufferItem2{b, a, label});
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace hottel {
 
@@ -10,8 +9,8 @@ double LocalBox2::reach(const LocalVector2& along) const {
   return half.x * std::fabs(along.x) + half.y * std::fabs(along.y);
 }
 
-PlaceTree2::PlaceTree2(const ElementGeometry2& geometry, std::size_t vertices) : order_(vertices) {
-  std::iota(order_.begin(), order_.end(), VertexId{0});
+PlaceTree2::PlaceTree2(const ElementGeometry2& geometry, std::size_t vertices)
+    : order_(IdRange<VertexId>(vertices).begin(), IdRange<VertexId>(vertices).end()) {
   if (vertices > 0) build(geometry, 0, 0, vertices);
 }
 

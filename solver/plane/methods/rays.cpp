@@ -28,14 +28,13 @@ constexpr double kChance = 5.7e-7;  // beyond five standard deviations
 class RayStarts {
  public:
   RayStarts(const Arrangement2& arrangement, const ElementGeometry2& geometry) : parts_(geometry.count()) {
-    for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-      const auto id = static_cast<PieceSideId>(side);
-      const std::uint32_t element = geometry.table().of(id);
+    for (const PieceSideId side : arrangement.sides()) {
+      const std::uint32_t element = geometry.table().of(side);
       if (!geometry.has_row(element) || geometry.runs(element).empty()) continue;
-      const Segment2& piece = arrangement.pieces()[side / 2];
+      const Segment2& piece = arrangement.piece(side);
       const LocalPoint2 &a = geometry.place(piece.a), &b = geometry.place(piece.b);
       // The front is on the right of a run, so a run goes along a -> b where its side is the right one.
-      parts_[element].push_back({id, side % 2 == 0, length(b - a), 0, 0});
+      parts_[element].push_back({side, !is_right(side), length(b - a), 0, 0});
       const ElementRun2& run = geometry.runs(element).front();
       parts_[element].back().order = dot(a - run.from, run.direction) + dot(b - run.from, run.direction);
     }

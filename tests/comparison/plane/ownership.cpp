@@ -112,7 +112,7 @@ std::string ownership_differs(const PreparedScene2& prepared, const Split& split
   const Arrangement2& arrangement = prepared.arrangement;
   std::vector<FacePart> parts;  // by edge of the oracle
   for (std::uint32_t s = 0; s < prepared.division.size(); ++s)
-    for (std::uint32_t k = 0; k < prepared.division[s]; ++k) parts.push_back({s, k, false});
+    for (std::uint32_t k = 0; k < prepared.division[s]; ++k) parts.push_back({{s, false}, k});
   using End = std::pair<Rational, Rational>;
   using Sides = std::pair<std::optional<FacePart>, std::optional<FacePart>>;
   std::map<std::pair<End, End>, Sides> expected;
@@ -131,7 +131,7 @@ std::string ownership_differs(const PreparedScene2& prepared, const Split& split
       return End{p.x, p.y};
     };
     End a = end(arrangement.pieces()[k].a), b = end(arrangement.pieces()[k].b);
-    Sides sides{owner(static_cast<PieceSideId>(2 * k)), owner(static_cast<PieceSideId>(2 * k + 1))};
+    Sides sides{owner(left_side(k)), owner(right_side(k))};
     if (b < a) {
       std::swap(a, b);
       std::swap(sides.first, sides.second);

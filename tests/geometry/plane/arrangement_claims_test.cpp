@@ -30,9 +30,8 @@ std::string owners(const std::vector<Line>& lines, long x) {
   };
   for (std::size_t k = 0; k < arrangement.pieces().size(); ++k) {
     const ExactPoint2 a = at(arrangement.pieces()[k].a), b = at(arrangement.pieces()[k].b);
-    const auto side = static_cast<PieceSideId>(2 * k);
-    if (a == ExactPoint2{x, 0} && b == ExactPoint2{x + 1, 0}) return name(side) + "|" + name(side + 1);
-    if (b == ExactPoint2{x, 0} && a == ExactPoint2{x + 1, 0}) return name(side + 1) + "|" + name(side);
+    if (a == ExactPoint2{x, 0} && b == ExactPoint2{x + 1, 0}) return name(left_side(k)) + "|" + name(right_side(k));
+    if (b == ExactPoint2{x, 0} && a == ExactPoint2{x + 1, 0}) return name(right_side(k)) + "|" + name(left_side(k));
   }
   return "no such piece";
 }
@@ -128,8 +127,8 @@ TEST(Claims2, PartsOfADividedSurfaceOwnTheirPieces) {
   // a in thirds, b in halves inside the middle third.
   EXPECT_EQ(arrangement.pieces().size(), 4u);
   int owned_backs_of_b = 0;
-  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-    const FacePart& face = arrangement.owner(static_cast<PieceSideId>(side));
+  for (const PieceSideId side : arrangement.sides()) {
+    const FacePart& face = arrangement.owner(side);
     if (face.surface == 1) {
       EXPECT_TRUE(face.is_back);
       ++owned_backs_of_b;

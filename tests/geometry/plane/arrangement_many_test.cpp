@@ -13,6 +13,7 @@
 #include "geometry/plane/arrangement/point_index.h"
 #include "geometry/plane/visibility/visible_lines.h"
 #include "kernel/rational.h"
+#include "tests/geometry/plane/vertex_literal.h"
 
 namespace hottel {
 namespace {
@@ -121,7 +122,7 @@ TEST(Overlay, KnowsAllThatLieOnAStretch) {
 }
 
 TEST(EqualSegments, AreInTheOrderOfTheirFirst) {
-  const std::vector<Segment2> segments{{4, 5}, {1, 2}, {5, 4}, {2, 1}, {0, 1}, {4, 5}};
+  const std::vector<Segment2> segments{{4_v, 5_v}, {1_v, 2_v}, {5_v, 4_v}, {2_v, 1_v}, {0_v, 1_v}, {4_v, 5_v}};
   const EqualSegments2 equal(segments);
   ASSERT_EQ(equal.size(), 3u);
   EXPECT_TRUE(std::ranges::equal(equal.members(0), std::vector<std::uint32_t>{0, 2, 5}));
@@ -160,7 +161,7 @@ TEST(Gaps, OfManyPiecesTheNearestHidesWhatIsBehind) {
     overlaid.set_total_length();
     const Triangulation2 triangulation(overlaid.vertices, overlaid.pieces);
     View2 view;
-    for (VertexId v = 0; v < overlaid.vertices.size(); ++v) {
+    for (const VertexId v : overlaid.vertices.ids()) {
       look_around(overlaid.vertices, triangulation, v, view);
       expect_hidden_by_the_nearest(overlaid.vertices, v, view);
     }
@@ -179,9 +180,9 @@ TEST(Triangulation, TakesEveryPieceOfAWheel) {
   ASSERT_EQ(overlaid.pieces.size(), input.segments.size());
   const Triangulation2 triangulation(overlaid.vertices, overlaid.pieces);
   std::vector<int> met(2 * overlaid.pieces.size(), 0);
-  for (VertexId v = 0; v < overlaid.vertices.size(); ++v)
+  for (const VertexId v : overlaid.vertices.ids())
     for (const StarEntry& entry : triangulation.star(v))
-      if (entry.left != kNoPiece) ++met[static_cast<std::size_t>(entry.left)];
+      if (entry.left != kNoPiece) ++met[entry.left.index()];
   EXPECT_EQ(std::count(met.begin(), met.end(), 1), static_cast<std::ptrdiff_t>(met.size()));
 }
 

@@ -10,6 +10,7 @@
 #include "geometry/plane/arrangement/overlay.h"
 #include "geometry/plane/arrangement/point_index.h"
 #include "kernel/rational.h"
+#include "tests/geometry/plane/vertex_literal.h"
 
 namespace hottel {
 namespace {
@@ -68,7 +69,7 @@ class OverlayProperties : public testing::TestWithParam<int> {
     const int k = GetParam();
     input_ = lattice(10 + k, 4 + k % 5, static_cast<std::uint64_t>(k), steps[k % 5], offsets[k % 3]);
     overlay_ = overlay(input_.index.points(), input_.segments);
-    for (VertexId v = 0; v < overlay_.vertices.size(); ++v)
+    for (const VertexId v : overlay_.vertices.ids())
       points_.push_back(overlay_.vertices.to_scene(overlay_.vertices.exact(v)));
   }
 
@@ -85,25 +86,25 @@ TEST_P(OverlayProperties, PiecesMakeUpTheirSources) {
     ASSERT_FALSE(sources.empty());
     EXPECT_TRUE(std::is_sorted(sources.begin(), sources.end()));
     EXPECT_EQ(std::set<std::uint32_t>(sources.begin(), sources.end()).size(), sources.size());
-    const ExactPoint2 &a = points_[overlay_.pieces[piece].a], &b = points_[overlay_.pieces[piece].b];
+    const ExactPoint2 &a = points_[overlay_.pieces[piece].a.index()], &b = points_[overlay_.pieces[piece].b.index()];
     for (const std::uint32_t s : sources) {
-      const ExactPoint2 &from = points_[input_.segments[s].a], &to = points_[input_.segments[s].b];
+      const ExactPoint2 &from = points_[input_.segments[s].a.index()], &to = points_[input_.segments[s].b.index()];
       for (const ExactPoint2* end : {&a, &b}) EXPECT_TRUE(*end == from || *end == to || lies_inside(*end, from, to));
       covered[s] += extent(a, b);
     }
   }
   for (std::size_t s = 0; s < input_.segments.size(); ++s)
-    EXPECT_EQ(covered[s], extent(points_[input_.segments[s].a], points_[input_.segments[s].b]));
+    EXPECT_EQ(covered[s], extent(points_[input_.segments[s].a.index()], points_[input_.segments[s].b.index()]));
 }
 
 // (2) two pieces meet in common end points only; every vertex on a piece is one of its ends
 TEST_P(OverlayProperties, PiecesMeetInCommonEndsOnly) {
   const auto& pieces = overlay_.pieces;
   for (std::size_t s = 0; s < pieces.size(); ++s) {
-    const ExactPoint2 &a = points_[pieces[s].a], &b = points_[pieces[s].b];
+    const ExactPoint2 &a = points_[pieces[s].a.index()], &b = points_[pieces[s].b.index()];
     for (const ExactPoint2& p : points_) EXPECT_FALSE(lies_inside(p, a, b));
     for (std::size_t t = 0; t < s; ++t) {
-      const ExactPoint2 &c = points_[pieces[t].a], &d = points_[pieces[t].b];
+      const ExactPoint2 &c = points_[pieces[t].a.index()], &d = points_[pieces[t].b.index()];
       EXPECT_FALSE(orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0);
       EXPECT_NE(std::minmax(pieces[s].a, pieces[s].b), std::minmax(pieces[t].a, pieces[t].b));
     }
@@ -128,8 +129,8 @@ TEST_P(OverlayProperties, PiecesPointTheWayOfTheirSource) {
     const auto sources = overlay_.sources(piece);
     if (sources.size() != 1) continue;
     const Segment2& source = input_.segments[sources.front()];
-    const ExactPoint2 &a = points_[overlay_.pieces[piece].a], &b = points_[overlay_.pieces[piece].b];
-    const ExactPoint2 &from = points_[source.a], &to = points_[source.b];
+    const ExactPoint2 &a = points_[overlay_.pieces[piece].a.index()], &b = points_[overlay_.pieces[piece].b.index()];
+    const ExactPoint2 &from = points_[source.a.index()], &to = points_[source.b.index()];
     EXPECT_GT((b.x - a.x) * (to.x - from.x) + (b.y - a.y) * (to.y - from.y), 0);
   }
 }
@@ -157,7 +158,7 @@ TEST(Overlay2, CutsACrossingAtItsRationalPoint) {
   const Overlay2 result = overlay(input.index.points(), input.segments);
   EXPECT_EQ(result.pieces.size(), 4u);
   ASSERT_EQ(result.vertices.size(), 5u);
-  EXPECT_EQ(result.vertices.to_scene(result.vertices.exact(4)), (ExactPoint2{fraction(6, 5), fraction(2, 5)}));
+  EXPECT_EQ(result.vertices.to_scene(result.vertices.exact(4_v)), (ExactPoint2{fraction(6, 5), fraction(2, 5)}));
 }
 
 // A shear by 10^-digits changes no incidence, whatever the size of the numbers that it takes.

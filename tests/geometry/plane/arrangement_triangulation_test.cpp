@@ -16,15 +16,15 @@ void check(const Scene2& scene) {
   const Arrangement2 arrangement(scene, Division(scene.surfaces.size(), 1));
   const Vertices2& vertices = arrangement.vertices();
   const Triangulation2& triangulation = arrangement.triangulation();
-  const auto half_edges = static_cast<HalfEdgeId>(3 * triangulation.triangle_count());
-  const auto origin = [&](HalfEdgeId h) { return triangulation.corner(next_half_edge(h)); };
-  const auto target = [&](HalfEdgeId h) { return triangulation.corner(previous_half_edge(h)); };
+  const bool is_line = triangulation.triangle_count() == 0;
+  const auto origin = [&](HalfEdgeId h) { return triangulation.origin(h); };
+  const auto target = [&](HalfEdgeId h) { return triangulation.target(h); };
 
   std::map<std::pair<VertexId, VertexId>, PieceSideId> left_of;  // by directed edge, for the pieces
   for (std::size_t k = 0; k < arrangement.pieces().size(); ++k) {
     const Segment2& piece = arrangement.pieces()[k];
-    left_of[{piece.a, piece.b}] = static_cast<PieceSideId>(2 * k);
-    left_of[{piece.b, piece.a}] = static_cast<PieceSideId>(2 * k + 1);
+    left_of[{piece.a, piece.b}] = left_side(k);
+    left_of[{piece.b, piece.a}] = right_side(k);
   }
   const auto left = [&](VertexId u, VertexId v) {
     const auto place = left_of.find({u, v});
@@ -34,14 +34,14 @@ void check(const Scene2& scene) {
   // (1) triangles are counter-clockwise; their boundary is one convex cycle, so they fill the hull once
   std::set<std::pair<VertexId, VertexId>> edges;
   std::map<VertexId, VertexId> along_hull;
-  for (HalfEdgeId h = 0; h < half_edges; ++h) {
+  for (const HalfEdgeId h : triangulation.half_edges()) {
     EXPECT_TRUE(edges.insert({origin(h), target(h)}).second) << "each directed edge once";
     EXPECT_EQ(vertices.orientation(triangulation.corner(h), origin(h), target(h)), 1);
-    if (triangulation.across(h) >= 0) continue;
+    if (!triangulation.across(h).is_none()) continue;
     EXPECT_TRUE(along_hull.emplace(origin(h), target(h)).second);
-    for (VertexId v = 0; v < vertices.size(); ++v) EXPECT_GE(vertices.orientation(origin(h), target(h), v), 0);
+    for (const VertexId v : vertices.ids()) EXPECT_GE(vertices.orientation(origin(h), target(h), v), 0);
   }
-  if (half_edges > 0) {
+  if (!is_line) {
     const VertexId first = along_hull.begin()->first;
     std::size_t length = 1;
     for (VertexId v = along_hull.at(first); v != first && length <= along_hull.size(); v = along_hull.at(v)) ++length;
@@ -49,37 +49,39 @@ void check(const Scene2& scene) {
   }
 
   // (2) twins, what is across, and sides
-  for (HalfEdgeId h = 0; h < half_edges; ++h) {
+  for (const HalfEdgeId h : triangulation.half_edges()) {
     const HalfEdgeId across = triangulation.across(h), twin = triangulation.twin(h);
-    EXPECT_EQ(across < 0, !edges.contains({target(h), origin(h)}));
-    if (across >= 0) {
+    EXPECT_EQ(across.is_none(), !edges.contains({target(h), origin(h)}));
+    if (!across.is_none()) {
       EXPECT_EQ(triangulation.across(across), h);
       EXPECT_EQ(origin(across), target(h));
       EXPECT_EQ(target(across), origin(h));
     }
     const PieceSideId piece = left(origin(h), target(h));
-    if (twin >= 0) {
+    EXPECT_EQ(triangulation.is_open(h), !twin.is_none());
+    EXPECT_EQ(triangulation.is_piece(h), piece != kNoPiece);
+    if (triangulation.is_open(h)) {
       EXPECT_EQ(twin, across);
       EXPECT_EQ(piece, kNoPiece) << "nothing stands on the edge";
     } else {
       EXPECT_EQ(triangulation.side(h), piece == kNoPiece ? kSky : piece);
-      EXPECT_TRUE(piece != kNoPiece || across < 0);
+      EXPECT_TRUE(piece != kNoPiece || across.is_none());
     }
   }
   for (const auto& [ends, side] : left_of)
-    EXPECT_TRUE(half_edges == 0 || edges.contains(ends) || edges.contains({ends.second, ends.first}))
+    EXPECT_TRUE(is_line || edges.contains(ends) || edges.contains({ends.second, ends.first}))
         << "every piece is an edge";
 
   // (3) stars hold every edge at the vertex, counter-clockwise
-  for (VertexId v = 0; v < vertices.size(); ++v) {
+  for (const VertexId v : vertices.ids()) {
     const auto star = triangulation.star(v);
     std::set<VertexId> neighbours;
     for (std::size_t k = 0; k < star.size(); ++k) {
       EXPECT_TRUE(neighbours.insert(star[k].neighbour).second);
       EXPECT_EQ(star[k].left, left(v, star[k].neighbour));
       EXPECT_EQ(star[k].right, left(star[k].neighbour, v));
-      if (star[k].opposite < 0) {
-        EXPECT_TRUE(half_edges == 0 || !edges.contains({star[(k + 1) % star.size()].neighbour, v}) ||
+      if (star[k].opposite.is_none()) {
+        EXPECT_TRUE(is_line || !edges.contains({star[(k + 1) % star.size()].neighbour, v}) ||
                     !edges.contains({v, star[k].neighbour}));
         continue;
       }
@@ -129,7 +131,7 @@ TEST(Triangulation2OfDegenerateScenes, HasStarsAndNoTrianglesOnOneLine) {
   const Arrangement2 arrangement(scene, Division(3, 1));
   EXPECT_EQ(arrangement.triangulation().triangle_count(), 0u);
   std::size_t entries = 0;
-  for (VertexId v = 0; v < arrangement.vertices().size(); ++v) entries += arrangement.triangulation().star(v).size();
+  for (const VertexId v : arrangement.vertices().ids()) entries += arrangement.triangulation().star(v).size();
   EXPECT_EQ(entries, 8u) << "five vertices, four neighbours";
 }
 

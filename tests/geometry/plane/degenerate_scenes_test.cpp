@@ -81,7 +81,7 @@ TEST_P(DegenerateScenes, HaveTheValuesOfTheirFile) {
   const auto computed = [&](const Expectation& row) {
     if (row.quantity == "factor") return exact.factor(row.of.at(0), row.of.at(1));
     const Edge2& from = scene.edges[scene.find(row.of.at(0)).value()];
-    const FacePart to{scene.find(row.of.at(1)).value(), 0, false};
+    const Face to{scene.find(row.of.at(1)).value(), false};
     RootSum sum;
     for (const PointFactor2& part : point_factors(arrangement, location, from.from, from.to, false, number(row.at)))
       if (part.side != kSky && arrangement.owner(part.side) == to) sum += part.factor;
@@ -117,7 +117,7 @@ oracle::Measures coefficients_by_gap(const PreparedScene2& prepared) {
   const auto label = [&](std::uint32_t i) { return i == table.sky() ? oracle::kInfinity : static_cast<int>(i); };
   oracle::Measures measures;
   View2 view;
-  for (VertexId v = 0; v < vertices.size(); ++v) {
+  for (const VertexId v : vertices.ids()) {
     look_around(vertices, prepared.arrangement.triangulation(), v, view);
     for_each_gap(vertices, v, view, true, [&](const Gap2& gap) {
       const Rational squared_length = vertices.squared_distance(gap.v, gap.w) * vertices.scale() * vertices.scale();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/plane/predicates/vertices.h"
+#include "tests/geometry/plane/vertex_literal.h"
 
 namespace hottel {
 namespace {
@@ -53,8 +54,8 @@ TEST(Distance2, IsWithinItsErrorInSmallForm) {
       Vertices2 vertices(points, points.size());
       ASSERT_TRUE(vertices.is_small());
       vertices.set_total_length(diameters);
-      for (VertexId i = 0; i < points.size(); ++i)
-        for (VertexId j = 0; j < 5; ++j) check(vertices, i, j);
+      for (const VertexId i : IdRange<VertexId>(points.size()))
+        for (const VertexId j : IdRange<VertexId>(5)) check(vertices, i, j);
     }
   }
 }
@@ -68,8 +69,8 @@ TEST(Distance2, IsWithinItsErrorNextToPowersOfTwo) {
       for (const Rational& y : {Rational(0), Rational(1), Rational(power - 1), power})
         if (power + dx < Rational(Integer(1) << 60)) points.push_back({power + dx, y});
     const Vertices2 vertices(points, points.size());
-    for (VertexId i = 0; i < points.size(); ++i)
-      for (VertexId j = 0; j < i; ++j) check(vertices, i, j);
+    for (const VertexId i : IdRange<VertexId>(points.size()))
+      for (const VertexId j : IdRange<VertexId>(i.index())) check(vertices, i, j);
   }
 }
 
@@ -77,15 +78,15 @@ TEST(Distance2, IsExactForIntegersInSmallForm) {
   std::mt19937_64 random(2);
   const auto is_exact = [](const Rational& x, const Rational& y, const Rational& length) {
     const Vertices2 vertices(Points{{0, 0}, {x, y}, {1, 0}}, 3);
-    const FixedLength found = vertices.distance(0, 1);
+    const FixedLength found = vertices.distance(0_v, 1_v);
     return found.is_exact && Rational(to_integer(found.value)) * vertices.fixed_unit() * vertices.scale() == length;
   };
   EXPECT_TRUE(is_exact(3, 4, 5));
   EXPECT_TRUE(is_exact(0, 7, 7));
   EXPECT_TRUE(is_exact(Rational(3, 10), Rational(4, 10), Rational(1, 2)));
-  EXPECT_EQ(Vertices2(Points{{0, 0}, {1, 0}}, 2).distance(0, 0).value, 0);
-  EXPECT_TRUE(Vertices2(Points{{0, 0}, {1, 0}}, 2).distance(0, 0).is_exact);
-  EXPECT_FALSE(Vertices2(Points{{0, 0}, {1, 1}}, 2).distance(0, 1).is_exact);
+  EXPECT_EQ(Vertices2(Points{{0, 0}, {1, 0}}, 2).distance(0_v, 0_v).value, 0);
+  EXPECT_TRUE(Vertices2(Points{{0, 0}, {1, 0}}, 2).distance(0_v, 0_v).is_exact);
+  EXPECT_FALSE(Vertices2(Points{{0, 0}, {1, 1}}, 2).distance(0_v, 1_v).is_exact);
   for (int k = 0; k < 1000; ++k) {
     const Integer m = Integer(random() >> (36 + random() % 20)) + 2, n = Integer(random()) % (m - 1) + 1;
     const Integer x = m * m - n * n, y = 2 * m * n, z = m * m + n * n;
@@ -115,8 +116,8 @@ TEST(Distance2, IsWithinItsErrorInLargeForm) {
       Vertices2 vertices(points, points.size());
       ASSERT_FALSE(vertices.is_small());
       vertices.set_total_length(diameters);
-      for (VertexId i = 0; i < points.size(); ++i)
-        for (VertexId j = 0; j < i; ++j) check(vertices, i, j);
+      for (const VertexId i : IdRange<VertexId>(points.size()))
+        for (const VertexId j : IdRange<VertexId>(i.index())) check(vertices, i, j);
     }
   }
 }
@@ -129,8 +130,8 @@ TEST(Distance2, IsEqualForEqualDifferences) {
     for (const auto& [dx, dy] : {std::pair(0, 0), std::pair(37, -11)}) points.push_back({x + dx, y + dy});
   }
   const Vertices2 vertices(points, points.size());
-  for (VertexId k = 2; k < points.size(); k += 2)
-    EXPECT_EQ(vertices.distance(k, k + 1).value, vertices.distance(0, 1).value);
+  for (std::size_t k = 2; k < points.size(); k += 2)
+    EXPECT_EQ(vertices.distance(VertexId(k), VertexId(k + 1)).value, vertices.distance(0_v, 1_v).value);
 }
 
 TEST(Distance2, FitsTheTotalThatWasAskedFor) {
@@ -139,7 +140,7 @@ TEST(Distance2, FitsTheTotalThatWasAskedFor) {
     Vertices2 vertices(Points{{0, 0}, {Rational(full), Rational(full)}, {Rational(full), Rational(-full)}}, 3);
     vertices.set_total_length(diameters);
     // The longest distance is below 3 of the largest coordinate; twice the total must stay below 2^124.
-    const Integer length = to_integer(vertices.distance(1, 2).value);
+    const Integer length = to_integer(vertices.distance(1_v, 2_v).value);
     EXPECT_LT(Rational(length) * Rational(diameters), Rational(Integer(1) << 123));
     EXPECT_GT(length, Integer(1) << 80) << "and no bit is given away needlessly";
   }

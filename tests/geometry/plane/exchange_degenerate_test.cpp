@@ -162,7 +162,7 @@ TEST(DegenerateExchange2, RefusalsNameTheEdgesAndThePlace) {
 
 TEST(DegenerateExchange2, ConcurrentBitangentsMakeOneCriticalPoint) {
   const PreparedScene2 prepared = prepare(degenerate("three_concurrent_bitangents"));
-  const auto side = [&](const std::string& name) { return FaceSide2{prepared.scene.find(name).value(), false}; };
+  const auto side = [&](const std::string& name) { return Face{prepared.scene.find(name).value(), false}; };
   int lines = 0;
   for (const CriticalPoint2& point :
        critical_points(prepared.arrangement, prepared.scene, side("floor"), side("ceiling")))

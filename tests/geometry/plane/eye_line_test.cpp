@@ -23,9 +23,9 @@ void check(const Points& points, const ExactPoint2& from, const ExactPoint2& to)
   const Vertices2 vertices(points, points.size());
   const Eye2 p(vertices, vertices.from_scene(from)), q(vertices, vertices.from_scene(to));
   const EyeLine2 forth(p, q), back(q, p);
-  for (VertexId v = 0; v < points.size(); ++v) {
-    ASSERT_EQ(forth.side(v), exact_side(from, to, points[v])) << v;
-    ASSERT_EQ(back.side(v), -forth.side(v)) << v;
+  for (const VertexId v : IdRange<VertexId>(points.size())) {
+    ASSERT_EQ(forth.side(v), exact_side(from, to, points[v.index()])) << v.index();
+    ASSERT_EQ(back.side(v), -forth.side(v)) << v.index();
   }
 }
 

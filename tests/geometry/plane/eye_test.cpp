@@ -25,11 +25,13 @@ int exact_direction(const ExactPoint2& p, const ExactPoint2& q, const ExactPoint
 void check(const Points& points, const ExactPoint2& eye) {
   const Vertices2 vertices(points, points.size());
   const Eye2 look(vertices, vertices.from_scene(eye));
-  for (VertexId j = 0; j < points.size(); ++j) {
-    EXPECT_EQ(look.coincides_with(j), points[j] == eye);
-    for (VertexId k = 0; k < points.size(); ++k) {
-      EXPECT_EQ(look.orientation(j, k), exact_orientation(eye, points[j], points[k])) << j << " " << k;
-      EXPECT_EQ(look.direction_sign(j, k), exact_direction(eye, points[j], points[k])) << j << " " << k;
+  for (const VertexId j : IdRange<VertexId>(points.size())) {
+    EXPECT_EQ(look.coincides_with(j), points[j.index()] == eye);
+    for (const VertexId k : IdRange<VertexId>(points.size())) {
+      EXPECT_EQ(look.orientation(j, k), exact_orientation(eye, points[j.index()], points[k.index()]))
+          << j.index() << " " << k.index();
+      EXPECT_EQ(look.direction_sign(j, k), exact_direction(eye, points[j.index()], points[k.index()]))
+          << j.index() << " " << k.index();
     }
   }
 }
@@ -85,10 +87,10 @@ TEST(Eye2, Consistency) {
         const Rational off = Rational(static_cast<long>(random() % 3) - 1) / power;
         const ExactPoint2 eye{p.x + t * (q.x - p.x) - off * (q.y - p.y), p.y + t * (q.y - p.y) + off * (q.x - p.x)};
         const Eye2 look(vertices, vertices.from_scene(eye));
-        for (VertexId i = 0; i < points.size(); ++i)
-          for (VertexId j = 0; j < i; ++j) {
-            ASSERT_EQ(look.orientation(i, j), exact_orientation(eye, points[i], points[j]));
-            ASSERT_EQ(look.direction_sign(i, j), exact_direction(eye, points[i], points[j]));
+        for (const VertexId i : IdRange<VertexId>(points.size()))
+          for (const VertexId j : IdRange<VertexId>(i.index())) {
+            ASSERT_EQ(look.orientation(i, j), exact_orientation(eye, points[i.index()], points[j.index()]));
+            ASSERT_EQ(look.direction_sign(i, j), exact_direction(eye, points[i.index()], points[j.index()]));
           }
       }
     }

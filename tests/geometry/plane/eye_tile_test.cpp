@@ -45,13 +45,13 @@ void check(const Points& points, const ExactPoint2& from, const Rational& step, 
        {~EyeTile2::Set{0}, EyeTile2::Set{random() & random() & random()}, EyeTile2::Set{0xff} << 8, EyeTile2::Set{1}}) {
     if ((some & all) == 0) continue;
     const EyeTile2::Group group = tile.group(some & all);
-    for (VertexId i = 0; i < points.size(); ++i)
-      for (VertexId j = 0; j < points.size(); ++j) {
+    for (const VertexId i : IdRange<VertexId>(points.size()))
+      for (const VertexId j : IdRange<VertexId>(points.size())) {
         EyeTile2::Set expected = 0;
         for (std::size_t k = 0; k < eyes.size(); ++k)
-          if ((some & all) >> k & 1 && exact_orientation(eyes[k], points[i], points[j]) > 0)
+          if ((some & all) >> k & 1 && exact_orientation(eyes[k], points[i.index()], points[j.index()]) > 0)
             expected |= EyeTile2::Set{1} << k;
-        ASSERT_EQ(tile.seeing_left_turn(group, i, j), expected) << i << " " << j;
+        ASSERT_EQ(tile.seeing_left_turn(group, i, j), expected) << i.index() << " " << j.index();
       }
   }
 }

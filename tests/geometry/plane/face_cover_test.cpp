@@ -57,8 +57,7 @@ std::optional<PreparedScene2> prepared(const Scene2& scene) {
 
 std::size_t covered_sides(const Arrangement2& arrangement) {
   std::size_t count = 0;
-  for (std::size_t side = 0; side < arrangement.side_count(); ++side)
-    count += arrangement.is_covered(static_cast<PieceSideId>(side));
+  for (const PieceSideId side : arrangement.sides()) count += arrangement.is_covered(side);
   return count;
 }
 
@@ -82,7 +81,7 @@ TEST(FaceCover2, AFaceHasAnAreaIffItHasOneInTheMatrix) {
     const FaceCover2 cover(scene->scene, scene->arrangement);
     const ElementTable2 table(scene->scene, scene->arrangement, scene->division, Granularity::kFace);
     for (const Element& element : table.elements()) {
-      const std::uint32_t face = 2 * element.surface + (element.is_back ? 1 : 0);
+      const std::uint32_t face = Face{element.surface, element.is_back}.number();
       EXPECT_EQ(cover.has_area[face] != 0, element.area.value > 0) << seed << " " << element.name;
       without += cover.has_area[face] == 0;
     }

@@ -35,7 +35,7 @@ struct Meeting {
 };
 
 Ray exact_ray(const Arrangement2& arrangement, const PieceRay2& ray) {
-  const Segment2& piece = arrangement.pieces()[static_cast<std::size_t>(ray.from / 2)];
+  const Segment2& piece = arrangement.piece(ray.from);
   const ExactPoint2 a = arrangement.vertices().exact(piece.a);
   const Vector along = arrangement.vertices().exact(piece.b) - a;
   const Rational s(ray.s), dx(ray.dx), dy(ray.dy);
@@ -43,17 +43,17 @@ Ray exact_ray(const Arrangement2& arrangement, const PieceRay2& ray) {
 }
 
 bool leaves_the_side(const Arrangement2& arrangement, const PieceRay2& ray) {
-  const Segment2& piece = arrangement.pieces()[static_cast<std::size_t>(ray.from / 2)];
+  const Segment2& piece = arrangement.piece(ray.from);
   const Vector along = arrangement.vertices().exact(piece.b) - arrangement.vertices().exact(piece.a);
   const int turn = sgn(cross(along, {Rational(ray.dx), Rational(ray.dy)}));
-  return ray.from % 2 == 0 ? turn > 0 : turn < 0;
+  return is_right(ray.from) ? turn < 0 : turn > 0;
 }
 
 PieceSideId brute_force(const Arrangement2& arrangement, const PieceRay2& ray) {
   const Ray exact = exact_ray(arrangement, ray);
   std::optional<Meeting> first;
   for (std::size_t k = 0; k < arrangement.pieces().size(); ++k) {
-    if (static_cast<PieceSideId>(k) == ray.from / 2) continue;
+    if (k == piece_of(ray.from)) continue;
     const ExactPoint2 a = arrangement.vertices().exact(arrangement.pieces()[k].a);
     const ExactPoint2 b = arrangement.vertices().exact(arrangement.pieces()[k].b);
     const bool a_is_left = cross(exact.direction, a - exact.origin) > 0;
@@ -61,7 +61,7 @@ PieceSideId brute_force(const Arrangement2& arrangement, const PieceRay2& ray) {
     if (a_is_left == b_is_left) continue;
     const Vector along = b - a;
     const Rational slope = cross(exact.direction, along);
-    const auto side = static_cast<PieceSideId>(2 * k + (slope < 0 ? 1 : 0));
+    const PieceSideId side = slope < 0 ? right_side(k) : left_side(k);
     const Meeting meeting{cross(a - exact.origin, along) / slope, -cross(exact.left, along) / slope, side};
     if (meeting.t > 0 && (!first || meeting < *first)) first = meeting;
   }
@@ -79,14 +79,13 @@ int compare(const Scene2& scene, std::uint32_t seed) {
   int compared = 0;
   const auto check = [&](const PieceRay2& ray) {
     if (!leaves_the_side(arrangement, ray)) return;
-    EXPECT_EQ(first_hit(ray), brute_force(arrangement, ray)) << ray.from << ' ' << ray.dx << ' ' << ray.dy;
+    EXPECT_EQ(first_hit(ray), brute_force(arrangement, ray)) << ray.from.number() << ' ' << ray.dx << ' ' << ray.dy;
     ++compared;
   };
-  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-    const auto from = static_cast<PieceSideId>(side);
-    const auto &a = vertices.approximate(arrangement.pieces()[side / 2].a),
-               &b = vertices.approximate(arrangement.pieces()[side / 2].b);
-    for (VertexId v = 0; v < vertices.size(); ++v)
+  for (const PieceSideId from : arrangement.sides()) {
+    const auto &a = vertices.approximate(arrangement.piece(from).a),
+               &b = vertices.approximate(arrangement.piece(from).b);
+    for (const VertexId v : vertices.ids())
       check({from, 0.5, 2 * vertices.approximate(v).x - a.x - b.x, 2 * vertices.approximate(v).y - a.y - b.y});
     for (int k = 0; k < 8; ++k) check({from, 0.5 + unit(random) / 2.5, unit(random), unit(random)});
   }
@@ -117,8 +116,8 @@ TEST(FirstHit2, DoesNotSlipThroughWhereTwoPiecesMeet) {
                                                     {"right", "0", "4", "3", "2", 2, 2}}));
   const FirstHit2 first_hit(prepared.arrangement);
   const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
-  for (std::size_t side = 0; side < prepared.arrangement.side_count(); ++side) {
-    const PieceRay2 up{static_cast<PieceSideId>(side), 0.5, 0, 1};
+  for (const PieceSideId side : prepared.arrangement.sides()) {
+    const PieceRay2 up{side, 0.5, 0, 1};
     if (!leaves_the_side(prepared.arrangement, up)) continue;
     const std::string from = table.elements()[table.of(up.from)].name;
     if (!from.starts_with("floor")) continue;
@@ -129,8 +128,8 @@ TEST(FirstHit2, DoesNotSlipThroughWhereTwoPiecesMeet) {
 TEST(FirstHit2, MeetsTheSkyInAnOpenScene) {
   const PreparedScene2 prepared = prepare(scene_of({{"alone", "0", "0", "1", "0"}}));
   const FirstHit2 first_hit(prepared.arrangement);
-  EXPECT_EQ(first_hit({0, 0.5, 0.25, 1}), kSky);
-  EXPECT_EQ(first_hit({1, 0.5, 0.25, -1}), kSky);
+  EXPECT_EQ(first_hit({left_side(0), 0.5, 0.25, 1}), kSky);
+  EXPECT_EQ(first_hit({right_side(0), 0.5, 0.25, -1}), kSky);
 }
 
 }  // namespace

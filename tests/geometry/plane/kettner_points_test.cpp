@@ -67,12 +67,12 @@ TEST(KettnerPoints, OrientationsAreRightWherePlainDoublesAreNot) {
     for (const Double2& p : set.points) points.push_back(exact(p));
     const Vertices2 vertices(points, points.size());
     int wrong_triples = 0;
-    for (VertexId i = 0; i < points.size(); ++i)
-      for (VertexId j = i + 1; j < points.size(); ++j)
-        for (VertexId k = j + 1; k < points.size(); ++k) {
-          const int sign = exact_orientation(points[i], points[j], points[k]);
+    for (const VertexId k : vertices.ids())
+      for (const VertexId j : IdRange<VertexId>(k.index()))
+        for (const VertexId i : IdRange<VertexId>(j.index())) {
+          const int sign = exact_orientation(points[i.index()], points[j.index()], points[k.index()]);
           const auto naive = [&](VertexId p, VertexId q, VertexId r) {
-            return naive_orientation(set.points[p], set.points[q], set.points[r]);
+            return naive_orientation(set.points[p.index()], set.points[q.index()], set.points[r.index()]);
           };
           wrong_triples += naive(i, j, k) != sign || naive(j, k, i) != sign || naive(k, i, j) != sign;
           for (const auto& [p, q, r] : {std::tuple(i, j, k), std::tuple(j, k, i), std::tuple(k, i, j)}) {
@@ -82,9 +82,7 @@ TEST(KettnerPoints, OrientationsAreRightWherePlainDoublesAreNot) {
         }
     EXPECT_EQ(wrong_triples, set.wrong_triples) << set.name;
     for (const auto& [triple, sign] : set.signs)
-      EXPECT_EQ(vertices.orientation(static_cast<VertexId>(triple[0] - 1), static_cast<VertexId>(triple[1] - 1),
-                                     static_cast<VertexId>(triple[2] - 1)),
-                sign)
+      EXPECT_EQ(vertices.orientation(VertexId(triple[0] - 1), VertexId(triple[1] - 1), VertexId(triple[2] - 1)), sign)
           << set.name;
   }
 }

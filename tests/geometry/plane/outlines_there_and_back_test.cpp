@@ -35,8 +35,7 @@ TEST(Solids2, LeaveToARoomTheWallAlongWhichTheirOutlineGoesThereAndBack) {
   const Arrangement2 arrangement = arrangement_of(edges);
   EXPECT_EQ(oracle::verdict_differs(oracle::to_scene(edges), oracle::split(edges)), "");
   std::size_t sides_of_room = 0, covered = 0;
-  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-    const auto id = static_cast<PieceSideId>(side);
+  for (const PieceSideId id : arrangement.sides()) {
     covered += arrangement.is_covered(id);
     sides_of_room += !arrangement.is_covered(id) && arrangement.owner(id).surface < 3;
   }
@@ -50,8 +49,7 @@ TEST(Solids2, LeaveNothingOfASideAlongWhichTheirOutlineGoesThreeTimes) {
   add_closed(edges, {{0, 0}, {1, 0}, {0, 0}, {1, 0}, {0, 1}}, 1);
   const Arrangement2 arrangement = arrangement_of(edges);
   EXPECT_EQ(oracle::verdict_differs(oracle::to_scene(edges), oracle::split(edges)), "");
-  for (std::size_t side = 0; side < arrangement.side_count(); ++side) {
-    const auto id = static_cast<PieceSideId>(side);
+  for (const PieceSideId id : arrangement.sides()) {
     if (!arrangement.is_covered(id) && arrangement.owner(id).surface < 3) {
       EXPECT_TRUE(arrangement.owner(id).is_back);
     }

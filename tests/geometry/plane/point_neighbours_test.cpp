@@ -8,7 +8,8 @@
 #include <random>
 
 #include "geometry/plane/arrangement/point_index.h"
-#include "geometry/plane/check/closest_point.h"
+#include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {
 namespace {
@@ -28,26 +29,27 @@ TEST(PointNeighbours2, AreAllThatAreInReachAndFewMore) {
     // In the units of the approximate coordinates: those of the scene times this.
     const auto &p = vertices.approximate(segments[0].a), &q = vertices.approximate(segments[0].b);
     const double unit =
-        std::hypot(q.x - p.x, q.y - p.y) /
-        std::sqrt(
-            squared_distance(to_point(index.points()[segments[0].a]), to_point(index.points()[segments[0].b])).get_d());
+        std::hypot(q.x - p.x, q.y - p.y) / std::sqrt(squared_distance(to_point(index.points()[segments[0].a.index()]),
+                                                                      to_point(index.points()[segments[0].b.index()]))
+                                                         .get_d());
     const std::vector<long> reach_in_scene{1, 10, 100};
     const long reach = reach_in_scene[seed % 3];
     const auto near = segments_near_vertices(vertices, segments,
                                              std::vector<double>(vertices.size(), static_cast<double>(reach) * unit));
-    for (VertexId v = 0; v < vertices.size(); ++v) {
-      EXPECT_TRUE(std::ranges::is_sorted(near[v]));
-      EXPECT_TRUE(std::ranges::adjacent_find(near[v]) == near[v].end());
+    for (const VertexId v : vertices.ids()) {
+      EXPECT_TRUE(std::ranges::is_sorted(near[v.index()]));
+      EXPECT_TRUE(std::ranges::adjacent_find(near[v.index()]) == near[v.index()].end());
       for (std::uint32_t s = 0; s < segments.size(); ++s) {
-        const Rational squared = closest_point(to_point(index.points()[segments[s].a]),
-                                               to_point(index.points()[segments[s].b]), to_point(index.points()[v]))
-                                     .squared;
-        const bool is_listed = std::ranges::binary_search(near[v], s);
+        const Rational squared =
+            closest_point(to_point(index.points()[segments[s].a.index()]),
+                          to_point(index.points()[segments[s].b.index()]), to_point(index.points()[v.index()]))
+                .squared;
+        const bool is_listed = std::ranges::binary_search(near[v.index()], s);
         if (squared <= reach * reach) {
-          EXPECT_TRUE(is_listed) << "seed " << seed << ": " << s << " and vertex " << v;
+          EXPECT_TRUE(is_listed) << "seed " << seed << ": " << s << " and vertex " << v.index();
         }
         if (squared > 2 * reach * reach) {
-          EXPECT_FALSE(is_listed) << "seed " << seed << ": " << s << " and vertex " << v;
+          EXPECT_FALSE(is_listed) << "seed " << seed << ": " << s << " and vertex " << v.index();
         }
         const DistanceBounds bounds = distance_bounds(vertices, segments[s], v);
         const double distance = std::sqrt(squared.get_d()) * unit;

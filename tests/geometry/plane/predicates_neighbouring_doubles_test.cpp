@@ -9,6 +9,7 @@
 #include "geometry/plane/predicates/eye_tile.h"
 #include "geometry/plane/predicates/vertices.h"
 #include "kernel/root_sum.h"
+#include "tests/geometry/plane/vertex_literal.h"
 #include "tests/neighbouring_doubles/grid.h"
 
 namespace hottel {
@@ -32,8 +33,8 @@ class Points {
   }
 
   const Vertices2& vertices() const { return vertices_; }
-  const ExactPoint2& exact_point(VertexId v) const { return exact_[v]; }
-  VertexId id(int i, int j) const { return static_cast<VertexId>(first_) + static_cast<VertexId>(j * kSide + i); }
+  const ExactPoint2& exact_point(VertexId v) const { return exact_[v.index()]; }
+  VertexId id(int i, int j) const { return VertexId(first_ + static_cast<std::size_t>(j * kSide + i)); }
 
  private:
   std::size_t first_;
@@ -71,16 +72,16 @@ TEST_P(NeighbouringDoubles, OrientationIsRight) {
     const Vertices2& v = points.vertices();
     const int naive_failures = count_failures(points, [&](int i, int j, VertexId p) {
       return naive_orientation(grid.at(i, j), grid.q, grid.r) ==
-             exact_orientation(points.exact_point(p), points.exact_point(0), points.exact_point(1));
+             exact_orientation(points.exact_point(p), points.exact_point(0_v), points.exact_point(1_v));
     });
     EXPECT_GT(naive_failures, 10000) << "of 65536: the grid is where it is hard";
     EXPECT_EQ(count_failures(points,
                              [&](int, int, VertexId p) {
-                               const int sign = exact_orientation(points.exact_point(p), points.exact_point(0),
-                                                                  points.exact_point(1));
-                               return v.orientation(p, 0, 1) == sign && v.orientation(0, 1, p) == sign &&
-                                      v.orientation(1, p, 0) == sign && v.orientation(p, 1, 0) == -sign &&
-                                      v.orientation(0, p, 1) == -sign && v.orientation(1, 0, p) == -sign;
+                               const int sign = exact_orientation(points.exact_point(p), points.exact_point(0_v),
+                                                                  points.exact_point(1_v));
+                               return v.orientation(p, 0_v, 1_v) == sign && v.orientation(0_v, 1_v, p) == sign &&
+                                      v.orientation(1_v, p, 0_v) == sign && v.orientation(p, 1_v, 0_v) == -sign &&
+                                      v.orientation(0_v, p, 1_v) == -sign && v.orientation(1_v, 0_v, p) == -sign;
                              }),
               0)
         << grid.name;
@@ -94,10 +95,10 @@ TEST_P(NeighbouringDoubles, OrientationFromAnEyeIsRight) {
     EXPECT_EQ(count_failures(points,
                              [&](int i, int j, VertexId p) {
                                const Eye2 eye(v, v.from_scene(exact(grid.at(i, j))));
-                               const int sign = exact_orientation(points.exact_point(p), points.exact_point(0),
-                                                                  points.exact_point(1));
-                               return eye.orientation(0, 1) == sign && eye.orientation(1, 0) == -sign &&
-                                      eye.direction_sign(0, 1) == 1 && eye.coincides_with(p) &&
+                               const int sign = exact_orientation(points.exact_point(p), points.exact_point(0_v),
+                                                                  points.exact_point(1_v));
+                               return eye.orientation(0_v, 1_v) == sign && eye.orientation(1_v, 0_v) == -sign &&
+                                      eye.direction_sign(0_v, 1_v) == 1 && eye.coincides_with(p) &&
                                       !eye.coincides_with(points.id((i + 1) % kSide, j));
                              }),
               0)
@@ -115,10 +116,10 @@ TEST_P(NeighbouringDoubles, SideOfALineThroughTwoEyesIsRight) {
                              [&](int i, int j, VertexId p) {
                                const Eye2 eye(v, v.from_scene(exact(grid.at(i, j))));
                                const EyeLine2 from(eye, q), to(q, eye);
-                               const int sign = exact_orientation(points.exact_point(p), points.exact_point(0),
-                                                                  points.exact_point(1));
-                               return forth.side(p) == sign && back.side(p) == -sign && from.side(1) == sign &&
-                                      to.side(1) == -sign && from.side(p) == 0 && to.side(0) == 0;
+                               const int sign = exact_orientation(points.exact_point(p), points.exact_point(0_v),
+                                                                  points.exact_point(1_v));
+                               return forth.side(p) == sign && back.side(p) == -sign && from.side(1_v) == sign &&
+                                      to.side(1_v) == -sign && from.side(p) == 0 && to.side(0_v) == 0;
                              }),
               0)
         << grid.name;
@@ -140,11 +141,11 @@ TEST_P(NeighbouringDoubles, LeftTurnsSeenFromATileOfEyesAreRight) {
     for (std::size_t j = 0; j < kSide; j += kTile)
       for (std::size_t i = 0; i < kSide; i += kTile) {
         const EyeTile2 tile(v, std::span(x).subspan(i, kTile), std::span(y).subspan(j, kTile));
-        const EyeTile2::Set left = tile.seeing_left_turn(tile.group(~EyeTile2::Set{0}), 0, 1);
-        const EyeTile2::Set right = tile.seeing_left_turn(tile.group(~EyeTile2::Set{0}), 1, 0);
+        const EyeTile2::Set left = tile.seeing_left_turn(tile.group(~EyeTile2::Set{0}), 0_v, 1_v);
+        const EyeTile2::Set right = tile.seeing_left_turn(tile.group(~EyeTile2::Set{0}), 1_v, 0_v);
         for (std::size_t k = 0; k < kTile * kTile; ++k) {
           const VertexId p = points.id(static_cast<int>(i + k % kTile), static_cast<int>(j + k / kTile));
-          const int sign = exact_orientation(points.exact_point(p), points.exact_point(0), points.exact_point(1));
+          const int sign = exact_orientation(points.exact_point(p), points.exact_point(0_v), points.exact_point(1_v));
           failures += static_cast<int>(left >> k & 1) - static_cast<int>(right >> k & 1) != sign;
         }
       }
@@ -181,11 +182,11 @@ TEST_P(NeighbouringDoubles, DirectionIsRight) {
   int naive_failures = 0;
   EXPECT_EQ(count_failures(points,
                            [&](int i, int j, VertexId p) {
-                             const int sign =
-                                 exact_direction(points.exact_point(0), points.exact_point(p), points.exact_point(1));
+                             const int sign = exact_direction(points.exact_point(0_v), points.exact_point(p),
+                                                              points.exact_point(1_v));
                              naive_failures += naive_direction(grid.q, grid.at(i, j), grid.r) != sign;
-                             return v.direction_sign(0, p, 1) == sign && v.direction_sign(0, 1, p) == sign &&
-                                    eye.direction_sign(p, 1) == sign;
+                             return v.direction_sign(0_v, p, 1_v) == sign && v.direction_sign(0_v, 1_v, p) == sign &&
+                                    eye.direction_sign(p, 1_v) == sign;
                            }),
             0);
   EXPECT_GT(naive_failures, 5000);
@@ -200,10 +201,11 @@ TEST_P(NeighbouringDoubles, SideOfCircleIsRight) {
   int naive_failures = 0;
   EXPECT_EQ(count_failures(points,
                            [&](int i, int j, VertexId p) {
-                             const int sign = exact_side_of_circle(points.exact_point(0), points.exact_point(1),
-                                                                   points.exact_point(2), points.exact_point(p));
+                             const int sign = exact_side_of_circle(points.exact_point(0_v), points.exact_point(1_v),
+                                                                   points.exact_point(2_v), points.exact_point(p));
                              naive_failures += naive_side_of_circle(a, b, c, grid.at(i, j)) != sign;
-                             return v.side_of_circle(0, 1, 2, p) == sign && v.side_of_circle(1, 2, 0, p) == sign;
+                             return v.side_of_circle(0_v, 1_v, 2_v, p) == sign &&
+                                    v.side_of_circle(1_v, 2_v, 0_v, p) == sign;
                            }),
             0);
   EXPECT_GT(naive_failures, 50);
@@ -216,8 +218,8 @@ TEST_P(NeighbouringDoubles, OrderOfCoordinatesIsRight) {
   EXPECT_EQ(count_failures(points,
                            [&](int i, int j, VertexId p) {
                              const int x = (i > 100) - (i < 100), y = (j > 50) - (j < 50);
-                             return v.compare_x(p, 0) == x && v.compare_y(p, 0) == y &&
-                                    v.precedes(p, 0) == (x < 0 || (x == 0 && y < 0));
+                             return v.compare_x(p, 0_v) == x && v.compare_y(p, 0_v) == y &&
+                                    v.precedes(p, 0_v) == (x < 0 || (x == 0 && y < 0));
                            }),
             0);
 }

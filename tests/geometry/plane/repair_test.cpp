@@ -14,6 +14,7 @@
 #include "geometry/plane/check/contacts.h"
 #include "geometry/plane/check/near_misses.h"
 #include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/closest_point.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
 namespace hottel {

@@ -19,7 +19,7 @@ Scene2 named_scene() {
   scene.materials.resize(1);
   scene.groups = {"room", "window1"};
   const auto add = [&](const char* name, const Point2& from, const Point2& to, std::uint32_t group) {
-    Surface2 surface;
+    Surface surface;
     surface.name = name;
     surface.from = from;
     surface.to = to;

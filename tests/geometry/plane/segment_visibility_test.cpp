@@ -19,7 +19,7 @@ class Points {
       : lines_(lines),
         arrangement_(testing_scenes::scene_of(lines), Division(lines.size(), 1)),
         visibility_(arrangement_) {
-    for (VertexId v = 0; v < arrangement_.vertices().size(); ++v)
+    for (const VertexId v : arrangement_.vertices().ids())
       vertices_.insert(arrangement_.vertices().to_scene(arrangement_.vertices().exact(v)));
   }
 

@@ -55,13 +55,13 @@ Rational solid_area(const Scene2& scene) {
   const FreeRegions2 regions(triangulation, arrangement.side_count());
   const Vertices2& vertices = arrangement.vertices();
   Rational area = 0;
-  for (PieceSideId side = 0; side < static_cast<PieceSideId>(arrangement.side_count()); ++side) {
+  for (const PieceSideId side : arrangement.sides()) {
     if (!arrangement.is_covered(side)) continue;
-    // Green's theorem: the cell lies on the left of the piece (even sides), or on its right.
-    const Segment2& piece = arrangement.pieces()[static_cast<std::size_t>(side / 2)];
+    // Green's theorem: the cell lies on the left of the piece, or on its right.
+    const Segment2& piece = arrangement.piece(side);
     const ExactPoint2 p = vertices.to_scene(vertices.exact(piece.a)), q = vertices.to_scene(vertices.exact(piece.b));
     const Rational twice = p.x * q.y - q.x * p.y;
-    area += side % 2 == 0 ? twice : Rational(-twice);
+    area += is_right(side) ? Rational(-twice) : twice;
   }
   return area / 2;
 }

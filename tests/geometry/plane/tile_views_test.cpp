@@ -9,6 +9,7 @@
 
 #include "geometry/plane/arrangement/arrangement.h"
 #include "tests/geometry/plane/exchange_scenes.h"
+#include "tests/geometry/plane/vertex_literal.h"
 
 namespace hottel {
 namespace {
@@ -24,8 +25,8 @@ class Together {
   explicit Together(const Scene2& scene)
       : arrangement_(scene, Division(scene.surfaces.size(), 1)),
         location_(arrangement_.vertices(), arrangement_.triangulation()) {
-    low_ = high_ = vertices().exact(0);
-    for (VertexId v = 1; v < vertices().size(); ++v) {
+    low_ = high_ = vertices().exact(0_v);
+    for (const VertexId v : vertices().ids()) {
       const ExactPoint2 p = vertices().exact(v);
       low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
       high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
@@ -103,7 +104,7 @@ TEST_P(TileViews2OfAScene, AreThoseOfTheirEyes) {
 
 TEST_P(TileViews2OfAScene, AreThoseOfEyesNearVertices) {
   Together scene(generated(GetParam(), 30, 5));
-  for (VertexId v = 0; v < std::min<std::size_t>(scene.vertex_count(), 20); ++v)
+  for (const VertexId v : IdRange<VertexId>(std::min<std::size_t>(scene.vertex_count(), 20)))
     for (const char* share : {"1/50", "1e-4", "1e-16", "1e-40"}) scene.check_about(v, *parse_rational(share));
 }
 
@@ -119,7 +120,7 @@ TEST(TileViews2OfDegenerateScenes, AreThoseOfTheirEyes) {
         scene_of({{"a", "0", "0", "4", "0"}, {"b", "2", "1", "3", "1"}, {"c", "2", "-1", "5", "1e-30"}})}) {
     Together together(scene);
     for (const std::size_t count : {4, 8, 13, 36}) together.check(count, 8, 8);
-    for (VertexId v = 0; v < together.vertex_count(); ++v) together.check_about(v, Rational(1, 16));
+    for (const VertexId v : IdRange<VertexId>(together.vertex_count())) together.check_about(v, Rational(1, 16));
   }
 }
 

@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "tests/geometry/plane/vertex_literal.h"
+
 namespace hottel {
 namespace {
 
@@ -70,9 +72,9 @@ TEST(Vertices2Form, KeepsTheExactPoints) {
     if (large) all.push_back(spoiler());
     const Vertices2 vertices(all, all.size());
     EXPECT_EQ(vertices.is_small(), !large);
-    for (VertexId v = 0; v < all.size(); ++v) {
-      EXPECT_EQ(vertices.to_scene(vertices.exact(v)), all[v]);
-      EXPECT_EQ(vertices.from_scene(all[v]), vertices.exact(v));
+    for (const VertexId v : IdRange<VertexId>(all.size())) {
+      EXPECT_EQ(vertices.to_scene(vertices.exact(v)), all[v.index()]);
+      EXPECT_EQ(vertices.from_scene(all[v.index()]), vertices.exact(v));
     }
   }
 }
@@ -83,12 +85,14 @@ void check_all_triples(const Points& points, const char* what) {
     if (large) all.push_back(spoiler());
     const Vertices2 vertices(all, all.size());
     EXPECT_TRUE(!large || !vertices.is_small());
-    for (VertexId i = 0; i < points.size(); ++i)
-      for (VertexId j = 0; j < points.size(); ++j)
-        for (VertexId k = 0; k < points.size(); ++k) {
-          EXPECT_EQ(vertices.orientation(i, j, k), exact_orientation(points[i], points[j], points[k]))
-              << what << ": " << i << " " << j << " " << k;
-          EXPECT_EQ(vertices.direction_sign(i, j, k), exact_direction(points[i], points[j], points[k]));
+    for (const VertexId i : IdRange<VertexId>(points.size()))
+      for (const VertexId j : IdRange<VertexId>(points.size()))
+        for (const VertexId k : IdRange<VertexId>(points.size())) {
+          EXPECT_EQ(vertices.orientation(i, j, k),
+                    exact_orientation(points[i.index()], points[j.index()], points[k.index()]))
+              << what << ": " << i.index() << " " << j.index() << " " << k.index();
+          EXPECT_EQ(vertices.direction_sign(i, j, k),
+                    exact_direction(points[i.index()], points[j.index()], points[k.index()]));
         }
   }
 }
@@ -100,10 +104,10 @@ TEST(Orientation2, IsRightWhereDoublesFail) {
                                        {0.79999999999999993, 0.80000000000000004},
                                        {1.267650600228229e30, 1.2676506002282291e30}});
   const Vertices2 four(page_13, 4);
-  EXPECT_EQ(four.orientation(0, 1, 2), -1);
-  EXPECT_EQ(four.orientation(0, 1, 3), -1);
-  EXPECT_EQ(four.orientation(0, 2, 3), -1);
-  EXPECT_EQ(four.orientation(1, 2, 3), -1);
+  EXPECT_EQ(four.orientation(0_v, 1_v, 2_v), -1);
+  EXPECT_EQ(four.orientation(0_v, 1_v, 3_v), -1);
+  EXPECT_EQ(four.orientation(0_v, 2_v, 3_v), -1);
+  EXPECT_EQ(four.orientation(1_v, 2_v, 3_v), -1);
   check_all_triples(page_13, "page 13");
 
   const Points a1 = from_doubles({{7.3000000000000194, 7.3000000000000167},
@@ -115,14 +119,14 @@ TEST(Orientation2, IsRightWhereDoublesFail) {
                                   {15, 27},
                                   {26, 25},
                                   {19, 11}});
-  EXPECT_EQ(Vertices2(a1, a1.size()).orientation(0, 1, 3), 1);
-  EXPECT_EQ(Vertices2(a1, a1.size()).orientation(0, 2, 3), 1);
+  EXPECT_EQ(Vertices2(a1, a1.size()).orientation(0_v, 1_v, 3_v), 1);
+  EXPECT_EQ(Vertices2(a1, a1.size()).orientation(0_v, 2_v, 3_v), 1);
   check_all_triples(a1, "A1");
   const Points a2 = from_doubles({{27.643564356435643, -21.881188118811881},
                                   {83.366336633663366, 15.544554455445542},
                                   {4, 4},
                                   {73.415841584158414, 8.8613861386138595}});
-  EXPECT_EQ(Vertices2(a2, 4).orientation(0, 1, 3), 1);
+  EXPECT_EQ(Vertices2(a2, 4).orientation(0_v, 1_v, 3_v), 1);
   check_all_triples(a2, "A2");
   check_all_triples(from_doubles({{200, 49.200000000000003},
                                   {100, 49.600000000000001},
@@ -162,11 +166,11 @@ TEST_P(Orientation2OnNeighbouringDoubles, HasTheExactSign) {
     int wrong = 0, wrong_in_doubles = 0, zeros = 0;
     for (int i = 0; i < kSide; ++i)
       for (int j = 0; j < kSide; ++j) {
-        const auto p = static_cast<VertexId>(2 + i * kSide + j);
-        const int exact = exact_orientation(points[p], points[0], points[1]);
-        wrong += vertices.orientation(p, 0, 1) != exact;
-        wrong += vertices.orientation(0, 1, p) != exact;
-        wrong += vertices.orientation(1, 0, p) != -exact;
+        const auto p = VertexId(2 + i * kSide + j);
+        const int exact = exact_orientation(points[p.index()], points[0], points[1]);
+        wrong += vertices.orientation(p, 0_v, 1_v) != exact;
+        wrong += vertices.orientation(0_v, 1_v, p) != exact;
+        wrong += vertices.orientation(1_v, 0_v, p) != -exact;
         wrong_in_doubles += orientation_in_doubles(px + i * step, py + j * step, q, q, r, r) != exact;
         zeros += exact == 0;
       }
@@ -187,7 +191,7 @@ TEST(Orientation2, Coverage) {
   const Integer big = Integer(1) << 59;
   const Points small{{0, 0}, {Rational(big), Rational(big - 1)}, {Rational(big - 1), Rational(big - 2)}, {1, 5}};
   check_all_triples(small, "128-bit integers");
-  EXPECT_EQ(Vertices2(small, 4).orientation(0, 1, 2), -1);
+  EXPECT_EQ(Vertices2(small, 4).orientation(0_v, 1_v, 2_v), -1);
   check_all_triples(from_doubles({{0, 0}, {3, 1}, {6, 2}, {-9, -3}, {0, 0}}), "collinear");
   // Coordinates beyond 2^53 are no doubles.
   check_all_triples({{0, 0}, {Rational(big + 1), 1}, {Rational(-big - 1), -1}, {Rational(big), 1}}, "rounded input");
@@ -213,10 +217,11 @@ TEST(Orientation2, Consistency) {
       points.push_back({p.x + t * (q.x - p.x) - off * (q.y - p.y), p.y + t * (q.y - p.y) + off * (q.x - p.x)});
     }
     const Vertices2 vertices(points, points.size());
-    for (VertexId i = 0; i < points.size(); ++i)
-      for (VertexId j = 0; j < i; ++j)
-        for (VertexId l = 0; l < j; ++l)
-          ASSERT_EQ(vertices.orientation(i, j, l), exact_orientation(points[i], points[j], points[l]));
+    for (const VertexId i : IdRange<VertexId>(points.size()))
+      for (const VertexId j : IdRange<VertexId>(i.index()))
+        for (const VertexId l : IdRange<VertexId>(j.index()))
+          ASSERT_EQ(vertices.orientation(i, j, l),
+                    exact_orientation(points[i.index()], points[j.index()], points[l.index()]));
   }
 }
 
@@ -225,11 +230,12 @@ TEST(Vertices2Order, ComparesExactCoordinates) {
   for (const Rational& step : {Rational(1), tiny}) {
     const Points points{{0, 0}, {1, 1}, {1 + step, 1 - step}, {1, 1 - step}};
     const Vertices2 vertices(points, points.size());
-    for (VertexId i = 0; i < 4; ++i)
-      for (VertexId j = 0; j < 4; ++j) {
-        EXPECT_EQ(vertices.compare_x(i, j), sgn(Rational(points[i].x - points[j].x)));
-        EXPECT_EQ(vertices.compare_y(i, j), sgn(Rational(points[i].y - points[j].y)));
-        const bool precedes = points[i].x < points[j].x || (points[i].x == points[j].x && points[i].y < points[j].y);
+    for (const VertexId i : IdRange<VertexId>(4))
+      for (const VertexId j : IdRange<VertexId>(4)) {
+        EXPECT_EQ(vertices.compare_x(i, j), sgn(Rational(points[i.index()].x - points[j.index()].x)));
+        EXPECT_EQ(vertices.compare_y(i, j), sgn(Rational(points[i.index()].y - points[j.index()].y)));
+        const bool precedes = points[i.index()].x < points[j.index()].x ||
+                              (points[i.index()].x == points[j.index()].x && points[i.index()].y < points[j.index()].y);
         EXPECT_EQ(vertices.precedes(i, j), precedes);
       }
   }
@@ -240,11 +246,11 @@ TEST(Vertices2Order, KnowsWhatLiesBetween) {
     Points points = from_doubles({{0, 0}, {6, 3}, {2, 1}, {8, 4}, {-2, -1}});
     if (large) points.push_back(spoiler());
     const Vertices2 vertices(points, points.size());
-    EXPECT_TRUE(vertices.is_between(0, 1, 2));
-    EXPECT_FALSE(vertices.is_between(0, 1, 3));
-    EXPECT_FALSE(vertices.is_between(0, 1, 4));
-    EXPECT_FALSE(vertices.is_between(0, 1, 0));
-    EXPECT_FALSE(vertices.is_between(0, 1, 1));
+    EXPECT_TRUE(vertices.is_between(0_v, 1_v, 2_v));
+    EXPECT_FALSE(vertices.is_between(0_v, 1_v, 3_v));
+    EXPECT_FALSE(vertices.is_between(0_v, 1_v, 4_v));
+    EXPECT_FALSE(vertices.is_between(0_v, 1_v, 0_v));
+    EXPECT_FALSE(vertices.is_between(0_v, 1_v, 1_v));
   }
 }
 
@@ -257,9 +263,10 @@ TEST(Vertices2Order, IsInvariantUnderTranslationAndScaling) {
       moved.push_back({(p.x + shift) * *parse_rational(factor), (p.y - shift) * *parse_rational(factor)});
     const Vertices2 a(points, points.size()), b(moved, moved.size());
     EXPECT_TRUE(b.is_small());
-    for (VertexId i = 0; i < points.size(); ++i) {
+    for (const VertexId i : IdRange<VertexId>(points.size())) {
       EXPECT_EQ(a.exact(i), b.exact(i));
-      for (VertexId j = 0; j < points.size(); ++j) EXPECT_EQ(a.distance(i, j).value, b.distance(i, j).value);
+      for (const VertexId j : IdRange<VertexId>(points.size()))
+        EXPECT_EQ(a.distance(i, j).value, b.distance(i, j).value);
     }
   }
 }
@@ -272,20 +279,21 @@ void check_circles(const Points& points, int tries) {
     const auto any = [&] { return static_cast<VertexId>(random() % points.size()); };
     VertexId a = any(), b = any();
     const VertexId c = any(), d = any();
-    if (exact_orientation(points[a], points[b], points[c]) < 0) std::swap(a, b);
-    if (exact_orientation(points[a], points[b], points[c]) == 0) continue;
-    const int exact = exact_side_of_circle(points[a], points[b], points[c], points[d]);
+    if (exact_orientation(points[a.index()], points[b.index()], points[c.index()]) < 0) std::swap(a, b);
+    if (exact_orientation(points[a.index()], points[b.index()], points[c.index()]) == 0) continue;
+    const int exact = exact_side_of_circle(points[a.index()], points[b.index()], points[c.index()], points[d.index()]);
     zeros += exact == 0;
-    ASSERT_EQ(vertices.side_of_circle(a, b, c, d), exact) << a << " " << b << " " << c << " " << d;
+    ASSERT_EQ(vertices.side_of_circle(a, b, c, d), exact)
+        << a.index() << " " << b.index() << " " << c.index() << " " << d.index();
   }
   EXPECT_GT(zeros, 0);
 }
 
 TEST(SideOfCircle2, Coverage) {
   const Vertices2 vertices(from_doubles({{0, 0}, {2, 0}, {0, 2}, {2, 2}, {1, 1}, {3, 3}}), 6);
-  EXPECT_EQ(vertices.side_of_circle(0, 1, 2, 3), 0);
-  EXPECT_EQ(vertices.side_of_circle(0, 1, 2, 4), 1);
-  EXPECT_EQ(vertices.side_of_circle(0, 1, 2, 5), -1);
+  EXPECT_EQ(vertices.side_of_circle(0_v, 1_v, 2_v, 3_v), 0);
+  EXPECT_EQ(vertices.side_of_circle(0_v, 1_v, 2_v, 4_v), 1);
+  EXPECT_EQ(vertices.side_of_circle(0_v, 1_v, 2_v, 5_v), -1);
 }
 
 // Points of one circle, moved by one unit here and there, at all sizes of coordinates and in both forms.

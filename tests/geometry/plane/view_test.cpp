@@ -30,21 +30,21 @@ bool lies_between(const ExactPoint2& p, const ExactPoint2& a, const ExactPoint2&
 class Sight {
  public:
   explicit Sight(const Scene2& scene) : arrangement_(scene, Division(scene.surfaces.size(), 1)) {
-    for (VertexId v = 0; v < arrangement_.vertices().size(); ++v) points_.push_back(arrangement_.vertices().exact(v));
+    for (const VertexId v : arrangement_.vertices().ids()) points_.push_back(arrangement_.vertices().exact(v));
   }
 
   const Arrangement2& arrangement() const { return arrangement_; }
-  const ExactPoint2& point(VertexId v) const { return points_[v]; }
+  const ExactPoint2& point(VertexId v) const { return points_[v.index()]; }
 
   // Property (1): the open segment from the eye meets no piece and no other vertex, or runs along a piece.
   bool sees(const ExactPoint2& eye, VertexId v) const {
-    if (points_[v] == eye) return false;
+    if (points_[v.index()] == eye) return false;
     for (const ExactPoint2& p : points_)
-      if (lies_between(p, eye, points_[v])) return false;
+      if (lies_between(p, eye, points_[v.index()])) return false;
     return std::none_of(arrangement_.pieces().begin(), arrangement_.pieces().end(), [&](const Segment2& piece) {
-      const ExactPoint2 &a = points_[piece.a], &b = points_[piece.b];
-      return orientation(eye, points_[v], a) * orientation(eye, points_[v], b) < 0 &&
-             orientation(a, b, eye) * orientation(a, b, points_[v]) < 0;
+      const ExactPoint2 &a = points_[piece.a.index()], &b = points_[piece.b.index()];
+      return orientation(eye, points_[v.index()], a) * orientation(eye, points_[v.index()], b) < 0 &&
+             orientation(a, b, eye) * orientation(a, b, points_[v.index()]) < 0;
     });
   }
 
@@ -53,7 +53,8 @@ class Sight {
     PieceSideId found = kSky;
     Rational nearest = 0;
     for (std::size_t k = 0; k < arrangement_.pieces().size(); ++k) {
-      const ExactPoint2 &a = points_[arrangement_.pieces()[k].a], &b = points_[arrangement_.pieces()[k].b];
+      const ExactPoint2 &a = points_[arrangement_.pieces()[k].a.index()],
+                        &b = points_[arrangement_.pieces()[k].b.index()];
       const Rational ux = b.x - a.x, uy = b.y - a.y;
       const Rational turn = direction.x * uy - direction.y * ux;
       if (turn == 0) continue;
@@ -61,7 +62,7 @@ class Sight {
       const Rational s = ((a.x - eye.x) * direction.y - (a.y - eye.y) * direction.x) / turn;
       if (t <= 0 || s < 0 || s > 1 || (found != kSky && t >= nearest)) continue;
       nearest = t;
-      found = static_cast<PieceSideId>(2 * k + (turn > 0 ? 0 : 1));
+      found = turn > 0 ? left_side(k) : right_side(k);
     }
     return found;
   }
@@ -71,10 +72,11 @@ class Sight {
     std::set<VertexId> seen;
     const std::size_t m = view.seen.size();
     for (const View2::Seen& s : view.seen) EXPECT_TRUE(seen.insert(s.vertex).second) << "no vertex twice";
-    for (VertexId v = 0; v < points_.size(); ++v) EXPECT_EQ(seen.contains(v), sees(eye, v)) << "vertex " << v;
+    for (const VertexId v : IdRange<VertexId>(points_.size()))
+      EXPECT_EQ(seen.contains(v), sees(eye, v)) << "vertex " << v.index();
     for (std::size_t k = 0; k < m; ++k) {
       const View2::Seen& s = view.seen[k];
-      const ExactPoint2 &right = points_[s.vertex], &left = points_[view.seen[(k + 1) % m].vertex];
+      const ExactPoint2 &right = points_[s.vertex.index()], &left = points_[view.seen[(k + 1) % m].vertex.index()];
       // Counter-clockwise; a cone of half a turn or more is looked at just behind its right end.
       const ExactPoint2 r{right.x - eye.x, right.y - eye.y}, l{left.x - eye.x, left.y - eye.y};
       const Rational cross = r.x * l.y - r.y * l.x;
@@ -87,23 +89,24 @@ class Sight {
       }
       EXPECT_EQ(s.behind, first_met(eye, direction)) << "between " << k << " and the next";
       // Along a piece that covers the line of sight.
-      PieceSideId left_side = kNoPiece;
+      PieceSideId on_left = kNoPiece;
       for (std::size_t p = 0; p < arrangement_.pieces().size(); ++p) {
-        const ExactPoint2 &a = points_[arrangement_.pieces()[p].a], &b = points_[arrangement_.pieces()[p].b];
-        if (b == right && (a == eye || lies_between(eye, a, b))) left_side = static_cast<PieceSideId>(2 * p);
-        if (a == right && (b == eye || lies_between(eye, a, b))) left_side = static_cast<PieceSideId>(2 * p + 1);
+        const ExactPoint2 &a = points_[arrangement_.pieces()[p].a.index()],
+                          &b = points_[arrangement_.pieces()[p].b.index()];
+        if (b == right && (a == eye || lies_between(eye, a, b))) on_left = left_side(p);
+        if (a == right && (b == eye || lies_between(eye, a, b))) on_left = right_side(p);
       }
-      EXPECT_EQ(s.left, left_side);
-      EXPECT_EQ(s.right, left_side == kNoPiece ? kNoPiece : left_side ^ 1);
+      EXPECT_EQ(s.left, on_left);
+      EXPECT_EQ(s.right, on_left == kNoPiece ? kNoPiece : opposite(on_left));
     }
   }
 
   void check_vertices() const {
     View2 view;
-    for (VertexId v = 0; v < points_.size(); ++v) {
+    for (const VertexId v : IdRange<VertexId>(points_.size())) {
       look_around(arrangement_.vertices(), arrangement_.triangulation(), v, view);
-      SCOPED_TRACE(fmt::format("from vertex {}", v));
-      check(points_[v], view);
+      SCOPED_TRACE(fmt::format("from vertex {}", v.index()));
+      check(points_[v.index()], view);
     }
   }
 
@@ -128,7 +131,7 @@ class Sight {
       check(eye, view);
     }
     for (const Segment2& piece : arrangement_.pieces()) {
-      const ExactPoint2 &a = points_[piece.a], &b = points_[piece.b];
+      const ExactPoint2 &a = points_[piece.a.index()], &b = points_[piece.b.index()];
       const ExactPoint2 eye{(a.x + 2 * b.x) / 3, (a.y + 2 * b.y) / 3};
       location.look_around(Eye2(vertices, eye), view);
       check(eye, view);

@@ -120,12 +120,9 @@ TEST(AverageIlluminationOracle, AgreesWithinItsBoundsInCellsPartlyInSolids) {
       const Vertices2& vertices = arrangement.vertices();
       const ExactPoint2 a = vertices.to_scene(vertices.exact(arrangement.pieces()[piece].a)),
                         b = vertices.to_scene(vertices.exact(arrangement.pieces()[piece].b));
-      const auto sends = [&](std::size_t side) {
-        const auto id = static_cast<PieceSideId>(2 * piece + side);
-        if (arrangement.is_covered(id)) return 0.0;
-        return lit.radiosity(id);
-      };
-      segments.push_back({to_double(a.x), to_double(a.y), to_double(b.x), to_double(b.y), sends(0), sends(1)});
+      const auto sends = [&](PieceSideId side) { return arrangement.is_covered(side) ? 0.0 : lit.radiosity(side); };
+      segments.push_back({to_double(a.x), to_double(a.y), to_double(b.x), to_double(b.y), sends(left_side(piece)),
+                          sends(right_side(piece))});
     }
     const Grid2 cells{{0, 0}, {4, 3}, 6, 9};
     const AverageIllumination light = illuminate_averages(lit.prepared, cells, lit.faces());

@@ -26,7 +26,7 @@ class PairsOfPoints {
         arrangement_(scene_, Division(scene.edges.size(), 1)),
         visibility_(arrangement_),
         random_(seed) {
-    for (VertexId v = 0; v < arrangement_.vertices().size(); ++v)
+    for (const VertexId v : arrangement_.vertices().ids())
       vertices_.insert(arrangement_.vertices().to_scene(arrangement_.vertices().exact(v)));
   }
 

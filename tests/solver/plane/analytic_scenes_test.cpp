@@ -77,7 +77,7 @@ class AnalyticScene {
     RootSum sum;
     for (const PointFactor2& part :
          point_factors(arrangement, location, from.from, from.to, false, parse_rational(row.at).value()))
-      if (part.side != kSky && arrangement.owner(part.side) == FacePart{to, 0, false}) sum += part.factor;
+      if (part.side != kSky && arrangement.owner(part.side) == Face{to, false}) sum += part.factor;
     return round_quotient(sum, RootSum(Rational(1))).number;
   }
 

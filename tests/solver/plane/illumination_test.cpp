@@ -133,7 +133,7 @@ TEST(IlluminationGrid, AtAVertexIsTheMeanOverTheDirectionsOfApproach) {
   for (const Scene2& scene : scenes) {
     const Lit lit(scene);
     const Vertices2& vertices = lit.prepared.arrangement.vertices();
-    for (VertexId v = 0; v < std::min<std::size_t>(vertices.size(), 12); ++v) {
+    for (const VertexId v : IdRange<VertexId>(std::min<std::size_t>(vertices.size(), 12))) {
       const ExactPoint2 at = vertices.to_scene(vertices.exact(v));
       constexpr int kDirections = 400;
       double sum = 0;
@@ -141,7 +141,7 @@ TEST(IlluminationGrid, AtAVertexIsTheMeanOverTheDirectionsOfApproach) {
         const double phi = 2 * std::numbers::pi * (k + 0.37) / kDirections;
         sum += lit.reference({at.x + Rational(std::cos(phi)) * kTiny, at.y + Rational(std::sin(phi)) * kTiny});
       }
-      EXPECT_NEAR(lit.at(at.x, at.y), sum / kDirections, 0.03) << v;  // jumps: an error of one direction in 400
+      EXPECT_NEAR(lit.at(at.x, at.y), sum / kDirections, 0.03) << v.index();  // jumps: an error of one direction in 400
     }
   }
 }

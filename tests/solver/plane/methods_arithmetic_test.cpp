@@ -196,7 +196,7 @@ TEST(Arithmetic2, EndsWhenSignsAreArbitrary) {
     explicit ArbitrarySigns(std::uint64_t seed) : seed_(seed) {}
     int orientation(VertexId i, VertexId j, VertexId k) const {
       std::uint64_t hash = seed_;
-      for (const VertexId v : {i, j, k}) hash = (hash ^ v) * 0x9e3779b97f4a7c15ull, hash ^= hash >> 29;
+      for (const VertexId v : {i, j, k}) hash = (hash ^ v.index()) * 0x9e3779b97f4a7c15ull, hash ^= hash >> 29;
       return static_cast<int>(hash % 3) - 1;
     }
 
@@ -207,7 +207,7 @@ TEST(Arithmetic2, EndsWhenSignsAreArbitrary) {
   std::atomic<std::uint64_t> cut_off = 0;
   View2 view;
   for (std::uint64_t seed = 0; seed < 100; ++seed)
-    for (VertexId v = 0; v < prepared.arrangement.vertices().size(); ++v) {
+    for (const VertexId v : prepared.arrangement.vertices().ids()) {
       const ArbitrarySigns signs(seed);
       const StepLimit2 limited(signs, 10'000, cut_off);
       look_around(limited, prepared.arrangement.triangulation(), v, view);

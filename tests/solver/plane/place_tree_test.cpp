@@ -30,7 +30,7 @@ TEST(PlaceTree2, VisitsEveryVertexThatDoesNotLieBehindARun) {
     for (const ElementRun2& run : geometry.all_runs()) {
       std::set<VertexId> found;
       EXPECT_TRUE(tree.visit_before(run, [&](VertexId v) { return found.insert(v).second; }));
-      for (VertexId v = 0; v < vertices.size(); ++v) {
+      for (const VertexId v : vertices.ids()) {
         if (vertices.orientation(run.ends.a, run.ends.b, v) > 0) continue;
         ++before;
         EXPECT_TRUE(found.contains(v)) << seed;
@@ -55,7 +55,7 @@ TEST(PlaceTree2, VisitsEveryVertexNearASegment) {
         const LocalVector2 along = geometry.place(piece.b) - from;
         std::set<VertexId> found;
         tree.visit_near(from, along, distance, [&](VertexId v) { return found.insert(v).second; });
-        for (VertexId v = 0; v < vertices.size(); ++v) {
+        for (const VertexId v : vertices.ids()) {
           const LocalVector2 way = geometry.place(v) - from;
           const double t = std::clamp(dot(way, along) / dot(along, along), 0.0, 1.0);
           if (length({way.x - t * along.x, way.y - t * along.y}) > distance) continue;
@@ -108,7 +108,7 @@ std::optional<double> claimed_by_all_vertices(const PreparedScene2& prepared, do
     double error = 1e-9;
     for (const ElementRun2& run : geometry.runs(i)) {
       if (!geometry.has_row(i)) continue;
-      for (VertexId v = 0; v < vertices.size(); ++v) {
+      for (const VertexId v : vertices.ids()) {
         if (vertices.is_between(run.ends.a, run.ends.b, v)) return std::nullopt;
         if (vertices.orientation(run.ends.a, run.ends.b, v) >= 0) continue;
         const LocalVector2 p = geometry.place(v) - run.centre;
@@ -120,7 +120,7 @@ std::optional<double> claimed_by_all_vertices(const PreparedScene2& prepared, do
     largest = std::max(largest, error);
   }
   for (const Segment2& piece : prepared.arrangement.pieces())
-    for (VertexId v = 0; v < vertices.size(); ++v) {
+    for (const VertexId v : vertices.ids()) {
       if (v == piece.a || v == piece.b) continue;
       const LocalVector2 along = geometry.place(piece.b) - geometry.place(piece.a),
                          way = geometry.place(v) - geometry.place(piece.a);

@@ -26,7 +26,7 @@ void divide(Scene2& scene, std::mt19937_64& random) {
 std::uint32_t face_of(const ExchangeMatrix& parts, std::uint32_t element, std::uint32_t sky) {
   if (element == parts.sky()) return sky;
   const Element& e = parts.elements()[element];
-  return 2 * e.surface + (e.is_back ? 1 : 0);
+  return Face{e.surface, e.is_back}.number();
 }
 
 // What is printed: the doubles of the elements add up to the double of the face, as far as each is rounded.

@@ -45,8 +45,8 @@ TEST(VisibilityPicture2, CutsWhatReachesOutOfThePicture) {
 
 TEST(PairPicture2, HighlightsBothEdgesAndTheCriticalPoints) {
   const PreparedScene2 scene = prepare(furnished_room());
-  const PairDrawing drawing{.a = 1,
-                            .b = kWindow,
+  const PairDrawing drawing{.a = {1},
+                            .b = {kWindow},
                             .critical_on_a = {{1, 3}, {2.5, 3}, {3.5, 3}},
                             .lines = {{{1, 3}, {1, 0}}, {{3.5, 3}, {3, 0}}}};
   const RecordingCanvas canvas = drawn(PairPainter2(scene, drawing));
@@ -62,14 +62,14 @@ TEST(PairPicture2, HighlightsBothEdgesAndTheCriticalPoints) {
 
 TEST(PairPicture2, LabelsTheSideThatIsMeant) {
   const PreparedScene2 scene = prepare(furnished_room());
-  PairDrawing drawing{.a = kScreen, .b = kWindow};
+  PairDrawing drawing{.a = {kScreen}, .b = {kWindow}};
   const auto label = [&] {
     const auto box = drawn(PairPainter2(scene, drawing)).calls(Mark::kLabel).back().points;
     return (box[0].x + box[1].x) / 2;
   };
   const double screen = SceneSheet2(scene, drawing.sheet, 44).from(kScreen).x;
   EXPECT_GT(label(), screen);  // the screen points up: its front looks to the right
-  drawing.a_is_back = true;
+  drawing.a.is_back = true;
   EXPECT_LT(label(), screen);
 }
 
@@ -77,7 +77,7 @@ TEST(VisibilityPicture2, BecomesAFileOfEitherFormat) {
   const PreparedScene2 scene = prepare(furnished_room());
   EXPECT_THAT(visibility_picture_2(scene, {.eye = {1, 1}}, PictureFormat::kPng), StartsWith("\x89PNG"));
   EXPECT_THAT(visibility_picture_2(scene, {.eye = {1, 1}}, PictureFormat::kSvg), StartsWith("<?xml"));
-  EXPECT_THAT(pair_picture_2(scene, {.a = 0, .b = 1}, PictureFormat::kSvg), StartsWith("<?xml"));
+  EXPECT_THAT(pair_picture_2(scene, {.a = {0}, .b = {1}}, PictureFormat::kSvg), StartsWith("<?xml"));
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ Corners2::Corners2(const Scene2& scene, const Frame2& frame) {
 
 FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame) {
   const Vertices2& vertices = prepared.arrangement.vertices();
-  for (VertexId v = 0; v < vertices.size(); ++v) {
+  for (const VertexId v : vertices.ids()) {
     const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
     corners_.at.push_back(frame.at(Point2{p.x, p.y}));
   }
@@ -47,12 +47,11 @@ FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame) {
   for (std::uint32_t label = 0; label < labels.count(); ++label) {
     const Element& element = labels.elements()[label];
     for (const Segment2& run : labels.runs(label)) {
-      corners_.from.push_back(run.a);
-      corners_.to.push_back(run.b);
-      surface_.push_back(element.surface);
-      is_back_.push_back(element.is_back);
+      corners_.from.push_back(static_cast<std::uint32_t>(run.a.index()));
+      corners_.to.push_back(static_cast<std::uint32_t>(run.b.index()));
+      face_.push_back({element.surface, element.is_back});
     }
-    begin_[element.surface + 1] = static_cast<std::uint32_t>(surface_.size());
+    begin_[element.surface + 1] = static_cast<std::uint32_t>(face_.size());
   }
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/face.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/scene/scene.h"
 #include "viewer/picture/canvas.h"
@@ -39,13 +40,12 @@ class FaceRuns2 {
   const Corners2& corners() const { return corners_; }
   std::uint32_t begin(std::uint32_t surface) const { return begin_[surface]; }
   std::uint32_t end(std::uint32_t surface) const { return begin_[surface + 1]; }
-  std::uint32_t surface(std::uint32_t run) const { return surface_[run]; }
-  bool is_back(std::uint32_t run) const { return is_back_[run]; }
+  const Face& face(std::uint32_t run) const { return face_[run]; }
 
  private:
   Corners2 corners_;
-  std::vector<std::uint32_t> begin_, surface_;
-  std::vector<bool> is_back_;
+  std::vector<std::uint32_t> begin_;  // by surface
+  std::vector<Face> face_;            // by run
 };
 
 }  // namespace hottel

@@ -89,8 +89,8 @@ void IlluminationPainter2::draw_walls(PictureCanvas& canvas) const {
   };
   for (std::uint32_t s = 0; s < corners_.surfaces(); ++s) stroke(corners_, s, Mark::kEdge, palette::kInk, wall_width_);
   for (std::uint32_t run = 0; run < runs_.corners().surfaces(); ++run) {
-    const Surface& surface = scene_.surfaces[runs_.surface(run)];
-    const std::optional<std::uint32_t> own = runs_.is_back(run) ? surface.back : surface.material;
+    const Surface& surface = scene_.surfaces[runs_.face(run).surface];
+    const std::optional<std::uint32_t> own = runs_.face(run).is_back ? surface.back : surface.material;
     if (!own || scene_.materials[*own].emission.is_zero()) continue;
     std::array<double, 3> emission{};
     for (const std::uint32_t material : {surface.material, surface.back.value_or(surface.material)})

@@ -25,34 +25,32 @@ ScenePicturePainter2::ScenePicturePainter2(const PreparedScene2& prepared, const
       sheet_(prepared, picture.sheet, kFooter),
       runs_(prepared, sheet_.frame()) {
   for (const std::uint32_t target : picture.targets) HOTTEL_REQUIRE(target < scene_.surfaces.size());
-  for (std::uint32_t run = 0; run < runs_.corners().surfaces(); ++run)
-    colours_.push_back(colour(runs_.surface(run), runs_.is_back(run) ? Side::kBack : Side::kFront));
+  for (std::uint32_t run = 0; run < runs_.corners().surfaces(); ++run) colours_.push_back(colour(runs_.face(run)));
 }
 
 // Of the stripe of a face, if it has one: its value, or in a plain plan that it emits.
-std::optional<Colour> ScenePicturePainter2::colour(std::uint32_t surface, Side side) const {
-  const Surface& s = scene_.surfaces[surface];
-  if (side == Side::kBack && !s.back) return std::nullopt;
+std::optional<Colour> ScenePicturePainter2::colour(const Face& face) const {
+  const Surface& s = scene_.surfaces[face.surface];
+  if (face.is_back && !s.back) return std::nullopt;
   if (picture_.colouring) {
     const FaceColouring& colouring = *picture_.colouring;
-    const auto value = value_of(side == Side::kFront ? colouring.front : colouring.back, surface);
+    const auto value = value_of(face.is_back ? colouring.back : colouring.front, face.surface);
     return value ? std::optional(map_colour(colouring.scale.position(*value))) : std::nullopt;
   }
-  const Material& material = scene_.materials[side == Side::kFront ? s.material : *s.back];
+  const Material& material = scene_.materials[face.is_back ? *s.back : s.material];
   return material.emission.is_zero() ? std::nullopt : std::optional(palette::kEmitter);
 }
 
 void ScenePicturePainter2::draw(PictureCanvas& canvas) const {
   std::vector<bool> has_stripe;
   for (const std::optional<Colour>& c : colours_) has_stripe.push_back(c.has_value());
-  const std::vector<bool> none(has_stripe.size(), false);
-  const Stripes2 stripes(runs_.corners(), std::move(has_stripe), none, sheet_.stripe_depth());
+  const Stripes2 stripes(runs_.corners(), std::move(has_stripe), sheet_.stripe_depth());
   const Mark mark = picture_.colouring ? Mark::kStripe : Mark::kEmitter;
   SceneSheet2::Ground ground;
   ground.faces = [&](std::span<const std::uint32_t> surfaces) {
     for (const std::uint32_t s : surfaces)
       for (std::uint32_t run = runs_.begin(s); run < runs_.end(s); ++run)
-        if (colours_[run]) canvas.fill(mark, stripes.stripe(run, Side::kFront), *colours_[run]);
+        if (colours_[run]) canvas.fill(mark, stripes.stripe(run), *colours_[run]);
   };
   if (picture_.pixels) ground.cover = [&] { draw_pixels(canvas); };
   sheet_.draw_ground(canvas, ground);

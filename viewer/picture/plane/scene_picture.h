@@ -63,7 +63,7 @@ class ScenePicturePainter2 {
   void draw_pixels(PictureCanvas& canvas) const;
   void draw_targets(PictureCanvas& canvas) const;
   void draw_footer(PictureCanvas& canvas) const;
-  std::optional<Colour> colour(std::uint32_t surface, Side side) const;
+  std::optional<Colour> colour(const Face& face) const;
 
   const Scene2& scene_;
   const ScenePicture2& picture_;

@@ -13,8 +13,8 @@ constexpr double kFarthestMitre = 1.2;
 
 }  // namespace
 
-Stripes2::Stripes2(const Corners2& corners, std::vector<bool> front, std::vector<bool> back, double thickness)
-    : corners_(corners), front_(std::move(front)), back_(std::move(back)), thickness_(thickness) {
+Stripes2::Stripes2(const Corners2& corners, std::vector<bool> is_striped, double thickness)
+    : corners_(corners), is_striped_(std::move(is_striped)), thickness_(thickness) {
   first_ray_.assign(corners.at.size() + 1, 0);
   for (std::uint32_t s = 0; s < corners.surfaces(); ++s) {
     ++first_ray_[corners.from[s] + 1];
@@ -32,22 +32,21 @@ Stripes2::Stripes2(const Corners2& corners, std::vector<bool> front, std::vector
     std::sort(rays_.begin() + first_ray_[v], rays_.begin() + first_ray_[v + 1],
               [](const Ray& a, const Ray& b) { return a.angle < b.angle; });
   ray_of_.resize(rays_.size());
-  for (std::uint32_t k = 0; k < rays_.size(); ++k) ray_of_[2 * rays_[k].surface + (rays_[k].leaves ? 0 : 1)] = k;
+  for (std::uint32_t k = 0; k < rays_.size(); ++k) ray_of_[2 * rays_[k].edge + (rays_[k].leaves ? 0 : 1)] = k;
 }
 
-// Whether the face of the ray that one meets when turning towards it has a stripe. turn: +1 for growing angles.
+// Whether one meets a stripe when turning towards the ray. turn: +1 for growing angles.
 bool Stripes2::striped(const Ray& ray, int turn) const {
-  // Seen from its corner the front of an edge that leaves lies at growing angles (right, with y downwards), so whoever
+  // Seen from its corner the right side of an edge that leaves lies at growing angles (y is downwards), so whoever
   // comes with shrinking angles meets it.
-  const bool meets_front = ray.leaves == (turn < 0);
-  return meets_front ? front_[ray.surface] : back_[ray.surface];
+  return ray.leaves == (turn < 0) && is_striped_[ray.edge];
 }
 
-double Stripes2::shortening(std::uint32_t surface, Side side, bool at_from) const {
-  const std::uint32_t corner = at_from ? corners_.from[surface] : corners_.to[surface];
+double Stripes2::shortening(std::uint32_t edge, bool at_from) const {
+  const std::uint32_t corner = at_from ? corners_.from[edge] : corners_.to[edge];
   const std::ptrdiff_t begin = first_ray_[corner], count = first_ray_[corner + 1] - begin;
-  const std::ptrdiff_t self = ray_of_[2 * surface + (at_from ? 0 : 1)];
-  const int turn = at_from == (side == Side::kFront) ? 1 : -1;
+  const std::ptrdiff_t self = ray_of_[2 * edge + (at_from ? 0 : 1)];
+  const int turn = at_from ? 1 : -1;
   double wedge = 0;  // to the next edge of another direction; 0: there is none
   bool meets_stripe = false;
   for (std::ptrdiff_t step = 1; step < count; ++step) {
@@ -55,7 +54,7 @@ double Stripes2::shortening(std::uint32_t surface, Side side, bool at_from) cons
     double angle = turn * (ray.angle - rays_[static_cast<std::size_t>(self)].angle);
     if (angle < 0) angle += kFullTurn;
     if (angle < kSameDirection || angle > kFullTurn - kSameDirection) continue;  // the same wall, listed twice
-    // Several edges may leave in the next direction; one striped on this side is enough.
+    // Several edges may leave in the next direction; one stripe on this side is enough.
     if (wedge != 0 && angle - wedge > kSameDirection) break;
     if (wedge == 0) wedge = angle;
     meets_stripe |= striped(ray, turn);
@@ -64,14 +63,13 @@ double Stripes2::shortening(std::uint32_t surface, Side side, bool at_from) cons
   return wedge > 0 && wedge < std::numbers::pi / 2 ? thickness_ / std::tan(wedge) : 0;
 }
 
-std::array<Pixel, 4> Stripes2::stripe(std::uint32_t surface, Side side) const {
-  const Pixel a = corners_.at[corners_.from[surface]], b = corners_.at[corners_.to[surface]];
+std::array<Pixel, 4> Stripes2::stripe(std::uint32_t edge) const {
+  const Pixel a = corners_.at[corners_.from[edge]], b = corners_.at[corners_.to[edge]];
   const double length = std::hypot(b.x - a.x, b.y - a.y);
   if (length == 0) return {a, b, b, a};
   const double ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
-  const double sign = side == Side::kFront ? 1 : -1;
-  const double nx = -uy * sign, ny = ux * sign;  // right of from -> to, with y downwards
-  double depth = thickness_, at_from = shortening(surface, side, true), at_to = shortening(surface, side, false);
+  const double nx = -uy, ny = ux;  // right of from -> to, with y downwards
+  double depth = thickness_, at_from = shortening(edge, true), at_to = shortening(edge, false);
   if (at_from + at_to > length) {  // the mitres meet before the full depth
     const double share = length / (at_from + at_to);
     depth *= share;

@@ -9,38 +9,36 @@
 
 namespace hottel {
 
-enum class Side : unsigned char { kFront, kBack };
-
-// The stripes of one thickness along the faces of a scene. Where two striped faces meet in a corner their stripes are
-// mitred, so that they neither overlap nor leave a gap.
+// The stripes of one thickness along some edges. Where two striped edges meet in a corner their stripes are mitred, so
+// that they neither overlap nor leave a gap.
 //
-//   (1) a stripe lies on its own side of the edge: for the front, right of from -> to
+//   (1) a stripe lies on the right of its edge
 //   (2) it is at most as deep as `thickness`, less on a short edge between narrow corners
 //   (3) it reaches beyond the ends of the edge only around a corner, by at most 1.2 thicknesses
 class Stripes2 {
  public:
-  // front, back: whether the face of each surface gets a stripe.
-  Stripes2(const Corners2& corners, std::vector<bool> front, std::vector<bool> back, double thickness);
+  // is_striped: which edges get a stripe.
+  Stripes2(const Corners2& corners, std::vector<bool> is_striped, double thickness);
 
   // The four corners: along the edge, then back along the outer border.
-  std::array<Pixel, 4> stripe(std::uint32_t surface, Side side) const;
+  std::array<Pixel, 4> stripe(std::uint32_t edge) const;
 
  private:
   struct Ray {
     double angle;  // of the edge, away from the corner
-    std::uint32_t surface;
+    std::uint32_t edge;
     bool leaves;  // the corner is `from`
   };
   // How much the outer border is shorter than the edge at that end.
-  double shortening(std::uint32_t surface, Side side, bool at_from) const;
+  double shortening(std::uint32_t edge, bool at_from) const;
   bool striped(const Ray& ray, int turn) const;
 
   const Corners2& corners_;
-  std::vector<bool> front_, back_;
+  std::vector<bool> is_striped_;
   double thickness_;
   std::vector<std::uint32_t> first_ray_;  // per corner, into rays_
   std::vector<Ray> rays_;                 // per corner, by angle
-  std::vector<std::uint32_t> ray_of_;     // surface s at its `from`: 2 s, at its `to`: 2 s + 1
+  std::vector<std::uint32_t> ray_of_;     // edge s at its `from`: 2 s, at its `to`: 2 s + 1
 };
 
 }  // namespace hottel

@@ -104,13 +104,9 @@ VisibilityDrawing drawing_of(const VisibilityPolygon2& polygon) {
 }
 
 PairDrawing drawing_of(const PairSight2& sight) {
-  const FaceName a = sight.face_from ? *sight.face_from : *sight.face_to;
-  const FaceName b = sight.face_to ? *sight.face_to : *sight.face_from;
   PairDrawing drawing;
-  drawing.a = a.surface;
-  drawing.b = b.surface;
-  drawing.a_is_back = a.is_back;
-  drawing.b_is_back = b.is_back;
+  drawing.a = sight.face_from ? *sight.face_from : *sight.face_to;
+  drawing.b = sight.face_to ? *sight.face_to : *sight.face_from;
   drawing.a_label = sight.face_from ? sight.from : sight.to;
   drawing.b_label = sight.face_from && sight.face_to ? sight.to : "";
   for (const CriticalPoint2& c : sight.critical) {
@@ -145,34 +141,35 @@ void VisibilityPainter2::draw(PictureCanvas& canvas) const {
 
 PairPainter2::PairPainter2(const PreparedScene2& prepared, const PairDrawing& drawing)
     : drawing_(drawing), sheet_(prepared, drawing.sheet, kFooter, drawing.critical_on_a) {
-  HOTTEL_REQUIRE(drawing.a < prepared.scene.surfaces.size() && drawing.b < prepared.scene.surfaces.size());
+  HOTTEL_REQUIRE(drawing.a.surface < prepared.scene.surfaces.size() &&
+                 drawing.b.surface < prepared.scene.surfaces.size());
 }
 
 void PairPainter2::draw(PictureCanvas& canvas) const {
   sheet_.draw_ground(canvas, {});
   for (const auto& [from, to] : drawing_.lines) draw_line(canvas, sheet_, from, to);
   std::vector<bool> highlighted(sheet_.corners().surfaces(), false);
-  highlighted[drawing_.a] = highlighted[drawing_.b] = true;
+  highlighted[drawing_.a.surface] = highlighted[drawing_.b.surface] = true;
   sheet_.draw_walls(canvas, highlighted);
-  draw_edge(canvas, drawing_.b, drawing_.b_is_back, drawing_.b_label, palette::kSecond);
-  draw_edge(canvas, drawing_.a, drawing_.a_is_back, drawing_.a_label, palette::kFirst);
+  draw_edge(canvas, drawing_.b, drawing_.b_label, palette::kSecond);
+  draw_edge(canvas, drawing_.a, drawing_.a_label, palette::kFirst);
   const double unit = sheet_.unit();
   for (const auto& point : drawing_.critical_on_a)
     draw_ring(canvas, Mark::kCritical, sheet_.frame().at(point), 6 * unit, palette::kPaper, 2 * unit);
   sheet_.draw_scale_bar(canvas);
 }
 
-void PairPainter2::draw_edge(PictureCanvas& canvas, std::uint32_t surface, bool is_back, const std::string& label,
+void PairPainter2::draw_edge(PictureCanvas& canvas, const Face& face, const std::string& label,
                              const Colour& colour) const {
   const double unit = sheet_.unit();
-  const Pixel from = sheet_.from(surface), to = sheet_.to(surface);
+  const Pixel from = sheet_.from(face.surface), to = sheet_.to(face.surface);
   canvas.stroke(Mark::kTarget, from, to, colour, std::max(2.4 * sheet_.wall_width(), 5 * unit));
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   if (length == 0) return;
   // Right of from -> to is the front; the label keeps clear of the line, however wide it is, and of the border.
   const TextStyle style{
       .size = 24 * unit, .colour = colour, .anchor = TextAnchor::kCentre, .weight = TextWeight::kBold};
-  const double half = canvas.text_width(label, style) / 2, side = is_back ? -1 : 1;
+  const double half = canvas.text_width(label, style) / 2, side = face.is_back ? -1 : 1;
   const double across_x = -side * (to.y - from.y) / length, across_y = side * (to.x - from.x) / length;
   const double away = 16 * unit + std::abs(across_x) * half + std::abs(across_y) * 9 * unit;
   const double x = (from.x + to.x) / 2 + away * across_x, y = (from.y + to.y) / 2 + away * across_y;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/face.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
 #include "io/results/visibility_report.h"
@@ -27,8 +28,7 @@ struct VisibilityDrawing {
 // Two edges, their critical points, and lines between them. A: the edge whose critical points are shown.
 struct PairDrawing {
   SheetText sheet{};
-  std::uint32_t a = 0, b = 0;  // surfaces; may be the same
-  bool a_is_back = false, b_is_back = false;
+  Face a, b;  // may be of one surface, or the same
   std::string a_label = "A", b_label = "B";
   std::vector<std::array<double, 2>> critical_on_a{};
   std::vector<std::pair<std::array<double, 2>, std::array<double, 2>>> lines{};
@@ -57,7 +57,7 @@ class VisibilityPainter2 {
 
 //   (1) each of the two edges is drawn in a colour of its own, with its label on the side that is meant
 //   (2) one small circle for each critical point
-// REQUIRES valid surface indices.
+// REQUIRES faces of the scene.
 class PairPainter2 {
  public:
   PairPainter2(const PreparedScene2& prepared, const PairDrawing& drawing);
@@ -66,8 +66,7 @@ class PairPainter2 {
   void draw(PictureCanvas& canvas) const;
 
  private:
-  void draw_edge(PictureCanvas& canvas, std::uint32_t surface, bool is_back, const std::string& label,
-                 const Colour& colour) const;
+  void draw_edge(PictureCanvas& canvas, const Face& face, const std::string& label, const Colour& colour) const;
 
   const PairDrawing& drawing_;
   SceneSheet2 sheet_;

@@ -1,9 +1,14 @@
-// The point of a segment that is nearest to another point.
+// Distances of points, and the point of a segment that is nearest to another point.
 #pragma once
 
-#include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/scene.h"
 
 namespace hottel {
+
+inline Rational squared_distance(const Point2& a, const Point2& b) {
+  const Rational dx = b.x - a.x, dy = b.y - a.y;
+  return dx * dx + dy * dy;
+}
 
 struct ClosestPoint2 {
   Point2 at;

@@ -1,0 +1,25 @@
+// Faces: sides of surfaces.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace hottel {
+
+// A face is one side of a surface: its front or its back. The sky is no face; where either may stand, a
+// std::optional<Face> without a value is the sky.
+//
+//   (1) ordered as elements are: by surface, the front before the back
+//   (2) the faces of n surfaces have the numbers 0 .. 2 n - 1 in that order; Face::of(f.number()) == f
+struct Face {
+  std::uint32_t surface = 0;
+  bool is_back = false;
+
+  constexpr std::uint32_t number() const { return 2 * surface + (is_back ? 1 : 0); }
+  static constexpr Face of(std::uint32_t number) { return {number / 2, number % 2 == 1}; }
+
+  friend constexpr bool operator==(const Face&, const Face&) = default;
+  friend constexpr auto operator<=>(const Face&, const Face&) = default;
+};
+
+}  // namespace hottel
