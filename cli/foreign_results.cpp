@@ -7,7 +7,7 @@
 #include "io/foreign/foreign_radiosity.h"
 #include "kernel/support/failure.h"
 #include "solver/compare/radiosity_verdict.h"
-#include "solver/compare/verdict.h"
+#include "solver/plane/compare/verdict.h"
 #include "solver/plane/methods/method_catalogue.h"
 
 namespace hottel {
