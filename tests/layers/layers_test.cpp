@@ -6,8 +6,11 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <optional>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +22,9 @@ namespace fs = std::filesystem;
 // Each layer may include itself and those before it.
 constexpr std::array<const char*, 6> kLayers{"kernel", "geometry", "solver", "io", "viewer", "cli"};
 constexpr std::size_t kMostCgalUnits = 4;
+
+// Folders that know no dimension, subfolders `plane` and `space` aside.
+constexpr std::array<const char*, 4> kWithoutDimension{"kernel", "geometry", "solver/radiosity", "solver/compare"};
 
 std::optional<std::size_t> layer_of(const fs::path& path) {
   const auto layer = std::find(kLayers.begin(), kLayers.end(), path.begin()->string());
@@ -80,6 +86,78 @@ TEST(Layers, NothingIncludesUpwardsAndNoHeaderBringsCgal) {
   for (const Source& source : sources)
     for (const Include& include : source.includes)
       EXPECT_EQ(problem(source.path, include), "") << source.path << " includes " << include.path;
+}
+
+// True iff a folder of this name is on the path.
+bool lies_in(const fs::path& path, const char* folder) {
+  return std::find(path.begin(), path.end(), folder) != path.end();
+}
+
+bool knows_the_dimension(const fs::path& path) { return lies_in(path, "plane") || lies_in(path, "space"); }
+
+TEST(Layers, WhatHasNoDimensionIncludesNothingThatHas) {
+  for (const Source& source : product_sources()) {
+    const std::string path = source.path.string();
+    const bool is_without = std::any_of(kWithoutDimension.begin(), kWithoutDimension.end(),
+                                        [&](const std::string& folder) { return path.rfind(folder + "/", 0) == 0; });
+    if (!is_without || knows_the_dimension(source.path)) continue;
+    for (const Include& include : source.includes)
+      EXPECT_FALSE(knows_the_dimension(include.path)) << path << " includes " << include.path;
+  }
+}
+
+// A unit is a header and the source of the same name: "kernel/ball".
+using Units = std::map<std::string, std::set<std::string>>;  // by name: the units it includes
+
+Units units_of(const std::vector<Source>& sources) {
+  const auto unit = [](fs::path path) { return path.replace_extension().string(); };
+  Units units;
+  for (const Source& source : sources) units[unit(source.path)];
+  for (const Source& source : sources)
+    for (const Include& include : source.includes)
+      if (const std::string to = unit(include.path); include.is_quoted && to != unit(source.path) && units.count(to))
+        units[unit(source.path)].insert(to);
+  return units;
+}
+
+// Returns units each of which includes the next, the first one again at the end; empty when there is no circle.
+std::vector<std::string> circle_of(const Units& units) {
+  std::set<std::string> done;
+  std::vector<std::string> way;
+  const std::function<bool(const std::string&)> leads_back = [&](const std::string& unit) {
+    const bool is_on_the_way = std::find(way.begin(), way.end(), unit) != way.end();
+    way.push_back(unit);
+    if (is_on_the_way) return true;
+    for (const std::string& next : units.at(unit))
+      if (!done.count(next) && leads_back(next)) return true;
+    way.pop_back();
+    done.insert(unit);
+    return false;
+  };
+  for (const auto& [unit, includes] : units) {
+    if (done.count(unit) || !leads_back(unit)) continue;
+    way.erase(way.begin(), std::find(way.begin(), way.end(), way.back()));
+    return way;
+  }
+  return {};
+}
+
+TEST(Layers, NoCirclesOfUnits) {
+  const Units units = units_of(product_sources());
+  EXPECT_GT(units.size(), 100u);
+  EXPECT_THAT(circle_of(units), testing::IsEmpty());
+}
+
+TEST(Layers, CirclesAreFound) {
+  const auto circle = [](const std::vector<Source>& sources) { return circle_of(units_of(sources)); };
+  EXPECT_THAT(circle({{"a.h", {}}, {"a.cpp", {{"a.h", true}}}, {"b.h", {{"a.h", true}}}}), testing::IsEmpty());
+  EXPECT_THAT(circle({{"a.h", {{"b.h", true}}},
+                      {"b.h", {}},
+                      {"b.cpp", {{"b.h", true}, {"c.h", true}}},
+                      {"c.h", {{"d.h", true}}},
+                      {"d.cpp", {{"b.h", true}}},
+                      {"d.h", {}}}),
+              testing::ElementsAre("b", "c", "d", "b"));
 }
 
 TEST(Layers, FewUnitsOfTheProductCompileCgal) {
