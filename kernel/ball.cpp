@@ -6,8 +6,6 @@
 
 #include <utility>
 
-#include "kernel/root_sum.h"
-
 namespace hottel {
 namespace {
 
@@ -70,15 +68,10 @@ Ball Ball::of(const Rational& value, long precision) {
   return result;
 }
 
-Ball Ball::of(const RootSum& sum, long precision) {
+Ball Ball::root(const Integer& radicand, long precision) {
   Ball result;
-  Hidden root, coefficient;
-  for (const RootSum::Term& term : sum.terms()) {
-    set(root.x, term.radicand);
-    arb_sqrt(root.x, root.x, precision);
-    set(coefficient.x, term.coefficient, precision);
-    arb_addmul(result.hidden_->x, root.x, coefficient.x, precision);
-  }
+  set(result.hidden_->x, radicand);
+  arb_sqrt(result.hidden_->x, result.hidden_->x, precision);
   return result;
 }
 
@@ -116,6 +109,10 @@ Ball Ball::over(const Ball& other, long precision) const {
   Ball result;
   arb_div(result.hidden_->x, hidden_->x, other.hidden_->x, precision);
   return result;
+}
+
+void Ball::add_product(const Ball& a, const Ball& b, long precision) {
+  arb_addmul(hidden_->x, a.hidden_->x, b.hidden_->x, precision);
 }
 
 int Ball::sign() const { return arb_is_positive(hidden_->x) ? 1 : arb_is_negative(hidden_->x) ? -1 : 0; }

@@ -8,8 +8,6 @@
 
 namespace hottel {
 
-class RootSum;
-
 // A ball that contains a real number.
 //
 //   (1) every operation returns a ball that contains the result for every number in its operands
@@ -23,7 +21,8 @@ class Ball {
   ~Ball();
 
   static Ball of(const Rational& value, long precision);
-  static Ball of(const RootSum& sum, long precision);
+  // Square root of an integer. REQUIRES radicand >= 0.
+  static Ball root(const Integer& radicand, long precision);
   static Ball pi(long precision);
 
   // Angle of the vector (x, y) in (-pi, pi].
@@ -33,6 +32,9 @@ class Ball {
   Ball minus(const Ball& other, long precision) const;
   Ball times(const Ball& other, long precision) const;
   Ball over(const Ball& other, long precision) const;
+
+  // Adds a * b, rounded once.
+  void add_product(const Ball& a, const Ball& b, long precision);
 
   int sign() const;  // of every number in the ball, or 0 when they differ
 

@@ -74,10 +74,17 @@ RootSum& RootSum::operator*=(const Rational& factor) {
   return *this;
 }
 
+Ball RootSum::ball(long precision) const {
+  Ball result;
+  for (const Term& term : terms_)
+    result.add_product(Ball::root(term.radicand, precision), Ball::of(term.coefficient, precision), precision);
+  return result;
+}
+
 int RootSum::sign() const {
   if (terms_.empty()) return 0;
   for (long precision = 64;; precision *= 2)
-    if (const int s = Ball::of(*this, precision).sign(); s != 0) return s;
+    if (const int s = ball(precision).sign(); s != 0) return s;
 }
 
 std::string RootSum::to_string() const {

@@ -8,6 +8,8 @@
 
 namespace hottel {
 
+class Ball;
+
 // A real number q_1 sqrt(r_1) + ... + q_n sqrt(r_n), with rational q_k and integers r_k > 0.
 //
 //   (1) canonical: no r_i r_j (i != j) is a perfect square and no q_k is 0, so the number is zero iff there are no
@@ -35,6 +37,8 @@ class RootSum {
 
   bool is_zero() const { return terms_.empty(); }
   int sign() const;  // -1, 0, 1
+  // Returns a ball that contains the number. COST: a square root and a product a term at that precision.
+  Ball ball(long precision) const;
   const std::vector<Term>& terms() const { return terms_; }
 
   // Returns the sum for people, e.g. "-2*sqrt(2) + 1*sqrt(10)", "3/2", "0". Squares of small primes are taken out of

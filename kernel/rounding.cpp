@@ -95,9 +95,9 @@ RoundedByTier round_quotient(const RootSum& numerator, const RootSum& denominato
   if (const auto quotient = rational_quotient(numerator, denominator)) return round_rational(*quotient, Tier::kRootSum);
   bool is_known_not_to_be_a_tie = false;
   for (long precision = 128;; precision *= 2) {
-    const Ball bottom = Ball::of(denominator, precision);
+    const Ball bottom = denominator.ball(precision);
     if (bottom.sign() == 0) continue;
-    const Ball quotient = Ball::of(numerator, precision).over(bottom, precision);
+    const Ball quotient = numerator.ball(precision).over(bottom, precision);
     const Enclosure nearest = quotient.nearest_of_ends();
     if (std::isinf(nearest.lower) && nearest.lower == nearest.upper)
       return {{nearest.lower, static_cast<signed char>(nearest.lower > 0 ? -1 : 1)}, Tier::kBall};

@@ -15,14 +15,10 @@ namespace {
 
 constexpr std::uint64_t kFewest = 3;  // pairs that are no coincidence
 
-Hypothesis nothing(Fault fault, const JudgedPairs& judged) {
-  return {fault, std::vector<char>(judged.pairs().size(), 0), ""};
-}
-
 // Marks the pairs that agree with what a reading predicts of them.
 template <class Predict>
 Hypothesis hypothesis(Fault fault, const JudgedPairs& judged, const Predict& predict) {
-  Hypothesis result = nothing(fault, judged);
+  Hypothesis result = explains_nothing(fault, judged);
   for (const JudgedPair& pair : judged.pairs())
     if (pair.is_off)
       if (const std::optional<double> with = predict(pair); with && judged.agrees(pair, *with))
@@ -60,7 +56,7 @@ Hypothesis most_common_ratio(const JudgedPairs& judged, double& ratio) {
   const std::size_t tried = std::min(kTried, large.size());
   std::partial_sort(large.begin(), large.begin() + static_cast<std::ptrdiff_t>(tried), large.end(),
                     [](const JudgedPair* a, const JudgedPair* b) { return a->exact > b->exact; });
-  Hypothesis best = nothing(Fault::kConstantFactor, judged);
+  Hypothesis best = explains_nothing(Fault::kConstantFactor, judged);
   for (std::size_t k = 0; k < tried; ++k) {
     Hypothesis each = scaled_by(large[k]->value / large[k]->exact, judged);
     if (each.count() > best.count()) best = std::move(each);
@@ -89,6 +85,10 @@ std::size_t different_factors(const JudgedPairs& judged, const Hypothesis& hypot
 }
 
 }  // namespace
+
+Hypothesis explains_nothing(Fault fault, const JudgedPairs& judged) {
+  return {fault, std::vector<char>(judged.pairs().size(), 0), ""};
+}
 
 std::uint64_t Hypothesis::count() const {
   return static_cast<std::uint64_t>(std::count(explains.begin(), explains.end(), 1));
@@ -119,7 +119,7 @@ Hypothesis suppose_constant_factor(const JudgedPairs& judged) {
   double ratio = 1;
   Hypothesis best = most_common_ratio(judged, ratio);
   std::string named;
-  if (different_factors(judged, best) < kFewest) best = nothing(Fault::kConstantFactor, judged);
+  if (different_factors(judged, best) < kFewest) best = explains_nothing(Fault::kConstantFactor, judged);
   for (const NamedFactor& factor : kNamedFactors) {
     Hypothesis each = scaled_by(factor.value, judged);
     if (each.count() == 0 || each.count() < best.count() || (each.count() == best.count() && !named.empty())) continue;
@@ -203,7 +203,7 @@ std::string row_factor_words(const JudgedPairs& judged, const std::vector<Scaled
 }  // namespace
 
 Hypothesis suppose_row_factor(const JudgedPairs& judged) {
-  Hypothesis result = nothing(Fault::kRowFactor, judged);
+  Hypothesis result = explains_nothing(Fault::kRowFactor, judged);
   const std::vector<ScaledRow> rows = scaled_rows(judged);
   for (const ScaledRow& row : rows)
     for (const JudgedPair& pair : judged.row(row.row))

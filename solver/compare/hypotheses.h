@@ -1,12 +1,12 @@
 // Ways to read the numbers that are off: each says which pairs it explains.
 #pragma once
 
-#include <functional>
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "solver/compare/verdict.h"
+#include "solver/compare/fault.h"
+#include "solver/compare/judged_pairs.h"
 
 namespace hottel {
 
@@ -19,6 +19,9 @@ struct Hypothesis {
   std::uint64_t count() const;
 };
 
+// Explains no pair.
+Hypothesis explains_nothing(Fault fault, const JudgedPairs& judged);
+
 // What follows from the numbers alone.
 Hypothesis suppose_transposed(const JudgedPairs& judged);
 Hypothesis suppose_constant_factor(const JudgedPairs& judged);
@@ -27,13 +30,5 @@ Hypothesis suppose_permuted(const JudgedPairs& judged);
 Hypothesis suppose_sky_missing(const JudgedPairs& judged);
 Hypothesis suppose_sky_is_rest(const JudgedPairs& judged);
 Hypothesis suppose_missing(const JudgedPairs& judged);
-
-// What takes a look at the scene: the factors without obstacles of the pairs that are off (0 for the others), and the
-// factors of both sides of every edge.
-std::vector<double> unobstructed_factors(const PreparedScene2& prepared, const JudgedPairs& judged);
-Hypothesis suppose_no_occlusion(const JudgedPairs& judged, const std::vector<double>& unobstructed);
-Hypothesis suppose_all_or_nothing(const JudgedPairs& judged, const std::vector<double>& unobstructed);
-Hypothesis suppose_behind(const JudgedPairs& judged, const std::vector<double>& unobstructed);
-Hypothesis suppose_reversed(const PreparedScene2& prepared, const JudgedPairs& judged);
 
 }  // namespace hottel

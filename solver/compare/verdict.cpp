@@ -8,6 +8,7 @@
 
 #include "geometry/name.h"
 #include "solver/compare/hypotheses.h"
+#include "solver/compare/scene_hypotheses.h"
 
 namespace hottel {
 namespace {
@@ -60,13 +61,13 @@ void judge_reciprocity(const JudgedPairs& judged, Verdict& verdict) {
   }
 }
 
-std::vector<Hypothesis> hypotheses_of(const PreparedScene2& prepared, const JudgedPairs& judged) {
-  const std::vector<double> unobstructed = unobstructed_factors(prepared, judged);
+std::vector<Hypothesis> hypotheses_of(const JudgedScene& scene, const JudgedPairs& judged) {
+  const std::vector<double> unobstructed = scene.unobstructed_factors(judged);
   std::vector<Hypothesis> hypotheses;
   hypotheses.push_back(suppose_transposed(judged));
   hypotheses.push_back(suppose_constant_factor(judged));
   hypotheses.push_back(suppose_row_factor(judged));
-  hypotheses.push_back(suppose_reversed(prepared, judged));
+  hypotheses.push_back(suppose_reversed(scene, judged));
   hypotheses.push_back(suppose_permuted(judged));
   hypotheses.push_back(suppose_no_occlusion(judged, unobstructed));
   hypotheses.push_back(suppose_all_or_nothing(judged, unobstructed));
@@ -125,7 +126,7 @@ std::string laws_sentence(const Verdict& verdict) {
 
 }  // namespace
 
-Verdict judge(const PreparedScene2& prepared, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
+Verdict judge(const JudgedScene& scene, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
               const VerdictOptions& options) {
   const JudgedPairs judged(exact, matrix, options.beyond, options.written);
   Verdict verdict;
@@ -135,7 +136,7 @@ Verdict judge(const PreparedScene2& prepared, const ExchangeMatrix& exact, const
   for (const JudgedPair& pair : judged.pairs()) verdict.max_error = std::max(verdict.max_error, pair.error());
   judge_laws(judged, verdict);
   judge_reciprocity(judged, verdict);
-  if (verdict.off > 0) choose_findings(hypotheses_of(prepared, judged), judged, verdict);
+  if (verdict.off > 0) choose_findings(hypotheses_of(scene, judged), judged, verdict);
   return verdict;
 }
 

@@ -6,26 +6,12 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
+#include "solver/compare/fault.h"
 #include "solver/compare/judged_pairs.h"
+#include "solver/compare/judged_scene.h"
 #include "solver/compare/written_factors.h"
 
 namespace hottel {
-
-// What can be wrong with many pairs at once. In this order of preference, where two explain equally many.
-enum class Fault {
-  kTransposed,      // F(j, i) stands for F(i, j); the same as divided by the area of the other face
-  kConstantFactor,  // pi, 2, 1/2, ...
-  kRowFactor,       // one ratio a row: rows normalised, areas exchanged, A F instead of F
-  kReversed,        // the front of a face taken for its back
-  kPermuted,        // faces in another order
-  kNoOcclusion,     // the factor without any obstacle
-  kAllOrNothing,    // 0 or the factor without obstacles, where a part is hidden
-  kSkyMissing,      // nothing goes to the sky
-  kSkyIsRest,       // the sky gets what the (wrong) row lacks of 1
-  kMissing,         // 0
-  kBehind           // light between faces that do not face each other
-};
 
 // One fault, with its evidence.
 struct FoundFault {
@@ -58,7 +44,7 @@ struct Verdict {
 
 inline constexpr std::size_t kPairsNamed = 5;
 
-// Holds a matrix against the exact one.
+// Holds a matrix against the exact one of a scene (solver/plane/compare/verdict.h takes a prepared scene of the plane).
 //
 //   (1) a pair is off iff every number that prints as the file has it is wrong by more than `beyond`: roundings to the
 //       digits of the file are no errors
@@ -66,10 +52,9 @@ inline constexpr std::size_t kPairsNamed = 5;
 //       which agree within `beyond` and the digits left out once it is allowed for
 //   (3) the findings and what is unexplained partition the pairs that are off
 // Columns that the file does not have are not judged.
-// REQUIRES: both matrices are over the elements of `prepared`; the exact one has visibilities.
-// COST: a few passes over both matrices; another exact matrix, of both sides of all edges, when something is off; and
-// an exact sum for each pair that is off and exchanges nothing.
-Verdict judge(const PreparedScene2& prepared, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
+// REQUIRES: both matrices are over the elements of the scene; the exact one has visibilities.
+// COST: a few passes over both matrices; when something is off, what the scene takes to answer (judged_scene.h).
+Verdict judge(const JudgedScene& scene, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
               const VerdictOptions& options);
 
 // The verdict as sentences, most important first.

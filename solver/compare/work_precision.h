@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/plane/compare/method_comparison.h"
+#include "solver/compare/method_result.h"
 
 namespace hottel {
 

@@ -3,7 +3,9 @@
 
 #include <vector>
 
-#include "solver/radiosity/radiosity.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/material.h"
+#include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
-#include "solver/radiosity/radiosity.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/material.h"
+#include "solver/radiosity/radiosity_options.h"
+#include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
 

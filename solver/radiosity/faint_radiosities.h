@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
-#include "solver/radiosity/radiosity.h"
+#include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
 

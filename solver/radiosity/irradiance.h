@@ -3,7 +3,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/material.h"
-#include "solver/radiosity/radiosity.h"
+#include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "geometry/exchange_matrix.h"
-#include "solver/radiosity/radiosity.h"
+#include "geometry/material.h"
+#include "solver/radiosity/radiosity_solution.h"
 #include "solver/radiosity/scaled_ball.h"
 
 namespace hottel {

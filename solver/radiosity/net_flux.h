@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
-#include "solver/radiosity/radiosity.h"
+#include "geometry/material.h"
+#include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
 

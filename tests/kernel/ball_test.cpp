@@ -48,7 +48,7 @@ TEST(Ball, HasBoundsAtMostTwoUlpsWideAtHighPrecision) {
   for (int k = 0; k < 300; ++k) {
     RootSum sum;
     for (int t = 0; t < 4; ++t) sum.add(static_cast<long>(random() % 9) - 4, static_cast<long>(random() % 30));
-    const Enclosure bounds = Ball::of(sum, 300).bounds();
+    const Enclosure bounds = sum.ball(300).bounds();
     EXPECT_LE(bounds.lower, bounds.upper);
     EXPECT_LE(bounds.upper, std::nextafter(std::nextafter(bounds.lower, HUGE_VAL), HUGE_VAL));
   }
@@ -57,11 +57,11 @@ TEST(Ball, HasBoundsAtMostTwoUlpsWideAtHighPrecision) {
 TEST(Ball, ComparesWithDoubles) {
   RootSum root;
   root.add(1, 2);
-  const Ball ball = Ball::of(root, 200);
+  const Ball ball = root.ball(200);
   const double nearest = std::numbers::sqrt2;
   EXPECT_EQ(ball.compare(nearest), -1);  // sqrt(2) lies below the double nearest to it
   EXPECT_EQ(ball.compare(std::nextafter(nearest, 0)), 1);
-  EXPECT_EQ(Ball::of(root, 20).compare(nearest), 0) << "not settled at 20 bits";
+  EXPECT_EQ(root.ball(20).compare(nearest), 0) << "not settled at 20 bits";
   EXPECT_EQ(ball.nearest_of_ends(), (Enclosure{nearest, nearest}));
   EXPECT_EQ(Ball::of(Rational(3), 64).compare(3.0), 0);
   EXPECT_EQ(Ball::of(Rational(3), 64).sign(), 1);

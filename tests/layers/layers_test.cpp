@@ -8,9 +8,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -149,6 +152,60 @@ TEST(Layers, TheCheckOfNamesSeesWhatItForbids) {
   EXPECT_FALSE(names_its_dimension("hottel::below_one(double)", '2'));
   EXPECT_FALSE(names_its_dimension("hottel::Chance::below(unsigned long)", '2'));
   EXPECT_FALSE(names_its_dimension("hottel::Vertices2::distance(unsigned int) const", '3'));
+}
+
+// A unit is a header and the source of the same name: "kernel/ball".
+using Units = std::map<std::string, std::set<std::string>>;  // by name: the units it includes
+
+Units units_of(const std::vector<Source>& sources) {
+  const auto unit = [](fs::path path) { return path.replace_extension().string(); };
+  Units units;
+  for (const Source& source : sources) units[unit(source.path)];
+  for (const Source& source : sources)
+    for (const Include& include : source.includes)
+      if (const std::string to = unit(include.path); include.is_quoted && to != unit(source.path) && units.count(to))
+        units[unit(source.path)].insert(to);
+  return units;
+}
+
+// Returns units each of which includes the next, the first one again at the end; empty when there is no circle.
+std::vector<std::string> circle_of(const Units& units) {
+  std::set<std::string> done;
+  std::vector<std::string> way;
+  const std::function<bool(const std::string&)> leads_back = [&](const std::string& unit) {
+    const bool is_on_the_way = std::find(way.begin(), way.end(), unit) != way.end();
+    way.push_back(unit);
+    if (is_on_the_way) return true;
+    for (const std::string& next : units.at(unit))
+      if (!done.count(next) && leads_back(next)) return true;
+    way.pop_back();
+    done.insert(unit);
+    return false;
+  };
+  for (const auto& [unit, includes] : units) {
+    if (done.count(unit) || !leads_back(unit)) continue;
+    way.erase(way.begin(), std::find(way.begin(), way.end(), way.back()));
+    return way;
+  }
+  return {};
+}
+
+TEST(Layers, NoCirclesOfUnits) {
+  const Units units = units_of(product_sources());
+  EXPECT_GT(units.size(), 100u);
+  EXPECT_THAT(circle_of(units), testing::IsEmpty());
+}
+
+TEST(Layers, CirclesAreFound) {
+  const auto circle = [](const std::vector<Source>& sources) { return circle_of(units_of(sources)); };
+  EXPECT_THAT(circle({{"a.h", {}}, {"a.cpp", {{"a.h", true}}}, {"b.h", {{"a.h", true}}}}), testing::IsEmpty());
+  EXPECT_THAT(circle({{"a.h", {{"b.h", true}}},
+                      {"b.h", {}},
+                      {"b.cpp", {{"b.h", true}, {"c.h", true}}},
+                      {"c.h", {{"d.h", true}}},
+                      {"d.cpp", {{"b.h", true}}},
+                      {"d.h", {}}}),
+              testing::ElementsAre("b", "c", "d", "b"));
 }
 
 TEST(Layers, FewUnitsOfTheProductCompileCgal) {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/plane/arrangement/overlay.h"
+#include "geometry/plane/arrangement/segment.h"
 #include "geometry/plane/predicates/vertices.h"
 
 namespace hottel {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/plane/arrangement/overlay.h"
+#include "geometry/plane/arrangement/segment.h"
 #include "geometry/plane/predicates/vertices.h"
 
 namespace hottel {

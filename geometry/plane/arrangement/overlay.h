@@ -5,13 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "geometry/plane/arrangement/segment.h"
 #include "geometry/plane/predicates/vertices.h"
 
 namespace hottel {
-
-struct Segment2 {
-  VertexId a, b;
-};
 
 // Pieces with pairwise disjoint interiors, and for each piece the input segments that cover it.
 //

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/generate/generators.h"
+#include "geometry/plane/generate/generator_request.h"
 #include "geometry/plane/scene/scene.h"
 #include "kernel/int128.h"
 
@@ -88,15 +88,5 @@ class Canvas {
   std::vector<std::pair<Surface, Edge2>> polygon_pieces_;
   std::vector<std::string> polygon_names_;
 };
-
-// One function a kind; see generator_kinds().
-Scene2 generate_room(const GeneratorRequest& request);
-Scene2 generate_clutter(const GeneratorRequest& request);
-Scene2 generate_lattice(const GeneratorRequest& request);
-Scene2 generate_maze(const GeneratorRequest& request);
-Scene2 generate_comb(const GeneratorRequest& request);
-Scene2 generate_star(const GeneratorRequest& request);
-Scene2 generate_pillars(const GeneratorRequest& request);
-Scene2 generate_plates(const GeneratorRequest& request);
 
 }  // namespace hottel

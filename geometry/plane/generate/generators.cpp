@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "geometry/plane/generate/generator_canvas.h"
+#include "geometry/plane/generate/generate_kinds.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

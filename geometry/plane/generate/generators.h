@@ -5,19 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "geometry/plane/generate/generator_request.h"
 #include "geometry/plane/scene/scene.h"
 #include "kernel/rational.h"
 
 namespace hottel {
-
-struct GeneratorRequest {
-  std::string kind;
-  std::uint64_t n = 100;  // number of edges; each kind says how close it comes, never above
-  std::uint64_t seed = 0;
-  int digits = 0;       // significant digits of every coordinate; 0: as few as the scene needs
-  Rational length = 1;  // clutter: length of the segments, in mean distances between neighbours
-  std::uint64_t k = 0;  // lattice: side of the lattice; 0: the square root of n, at least 4
-};
 
 struct GeneratorKind {
   std::string name;

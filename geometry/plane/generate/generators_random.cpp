@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/plane/generate/generate_kinds.h"
 #include "geometry/plane/generate/generator_canvas.h"
 #include "kernel/support/failure.h"
 

@@ -3,35 +3,13 @@
 
 #include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
-#include "kernel/enclosure.h"
-#include "solver/compare/written_factors.h"
+#include "solver/compare/method_report.h"
 
 namespace hottel {
-
-// What a method says of itself.
-struct MethodInfo {
-  std::string name;      // in full, variant and parameter included: "gauss:4:normalised"
-  std::string family;    // what a sweep of the parameter belongs to: "gauss"
-  double parameter = 0;  // points, pixels, rays; 0 when there is none
-  Guarantee guarantee = Guarantee::kEstimated;
-  std::string reference;  // who described it, and where
-};
-
-// How a matrix came about.
-struct MethodReport {
-  double row_defect = 0;                  // max |sum_j F_ij - 1| as computed, before any normalisation
-  std::optional<double> standard_error;   // of the worst factor, where the method is random
-  std::optional<double> seconds;          // where the method knows better than who called it (an outside command)
-  std::optional<WrittenFactors> written;  // where the factors were read from a file
-  std::vector<std::string> notes;         // e.g. the seed
-};
 
 // A way to compute the view factors of the elements of a prepared scene.
 //

@@ -342,7 +342,7 @@ CentreFactors centre_factors(const PreparedScene2& prepared, const ElementTable2
   CentreFactors result;
   for (const PointFactor2& each :
        point_factors(prepared.arrangement, location, edge.from, edge.to, element.is_back, half))
-    result.factor[table.of(each.side)] += Ball::of(each.factor, 128).nearest_of_ends().lower;
+    result.factor[table.of(each.side)] += each.factor.ball(128).nearest_of_ends().lower;
   const Vertices2& vertices = prepared.arrangement.vertices();
   const ExactPoint2 centre{half * (edge.from.x + edge.to.x), half * (edge.from.y + edge.to.y)};
   View2 view;

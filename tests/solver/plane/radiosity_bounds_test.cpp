@@ -10,7 +10,7 @@
 #include "geometry/plane/generate/generators.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
-#include "solver/radiosity/radiosity_internal.h"
+#include "solver/radiosity/factors_as_given.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
 namespace hottel {
@@ -32,7 +32,7 @@ TEST(RadiosityBounds, HoldOnRandomScenesAndNeedTheirErrorTerms) {
     check.add(scene, scene.solve(), materials);
     if (seed % 4 != 1) continue;
     const auto solve_without = [&](const ErrorTerms& terms) {
-      return solve_radiosity_without(terms, scene.matrix(), materials, scene.scene().sky_emission, {});
+      return solve_as_given(scene.matrix(), materials, scene.scene().sky_emission, {}, false, terms);
     };
     without_factors.add(scene, solve_without({false, true}), materials);
     without_any.add(scene, solve_without({false, false}), materials);

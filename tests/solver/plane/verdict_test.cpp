@@ -1,5 +1,5 @@
 // Matrices that are wrong on purpose: the fault is found and named, and nothing else is.
-#include "solver/compare/verdict.h"
+#include "solver/plane/compare/verdict.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

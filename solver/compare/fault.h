@@ -1,0 +1,21 @@
+// What can be wrong with a matrix of view factors.
+#pragma once
+
+namespace hottel {
+
+// What can be wrong with many pairs at once. In this order of preference, where two explain equally many.
+enum class Fault {
+  kTransposed,      // F(j, i) stands for F(i, j); the same as divided by the area of the other face
+  kConstantFactor,  // pi, 2, 1/2, ...
+  kRowFactor,       // one ratio a row: rows normalised, areas exchanged, A F instead of F
+  kReversed,        // the front of a face taken for its back
+  kPermuted,        // faces in another order
+  kNoOcclusion,     // the factor without any obstacle
+  kAllOrNothing,    // 0 or the factor without obstacles, where a part is hidden
+  kSkyMissing,      // nothing goes to the sky
+  kSkyIsRest,       // the sky gets what the (wrong) row lacks of 1
+  kMissing,         // 0
+  kBehind           // light between faces that do not face each other
+};
+
+}  // namespace hottel

@@ -1,0 +1,38 @@
+// One method beside the exact one: how wrong, and how long.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/exchange_matrix.h"
+#include "solver/compare/matrix_errors.h"
+#include "solver/compare/method_report.h"
+#include "solver/compare/timing.h"
+#include "solver/radiosity/radiosity_solution.h"
+
+namespace hottel {
+
+// What one method came to.
+struct MethodResult {
+  MethodInfo info;
+  Timing timing;  // of the factors alone; the prepared scene is given to all
+  MethodReport report;
+  MatrixErrors errors;
+  std::optional<double> declared_error;  // what the method had claimed of errors.max
+
+  // max |B - exact B| / max |exact B|, over elements and channels; B is solved from the method's matrix as it is.
+  //   infinite  the matrix has no solution that can be trusted (spectral radius not below 1); a note says so
+  //   nothing   the exact matrix has none either: a room of perfect mirrors with a lamp
+  //   0         neither is there any light
+  std::optional<double> max_radiosity_error;
+
+  ExchangeMatrix matrix;
+  std::optional<RadiositySolution> solution;  // of that matrix
+  std::vector<std::string> notes;             // the method's, then those of the comparison
+};
+
+// max |B - exact B| / max |exact B| as in MethodResult. REQUIRES the same elements and channels.
+double max_radiosity_error(const RadiositySolution& solution, const RadiositySolution& exact);
+
+}  // namespace hottel

@@ -1,0 +1,140 @@
+#include "solver/compare/scene_hypotheses.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "geometry/name.h"
+
+namespace hottel {
+
+Hypothesis suppose_no_occlusion(const JudgedPairs& judged, const std::vector<double>& unobstructed) {
+  Hypothesis result = explains_nothing(Fault::kNoOcclusion, judged);
+  std::uint64_t partly = 0, wholly = 0;
+  for (const JudgedPair& pair : judged.pairs()) {
+    const std::size_t k = judged.index_of(pair);
+    if (!pair.is_off || unobstructed[k] == 0 || pair.visibility == 1 || !judged.agrees(pair, unobstructed[k])) continue;
+    result.explains[k] = 1;
+    ++(pair.exact > 0 ? partly : wholly);
+  }
+  if (wholly == 0) return explains_nothing(Fault::kNoOcclusion, judged);  // then something does hide: all or nothing
+  result.words = fmt::format(
+      "nothing hides anything: factors are those without obstacles ({} of pairs partly hidden, "
+      "{} of pairs wholly hidden)",
+      partly, wholly);
+  return result;
+}
+
+Hypothesis suppose_all_or_nothing(const JudgedPairs& judged, const std::vector<double>& unobstructed) {
+  Hypothesis result = explains_nothing(Fault::kAllOrNothing, judged);
+  std::uint64_t visible = 0, hidden = 0;
+  for (const JudgedPair& pair : judged.pairs()) {
+    const std::size_t k = judged.index_of(pair);
+    if (!pair.is_off || pair.exact == 0 || !(pair.visibility < 1) || pair.to == judged.exact().sky()) continue;
+    const bool is_visible = judged.agrees(pair, unobstructed[k]), is_hidden = judged.agrees(pair, 0);
+    if (!is_visible && !is_hidden) continue;
+    result.explains[k] = 1;
+    ++(is_visible ? visible : hidden);
+  }
+  result.words = fmt::format(
+      "visibility is all or nothing: of partly hidden pairs {} are taken as wholly visible and "
+      "{} as wholly hidden",
+      visible, hidden);
+  return result;
+}
+
+Hypothesis suppose_behind(const JudgedPairs& judged, const std::vector<double>& unobstructed) {
+  Hypothesis result = explains_nothing(Fault::kBehind, judged);
+  for (const JudgedPair& pair : judged.pairs()) {
+    const std::size_t k = judged.index_of(pair);
+    if (pair.is_off && pair.exact == 0 && unobstructed[k] == 0 && pair.to != judged.exact().sky())
+      result.explains[k] = 1;
+  }
+  result.words = "light goes between faces that do not face each other";
+  return result;
+}
+
+namespace {
+
+// Factors of both sides of every surface, by side.
+class BothSides {
+ public:
+  explicit BothSides(ExchangeMatrix matrix) : matrix_(std::move(matrix)) {
+    for (std::uint32_t i = 0; i < matrix_.size(); ++i) place_[key(matrix_.elements()[i], false)] = i;
+  }
+
+  // F(from, to), each turned around or not. Nothing for a back as a whole whose front is divided.
+  std::optional<double> factor(const ExchangeMatrix& exact, const JudgedPair& pair, bool turn_from,
+                               bool turn_to) const {
+    const auto from = place_.find(key(exact.elements()[pair.from], turn_from));
+    if (from == place_.end()) return std::nullopt;
+    if (pair.to == exact.sky()) return matrix_.factor(from->second, matrix_.sky()).value;
+    const auto to = place_.find(key(exact.elements()[pair.to], turn_to));
+    if (to == place_.end()) return std::nullopt;
+    return matrix_.factor(from->second, to->second).value;
+  }
+
+ private:
+  using Key = std::tuple<std::uint32_t, bool, std::uint32_t, std::uint32_t>;
+  static Key key(const Element& element, bool is_turned) {
+    return {element.surface, element.is_back != is_turned, element.part, element.parts};
+  }
+
+  ExchangeMatrix matrix_;
+  std::map<Key, std::uint32_t> place_;
+};
+
+}  // namespace
+
+Hypothesis suppose_reversed(const JudgedScene& scene, const JudgedPairs& judged) {
+  Hypothesis result = explains_nothing(Fault::kReversed, judged);
+  const ExchangeMatrix& exact = judged.exact();
+  const auto surface_of = [&](std::uint32_t i) { return exact.elements()[i].surface; };
+  std::optional<ExchangeMatrix> factors = scene.factors_of_both_sides();
+  if (!factors) return result;
+  const BothSides both(std::move(*factors));
+  const auto agrees = [&](const JudgedPair& pair, bool turn_from, bool turn_to) {
+    const auto factor = both.factor(exact, pair, turn_from, turn_to);
+    return !factor || std::abs(pair.value - *factor) <= judged.tolerance(pair.value);
+  };
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < exact.size(); ++i) count = std::max<std::size_t>(count, surface_of(i) + 1);
+  // Surfaces of which every row, turned around, agrees whether or not the other face is turned.
+  std::vector<char> is_turned(count, 1), has_off(count, 0);
+  for (const JudgedPair& pair : judged.pairs()) {
+    char& turned = is_turned[surface_of(pair.from)];
+    turned = turned && (agrees(pair, true, false) || agrees(pair, true, true));
+    has_off[surface_of(pair.from)] |= static_cast<char>(pair.is_off);
+  }
+  // Rows that sum to nothing are missing, not turned, where the file has a place for all they may see.
+  const bool is_complete = std::all_of(exact.elements().begin(), exact.elements().end(), [&](const Element& element) {
+    return judged.has_column(static_cast<std::uint32_t>(&element - exact.elements().data()));
+  });
+  for (std::uint32_t i = 0; i < exact.size() && is_complete && judged.has_column(exact.sky()); ++i) {
+    double lack = exact.has_row(i) ? 1 : 0;
+    for (const JudgedPair& pair : judged.row(i)) lack -= pair.value;
+    if (std::abs(lack) > judged.tolerance(1) * static_cast<double>(exact.size())) is_turned[surface_of(i)] = 0;
+  }
+  std::vector<std::string> names;
+  for (std::size_t s = 0; s < is_turned.size(); ++s) {
+    is_turned[s] = is_turned[s] && has_off[s];
+    if (is_turned[s]) names.push_back(scene.surface_name(static_cast<std::uint32_t>(s)));
+  }
+  for (const JudgedPair& pair : judged.pairs()) {
+    if (!pair.is_off) continue;
+    const bool from = is_turned[surface_of(pair.from)], to = pair.to != exact.sky() && is_turned[surface_of(pair.to)];
+    if (!from && !to) continue;
+    if (const auto factor = both.factor(exact, pair, from, to); factor && judged.agrees(pair, *factor))
+      result.explains[judged.index_of(pair)] = 1;
+  }
+  result.words = "the back is taken for the front of " + listed_names(names);
+  return result;
+}
+
+}  // namespace hottel

@@ -1,0 +1,68 @@
+#include "solver/plane/compare/verdict.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/exchange/pair_alone.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::size_t kPairsATask = 256;
+
+class JudgedScene2 final : public JudgedScene {
+ public:
+  explicit JudgedScene2(const PreparedScene2& prepared) : prepared_(prepared) {}
+
+  const std::string& surface_name(std::uint32_t surface) const override {
+    return prepared_.scene.surfaces[surface].name;
+  }
+
+  std::vector<double> unobstructed_factors(const JudgedPairs& judged) const override {
+    const ElementTable2 table(prepared_.scene, prepared_.arrangement, prepared_.division, Granularity::kElement);
+    const PairsAlone2 alone(prepared_, table, Granularity::kElement);
+    std::vector<double> result(judged.pairs().size(), 0);
+    parallel_for(
+        result.size(),
+        [&](std::size_t k) {
+          const JudgedPair& pair = judged.pairs()[k];
+          if (!pair.is_off || pair.to == table.sky()) return;
+          result[k] = pair.exact > 0 ? pair.exact / pair.visibility : alone.factor(pair.from, pair.to);
+        },
+        kPairsATask);
+    return result;
+  }
+
+  std::optional<ExchangeMatrix> factors_of_both_sides() const override {
+    Scene2 scene = prepared_.scene;
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+      Surface& surface = scene.surfaces[s];
+      if (!surface.back) surface.back = surface.material;
+      surface.elements = prepared_.division[s];
+    }
+    try {
+      const PreparedScene2 both = prepare(std::move(scene), Divided::kYes);
+      return exact_exchange(both, {.granularity = Granularity::kElement, .wants_visibility = false});
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+  }
+
+ private:
+  const PreparedScene2& prepared_;
+};
+
+}  // namespace
+
+Verdict judge(const PreparedScene2& prepared, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
+              const VerdictOptions& options) {
+  return judge(JudgedScene2(prepared), exact, matrix, options);
+}
+
+}  // namespace hottel

@@ -1,0 +1,33 @@
+// How radiosities are to be solved for.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+namespace hottel {
+
+// kAuto:      cholesky for components of up to kMostDenseUnknowns, else cg; where rows do not sum to 1 lu for so many
+//             unknowns in all, else bicgstab
+// kCholesky:  symmetric elimination without subtraction, refined in double-double
+// kCg:        conjugate gradients, refined in double-double
+// kShooting:  progressive refinement: the face with the most unshot light shoots (an iteration is one shot)
+// The others are what their names say, in plain doubles, as they are. Every result is certified alike.
+enum class Solver { kAuto, kCholesky, kCg, kLu, kBicgstab, kJacobi, kGaussSeidel, kShooting };
+
+inline constexpr std::uint32_t kMostDenseUnknowns = 500;
+
+const char* to_string(Solver solver);
+std::optional<Solver> solver_named(std::string_view name);  // "auto", "cholesky", ..., "gauss-seidel", "shooting"
+
+struct RadiosityOptions {
+  Solver solver = Solver::kAuto;
+  // Iterative solvers stop after so many iterations, or when |residual| <= until * (largest source of the component)
+  // everywhere. When either is given, cg is not refined either. Default: 1e-12, 10,000 iterations (100,000 shots).
+  std::optional<int> iterations = {};
+  std::optional<double> until = {};
+  std::function<void(double)> progress = {};  // fraction done; may throw to stop
+};
+
+}  // namespace hottel
