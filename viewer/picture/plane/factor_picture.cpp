@@ -41,8 +41,8 @@ PictureTargets2 picture_targets(const Scene2& scene, const std::string& name) {
           .label = name.ends_with("*") ? name.substr(0, name.size() - 1) : name};
 }
 
-std::string factor_picture_2(const PreparedScene2& prepared, const ExchangeMatrix& matrix, const PictureTargets2& targets,
-                           const std::string& quantity, PictureFormat format) {
+std::string factor_picture_2(const PreparedScene2& prepared, const ExchangeMatrix& matrix,
+                             const PictureTargets2& targets, const std::string& quantity, PictureFormat format) {
   ScenePicture2 picture;
   picture.targets = targets.surfaces;
   picture.target_label = targets.is_sky ? "" : targets.label;

@@ -23,7 +23,7 @@ PictureTargets2 picture_targets(const Scene2& scene, const std::string& name);
 // Returns the bytes of a picture in which each face with a row has the colour of the sum of its factors to the fronts
 // of the targets; the targets themselves are marked instead. quantity: what the factors are, for the legend. REQUIRES a
 // matrix whose elements are faces.
-std::string factor_picture_2(const PreparedScene2& prepared, const ExchangeMatrix& matrix, const PictureTargets2& targets,
-                           const std::string& quantity, PictureFormat format);
+std::string factor_picture_2(const PreparedScene2& prepared, const ExchangeMatrix& matrix,
+                             const PictureTargets2& targets, const std::string& quantity, PictureFormat format);
 
 }  // namespace hottel
