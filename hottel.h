@@ -9,10 +9,10 @@
 #include "geometry/plane/generate/generators.h"         // generate_2
 #include "geometry/plane/scene/scene.h"                 // Scene2
 #include "io/files/output_file.h"                       // OutputFile
-#include "io/foreign/foreign_matrix.h"                  // file_family_2, run_family_2
+#include "io/foreign/plane/foreign_matrix.h"            // file_family_2, run_family_2
 #include "io/results/factor_files.h"                    // write_factors_csv, ...
+#include "io/scene/plane/svg_reader.h"                  // read_svg_2
 #include "io/scene/scene_json.h"                        // read_scene_2, write_scene_2
-#include "io/scene/svg_reader.h"                        // read_svg_2
 #include "kernel/enclosure.h"                           // Enclosure, Rounded
 #include "kernel/rational.h"                            // Rational
 #include "kernel/root_sum.h"                            // RootSum
@@ -25,7 +25,7 @@
 #include "solver/plane/compare/verdict.h"               // judge
 #include "solver/plane/light/average_illumination.h"    // illuminate_averages
 #include "solver/plane/light/illumination_grid.h"       // illuminate_points
-#include "solver/plane/methods/method_catalogue.h"      // planar_methods
+#include "solver/plane/methods/method_catalogue.h"      // methods_2
 #include "solver/radiosity/gray_exchange.h"             // gray_exchange
 #include "solver/radiosity/net_flux.h"                  // net_flux
 #include "solver/radiosity/radiosity.h"                 // solve_radiosity

@@ -50,7 +50,7 @@ PlainMatrix plain_exchange(const PreparedScene2& prepared) {
     return std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y));
   };
 
-  PairTable<PlainTerm> pairs;
+  PairTable<PlainTerm2> pairs;
   View2 view;
   for (const VertexId v : vertices.ids()) {
     look_around(vertices, arrangement.triangulation(), v, view);
@@ -67,7 +67,7 @@ PlainMatrix plain_exchange(const PreparedScene2& prepared) {
     const Segment2& piece = arrangement.piece(side);
     twice_length[elements.of(side)] += 2 * distance(piece.a, piece.b);
   }
-  const std::vector<PlainTerm> sums = pairs.take();
+  const std::vector<PlainTerm2> sums = pairs.take();
   PlainMatrix matrix;
   matrix.begin.assign(elements.count() + 1, 0);
   const auto each_entry = [&](const auto& visit) {

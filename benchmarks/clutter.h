@@ -18,7 +18,7 @@ inline std::string to_string(View view) { return view == View::kShort ? "short" 
 // Random disjoint segments in a closed square room, `edges` of them, with seed 1: what `hottel generate clutter
 // --view VIEW --n EDGES --seed 1 --digits DIGITS` makes.
 inline Scene2 clutter(View view, std::uint64_t edges, int digits = 0) {
-  GeneratorRequest request;
+  GeneratorRequest2 request;
   request.kind = "clutter";
   request.n = edges;
   request.seed = 1;

@@ -76,7 +76,7 @@ void picture(benchmark::State& state, const Scene2& scene) {
   constexpr std::uint32_t kSide = 1024;
   Scene2 without_grid = scene;
   without_grid.grid.reset();
-  IlluminationGrid grid{grid_over(without_grid, cells, cells), 1, {}};
+  IlluminationGrid2 grid{grid_over(without_grid, cells, cells), 1, {}};
   for (std::uint32_t k = 0; k < cells * cells; ++k) grid.values.push_back(k % 7);
   for (auto _ : state) {
     const LightPixels2 pixels(grid, kSide / cells, kSide / cells, &scene);

@@ -30,7 +30,7 @@ struct Divided2 {
 
 Divided2 solve_divided(Scene2 scene, std::uint32_t elements) {
   for (Surface& surface : scene.surfaces) surface.elements = elements;
-  const PreparedScene2 prepared = prepare(std::move(scene), Divided::kYes);
+  const PreparedScene2 prepared = prepare(std::move(scene), Divided2::kYes);
   const ExchangeMatrix matrix =
       exact_exchange(prepared, {.granularity = Granularity::kElement, .wants_visibility = false});
   const RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission);

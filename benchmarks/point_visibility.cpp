@@ -175,13 +175,13 @@ Rational exact_area(const Exact::Arrangement& region) {
   Rational twice = 0;
   for (auto f = region.faces_begin(); f != region.faces_end(); ++f) {
     if (f->is_unbounded()) continue;
-    std::vector<ExactPoint2> corners;
+    std::vector<Point2> corners;
     auto e = f->outer_ccb();
     const auto first = e;
     do corners.push_back({CGAL::exact(e->source()->point().x()), CGAL::exact(e->source()->point().y())});
     while (++e != first);
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      const ExactPoint2 &p = corners[k], &q = corners[(k + 1) % corners.size()];
+      const Point2 &p = corners[k], &q = corners[(k + 1) % corners.size()];
       twice += p.x * q.y - p.y * q.x;
     }
   }

@@ -3,7 +3,7 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
-#include "io/results/check_report.h"
+#include "io/results/plane/check_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"

@@ -13,9 +13,9 @@
 #include "cli/scene_input.h"
 #include "geometry/near_names.h"
 #include "io/files/output_file.h"
-#include "io/foreign/foreign_matrix.h"
 #include "io/foreign/foreign_radiosity.h"
-#include "io/results/comparison_report.h"
+#include "io/foreign/plane/foreign_matrix.h"
+#include "io/results/plane/comparison_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "solver/compare/work_precision.h"
@@ -55,12 +55,12 @@ std::vector<std::string> names_to_run(const MethodCatalogue2& methods, const Com
   };
   std::vector<std::string> asked = options.methods;
   if (asked.empty())
-    for (const MethodFamily& family : methods.families())
+    for (const MethodFamily2& family : methods.families())
       if (!family.sweep.empty()) asked.push_back(options.sweep ? family.name : family.sweep[family.sweep.size() / 2]);
   for (const std::string& name : asked) {
-    const auto [raw, normalised] = split_method_name(name);
+    const auto [raw, normalised] = split_method_name_2(name);
     bool is_swept = false;
-    for (const MethodFamily& family : methods.families())
+    for (const MethodFamily2& family : methods.families())
       if (options.sweep && family.name == family_of(raw)) {
         for (const std::string& point : family.sweep) add(point + normalised);
         is_swept = !family.sweep.empty();
@@ -117,7 +117,7 @@ MethodResult run(const MethodComparison2& comparison, const ExchangeMethod2& met
 // What the methods came to, without their matrices.
 struct Outcome {
   std::vector<MethodResult> results;
-  std::vector<ExplainedPair> worst;
+  std::vector<ExplainedPair2> worst;
   std::string map;  // bytes of errors.png
 };
 
@@ -168,7 +168,7 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   std::optional<OutputFile> map;
   if (!options.map.empty()) map.emplace(directory / "errors.png");
 
-  const PreparedScene2 prepared = prepare(std::move(scene), Divided::kYes);
+  const PreparedScene2 prepared = prepare(std::move(scene), Divided2::kYes);
   const MethodComparison2 comparison(prepared);
   if (map && !comparison.exact_solution())
     throw RequestError(options.scene + ": --map draws errors of the light, and there is none to compare: " +
@@ -179,8 +179,10 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   const LogPlot plot = work_precision_plot(curves, "What accuracy costs: " + stem, size_text(comparison.exact()));
 
   for (const std::string& file : radiosity_files)
-    outcome.results.push_back(naming_file(
-        options.scene, [&] { return judge_radiosity_file(file, comparison, options.beyond.value_or(kBeyond)); }));
+    outcome.results.push_back(naming_file(options.scene, [&] {
+      return judge_radiosity_file(file, comparison.exact(), comparison.required_solution(),
+                                  options.beyond.value_or(kBeyond));
+    }));
   const ComparisonReport2 report{options.scene, comparison, outcome.results, readings};
   csv.write(compare_csv(outcome.results));
   worst.write(worst_csv(outcome.worst));

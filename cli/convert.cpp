@@ -5,8 +5,8 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
+#include "io/scene/plane/svg_reader.h"
 #include "io/scene/scene_json.h"
-#include "io/scene/svg_reader.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

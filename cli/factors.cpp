@@ -8,9 +8,11 @@
 #include "cli/command.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
+#include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/scene/division.h"
 #include "io/files/disk_space.h"
-#include "io/foreign/foreign_matrix.h"
+#include "io/foreign/plane/foreign_matrix.h"
 #include "io/results/factor_files.h"
 #include "io/results/factors_report.h"
 #include "io/results/npy.h"
@@ -163,7 +165,9 @@ void write_factors(const FactorsOptions& options, const PreparedScene2& prepared
     if (!options.exact_form.empty())
       only = {require_element(table.matrix, options.exact_form[0]),
               require_element(table.matrix, options.exact_form[1])};
-    write_exact_forms_csv(table, prepared, only, sink);
+    const std::vector<RootSum> measures =
+        exact_exchange_measures(prepared, table.granularity, exact_form_pairs(table, only));
+    write_exact_forms_csv(table, only, measures, exact_areas(prepared, table.granularity), sink);
   } else if (!options.matrix.empty()) {
     write_dense_csv(table,
                     options.matrix == "factor"     ? DenseQuantity::kFactor
@@ -174,7 +178,8 @@ void write_factors(const FactorsOptions& options, const PreparedScene2& prepared
     write_factors_csv(table, sink);
   } else if (format == Format::kMtx) {
     write_factors_mtx(table, sink);
-    write_faces_csv(table, [&rows](std::string_view text) { rows->write(text); });
+    write_faces_csv(table, element_ends(prepared.scene, table.matrix.elements()),
+                    [&rows](std::string_view text) { rows->write(text); });
   } else if (format == Format::kNpy) {
     write_factors_npy(table, sink);
     rows->write(factors_sidecar(table));
@@ -216,7 +221,7 @@ Factors compute(const FactorsOptions& options, const ExchangeMethod2& method, co
                             &factors.report.counts);
     });
   } else {
-    ComputedFactors computed = factors_by(method, prepared, factors.report.granularity);
+    ComputedFactors2 computed = factors_by(method, prepared, factors.report.granularity);
     factors.report.counts = std::move(computed.counts);
     factors.report.of_method = std::move(computed.report);
     factors.matrix = std::move(computed.matrix);
@@ -252,7 +257,7 @@ PreparedScene2 prepare_for(const FactorsOptions& options, Scene2 scene, const St
   if (!is_divided && options.elements.is_given())
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");
-  return prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo);
+  return prepare(std::move(scene), is_divided ? Divided2::kYes : Divided2::kNo);
 }
 
 ExitCode factors(FactorsOptions options, Streams& streams) {

@@ -16,7 +16,7 @@ namespace hottel {
 namespace {
 
 struct GenerateOptions {
-  GeneratorRequest request;
+  GeneratorRequest2 request;
   std::optional<int> digits;
   std::optional<std::uint64_t> k;
   std::optional<std::string> view, length;
@@ -32,15 +32,15 @@ std::uint64_t room_side(std::uint64_t n) {
 
 std::string description() {
   std::string text = "Make a scene: seeded, the same on every machine.\n\nKinds, and how many edges come out:";
-  for (const GeneratorKind& kind : generator_kinds())
+  for (const GeneratorKind2& kind : generator_kinds_2())
     text += fmt::format("\n  {:<9}{}\n           ({})", kind.name, kind.description, kind.count);
   return text;
 }
 
-GeneratorRequest request_of(const GenerateOptions& options) {
-  GeneratorRequest request = options.request;
+GeneratorRequest2 request_of(const GenerateOptions& options) {
+  GeneratorRequest2 request = options.request;
   std::vector<std::string> kinds;
-  for (const GeneratorKind& kind : generator_kinds()) kinds.push_back(kind.name);
+  for (const GeneratorKind2& kind : generator_kinds_2()) kinds.push_back(kind.name);
   if (std::find(kinds.begin(), kinds.end(), request.kind) == kinds.end())
     throw UnknownName(fmt::format("there is no kind of scene called '{}': {}", request.kind, fmt::join(kinds, ", ")),
                       request.kind, kinds);
@@ -81,7 +81,7 @@ void add_generate(Commands& commands) {
                                     "hottel generate lattice --n 60 --k 5 --seed 7"},
                                    [options](Streams& streams) { return generate(*options, streams); });
   command.description(description());
-  GeneratorRequest& request = options->request;
+  GeneratorRequest2& request = options->request;
   command.add_option("KIND", request.kind, "one of the kinds above")->required();
   command.add_option("--n", request.n, "number of edges; see the kinds")
       ->type_name("N")

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "io/foreign/foreign_matrix.h"
 #include "io/foreign/foreign_radiosity.h"
+#include "io/foreign/plane/foreign_matrix.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -14,7 +14,7 @@ constexpr std::string_view kFile = "file:";
 }  // namespace
 
 MethodCatalogue2 program_methods() {
-  MethodCatalogue2 methods = planar_methods();
+  MethodCatalogue2 methods = methods_2();
   methods.add(file_family_2());
   methods.add(run_family_2());
   return methods;
@@ -22,7 +22,7 @@ MethodCatalogue2 program_methods() {
 
 std::string methods_text(const MethodCatalogue2& methods) {
   std::string text;
-  for (const MethodFamily& family : methods.families()) text += "\n  " + family.pattern + ": " + family.what;
+  for (const MethodFamily2& family : methods.families()) text += "\n  " + family.pattern + ": " + family.what;
   return text;
 }
 
@@ -30,7 +30,7 @@ std::vector<std::string> method_names(const std::vector<std::string>& lists, con
   std::vector<std::string> names;
   const auto add = [&](const std::string& part) {
     const bool is_method = std::any_of(methods.families().begin(), methods.families().end(),
-                                       [&](const MethodFamily& family) { return family.name == family_of(part); });
+                                       [&](const MethodFamily2& family) { return family.name == family_of(part); });
     if (!is_method && !names.empty() && is_foreign(names.back()))
       names.back() += "," + part;
     else if (part.empty())
@@ -49,7 +49,7 @@ std::vector<std::string> method_names(const std::vector<std::string>& lists, con
 
 std::vector<std::string> take_radiosity_files(std::vector<std::string>& methods) {
   const auto first = std::stable_partition(methods.begin(), methods.end(), [](const std::string& name) {
-    return !name.starts_with(kFile) || name == kFile || !split_method_name(name).normalised.empty() ||
+    return !name.starts_with(kFile) || name == kFile || !split_method_name_2(name).normalised.empty() ||
            !holds_radiosities(name.substr(kFile.size()));
   });
   std::vector<std::string> files;

@@ -7,9 +7,10 @@
 #include "cli/command.h"
 #include "cli/scene_input.h"
 #include "geometry/plane/check/sight_findings.h"
+#include "geometry/plane/exchange/exchange.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
-#include "io/results/reference_set.h"
+#include "io/results/plane/reference_set.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
@@ -26,7 +27,7 @@ struct ReferenceOptions {
 
 // The factors of all elements and the radiosities of one scene.
 SceneReference refer(const std::string& file, const std::string& name, const Streams& streams) {
-  const PreparedScene2 prepared = prepare(read_scene_2(file), Divided::kYes);
+  const PreparedScene2 prepared = prepare(read_scene_2(file), Divided2::kYes);
   ExchangeReport exchange;
   const ExchangeMatrix matrix = exact_exchange(prepared,
                                                {.granularity = Granularity::kElement,

@@ -10,8 +10,8 @@
 #include "geometry/plane/check/sight_findings.h"
 #include "io/files/disk_space.h"
 #include "io/files/output_file.h"
-#include "io/results/check_report.h"
 #include "io/results/npy.h"
+#include "io/results/plane/check_report.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
@@ -73,7 +73,7 @@ void require_room_for(const Grid2& grid, int channels, const SolveOptions& optio
 // View factors by another method than the exact one; what is to be said of it.
 ExchangeMatrix approximate_factors(const ExchangeMethod2& method, const PreparedScene2& prepared,
                                    Granularity granularity, ExchangeReport& exchange, std::vector<std::string>& notes) {
-  ComputedFactors computed = factors_by(method, prepared, granularity);
+  ComputedFactors2 computed = factors_by(method, prepared, granularity);
   require_not_negative(computed.matrix, prepared, method);
   exchange = computed.counts;
   notes = computed.report.notes;
@@ -150,9 +150,9 @@ struct Run {
   ExchangeReport exchange{};
   std::vector<std::string> notes{};  // of the method
   ExchangeMatrix matrix{};
-  Findings lost_light{};
+  Findings2 lost_light{};
   RadiositySolution solution{};
-  std::optional<SolvedLight> light{};
+  std::optional<SolvedLight2> light{};
   std::string pixels{};
   std::optional<double> picture_scale{};
   std::map<std::string, double> seconds{};
@@ -170,7 +170,7 @@ Run planned(const SolveOptions& options, const Request& request, Streams& stream
   streams.note(plan_text(plan));
   const bool is_divided = plan.uses(Plan::kSubdivision);
   Run run{grid, plan, is_divided ? Granularity::kElement : Granularity::kFace,
-          prepare(std::move(scene), is_divided ? Divided::kYes : Divided::kNo)};
+          prepare(std::move(scene), is_divided ? Divided2::kYes : Divided2::kNo)};
   run.seconds["read"] = seconds;
   return run;
 }
@@ -238,16 +238,21 @@ void compute_light(const SolveOptions& options, const Request& request, Streams&
   }
 }
 
+GridRegion region_of(const Grid2& grid) {
+  const auto rounded = [](const Point2& p) -> std::array<double, 2> { return {to_double(p.x), to_double(p.y)}; };
+  return {rounded(grid.min), rounded(grid.max), grid.nx, grid.ny};
+}
+
 void write_results(const SolveOptions& options, const Run& run, const NetFluxes& fluxes, Outputs& outputs) {
   const RadiositySolution& solution = run.solution;
   write_radiosity_csv(run.prepared.scene, run.matrix, solution,
                       [&outputs](std::string_view text) { outputs.csv.write(text); });
   write_flux_csv(fluxes, solution.channel_names, [&outputs](std::string_view text) { outputs.flux.write(text); });
   if (outputs.npy) {
-    const IlluminationGrid& light = run.light->grid;
+    const IlluminationGrid2& light = run.light->grid;
     const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
     write_npy(shape, light.values, [&outputs](std::string_view bytes) { outputs.npy->write(bytes); });
-    outputs.sidecar->write(illumination_sidecar(light, solution.channel_names, options.illumination));
+    outputs.sidecar->write(illumination_sidecar(region_of(light.grid), solution.channel_names, options.illumination));
   }
   if (outputs.png) outputs.png->write(run.pixels);
 }

@@ -7,7 +7,7 @@
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/visibility/critical_points.h"
 #include "geometry/plane/visibility/point_sight.h"
-#include "io/results/visibility_report.h"
+#include "io/results/plane/visibility_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/light/solved_light.h"
@@ -30,7 +30,7 @@ Rational number(const std::string& text, const std::string& option) {
   return *value;
 }
 
-ExactPoint2 point(const std::string& text) {
+Point2 point(const std::string& text) {
   const auto comma = text.find(',');
   if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
     throw UsageError("--at takes X,Y in a plane scene (and a number t in [0,1] with --on), not '" + text + "'");
@@ -43,9 +43,9 @@ struct Shown {
   std::function<std::string(PictureFormat)> draw;
 };
 
-Shown from_point(const PreparedScene2& prepared, const ExactPoint2& eye) {
+Shown from_point(const PreparedScene2& prepared, const Point2& eye) {
   const PointSight2 sight = point_sight(prepared, eye);
-  std::optional<PointLight> light;
+  std::optional<PointLight2> light;
   if (sight.polygon.solid == Solids2::kNone) light = light_at(prepared, sight.polygon);
   return {point_answer(prepared, sight, light), [&prepared, polygon = sight.polygon](PictureFormat format) {
             return visibility_picture_2(prepared, drawing_of(polygon), format);
@@ -59,7 +59,7 @@ Shown from_face(const PreparedScene2& prepared, const std::string& name, const R
   require_free_at(prepared, face, t);
   return {face_point_answer(prepared, name, face, t, point_factors_by_face(prepared, face, t)),
           [&prepared, face, t](PictureFormat format) {
-            const ExactPoint2 eye = point_on(prepared.scene.edges[face.surface], t);
+            const Point2 eye = point_at(prepared.scene.edges[face.surface], t);
             return visibility_picture_2(prepared, drawing_of(point_sight(prepared, eye).polygon), format);
           }};
 }
@@ -100,7 +100,7 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   const bool is_drawn = !options.out.empty() && options.out != "-";
   const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
   if (is_drawn && !format) throw UsageError("a drawing is written as .svg or .png, not '" + options.out + "'");
-  const std::optional<ExactPoint2> eye =
+  const std::optional<Point2> eye =
       options.is_pair() || !options.on.empty() ? std::nullopt : std::optional(point(options.at));
   const Rational t = options.on.empty() ? Rational(0) : number(options.at, "--at with --on");
 

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "geometry/name.h"
 #include "geometry/near_names.h"
 
 namespace hottel {
 namespace {
+
+constexpr std::size_t kMostNames = 4;  // that are listed
 
 // What may be named in a scene: the fronts and backs of its surfaces, or its surfaces and groups; and the sky.
 std::vector<std::string> names_of(const SceneTable& scene, bool of_faces) {
@@ -50,6 +53,21 @@ Face face_of(const SceneTable& scene, const std::string& name) {
   if (name.ends_with(":back"))
     if (const auto surface = scene.find(name.substr(0, name.size() - 5))) return {*surface, true};
   throw UnknownName("no face of " + scene.file + " is called '" + name + "'", name, names_of(scene, true));
+}
+
+std::string names_text(const SceneTable& scene, const std::vector<std::uint32_t>& surfaces) {
+  const std::size_t named = surfaces.size() <= kMostNames ? surfaces.size() : kMostNames - 1;
+  std::string text;
+  for (std::size_t k = 0; k < named; ++k) {
+    if (k > 0) text += k + 1 == surfaces.size() ? " and " : ", ";
+    text += quoted_name(scene.surfaces[surfaces[k]].name);
+  }
+  if (named < surfaces.size()) text += " and " + std::to_string(surfaces.size() - named) + " more";
+  return text;
+}
+
+std::string solid_text(const SceneTable& scene, std::uint32_t group) {
+  return "the solid " + quoted_name(scene.groups[group].name);
 }
 
 }  // namespace hottel

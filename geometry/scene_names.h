@@ -17,4 +17,10 @@ std::vector<std::uint32_t> surfaces_matching(const SceneTable& scene, const std:
 // One face of the scene by name, "wall" or "wall:back". Throws UnknownName when there is none.
 Face face_of(const SceneTable& scene, const std::string& name);
 
+// "'a'", "'a' and 'b'", "'a', 'b', 'c' and 4 more"
+std::string names_text(const SceneTable& scene, const std::vector<std::uint32_t>& surfaces);
+
+// "the solid 'box'"
+std::string solid_text(const SceneTable& scene, std::uint32_t group);
+
 }  // namespace hottel

@@ -9,6 +9,8 @@
 namespace hottel {
 namespace {
 
+constexpr std::size_t kShortFraction = 11;  // characters of p/q
+
 constexpr long kStep = 300;  // decimal places: within the range of doubles
 
 double nearest_double(const RootSum& value) { return round_quotient(value, RootSum(Rational(1))).number.value; }
@@ -52,5 +54,18 @@ std::string decimal_text(const RootSum& value) {
 }
 
 std::string decimal_text(const Rational& value) { return decimal_text(RootSum(value)); }
+
+std::string short_text(const Rational& value) {
+  std::string decimal = decimal_text(value);
+  if (const auto read = parse_rational(decimal); read && *read == value) return decimal;
+  std::string fraction = to_string(value);
+  return fraction.size() <= kShortFraction ? fraction : decimal;
+}
+
+std::string length_text(const Rational& squared) {
+  RootSum length;
+  length.add(1, squared);
+  return decimal_text(length);
+}
 
 }  // namespace hottel

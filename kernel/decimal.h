@@ -16,4 +16,11 @@ namespace hottel {
 std::string decimal_text(const RootSum& value);
 std::string decimal_text(const Rational& value);
 
+// Returns the number as shortly as it can be said: the decimal when that is exact, p/q when that is short, otherwise
+// a decimal as above.
+std::string short_text(const Rational& value);
+
+// Returns sqrt(squared), correctly rounded, as its shortest decimal. REQUIRES squared >= 0.
+std::string length_text(const Rational& squared);
+
 }  // namespace hottel

@@ -294,7 +294,7 @@ void write_file(const std::filesystem::path& path, const std::string& bytes) {
 }
 
 int run(const std::filesystem::path& folder) {
-  const MethodCatalogue2 methods = planar_methods();
+  const MethodCatalogue2 methods = methods_2();
   std::string page = kIntroduction, csv = "case,parameter,method,relative_error\n";
   for (const HardCase& hard : hard_cases()) {
     const Result result = sweep(hard, methods);

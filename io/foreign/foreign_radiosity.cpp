@@ -105,20 +105,17 @@ ForeignRadiosities read_foreign_radiosities(const std::filesystem::path& file, c
   return result;
 }
 
-MethodResult judge_radiosity_file(const std::string& file, const MethodComparison2& comparison, double beyond) {
-  if (!comparison.exact_solution())
-    throw RequestError("radiosities cannot be compared: " + comparison.why_no_solution());
-  const RadiositySolution& exact = *comparison.exact_solution();
-  const ForeignRadiosities foreign = read_foreign_radiosities(file, comparison.exact(), exact.channel_names);
-  const RadiosityVerdict verdict =
-      judge_radiosities(comparison.exact(), exact, foreign.by_channel, foreign.digits, beyond);
+MethodResult judge_radiosity_file(const std::string& file, const ExchangeMatrix& factors,
+                                  const RadiositySolution& exact, double beyond) {
+  const ForeignRadiosities foreign = read_foreign_radiosities(file, factors, exact.channel_names);
+  const RadiosityVerdict verdict = judge_radiosities(factors, exact, foreign.by_channel, foreign.digits, beyond);
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   MethodResult result;
   result.info = {"file:" + file, "file", 0, Guarantee::kEstimated, file};
   result.timing = {kUnknown, kUnknown, kUnknown, 0};
   result.errors = {kUnknown, kUnknown, kUnknown, 0};
   result.max_radiosity_error = verdict.max_error;
-  result.notes = verdict_sentences(verdict, comparison.exact(), exact);
+  result.notes = verdict_sentences(verdict, factors, exact);
   return result;
 }
 

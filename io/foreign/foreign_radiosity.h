@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
+#include "solver/compare/method_result.h"
 #include "solver/compare/written_factors.h"
-#include "solver/plane/compare/method_comparison.h"
+#include "solver/radiosity/radiosity.h"
 
 namespace hottel {
 
@@ -28,7 +29,7 @@ bool holds_radiosities(const std::filesystem::path& file);
 
 // Reads such a file and holds it against the exact radiosities: max_radiosity_error, and the verdict in words as notes.
 // There are no factors and no time, so that all else is NaN. beyond: as in judge_radiosities.
-// Throws RequestError when the scene has no exact radiosities.
-MethodResult judge_radiosity_file(const std::string& file, const MethodComparison2& comparison, double beyond);
+MethodResult judge_radiosity_file(const std::string& file, const ExchangeMatrix& factors,
+                                  const RadiositySolution& exact, double beyond);
 
 }  // namespace hottel

@@ -9,7 +9,6 @@
 #include <cstring>
 #include <limits>
 
-#include "geometry/plane/exchange/closed_forms.h"
 #include "io/results/npy.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
@@ -132,7 +131,7 @@ void for_each_radiating_row(const ExchangeMatrix& matrix, const std::vector<std:
 
 }  // namespace
 
-std::string face_name(const Scene2& scene, const Element& element) {
+std::string face_name(const SceneTable& scene, const Element& element) {
   return scene.surfaces[element.surface].name + (element.is_back ? ":back" : "");
 }
 
@@ -175,13 +174,12 @@ void write_factors_mtx(const FactorTable& table, const Sink& sink) {
   out.flush();
 }
 
-void write_faces_csv(const FactorTable& table, const Sink& sink) {
+void write_faces_csv(const FactorTable& table, std::span<const std::array<double, 4>> ends, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   Buffer out(sink);
   out << "index,face,element,area,material,x0,y0,x1,y1\n";
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     const Element& element = matrix.elements()[i];
-    const Edge2& edge = table.scene.edges[element.surface];
     const std::string face = table.granularity == Granularity::kGroup ? element.name : face_name(table.scene, element);
     require_double(element.area.value, area_of(matrix, i));
     out << fmt::format("{},{},{},", i + 1, csv_field(face), element.part) << element.area.value << ","
@@ -190,14 +188,9 @@ void write_faces_csv(const FactorTable& table, const Sink& sink) {
       out << ",,,,\n";
       continue;
     }
-    for (const std::uint32_t k : {element.part, element.part + 1}) {
-      Rational t(k, element.parts);
-      t.canonicalize();
-      const Point2 point = point_at(edge, t);
-      const double x = to_double(point.x), y = to_double(point.y);
-      require_double(x, "a coordinate of '" + element.name + "'");
-      require_double(y, "a coordinate of '" + element.name + "'");
-      out << "," << x << "," << y;
+    for (const double coordinate : ends[i]) {
+      require_double(coordinate, "a coordinate of '" + element.name + "'");
+      out << "," << coordinate;
     }
     out << "\n";
   }
@@ -293,7 +286,7 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
   out.flush();
 }
 
-DenseSize dense_size(const Scene2& scene, Granularity granularity, DenseFormat format) {
+DenseSize dense_size(const SceneTable& scene, Granularity granularity, DenseFormat format) {
   std::uint64_t all = 0, radiating = 0;  // labels, and those with a material
   const auto add = [&](std::uint64_t count, bool radiates) {
     all += count;
@@ -335,31 +328,42 @@ DenseSize dense_size(const Scene2& scene, Granularity granularity, DenseFormat f
   return size(n, 0, 2, 0);
 }
 
-void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared,
-                           const std::optional<ElementPair>& only, const Sink& sink) {
-  const ExchangeMatrix& matrix = table.matrix;
-  std::vector<ElementPair> listed;  // (from, to)
-  if (only) {
-    listed.push_back(*only);
-  } else {
-    for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure&) {
-      listed.emplace_back(from, entry.to);
-    });
-  }
-  std::vector<ElementPair> pairs;
-  for (const auto& [from, to] : listed) pairs.emplace_back(std::min(from, to), std::max(from, to));
+namespace {
+
+// The pairs (from, to) of a table of closed forms, in its order.
+std::vector<ElementPair> exact_form_rows(const FactorTable& table, const std::optional<ElementPair>& only) {
+  if (only) return {*only};
+  std::vector<ElementPair> rows;
+  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure&) {
+    rows.emplace_back(from, entry.to);
+  });
+  return rows;
+}
+
+ElementPair smaller_first(const ElementPair& pair) { return std::minmax(pair.first, pair.second); }
+
+}  // namespace
+
+std::vector<ElementPair> exact_form_pairs(const FactorTable& table, const std::optional<ElementPair>& only) {
+  std::vector<ElementPair> pairs = exact_form_rows(table, only);
+  std::transform(pairs.begin(), pairs.end(), pairs.begin(), smaller_first);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  const std::vector<RootSum> measures = exact_exchange_measures(prepared, table.granularity, pairs);
-  const std::vector<RootSum> areas = exact_areas(prepared, table.granularity);
+  return pairs;
+}
+
+void write_exact_forms_csv(const FactorTable& table, const std::optional<ElementPair>& only,
+                           std::span<const RootSum> measures, std::span<const RootSum> areas, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  const std::vector<ElementPair> pairs = exact_form_pairs(table, only);
+  HOTTEL_REQUIRE(measures.size() == pairs.size() && areas.size() == matrix.size());
   Buffer out(sink);
   out << "from,to,exchange,area\n";
-  for (const auto& [from, to] : listed) {
-    const ElementPair pair{std::min(from, to), std::max(from, to)};
-    const auto place = std::lower_bound(pairs.begin(), pairs.end(), pair) - pairs.begin();
-    out << csv_field(name_of(matrix, from)) << "," << csv_field(name_of(matrix, to)) << ","
+  for (const ElementPair& row : exact_form_rows(table, only)) {
+    const auto place = std::lower_bound(pairs.begin(), pairs.end(), smaller_first(row)) - pairs.begin();
+    out << csv_field(name_of(matrix, row.first)) << "," << csv_field(name_of(matrix, row.second)) << ","
         << measures[static_cast<std::size_t>(place)].to_string() << ","
-        << (from == matrix.sky() ? "" : areas[from].to_string()) << "\n";
+        << (row.first == matrix.sky() ? "" : areas[row.first].to_string()) << "\n";
   }
   out.flush();
 }

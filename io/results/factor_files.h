@@ -1,17 +1,19 @@
 // View factors as files: one function a format, each writing through a sink.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
+#include "geometry/scene_table.h"
+#include "kernel/root_sum.h"
 
 namespace hottel {
 
@@ -23,7 +25,7 @@ using Sink = std::function<void(std::string_view)>;
 
 // What a file of factors is made of.
 struct FactorTable {
-  const Scene2& scene;
+  const SceneTable& scene;
   const ExchangeMatrix& matrix;
   Granularity granularity = Granularity::kFace;
   std::vector<ElementPair> hidden = {};  // pairs with S = 0 < S0, sorted: zeros in the formats that list pairs
@@ -37,7 +39,8 @@ void write_factors_csv(const FactorTable& table, const Sink& sink);
 // Matrix Market `coordinate real general`, 1-based, all faces and the sky last; the faces are named by
 // write_faces_csv, which goes into FILE.faces.csv.
 void write_factors_mtx(const FactorTable& table, const Sink& sink);
-void write_faces_csv(const FactorTable& table, const Sink& sink);
+// ends: where each element begins and ends, x0, y0, x1, y1 (element_ends); empty for groups.
+void write_faces_csv(const FactorTable& table, std::span<const std::array<double, 4>> ends, const Sink& sink);
 
 // NumPy float64, N x N, row = from, all faces and the sky last.
 void write_factors_npy(const FactorTable& table, const Sink& sink);
@@ -63,15 +66,19 @@ struct DenseSize {
   std::uint64_t rows = 0;
   std::uint64_t bytes = 0;
 };
-DenseSize dense_size(const Scene2& scene, Granularity granularity, DenseFormat format);
+DenseSize dense_size(const SceneTable& scene, Granularity granularity, DenseFormat format);
 
-// `from,to,exchange,area`: S(from, to) and A_from as sums of square roots, in scene units; of all pairs that are
-// listed, or of one pair (from, to), be it listed or not.
-void write_exact_forms_csv(const FactorTable& table, const PreparedScene2& prepared,
-                           const std::optional<ElementPair>& only, const Sink& sink);
+// The pairs whose exchange measures are asked for in closed form: all that are listed, or one pair (from, to), be it
+// listed or not; each once, the smaller number first, sorted.
+std::vector<ElementPair> exact_form_pairs(const FactorTable& table, const std::optional<ElementPair>& only);
+
+// `from,to,exchange,area`: S(from, to) and A_from as sums of square roots, in scene units. measures: of
+// exact_form_pairs(table, only); areas: of all elements.
+void write_exact_forms_csv(const FactorTable& table, const std::optional<ElementPair>& only,
+                           std::span<const RootSum> measures, std::span<const RootSum> areas, const Sink& sink);
 
 // The face that an element is a part of: "wall" or "wall:back".
-std::string face_name(const Scene2& scene, const Element& element);
+std::string face_name(const SceneTable& scene, const Element& element);
 
 // A field of a csv file, quoted when it holds a comma, a quote or a line break.
 std::string csv_field(const std::string& text);

@@ -4,8 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "geometry/plane/exchange/exchange.h"
-#include "solver/plane/methods/exchange_method.h"
+#include "geometry/element.h"
+#include "geometry/exchange_report.h"
+#include "solver/compare/method_report.h"
 
 namespace hottel {
 

@@ -38,20 +38,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Point2& p) { return {to_double(p.x), to_double(p.y)}; }
-
 }  // namespace
 
-std::string illumination_sidecar(const IlluminationGrid& light, const std::vector<std::string>& channels,
+std::string illumination_sidecar(const GridRegion& region, const std::vector<std::string>& channels,
                                  std::string_view way) {
   Json sidecar;
   sidecar["quantity"] = way == "inverse-square" ? "sum of B H / r^2" : "mean irradiance";
   sidecar["illumination"] = way;
-  sidecar["shape"] = {light.grid.ny, light.grid.nx, light.channels};
+  sidecar["shape"] = {region.ny, region.nx, channels.size()};
   sidecar["order"] = "C";
   sidecar["axes"] = {"y", "x", "channel"};
-  sidecar["region"]["min"] = json_of(light.grid.min);
-  sidecar["region"]["max"] = json_of(light.grid.max);
+  sidecar["region"]["min"] = region.min;
+  sidecar["region"]["max"] = region.max;
   sidecar["channels"] = channels;
   return sidecar.dump(2) + "\n";
 }

@@ -2,6 +2,7 @@
 // what such a file does not say of itself.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -9,7 +10,6 @@
 #include <vector>
 
 #include "io/results/factor_files.h"
-#include "solver/plane/light/illumination_grid.h"
 
 namespace hottel {
 
@@ -25,7 +25,11 @@ void write_npy(std::span<const std::size_t> shape, std::span<const double> value
 // Returns a JSON object of `quantity`, `shape`, `order` ("C": the last index runs fastest), `axes`, `region` (`min` and
 // `max`: the outer borders of the first and the last cells, as the doubles next to them) and `channels`. A place that
 // is NaN lies in a solid. way: how the light was computed, as `--illumination` names it.
-std::string illumination_sidecar(const IlluminationGrid& light, const std::vector<std::string>& channels,
+struct GridRegion {
+  std::array<double, 2> min, max;  // corners
+  std::size_t nx = 0, ny = 0;      // cells
+};
+std::string illumination_sidecar(const GridRegion& region, const std::vector<std::string>& channels,
                                  std::string_view way);
 
 // Returns a JSON object of `quantity`, `shape`, `order`, `axes`, and of `names` and `areas` of rows and columns alike,

@@ -6,7 +6,7 @@
 
 namespace hottel {
 
-void write_radiosity_csv(const Scene2& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
+void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
                          const std::function<void(std::string_view)>& sink) {
   sink("face,element,channel,area,emission,reflectivity,radiosity,lower,upper,irradiance,net\n");
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
@@ -39,7 +39,7 @@ void write_fluxes(const char* per, const std::vector<NetFlux>& fluxes, const std
 
 }  // namespace
 
-NetFluxes::NetFluxes(const Scene2& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution)
+NetFluxes::NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution)
     : faces(net_flux(matrix, solution, scene.sky_emission, [&](const Element& e) { return face_name(scene, e); })),
       groups(net_flux(matrix, solution, scene.sky_emission, [&](const Element& e) {
         return scene.groups[scene.surfaces[e.surface].group].name + (e.is_back ? ":back" : "");

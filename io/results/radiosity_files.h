@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/plane/scene/scene.h"
+#include "geometry/scene_table.h"
 #include "solver/radiosity/net_flux.h"
 #include "solver/radiosity/radiosity.h"
 
@@ -14,7 +14,7 @@ namespace hottel {
 
 // `face,element,channel,area,emission,reflectivity,radiosity,lower,upper,irradiance,net`: one line for each element
 // with a material and each channel. Shortest decimals that read back to the same double.
-void write_radiosity_csv(const Scene2& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
+void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
                          const std::function<void(std::string_view)>& sink);
 
 // `per,name,channel,area,net,lower,upper`: net flux in W (in the plane W per metre of depth) with proven bounds,
@@ -23,7 +23,7 @@ void write_radiosity_csv(const Scene2& scene, const ExchangeMatrix& matrix, cons
 struct NetFluxes {
   std::vector<NetFlux> faces, groups;
 
-  NetFluxes(const Scene2& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution);
+  NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution);
 };
 void write_flux_csv(const NetFluxes& fluxes, const std::vector<std::string>& channel_names,
                     const std::function<void(std::string_view)>& sink);

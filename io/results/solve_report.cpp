@@ -124,7 +124,7 @@ std::string solve_text(const SolveReport& report) {
   return text + fmt::format(", all {:.3f}\n", total);
 }
 
-std::string small_scene_text(const Scene2& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution) {
+std::string small_scene_text(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution) {
   if (matrix.elements().size() > 2 * kFacesOnAScreen || scene.surfaces.size() > kFacesOnAScreen) return "";
   std::string text = fmt::format("\n{:<16}", "factor to");
   for (const Element& element : matrix.elements()) text += fmt::format("{:>14.14}", element.name);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/exchange_report.h"
 #include "io/results/radiosity_files.h"
 #include "solver/plan.h"
 
@@ -37,6 +37,6 @@ std::string solve_text(const SolveReport& report);
 // Returns the factor matrix and the radiosities in full where the scene fits on a screen: at most kFacesOnAScreen
 // surfaces and twice as many elements. Else nothing.
 inline constexpr std::size_t kFacesOnAScreen = 12;
-std::string small_scene_text(const Scene2& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution);
+std::string small_scene_text(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution);
 
 }  // namespace hottel

@@ -34,7 +34,7 @@ Scene parse_scene(std::string_view text, const std::string& name_for_messages) {
   const JsonDocument document(text, name_for_messages);
   require_kind(document.root(), JsonKind::kObject, {"the scene"});
   require_versions(document.root());
-  return read_plane_scene(document.root(), name_for_messages);
+  return read_document_2(document.root(), name_for_messages);
 }
 
 Scene read_scene(const std::filesystem::path& file) { return parse_scene(read_text_file(file), file.string()); }

@@ -24,15 +24,15 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Arrangement = CGAL::Arrangement_2<CGAL::Arr_segment_traits_2<Kernel>>;
 using Visibility = CGAL::Triangular_expansion_visibility_2<Arrangement, CGAL::Tag_true>;
 
-using Corners = std::vector<ExactPoint2>;
+using Corners = std::vector<Point2>;
 
-Kernel::Point_2 to_cgal(const ExactPoint2& p) { return {Kernel::FT(p.x), Kernel::FT(p.y)}; }
-ExactPoint2 from_cgal(const Kernel::Point_2& p) { return {CGAL::exact(p.x()), CGAL::exact(p.y())}; }
+Kernel::Point_2 to_cgal(const Point2& p) { return {Kernel::FT(p.x), Kernel::FT(p.y)}; }
+Point2 from_cgal(const Kernel::Point_2& p) { return {CGAL::exact(p.x()), CGAL::exact(p.y())}; }
 
 Rational twice_area(const Corners& corners) {
   Rational sum = 0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const ExactPoint2 &p = corners[k], &q = corners[(k + 1) % corners.size()];
+    const Point2 &p = corners[k], &q = corners[(k + 1) % corners.size()];
     sum += p.x * q.y - p.y * q.x;
   }
   return sum;
@@ -43,7 +43,7 @@ Corners canonical(Corners corners) {
   if (twice_area(corners) < 0) std::reverse(corners.begin(), corners.end());
   for (std::size_t k = 0; k < corners.size() && corners.size() > 2;) {
     const std::size_t n = corners.size();
-    const ExactPoint2 &p = corners[(k + n - 1) % n], &q = corners[k], &r = corners[(k + 1) % n];
+    const Point2 &p = corners[(k + n - 1) % n], &q = corners[k], &r = corners[(k + 1) % n];
     if ((q.x - p.x) * (r.y - p.y) == (q.y - p.y) * (r.x - p.x)) {
       corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(k));
       k = k == 0 ? 0 : k - 1;
@@ -51,7 +51,7 @@ Corners canonical(Corners corners) {
       ++k;
     }
   }
-  const auto precedes = [](const ExactPoint2& p, const ExactPoint2& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; };
+  const auto precedes = [](const Point2& p, const Point2& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; };
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), precedes), corners.end());
   return corners;
 }
@@ -76,7 +76,7 @@ const Arrangement::Face_const_handle* face_in(const Place& place) {
 }
 
 Scene2 scene(const std::string& kind, std::uint64_t n, std::uint64_t seed) {
-  GeneratorRequest request;
+  GeneratorRequest2 request;
   request.kind = kind;
   request.n = n;
   request.seed = seed;
@@ -107,7 +107,7 @@ class VisibilityAgainstCgal : public testing::TestWithParam<std::string> {
  protected:
   struct Both {
     explicit Both(const Scene2& scene)
-        : arrangement(scene, Division(scene.surfaces.size(), 1)),
+        : arrangement(scene, Division2(scene.surfaces.size(), 1)),
           location(arrangement.vertices(), arrangement.triangulation()) {
       std::vector<Kernel::Segment_2> segments;
       for (const Edge2& s : scene.edges)
@@ -146,9 +146,9 @@ TEST_P(VisibilityAgainstCgal, AgreesFromPointsInTheOpen) {
         value.canonicalize();
         return value;
       };
-      const ExactPoint2 p = any(), q = any(), r = any();
+      const Point2 p = any(), q = any(), r = any();
       const Rational s = share(), t = k % 4 == 0 ? Rational(0) : Rational(share() / 2);
-      const ExactPoint2 eye{p.x + s * (q.x - p.x) + t * (r.x - p.x), p.y + s * (q.y - p.y) + t * (r.y - p.y)};
+      const Point2 eye{p.x + s * (q.x - p.x) + t * (r.x - p.x), p.y + s * (q.y - p.y) + t * (r.y - p.y)};
       const auto place = locate.locate(to_cgal(eye));
       const auto* face = face_in(place);
       if (face == nullptr || (*face)->is_unbounded()) continue;
@@ -170,8 +170,8 @@ TEST_P(VisibilityAgainstCgal, AgreesFromPointsOnEdges) {
     int number = 0;
     for (auto edge = both.cgal.edges_begin(); edge != both.cgal.edges_end(); ++edge, ++number) {
       if (number % 3 != 0 || edge->face()->is_unbounded() || edge->twin()->face()->is_unbounded()) continue;
-      const ExactPoint2 a = from_cgal(edge->source()->point()), b = from_cgal(edge->target()->point());
-      const ExactPoint2 eye{(a.x + 2 * b.x) / 3, (a.y + 2 * b.y) / 3};
+      const Point2 a = from_cgal(edge->source()->point()), b = from_cgal(edge->target()->point());
+      const Point2 eye{(a.x + 2 * b.x) / 3, (a.y + 2 * b.y) / 3};
       Rational expected = 0;
       for (const Arrangement::Halfedge_const_handle side :
            {Arrangement::Halfedge_const_handle(edge), Arrangement::Halfedge_const_handle(edge->twin())}) {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "io/scene/svg_reader.h"
+#include "io/scene/plane/svg_reader.h"
 #include "kernel/support/failure.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include "io/scene/plane/svg_reader.h"
 #include "io/scene/scene_json.h"
-#include "io/scene/svg_reader.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

@@ -24,7 +24,7 @@ TEST(DenseSize, IsThatOfTheFile) {
       Scene2 scene = read_scene_2(scenes + file);
       for (std::size_t s = 0; s < scene.surfaces.size(); s += 3) scene.surfaces[s].elements = 2;
       const PreparedScene2 prepared =
-          prepare(scene, granularity == Granularity::kElement ? Divided::kYes : Divided::kNo);
+          prepare(scene, granularity == Granularity::kElement ? Divided2::kYes : Divided2::kNo);
       const ExchangeMatrix matrix = exact_exchange(prepared, {.granularity = granularity});
       const FactorTable table{prepared.scene, matrix, granularity, {}, {}};
       const auto foretold = [&](DenseFormat format) { return dense_size(scene, granularity, format); };

@@ -1,5 +1,5 @@
 // What other programs write, read back: every format, every layout, and what is wrong with it.
-#include "io/foreign/foreign_matrix.h"
+#include "io/foreign/plane/foreign_matrix.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +15,7 @@
 #include "io/results/npy.h"
 #include "kernel/support/failure.h"
 #include "tests/io/foreign_room.h"
+#include "geometry/plane/scene/division.h"
 
 namespace hottel {
 namespace {
@@ -50,7 +51,7 @@ void expect_same(
 
 TEST_F(ForeignMatrixTest, ReadsWhatHottelWrites) {
   Scene2 scene = read_scene_2(std::string(HOTTEL_SOURCE_DIR) + "/tests/contract/box.json");
-  for (const Divided divided : {Divided::kNo, Divided::kYes}) {
+  for (const Divided2 divided : {Divided2::kNo, Divided2::kYes}) {
     const PreparedScene2 prepared = prepare(scene, divided);
     const ExchangeMatrix exact =
         exact_exchange(prepared, {.granularity = Granularity::kElement, .wants_measures = true});
@@ -62,7 +63,8 @@ TEST_F(ForeignMatrixTest, ReadsWhatHottelWrites) {
     const std::string mtx = written([&](const Sink& s) { write_factors_mtx(table, s); });
     expect_same(matched(prepared, "f.mtx", mtx), exact);
     EXPECT_THAT(report_.notes, testing::IsEmpty());
-    write("g.mtx.faces.csv", written([&](const Sink& s) { write_faces_csv(table, s); }));
+    write("g.mtx.faces.csv",
+          written([&](const Sink& s) { write_faces_csv(table, element_ends(prepared.scene, exact.elements()), s); }));
     expect_same(matched(prepared, "g.mtx", mtx), exact);
     EXPECT_THAT(report_.notes, testing::IsEmpty());
 
@@ -250,7 +252,7 @@ TEST_F(ForeignMatrixTest, SaysWhichNamesAreUnknownOrMissing) {
 TEST_F(ForeignMatrixTest, SaysThatFacesAreDivided) {
   Scene2 scene = read_scene_2(write("room.json", kRoom));
   scene.surfaces[1].elements = 2;
-  const PreparedScene2 prepared = prepare(std::move(scene), Divided::kYes);
+  const PreparedScene2 prepared = prepare(std::move(scene), Divided2::kYes);
   try {
     matched(prepared, "f.csv", "from,to,factor\na,b,0.5\n");
     FAIL();

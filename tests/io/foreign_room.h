@@ -11,7 +11,7 @@
 
 #include "io/files/output_file.h"
 #include "io/foreign/foreign_command.h"
-#include "io/foreign/foreign_matrix.h"
+#include "io/foreign/plane/foreign_matrix.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 

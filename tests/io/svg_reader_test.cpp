@@ -1,10 +1,10 @@
-#include "io/scene/svg_reader.h"
+#include "io/scene/plane/svg_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/scene/plane/svg_geometry.h"
 #include "io/scene/scene_json.h"
-#include "io/scene/svg_geometry.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

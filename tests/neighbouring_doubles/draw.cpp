@@ -59,7 +59,7 @@ void draw(const char* file) {
   draw_panel(canvas, grid, kGap, "Plain doubles",
              [&](const Double2& p) { return naive_orientation(p, grid.q, grid.r); });
   draw_panel(canvas, grid, 2 * kGap + kPanel, "hottel", [&](const Double2& p) {
-    const std::vector<ExactPoint2> points{exact(grid.q), exact(grid.r), exact(p)};
+    const std::vector<Point2> points{exact(grid.q), exact(grid.r), exact(p)};
     return Vertices2(points, points.size()).orientation(2_v, 0_v, 1_v);
   });
   draw_legend(canvas, kTitle + kPanel + 28);

@@ -14,7 +14,7 @@ struct Double2 {
   double x, y;
 };
 
-inline ExactPoint2 exact(const Double2& p) { return {Rational(p.x), Rational(p.y)}; }
+inline Point2 exact(const Double2& p) { return {Rational(p.x), Rational(p.y)}; }
 
 // Returns the double `steps` places above a positive one.
 inline double next(double value, int steps) {
@@ -61,16 +61,15 @@ inline int naive_side_of_circle(const Double2& a, const Double2& b, const Double
 }
 
 // The same over rationals.
-inline int exact_orientation(const ExactPoint2& p, const ExactPoint2& q, const ExactPoint2& r) {
+inline int exact_orientation(const Point2& p, const Point2& q, const Point2& r) {
   const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   return sgn(area);
 }
-inline int exact_direction(const ExactPoint2& p, const ExactPoint2& q, const ExactPoint2& r) {
+inline int exact_direction(const Point2& p, const Point2& q, const Point2& r) {
   const Rational product = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
   return sgn(product);
 }
-inline int exact_side_of_circle(const ExactPoint2& a, const ExactPoint2& b, const ExactPoint2& c,
-                                const ExactPoint2& d) {
+inline int exact_side_of_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const Rational ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x, cy = c.y - d.y;
   const Rational determinant = (ax * ax + ay * ay) * (bx * cy - cx * by) - (bx * bx + by * by) * (ax * cy - cx * ay) +
                                (cx * cx + cy * cy) * (ax * by - bx * ay);

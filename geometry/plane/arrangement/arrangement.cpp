@@ -8,36 +8,34 @@
 namespace hottel {
 namespace {
 
-ExactPoint2 exact(const Point2& p) { return {p.x, p.y}; }
-
 // The points numbered along a Hilbert curve, so that vertices near in space are near in memory.
-PointIndex2 number_in_space(const std::vector<ExactPoint2>& points) {
+PointIndex2 number_in_space(const std::vector<Point2>& points) {
   std::vector<Vertices2::Approximate> approximate;
   approximate.reserve(points.size());
-  for (const ExactPoint2& p : points) approximate.push_back({p.x.get_d(), p.y.get_d()});
+  for (const Point2& p : points) approximate.push_back({p.x.get_d(), p.y.get_d()});
   PointIndex2 index;
   for (const std::size_t i : hilbert_order(approximate)) index.insert(points[i]);
   return index;
 }
 
-std::string text(const ExactPoint2& p) { return "(" + to_string(p.x) + ", " + to_string(p.y) + ")"; }
+std::string text(const Point2& p) { return "(" + to_string(p.x) + ", " + to_string(p.y) + ")"; }
 
 }  // namespace
 
-Arrangement2::Arrangement2(const Scene2& scene, const Division& division, Conflicts conflicts) {
+Arrangement2::Arrangement2(const Scene2& scene, const Division2& division, Conflicts2 conflicts) {
   HOTTEL_REQUIRE(division.size() == scene.surfaces.size());
-  std::vector<ExactPoint2> points;
+  std::vector<Point2> points;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Edge2& edge = scene.edges[s];
     const std::uint32_t parts = division[s];
     HOTTEL_REQUIRE(parts > 0);
-    points.push_back(exact(edge.from));
+    points.push_back(edge.from);
     for (std::uint32_t k = 1; k < parts; ++k) {
       Rational t(k, parts);
       t.canonicalize();
-      points.push_back(exact(point_at(edge, t)));
+      points.push_back(point_at(edge, t));
     }
-    points.push_back(exact(edge.to));
+    points.push_back(edge.to);
   }
   PointIndex2 index = number_in_space(points);
   std::size_t next = 0;
@@ -79,14 +77,14 @@ std::vector<std::vector<std::uint32_t>> Arrangement2::regions_behind(const Scene
       {scene, overlay_, regions, closed, [this](std::size_t piece) { return sources(piece); }});
 }
 
-void Arrangement2::assign_owners(const Scene2& scene, Conflicts conflicts) {
+void Arrangement2::assign_owners(const Scene2& scene, Conflicts2 conflicts) {
   owner_.resize(2 * pieces().size());
   for (std::size_t piece = 0; piece < pieces().size(); ++piece) {
     const std::vector<PieceSource2> covering = sources(piece);
     for (const PieceSideId side : sides_of(piece)) {
       if (is_covered(side)) continue;
       const SideOwner2 claimed = claims(scene, side, covering);
-      if (claimed.rival && conflicts == Conflicts::kRefused) refuse_conflict(scene, side, claimed);
+      if (claimed.rival && conflicts == Conflicts2::kRefused) refuse_conflict(scene, side, claimed);
       owner_[side.index()] = claimed.owner.face;
     }
   }
@@ -101,9 +99,9 @@ SideOwner2 Arrangement2::claims(const Scene2& scene, PieceSideId side,
                                 const std::vector<PieceSource2>& covering) const {
   const bool right = is_right(side);
   const PieceSideId behind = opposite(side);
-  const SilentGroups is_silent = [&](std::uint32_t group) { return solids_.is_inside_of(behind, group); };
+  const SilentGroups2 is_silent = [&](std::uint32_t group) { return solids_.is_inside_of(behind, group); };
   const bool lies_on_solid = is_covered(behind) && has_material_on(scene, covering, !right);
-  return owner_of_side(scene, covering, right, lies_on_solid ? is_silent : SilentGroups());
+  return owner_of_side(scene, covering, right, lies_on_solid ? is_silent : SilentGroups2());
 }
 
 void Arrangement2::refuse_conflict(const Scene2& scene, PieceSideId side, const SideOwner2& claims) const {

@@ -14,10 +14,10 @@
 namespace hottel {
 
 // How many equal parts each surface is cut into.
-using Division = std::vector<std::uint32_t>;
+using Division2 = std::vector<std::uint32_t>;
 
 // What becomes of two claims for different materials on one side.
-enum class Conflicts : bool { kRefused, kFirstWins };
+enum class Conflicts2 : bool { kRefused, kFirstWins };
 
 // The scene after overlay: every piece side looks into a solid or belongs to exactly one side of one surface.
 //
@@ -31,7 +31,7 @@ class Arrangement2 {
  public:
   // Throws InputError naming both surfaces, the side and the piece when claims with different materials meet and are
   // refused, and for a "behind" that cannot be obeyed (Solids2).
-  Arrangement2(const Scene2& scene, const Division& division, Conflicts conflicts = Conflicts::kRefused);
+  Arrangement2(const Scene2& scene, const Division2& division, Conflicts2 conflicts = Conflicts2::kRefused);
 
   const Vertices2& vertices() const { return overlay_.vertices; }
   const std::vector<Segment2>& pieces() const { return overlay_.pieces; }
@@ -45,7 +45,7 @@ class Arrangement2 {
   }
   bool is_covered(PieceSideId side) const { return solids_.is_covered(side); }
   // REQUIRES that the side is not covered.
-  const FacePart& owner(PieceSideId side) const {
+  const FacePart2& owner(PieceSideId side) const {
     HOTTEL_REQUIRE(!is_covered(side));
     return owner_[side.index()];
   }
@@ -72,14 +72,14 @@ class Arrangement2 {
  private:
   Arrangement2() = default;
   void find_solids(const Scene2& scene);
-  void assign_owners(const Scene2& scene, Conflicts conflicts);
+  void assign_owners(const Scene2& scene, Conflicts2 conflicts);
   SideOwner2 claims(const Scene2& scene, PieceSideId side, const std::vector<PieceSource2>& covering) const;
   [[noreturn]] void refuse_conflict(const Scene2& scene, PieceSideId side, const SideOwner2& claims) const;
 
   Overlay2 overlay_;
-  std::vector<Segment2> segments_;      // input of the overlay
-  std::vector<FacePart> segment_part_;  // surface and part of each
-  std::vector<FacePart> owner_;         // by piece side
+  std::vector<Segment2> segments_;       // input of the overlay
+  std::vector<FacePart2> segment_part_;  // surface and part of each
+  std::vector<FacePart2> owner_;         // by piece side
   Solids2 solids_;
   Triangulation2 triangulation_;
 };

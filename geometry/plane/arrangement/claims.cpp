@@ -20,7 +20,7 @@ Claim2 claim_of(const Scene2& scene, const PieceSource2& source, bool right) {
 }  // namespace
 
 SideOwner2 owner_of_side(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right,
-                         const SilentGroups& is_silent) {
+                         const SilentGroups2& is_silent) {
   std::optional<SideOwner2> side;
   for (const PieceSource2& source : covering) {
     const Claim2 claim = claim_of(scene, source, right);

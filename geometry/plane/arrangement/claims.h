@@ -12,9 +12,9 @@
 namespace hottel {
 
 // A face, or one part of a face that carries elements.
-struct FacePart : Face {
+struct FacePart2 : Face {
   std::uint32_t part = 0;  // 0 .. parts - 1, from the surface's first to its second point
-  friend bool operator==(const FacePart&, const FacePart&) = default;
+  friend bool operator==(const FacePart2&, const FacePart2&) = default;
 };
 
 // An input segment (part of a surface) that covers a piece.
@@ -25,7 +25,7 @@ struct PieceSource2 {
 
 // A face that lies on one side of a piece. Without a material it is an opaque black back, which claims nothing.
 struct Claim2 {
-  FacePart face;
+  FacePart2 face;
   const Material* material = nullptr;
 };
 
@@ -36,12 +36,12 @@ struct SideOwner2 {
 };
 
 // Groups whose fronts on a side make no claim there.
-using SilentGroups = std::function<bool(std::uint32_t group)>;
+using SilentGroups2 = std::function<bool(std::uint32_t group)>;
 
 // Returns the owner of the right (left) side of a piece: the first face there that claims it, the first black back
 // when none does. REQUIRES: `covering` is not empty, not silent altogether, and in the order of the scene.
 SideOwner2 owner_of_side(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right,
-                         const SilentGroups& is_silent = {});
+                         const SilentGroups2& is_silent = {});
 
 // Returns whether a face with a material is on the right (left) side of a piece.
 bool has_material_on(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right);

@@ -13,7 +13,7 @@ namespace {
 // Numbers the lines through segments.
 class LineIndex {
  public:
-  std::uint32_t insert(const ExactPoint2& p, const ExactPoint2& q) {
+  std::uint32_t insert(const Point2& p, const Point2& q) {
     if (p.x == q.x) return static_cast<std::uint32_t>(2 * vertical_.insert({p.x, 0}).index());
     const Rational slope = (q.y - p.y) / (q.x - p.x);
     return static_cast<std::uint32_t>(2 * others_.insert({slope, p.y - slope * p.x}).index() + 1);

@@ -49,7 +49,7 @@ std::vector<CoveredSegment2> arrange(const Vertices2& vertices, const std::vecto
   using Traits = CGAL::Arr_consolidated_curve_data_traits_2<SegmentTraits, std::uint32_t>;
   using Arrangement = CGAL::Arrangement_2<Traits>;
   const auto to_point = [&vertices](VertexId i) {
-    const ExactPoint2 p = vertices.exact(i);
+    const Point2 p = vertices.exact(i);
     return typename Kernel::Point_2(typename Kernel::FT(p.x), typename Kernel::FT(p.y));
   };
   std::vector<typename Traits::Curve_2> curves;
@@ -61,7 +61,7 @@ std::vector<CoveredSegment2> arrange(const Vertices2& vertices, const std::vecto
   CGAL::insert(arrangement, curves.begin(), curves.end());
 
   const auto id_of_vertex = [&id_of](const typename Arrangement::Vertex_handle& v) {
-    return id_of(ExactPoint2{to_rational(v->point().x()), to_rational(v->point().y())});
+    return id_of(Point2{to_rational(v->point().x()), to_rational(v->point().y())});
   };
   std::vector<CoveredSegment2> edges;
   for (auto edge = arrangement.edges_begin(); edge != arrangement.edges_end(); ++edge)
@@ -82,7 +82,7 @@ void Overlay2::set_total_length() {
   vertices.set_total_length(extent > 0 ? 1.01 * total / extent : 1);
 }
 
-Overlay2 overlay(const std::vector<ExactPoint2>& points, const std::vector<Segment2>& segments) {
+Overlay2 overlay(const std::vector<Point2>& points, const std::vector<Segment2>& segments) {
   Overlay2 result;
   result.vertices = Vertices2(points, points.size());
   const EqualSegments2 equal(segments);
@@ -112,7 +112,7 @@ Overlay2 overlay(const std::vector<ExactPoint2>& points, const std::vector<Segme
   PointIndex2 index(points);
   if (!rest.empty()) {
     const std::vector<CoveredSegment2> uncovered = cut_along_lines(result.vertices, segments, rest);
-    const auto id_of = [&](const ExactPoint2& p) { return index.insert(result.vertices.to_scene(p)); };
+    const auto id_of = [&](const Point2& p) { return index.insert(result.vertices.to_scene(p)); };
     std::vector<CoveredSegment2> arranged = result.vertices.exponent() <= kMostBitsForIntervals
                                                 ? arrange<ExactKernel>(result.vertices, uncovered, id_of)
                                                 : arrange<RationalKernel>(result.vertices, uncovered, id_of);

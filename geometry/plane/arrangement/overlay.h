@@ -34,6 +34,6 @@ struct Overlay2 {
 // REQUIRES distinct points, and segments that are not points.
 // COST: O(n log n) for segments that equal others, or touch them in end points only; the others go through CGAL's
 // arrangement over exact rationals: O((n + k) log n) with a larger constant, for k crossings and sources of pieces.
-Overlay2 overlay(const std::vector<ExactPoint2>& points, const std::vector<Segment2>& segments);
+Overlay2 overlay(const std::vector<Point2>& points, const std::vector<Segment2>& segments);
 
 }  // namespace hottel

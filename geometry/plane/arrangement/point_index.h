@@ -8,8 +8,8 @@
 
 namespace hottel {
 
-struct ExactPointHash {
-  std::size_t operator()(const ExactPoint2& p) const {
+struct PointHash2 {
+  std::size_t operator()(const Point2& p) const {
     std::size_t hash = 0x9e3779b97f4a7c15ull;
     const auto mix = [&hash](mpz_srcptr z) {
       hash = (hash ^ static_cast<std::size_t>(mpz_sgn(z) + 1)) * 0xff51afd7ed558ccdull;
@@ -31,21 +31,21 @@ struct ExactPointHash {
 class PointIndex2 {
  public:
   PointIndex2() = default;
-  explicit PointIndex2(const std::vector<ExactPoint2>& points) {
-    for (const ExactPoint2& p : points) insert(p);
+  explicit PointIndex2(const std::vector<Point2>& points) {
+    for (const Point2& p : points) insert(p);
   }
 
-  VertexId insert(const ExactPoint2& point) {
+  VertexId insert(const Point2& point) {
     const auto [place, is_new] = number_.try_emplace(point, points_.size());
     if (is_new) points_.push_back(point);
     return place->second;
   }
 
-  const std::vector<ExactPoint2>& points() const { return points_; }
+  const std::vector<Point2>& points() const { return points_; }
 
  private:
-  std::unordered_map<ExactPoint2, VertexId, ExactPointHash> number_;
-  std::vector<ExactPoint2> points_;
+  std::unordered_map<Point2, VertexId, PointHash2> number_;
+  std::vector<Point2> points_;
 };
 
 }  // namespace hottel

@@ -10,14 +10,14 @@ namespace hottel {
 // COST: O((n + k) log n) for n edges with k contacts.
 struct PreparedScene2 {
   Scene2 scene;
-  Division division;
+  Division2 division;
   Arrangement2 arrangement;
   double seconds = 0;  // what the preparation took
 };
 
 // Prepares a scene with the number of elements each surface asks for (needed for Granularity::kElement only; whole
 // surfaces are cheaper otherwise). Throws InputError when claims on an overlap conflict.
-enum class Divided : bool { kNo, kYes };
-PreparedScene2 prepare(Scene2 scene, Divided divided = Divided::kNo);
+enum class Divided2 : bool { kNo, kYes };
+PreparedScene2 prepare(Scene2 scene, Divided2 divided = Divided2::kNo);
 
 }  // namespace hottel

@@ -96,7 +96,7 @@ class PieceBetween {
   std::unordered_map<std::uint64_t, std::size_t> number_;
 };
 
-StarEntry star_entry(const PieceBetween& piece_between, VertexId v, VertexId neighbour, HalfEdgeId beyond) {
+StarEntry2 star_entry(const PieceBetween& piece_between, VertexId v, VertexId neighbour, HalfEdgeId beyond) {
   const PieceSideId left = piece_between.side_facing_left(v, neighbour);
   return {neighbour, beyond, left, left == kNoPiece ? kNoPiece : opposite(left)};
 }
@@ -149,7 +149,7 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
   Cdt::Face_handle hint;
   if (is_line) {
     std::sort(order.begin(), order.end(), [&](VertexId i, VertexId j) { return vertices.precedes(i, j); });
-    std::vector<std::vector<StarEntry>> stars(count);
+    std::vector<std::vector<StarEntry2>> stars(count);
     for (std::size_t k = 1; k < order.size(); ++k) {
       stars[order[k].index()].push_back(star_entry(piece_between, order[k], order[k - 1], HalfEdgeId::none()));
       stars[order[k - 1].index()].push_back(star_entry(piece_between, order[k - 1], order[k], HalfEdgeId::none()));

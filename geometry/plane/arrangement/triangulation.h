@@ -44,7 +44,7 @@ constexpr PieceSideId opposite(PieceSideId side) { return PieceSideId(side.numbe
 constexpr std::size_t place_after_sky(PieceSideId side) { return static_cast<std::size_t>(side.number() + 1); }
 
 // The neighbours of a vertex in counter-clockwise order, with what lies between them.
-struct StarEntry {
+struct StarEntry2 {
   VertexId neighbour;
   HalfEdgeId opposite;      // of the triangle between this neighbour and the next one; none: the sky lies between them
   PieceSideId left, right;  // sides of the piece vertex-neighbour as seen on its left (right); kNoPiece if it is none
@@ -77,7 +77,7 @@ class Triangulation2 {
   PieceSideId side(HalfEdgeId h) const { return side_[h.index()]; }  // where it is not open
   bool is_piece(HalfEdgeId h) const { return !is_open(h) && side(h) != kSky; }
   bool is_bare_hull(HalfEdgeId h) const { return !is_open(h) && side(h) == kSky; }
-  std::span<const StarEntry> star(VertexId v) const {
+  std::span<const StarEntry2> star(VertexId v) const {
     return {star_.data() + star_begin_[v.index()], star_.data() + star_begin_[v.index() + 1]};
   }
 
@@ -87,7 +87,7 @@ class Triangulation2 {
   std::vector<HalfEdgeId> across_;
   std::vector<PieceSideId> side_;
   std::vector<std::uint32_t> star_begin_;
-  std::vector<StarEntry> star_;
+  std::vector<StarEntry2> star_;
 };
 
 }  // namespace hottel

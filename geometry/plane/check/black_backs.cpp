@@ -61,7 +61,7 @@ std::string suggestion(const Scene2& scene, std::uint32_t surface, const BehindR
 
 }  // namespace
 
-bool sees_black_backs(const ExchangeMatrix& matrix) {
+bool sees_black_backs_2(const ExchangeMatrix& matrix) {
   for (std::uint32_t from = 0; from < matrix.size(); ++from)
     for (const FactorEntry& entry : matrix.row(from))
       if (matrix.has_row(from) && is_black(matrix, entry.to)) return true;

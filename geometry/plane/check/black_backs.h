@@ -20,13 +20,13 @@ namespace hottel {
 // REQUIRES a matrix of the scene, by faces or by elements. COST: a pass over the matrix; where there is something to
 // tell, the regions too, and linear in the sides of pieces.
 struct BlackBacks2 {
-  Findings findings;
+  Findings2 findings;
   std::vector<std::uint32_t> surfaces;
 };
 BlackBacks2 black_backs(const PreparedScene2& prepared, const FreeRegions2& regions, const ExchangeMatrix& matrix,
                         const std::vector<char>& told);
 
 // Returns whether some face with a material sees a back without one.
-bool sees_black_backs(const ExchangeMatrix& matrix);
+bool sees_black_backs_2(const ExchangeMatrix& matrix);
 
 }  // namespace hottel

@@ -14,7 +14,7 @@ class ContactTeller {
  public:
   ContactTeller(const Scene2& scene, const Contacts2& contacts) : scene_(scene), contacts_(contacts) {}
 
-  Findings tell() {
+  Findings2 tell() {
     find_silent();
     for (const Overlap2& overlap : contacts_.overlaps) find_conflicts(overlap);
     for (const Conflict& conflict : conflicts_) tell_conflict(conflict);
@@ -219,12 +219,12 @@ class ContactTeller {
   const Contacts2& contacts_;
   std::vector<Conflict> conflicts_;
   std::vector<char> is_silent_;  // by surface
-  Findings findings_;
+  Findings2 findings_;
 };
 
 }  // namespace
 
-Findings contact_findings(const Scene2& scene, const Contacts2& contacts) {
+Findings2 contact_findings(const Scene2& scene, const Contacts2& contacts) {
   return ContactTeller(scene, contacts).tell();
 }
 

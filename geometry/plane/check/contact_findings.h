@@ -12,6 +12,6 @@ namespace hottel {
 //   (2) each face with a material that owns nothing is told of once: as nothing-left, in an overlap where its front
 //       makes no claim on a solid, or by solid_findings
 //   (3) nothing is told of contacts in a solid, nor of what a solid holds (FaceCover2 (3)) with its border
-Findings contact_findings(const Scene2& scene, const Contacts2& contacts);
+Findings2 contact_findings(const Scene2& scene, const Contacts2& contacts);
 
 }  // namespace hottel

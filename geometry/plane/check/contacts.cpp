@@ -50,7 +50,7 @@ class ContactFinder {
 
   const Vertices2& vertices() const { return arrangement_.vertices(); }
   const std::vector<Segment2>& pieces() const { return arrangement_.pieces(); }
-  Point2 place(VertexId v) const { return to_point(vertices().to_scene(vertices().exact(v))); }
+  Point2 place(VertexId v) const { return vertices().to_scene(vertices().exact(v)); }
 
   bool are_parallel(std::uint32_t s, std::uint32_t t) const {  // REQUIRES a common point
     const Segment2 &a = segments_[s], &b = segments_[t];
@@ -150,7 +150,7 @@ Contacts2 find_contacts(const Scene2& scene, const Arrangement2& arrangement) {
 }
 
 Contacts2 find_contacts(const Scene2& scene) {
-  return find_contacts(scene, Arrangement2(scene, Division(scene.surfaces.size(), 1), Conflicts::kFirstWins));
+  return find_contacts(scene, Arrangement2(scene, Division2(scene.surfaces.size(), 1), Conflicts2::kFirstWins));
 }
 
 }  // namespace hottel

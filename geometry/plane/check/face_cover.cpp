@@ -82,7 +82,7 @@ std::uint32_t solid_at(const PreparedScene2& prepared, const Face& face, const R
   const auto& [from, to] = prepared.scene.edges[face.surface];
   const Rational dx = to.x - from.x, dy = to.y - from.y;
   const auto place = [&](VertexId v) -> Rational {
-    const ExactPoint2 p = arrangement.vertices().to_scene(arrangement.vertices().exact(v));
+    const Point2 p = arrangement.vertices().to_scene(arrangement.vertices().exact(v));
     return ((p.x - from.x) * dx + (p.y - from.y) * dy) / (dx * dx + dy * dy);
   };
   for (std::size_t piece = 0; piece < arrangement.pieces().size(); ++piece)

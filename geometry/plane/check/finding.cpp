@@ -6,19 +6,19 @@
 
 namespace hottel {
 
-void sort_findings(Findings& findings) {
-  const auto key = [](const Finding& finding) {
+void sort_findings(Findings2& findings) {
+  const auto key = [](const Finding2& finding) {
     const std::uint32_t first =
         finding.surfaces.empty() ? std::numeric_limits<std::uint32_t>::max() : finding.surfaces.front();
     return std::pair(finding.severity, first);
   };
   std::stable_sort(findings.begin(), findings.end(),
-                   [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
+                   [&](const Finding2& a, const Finding2& b) { return key(a) < key(b); });
 }
 
-bool has_error(const Findings& findings) {
+bool has_error(const Findings2& findings) {
   return std::any_of(findings.begin(), findings.end(),
-                     [](const Finding& finding) { return finding.severity == Severity::kError; });
+                     [](const Finding2& finding) { return finding.severity == Severity::kError; });
 }
 
 }  // namespace hottel

@@ -7,28 +7,12 @@
 #include <vector>
 
 #include "geometry/plane/scene/scene.h"
+#include "geometry/severity.h"
 
 namespace hottel {
 
-// kError:   light cannot be computed, or a promise of the scene is broken
-// kWarning: probably not meant
-// kNote:    legal, and worth knowing
-enum class Severity : unsigned char { kError, kWarning, kNote };
-
-constexpr const char* to_string(Severity severity) {
-  switch (severity) {
-    case Severity::kError:
-      return "error";
-    case Severity::kWarning:
-      return "warning";
-    case Severity::kNote:
-      return "note";
-  }
-  return "";
-}
-
 // What was found, where, what it means for light, and what to do. docs/check.md lists the kinds.
-struct Finding {
+struct Finding2 {
   Severity severity = Severity::kNote;
   std::string kind;                       // a stable word
   std::vector<std::uint32_t> surfaces{};  // the first one gives the line
@@ -36,11 +20,11 @@ struct Finding {
   std::string message{}, suggestion{};    // sentences without a full stop; the suggestion may be empty
 };
 
-using Findings = std::vector<Finding>;
+using Findings2 = std::vector<Finding2>;
 
 // Sorts by severity, then by the first surface in the order of the scene (those that name none last); stable.
-void sort_findings(Findings& findings);
+void sort_findings(Findings2& findings);
 
-bool has_error(const Findings& findings);
+bool has_error(const Findings2& findings);
 
 }  // namespace hottel

@@ -79,7 +79,7 @@ std::vector<std::optional<Leak>> leaks(const Scene2& own, const std::vector<Near
   return result;
 }
 
-Finding tell(const Scene2& scene, const NearMiss2& miss, const std::optional<Leak>& leak) {
+Finding2 tell(const Scene2& scene, const NearMiss2& miss, const std::optional<Leak>& leak) {
   std::vector<std::uint32_t> surfaces = miss.surfaces;
   surfaces.push_back(miss.target);
   const std::string ends =
@@ -109,13 +109,13 @@ Finding tell(const Scene2& scene, const NearMiss2& miss, const std::optional<Lea
 
 }  // namespace
 
-Findings gap_findings(const Scene2& scene, const std::vector<NearMiss2>& near_misses, bool with_factors) {
+Findings2 gap_findings(const Scene2& scene, const std::vector<NearMiss2>& near_misses, bool with_factors) {
   std::vector<std::optional<Leak>> leak(near_misses.size());
   try {
     if (with_factors) leak = leaks(scene, near_misses);
   } catch (const InputError&) {  // told without
   }
-  Findings findings;
+  Findings2 findings;
   for (std::size_t k = 0; k < near_misses.size(); ++k) findings.push_back(tell(scene, near_misses[k], leak[k]));
   return findings;
 }

@@ -20,8 +20,7 @@ class NearMissFinder {
  public:
   explicit NearMissFinder(const Scene2& scene) {
     PointIndex2 index;
-    for (const auto& [from, to] : scene.edges)
-      segments_.push_back({index.insert(to_exact(from)), index.insert(to_exact(to))});
+    for (const auto& [from, to] : scene.edges) segments_.push_back({index.insert(from), index.insert(to)});
     points_ = index.points();
     vertices_ = Vertices2(points_, points_.size());
     ending_.resize(points_.size());
@@ -54,7 +53,7 @@ class NearMissFinder {
     ClosestPoint2 closest;
   };
 
-  Point2 point(VertexId v) const { return to_point(points_[v.index()]); }
+  Point2 point(VertexId v) const { return points_[v.index()]; }
 
   std::optional<VertexId> end_of(const Target& to) const {
     if (to.closest.end < 0) return std::nullopt;
@@ -90,7 +89,7 @@ class NearMissFinder {
     std::vector<std::uint32_t> meeting = ending_[v.index()];
     double least_upper = std::numeric_limits<double>::infinity();  // of the distances of those that do not meet v
     for (const std::uint32_t s : candidates)
-      if (const DistanceBounds d = distance_bounds(vertices_, segments_[s], v); d.lower > 0)
+      if (const DistanceBounds2 d = distance_bounds(vertices_, segments_[s], v); d.lower > 0)
         least_upper = std::min(least_upper, d.upper);
     for (const std::uint32_t s : candidates) {
       if (distance_bounds(vertices_, segments_[s], v).lower > least_upper) continue;
@@ -138,7 +137,7 @@ class NearMissFinder {
   }
 
   std::vector<Segment2> segments_;
-  std::vector<ExactPoint2> points_;
+  std::vector<Point2> points_;
   Vertices2 vertices_;
   std::vector<std::vector<std::uint32_t>> ending_;  // surfaces by end point
 };

@@ -14,7 +14,7 @@ double needle_degrees(const Vertices2& vertices, VertexId v, VertexId right, Ver
   const double error = vertices.approximation_error() *
                        (std::fabs(px) + std::fabs(py) + std::fabs(qx) + std::fabs(qy) + vertices.approximation_error());
   if (px * qy - py * qx > 2 * size / kNeedlePart + 4 * error) return -1;
-  const ExactPoint2 eo = vertices.exact(v), ep = vertices.exact(right), eq = vertices.exact(left);
+  const Point2 eo = vertices.exact(v), ep = vertices.exact(right), eq = vertices.exact(left);
   const Rational x1 = ep.x - eo.x, y1 = ep.y - eo.y, x2 = eq.x - eo.x, y2 = eq.y - eo.y;
   const Rational cross = x1 * y2 - y1 * x2, dot = x1 * x2 + y1 * y2;
   if (dot <= 0 || cross <= 0 || cross * kNeedlePart >= dot) return -1;
@@ -26,13 +26,13 @@ double needle_degrees(const Vertices2& vertices, VertexId v, VertexId right, Ver
 std::vector<Needle2> find_needles(const Arrangement2& arrangement) {
   const Vertices2& vertices = arrangement.vertices();
   std::vector<Needle2> needles;
-  std::vector<StarEntry> around;
+  std::vector<StarEntry2> around;
   for (const VertexId v : vertices.ids()) {
     around.clear();
-    for (const StarEntry& entry : arrangement.triangulation().star(v))
+    for (const StarEntry2& entry : arrangement.triangulation().star(v))
       if (entry.left != kNoPiece) around.push_back(entry);
     for (std::size_t k = 0; around.size() > 1 && k < around.size(); ++k) {
-      const StarEntry &right = around[k], &left = around[(k + 1) % around.size()];
+      const StarEntry2 &right = around[k], &left = around[(k + 1) % around.size()];
       if (arrangement.is_covered(right.left)) continue;  // in a solid
       const double degrees = needle_degrees(vertices, v, right.neighbour, left.neighbour);
       if (degrees >= 0) needles.push_back({v, piece_of(right.left), piece_of(left.left), degrees});

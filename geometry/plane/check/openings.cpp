@@ -134,7 +134,7 @@ class Flood {
 };
 
 Opening2 opening_at(const Vertices2& vertices, const Pocket& pocket) {
-  const auto place = [&](VertexId v) { return to_point(vertices.to_scene(vertices.exact(v))); };
+  const auto place = [&](VertexId v) { return vertices.to_scene(vertices.exact(v)); };
   const Gap& gap = pocket.gap;
   const Point2 tip = place(gap.tip), a = place(gap.a);
   return {tip, gap.a == gap.b ? a : closest_point(a, place(gap.b), tip).at, gap.width / pocket.walls,

@@ -46,7 +46,7 @@ double box_size(const Vertices2& vertices, std::size_t segments) {
 
 }  // namespace
 
-DistanceBounds distance_bounds(const Vertices2& vertices, const Segment2& segment, VertexId v) {
+DistanceBounds2 distance_bounds(const Vertices2& vertices, const Segment2& segment, VertexId v) {
   const auto &a = vertices.approximate(segment.a), &b = vertices.approximate(segment.b), &p = vertices.approximate(v);
   const double dx = b.x - a.x, dy = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
   const double whole = dx * dx + dy * dy;

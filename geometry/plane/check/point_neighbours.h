@@ -10,10 +10,10 @@
 namespace hottel {
 
 // Bounds of the distance of a vertex from a segment, in the units of Vertices2::approximate.
-struct DistanceBounds {
+struct DistanceBounds2 {
   double lower = 0, upper = 0;
 };
-DistanceBounds distance_bounds(const Vertices2& vertices, const Segment2& segment, VertexId v);
+DistanceBounds2 distance_bounds(const Vertices2& vertices, const Segment2& segment, VertexId v);
 
 // Returns for each vertex the segments that come within `reach[vertex]` of it, ascending, and maybe more. Reaches are
 // in the units of Vertices2::approximate.

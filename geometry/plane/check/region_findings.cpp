@@ -190,7 +190,7 @@ class RegionTeller {
 
   // Where a vertex lies on a surface: 0 at its first point, 1 at its second.
   Rational place_on(const Edge2& edge, VertexId v) const {
-    const Point2 p = to_point(arrangement_.vertices().to_scene(arrangement_.vertices().exact(v)));
+    const Point2 p = arrangement_.vertices().to_scene(arrangement_.vertices().exact(v));
     const Rational dx = edge.to.x - edge.from.x, dy = edge.to.y - edge.from.y;
     return ((p.x - edge.from.x) * dx + (p.y - edge.from.y) * dy) / (dx * dx + dy * dy);
   }

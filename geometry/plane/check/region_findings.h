@@ -17,7 +17,7 @@ namespace hottel {
 //   isolated-cell   a room that exchanges light with no other, when there are several
 //   spans-rooms     one face stands in several rooms: it has one radiosity, so light gets from one to the other by it
 struct RegionFindings2 {
-  Findings findings;
+  Findings2 findings;
   // Surfaces of the inside-out ones that lose nothing when they are reversed: their fronts see nothing but the sky,
   // each other and black backs, without light.
   std::vector<std::vector<std::uint32_t>> certainly_reversed;

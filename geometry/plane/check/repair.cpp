@@ -53,9 +53,8 @@ class GapCloser {
   GapCloser(const Scene2& scene, const Rational& distance)
       : scene_(scene), distance_(distance), squared_(distance * distance) {
     PointIndex2 index;
-    for (const auto& [from, to] : scene.edges)
-      segments_.push_back({index.insert(to_exact(from)), index.insert(to_exact(to))});
-    for (const ExactPoint2& p : index.points()) origin_.push_back(to_point(p));
+    for (const auto& [from, to] : scene.edges) segments_.push_back({index.insert(from), index.insert(to)});
+    for (const Point2& p : index.points()) origin_.push_back(p);
     place_ = origin_;
     const IdRange<VertexId> all(place_.size());
     into_.assign(all.begin(), all.end());
@@ -111,9 +110,9 @@ class GapCloser {
   }
 
   std::vector<std::vector<std::uint32_t>> candidates() const {
-    std::vector<ExactPoint2> points;
+    std::vector<Point2> points;
     std::vector<Segment2> now;
-    for (const Point2& p : place_) points.push_back(to_exact(p));
+    for (const Point2& p : place_) points.push_back(p);
     const Vertices2 vertices(points, points.size());
     for (std::uint32_t s = 0; s < segments_.size(); ++s) now.push_back(segment(s));
     return segments_near_vertices(vertices, now, std::vector<double>(place_.size(), reach_in(vertices)));
@@ -184,7 +183,7 @@ class GapCloser {
            closest_point(place_[now.a.index()], place_[now.b.index()], place_[v.index()]).squared > 0;
   }
 
-  void tell_moves(std::vector<RepairStep>& steps) const {
+  void tell_moves(std::vector<RepairStep2>& steps) const {
     for (const VertexId m : IdRange<VertexId>(origin_.size())) {
       const VertexId v = into_[m.index()];
       if (place_[v.index()] == origin_[m.index()]) continue;

@@ -11,7 +11,7 @@ namespace hottel {
 
 // One thing that was done to a surface, or that was not: "merged", "snapped", "dropped", "reversed", "solid",
 // "renumbered", "split", "not-repaired".
-struct RepairStep {
+struct RepairStep2 {
   std::string kind;
   std::string surface;
   std::string message;
@@ -19,7 +19,7 @@ struct RepairStep {
 
 struct Repair2 {
   Scene2 scene;
-  std::vector<RepairStep> steps;
+  std::vector<RepairStep2> steps;
   std::vector<std::string> former_names;  // by surface: what it was called before the repair
 };
 

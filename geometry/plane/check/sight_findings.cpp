@@ -38,7 +38,7 @@ OpenFronts fronts_by_opening(const PreparedScene2& prepared, const ExchangeMatri
   std::vector<std::uint32_t> opening(prepared.scene.surfaces.size(), kNoOpening);
   for (const PieceSideId side : arrangement.sides()) {
     if (arrangement.is_covered(side)) continue;
-    const FacePart& owner = arrangement.owner(side);
+    const FacePart2& owner = arrangement.owner(side);
     if (const auto found = openings.behind(side); found && !owner.is_back)
       opening[owner.surface] = std::min(opening[owner.surface], *found);
   }
@@ -67,7 +67,7 @@ std::string sky_text(const Scene2& scene, const ExchangeMatrix& matrix, const st
                      quoted_name(matrix.elements()[most].name), factor);
 }
 
-void tell_open(const PreparedScene2& prepared, const ExchangeMatrix& matrix, Findings& findings) {
+void tell_open(const PreparedScene2& prepared, const ExchangeMatrix& matrix, Findings2& findings) {
   const Scene2& scene = prepared.scene;
   const Openings2 openings(prepared.arrangement);
   for (const auto& [opening, fronts] : fronts_by_opening(prepared, matrix, openings)) {
@@ -112,7 +112,7 @@ std::string faces_text(const Scene2& scene, const ExchangeMatrix& matrix, const 
                      names_text(scene, surfaces), one ? "s" : "");
 }
 
-void tell_lonely(const Scene2& scene, const ExchangeMatrix& matrix, const Lonely& lonely, Findings& findings) {
+void tell_lonely(const Scene2& scene, const ExchangeMatrix& matrix, const Lonely& lonely, Findings2& findings) {
   // That a part of a body looks away from everything is in the nature of bodies.
   if (lonely.sky.empty() || lonely.sky.size() < lonely.faces) return;
   std::vector<std::uint32_t> surfaces;
@@ -124,9 +124,9 @@ void tell_lonely(const Scene2& scene, const ExchangeMatrix& matrix, const Lonely
 
 }  // namespace
 
-Findings sight_findings(const PreparedScene2& prepared, const ExchangeMatrix& matrix) {
+Findings2 sight_findings(const PreparedScene2& prepared, const ExchangeMatrix& matrix) {
   const Scene2& scene = prepared.scene;
-  Findings findings;
+  Findings2 findings;
   tell_open(prepared, matrix, findings);
   std::vector<Lonely> groups(scene.groups.size());
   for (std::uint32_t face = 0; face < matrix.size(); ++face) {

@@ -12,7 +12,7 @@ inline constexpr double kLeakPart = 1.0 / 64;
 
 // Kinds: not-closed (error; one for each opening), opening, sees-only-sky (a whole polyline, or an
 // edge of its own). REQUIRES: `prepared` is not divided; the exact matrix of the scene, by faces or by elements.
-Findings sight_findings(const PreparedScene2& prepared, const ExchangeMatrix& matrix);
+Findings2 sight_findings(const PreparedScene2& prepared, const ExchangeMatrix& matrix);
 
 // Throws RequestError, naming the first front, where a scene promises to be closed and a front with a material sees the
 // sky. REQUIRES the exact matrix of the scene.

@@ -25,7 +25,7 @@ bool emits(const Scene2& scene, const Surface& surface) {
   return emits(scene, surface.material) || (surface.back && emits(scene, *surface.back));
 }
 
-Finding filled_room(const Scene2& scene, std::uint32_t solid, const std::vector<std::uint32_t>& held) {
+Finding2 filled_room(const Scene2& scene, std::uint32_t solid, const std::vector<std::uint32_t>& held) {
   std::vector<std::uint32_t> surfaces = surfaces_of(scene, solid);
   const std::size_t own = surfaces.size();
   std::vector<std::string> names, lost;
@@ -52,8 +52,8 @@ Finding filled_room(const Scene2& scene, std::uint32_t solid, const std::vector<
 
 }  // namespace
 
-Findings solid_findings(const Scene2& scene, const FaceCover2& cover) {
-  Findings findings;
+Findings2 solid_findings(const Scene2& scene, const FaceCover2& cover) {
+  Findings2 findings;
   std::map<std::uint32_t, std::vector<std::uint32_t>> held;
   for (std::uint32_t group = 0; group < cover.holder.size(); ++group)
     if (cover.holder[group] != Solids2::kNone) held[cover.holder[group]].push_back(group);

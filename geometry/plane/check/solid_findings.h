@@ -12,6 +12,6 @@ namespace hottel {
 //                 whether a room was meant
 //   covered       a face with a material that looks into solids all along (a warning where it emits); those that a
 //                 filled-room tells of left out
-Findings solid_findings(const Scene2& scene, const FaceCover2& cover);
+Findings2 solid_findings(const Scene2& scene, const FaceCover2& cover);
 
 }  // namespace hottel

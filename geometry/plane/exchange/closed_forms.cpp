@@ -52,8 +52,7 @@ std::vector<RootSum> exact_areas(const PreparedScene2& prepared, Granularity gra
   return areas;
 }
 
-ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<Face>& a,
-                      const std::optional<Face>& b) {
+ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<Face>& a, const std::optional<Face>& b) {
   const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   const auto label_of = [&](const std::optional<Face>& face) {
     if (!face) return table.sky();

@@ -22,8 +22,7 @@ ExactPair2 exact_pair(const PreparedScene2& prepared, const ElementTable2& table
                       std::uint32_t from, std::uint32_t to);
 
 // Of two faces, of which one (nothing) may be the sky, whose area is left 0 and which takes all there is: S0 = A.
-ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<Face>& from,
-                      const std::optional<Face>& to);
+ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<Face>& from, const std::optional<Face>& to);
 
 // Closed forms of many exchange measures S(i, j) at once, in scene units.
 std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Granularity granularity,

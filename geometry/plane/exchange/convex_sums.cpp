@@ -37,7 +37,7 @@ class Outline {
     std::uint32_t wall = 0;
     for (std::uint32_t k = 0; k < pieces.size(); ++k) {
       a = next(a);
-      const FixedLength length = vertices_.distance(a, next(a));
+      const FixedLength2 length = vertices_.distance(a, next(a));
       vertex_.push_back(a);
       wall_.push_back(wall);
       sides_of_[label_from[a.index()]].push_back(k);
@@ -58,7 +58,7 @@ class Outline {
     if (k == l) return {0, 0};
     if (wall_[k] == wall_[l - 1]) return along(k, l);
     if (k == 0 && wall_[l] == wall_.back()) return along(l, static_cast<std::uint32_t>(wall_.size()));
-    const FixedLength length = vertices_.distance(vertex_[k], vertex_[l]);
+    const FixedLength2 length = vertices_.distance(vertex_[k], vertex_[l]);
     return {length.value, !length.is_exact};
   }
 
@@ -76,12 +76,12 @@ class Outline {
 
 }  // namespace
 
-std::vector<PairSum> sum_convex_pairs(const Arrangement2& arrangement, const ElementTable2& table) {
+std::vector<PairSum2> sum_convex_pairs(const Arrangement2& arrangement, const ElementTable2& table) {
   const Outline outline(arrangement, table);
-  std::vector<PairSum> pairs;
+  std::vector<PairSum2> pairs;
   for (std::uint32_t i = 0; i < table.count(); ++i)
     for (std::uint32_t j = i; j < table.count(); ++j) {
-      PairSum pair{i, j, 0, false, 0};
+      PairSum2 pair{i, j, 0, false, 0};
       const auto add = [&](std::uint32_t u, std::uint32_t v, int sign) {
         const Outline::Length length = outline.between(u, v);
         pair.value += sign > 0 ? length.value : -length.value;

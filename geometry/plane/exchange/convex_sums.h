@@ -14,6 +14,6 @@ namespace hottel {
 //   (2) the sums differ from those of the sweep by no more than their errors allow
 // REQUIRES that is_convex_room holds of the scene.
 // COST: four strings for each pair of pieces.
-std::vector<PairSum> sum_convex_pairs(const Arrangement2& arrangement, const ElementTable2& table);
+std::vector<PairSum2> sum_convex_pairs(const Arrangement2& arrangement, const ElementTable2& table);
 
 }  // namespace hottel

@@ -4,7 +4,7 @@
 #include <limits>
 
 namespace hottel {
-ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangement, const Division& division,
+ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangement, const Division2& division,
                              Granularity granularity) {
   // First label of each front and back.
   std::vector<std::uint32_t> first[2];
@@ -40,7 +40,7 @@ ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangemen
   of_side_[place_after_sky(kSky)] = sky();
   for (const PieceSideId side : arrangement.sides()) {
     if (arrangement.is_covered(side)) continue;
-    const FacePart& owner = arrangement.owner(side);
+    const FacePart2& owner = arrangement.owner(side);
     const std::uint32_t label = first[owner.is_back][owner.surface];
     of_side_[place_after_sky(side)] = label + (elements_[label].parts > 1 ? owner.part : 0);
   }
@@ -69,7 +69,7 @@ void ElementTable2::measure(const Arrangement2& arrangement) {
   for (const PieceSideId side : arrangement.sides()) {
     if (of(side) >= count()) continue;
     const Segment2& piece = arrangement.piece(side);
-    const FixedLength length = vertices.distance(piece.a, piece.b);
+    const FixedLength2 length = vertices.distance(piece.a, piece.b);
     FixedSum& sum = length_[of(side)];
     sum.value += length.value;
     if (!length.is_exact) sum.error += vertices.length_error();

@@ -15,7 +15,7 @@ namespace hottel {
 // parts ascending.
 class ElementTable2 {
  public:
-  ElementTable2(const Scene2& scene, const Arrangement2& arrangement, const Division& division,
+  ElementTable2(const Scene2& scene, const Arrangement2& arrangement, const Division2& division,
                 Granularity granularity);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(elements_.size()); }

@@ -21,8 +21,8 @@ std::uint64_t count_all_pairs(const ElementTable2& table) {
   return rows * (rows - 1) / 2;
 }
 
-ExchangeMatrix to_matrix(const ElementTable2& table, const std::vector<PairSum>& pairs,
-                         const std::vector<RoundedPair>& rounded, bool with_measures) {
+ExchangeMatrix to_matrix(const ElementTable2& table, const std::vector<PairSum2>& pairs,
+                         const std::vector<RoundedPair2>& rounded, bool with_measures) {
   ExchangeMatrix matrix(table.elements(), Guarantee::kExact);
   std::vector<std::size_t> begin(table.count() + 1, 0);
   const auto each_entry = [&](const auto& visit) {
@@ -33,12 +33,12 @@ ExchangeMatrix to_matrix(const ElementTable2& table, const std::vector<PairSum>&
       if (j != i && table.has_row(j)) visit(j, i, rounded[k].back, rounded[k]);
     }
   };
-  each_entry([&](std::uint32_t from, std::uint32_t, const Rounded&, const RoundedPair&) { ++begin[from + 1]; });
+  each_entry([&](std::uint32_t from, std::uint32_t, const Rounded&, const RoundedPair2&) { ++begin[from + 1]; });
   for (std::uint32_t i = 0; i < table.count(); ++i) begin[i + 1] += begin[i];
   std::vector<FactorEntry> entries(begin.back());
   std::vector<double> measures(with_measures ? begin.back() : 0);
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  each_entry([&](std::uint32_t from, std::uint32_t to, const Rounded& factor, const RoundedPair& pair) {
+  each_entry([&](std::uint32_t from, std::uint32_t to, const Rounded& factor, const RoundedPair2& pair) {
     const std::size_t place = next[from]++;
     entries[place] = {to, factor, to == table.sky() ? factor.value : pair.visibility};
     if (with_measures) measures[place] = pair.measure;
@@ -68,16 +68,16 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
                          std::to_string(pairs * kBytesPerPair) + " bytes; allowed are " +
                          std::to_string(options.memory));
   }
-  SumCounts counts;
-  const std::vector<PairSum> pairs = options.occlusion
-                                         ? sum_visible_pairs(arrangement, table, options.progress, most_pairs, counts)
-                                         : sum_convex_pairs(arrangement, table);
+  SumCounts2 counts;
+  const std::vector<PairSum2> pairs = options.occlusion
+                                          ? sum_visible_pairs(arrangement, table, options.progress, most_pairs, counts)
+                                          : sum_convex_pairs(arrangement, table);
   r.seconds[options.occlusion ? "sweep" : "strings"] = watch.lap();
   r.closure_is_exact = closure_defect(pairs, table) == 0;
   HOTTEL_REQUIRE(r.closure_is_exact);
 
-  const PairRounding rounding(prepared, table, options);
-  std::vector<RoundedPair> rounded(pairs.size());
+  const PairRounding2 rounding(prepared, table, options);
+  std::vector<RoundedPair2> rounded(pairs.size());
   std::mutex tiers;
   const auto count = [&r, &tiers](const TierCounts& some) {
     const std::lock_guard lock(tiers);

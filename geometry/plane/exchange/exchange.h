@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geometry/exchange_matrix.h"
+#include "geometry/exchange_report.h"
 #include "geometry/plane/arrangement/arrangement.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/element_table.h"
@@ -14,14 +15,6 @@
 #include "kernel/rounding.h"
 
 namespace hottel {
-
-// How the numbers came about.
-struct ExchangeReport {
-  std::uint64_t surfaces = 0, vertices = 0, pieces = 0, elements = 0, pairs = 0, gaps = 0, terms = 0;
-  TierCounts tiers;                       // one count a rounded number: factors both ways, visibilities
-  bool closure_is_exact = false;          // the integer identity sum_j 2 S(i, j) = 2 A_i held in every row
-  std::map<std::string, double> seconds;  // of stages that ran
-};
 
 // Returns the view factors of all pairs that exchange light, each correctly rounded.
 //

@@ -13,13 +13,13 @@ class Sweep {
  public:
   Sweep(const Arrangement2& arrangement, const ElementTable2& table) : arrangement_(arrangement), table_(table) {}
 
-  void operator()(VertexId v, TermBuffer<FixedTerm>& out) const {
+  void operator()(VertexId v, TermBuffer2<FixedTerm2>& out) const {
     const Vertices2& vertices = arrangement_.vertices();
     thread_local View2 view;
     look_around(vertices, arrangement_.triangulation(), v, view);
     for_each_gap(vertices, v, view, true, [&](const Gap2& gap) {
       ++out.gaps;
-      FixedLength length{0, false};
+      FixedLength2 length{0, false};
       bool is_measured = false;
       for_each_term(gap, table_, [&](std::uint32_t i, std::uint32_t j, int sign) {
         if (!is_measured) {
@@ -43,21 +43,21 @@ class Sweep {
 
 }  // namespace
 
-std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
-                                       const std::function<void(double)>& progress, std::uint64_t most_pairs,
-                                       SumCounts& counts) {
+std::vector<PairSum2> sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
+                                        const std::function<void(double)>& progress, std::uint64_t most_pairs,
+                                        SumCounts2& counts) {
   const std::size_t label_count = table.covered() + 1;
-  auto sums = sum_terms<FixedTerm>(arrangement.vertices().size(), label_count, Sweep(arrangement, table), progress,
-                                   most_pairs, counts);
+  auto sums = sum_terms<FixedTerm2>(arrangement.vertices().size(), label_count, Sweep(arrangement, table), progress,
+                                    most_pairs, counts);
   std::size_t total = 0;
   for (const auto& part : sums) total += part.size();
-  std::vector<PairSum> result;
+  std::vector<PairSum2> result;
   result.reserve(total);
   for (auto& part : sums) {
-    for (const FixedTerm& sum : part)
+    for (const FixedTerm2& sum : part)
       result.push_back({static_cast<std::uint32_t>(sum.key >> 32), static_cast<std::uint32_t>(sum.key), sum.inexact,
                         sum.is_obstructed != 0, sum.value});
-    std::vector<FixedTerm>().swap(part);
+    std::vector<FixedTerm2>().swap(part);
   }
   return result;
 }
@@ -82,9 +82,9 @@ std::uint64_t estimated_pairs(const Arrangement2& arrangement, const ElementTabl
   return sample == 0 ? 0 : terms * n / (2 * kTermsPerPair * sample);
 }
 
-Int128 closure_defect(const std::vector<PairSum>& pairs, const ElementTable2& table) {
+Int128 closure_defect(const std::vector<PairSum2>& pairs, const ElementTable2& table) {
   std::vector<Int128> sum(table.sky() + 1, 0);
-  for (const PairSum& pair : pairs) {
+  for (const PairSum2& pair : pairs) {
     sum[pair.i] += pair.value;
     if (pair.j != pair.i) sum[pair.j] += pair.value;
   }

@@ -12,7 +12,7 @@
 namespace hottel {
 
 // 2 S(i, j) of one pair of labels, i <= j.
-struct PairSum {
+struct PairSum2 {
   std::uint32_t i, j;
   std::uint32_t inexact;  // how many of the lengths added were rounded
   bool is_obstructed;     // a vertex that is no end of i or j took part: only then can anything hide j from i
@@ -31,9 +31,9 @@ struct PairSum {
 // `progress` is called from time to time with the fraction done and may throw to stop.
 //
 // Throws RequestError when the pairs become more than `most_pairs`.
-std::vector<PairSum> sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
-                                       const std::function<void(double)>& progress, std::uint64_t most_pairs,
-                                       SumCounts& counts);
+std::vector<PairSum2> sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
+                                        const std::function<void(double)>& progress, std::uint64_t most_pairs,
+                                        SumCounts2& counts);
 
 // What a visible pair takes in memory at the most, from the sums to the matrix, in bytes (measured on clutter with
 // backs, where both directions have a row; benchmarks/factors).
@@ -43,6 +43,6 @@ inline constexpr std::uint64_t kBytesPerPair = 200;
 std::uint64_t estimated_pairs(const Arrangement2& arrangement, const ElementTable2& table);
 
 // Checks property (2) as an identity of integers; returns the largest defect, 0 when it holds.
-Int128 closure_defect(const std::vector<PairSum>& pairs, const ElementTable2& table);
+Int128 closure_defect(const std::vector<PairSum2>& pairs, const ElementTable2& table);
 
 }  // namespace hottel

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/visibility_quotient.h"
+
 namespace hottel {
 namespace {
 
@@ -9,23 +11,18 @@ FixedSum twice(const FixedSum& sum) { return {2 * sum.value, 2 * sum.error}; }
 
 }  // namespace
 
-double visibility_of(const Rounded& quotient) {
-  if (quotient.value == 1.0 && quotient.side < 0) return std::nextafter(1.0, 0.0);
-  if (quotient.value == 0.0 && quotient.side > 0) return std::numeric_limits<double>::denorm_min();
-  return quotient.value;
-}
-
-PairRounding::PairRounding(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeOptions2& options)
+PairRounding2::PairRounding2(const PreparedScene2& prepared, const ElementTable2& table,
+                             const ExchangeOptions2& options)
     : prepared_(prepared),
       table_(table),
       options_(options),
       alone_(prepared, table, options.granularity),
       half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {}
 
-RoundedPair PairRounding::quick(const PairSum& pair, TierCounts& tiers) const {
+RoundedPair2 PairRounding2::quick(const PairSum2& pair, TierCounts& tiers) const {
   const Vertices2& vertices = prepared_.arrangement.vertices();
   const FixedSum sum = pair.sum(vertices.length_error());
-  RoundedPair result;
+  RoundedPair2 result;
   // A sum that may be zero is looked at exactly before anything is printed of it.
   const bool may_be_zero = static_cast<double>(pair.value) <= sum.error;
   const auto settle = [&](const FixedSum& divisor, Rounded& number, bool& is_open) {
@@ -62,7 +59,7 @@ RoundedPair PairRounding::quick(const PairSum& pair, TierCounts& tiers) const {
 }
 
 // Settles what quick() left open.
-void PairRounding::exactly(const PairSum& pair, const RootSum& sum, RoundedPair& result, TierCounts& tiers) const {
+void PairRounding2::exactly(const PairSum2& pair, const RootSum& sum, RoundedPair2& result, TierCounts& tiers) const {
   const Vertices2& vertices = prepared_.arrangement.vertices();
   if (sum.is_zero()) {
     result = {};
@@ -90,15 +87,15 @@ void PairRounding::exactly(const PairSum& pair, const RootSum& sum, RoundedPair&
   }
 }
 
-void settle_lonely_rows(const std::vector<PairSum>& pairs, const ElementTable2& table,
-                        std::vector<RoundedPair>& rounded) {
+void settle_lonely_rows(const std::vector<PairSum2>& pairs, const ElementTable2& table,
+                        std::vector<RoundedPair2>& rounded) {
   std::vector<std::uint32_t> partners(table.count() + 1, 0);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     ++partners[pairs[k].i];
     if (pairs[k].i != pairs[k].j) ++partners[pairs[k].j];
   }
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    RoundedPair& pair = rounded[k];
+    RoundedPair2& pair = rounded[k];
     if (pair.is_forth_open && partners[pairs[k].i] == 1) {
       pair.forth = {1.0, 0};
       pair.is_forth_open = false;

@@ -14,7 +14,7 @@
 namespace hottel {
 
 // What is printed of one pair, and what the fixed-point sums could not settle.
-struct RoundedPair {
+struct RoundedPair2 {
   Rounded forth, back;  // F(i, j), F(j, i); unset where there is no row
   double visibility = std::numeric_limits<double>::quiet_NaN();
   double measure = std::numeric_limits<double>::quiet_NaN();
@@ -24,22 +24,18 @@ struct RoundedPair {
   bool is_open() const { return is_forth_open || is_back_open || is_visibility_open || is_measure_open; }
 };
 
-// Vis of the correctly rounded S / S0: below 1 whenever something hides a part, above 0 whenever something is seen. A
-// quotient that would round to 1 from below or to 0 from above keeps its distance.
-double visibility_of(const Rounded& quotient);
-
 // Rounds pair sums correctly: by fixed point where that settles it, else from the exact sum.
 //
 //   (1) quick() leaves open what its error bounds do not settle; exactly() settles all of that
 //   (2) a sum that may be zero is left open altogether: whether the pair exists is decided exactly
-class PairRounding {
+class PairRounding2 {
  public:
   // REQUIRES that all three outlive this.
-  PairRounding(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeOptions2& options);
+  PairRounding2(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeOptions2& options);
 
-  RoundedPair quick(const PairSum& pair, TierCounts& tiers) const;
+  RoundedPair2 quick(const PairSum2& pair, TierCounts& tiers) const;
   // sum: 2 S(i, j) in integer form.
-  void exactly(const PairSum& pair, const RootSum& sum, RoundedPair& result, TierCounts& tiers) const;
+  void exactly(const PairSum2& pair, const RootSum& sum, RoundedPair2& result, TierCounts& tiers) const;
 
  private:
   const PreparedScene2& prepared_;
@@ -50,7 +46,7 @@ class PairRounding {
 };
 
 // A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it.
-void settle_lonely_rows(const std::vector<PairSum>& pairs, const ElementTable2& table,
-                        std::vector<RoundedPair>& rounded);
+void settle_lonely_rows(const std::vector<PairSum2>& pairs, const ElementTable2& table,
+                        std::vector<RoundedPair2>& rounded);
 
 }  // namespace hottel

@@ -21,30 +21,30 @@ constexpr std::size_t kRuns = 32;
 template <class Term>
 class Outboxes {
  public:
-  explicit Outboxes(const TermBuffer<Term>& empty) : empty_(empty) {
+  explicit Outboxes(const TermBuffer2<Term>& empty) : empty_(empty) {
     if (Term::kOrderMatters) all_.assign(kRuns, empty);
   }
 
-  TermBuffer<Term>& take(std::size_t run) {
+  TermBuffer2<Term>& take(std::size_t run) {
     if (Term::kOrderMatters) return all_[run];
     const std::lock_guard lock(mutex_);
     if (free_.empty()) return all_.emplace_back(empty_);
-    TermBuffer<Term>& buffer = *free_.back();
+    TermBuffer2<Term>& buffer = *free_.back();
     free_.pop_back();
     return buffer;
   }
-  void give_back(TermBuffer<Term>& buffer) {
+  void give_back(TermBuffer2<Term>& buffer) {
     if (Term::kOrderMatters) return;
     const std::lock_guard lock(mutex_);
     free_.push_back(&buffer);
   }
 
-  std::deque<TermBuffer<Term>>& all() { return all_; }
+  std::deque<TermBuffer2<Term>>& all() { return all_; }
 
  private:
-  const TermBuffer<Term> empty_;
-  std::deque<TermBuffer<Term>> all_;
-  std::vector<TermBuffer<Term>*> free_;
+  const TermBuffer2<Term> empty_;
+  std::deque<TermBuffer2<Term>> all_;
+  std::vector<TermBuffer2<Term>*> free_;
   std::mutex mutex_;
 };
 
@@ -53,7 +53,7 @@ class Outboxes {
 template <class Term>
 std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t labels, const TermSweep<Term>& sweep,
                                          const std::function<void(double)>& progress, std::uint64_t most_pairs,
-                                         SumCounts& counts) {
+                                         SumCounts2& counts) {
   int partition_shift = 0;
   while ((labels >> partition_shift) > 64) ++partition_shift;
   const std::size_t partitions = ((labels - 1) >> partition_shift) + 1;
@@ -62,20 +62,20 @@ std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t label
   // Rounds: sweep some vertices, then empty the buffers into the tables. A round is as large as keeps the terms in
   // flight near kTermsInFlight, judged by the round before.
   constexpr std::size_t kTermsInFlight = 1 << 19;
-  Outboxes<Term> buffers(TermBuffer<Term>(partitions, partition_shift));
+  Outboxes<Term> buffers(TermBuffer2<Term>(partitions, partition_shift));
   std::size_t round = 64;
   for (std::size_t begin = 0; begin < vertices;) {
     const std::size_t size = std::min(round, vertices - begin);
     parallel_for(kRuns, [&](std::size_t run) {
-      TermBuffer<Term>& out = buffers.take(run);
+      TermBuffer2<Term>& out = buffers.take(run);
       for (std::size_t v = begin + run * size / kRuns; v != begin + (run + 1) * size / kRuns; ++v)
         sweep(VertexId(v), out);
       buffers.give_back(out);
     });
     std::size_t in_flight = 0;
-    for (const TermBuffer<Term>& out : buffers.all()) in_flight += out.size();
+    for (const TermBuffer2<Term>& out : buffers.all()) in_flight += out.size();
     parallel_for(partitions, [&](std::size_t partition) {
-      for (TermBuffer<Term>& out : buffers.all()) {
+      for (TermBuffer2<Term>& out : buffers.all()) {
         for (const Term& term : out.partition(partition)) tables[partition].add(term);
         out.partition(partition).clear();
       }
@@ -90,7 +90,7 @@ std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t label
                                     4 * round);
     if (progress) progress(static_cast<double>(begin) / static_cast<double>(vertices));
   }
-  for (const TermBuffer<Term>& out : buffers.all()) {
+  for (const TermBuffer2<Term>& out : buffers.all()) {
     counts.gaps += out.gaps;
     counts.updates += out.updates;
   }
@@ -100,9 +100,9 @@ std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t label
   return sums;
 }
 
-template std::vector<std::vector<FixedTerm>> sum_terms(std::size_t, std::size_t, const TermSweep<FixedTerm>&,
-                                                       const std::function<void(double)>&, std::uint64_t, SumCounts&);
-template std::vector<std::vector<PlainTerm>> sum_terms(std::size_t, std::size_t, const TermSweep<PlainTerm>&,
-                                                       const std::function<void(double)>&, std::uint64_t, SumCounts&);
+template std::vector<std::vector<FixedTerm2>> sum_terms(std::size_t, std::size_t, const TermSweep<FixedTerm2>&,
+                                                        const std::function<void(double)>&, std::uint64_t, SumCounts2&);
+template std::vector<std::vector<PlainTerm2>> sum_terms(std::size_t, std::size_t, const TermSweep<PlainTerm2>&,
+                                                        const std::function<void(double)>&, std::uint64_t, SumCounts2&);
 
 }  // namespace hottel

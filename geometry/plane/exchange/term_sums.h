@@ -15,14 +15,14 @@ constexpr std::uint64_t pair_key(std::uint32_t i, std::uint32_t j) {
 }
 
 // A term in fixed point: sums do not depend on the order of addition.
-struct FixedTerm {
+struct FixedTerm2 {
   static constexpr bool kOrderMatters = false;
   std::uint64_t key;
   std::uint32_t inexact;  // how many of the lengths were rounded
   std::uint32_t is_obstructed;
   Int128 value;
 
-  void add(const FixedTerm& term) {
+  void add(const FixedTerm2& term) {
     // Only the final sum is bounded: on the way it may wrap around.
     value = static_cast<Int128>(static_cast<UInt128>(value) + static_cast<UInt128>(term.value));
     inexact += term.inexact;
@@ -31,19 +31,19 @@ struct FixedTerm {
 };
 
 // A term in plain doubles.
-struct PlainTerm {
+struct PlainTerm2 {
   static constexpr bool kOrderMatters = true;
   std::uint64_t key;
   double value;
 
-  void add(const PlainTerm& term) { value += term.value; }
+  void add(const PlainTerm2& term) { value += term.value; }
 };
 
 // Where a sweep leaves its terms: by partition of the smaller label.
 template <class Term>
-class TermBuffer {
+class TermBuffer2 {
  public:
-  TermBuffer(std::size_t partitions, int shift) : by_partition_(partitions), shift_(shift) {}
+  TermBuffer2(std::size_t partitions, int shift) : by_partition_(partitions), shift_(shift) {}
 
   void add(const Term& term) { by_partition_[term.key >> (32 + shift_)].push_back(term); }
   std::vector<Term>& partition(std::size_t k) { return by_partition_[k]; }
@@ -60,13 +60,13 @@ class TermBuffer {
   int shift_;
 };
 
-struct SumCounts {
+struct SumCounts2 {
   std::uint64_t gaps = 0;     // pairs of vertices that see each other
   std::uint64_t updates = 0;  // terms added
 };
 
 template <class Term>
-using TermSweep = std::function<void(VertexId, TermBuffer<Term>&)>;
+using TermSweep = std::function<void(VertexId, TermBuffer2<Term>&)>;
 
 // Calls sweep(v, buffer) for each vertex v and sums the terms by key. Returns the sums in partitions; one after the
 // other they are sorted by key.
@@ -80,13 +80,13 @@ using TermSweep = std::function<void(VertexId, TermBuffer<Term>&)>;
 template <class Term>
 std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t labels, const TermSweep<Term>& sweep,
                                          const std::function<void(double)>& progress, std::uint64_t most_pairs,
-                                         SumCounts& counts);
+                                         SumCounts2& counts);
 
-extern template std::vector<std::vector<FixedTerm>> sum_terms(std::size_t, std::size_t, const TermSweep<FixedTerm>&,
-                                                              const std::function<void(double)>&, std::uint64_t,
-                                                              SumCounts&);
-extern template std::vector<std::vector<PlainTerm>> sum_terms(std::size_t, std::size_t, const TermSweep<PlainTerm>&,
-                                                              const std::function<void(double)>&, std::uint64_t,
-                                                              SumCounts&);
+extern template std::vector<std::vector<FixedTerm2>> sum_terms(std::size_t, std::size_t, const TermSweep<FixedTerm2>&,
+                                                               const std::function<void(double)>&, std::uint64_t,
+                                                               SumCounts2&);
+extern template std::vector<std::vector<PlainTerm2>> sum_terms(std::size_t, std::size_t, const TermSweep<PlainTerm2>&,
+                                                               const std::function<void(double)>&, std::uint64_t,
+                                                               SumCounts2&);
 
 }  // namespace hottel

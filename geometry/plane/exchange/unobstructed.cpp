@@ -53,11 +53,11 @@ Strings strings_between(const Vertices2& vertices, const Segment2& f, const Segm
   return result;
 }
 
-Rational cross(const ExactPoint2& o, const ExactPoint2& p, const ExactPoint2& q) {
+Rational cross(const Point2& o, const Point2& p, const Point2& q) {
   return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
 }
 
-Rational squared_distance(const ExactPoint2& p, const ExactPoint2& q) {
+Rational squared_distance(const Point2& p, const Point2& q) {
   const Rational dx = q.x - p.x, dy = q.y - p.y;
   return dx * dx + dy * dy;
 }
@@ -75,7 +75,7 @@ std::optional<FixedSum> unobstructed_sum(const Vertices2& vertices, const Segmen
   FixedSum sum;
   for (int k = 0; k < strings.count; ++k) {
     const String& string = strings.strings[static_cast<std::size_t>(k)];
-    const FixedLength length = vertices.distance(string.u, string.v);
+    const FixedLength2 length = vertices.distance(string.u, string.v);
     sum.value += string.sign > 0 ? length.value : -length.value;
     if (!length.is_exact) sum.error += vertices.length_error();
   }
@@ -86,11 +86,10 @@ RootSum unobstructed_exact(const Vertices2& vertices, const Segment2& f, const S
   const Strings strings = strings_between(vertices, f, g);
   RootSum sum;
   if (strings.crosses) {
-    const ExactPoint2 a = vertices.exact(f.a), b = vertices.exact(f.b), c = vertices.exact(g.a),
-                      d = vertices.exact(g.b);
+    const Point2 a = vertices.exact(f.a), b = vertices.exact(f.b), c = vertices.exact(g.a), d = vertices.exact(g.b);
     const Rational at_a = cross(c, d, a), at_b = cross(c, d, b), t = at_a / (at_a - at_b);
-    const ExactPoint2 x{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-    const ExactPoint2 p = vertices.exact(strings.p), q = vertices.exact(strings.q);
+    const Point2 x{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+    const Point2 p = vertices.exact(strings.p), q = vertices.exact(strings.q);
     sum.add(1, squared_distance(p, x));
     sum.add(1, squared_distance(q, x));
     sum.add(-1, squared_distance(p, q));

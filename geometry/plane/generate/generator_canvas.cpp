@@ -9,7 +9,7 @@
 namespace hottel {
 namespace {
 
-int sign_of_turn(const Dot& a, const Dot& b, const Dot& c) {
+int sign_of_turn(const Dot2& a, const Dot2& b, const Dot2& c) {
   const Int128 turn = static_cast<Int128>(b.x - a.x) * (c.y - a.y) - static_cast<Int128>(b.y - a.y) * (c.x - a.x);
   return (turn > 0) - (turn < 0);
 }
@@ -62,7 +62,7 @@ void drop_unused_materials(Scene2& scene) {
 }
 
 // The command that makes the scene again.
-std::string command_of(const GeneratorRequest& request) {
+std::string command_of(const GeneratorRequest2& request) {
   std::string text = numbered(("hottel generate " + request.kind + " --n ").c_str(), request.n);
   text += numbered(" --seed ", request.seed);
   if (request.digits != 0) text += numbered(" --digits ", request.digits);
@@ -73,7 +73,7 @@ std::string command_of(const GeneratorRequest& request) {
 
 }  // namespace
 
-bool share_a_point(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
+bool share_a_point(const Dot2& a, const Dot2& b, const Dot2& c, const Dot2& d) {
   if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
       std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) {
     return false;
@@ -82,23 +82,26 @@ bool share_a_point(const Dot& a, const Dot& b, const Dot& c, const Dot& d) {
   return sign_of_turn(a, b, c) * sign_of_turn(a, b, d) <= 0 && sign_of_turn(c, d, a) * sign_of_turn(c, d, b) <= 0;
 }
 
-std::uint64_t integer_root(std::uint64_t value) {
+std::uint64_t integer_root_2(std::uint64_t value) {
   std::uint64_t root = 0;
   for (std::uint64_t bit = std::uint64_t{1} << 31; bit > 0; bit >>= 1)
     if ((root + bit) * (root + bit) <= value) root += bit;
   return root;
 }
 
-Canvas::Canvas(const GeneratorRequest& request, int placed_decimals)
+GeneratorCanvas2::GeneratorCanvas2(const GeneratorRequest2& request, int placed_decimals)
     : about_(command_of(request)),
       seed_(mix(request.seed)),
       denominator_(static_cast<long>(power_of_ten(placed_decimals))) {
   scene_.materials = paints();
 }
 
-Canvas Canvas::of_placed_points(const GeneratorRequest& request, int decimals) { return Canvas(request, decimals); }
+GeneratorCanvas2 GeneratorCanvas2::of_placed_points(const GeneratorRequest2& request, int decimals) {
+  return GeneratorCanvas2(request, decimals);
+}
 
-Canvas::Canvas(const GeneratorRequest& request, int decimals, std::int64_t extent) : Canvas(request, decimals) {
+GeneratorCanvas2::GeneratorCanvas2(const GeneratorRequest2& request, int decimals, std::int64_t extent)
+    : GeneratorCanvas2(request, decimals) {
   if (request.digits == 0) return;
   int digits_of_unit = 1;  // of the offset, and of each coordinate in units once it is added
   for (offset_ = 1; offset_ < extent; offset_ *= 10) ++digits_of_unit;
@@ -111,7 +114,7 @@ Canvas::Canvas(const GeneratorRequest& request, int decimals, std::int64_t exten
   denominator_ *= static_cast<long>(added_digits_);
 }
 
-Dot Canvas::place(const Dot& unit) const {
+Dot2 GeneratorCanvas2::place(const Dot2& unit) const {
   if (added_digits_ == 1) return unit;
   // The digits are a function of the point, so that a vertex shared by edges stays one. The last is not zero.
   const std::uint64_t word_x =
@@ -124,17 +127,18 @@ Dot Canvas::place(const Dot& unit) const {
   return {(unit.x + offset_) * added_digits_ + digits(word_x), (unit.y + offset_) * added_digits_ + digits(word_y)};
 }
 
-Rational Canvas::coordinate(std::int64_t placed) const {
+Rational GeneratorCanvas2::coordinate(std::int64_t placed) const {
   Rational value(Integer(static_cast<long>(placed)), denominator_);
   value.canonicalize();
   return value;
 }
 
-Edge2 Canvas::edge(const Dot& from, const Dot& to) const {
+Edge2 GeneratorCanvas2::edge(const Dot2& from, const Dot2& to) const {
   return {{coordinate(from.x), coordinate(from.y)}, {coordinate(to.x), coordinate(to.y)}};
 }
 
-void Canvas::add_edge(std::string name, const Dot& from, const Dot& to, Paint paint, std::optional<Paint> back) {
+void GeneratorCanvas2::add_edge(std::string name, const Dot2& from, const Dot2& to, Paint paint,
+                                std::optional<Paint> back) {
   scene_.groups.push_back(name);
   Surface surface;
   surface.name = std::move(name);
@@ -144,7 +148,7 @@ void Canvas::add_edge(std::string name, const Dot& from, const Dot& to, Paint pa
   scene_.add(std::move(surface), edge(from, to));
 }
 
-void Canvas::add_polygon(const std::string& name, const std::vector<Dot>& corners, Paint paint) {
+void GeneratorCanvas2::add_polygon(const std::string& name, const std::vector<Dot2>& corners, Paint paint) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     Surface surface;
     surface.name = name + "[" + std::to_string(i) + "]";
@@ -155,7 +159,7 @@ void Canvas::add_polygon(const std::string& name, const std::vector<Dot>& corner
   polygon_names_.push_back(name);
 }
 
-Scene2 Canvas::finish(bool closed) {
+Scene2 GeneratorCanvas2::finish(bool closed) {
   const auto groups_of_edges = static_cast<std::uint32_t>(scene_.groups.size());
   for (auto& [surface, edge] : polygon_pieces_) {
     surface.group += groups_of_edges;

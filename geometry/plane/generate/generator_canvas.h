@@ -15,17 +15,17 @@
 namespace hottel {
 
 // A point in fixed point.
-struct Dot {
+struct Dot2 {
   std::int64_t x = 0, y = 0;
-  friend bool operator==(const Dot&, const Dot&) = default;
+  friend bool operator==(const Dot2&, const Dot2&) = default;
 };
 
 // Returns whether the closed segments ab and cd have a common point. Exact for coordinates below 2^61 in absolute
 // value.
-bool share_a_point(const Dot& a, const Dot& b, const Dot& c, const Dot& d);
+bool share_a_point(const Dot2& a, const Dot2& b, const Dot2& c, const Dot2& d);
 
 // Returns the integer part of the square root.
-std::uint64_t integer_root(std::uint64_t value);
+std::uint64_t integer_root_2(std::uint64_t value);
 
 // Returns stem followed by the number.
 template <class Number>
@@ -34,9 +34,9 @@ std::string numbered(const char* stem, Number number) {
 }
 
 // Chance from std::mt19937_64, whose raw output the standard fixes.
-class Chance {
+class Chance2 {
  public:
-  explicit Chance(std::uint64_t seed) : engine_(seed) {}
+  explicit Chance2(std::uint64_t seed) : engine_(seed) {}
 
   // A number in [0, count). The bias is below count / 2^64.
   std::uint64_t below(std::uint64_t count) {
@@ -57,26 +57,26 @@ enum Paint : std::uint32_t { kWhite, kRed, kBlue, kGrey, kLamp, kGlow };
 // A scene in the making. Generators think in units of 10^-decimals with all coordinates in [0, extent]. With digits
 // asked for, place() moves the scene by a power of ten and adds digits below one unit to each point: points that were
 // equal stay equal, and whatever kept a distance of 3 units does not meet.
-class Canvas {
+class GeneratorCanvas2 {
  public:
   // Throws UsageError when the digits asked for cannot hold the extent.
-  Canvas(const GeneratorRequest& request, int decimals, std::int64_t extent);
+  GeneratorCanvas2(const GeneratorRequest2& request, int decimals, std::int64_t extent);
 
   // A canvas whose points the generator places itself, as multiples of 10^-decimals.
-  static Canvas of_placed_points(const GeneratorRequest& request, int decimals);
+  static GeneratorCanvas2 of_placed_points(const GeneratorRequest2& request, int decimals);
 
   // Where a point in units comes to lie: fixed point of the finished scene.
-  Dot place(const Dot& unit) const;
+  Dot2 place(const Dot2& unit) const;
 
   // Both take placed points; edges come before polylines in the scene.
-  void add_edge(std::string name, const Dot& from, const Dot& to, Paint paint, std::optional<Paint> back = {});
-  void add_polygon(const std::string& name, const std::vector<Dot>& corners, Paint paint);
+  void add_edge(std::string name, const Dot2& from, const Dot2& to, Paint paint, std::optional<Paint> back = {});
+  void add_polygon(const std::string& name, const std::vector<Dot2>& corners, Paint paint);
 
   Scene2 finish(bool closed);
 
  private:
-  Canvas(const GeneratorRequest& request, int placed_decimals);
-  Edge2 edge(const Dot& from, const Dot& to) const;
+  GeneratorCanvas2(const GeneratorRequest2& request, int placed_decimals);
+  Edge2 edge(const Dot2& from, const Dot2& to) const;
   Rational coordinate(std::int64_t placed) const;
 
   std::string about_;

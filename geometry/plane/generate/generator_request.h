@@ -8,7 +8,7 @@
 
 namespace hottel {
 
-struct GeneratorRequest {
+struct GeneratorRequest2 {
   std::string kind;
   std::uint64_t n = 100;  // number of edges; each kind says how close it comes, never above
   std::uint64_t seed = 0;

@@ -11,7 +11,7 @@
 
 namespace hottel {
 
-struct GeneratorKind {
+struct GeneratorKind2 {
   std::string name;
   std::string description;  // one line
   std::string count;        // how many edges come out for --n N, one line
@@ -19,7 +19,7 @@ struct GeneratorKind {
 };
 
 // The kinds, in the order in which help lists them.
-const std::vector<GeneratorKind>& generator_kinds();
+const std::vector<GeneratorKind2>& generator_kinds_2();
 
 // clutter --view short|long as a length: segments as long as they are apart see their neighbours, segments a fifth of
 // that see some hundred others.
@@ -40,9 +40,9 @@ inline constexpr int kMaxGeneratedDigits = 18;
 //   (5) with digits = D every coordinate has D significant digits (lattice: at most D), and (2) to (4) still hold: the
 //       added digits stay below the gaps of the scene; those of a lattice are an exact similarity, which keeps every
 //       coincidence
-//   (6) n and the seed decide the number of edges, as GeneratorKind::count says; something always emits
+//   (6) n and the seed decide the number of edges, as GeneratorKind2::count says; something always emits
 //
 // Throws UsageError for an unknown kind or a request out of range. COST: O(n) and a few hundred bytes an edge.
-Scene2 generate_2(const GeneratorRequest& request);
+Scene2 generate_2(const GeneratorRequest2& request);
 
 }  // namespace hottel

@@ -43,7 +43,7 @@ int EyeLine2::exact_side(VertexId v) const {
     }
   }
   const Rational &px = from_->exact_x_->exact_, &py = from_->exact_y_->exact_;
-  const ExactPoint2 r = from_->vertices_->exact(v);
+  const Point2 r = from_->vertices_->exact(v);
   const Rational left = (to_->exact_x_->exact_ - px) * (r.y - py), right = (to_->exact_y_->exact_ - py) * (r.x - px);
   const int order = cmp(left, right);
   return (order > 0) - (order < 0);

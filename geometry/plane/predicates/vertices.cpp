@@ -57,10 +57,10 @@ Int128 to_fixed(double value, int shift) {
 
 }  // namespace
 
-Vertices2::Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed) {
+Vertices2::Vertices2(const std::vector<Point2>& points, std::size_t typed) {
   if (points.empty()) return;
   origin_ = points.front();
-  std::vector<ExactPoint2> shifted(points.size());
+  std::vector<Point2> shifted(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) shifted[i] = {points[i].x - origin_.x, points[i].y - origin_.y};
 
   const auto common_scale = [&shifted](std::size_t count) {
@@ -81,7 +81,7 @@ Vertices2::Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed) 
     if (!common.is_bounded) return false;
     Rational factor(common.denominator, common.factor);
     factor.canonicalize();
-    for (ExactPoint2& p : shifted) {
+    for (Point2& p : shifted) {
       p.x *= factor;
       p.y *= factor;
     }
@@ -89,7 +89,7 @@ Vertices2::Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed) 
     return true;
   };
   const auto has_small_form = [&shifted] {
-    return std::all_of(shifted.begin(), shifted.end(), [](const ExactPoint2& p) {
+    return std::all_of(shifted.begin(), shifted.end(), [](const Point2& p) {
       return p.x.get_den() == 1 && p.y.get_den() == 1 && bits(p.x.get_num()) <= kSmallBits &&
              bits(p.y.get_num()) <= kSmallBits;
     });
@@ -106,7 +106,7 @@ Vertices2::Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed) 
   }
 
   int& top = coordinate_bits_;
-  for (const ExactPoint2& p : shifted) top = std::max({top, exponent_above(p.x), exponent_above(p.y)});
+  for (const Point2& p : shifted) top = std::max({top, exponent_above(p.x), exponent_above(p.y)});
 
   approximate_.resize(points.size());
   if (small) {
@@ -155,7 +155,7 @@ int Vertices2::exact_orientation(VertexId i, VertexId j, VertexId k) const {
     const Small &p = small_[i.index()], &q = small_[j.index()], &r = small_[k.index()];
     return sign_of(static_cast<Int128>(q.x - p.x) * (r.y - p.y) - static_cast<Int128>(q.y - p.y) * (r.x - p.x));
   }
-  const ExactPoint2 &p = large_[i.index()], &q = large_[j.index()], &r = large_[k.index()];
+  const Point2 &p = large_[i.index()], &q = large_[j.index()], &r = large_[k.index()];
   const Rational left = (q.x - p.x) * (r.y - p.y), right = (q.y - p.y) * (r.x - p.x);
   return sign_of(cmp(left, right));
 }
@@ -165,21 +165,21 @@ int Vertices2::direction_sign(VertexId i, VertexId j, VertexId k) const {
     const Small &p = small_[i.index()], &q = small_[j.index()], &r = small_[k.index()];
     return sign_of(static_cast<Int128>(q.x - p.x) * (r.x - p.x) + static_cast<Int128>(q.y - p.y) * (r.y - p.y));
   }
-  const ExactPoint2 &p = large_[i.index()], &q = large_[j.index()], &r = large_[k.index()];
+  const Point2 &p = large_[i.index()], &q = large_[j.index()], &r = large_[k.index()];
   const Rational product = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
   return sgn(product);
 }
 
 bool Vertices2::is_between(VertexId i, VertexId j, VertexId k) const { return direction_sign(k, i, j) < 0; }
 
-FixedLength Vertices2::distance(VertexId i, VertexId j) const {
+FixedLength2 Vertices2::distance(VertexId i, VertexId j) const {
   return is_small() ? small_distance(i, j) : large_distance(i, j);
 }
 
 // The integer N = dx² + dy² is scaled by 4^h to 124 or 125 bits. S, the integer nearest to its root (up to one unit),
 // comes from a double and one exact correction; with R = N - S² the root is S + R / (2 S) up to 2^-65. That fraction is
 // divided out to 62 bits in two steps of doubles.
-FixedLength Vertices2::small_distance(VertexId i, VertexId j) const {
+FixedLength2 Vertices2::small_distance(VertexId i, VertexId j) const {
   const std::int64_t dx = small_[j.index()].x - small_[i.index()].x, dy = small_[j.index()].y - small_[i.index()].y;
   const UInt128 squared =
       static_cast<UInt128>(static_cast<Int128>(dx) * dx) + static_cast<UInt128>(static_cast<Int128>(dy) * dy);
@@ -206,7 +206,7 @@ FixedLength Vertices2::small_distance(VertexId i, VertexId j) const {
   return {(value + (static_cast<Int128>(1) << (drop - 1))) >> drop, remainder == 0};
 }
 
-FixedLength Vertices2::large_distance(VertexId i, VertexId j) const {
+FixedLength2 Vertices2::large_distance(VertexId i, VertexId j) const {
   const auto difference = [](double ahi, double alo, double bhi, double blo) {
     double s, e, t, f;
     two_sum(bhi, -ahi, s, e);
@@ -261,7 +261,7 @@ int Vertices2::side_of_circle(VertexId i, VertexId j, VertexId k, VertexId l) co
                    static_cast<Int128>(pbx * pbx + pby * pby) * (pcx * pay - pax * pcy) +
                    static_cast<Int128>(pcx * pcx + pcy * pcy) * (pax * pby - pbx * pay));
   }
-  const ExactPoint2 p = exact(i), q = exact(j), r = exact(k), s = exact(l);
+  const Point2 p = exact(i), q = exact(j), r = exact(k), s = exact(l);
   const Rational pax = p.x - s.x, pay = p.y - s.y, pbx = q.x - s.x, pby = q.y - s.y, pcx = r.x - s.x, pcy = r.y - s.y;
   const Rational value = (pax * pax + pay * pay) * (pbx * pcy - pcx * pby) +
                          (pbx * pbx + pby * pby) * (pcx * pay - pax * pcy) +
@@ -284,25 +284,21 @@ bool Vertices2::precedes(VertexId i, VertexId j) const {
   return order != 0 ? order < 0 : compare_y(i, j) < 0;
 }
 
-ExactPoint2 Vertices2::exact(VertexId i) const {
+Point2 Vertices2::exact(VertexId i) const {
   if (!is_small()) return large_[i.index()];
   return {Rational(Integer(static_cast<long>(small_[i.index()].x))),
           Rational(Integer(static_cast<long>(small_[i.index()].y)))};
 }
 
 Rational Vertices2::squared_distance(VertexId i, VertexId j) const {
-  const ExactPoint2 p = exact(i), q = exact(j);
+  const Point2 p = exact(i), q = exact(j);
   const Rational dx = q.x - p.x, dy = q.y - p.y;
   return dx * dx + dy * dy;
 }
 
-ExactPoint2 Vertices2::to_scene(const ExactPoint2& p) const {
-  return {origin_.x + scale_ * p.x, origin_.y + scale_ * p.y};
-}
+Point2 Vertices2::to_scene(const Point2& p) const { return {origin_.x + scale_ * p.x, origin_.y + scale_ * p.y}; }
 
-ExactPoint2 Vertices2::from_scene(const ExactPoint2& p) const {
-  return {(p.x - origin_.x) / scale_, (p.y - origin_.y) / scale_};
-}
+Point2 Vertices2::from_scene(const Point2& p) const { return {(p.x - origin_.x) / scale_, (p.y - origin_.y) / scale_}; }
 
 Rational Vertices2::fixed_unit() const {
   return scaled_by_power_of_two(Rational(1), approximation_shift_ - fixed_bits_);
@@ -322,7 +318,7 @@ EyeCoordinate2::EyeCoordinate2(const Vertices2& vertices, const Rational& value)
   }
 }
 
-Eye2::Eye2(const Vertices2& vertices, const ExactPoint2& point)
+Eye2::Eye2(const Vertices2& vertices, const Point2& point)
     : Eye2(vertices, std::make_shared<const std::pair<EyeCoordinate2, EyeCoordinate2>>(
                          EyeCoordinate2(vertices, point.x), EyeCoordinate2(vertices, point.y))) {}
 
@@ -338,20 +334,20 @@ int Eye2::exact_orientation(VertexId j, VertexId k) const {
     return sign_of(static_cast<Int128>(q.x * x.denominator_ - x.numerator_) * (r.y * y.denominator_ - y.numerator_) -
                    static_cast<Int128>(q.y * y.denominator_ - y.numerator_) * (r.x * x.denominator_ - x.numerator_));
   }
-  const ExactPoint2 q = vertices_->exact(j), r = vertices_->exact(k);
+  const Point2 q = vertices_->exact(j), r = vertices_->exact(k);
   const Rational left = (q.x - x.exact_) * (r.y - y.exact_), right = (q.y - y.exact_) * (r.x - x.exact_);
   return sign_of(cmp(left, right));
 }
 
 int Eye2::direction_sign(VertexId j, VertexId k) const {
-  const ExactPoint2 q = vertices_->exact(j), r = vertices_->exact(k);
+  const Point2 q = vertices_->exact(j), r = vertices_->exact(k);
   const Rational &x = exact_x_->exact_, &y = exact_y_->exact_;
   const Rational product = (q.x - x) * (r.x - x) + (q.y - y) * (r.y - y);
   return sgn(product);
 }
 
 bool Eye2::coincides_with(VertexId j) const {
-  const ExactPoint2 q = vertices_->exact(j);
+  const Point2 q = vertices_->exact(j);
   return q.x == exact_x_->exact_ && q.y == exact_y_->exact_;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/plane/point.h"
 #include "kernel/int128.h"
 #include "kernel/rational.h"
 #include "kernel/rounding.h"
@@ -16,13 +17,8 @@ namespace hottel {
 
 using VertexId = Id<struct VertexTag>;
 
-struct ExactPoint2 {
-  Rational x, y;
-  friend bool operator==(const ExactPoint2&, const ExactPoint2&) = default;
-};
-
 // A length in fixed point, in units of Vertices2::fixed_unit().
-struct FixedLength {
+struct FixedLength2 {
   Int128 value;
   bool is_exact;  // otherwise the real length lies within Vertices2::length_error() of value
 };
@@ -41,7 +37,7 @@ class Vertices2 {
   Vertices2() = default;
   // The points are scaled by the least common denominator of all of them when the result has the small form, else by
   // that of the first `typed` ones (those that were typed, not constructed).
-  Vertices2(const std::vector<ExactPoint2>& points, std::size_t typed);
+  Vertices2(const std::vector<Point2>& points, std::size_t typed);
 
   std::size_t size() const { return approximate_.size(); }
   IdRange<VertexId> ids() const { return IdRange<VertexId>(size()); }
@@ -75,14 +71,14 @@ class Vertices2 {
   // Lexicographic order of exact coordinates.
   bool precedes(VertexId i, VertexId j) const;
 
-  FixedLength distance(VertexId i, VertexId j) const;
+  FixedLength2 distance(VertexId i, VertexId j) const;
   double length_error() const { return length_error_; }
 
   // Chooses the fixed-point unit so that any sum of lengths up to this many times the largest coordinate fits.
   void set_total_length(double diameters);
 
   // Exact values in integer form.
-  ExactPoint2 exact(VertexId i) const;
+  Point2 exact(VertexId i) const;
   Rational squared_distance(VertexId i, VertexId j) const;
 
   // Approximate coordinates in integer form divided by 2^k for some k, each within approximation_error() of the exact
@@ -98,11 +94,11 @@ class Vertices2 {
 
   // scene coordinate = origin + scale * integer form
   const Rational& scale() const { return scale_; }
-  const ExactPoint2& origin() const { return origin_; }
-  ExactPoint2 to_scene(const ExactPoint2& integer_form) const;
-  ExactPoint2 from_scene(const ExactPoint2& point) const;
+  const Point2& origin() const { return origin_; }
+  Point2 to_scene(const Point2& integer_form) const;
+  Point2 from_scene(const Point2& point) const;
 
-  // One unit of FixedLength::value, in integer form.
+  // One unit of FixedLength2::value, in integer form.
   Rational fixed_unit() const;
 
  private:
@@ -120,20 +116,20 @@ class Vertices2 {
   static constexpr double kOrientationError = (3.0 + 16.0 * 0x1p-53) * 0x1p-53;
 
   int exact_orientation(VertexId i, VertexId j, VertexId k) const;
-  FixedLength small_distance(VertexId i, VertexId j) const;
-  FixedLength large_distance(VertexId i, VertexId j) const;
+  FixedLength2 small_distance(VertexId i, VertexId j) const;
+  FixedLength2 large_distance(VertexId i, VertexId j) const;
 
   std::vector<Approximate> approximate_;
-  int coordinate_bits_ = 0;         // every |coordinate| in integer form is below 2^this
-  double input_error_ = 0;          // twice the error of an approximate coordinate, rounded up
-  std::vector<Small> small_;        // small form
-  std::vector<ExactPoint2> large_;  // large form
-  std::vector<Low> low_;            // large form: what approximate_ leaves out
-  int approximation_shift_ = 0;     // approximate_ = integer form / 2^shift
-  int fixed_bits_ = 0;              // unit of a fixed length = 2^-fixed_bits_ of approximate_'s unit
+  int coordinate_bits_ = 0;      // every |coordinate| in integer form is below 2^this
+  double input_error_ = 0;       // twice the error of an approximate coordinate, rounded up
+  std::vector<Small> small_;     // small form
+  std::vector<Point2> large_;    // large form
+  std::vector<Low> low_;         // large form: what approximate_ leaves out
+  int approximation_shift_ = 0;  // approximate_ = integer form / 2^shift
+  int fixed_bits_ = 0;           // unit of a fixed length = 2^-fixed_bits_ of approximate_'s unit
   double length_error_ = 2;
   Rational scale_ = 1;
-  ExactPoint2 origin_;
+  Point2 origin_;
 };
 
 // One coordinate of a point to look from, prepared once for all the points that share it.
@@ -156,7 +152,7 @@ class EyeCoordinate2 {
 class Eye2 {
  public:
   // The point is given in integer form.
-  Eye2(const Vertices2& vertices, const ExactPoint2& point);
+  Eye2(const Vertices2& vertices, const Point2& point);
   // REQUIRES that both coordinates outlive the eye. COST: a few ns.
   Eye2(const Vertices2& vertices, const EyeCoordinate2& x, const EyeCoordinate2& y)
       : vertices_(&vertices),
@@ -180,7 +176,7 @@ class Eye2 {
   // Sign of the scalar product (j - eye) . (k - eye).
   int direction_sign(VertexId j, VertexId k) const;
   bool coincides_with(VertexId j) const;
-  ExactPoint2 exact() const { return {exact_x_->exact_, exact_y_->exact_}; }
+  Point2 exact() const { return {exact_x_->exact_, exact_y_->exact_}; }
   double x() const { return x_; }
   double y() const { return y_; }
 

@@ -5,15 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/plane/point.h"
 #include "geometry/scene_table.h"
-#include "kernel/rational.h"
 
 namespace hottel {
-
-struct Point2 {
-  Rational x, y;
-  friend bool operator==(const Point2&, const Point2&) = default;
-};
 
 // A straight edge. Its front is the right side of from -> to.
 struct Edge2 {

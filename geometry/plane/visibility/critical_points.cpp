@@ -47,21 +47,21 @@ class Collector {
     const bool changes = is(there_left, b_) != is(there_right, b_) || is_covered_by_b;
     if (!changes) return;
     const Vertices2& vertices = arrangement_.vertices();
-    const ExactPoint2 p = vertices.exact(near), q = vertices.exact(far);
+    const Point2 p = vertices.exact(near), q = vertices.exact(far);
     const Rational ux = to_.x - from_.x, uy = to_.y - from_.y, dx = q.x - p.x, dy = q.y - p.y;
     const Rational turn = ux * dy - uy * dx;
     if (turn == 0) return;
     const Rational t = ((p.x - from_.x) * dy - (p.y - from_.y) * dx) / turn;
     if (t < 0 || t > 1) return;
     if ((t == 0 && p == from_) || (t == 1 && p == to_)) return;  // the face's own ends
-    const ExactPoint2 x{from_.x + t * ux, from_.y + t * uy};
+    const Point2 x{from_.x + t * ux, from_.y + t * uy};
     found_.push_back({t, vertices.to_scene(x), vertices.to_scene(p), vertices.to_scene(q), x == p});
   }
 
   const Arrangement2& arrangement_;
   const Face a_;
   const std::optional<Face> b_;
-  ExactPoint2 from_, to_;  // of surface a, in integer form
+  Point2 from_, to_;  // of surface a, in integer form
   std::vector<CriticalPoint2> found_;
 };
 

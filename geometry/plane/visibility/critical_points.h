@@ -12,10 +12,10 @@ namespace hottel {
 // A point of a face through which a line passes that touches two vertices and beyond which the other face appears,
 // disappears or changes its neighbour.
 struct CriticalPoint2 {
-  Rational t;             // position on the surface, 0 at its first point, 1 at its second
-  ExactPoint2 point;      // scene coordinates
-  ExactPoint2 near, far;  // the two vertices, the nearer one first; near == point in a contact
-  bool is_jump = false;   // D0: something touches the face here; otherwise D1, a kink
+  Rational t;            // position on the surface, 0 at its first point, 1 at its second
+  Point2 point;          // scene coordinates
+  Point2 near, far;      // the two vertices, the nearer one first; near == point in a contact
+  bool is_jump = false;  // D0: something touches the face here; otherwise D1, a kink
 };
 
 // Returns the critical points of face a with respect to b, another face or the sky (no face), by ascending t; several

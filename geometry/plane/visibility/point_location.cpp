@@ -150,7 +150,7 @@ void PointLocation2::look_around_outside(const Eye2& eye, View2& view) const {
     const int turn = eye.orientation(order.front(), order.back());
     if (turn < 0) std::reverse(order.begin(), order.end());
     const auto between = [&](VertexId right, VertexId left) {
-      for (const StarEntry& entry : triangulation_.star(right))
+      for (const StarEntry2& entry : triangulation_.star(right))
         if (entry.neighbour == left) return entry.left;
       return kNoPiece;
     };
@@ -171,7 +171,7 @@ void PointLocation2::look_around_outside(const Eye2& eye, View2& view) const {
       return;
     }
     // Beyond one end, which is the only vertex seen.
-    const ExactPoint2 at = eye.exact(), first = vertices_.exact(order.front()), last = vertices_.exact(order.back());
+    const Point2 at = eye.exact(), first = vertices_.exact(order.front()), last = vertices_.exact(order.back());
     const Rational ahead = (last.x - first.x) * (first.x - at.x) + (last.y - first.y) * (first.y - at.y);
     view.seen.push_back({ahead > 0 ? order.front() : order.back(), kSky, kNoPiece, kNoPiece});
     return;

@@ -33,11 +33,11 @@ std::vector<SeenFrom2> met_solids(const PreparedScene2& prepared, const Visibili
 
 std::string face_name(const Scene2& scene, const Arrangement2& arrangement, PieceSideId side) {
   if (side == kSky) return "sky";
-  const FacePart& owner = arrangement.owner(side);
+  const FacePart2& owner = arrangement.owner(side);
   return scene.surfaces[owner.surface].name + (owner.is_back ? ":back" : "");
 }
 
-PointSight2 point_sight(const PreparedScene2& prepared, const ExactPoint2& eye) {
+PointSight2 point_sight(const PreparedScene2& prepared, const Point2& eye) {
   const Arrangement2& arrangement = prepared.arrangement;
   const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());
   PointSight2 sight{visibility_polygon(arrangement, location, eye), {}, {}};
@@ -49,13 +49,7 @@ PointSight2 point_sight(const PreparedScene2& prepared, const ExactPoint2& eye) 
   return sight;
 }
 
-ExactPoint2 point_on(const Edge2& edge, const Rational& t) {
-  const Point2 point = point_at(edge, t);
-  return {point.x, point.y};
-}
-
-std::vector<FaceFactor2> point_factors_by_face(const PreparedScene2& prepared, const Face& face,
-                                               const Rational& t) {
+std::vector<FaceFactor2> point_factors_by_face(const PreparedScene2& prepared, const Face& face, const Rational& t) {
   const Arrangement2& arrangement = prepared.arrangement;
   const Edge2& edge = prepared.scene.edges[face.surface];
   const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());

@@ -29,10 +29,7 @@ struct PointSight2 {
   VisibilityPolygon2 polygon;
   std::vector<SeenFrom2> faces, solids;
 };
-PointSight2 point_sight(const PreparedScene2& prepared, const ExactPoint2& eye);
-
-// The point of an edge at t: 0 at its first point, 1 at its second.
-ExactPoint2 point_on(const Edge2& edge, const Rational& t);
+PointSight2 point_sight(const PreparedScene2& prepared, const Point2& eye);
 
 // The view factor from a point of a face to another face or the sky; point_factors summed up by faces, in their order
 // of first sight.

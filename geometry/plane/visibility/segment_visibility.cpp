@@ -5,16 +5,16 @@
 namespace hottel {
 namespace {
 
-ExactPoint2 point_at(const Vertices2& vertices, const Segment2& run, const Rational& t) {
-  const ExactPoint2 a = vertices.exact(run.a), b = vertices.exact(run.b);
+Point2 point_at(const Vertices2& vertices, const Segment2& run, const Rational& t) {
+  const Point2 a = vertices.exact(run.a), b = vertices.exact(run.b);
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
-bool is_piece(const StarEntry& entry) { return entry.left != kNoPiece; }
+bool is_piece(const StarEntry2& entry) { return entry.left != kNoPiece; }
 
 // The next vertex of a run of pieces.
 VertexId next_on(const Vertices2& vertices, const Triangulation2& triangulation, const Segment2& run, VertexId from) {
-  for (const StarEntry& entry : triangulation.star(from))
+  for (const StarEntry2& entry : triangulation.star(from))
     if (is_piece(entry) && (entry.neighbour == run.b || (vertices.orientation(run.a, run.b, entry.neighbour) == 0 &&
                                                          vertices.direction_sign(from, entry.neighbour, run.b) > 0)))
       return entry.neighbour;
@@ -44,7 +44,7 @@ RunPoint2::RunPoint2(const Arrangement2& arrangement, const Segment2& run, const
 
 // The triangle right of from -> to is the one left of to -> from: that after the edge to `from` in the star of `to`.
 void RunPoint2::stand_on(const Triangulation2& triangulation, VertexId from, VertexId to) {
-  for (const StarEntry& entry : triangulation.star(to))
+  for (const StarEntry2& entry : triangulation.star(to))
     if (entry.neighbour == from && !entry.opposite.is_none()) gate_ = previous_half_edge(entry.opposite);
 }
 
@@ -90,7 +90,7 @@ void SegmentVisibility2::look_around(const RunPoint2& p, View2& view) const {
 // True iff no piece at a vertex where the segment ends lies between the segment and the line of the run, on the side to
 // which the segment was moved.
 bool SegmentVisibility2::passes_all_at(const RunPoint2& end, const Sides& sides) const {
-  for (const StarEntry& entry : triangulation_.star(end.vertex_))
+  for (const StarEntry2& entry : triangulation_.star(end.vertex_))
     if (is_piece(entry) && sides.line.side(entry.neighbour) == static_cast<int>(sides.shift) &&
         vertices_.orientation(end.run_.a, end.run_.b, entry.neighbour) < 0)
       return false;

@@ -79,7 +79,7 @@ void look_around(const Points& points, const Triangulation2& triangulation, Vert
   const auto star = triangulation.star(v);
   const auto orientation = [&points, v](VertexId j, VertexId k) { return points.orientation(v, j, k); };
   for (std::size_t k = 0; k < star.size(); ++k) {
-    const StarEntry& entry = star[k];
+    const StarEntry2& entry = star[k];
     view.seen.push_back({entry.neighbour, kSky, entry.left, entry.right});
     if (entry.opposite.is_none()) continue;
     const VertexId next = star[k + 1 == star.size() ? 0 : k + 1].neighbour;

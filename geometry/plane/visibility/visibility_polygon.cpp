@@ -9,23 +9,22 @@
 namespace hottel {
 namespace {
 
-ExactPoint2 minus(const ExactPoint2& p, const ExactPoint2& q) { return {p.x - q.x, p.y - q.y}; }
-Rational cross(const ExactPoint2& p, const ExactPoint2& q) { return p.x * q.y - p.y * q.x; }
-Rational dot(const ExactPoint2& p, const ExactPoint2& q) { return p.x * q.x + p.y * q.y; }
+Point2 minus(const Point2& p, const Point2& q) { return {p.x - q.x, p.y - q.y}; }
+Rational cross(const Point2& p, const Point2& q) { return p.x * q.y - p.y * q.x; }
+Rational dot(const Point2& p, const Point2& q) { return p.x * q.x + p.y * q.y; }
 
 // Where the ray from the eye through a point meets the line of a piece. REQUIRES that they are not parallel.
-ExactPoint2 ray_meets_piece(const ExactPoint2& eye, const ExactPoint2& through, const ExactPoint2& a,
-                            const ExactPoint2& b) {
-  const ExactPoint2 along = minus(b, a), ray = minus(through, eye);
+Point2 ray_meets_piece(const Point2& eye, const Point2& through, const Point2& a, const Point2& b) {
+  const Point2 along = minus(b, a), ray = minus(through, eye);
   const Rational t = cross(minus(a, eye), along) / cross(ray, along);
   return {eye.x + t * ray.x, eye.y + t * ray.y};
 }
 
 }  // namespace
 
-std::vector<ExactPoint2> VisibilityPolygon2::corners() const {
-  std::vector<ExactPoint2> result;
-  const auto add = [&result](const ExactPoint2& p) {
+std::vector<Point2> VisibilityPolygon2::corners() const {
+  std::vector<Point2> result;
+  const auto add = [&result](const Point2& p) {
     if (result.empty() || !(result.back() == p)) result.push_back(p);
   };
   const auto is_solid = [this](std::size_t k) { return parts[k % parts.size()].solid != Solids2::kNone; };
@@ -36,7 +35,7 @@ std::vector<ExactPoint2> VisibilityPolygon2::corners() const {
     if (!is_solid(k + 1)) continue;
     std::size_t next = k + 1;
     while (is_solid(next)) ++next;
-    const ExactPoint2 from = minus(parts[k].to, eye), to = minus(parts[next % parts.size()].from, eye);
+    const Point2 from = minus(parts[k].to, eye), to = minus(parts[next % parts.size()].from, eye);
     if (cross(from, to) != 0 || dot(from, to) > 0) add(eye);
   }
   while (result.size() > 1 && result.front() == result.back()) result.pop_back();
@@ -44,10 +43,10 @@ std::vector<ExactPoint2> VisibilityPolygon2::corners() const {
 }
 
 VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const PointLocation2& location,
-                                      const ExactPoint2& eye) {
+                                      const Point2& eye) {
   const Vertices2& vertices = arrangement.vertices();
   const Eye2 look(vertices, vertices.from_scene(eye));
-  const ExactPoint2 at = look.exact();
+  const Point2 at = look.exact();
 
   VisibilityPolygon2 result;
   View2& view = result.view;
@@ -59,12 +58,12 @@ VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const Poi
   for (std::size_t k = 0; k < m; ++k) {
     const VertexId right = view.seen[k].vertex, left = view.seen[k + 1 == m ? 0 : k + 1].vertex;
     const PieceSideId side = view.seen[k].behind;
-    ExactPoint2 from = vertices.exact(right), to = vertices.exact(left);
+    Point2 from = vertices.exact(right), to = vertices.exact(left);
     if (side == kSky) {
       is_bounded = false;
     } else {
       const Segment2& piece = arrangement.piece(side);
-      const ExactPoint2 a = vertices.exact(piece.a), b = vertices.exact(piece.b);
+      const Point2 a = vertices.exact(piece.a), b = vertices.exact(piece.b);
       if (right != piece.a && right != piece.b) from = ray_meets_piece(at, from, a, b);
       if (left != piece.a && left != piece.b) to = ray_meets_piece(at, to, a, b);
       if (!arrangement.is_covered(side)) twice_area += cross(minus(from, at), minus(to, at));
@@ -80,8 +79,7 @@ VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const Poi
 Ball angle_fraction(const VisibilityPolygon2& polygon, std::size_t part, long precision) {
   const Rational one = 1;
   if (polygon.parts.size() == 1) return Ball::of(one, precision);
-  const ExactPoint2 from = minus(polygon.parts[part].from, polygon.eye),
-                    to = minus(polygon.parts[part].to, polygon.eye);
+  const Point2 from = minus(polygon.parts[part].from, polygon.eye), to = minus(polygon.parts[part].to, polygon.eye);
   const Rational across = cross(from, to), along = dot(from, to);
   const Ball two = Ball::of(Rational(2), precision);
   const Ball turn = Ball::atan2(Ball::of(across, precision), Ball::of(along, precision), precision)
@@ -95,8 +93,7 @@ Rounded rounded_angle_fraction(const VisibilityPolygon2& polygon, std::span<cons
     Rational re = 1, im = 0;
     if (polygon.parts.size() == 1) return true;
     for (const std::size_t part : parts) {
-      const ExactPoint2 from = minus(polygon.parts[part].from, polygon.eye),
-                        to = minus(polygon.parts[part].to, polygon.eye);
+      const Point2 from = minus(polygon.parts[part].from, polygon.eye), to = minus(polygon.parts[part].to, polygon.eye);
       const Rational c = dot(from, to), s = cross(from, to), next = re * c - im * s;
       im = re * s + im * c;
       re = next;
@@ -120,27 +117,27 @@ std::vector<PointFactor2> point_factors(const Arrangement2& arrangement, const P
   const Vertices2& vertices = arrangement.vertices();
   // The front is on the right of from -> to, the back on the right of to -> from: u runs with the seen side on its
   // right.
-  const ExactPoint2 first = vertices.from_scene({from.x, from.y}), second = vertices.from_scene({to.x, to.y});
-  const ExactPoint2 u = from_back ? minus(first, second) : minus(second, first);
-  const ExactPoint2 back_u{-u.x, -u.y};
+  const Point2 first = vertices.from_scene({from.x, from.y}), second = vertices.from_scene({to.x, to.y});
+  const Point2 u = from_back ? minus(first, second) : minus(second, first);
+  const Point2 back_u{-u.x, -u.y};
   const Eye2 eye(vertices, {first.x + t * (second.x - first.x), first.y + t * (second.y - first.y)});
   View2 view;
   location.look_around(eye, view);
   const std::size_t m = view.seen.size();
-  const ExactPoint2 at = eye.exact();
-  std::vector<ExactPoint2> direction;
+  const Point2 at = eye.exact();
+  std::vector<Point2> direction;
   for (const View2::Seen& seen : view.seen) direction.push_back(minus(vertices.exact(seen.vertex), at));
 
   // The front half-plane, counter-clockwise from -u to u, holds the directions with cross(u, direction) < 0. What is
   // seen in it, cone by cone:
   struct Cone {
-    ExactPoint2 right, left;
+    Point2 right, left;
     PieceSideId side;
   };
   std::vector<Cone> cones;
-  const auto is_in_front = [&](const ExactPoint2& d) { return cross(u, d) < 0; };
+  const auto is_in_front = [&](const Point2& d) { return cross(u, d) < 0; };
   for (std::size_t k = 0; k < m; ++k) {
-    const ExactPoint2 &right = direction[k], &left = direction[(k + 1) % m];
+    const Point2 &right = direction[k], &left = direction[(k + 1) % m];
     const PieceSideId side = view.seen[k].behind;
     const Rational turn = cross(right, left);
     if (is_in_front(right) && is_in_front(left) && turn > 0) {
@@ -173,7 +170,7 @@ std::vector<PointFactor2> point_factors(const Arrangement2& arrangement, const P
   }
 
   // sin phi of a direction, with phi from the normal towards u, is (direction . u) / (|direction| |u|).
-  const auto sine = [&](const ExactPoint2& d) {
+  const auto sine = [&](const Point2& d) {
     const Rational squared = dot(d, d) * dot(u, u);
     RootSum result;
     result.add(dot(d, u) / squared, squared);

@@ -24,11 +24,11 @@ namespace hottel {
 // Needles (parts of no width) belong to the closed region but not to the polygon.
 struct VisibilityPolygon2 {
   struct Part {
-    ExactPoint2 from, to;                  // scene coordinates; for the sky: vertices on the two bounding rays
+    Point2 from, to;                       // scene coordinates; for the sky: vertices on the two bounding rays
     PieceSideId side;                      // kSky where nothing is met
     std::uint32_t solid = Solids2::kNone;  // the group that makes the solid there
   };
-  ExactPoint2 eye;  // scene coordinates
+  Point2 eye;  // scene coordinates
   Location2 location;
   View2 view;  // what the parts are made of
   std::vector<Part> parts;
@@ -37,11 +37,11 @@ struct VisibilityPolygon2 {
 
   // Corners of the region in order, without repetition; parts that see the sky contribute their bounding vertices. The
   // eye is one where a solid begins or ends there in a corner. None from within a solid.
-  std::vector<ExactPoint2> corners() const;
+  std::vector<Point2> corners() const;
 };
 
 VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const PointLocation2& location,
-                                      const ExactPoint2& eye);
+                                      const Point2& eye);
 
 // Angle under which a part is seen, as a fraction of the full turn, enclosed with the given precision in bits.
 Ball angle_fraction(const VisibilityPolygon2& polygon, std::size_t part, long precision);

@@ -159,7 +159,7 @@ class PlaneReader {
 
 }  // namespace
 
-Scene2 read_plane_scene(const JsonValue& root, const std::string& name_for_messages) {
+Scene2 read_document_2(const JsonValue& root, const std::string& name_for_messages) {
   return PlaneReader(name_for_messages).read(root);
 }
 

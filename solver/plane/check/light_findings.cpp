@@ -65,7 +65,7 @@ class LightTeller {
   LightTeller(const Scene2& scene, const ExchangeMatrix& matrix, const std::function<void(double)>& progress)
       : scene_(scene), matrix_(matrix), progress_(progress) {}
 
-  Findings tell() {
+  Findings2 tell() {
     std::map<Faces, Fate> fates;
     for (int channel = 0; channel < channel_count(scene_); ++channel) add_fates(scene_, matrix_, channel, fates);
     for (const auto& [faces, fate] : fates) tell_component(faces, fate);
@@ -230,13 +230,13 @@ class LightTeller {
   const Scene2& scene_;
   const ExchangeMatrix& matrix_;
   const std::function<void(double)>& progress_;
-  Findings findings_;
+  Findings2 findings_;
 };
 
 }  // namespace
 
-Findings light_findings(const Scene2& scene, const ExchangeMatrix& matrix,
-                        const std::function<void(double)>& progress) {
+Findings2 light_findings(const Scene2& scene, const ExchangeMatrix& matrix,
+                         const std::function<void(double)>& progress) {
   return LightTeller(scene, matrix, progress).tell();
 }
 

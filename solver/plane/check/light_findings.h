@@ -19,7 +19,7 @@ inline constexpr double kManyIterations = 1000;
 // REQUIRES: the exact matrix of the scene, by faces or by elements.
 // COST: a few passes over the matrix; that of solve_radiosity (which reports to `progress`) where numbers are not
 // between 1e-60 and 1e60.
-Findings light_findings(const Scene2& scene, const ExchangeMatrix& matrix,
-                        const std::function<void(double)>& progress = {});
+Findings2 light_findings(const Scene2& scene, const ExchangeMatrix& matrix,
+                         const std::function<void(double)>& progress = {});
 
 }  // namespace hottel

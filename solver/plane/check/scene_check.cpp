@@ -24,12 +24,12 @@
 namespace hottel {
 namespace {
 
-void append(Findings& findings, Findings more) { std::move(more.begin(), more.end(), std::back_inserter(findings)); }
+void append(Findings2& findings, Findings2 more) { std::move(more.begin(), more.end(), std::back_inserter(findings)); }
 
-Findings needle_findings(const Scene2& scene, const Arrangement2& arrangement) {
-  Findings findings;
+Findings2 needle_findings(const Scene2& scene, const Arrangement2& arrangement) {
+  Findings2 findings;
   for (const Needle2& needle : find_needles(arrangement)) {
-    const Point2 at = to_point(arrangement.vertices().to_scene(arrangement.vertices().exact(needle.at)));
+    const Point2 at = arrangement.vertices().to_scene(arrangement.vertices().exact(needle.at));
     std::vector<std::uint32_t> surfaces{arrangement.sources(needle.right).front().surface,
                                         arrangement.sources(needle.left).front().surface};
     std::sort(surfaces.begin(), surfaces.end());
@@ -42,14 +42,14 @@ Findings needle_findings(const Scene2& scene, const Arrangement2& arrangement) {
 }
 
 // The matrix that solve would use: by elements where some surface is divided.
-ExchangeMatrix factors_as_solved(const PreparedScene2& prepared, const CheckOptions& options) {
+ExchangeMatrix factors_as_solved(const PreparedScene2& prepared, const CheckOptions2& options) {
   const auto& surfaces = prepared.scene.surfaces;
   const bool is_divided = std::any_of(surfaces.begin(), surfaces.end(), [](auto& s) { return s.elements > 1; });
   const ExchangeOptions2 exchange{.granularity = is_divided ? Granularity::kElement : Granularity::kFace,
                                   .wants_visibility = false,
                                   .memory = options.memory,
                                   .progress = options.progress};
-  return is_divided ? exact_exchange(prepare(prepared.scene, Divided::kYes), exchange)
+  return is_divided ? exact_exchange(prepare(prepared.scene, Divided2::kYes), exchange)
                     : exact_exchange(prepared, exchange);
 }
 
@@ -61,7 +61,7 @@ std::vector<NearMiss2> free_near_misses(const Scene2& scene, const Arrangement2&
   View2 view;
   std::erase_if(near_misses, [&](const NearMiss2& miss) {
     const Point2 between = middle(miss.tip, miss.foot);
-    location.look_around(Eye2(arrangement.vertices(), arrangement.vertices().from_scene(to_exact(between))), view);
+    location.look_around(Eye2(arrangement.vertices(), arrangement.vertices().from_scene(between)), view);
     return solid_around(arrangement, view) != Solids2::kNone;
   });
   return near_misses;
@@ -73,7 +73,7 @@ FreeRegions2 cells_of(const PreparedScene2& prepared) {
 
 // Leaves out what follows from it that a solid holds the rest of the scene, or that a room is inside out.
 void leave_out_consequences(const Scene2& scene, const FaceCover2& cover, const std::vector<char>& is_inside_out,
-                            Findings& findings) {
+                            Findings2& findings) {
   std::vector<char> is_asked_about(scene.groups.size(), 0);
   bool holds_light = false;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
@@ -84,7 +84,7 @@ void leave_out_consequences(const Scene2& scene, const FaceCover2& cover, const 
     holds_light |= !scene.materials[surface.material].emission.is_zero();
     holds_light |= surface.back && !scene.materials[*surface.back].emission.is_zero();
   }
-  std::erase_if(findings, [&](const Finding& finding) {
+  std::erase_if(findings, [&](const Finding2& finding) {
     if (finding.kind == "no-light") return holds_light;
     if (finding.kind != "sees-only-sky" && finding.kind != "dark") return false;
     return std::all_of(finding.surfaces.begin(), finding.surfaces.end(), [&](std::uint32_t s) {
@@ -95,7 +95,7 @@ void leave_out_consequences(const Scene2& scene, const FaceCover2& cover, const 
 
 // What needs the arrangement of a scene without conflicts, and perhaps view factors.
 void check_light(const PreparedScene2& prepared, const FaceCover2& cover, const std::vector<NearMiss2>& near_misses,
-                 const CheckOptions& options, SceneCheck2& check) {
+                 const CheckOptions2& options, SceneCheck2& check) {
   const Scene2& scene = prepared.scene;
   append(check.findings, needle_findings(scene, prepared.arrangement));
   const FreeRegions2 regions = cells_of(prepared);
@@ -123,9 +123,9 @@ void check_light(const PreparedScene2& prepared, const FaceCover2& cover, const 
 
 }  // namespace
 
-SceneCheck2 check_scene(const Scene2& scene, const CheckOptions& options) {
+SceneCheck2 check_scene(const Scene2& scene, const CheckOptions2& options) {
   SceneCheck2 check;
-  const Arrangement2 arrangement(scene, Division(scene.surfaces.size(), 1), Conflicts::kFirstWins);
+  const Arrangement2 arrangement(scene, Division2(scene.surfaces.size(), 1), Conflicts2::kFirstWins);
   const Contacts2 contacts = find_contacts(scene, arrangement);
   append(check.findings, contact_findings(scene, contacts));
   append(check.findings, solid_findings(scene, contacts.faces));
@@ -146,18 +146,18 @@ SceneCheck2 check_scene(const Scene2& scene, const CheckOptions& options) {
   return check;
 }
 
-Findings lost_light_warnings(const PreparedScene2& prepared, const ExchangeMatrix& matrix) {
-  Findings findings;
+Findings2 lost_light_warnings(const PreparedScene2& prepared, const ExchangeMatrix& matrix) {
+  Findings2 findings;
   if (!prepared.arrangement.solids().is_empty())
     append(findings, solid_findings(prepared.scene, FaceCover2(prepared.scene, prepared.arrangement)));
-  if (sees_black_backs(matrix)) {
+  if (sees_black_backs_2(matrix)) {
     const FreeRegions2 regions = cells_of(prepared);
     RegionFindings2 rooms = region_findings(prepared, regions);
-    std::erase_if(rooms.findings, [](const Finding& finding) { return finding.kind != "inside-out"; });
+    std::erase_if(rooms.findings, [](const Finding2& finding) { return finding.kind != "inside-out"; });
     append(findings, std::move(rooms.findings));
     append(findings, black_backs(prepared, regions, matrix, rooms.is_inside_out).findings);
   }
-  std::erase_if(findings, [](const Finding& finding) { return finding.severity != Severity::kWarning; });
+  std::erase_if(findings, [](const Finding2& finding) { return finding.severity != Severity::kWarning; });
   sort_findings(findings);
   return findings;
 }

@@ -12,7 +12,7 @@
 
 namespace hottel {
 
-struct CheckOptions {
+struct CheckOptions2 {
   std::uint64_t memory = 0;                   // bytes that view factors may take; 0: no limit
   std::function<void(double)> progress = {};  // fraction done; may throw to stop
 };
@@ -26,14 +26,14 @@ struct CheckOptions {
 //   does not suffice (light-not-checked says so)
 //   (4) black_backs: the surfaces that black-back is told of, in the order of the scene
 struct SceneCheck2 {
-  Findings findings;
+  Findings2 findings;
   std::optional<ExchangeMatrix> factors;
   std::vector<std::uint32_t> black_backs{};
 };
 
 // Throws InputError for a "behind" that cannot be obeyed (geometry/plane/arrangement/solids.h).
 // COST: an overlay, exact view factors, and once more those where something is nearly touched; the rest O(n log n).
-SceneCheck2 check_scene(const Scene2& scene, const CheckOptions& options = {});
+SceneCheck2 check_scene(const Scene2& scene, const CheckOptions2& options = {});
 
 // Those warnings that tell of light which is lost in solids and on black backs, sorted: what a solution goes with.
 //
@@ -41,6 +41,6 @@ SceneCheck2 check_scene(const Scene2& scene, const CheckOptions& options = {});
 //       inside-out, black-back
 // REQUIRES a matrix of the scene, by faces or elements. COST: a pass over the matrix; where there is a solid or a black
 // back is seen, linear in the sides of pieces.
-Findings lost_light_warnings(const PreparedScene2& prepared, const ExchangeMatrix& matrix);
+Findings2 lost_light_warnings(const PreparedScene2& prepared, const ExchangeMatrix& matrix);
 
 }  // namespace hottel

@@ -18,6 +18,11 @@ MethodComparison2::MethodComparison2(const PreparedScene2& prepared)
       exact_(exact_exchange(prepared, {.granularity = Granularity::kElement})),
       exact_solution_(solve(exact_, why_no_solution_)) {}
 
+const RadiositySolution& MethodComparison2::required_solution() const {
+  if (!exact_solution_) throw RequestError("radiosities cannot be compared: " + why_no_solution_);
+  return *exact_solution_;
+}
+
 std::optional<RadiositySolution> MethodComparison2::solve(const ExchangeMatrix& matrix, std::string& why_not) const {
   try {
     return solve_radiosity(matrix, prepared_.scene.materials, prepared_.scene.sky_emission);

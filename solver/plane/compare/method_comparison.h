@@ -24,6 +24,7 @@ class MethodComparison2 {
   const PreparedScene2& prepared() const { return prepared_; }
   const ExchangeMatrix& exact() const { return exact_; }  // with visibilities
   const std::optional<RadiositySolution>& exact_solution() const { return exact_solution_; }
+  const RadiositySolution& required_solution() const;  // throws RequestError when there is none
   const std::string& why_no_solution() const { return why_no_solution_; }
 
  private:

@@ -47,7 +47,7 @@ class JudgedScene2 final : public JudgedScene {
       surface.elements = prepared_.division[s];
     }
     try {
-      const PreparedScene2 both = prepare(std::move(scene), Divided::kYes);
+      const PreparedScene2 both = prepare(std::move(scene), Divided2::kYes);
       return exact_exchange(both, {.granularity = Granularity::kElement, .wants_visibility = false});
     } catch (const InputError&) {
       return std::nullopt;

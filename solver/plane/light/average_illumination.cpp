@@ -56,8 +56,8 @@ double add_all(const Arrangement2& arrangement, const FaceRadiosity2& radiosity,
 
 }  // namespace
 
-AverageIllumination illuminate_averages(const PreparedScene2& prepared, const Grid2& grid,
-                                        const FaceRadiosity2& radiosity, const std::function<void(double)>& progress) {
+AverageIllumination2 illuminate_averages(const PreparedScene2& prepared, const Grid2& grid,
+                                         const FaceRadiosity2& radiosity, const std::function<void(double)>& progress) {
   const DefaultFloatingPoint arithmetic;
   HOTTEL_REQUIRE(grid.nx > 0 && grid.ny > 0 && grid.min.x < grid.max.x && grid.min.y < grid.max.y);
   const Arrangement2& arrangement = prepared.arrangement;
@@ -68,7 +68,7 @@ AverageIllumination illuminate_averages(const PreparedScene2& prepared, const Gr
 
   const std::vector<double> shares = free_shares(arrangement, grid, frame);
   const std::size_t cells = std::size_t{grid.nx} * grid.ny;
-  AverageIllumination result{{grid, channels, std::vector<double>(cells * channels)}, std::vector<double>(cells), 0};
+  AverageIllumination2 result{{grid, channels, std::vector<double>(cells * channels)}, std::vector<double>(cells), 0};
   const std::vector<double> largest = largest_radiosities(arrangement, radiosity);
   const double brightest = *std::max_element(largest.begin(), largest.end());
   const double scale = 1 / (2 * std::numbers::pi * frame.height());

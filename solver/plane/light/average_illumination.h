@@ -6,8 +6,8 @@
 namespace hottel {
 
 // Averages with what is proven of them.
-struct AverageIllumination {
-  IlluminationGrid grid;
+struct AverageIllumination2 {
+  IlluminationGrid2 grid;
   std::vector<double> errors;  // by cell: no channel's value is farther than this from the real number
   double max_error = 0;        // the largest of them
 };
@@ -27,8 +27,8 @@ struct AverageIllumination {
 // COST: 0.2 to 0.4 µs of one core for each cell and each vertex seen from it. Memory for the grid, and for the wedges
 // of a few vertices at a time.
 // SEE: docs/design/plane/illumination.md
-AverageIllumination illuminate_averages(const PreparedScene2& prepared, const Grid2& grid,
-                                        const FaceRadiosity2& radiosity,
-                                        const std::function<void(double)>& progress = {});
+AverageIllumination2 illuminate_averages(const PreparedScene2& prepared, const Grid2& grid,
+                                         const FaceRadiosity2& radiosity,
+                                         const std::function<void(double)>& progress = {});
 
 }  // namespace hottel

@@ -33,7 +33,7 @@ CellFrame2::CellFrame2(const Vertices2& vertices, const Grid2& grid) : nx_(grid.
   for (std::uint32_t iy = 0; iy < grid.ny; ++iy)
     rows_.push_back(fine(height * Rational(Integer(2 * static_cast<unsigned long>(iy) + 1)) / 2));
   for (const VertexId v : vertices.ids()) {
-    const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
+    const Point2 p = vertices.to_scene(vertices.exact(v));
     places_.push_back({fine((p.x - grid.min.x) / width), fine((p.y - grid.min.y) / width)});
   }
   extent_ = (nx_ + height_.hi * grid.ny) * 1.0000001;
@@ -42,7 +42,7 @@ CellFrame2::CellFrame2(const Vertices2& vertices, const Grid2& grid) : nx_(grid.
 FinePoint2 CellFrame2::direction(VertexId a, VertexId b) const {
   const FinePoint2 way = vertex(b) - vertex(a);
   if ((size_of(vertex(a)) + size_of(vertex(b))) * kFine < size_of(way) * (kDirection / 2)) return way;
-  const ExactPoint2 from = vertices_.exact(a), to = vertices_.exact(b);
+  const Point2 from = vertices_.exact(a), to = vertices_.exact(b);
   const Rational x = to.x - from.x, y = to.y - from.y;
   const Rational& longer = abs(x) > abs(y) ? x : y;
   const auto bits = [](const Integer& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); };

@@ -110,11 +110,11 @@ void CellSums2::add_between(const LitWedges2& lit, const LitWedge2& wedge, const
 void CellSums2::add_part(const CellPart2& part, double doubt, const Vector2& z, const Vector2& axis, const Cell& cell,
                          const Weight& weight) {
   const double strips = doubt * 4 * integrals_.radius(), rounding = kUnit * integrals_.area_error();
-  deposit(part.size() < 3 ? AreaAndAngle{} : integrals_.over(part, z, axis), strips + rounding,
+  deposit(part.size() < 3 ? AreaAndAngle2{} : integrals_.over(part, z, axis), strips + rounding,
           kUnit * integrals_.angle_error(z), cell, weight);
 }
 
-void CellSums2::deposit(const AreaAndAngle& part, double area_doubt, double angle_doubt, const Cell& cell,
+void CellSums2::deposit(const AreaAndAngle2& part, double area_doubt, double angle_doubt, const Cell& cell,
                         const Weight& weight) {
   double largest_sum = 0, largest = 0, steepest = 0;
   double* const sums = &sums_[cell.index * channels_];

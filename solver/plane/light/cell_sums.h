@@ -44,10 +44,11 @@ class CellSums2 {
   void add_between(const LitWedges2& lit, const LitWedge2& wedge, const Cell& cell);
   void add_part(const CellPart2& part, double doubt, const Vector2& z, const Vector2& axis, const Cell& cell,
                 const Weight& weight);
-  void deposit(const AreaAndAngle& part, double area_doubt, double angle_doubt, const Cell& cell, const Weight& weight);
+  void deposit(const AreaAndAngle2& part, double area_doubt, double angle_doubt, const Cell& cell,
+               const Weight& weight);
 
   const CellFrame2& frame_;
-  const PolarIntegrals integrals_;
+  const PolarIntegrals2 integrals_;
   const std::uint32_t channels_;
   const std::vector<double> nothing_;  // coefficients
   std::vector<double> sums_, errors_;

@@ -21,12 +21,12 @@ Rational centre(const Rational& min, const Rational& max, std::uint32_t index, s
 
 }  // namespace
 
-ExactPoint2 cell_centre(const Grid2& grid, std::uint32_t ix, std::uint32_t iy) {
+Point2 cell_centre(const Grid2& grid, std::uint32_t ix, std::uint32_t iy) {
   return {centre(grid.min.x, grid.max.x, ix, grid.nx), centre(grid.min.y, grid.max.y, iy, grid.ny)};
 }
 
 void for_each_cell_view(const PreparedScene2& prepared, const Grid2& grid, const std::function<void(double)>& progress,
-                        const CellVisit& visit) {
+                        const CellVisit2& visit) {
   HOTTEL_REQUIRE(grid.nx > 0 && grid.ny > 0 && grid.min.x < grid.max.x && grid.min.y < grid.max.y);
   const Vertices2& vertices = prepared.arrangement.vertices();
   const PointLocation2 location(vertices, prepared.arrangement.triangulation());

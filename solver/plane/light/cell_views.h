@@ -10,7 +10,7 @@
 namespace hottel {
 
 // Where the centres of the cells lie.
-ExactPoint2 cell_centre(const Grid2& grid, std::uint32_t ix, std::uint32_t iy);
+Point2 cell_centre(const Grid2& grid, std::uint32_t ix, std::uint32_t iy);
 
 // Calls visit(cell, eye, location, view) once for each cell, number iy * nx + ix, with what its exact centre sees; from
 // many threads at once, in any order.
@@ -19,8 +19,8 @@ ExactPoint2 cell_centre(const Grid2& grid, std::uint32_t ix, std::uint32_t iy);
 // progress: fraction done, called by the calling thread; may throw to stop. Throws Interrupted when asked to stop.
 // REQUIRES at least one cell, min < max.
 // COST: that of tile_views.h for each eight by eight cells; numbers of a row and of a column are prepared once.
-using CellVisit = std::function<void(std::size_t, const Eye2&, const Location2&, const View2&)>;
+using CellVisit2 = std::function<void(std::size_t, const Eye2&, const Location2&, const View2&)>;
 void for_each_cell_view(const PreparedScene2& prepared, const Grid2& grid, const std::function<void(double)>& progress,
-                        const CellVisit& visit);
+                        const CellVisit2& visit);
 
 }  // namespace hottel

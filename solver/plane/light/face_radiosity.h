@@ -39,7 +39,7 @@ class FaceRadiosity2 {
 };
 
 // What FaceRadiosity2 wants of a solution: radiosities element-major, channels inside; the sky's emission by channel.
-std::vector<double> radiosity_by_element(const RadiositySolution& solution);
-std::vector<double> sky_by_channel(const Spectrum& sky_emission, std::size_t channels);
+std::vector<double> radiosity_by_element_2(const RadiositySolution& solution);
+std::vector<double> sky_by_channel_2(const Spectrum& sky_emission, std::size_t channels);
 
 }  // namespace hottel

@@ -21,16 +21,15 @@ constexpr double kUnknown = -1;       // a share
 Rational rational(std::uint32_t n) { return Rational(Integer(static_cast<unsigned long>(n))); }
 
 // The part of a convex polygon on the left of a -> b, or on it.
-std::vector<ExactPoint2> left_part(const std::vector<ExactPoint2>& polygon, const ExactPoint2& a,
-                                   const ExactPoint2& b) {
+std::vector<Point2> left_part(const std::vector<Point2>& polygon, const Point2& a, const Point2& b) {
   const Rational dx = b.x - a.x, dy = b.y - a.y;
   std::vector<Rational> heights;
-  for (const ExactPoint2& p : polygon) heights.push_back(dx * (p.y - a.y) - dy * (p.x - a.x));
+  for (const Point2& p : polygon) heights.push_back(dx * (p.y - a.y) - dy * (p.x - a.x));
   if (std::all_of(heights.begin(), heights.end(), [](const Rational& height) { return height >= 0; })) return polygon;
-  std::vector<ExactPoint2> kept;
+  std::vector<Point2> kept;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const std::size_t next = k + 1 == polygon.size() ? 0 : k + 1;
-    const ExactPoint2 &p = polygon[k], &q = polygon[next];
+    const Point2 &p = polygon[k], &q = polygon[next];
     if (heights[k] >= 0) kept.push_back(p);
     if (sgn(heights[k]) * sgn(heights[next]) >= 0) continue;
     const Rational t = heights[k] / (heights[k] - heights[next]);
@@ -39,7 +38,7 @@ std::vector<ExactPoint2> left_part(const std::vector<ExactPoint2>& polygon, cons
   return kept;
 }
 
-Rational doubled_area(const std::vector<ExactPoint2>& polygon) {
+Rational doubled_area(const std::vector<Point2>& polygon) {
   Rational sum = 0;
   for (std::size_t k = 2; k < polygon.size(); ++k)
     sum += (polygon[k - 1].x - polygon[0].x) * (polygon[k].y - polygon[0].y) -
@@ -60,7 +59,7 @@ class FreeShares {
         shares_(std::size_t{grid.nx} * grid.ny, kUnknown) {
     const Vertices2& vertices = arrangement.vertices();
     for (const VertexId v : vertices.ids()) {
-      const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
+      const Point2 p = vertices.to_scene(vertices.exact(v));
       exact_.push_back({(p.x - grid.min.x) / width_, (p.y - grid.min.y) / width_});
     }
   }
@@ -128,12 +127,12 @@ class FreeShares {
     const Rational left(Integer(static_cast<unsigned long>(cell % grid_.nx))),
         bottom = height_ * Rational(Integer(static_cast<unsigned long>(cell / grid_.nx)));
     const Rational right = left + 1, top = bottom + height_;
-    const std::vector<ExactPoint2> whole{{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+    const std::vector<Point2> whole{{left, bottom}, {right, bottom}, {right, top}, {left, top}};
     Rational rest = 2 * height_;
     for (const TriangleId t : triangles) {
       const std::array<VertexId, 3> of_triangle = corners(t);
-      const ExactPoint2 &a = exact_[of_triangle[0].index()], &b = exact_[of_triangle[1].index()],
-                        &c = exact_[of_triangle[2].index()];
+      const Point2 &a = exact_[of_triangle[0].index()], &b = exact_[of_triangle[1].index()],
+                   &c = exact_[of_triangle[2].index()];
       rest -= doubled_area(left_part(left_part(left_part(whole, a, b), b, c), c, a));
     }
     if (rest == 0) return 0;
@@ -170,8 +169,8 @@ class FreeShares {
   const Grid2& grid_;
   const CellFrame2& frame_;
   const SolidRegions2 regions_;
-  const Rational width_, height_;   // of a cell: in the scene; in its own width
-  std::vector<ExactPoint2> exact_;  // vertices, in cells from the first corner of the grid
+  const Rational width_, height_;  // of a cell: in the scene; in its own width
+  std::vector<Point2> exact_;      // vertices, in cells from the first corner of the grid
   std::vector<double> shares_;
   std::vector<std::size_t> at_border_;              // cells that a border may come near
   std::vector<std::uint32_t> place_;                // by cell: 1 + where it is in at_border_, else 0

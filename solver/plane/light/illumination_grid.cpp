@@ -35,8 +35,8 @@ std::uint32_t cells_to_cover(const Rational& length, const Rational& cell) {
   return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(whole.get_ui()));
 }
 
-IlluminationGrid empty_grid(const Grid2& grid, std::uint32_t channels) {
-  IlluminationGrid result{grid, channels, {}};
+IlluminationGrid2 empty_grid(const Grid2& grid, std::uint32_t channels) {
+  IlluminationGrid2 result{grid, channels, {}};
   result.values.resize(std::size_t{grid.nx} * grid.ny * channels);
   return result;
 }
@@ -64,10 +64,10 @@ Grid2 default_grid(const Scene2& scene, std::uint32_t longer) {
   return {box.min, {box.min.x + cell * nx, box.min.y + cell * ny}, nx, ny};
 }
 
-IlluminationGrid illuminate_points(const PreparedScene2& prepared, const Grid2& grid, const FaceRadiosity2& radiosity,
-                                   const std::function<void(double)>& progress) {
+IlluminationGrid2 illuminate_points(const PreparedScene2& prepared, const Grid2& grid, const FaceRadiosity2& radiosity,
+                                    const std::function<void(double)>& progress) {
   const std::uint32_t channels = radiosity.channels();
-  IlluminationGrid result = empty_grid(grid, channels);
+  IlluminationGrid2 result = empty_grid(grid, channels);
   const Vertices2& vertices = prepared.arrangement.vertices();
   for_each_cell_view(
       prepared, grid, progress, [&](std::size_t cell, const Eye2& eye, const Location2& location, const View2& view) {

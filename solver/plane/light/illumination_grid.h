@@ -14,7 +14,7 @@ namespace hottel {
 
 // A value for each cell and channel, in C order (ny, nx, channels): index 0 is the lowest y, the lowest x. NaN in all
 // channels: the cell lies in a solid.
-struct IlluminationGrid {
+struct IlluminationGrid2 {
   Grid2 grid;
   std::uint32_t channels = 1;
   std::vector<double> values;
@@ -39,8 +39,8 @@ Grid2 default_grid(const Scene2& scene, std::uint32_t longer = 256);
 //   (2) bit-identical for any number of threads
 // progress: fraction done; may throw to stop. Throws Interrupted when asked to stop.
 // COST: about 0.5 µs a cell and core in a furnished apartment of 400 edges, 8 µs where a cell sees 250 vertices.
-IlluminationGrid illuminate_points(const PreparedScene2& prepared, const Grid2& grid, const FaceRadiosity2& radiosity,
-                                   const std::function<void(double)>& progress = {});
+IlluminationGrid2 illuminate_points(const PreparedScene2& prepared, const Grid2& grid, const FaceRadiosity2& radiosity,
+                                    const std::function<void(double)>& progress = {});
 
 // Returns the source formula instead: sum over elements j of H_j B_j / r_j², with H_j the fraction of the element that
 // the centre sees (exact visibility) and r_j the distance to its middle, at least half the shorter side of a cell.
@@ -49,8 +49,8 @@ IlluminationGrid illuminate_points(const PreparedScene2& prepared, const Grid2& 
 // centre lies is not seen from there. NaN where the centre lies in a solid.
 // by_element: as for FaceRadiosity2. [unit: that of radiosity / length²]
 // Throws RequestError when a value is beyond the range of doubles.
-IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const Grid2& grid,
-                                           const ElementTable2& table, std::span<const double> by_element,
-                                           std::uint32_t channels, const std::function<void(double)>& progress = {});
+IlluminationGrid2 illuminate_inverse_square(const PreparedScene2& prepared, const Grid2& grid,
+                                            const ElementTable2& table, std::span<const double> by_element,
+                                            std::uint32_t channels, const std::function<void(double)>& progress = {});
 
 }  // namespace hottel

@@ -16,7 +16,7 @@ struct Spot {
   double x, y;
 };
 
-Spot rounded(const ExactPoint2& p) { return {to_double(p.x), to_double(p.y)}; }
+Spot rounded(const Point2& p) { return {to_double(p.x), to_double(p.y)}; }
 
 // Lengths of pieces and elements, in the unit of approximate vertices.
 class Lengths {
@@ -67,11 +67,11 @@ std::vector<Spot> middles(const Scene2& scene, const ElementTable2& table) {
 
 }  // namespace
 
-IlluminationGrid illuminate_inverse_square(const PreparedScene2& prepared, const Grid2& grid,
-                                           const ElementTable2& table, std::span<const double> by_element,
-                                           std::uint32_t channels, const std::function<void(double)>& progress) {
+IlluminationGrid2 illuminate_inverse_square(const PreparedScene2& prepared, const Grid2& grid,
+                                            const ElementTable2& table, std::span<const double> by_element,
+                                            std::uint32_t channels, const std::function<void(double)>& progress) {
   HOTTEL_REQUIRE(channels > 0 && by_element.size() == std::size_t{table.count()} * channels);
-  IlluminationGrid result{grid, channels, {}};
+  IlluminationGrid2 result{grid, channels, {}};
   result.values.assign(std::size_t{grid.nx} * grid.ny * channels, 0.0);
   const Lengths lengths(prepared.arrangement, table);
   const std::vector<Spot> middle = middles(prepared.scene, table);

@@ -43,8 +43,8 @@ double angle_over_triangle(const Vector2& a, const Vector2& b, const Vector2& al
          moment * moment / (4 * squared) * std::log(dot(b, b) / dot(a, a));
 }
 
-AreaAndAngle near_integrals(const CellPart2& part, const Vector2& z, const Vector2& axis) {
-  AreaAndAngle sum;
+AreaAndAngle2 near_integrals(const CellPart2& part, const Vector2& z, const Vector2& axis) {
+  AreaAndAngle2 sum;
   Vector2 from = part[part.size() - 1];
   double angle_from = polar_angle(z + from, axis);
   for (int k = 0; k < part.size(); ++k) {
@@ -59,8 +59,8 @@ AreaAndAngle near_integrals(const CellPart2& part, const Vector2& z, const Vecto
 }
 
 // The same with all angles measured from z: the mean over each edge is that at its middle and a series.
-AreaAndAngle far_integrals(const CellPart2& part, const Vector2& z, const Vector2& axis) {
-  AreaAndAngle sum;
+AreaAndAngle2 far_integrals(const CellPart2& part, const Vector2& z, const Vector2& axis) {
+  AreaAndAngle2 sum;
   Vector2 from = part[part.size() - 1];
   for (int k = 0; k < part.size(); ++k) {
     const Vector2 to = part[k], along = to - from, middle = 0.5 * (from + to), at = z + middle;
@@ -98,7 +98,7 @@ void CellPart2::cut(double at_centre, const Vector2& gradient) {
   size_ = size;
 }
 
-PolarIntegrals::PolarIntegrals(double height) : height_(height), radius_(std::hypot(1.0, height) / 2) {
+PolarIntegrals2::PolarIntegrals2(double height) : height_(height), radius_(std::hypot(1.0, height) / 2) {
   const auto mean_power = [](double width, int n) { return std::pow(width / 2, n) / (n + 1); };
   for (int k = 1; k <= kTerms; ++k) {
     double sum = 0, binomial = 1;
@@ -110,17 +110,17 @@ PolarIntegrals::PolarIntegrals(double height) : height_(height), radius_(std::hy
   }
 }
 
-AreaAndAngle PolarIntegrals::over_cell(const Vector2& z, const Vector2& axis) const {
+AreaAndAngle2 PolarIntegrals2::over_cell(const Vector2& z, const Vector2& axis) const {
   if (is_near(z)) return near_integrals(CellPart2(height_), z, axis);
   const double mean = polar_angle(z, axis) - imaginary_of_series(moments_, squared_ratio({1, 0}, z));
   return {height_, height_ * mean};
 }
 
-AreaAndAngle PolarIntegrals::over(const CellPart2& part, const Vector2& z, const Vector2& axis) const {
+AreaAndAngle2 PolarIntegrals2::over(const CellPart2& part, const Vector2& z, const Vector2& axis) const {
   return is_near(z) ? near_integrals(part, z, axis) : far_integrals(part, z, axis);
 }
 
-double PolarIntegrals::angle_error(const Vector2& z) const {
+double PolarIntegrals2::angle_error(const Vector2& z) const {
   const double factor = is_near(z) ? std::sqrt(dot(z, z)) + radius_ : radius_;
   return 160 * factor * factor;
 }

@@ -26,16 +26,16 @@ class CellPart2 {
 // where z is the centre of the cell seen from the pole. They are elementary (docs/design/plane/illumination.md).
 //                                                                          [unit: area of a cell that is one wide]
 // REQUIRES that the region lies within a right angle about the axis, seen from the pole.
-struct AreaAndAngle {
+struct AreaAndAngle2 {
   double area = 0, angle = 0;
 };
 
-class PolarIntegrals {
+class PolarIntegrals2 {
  public:
-  explicit PolarIntegrals(double height);
+  explicit PolarIntegrals2(double height);
 
-  AreaAndAngle over_cell(const Vector2& z, const Vector2& axis) const;
-  AreaAndAngle over(const CellPart2& part, const Vector2& z, const Vector2& axis) const;
+  AreaAndAngle2 over_cell(const Vector2& z, const Vector2& axis) const;
+  AreaAndAngle2 over(const CellPart2& part, const Vector2& z, const Vector2& axis) const;
 
   // Bounds on the errors of over(), in units of 2^-53, when the corners are taken as they are. That of over_cell() is
   // 12 of its area when it is not near.

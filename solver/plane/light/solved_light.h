@@ -15,25 +15,26 @@
 namespace hottel {
 
 // Light on a grid, and the proven bound on its values where there is one.
-struct SolvedLight {
-  IlluminationGrid grid;
+struct SolvedLight2 {
+  IlluminationGrid2 grid;
   std::optional<double> max_error{};
 };
 
 // Returns the light of a solution on a grid. way: "point" (illuminate_points), "average" (illuminate_averages, with its
 // bound) or "inverse-square" (illuminate_inverse_square); these say what is thrown.
 // REQUIRES the solution of a matrix of the scene of that granularity.
-SolvedLight illuminate(std::string_view way, const PreparedScene2& prepared, const Grid2& grid, Granularity granularity,
-                       const RadiositySolution& solution, const std::function<void(double)>& progress = {});
+SolvedLight2 illuminate(std::string_view way, const PreparedScene2& prepared, const Grid2& grid,
+                        Granularity granularity, const RadiositySolution& solution,
+                        const std::function<void(double)>& progress = {});
 
 // The mean irradiance at a point once light has been reflected until it is absorbed.
-struct PointLight {
+struct PointLight2 {
   std::vector<std::string> channel_names;
   std::vector<double> mean_irradiance;  // by channel
   std::string why_none;                 // no solution, or none in doubles: the reason; else empty
 };
 
 // Solves the scene by faces and looks around from the eye (mean_irradiance.h). REQUIRES an eye that is in no solid.
-PointLight light_at(const PreparedScene2& prepared, const VisibilityPolygon2& seen);
+PointLight2 light_at(const PreparedScene2& prepared, const VisibilityPolygon2& seen);
 
 }  // namespace hottel

@@ -51,10 +51,10 @@ ExchangeMatrix naive_exchange(const PreparedScene2& prepared, MethodReport& repo
   std::atomic<std::uint64_t> cut_off = 0;
   Stopwatch watch;
   const ElementTable2 table = table_of(prepared);
-  const PlainSums sums = plain_sums(arrangement, table, [&](VertexId) { return StepLimit2(points, limit, cut_off); });
+  const PlainSums2 sums = plain_sums(arrangement, table, [&](VertexId) { return StepLimit2(points, limit, cut_off); });
   ExchangeMatrix matrix = plain_matrix(table, sums, plain_lengths(arrangement, table, points));
   report.seconds = watch.lap();
-  const WrongOrientations counts = count_wrong_orientations(arrangement, points);
+  const WrongOrientations2 counts = count_wrong_orientations(arrangement, points);
   report.notes.push_back(fmt::format("of {} orientations {} have the wrong sign", counts.asked, counts.wrong));
   if (cut_off > 0)
     report.notes.push_back(fmt::format("{} of {} views were cut off", cut_off.load(), arrangement.vertices().size()));
@@ -64,7 +64,7 @@ ExchangeMatrix naive_exchange(const PreparedScene2& prepared, MethodReport& repo
 ExchangeMatrix filtered_exchange(const PreparedScene2& prepared) {
   const FilteredPoints points(prepared.arrangement.vertices());
   const ElementTable2 table = table_of(prepared);
-  const PlainSums sums =
+  const PlainSums2 sums =
       plain_sums(prepared.arrangement, table, [&](VertexId) -> const FilteredPoints& { return points; });
   return plain_matrix(table, sums, plain_lengths(prepared.arrangement, table, points));
 }
@@ -114,11 +114,11 @@ FactorEntry entry_of(std::uint32_t to, double factor) {
 ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, MethodReport& report) {
   const ElementTable2 table = table_of(prepared);
   const double length_error = prepared.arrangement.vertices().length_error();
-  SumCounts counts;
-  const std::vector<PairSum> pairs =
+  SumCounts2 counts;
+  const std::vector<PairSum2> pairs =
       sum_visible_pairs(prepared.arrangement, table, {}, std::numeric_limits<std::uint64_t>::max(), counts);
   const auto each_entry = [&](const auto& visit) {
-    for (const PairSum& pair : pairs) {
+    for (const PairSum2& pair : pairs) {
       if (pair.value == 0 && pair.inexact == 0) continue;
       if (table.has_row(pair.i)) visit(pair.i, pair.j, pair);
       if (pair.j != pair.i && table.has_row(pair.j)) visit(pair.j, pair.i, pair);
@@ -131,7 +131,7 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, MethodReport& r
     entries.resize(count);
     bounds.resize(count);
   };
-  const auto put = [&](std::size_t place, std::uint32_t from, std::uint32_t to, const PairSum& pair) {
+  const auto put = [&](std::size_t place, std::uint32_t from, std::uint32_t to, const PairSum2& pair) {
     const FixedSum& length = table.length(from);
     const EnclosedQuotient factor = quotient(pair.sum(length_error), {2 * length.value, 2 * length.error});
     // Of a pair that may see each other something must be said.
@@ -142,7 +142,7 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, MethodReport& r
   std::vector<std::size_t> begin = lay_out_rows(table.count(), each_entry, allot, put);
 
   report.notes.push_back(fmt::format("every factor lies within {:.2g} of the real one", 1.06 * widest));
-  const auto undecided = std::count_if(pairs.begin(), pairs.end(), [&](const PairSum& pair) {
+  const auto undecided = std::count_if(pairs.begin(), pairs.end(), [&](const PairSum2& pair) {
     return pair.inexact > 0 && double_near(pair.value) <= pair.sum(length_error).error;
   });
   if (undecided > 0)
@@ -180,12 +180,12 @@ std::optional<SumScale> scale_of(const PreparedScene2& prepared, const ElementTa
 
 class Arithmetic2 final : public ExchangeMethod2 {
  public:
-  explicit Arithmetic2(Arithmetic arithmetic) : arithmetic_(arithmetic) {
+  explicit Arithmetic2(ArithmeticKind2 arithmetic) : arithmetic_(arithmetic) {
     info_.name = info_.family = std::string("arithmetic:") + kNames[static_cast<std::size_t>(arithmetic)];
     info_.reference = "docs/design/plane/exchange.md";
-    info_.guarantee = arithmetic == Arithmetic::kRounded  ? Guarantee::kExact
-                      : arithmetic == Arithmetic::kBounds ? Guarantee::kEnclosed
-                                                          : Guarantee::kEstimated;
+    info_.guarantee = arithmetic == ArithmeticKind2::kRounded  ? Guarantee::kExact
+                      : arithmetic == ArithmeticKind2::kBounds ? Guarantee::kEnclosed
+                                                           : Guarantee::kEstimated;
   }
   const MethodInfo& info() const override { return info_; }
   std::optional<double> declared_error(const PreparedScene2& prepared) const override;
@@ -199,36 +199,36 @@ class Arithmetic2 final : public ExchangeMethod2 {
  private:
   ExchangeMatrix run(const PreparedScene2& prepared, MethodReport& report) const {
     switch (arithmetic_) {
-      case Arithmetic::kNaive:
+      case ArithmeticKind2::kNaive:
         return naive_exchange(prepared, report);
-      case Arithmetic::kDoubles:
+      case ArithmeticKind2::kDoubles:
         return filtered_exchange(prepared);
-      case Arithmetic::kBounds:
+      case ArithmeticKind2::kBounds:
         return enclosed_exchange(prepared, report);
-      case Arithmetic::kCgal:
+      case ArithmeticKind2::kCgal:
         return cgal_exchange(prepared, report);
-      case Arithmetic::kRounded:
+      case ArithmeticKind2::kRounded:
         break;
     }
     return exact_exchange(prepared, {.granularity = Granularity::kElement, .wants_visibility = false});
   }
 
-  Arithmetic arithmetic_;
+  ArithmeticKind2 arithmetic_;
   MethodInfo info_;
 };
 
 // A sum of n doubles is off by n 2^-53 times the sum of their absolute values; sums of n lengths that are each off by
 // e, by n e more. CGAL::to_double promises five digits and no more; naive signs nothing.
 std::optional<double> Arithmetic2::declared_error(const PreparedScene2& prepared) const {
-  if (arithmetic_ == Arithmetic::kRounded) return 0;
-  if (arithmetic_ == Arithmetic::kNaive || arithmetic_ == Arithmetic::kCgal) return std::nullopt;
+  if (arithmetic_ == ArithmeticKind2::kRounded) return 0;
+  if (arithmetic_ == ArithmeticKind2::kNaive || arithmetic_ == ArithmeticKind2::kCgal) return std::nullopt;
   const std::optional<SumScale> scale = scale_of(prepared, table_of(prepared));
   if (!scale) return std::nullopt;
   // Both the sum and the length it is divided by; a factor is at most 1.
   const auto of_quotient = [](double rounding, double of_sum) {
     return of_sum < 0.25 ? std::optional(rounding + 2 * of_sum) : std::nullopt;
   };
-  if (arithmetic_ == Arithmetic::kBounds)
+  if (arithmetic_ == ArithmeticKind2::kBounds)
     return of_quotient(0x1p-48, scale->terms * scale->length_error + scale->conversion);
   const double of_length = 8 * kHalfUlp * scale->longest + 4 * scale->approximation;
   return of_quotient(4 * kHalfUlp, scale->terms * (of_length + scale->terms * kHalfUlp * scale->longest));
@@ -236,13 +236,13 @@ std::optional<double> Arithmetic2::declared_error(const PreparedScene2& prepared
 
 }  // namespace
 
-ExchangeMatrix plain_matrix(const ElementTable2& table, const PlainSums& sums, const std::vector<double>& lengths) {
+ExchangeMatrix plain_matrix(const ElementTable2& table, const PlainSums2& sums, const std::vector<double>& lengths) {
   const auto each_entry = [&](const auto& visit) {
     const auto visit_row = [&](std::uint32_t from, std::uint32_t to, double sum) {
       if (table.has_row(from) && lengths[from] > 0) visit(from, to, sum / (2 * lengths[from]));
     };
     for (const auto& part : sums)
-      for (const PlainTerm& sum : part) {
+      for (const PlainTerm2& sum : part) {
         const auto i = static_cast<std::uint32_t>(sum.key >> 32), j = static_cast<std::uint32_t>(sum.key);
         if (sum.value == 0) continue;
         visit_row(i, j, sum.value);
@@ -260,11 +260,11 @@ ExchangeMatrix plain_matrix(const ElementTable2& table, const PlainSums& sums, c
   return matrix;
 }
 
-std::unique_ptr<ExchangeMethod2> arithmetic_method_2(Arithmetic arithmetic) {
+std::unique_ptr<ExchangeMethod2> arithmetic_method_2(ArithmeticKind2 arithmetic) {
   return std::make_unique<Arithmetic2>(arithmetic);
 }
 
-MethodFamily arithmetic_family_2() {
+MethodFamily2 arithmetic_family_2() {
   return {
       .name = "arithmetic",
       .pattern = "arithmetic:naive|doubles|bounds|rounded|cgal",
@@ -274,7 +274,7 @@ MethodFamily arithmetic_family_2() {
       .sweep = {"arithmetic:naive", "arithmetic:doubles", "arithmetic:bounds", "arithmetic:rounded", "arithmetic:cgal"},
       .make = [](std::string_view variant) {
         for (std::size_t k = 0; k < kNames.size(); ++k)
-          if (variant == ":" + std::string(kNames[k])) return arithmetic_method_2(static_cast<Arithmetic>(k));
+          if (variant == ":" + std::string(kNames[k])) return arithmetic_method_2(static_cast<ArithmeticKind2>(k));
         throw UsageError("the method arithmetic has the variants :naive, :doubles, :bounds, :rounded and :cgal");
       }};
 }

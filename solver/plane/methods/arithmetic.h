@@ -22,10 +22,10 @@ namespace hottel {
 //   kRounded  orientations exact, every factor correctly rounded: the exact method
 //   kCgal     orientations and squared lengths in CGAL::Exact_predicates_exact_constructions_kernel, then std::sqrt of
 //             CGAL::to_double and sums in doubles
-enum class Arithmetic : unsigned char { kNaive, kDoubles, kBounds, kRounded, kCgal };
+enum class ArithmeticKind2 : unsigned char { kNaive, kDoubles, kBounds, kRounded, kCgal };
 
 // Guarantee: kExact for kRounded, kEnclosed for kBounds, kEstimated else. An element whose ends fall on one point of
 // doubles (kNaive) has an empty row.
-std::unique_ptr<ExchangeMethod2> arithmetic_method_2(Arithmetic arithmetic);
+std::unique_ptr<ExchangeMethod2> arithmetic_method_2(ArithmeticKind2 arithmetic);
 
 }  // namespace hottel

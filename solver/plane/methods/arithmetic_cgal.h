@@ -6,7 +6,7 @@
 namespace hottel {
 
 struct CgalExchange2 {
-  PlainSums sums;
+  PlainSums2 sums;
   std::vector<double> lengths;
   double seconds = 0;  // without the making of CGAL's points
 };

@@ -10,7 +10,7 @@ namespace {
 // Compares as it answers.
 class WatchedPoints {
  public:
-  WatchedPoints(const StepLimit2<NaivePoints2>& points, const Vertices2& vertices, WrongOrientations& counts)
+  WatchedPoints(const StepLimit2<NaivePoints2>& points, const Vertices2& vertices, WrongOrientations2& counts)
       : points_(points), vertices_(vertices), counts_(counts) {}
 
   int orientation(VertexId i, VertexId j, VertexId k) const {
@@ -23,18 +23,18 @@ class WatchedPoints {
  private:
   const StepLimit2<NaivePoints2>& points_;
   const Vertices2& vertices_;
-  WrongOrientations& counts_;
+  WrongOrientations2& counts_;
 };
 
 // The power of two above every coordinate of the scene.
-int exponent_of(const std::vector<ExactPoint2>& points) {
+int exponent_of(const std::vector<Point2>& points) {
   long exponent = -100'000;
   const auto include = [&exponent](const Rational& value) {
     if (value == 0) return;
     const auto bits = [](const Integer& z) { return static_cast<long>(mpz_sizeinbase(z.get_mpz_t(), 2)); };
     exponent = std::max(exponent, bits(value.get_num()) - bits(value.get_den()) + 1);
   };
-  for (const ExactPoint2& p : points) {
+  for (const Point2& p : points) {
     include(p.x);
     include(p.y);
   }
@@ -44,10 +44,10 @@ int exponent_of(const std::vector<ExactPoint2>& points) {
 }  // namespace
 
 NaivePoints2::NaivePoints2(const Vertices2& vertices) {
-  std::vector<ExactPoint2> points;
+  std::vector<Point2> points;
   for (const VertexId v : vertices.ids()) points.push_back(vertices.to_scene(vertices.exact(v)));
   const int exponent = exponent_of(points);
-  for (const ExactPoint2& p : points)
+  for (const Point2& p : points)
     place_.push_back(
         {to_double(scaled_by_power_of_two(p.x, -exponent)), to_double(scaled_by_power_of_two(p.y, -exponent))});
 }
@@ -56,9 +56,9 @@ std::uint64_t naive_step_limit(const Triangulation2& triangulation) {
   return (std::uint64_t{1} << 16) + 64 * triangulation.triangle_count();
 }
 
-WrongOrientations count_wrong_orientations(const Arrangement2& arrangement, const NaivePoints2& points) {
+WrongOrientations2 count_wrong_orientations(const Arrangement2& arrangement, const NaivePoints2& points) {
   const std::uint64_t limit = naive_step_limit(arrangement.triangulation());
-  WrongOrientations counts;
+  WrongOrientations2 counts;
   std::atomic<std::uint64_t> cut_off = 0;
   View2 view;
   for (const VertexId v : arrangement.vertices().ids()) {

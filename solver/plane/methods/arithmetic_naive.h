@@ -62,9 +62,9 @@ class StepLimit2 {
 std::uint64_t naive_step_limit(const Triangulation2& triangulation);
 
 // How many orientations the naive sweep asks for, and how many of them have another sign than the exact ones.
-struct WrongOrientations {
+struct WrongOrientations2 {
   std::uint64_t asked = 0, wrong = 0;
 };
-WrongOrientations count_wrong_orientations(const Arrangement2& arrangement, const NaivePoints2& points);
+WrongOrientations2 count_wrong_orientations(const Arrangement2& arrangement, const NaivePoints2& points);
 
 }  // namespace hottel

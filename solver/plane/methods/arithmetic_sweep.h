@@ -10,13 +10,13 @@
 
 namespace hottel {
 
-using PlainSums = std::vector<std::vector<PlainTerm>>;  // sorted by key, one partition after the other
+using PlainSums2 = std::vector<std::vector<PlainTerm2>>;  // sorted by key, one partition after the other
 
 // Returns 2 S(i, j) in the unit of the lengths. points_at(v) answers for the sweep about v: orientation(i, j, k), and
 // distance(i, j) as a double. The triangulation is the exact one, whoever answers.
 template <class PointsAt>
-PlainSums plain_sums(const Arrangement2& arrangement, const ElementTable2& table, const PointsAt& points_at) {
-  const auto sweep = [&](VertexId v, TermBuffer<PlainTerm>& out) {
+PlainSums2 plain_sums(const Arrangement2& arrangement, const ElementTable2& table, const PointsAt& points_at) {
+  const auto sweep = [&](VertexId v, TermBuffer2<PlainTerm2>& out) {
     thread_local View2 view;
     auto&& points = points_at(v);
     look_around(points, arrangement.triangulation(), v, view);
@@ -30,9 +30,9 @@ PlainSums plain_sums(const Arrangement2& arrangement, const ElementTable2& table
       });
     });
   };
-  SumCounts counts;
-  return sum_terms<PlainTerm>(arrangement.vertices().size(), table.covered() + std::size_t{1}, sweep, {},
-                              std::numeric_limits<std::uint64_t>::max(), counts);
+  SumCounts2 counts;
+  return sum_terms<PlainTerm2>(arrangement.vertices().size(), table.covered() + std::size_t{1}, sweep, {},
+                               std::numeric_limits<std::uint64_t>::max(), counts);
 }
 
 // Returns the length of each element, in the unit of points.distance(i, j).
@@ -50,6 +50,6 @@ std::vector<double> plain_lengths(const Arrangement2& arrangement, const Element
 
 // Returns F_ij = 2 S(i, j) / (2 A_i) for all sums that are not zero. An element whose length came out as zero has an
 // empty row.
-ExchangeMatrix plain_matrix(const ElementTable2& table, const PlainSums& sums, const std::vector<double>& lengths);
+ExchangeMatrix plain_matrix(const ElementTable2& table, const PlainSums2& sums, const std::vector<double>& lengths);
 
 }  // namespace hottel

@@ -42,7 +42,7 @@ class Center2 final : public PairMethod2 {
 
 }  // namespace
 
-MethodFamily center_family_2() {
+MethodFamily2 center_family_2() {
   return {.name = "center",
           .pattern = "center",
           .what = "centre to centre, times the visibility of that one segment",

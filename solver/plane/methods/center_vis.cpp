@@ -64,7 +64,7 @@ class InverseSquare2 final : public PairMethod2 {
     const auto visibility = std::make_shared<const ExactVisibility2>(prepared);
     const auto factors = [&geometry, constant, visibility](std::uint32_t i, std::uint32_t j) {
       const double visible = visibility->of(i, j);
-      PairFactors both;
+      PairFactors2 both;
       for (const ElementRun2& a : geometry.runs(i))
         for (const ElementRun2& b : geometry.runs(j)) {
           const double kernel = between_centres(a, b);  // cos cos' / (2 r)
@@ -93,7 +93,7 @@ std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {
 
 }  // namespace
 
-MethodFamily center_vis_family_2() {
+MethodFamily2 center_vis_family_2() {
   return {.name = "center-vis",
           .pattern = "center-vis[:inverse-square=K]",
           .what = "centre to centre, times the exact partial visibility",

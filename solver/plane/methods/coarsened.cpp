@@ -24,7 +24,7 @@ std::vector<std::uint32_t> table_of(const ExchangeMatrix& matrix, const ElementT
 }  // namespace
 
 ExchangeMatrix coarsened(const ExchangeMatrix& matrix, const PreparedScene2& prepared, Granularity granularity) {
-  const PreparedScene2 whole = prepare(prepared.scene, Divided::kNo);
+  const PreparedScene2 whole = prepare(prepared.scene, Divided2::kNo);
   const ElementTable2 table(whole.scene, whole.arrangement, whole.division, granularity);
   const std::vector<std::uint32_t> label_of = table_of(matrix, table, prepared.scene, granularity);
   std::vector<std::map<std::uint32_t, double>> rows(table.count());

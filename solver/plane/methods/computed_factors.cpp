@@ -10,8 +10,8 @@
 
 namespace hottel {
 
-ComputedFactors factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared, Granularity granularity) {
-  ComputedFactors result;
+ComputedFactors2 factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared, Granularity granularity) {
+  ComputedFactors2 result;
   Stopwatch watch;
   try {
     result.matrix = method.compute(prepared, result.report);

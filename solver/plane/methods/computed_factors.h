@@ -7,7 +7,7 @@
 namespace hottel {
 
 // What a method made of a scene, for a report.
-struct ComputedFactors {
+struct ComputedFactors2 {
   ExchangeMatrix matrix;
   ExchangeReport counts;  // of the scene and the matrix; no tiers, no gaps
   MethodReport report;    // the notes begin with one sentence about the method
@@ -15,7 +15,7 @@ struct ComputedFactors {
 
 // View factors by a method that is not `exact`, by elements of `prepared`, or put together per face or group.
 // Throws RequestError naming scene and method when it cannot be run.
-ComputedFactors factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared, Granularity granularity);
+ComputedFactors2 factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared, Granularity granularity);
 
 // Throws RequestError, naming scene, method and element, where a factor is negative: nothing can be solved then.
 void require_not_negative(const ExchangeMatrix& matrix, const PreparedScene2& prepared, const ExchangeMethod2& method);

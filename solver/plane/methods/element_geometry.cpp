@@ -26,7 +26,7 @@ std::vector<LocalPoint2> places_of(const Vertices2& vertices) {
       place.x = std::ldexp(vertices.approximate(v).x, -exponent);
       place.y = std::ldexp(vertices.approximate(v).y, -exponent);
     } else {
-      const ExactPoint2 exact = vertices.exact(v);
+      const Point2 exact = vertices.exact(v);
       split(exact.x, exponent, place.x, place.x_low);
       split(exact.y, exponent, place.y, place.y_low);
     }
@@ -37,7 +37,7 @@ std::vector<LocalPoint2> places_of(const Vertices2& vertices) {
 // The exact difference b - a, rounded.
 LocalVector2 span_of(const Vertices2& vertices, const std::vector<LocalPoint2>& places, const Segment2& ends) {
   if (vertices.approximation_error() == 0) return places[ends.b.index()] - places[ends.a.index()];
-  const ExactPoint2 a = vertices.exact(ends.a), b = vertices.exact(ends.b);
+  const Point2 a = vertices.exact(ends.a), b = vertices.exact(ends.b);
   const int exponent = vertices.exponent();
   return {to_double(scaled_by_power_of_two(b.x - a.x, -exponent)),
           to_double(scaled_by_power_of_two(b.y - a.y, -exponent))};

@@ -22,7 +22,7 @@ class Exact2 final : public ExchangeMethod2 {
 
 }  // namespace
 
-MethodFamily exact_family_2() {
+MethodFamily2 exact_family_2() {
   return {.name = "exact",
           .pattern = "exact",
           .what = "free gaps between vertices, every factor correctly rounded",

@@ -20,7 +20,7 @@ ExchangeMatrix matrix_of_rows(const ElementGeometry2& geometry, const std::vecto
   return matrix;
 }
 
-std::vector<FactorEntry> RowSums::take() {
+std::vector<FactorEntry> RowSums2::take() {
   std::sort(touched_.begin(), touched_.end());
   std::vector<FactorEntry> row;
   for (const std::uint32_t column : touched_) {
@@ -31,12 +31,12 @@ std::vector<FactorEntry> RowSums::take() {
   return row;
 }
 
-ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<FillRow()>& make_fill) {
+ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<FillRow2()>& make_fill) {
   const std::uint32_t n = geometry.count();
   std::vector<std::vector<FactorEntry>> rows(n);
   parallel_ranges(n, 1, [&](std::size_t first, std::size_t last) {
-    const FillRow fill = make_fill();
-    RowSums by(n + std::size_t{1});
+    const FillRow2 fill = make_fill();
+    RowSums2 by(n + std::size_t{1});
     for (std::size_t from = first; from != last; ++from) {
       throw_if_interrupted();
       const auto i = static_cast<std::uint32_t>(from);

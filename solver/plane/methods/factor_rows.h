@@ -13,9 +13,9 @@ namespace hottel {
 ExchangeMatrix matrix_of_rows(const ElementGeometry2& geometry, const std::vector<std::vector<FactorEntry>>& rows);
 
 // The factors of one row while they are summed. COST: that of the columns that receive something.
-class RowSums {
+class RowSums2 {
  public:
-  explicit RowSums(std::size_t columns) : sums_(columns, 0) {}
+  explicit RowSums2(std::size_t columns) : sums_(columns, 0) {}
 
   void add(std::uint32_t column, double amount) {  // REQUIRES amount >= 0
     if (amount == 0) return;
@@ -34,11 +34,11 @@ class RowSums {
 };
 
 // Fills the row of an element: adds F(from, j) to column j, the sky last.
-using FillRow = std::function<void(std::uint32_t from, RowSums& by)>;
+using FillRow2 = std::function<void(std::uint32_t from, RowSums2& by)>;
 
 // Returns the matrix of all rows that elements with a place have, estimated; an entry for each factor that is not 0.
 // `make_fill` is called for every range of rows, by the thread that fills them.
 // COST: parallel over rows. Stops when it is interrupted.
-ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<FillRow()>& make_fill);
+ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<FillRow2()>& make_fill);
 
 }  // namespace hottel

@@ -102,7 +102,7 @@ std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {
 
 }  // namespace
 
-MethodFamily gauss_family_2() {
+MethodFamily2 gauss_family_2() {
   return {.name = "gauss",
           .pattern = "gauss:n",
           .what = "n Gauss points on each element, visibility of each pair of points",

@@ -104,8 +104,8 @@ ExchangeMatrix Hemicube2::compute(const PreparedScene2& prepared, MethodReport& 
   if (!options_.is_uniform)
     for (std::size_t k = 0; k < weight.size(); ++k) weight[k] = square.weight(k);
   const ElementTable2& table = geometry.table();
-  ExchangeMatrix matrix = matrix_by_rows(geometry, [&]() -> FillRow {
-    return [&, buffer = std::shared_ptr(make_buffer_(options_.resolution))](std::uint32_t from, RowSums& by) {
+  ExchangeMatrix matrix = matrix_by_rows(geometry, [&]() -> FillRow2 {
+    return [&, buffer = std::shared_ptr(make_buffer_(options_.resolution))](std::uint32_t from, RowSums2& by) {
       for (const ElementRun2& run : geometry.runs(from)) {
         const CentreFrame frame(prepared.arrangement.vertices(), geometry, run);
         const auto image = buffer->draw(items_of(prepared.arrangement, table, frame), table.sky());
@@ -199,7 +199,7 @@ std::unique_ptr<ExchangeMethod2> hemicube_method_2(const HemicubeOptions2& optio
   return std::make_unique<Hemicube2>(options, std::move(make_buffer));
 }
 
-MethodFamily hemicube_family_2() {
+MethodFamily2 hemicube_family_2() {
   std::vector<std::string> sweep;
   for (const char* uniform : {"", ":uniform"})
     for (const int resolution : {64, 128, 256, 512, 1024})

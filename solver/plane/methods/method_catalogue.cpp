@@ -94,20 +94,20 @@ ExchangeMethod2::ClaimedErrors Normalised2::claimed_errors(const PreparedScene2&
 
 std::string family_of(const std::string& name) { return name.substr(0, name.find(':')); }
 
-SplitMethodName split_method_name(const std::string& name) {
+SplitMethodName2 split_method_name_2(const std::string& name) {
   const std::string_view normalised = name.ends_with(kNormalised) ? kNormalised : "";
   return {name.substr(0, name.size() - normalised.size()), std::string(normalised)};
 }
 
 std::unique_ptr<ExchangeMethod2> MethodCatalogue2::make(const std::string& name) const {
-  if (const SplitMethodName split = split_method_name(name); !split.normalised.empty())
+  if (const SplitMethodName2 split = split_method_name_2(name); !split.normalised.empty())
     return std::make_unique<Normalised2>(make(split.raw));
   const std::string family = family_of(name);
-  for (const MethodFamily& each : families_)
+  for (const MethodFamily2& each : families_)
     if (each.name == family) return each.make(std::string_view(name).substr(family.size()));
   std::string patterns;
   std::vector<std::string> known;
-  for (const MethodFamily& each : families_) {
+  for (const MethodFamily2& each : families_) {
     patterns += (patterns.empty() ? "" : ", ") + each.pattern;
     known.push_back(each.name);
   }

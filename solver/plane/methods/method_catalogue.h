@@ -12,7 +12,7 @@
 namespace hottel {
 
 // Methods that differ in a parameter or a variant.
-struct MethodFamily {
+struct MethodFamily2 {
   std::string name;     // "gauss": what comes before the first colon
   std::string pattern;  // "gauss:n": what may be typed
   std::string what;     // one line for --help and tables
@@ -28,10 +28,10 @@ struct MethodFamily {
 std::string family_of(const std::string& name);
 
 // The name of a method without the ":normalised" at its end, and that, or nothing.
-struct SplitMethodName {
+struct SplitMethodName2 {
   std::string raw, normalised;
 };
-SplitMethodName split_method_name(const std::string& name);
+SplitMethodName2 split_method_name_2(const std::string& name);
 
 // All methods by name. A name is a family, its variant, and at last perhaps ":normalised": the same with every row
 // divided by its sum (the sky included); MethodReport::row_defect then is that of the rows before. What roundings leave
@@ -39,19 +39,19 @@ SplitMethodName split_method_name(const std::string& name);
 // more. Rows that do not sum to more than 0 stay as they are.
 class MethodCatalogue2 {
  public:
-  void add(MethodFamily family) { families_.push_back(std::move(family)); }
-  const std::vector<MethodFamily>& families() const { return families_; }
+  void add(MethodFamily2 family) { families_.push_back(std::move(family)); }
+  const std::vector<MethodFamily2>& families() const { return families_; }
 
   // Throws UnknownName that lists the patterns when there is no such family, UsageError when its variant makes no
   // sense.
   std::unique_ptr<ExchangeMethod2> make(const std::string& name) const;
 
  private:
-  std::vector<MethodFamily> families_;
+  std::vector<MethodFamily2> families_;
 };
 
 // The methods of this library, the exact one first. A new one is a file in solver/plane/methods and a line in
-// planar_methods.cpp.
-MethodCatalogue2 planar_methods();
+// methods_2.cpp.
+MethodCatalogue2 methods_2();
 
 }  // namespace hottel

@@ -21,7 +21,7 @@ constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
 
 struct LaterFactors {
   std::uint32_t to;  // > from
-  PairFactors factors;
+  PairFactors2 factors;
 };
 
 // Gives what the other factors leave of 1 to the sky, where the row ends; returns the row's defect.
@@ -51,7 +51,7 @@ ExchangeMatrix PairMethod2::compute(const PreparedScene2& prepared, MethodReport
     partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
     for (const std::uint32_t j : partners) {
       if (j <= i || !(geometry.has_row(i) || geometry.has_row(j))) continue;
-      const PairFactors both = pairs_of_method.factors(i, j);
+      const PairFactors2 both = pairs_of_method.factors(i, j);
       if (both.forth > 0 || both.back > 0) later[i].push_back({j, both});
     }
   });

@@ -11,7 +11,7 @@
 namespace hottel {
 
 // The factors between two elements, both ways.
-struct PairFactors {
+struct PairFactors2 {
   double forth = 0, back = 0;
 };
 
@@ -35,7 +35,7 @@ class PairMethod2 : public ExchangeMethod2 {
     // Appends every element j > i whose factors with i may not be 0; others too, and in any order.
     std::function<void(std::uint32_t i, std::vector<std::uint32_t>& partners)> append_partners;
     // The factors of elements i < j of which one at least has a row.
-    std::function<PairFactors(std::uint32_t i, std::uint32_t j)> factors;
+    std::function<PairFactors2(std::uint32_t i, std::uint32_t j)> factors;
   };
   // Partners by source->append_partners(i, partners).
   template <class Source>
@@ -62,11 +62,11 @@ class PairMethod2 : public ExchangeMethod2 {
 // The factors that belong to a measure S(a, b) of two runs: F_ab = S / (length of a), summed over the runs of both
 // elements.
 template <class Measure>
-PairFactors sum_over_runs(const ElementGeometry2& geometry, std::uint32_t i, std::uint32_t j, const Measure& measure) {
+PairFactors2 sum_over_runs(const ElementGeometry2& geometry, std::uint32_t i, std::uint32_t j, const Measure& measure) {
   double sum = 0;
   for (const ElementRun2& a : geometry.runs(i))
     for (const ElementRun2& b : geometry.runs(j)) sum += measure(a, b);
-  return sum > 0 ? PairFactors{sum / geometry.length(i), sum / geometry.length(j)} : PairFactors{};
+  return sum > 0 ? PairFactors2{sum / geometry.length(i), sum / geometry.length(j)} : PairFactors2{};
 }
 
 }  // namespace hottel

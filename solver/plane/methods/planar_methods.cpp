@@ -3,17 +3,17 @@
 namespace hottel {
 
 // One line a method; each is a file of its own.
-MethodFamily exact_family_2();
-MethodFamily center_family_2();
-MethodFamily center_vis_family_2();
-MethodFamily vertex_quadrature_family_2();
-MethodFamily strings_family_2();
-MethodFamily gauss_family_2();
-MethodFamily hemicube_family_2();
-MethodFamily rays_family_2();
-MethodFamily arithmetic_family_2();
+MethodFamily2 exact_family_2();
+MethodFamily2 center_family_2();
+MethodFamily2 center_vis_family_2();
+MethodFamily2 vertex_quadrature_family_2();
+MethodFamily2 strings_family_2();
+MethodFamily2 gauss_family_2();
+MethodFamily2 hemicube_family_2();
+MethodFamily2 rays_family_2();
+MethodFamily2 arithmetic_family_2();
 
-MethodCatalogue2 planar_methods() {
+MethodCatalogue2 methods_2() {
   MethodCatalogue2 methods;
   methods.add(exact_family_2());
   methods.add(center_family_2());

@@ -96,7 +96,7 @@ ExchangeMatrix Rays2::compute(const PreparedScene2& prepared, MethodReport& repo
   const FirstHit2 first_hit(prepared.arrangement);
   const RaySamples2 samples(options_.sampling, options_.rays, options_.seed);
   const auto n = static_cast<double>(options_.rays);
-  const FillRow shoot = [&](std::uint32_t from, RowSums& by) {
+  const FillRow2 shoot = [&](std::uint32_t from, RowSums2& by) {
     const LocalVector2 along = geometry.runs(from).front().direction, up = geometry.runs(from).front().normal();
     samples.for_each(from, [&](const RaySamples2::Point& point) {
       const double sine = 2 * point.turn - 1, cosine = 2 * std::sqrt(point.turn * (1 - point.turn));
@@ -126,7 +126,7 @@ std::optional<double> Rays2::declared_error(const PreparedScene2& prepared) cons
   const auto n = static_cast<double>(options_.rays);
   const double columns = geometry.count() + 1.0, pairs = columns * columns;
   double error = 1;
-  if (options_.sampling != Sampling::kSobol) error = std::sqrt(std::log(2 * pairs / kChance) / (2 * n));
+  if (options_.sampling != Sampling2::kSobol) error = std::sqrt(std::log(2 * pairs / kChance) / (2 * n));
   // What is seen changes across the curves on which a vertex is seen: angles that fall from one end to the other.
   const auto curves = static_cast<double>(prepared.arrangement.vertices().size());
   error = std::min(error, curves * parts_met_by_a_curve(options_.sampling, options_.rays) / n);
@@ -158,7 +158,7 @@ std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {
   if (rest.starts_with("stratified") || rest.starts_with("sobol")) {
     const std::string_view word = next_word();
     if (word != "stratified" && word != "sobol") refuse(variant);
-    options.sampling = word == "sobol" ? Sampling::kSobol : Sampling::kStratified;
+    options.sampling = word == "sobol" ? Sampling2::kSobol : Sampling2::kStratified;
   }
   if (rest.starts_with("seed=")) options.seed = number(next_word().substr(5));
   if (!rest.empty() || variant.ends_with(':')) refuse(variant);
@@ -172,7 +172,7 @@ std::unique_ptr<ExchangeMethod2> rays_method_2(const RayOptions2& options) {
   return std::make_unique<Rays2>(options);
 }
 
-MethodFamily rays_family_2() {
+MethodFamily2 rays_family_2() {
   std::vector<std::string> sweep;
   for (const char* sampling : kSamplings)
     for (const int rays : {64, 256, 1024, 4096, 16384, 65536})

@@ -23,7 +23,7 @@ namespace hottel {
 // rays the border of what is seen runs through few of the parts that hold one ray each: a bound without any chance,
 // for scenes of few vertices.
 struct RayOptions2 {
-  Sampling sampling = Sampling::kIndependent;
+  Sampling2 sampling = Sampling2::kIndependent;
   std::uint64_t rays = 1;  // REQUIRES 1 <= rays <= kMostRays
   std::uint64_t seed = 1;
 };

@@ -75,7 +75,7 @@ class Strings2 final : public PairMethod2 {
 
 }  // namespace
 
-MethodFamily strings_family_2() {
+MethodFamily2 strings_family_2() {
   return {.name = "strings",
           .pattern = "strings",
           .what = "crossed strings of the pair alone, times the visibility of the centres",

@@ -99,7 +99,7 @@ std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {
 
 }  // namespace
 
-MethodFamily vertex_quadrature_family_2() {
+MethodFamily2 vertex_quadrature_family_2() {
   return {.name = "vertices",
           .pattern = "vertices[:literal][:centroid]",
           .what = "ends to ends, times a visibility of 0 or 1",

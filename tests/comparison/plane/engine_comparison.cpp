@@ -135,7 +135,7 @@ class Comparison {
   }
 
  private:
-  Divided divided() const { return granularity_ == Granularity::kElement ? Divided::kYes : Divided::kNo; }
+  Divided2 divided() const { return granularity_ == Granularity::kElement ? Divided2::kYes : Divided2::kNo; }
 
   template <class Message>
   void demand(bool holds, const Message& message) {

@@ -44,14 +44,14 @@ Rational part_of(const Rational& from, const Rational& to, std::uint32_t k, std:
   return from + share * (to - from);
 }
 
-std::string name_of(const std::optional<FacePart>& face) {
+std::string name_of(const std::optional<FacePart2>& face) {
   return face ? fmt::format("{}{}#{}", face->surface, face->is_back ? ":back" : "", face->part) : "a solid";
 }
 
 // The face of a label of the oracle, or nothing for what is covered.
-std::optional<FacePart> face_of(int label, const std::vector<FacePart>& parts) {
+std::optional<FacePart2> face_of(int label, const std::vector<FacePart2>& parts) {
   if (label == kCovered) return std::nullopt;
-  FacePart face = parts[static_cast<std::size_t>(label / 2)];
+  FacePart2 face = parts[static_cast<std::size_t>(label / 2)];
   face.is_back = label % 2 == 1;
   return face;
 }
@@ -89,7 +89,7 @@ Scene2 to_scene(const std::vector<InputSegment>& edges) {
   return scene;
 }
 
-std::vector<InputSegment> to_edges(const Scene2& scene, Divided divided) {
+std::vector<InputSegment> to_edges(const Scene2& scene, Divided2 divided) {
   const auto& materials = scene.materials;
   const auto number = [&](std::uint32_t material) {  // materials that act alike have one number
     return static_cast<int>(std::find(materials.begin(), materials.end(), materials[material]) - materials.begin());
@@ -98,7 +98,7 @@ std::vector<InputSegment> to_edges(const Scene2& scene, Divided divided) {
   for (std::size_t place = 0; place < scene.surfaces.size(); ++place) {
     const Surface& s = scene.surfaces[place];
     const auto& [from, to] = scene.edges[place];
-    const std::uint32_t parts = divided == Divided::kYes ? s.elements : 1;
+    const std::uint32_t parts = divided == Divided2::kYes ? s.elements : 1;
     for (std::uint32_t k = 0; k < parts; ++k)
       edges.push_back({part_of(from.x, to.x, k, parts), part_of(from.y, to.y, k, parts),
                        part_of(from.x, to.x, k + 1, parts), part_of(from.y, to.y, k + 1, parts), number(s.material),
@@ -110,11 +110,11 @@ std::vector<InputSegment> to_edges(const Scene2& scene, Divided divided) {
 
 std::string ownership_differs(const PreparedScene2& prepared, const Split& split) {
   const Arrangement2& arrangement = prepared.arrangement;
-  std::vector<FacePart> parts;  // by edge of the oracle
+  std::vector<FacePart2> parts;  // by edge of the oracle
   for (std::uint32_t s = 0; s < prepared.division.size(); ++s)
     for (std::uint32_t k = 0; k < prepared.division[s]; ++k) parts.push_back({{s, false}, k});
   using End = std::pair<Rational, Rational>;
-  using Sides = std::pair<std::optional<FacePart>, std::optional<FacePart>>;
+  using Sides = std::pair<std::optional<FacePart2>, std::optional<FacePart2>>;
   std::map<std::pair<End, End>, Sides> expected;
   for (const Segment& s : split.pieces)
     expected[{{s.ax, s.ay}, {s.bx, s.by}}] = {face_of(s.left, parts), face_of(s.right, parts)};
@@ -127,7 +127,7 @@ std::string ownership_differs(const PreparedScene2& prepared, const Split& split
   for (std::size_t k = 0; k < arrangement.pieces().size(); ++k) {
     const Vertices2& vertices = arrangement.vertices();
     const auto end = [&](VertexId v) {
-      const ExactPoint2 p = vertices.to_scene(vertices.exact(v));
+      const Point2 p = vertices.to_scene(vertices.exact(v));
       return End{p.x, p.y};
     };
     End a = end(arrangement.pieces()[k].a), b = end(arrangement.pieces()[k].b);

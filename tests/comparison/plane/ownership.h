@@ -16,7 +16,7 @@ namespace hottel::oracle {
 Scene2 to_scene(const std::vector<InputSegment>& edges);
 
 // One edge for each surface; Divided::kYes: for each of its elements.
-std::vector<InputSegment> to_edges(const Scene2& scene, Divided divided = Divided::kNo);
+std::vector<InputSegment> to_edges(const Scene2& scene, Divided2 divided = Divided2::kNo);
 
 // Returns where the two differ: in the pieces, in what is covered, in the owner of a side.
 std::string ownership_differs(const PreparedScene2& prepared, const Split& split);

@@ -16,7 +16,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 Arrangement2 arrange(const std::vector<Line>& lines) {
-  return Arrangement2(scene_of(lines), Division(lines.size(), 1));
+  return Arrangement2(scene_of(lines), Division2(lines.size(), 1));
 }
 
 // "left|right" owners of the piece from (x, 0) to (x + 1, 0).
@@ -25,13 +25,13 @@ std::string owners(const std::vector<Line>& lines, long x) {
   const Vertices2& vertices = arrangement.vertices();
   const auto at = [&](VertexId v) { return vertices.to_scene(vertices.exact(v)); };
   const auto name = [&](PieceSideId side) {
-    const FacePart& face = arrangement.owner(side);
+    const FacePart2& face = arrangement.owner(side);
     return lines[face.surface].name + (face.is_back ? ":back" : "");
   };
   for (std::size_t k = 0; k < arrangement.pieces().size(); ++k) {
-    const ExactPoint2 a = at(arrangement.pieces()[k].a), b = at(arrangement.pieces()[k].b);
-    if (a == ExactPoint2{x, 0} && b == ExactPoint2{x + 1, 0}) return name(left_side(k)) + "|" + name(right_side(k));
-    if (b == ExactPoint2{x, 0} && a == ExactPoint2{x + 1, 0}) return name(right_side(k)) + "|" + name(left_side(k));
+    const Point2 a = at(arrangement.pieces()[k].a), b = at(arrangement.pieces()[k].b);
+    if (a == Point2{x, 0} && b == Point2{x + 1, 0}) return name(left_side(k)) + "|" + name(right_side(k));
+    if (b == Point2{x, 0} && a == Point2{x + 1, 0}) return name(right_side(k)) + "|" + name(left_side(k));
   }
   return "no such piece";
 }
@@ -75,9 +75,9 @@ TEST(Claims2, HoldForEachPieceByItself) {
 
 TEST(Claims2, MaterialsAreComparedByWhatTheyDo) {
   Scene2 scene = scene_of({{"a", "0", "0", "1", "0", 1}, {"b", "0", "0", "1", "0", 2}});
-  EXPECT_THROW(Arrangement2(scene, Division(2, 1)), InputError);
+  EXPECT_THROW(Arrangement2(scene, Division2(2, 1)), InputError);
   scene.materials[2].reflectivity = scene.materials[1].reflectivity;
-  EXPECT_NO_THROW(Arrangement2(scene, Division(2, 1))) << "another name, the same material";
+  EXPECT_NO_THROW(Arrangement2(scene, Division2(2, 1))) << "another name, the same material";
 }
 
 TEST(Claims2, AConflictNamesBothTheSideAndThePiece) {
@@ -128,7 +128,7 @@ TEST(Claims2, PartsOfADividedSurfaceOwnTheirPieces) {
   EXPECT_EQ(arrangement.pieces().size(), 4u);
   int owned_backs_of_b = 0;
   for (const PieceSideId side : arrangement.sides()) {
-    const FacePart& face = arrangement.owner(side);
+    const FacePart2& face = arrangement.owner(side);
     if (face.surface == 1) {
       EXPECT_TRUE(face.is_back);
       ++owned_backs_of_b;

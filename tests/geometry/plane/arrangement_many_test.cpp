@@ -27,7 +27,7 @@ struct Input {
     const VertexId a = index.insert({ax, ay}), b = index.insert({bx, by});
     segments.push_back({a, b});
   }
-  const std::vector<ExactPoint2>& points() const { return index.points(); }
+  const std::vector<Point2>& points() const { return index.points(); }
   Vertices2 vertices() const { return Vertices2(points(), points().size()); }
 };
 
@@ -181,7 +181,7 @@ TEST(Triangulation, TakesEveryPieceOfAWheel) {
   const Triangulation2 triangulation(overlaid.vertices, overlaid.pieces);
   std::vector<int> met(2 * overlaid.pieces.size(), 0);
   for (const VertexId v : overlaid.vertices.ids())
-    for (const StarEntry& entry : triangulation.star(v))
+    for (const StarEntry2& entry : triangulation.star(v))
       if (entry.left != kNoPiece) ++met[entry.left.index()];
   EXPECT_EQ(std::count(met.begin(), met.end(), 1), static_cast<std::ptrdiff_t>(met.size()));
 }

@@ -46,20 +46,20 @@ Input lattice(int n, int size, std::uint64_t seed, const Rational& step, const R
   return input;
 }
 
-int orientation(const ExactPoint2& p, const ExactPoint2& q, const ExactPoint2& r) {
+int orientation(const Point2& p, const Point2& q, const Point2& r) {
   const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   return sgn(area);
 }
 
-Rational dot(const ExactPoint2& o, const ExactPoint2& p, const ExactPoint2& q) {
+Rational dot(const Point2& o, const Point2& p, const Point2& q) {
   return (p.x - o.x) * (q.x - o.x) + (p.y - o.y) * (q.y - o.y);
 }
 
-bool lies_inside(const ExactPoint2& p, const ExactPoint2& a, const ExactPoint2& b) {
+bool lies_inside(const Point2& p, const Point2& a, const Point2& b) {
   return orientation(a, b, p) == 0 && dot(p, a, b) < 0;
 }
 
-Rational extent(const ExactPoint2& a, const ExactPoint2& b) { return abs(b.x - a.x) + abs(b.y - a.y); }
+Rational extent(const Point2& a, const Point2& b) { return abs(b.x - a.x) + abs(b.y - a.y); }
 
 class OverlayProperties : public testing::TestWithParam<int> {
  protected:
@@ -75,7 +75,7 @@ class OverlayProperties : public testing::TestWithParam<int> {
 
   Input input_;
   Overlay2 overlay_;
-  std::vector<ExactPoint2> points_;  // in scene coordinates
+  std::vector<Point2> points_;  // in scene coordinates
 };
 
 // (1) every input segment is the union of the pieces that name it as a source
@@ -86,10 +86,10 @@ TEST_P(OverlayProperties, PiecesMakeUpTheirSources) {
     ASSERT_FALSE(sources.empty());
     EXPECT_TRUE(std::is_sorted(sources.begin(), sources.end()));
     EXPECT_EQ(std::set<std::uint32_t>(sources.begin(), sources.end()).size(), sources.size());
-    const ExactPoint2 &a = points_[overlay_.pieces[piece].a.index()], &b = points_[overlay_.pieces[piece].b.index()];
+    const Point2 &a = points_[overlay_.pieces[piece].a.index()], &b = points_[overlay_.pieces[piece].b.index()];
     for (const std::uint32_t s : sources) {
-      const ExactPoint2 &from = points_[input_.segments[s].a.index()], &to = points_[input_.segments[s].b.index()];
-      for (const ExactPoint2* end : {&a, &b}) EXPECT_TRUE(*end == from || *end == to || lies_inside(*end, from, to));
+      const Point2 &from = points_[input_.segments[s].a.index()], &to = points_[input_.segments[s].b.index()];
+      for (const Point2* end : {&a, &b}) EXPECT_TRUE(*end == from || *end == to || lies_inside(*end, from, to));
       covered[s] += extent(a, b);
     }
   }
@@ -101,17 +101,17 @@ TEST_P(OverlayProperties, PiecesMakeUpTheirSources) {
 TEST_P(OverlayProperties, PiecesMeetInCommonEndsOnly) {
   const auto& pieces = overlay_.pieces;
   for (std::size_t s = 0; s < pieces.size(); ++s) {
-    const ExactPoint2 &a = points_[pieces[s].a.index()], &b = points_[pieces[s].b.index()];
-    for (const ExactPoint2& p : points_) EXPECT_FALSE(lies_inside(p, a, b));
+    const Point2 &a = points_[pieces[s].a.index()], &b = points_[pieces[s].b.index()];
+    for (const Point2& p : points_) EXPECT_FALSE(lies_inside(p, a, b));
     for (std::size_t t = 0; t < s; ++t) {
-      const ExactPoint2 &c = points_[pieces[t].a.index()], &d = points_[pieces[t].b.index()];
+      const Point2 &c = points_[pieces[t].a.index()], &d = points_[pieces[t].b.index()];
       EXPECT_FALSE(orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0);
       EXPECT_NE(std::minmax(pieces[s].a, pieces[s].b), std::minmax(pieces[t].a, pieces[t].b));
     }
   }
   // Vertices are distinct, and each is the end of a piece.
   std::set<std::pair<Rational, Rational>> distinct;
-  for (const ExactPoint2& p : points_) EXPECT_TRUE(distinct.insert({p.x, p.y}).second);
+  for (const Point2& p : points_) EXPECT_TRUE(distinct.insert({p.x, p.y}).second);
   std::set<VertexId> used;
   for (const Segment2& piece : pieces) used.insert({piece.a, piece.b});
   EXPECT_EQ(used.size(), points_.size());
@@ -129,8 +129,8 @@ TEST_P(OverlayProperties, PiecesPointTheWayOfTheirSource) {
     const auto sources = overlay_.sources(piece);
     if (sources.size() != 1) continue;
     const Segment2& source = input_.segments[sources.front()];
-    const ExactPoint2 &a = points_[overlay_.pieces[piece].a.index()], &b = points_[overlay_.pieces[piece].b.index()];
-    const ExactPoint2 &from = points_[source.a.index()], &to = points_[source.b.index()];
+    const Point2 &a = points_[overlay_.pieces[piece].a.index()], &b = points_[overlay_.pieces[piece].b.index()];
+    const Point2 &from = points_[source.a.index()], &to = points_[source.b.index()];
     EXPECT_GT((b.x - a.x) * (to.x - from.x) + (b.y - a.y) * (to.y - from.y), 0);
   }
 }
@@ -158,7 +158,7 @@ TEST(Overlay2, CutsACrossingAtItsRationalPoint) {
   const Overlay2 result = overlay(input.index.points(), input.segments);
   EXPECT_EQ(result.pieces.size(), 4u);
   ASSERT_EQ(result.vertices.size(), 5u);
-  EXPECT_EQ(result.vertices.to_scene(result.vertices.exact(4_v)), (ExactPoint2{fraction(6, 5), fraction(2, 5)}));
+  EXPECT_EQ(result.vertices.to_scene(result.vertices.exact(4_v)), (Point2{fraction(6, 5), fraction(2, 5)}));
 }
 
 // A shear by 10^-digits changes no incidence, whatever the size of the numbers that it takes.
@@ -167,9 +167,9 @@ TEST(Overlay2, IsTheSameOfNumbersOfAnyLength) {
   const Overlay2 expected = overlay(plain.index.points(), plain.segments);
   for (int digits = 4; digits <= 420; digits += digits < 90 || digits > 130 ? 13 : 1) {
     Rational slant(1, Integer("1" + std::string(static_cast<std::size_t>(digits), '0')));
-    const auto sheared = [&slant](const ExactPoint2& p) { return ExactPoint2{p.x + p.y * slant, p.y}; };
-    std::vector<ExactPoint2> points;
-    for (const ExactPoint2& p : plain.index.points()) points.push_back(sheared(p));
+    const auto sheared = [&slant](const Point2& p) { return Point2{p.x + p.y * slant, p.y}; };
+    std::vector<Point2> points;
+    for (const Point2& p : plain.index.points()) points.push_back(sheared(p));
     const Overlay2 result = overlay(points, plain.segments);
     ASSERT_EQ(result.pieces.size(), expected.pieces.size()) << digits;
     for (std::size_t k = 0; k < result.pieces.size(); ++k) {

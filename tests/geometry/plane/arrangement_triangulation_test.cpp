@@ -13,7 +13,7 @@ namespace {
 using namespace testing_scenes;
 
 void check(const Scene2& scene) {
-  const Arrangement2 arrangement(scene, Division(scene.surfaces.size(), 1));
+  const Arrangement2 arrangement(scene, Division2(scene.surfaces.size(), 1));
   const Vertices2& vertices = arrangement.vertices();
   const Triangulation2& triangulation = arrangement.triangulation();
   const bool is_line = triangulation.triangle_count() == 0;
@@ -128,7 +128,7 @@ TEST(Triangulation2OfDegenerateScenes, HasItsProperties) {
 
 TEST(Triangulation2OfDegenerateScenes, HasStarsAndNoTrianglesOnOneLine) {
   const Scene2 scene = scene_of({{"a", "0", "0", "1", "2"}, {"b", "1", "2", "2", "4"}, {"c", "3", "6", "5", "10"}});
-  const Arrangement2 arrangement(scene, Division(3, 1));
+  const Arrangement2 arrangement(scene, Division2(3, 1));
   EXPECT_EQ(arrangement.triangulation().triangle_count(), 0u);
   std::size_t entries = 0;
   for (const VertexId v : arrangement.vertices().ids()) entries += arrangement.triangulation().star(v).size();

@@ -23,7 +23,7 @@ Scene2 convex_room(const Room& room, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto below = [&random](std::uint64_t n) { return static_cast<long>(random() % n); };
   const Rational tiny = room.has_long_numbers ? Rational(1, Integer("1000000000000000000000000000007")) : Rational(0);
-  std::vector<ExactPoint2> corners;
+  std::vector<Point2> corners;
   const int sides = 3 + static_cast<int>(below(6));
   for (int k = sides; k > 0; --k) {
     // On the unit circle, at rational points: t -> ((1 - t²) / (1 + t²), 2t / (1 + t²)).
@@ -34,23 +34,23 @@ Scene2 convex_room(const Room& room, std::uint64_t seed) {
   Scene2 scene;
   scene.materials.push_back({"wall", Spectrum{{0.5, 0.5, 0.5}}, {}});
   scene.groups.emplace_back("room");
-  const auto add = [&](const ExactPoint2& from, const ExactPoint2& to) {
+  const auto add = [&](const Point2& from, const Point2& to) {
     Surface surface;
     surface.name = "s" + std::to_string(scene.surfaces.size());
     surface.elements = 1 + static_cast<std::uint32_t>(below(room.most_elements));
     scene.add(surface, {{from.x, from.y}, {to.x, to.y}});
   };
   // The first wall may begin in the middle of a side, as when a user starts there.
-  const auto on = [](const ExactPoint2& a, const ExactPoint2& b, const Rational& t) {
-    return ExactPoint2{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+  const auto on = [](const Point2& a, const Point2& b, const Rational& t) {
+    return Point2{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
   };
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const ExactPoint2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
+    const Point2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
     if (!room.divides_walls) {
       add(a, b);
       continue;
     }
-    const ExactPoint2 inside = on(a, b, Rational(1 + below(6), 7)), further = on(inside, b, Rational(1, 3));
+    const Point2 inside = on(a, b, Rational(1 + below(6), 7)), further = on(inside, b, Rational(1, 3));
     add(a, inside);
     add(inside, further);
     add(further, b);
@@ -63,10 +63,10 @@ Scene2 convex_room(const Room& room, std::uint64_t seed) {
 }
 
 TEST(IsConvexRoom, NotWithACornerThatJutsIn) {
-  const auto room = [](const std::vector<ExactPoint2>& corners) {
+  const auto room = [](const std::vector<Point2>& corners) {
     Scene2 scene;
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      const ExactPoint2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
+      const Point2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
       scene.add({}, {{a.x, a.y}, {b.x, b.y}});
     }
     return scene;

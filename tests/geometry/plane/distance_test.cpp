@@ -11,7 +11,7 @@
 namespace hottel {
 namespace {
 
-using Points = std::vector<ExactPoint2>;
+using Points = std::vector<Point2>;
 
 mpf_class to_float(const Rational& value) { return mpf_class(value, 600); }
 
@@ -23,7 +23,7 @@ mpf_class defect(const Vertices2& vertices, VertexId i, VertexId j) {
 }
 
 void check(const Vertices2& vertices, VertexId i, VertexId j) {
-  const FixedLength length = vertices.distance(i, j);
+  const FixedLength2 length = vertices.distance(i, j);
   const mpf_class error = defect(vertices, i, j);
   EXPECT_GE(length.value, 0);
   EXPECT_EQ(vertices.distance(j, i).value, length.value);
@@ -78,7 +78,7 @@ TEST(Distance2, IsExactForIntegersInSmallForm) {
   std::mt19937_64 random(2);
   const auto is_exact = [](const Rational& x, const Rational& y, const Rational& length) {
     const Vertices2 vertices(Points{{0, 0}, {x, y}, {1, 0}}, 3);
-    const FixedLength found = vertices.distance(0_v, 1_v);
+    const FixedLength2 found = vertices.distance(0_v, 1_v);
     return found.is_exact && Rational(to_integer(found.value)) * vertices.fixed_unit() * vertices.scale() == length;
   };
   EXPECT_TRUE(is_exact(3, 4, 5));
@@ -110,7 +110,7 @@ TEST(Distance2, IsWithinItsErrorInLargeForm) {
     for (const double diameters : {1.0, 7.0, 1e6}) {
       Points points{{any(top), any(top)}, {any(top), any(top)}};
       for (int below = 0; below < 140; below += 3) {
-        const ExactPoint2& base = points[static_cast<std::size_t>(random() % 2)];
+        const Point2& base = points[static_cast<std::size_t>(random() % 2)];
         points.push_back({base.x + any(top - below), base.y + (below % 2 == 0 ? any(top - below) : Rational(0))});
       }
       Vertices2 vertices(points, points.size());

@@ -169,7 +169,7 @@ TEST(DegenerateExchange2, ConcurrentBitangentsMakeOneCriticalPoint) {
     if (point.t == Rational(1, 2)) {
       ++lines;
       EXPECT_FALSE(point.is_jump);
-      EXPECT_EQ(point.point, (ExactPoint2{4, 0}));
+      EXPECT_EQ(point.point, (Point2{4, 0}));
     }
   EXPECT_EQ(lines, 3);
 }

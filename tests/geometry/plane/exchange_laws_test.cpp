@@ -208,7 +208,7 @@ TEST_P(ExactExchange2, IsInvariantUnderReversalOfEdges) {
 // Leaves only edges that share no piece: of a shared one the first listed is the owner.
 Scene2 without_overlaps(Scene2 scene) {
   std::vector<char> is_dropped(scene.surfaces.size(), 0);
-  const Arrangement2 arrangement(scene, Division(scene.surfaces.size(), 1));
+  const Arrangement2 arrangement(scene, Division2(scene.surfaces.size(), 1));
   for (std::size_t piece = 0; piece < arrangement.pieces().size(); ++piece) {
     const auto sources = arrangement.sources(piece);
     for (std::size_t k = 1; k < sources.size(); ++k) is_dropped[sources[k].surface] = 1;
@@ -300,7 +300,7 @@ TEST_P(ExactExchange2, IsTheSumOverGroups) {
 
 std::vector<std::string> kinds() {
   std::vector<std::string> names;
-  for (const GeneratorKind& kind : generator_kinds()) names.push_back(kind.name);
+  for (const GeneratorKind2& kind : generator_kinds_2()) names.push_back(kind.name);
   return names;
 }
 

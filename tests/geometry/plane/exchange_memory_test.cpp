@@ -22,7 +22,7 @@ class ExchangeMemory : public testing::Test {
   const std::uint64_t pairs_ = count();
 
   std::uint64_t count() const {
-    SumCounts counts;
+    SumCounts2 counts;
     return sum_visible_pairs(prepared_.arrangement, table_, {}, std::numeric_limits<std::uint64_t>::max(), counts)
         .size();
   }

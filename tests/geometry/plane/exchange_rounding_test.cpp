@@ -69,7 +69,7 @@ TEST(RoundingOfFactors2, KnowsWhichFactorsAreDoubles) {
 TEST(RoundingOfFactors2, OfUnobstructedPairsAreThoseOfTheExactSums) {
   std::size_t facing = 0, pairs = 0;
   for (const char* kind : {"clutter", "lattice", "comb", "plates"}) {
-    const PreparedScene2 prepared = prepare(generate_2({.kind = kind, .n = 60, .seed = 2}), Divided::kYes);
+    const PreparedScene2 prepared = prepare(generate_2({.kind = kind, .n = 60, .seed = 2}), Divided2::kYes);
     const Vertices2& vertices = prepared.arrangement.vertices();
     const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
     const PairsAlone2 alone(prepared, table, Granularity::kElement);

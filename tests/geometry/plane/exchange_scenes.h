@@ -75,7 +75,7 @@ inline std::vector<Line> operator+(std::vector<Line> a, const std::vector<Line>&
 }
 
 inline Scene2 generated(const std::string& kind, std::uint64_t n, std::uint64_t seed) {
-  GeneratorRequest request;
+  GeneratorRequest2 request;
   request.kind = kind;
   request.n = n;
   request.seed = seed;
@@ -85,7 +85,7 @@ inline Scene2 generated(const std::string& kind, std::uint64_t n, std::uint64_t 
 // Some of each kind, small enough for exact sums of all pairs.
 inline std::vector<Scene2> all_kinds(std::uint64_t n) {
   std::vector<Scene2> scenes;
-  for (const GeneratorKind& kind : generator_kinds())
+  for (const GeneratorKind2& kind : generator_kinds_2())
     scenes.push_back(generated(kind.name, std::max(n, kind.min_edges), 5 + n));
   return scenes;
 }
@@ -120,7 +120,7 @@ inline Printed printed(const Scene2& scene) { return printed(exact_exchange(prep
 class Exact {
  public:
   explicit Exact(const Scene2& scene, Granularity granularity = Granularity::kFace)
-      : prepared_(prepare(scene, granularity == Granularity::kElement ? Divided::kYes : Divided::kNo)),
+      : prepared_(prepare(scene, granularity == Granularity::kElement ? Divided2::kYes : Divided2::kNo)),
         granularity_(granularity) {
     ExchangeOptions2 options;
     options.granularity = granularity;

@@ -9,17 +9,17 @@
 namespace hottel {
 namespace {
 
-using Points = std::vector<ExactPoint2>;
+using Points = std::vector<Point2>;
 
 Rational number(const char* text) { return *parse_rational(text); }
 
-int exact_side(const ExactPoint2& p, const ExactPoint2& q, const ExactPoint2& r) {
+int exact_side(const Point2& p, const Point2& q, const Point2& r) {
   const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   return sgn(area);
 }
 
 // `from` and `to` in scene coordinates.
-void check(const Points& points, const ExactPoint2& from, const ExactPoint2& to) {
+void check(const Points& points, const Point2& from, const Point2& to) {
   const Vertices2 vertices(points, points.size());
   const Eye2 p(vertices, vertices.from_scene(from)), q(vertices, vertices.from_scene(to));
   const EyeLine2 forth(p, q), back(q, p);
@@ -55,7 +55,7 @@ TEST(EyeLine2, Consistency) {
       points.push_back({coordinate(), coordinate()});
     }
     for (int k = 0; k < 300; ++k) {
-      const ExactPoint2 &p = points[random() % 9], &q = points[random() % 9];
+      const Point2 &p = points[random() % 9], &q = points[random() % 9];
       if (p == q) continue;
       const auto draw = [&] {
         Rational t(static_cast<long>(random() % 4001) - 2000, static_cast<long>(random() % 1000) + 1);
@@ -63,9 +63,9 @@ TEST(EyeLine2, Consistency) {
         Integer power;
         mpz_ui_pow_ui(power.get_mpz_t(), 10, random() % 50);
         const Rational off = Rational(static_cast<long>(random() % 3) - 1) / power;
-        return ExactPoint2{p.x + t * (q.x - p.x) - off * (q.y - p.y), p.y + t * (q.y - p.y) + off * (q.x - p.x)};
+        return Point2{p.x + t * (q.x - p.x) - off * (q.y - p.y), p.y + t * (q.y - p.y) + off * (q.x - p.x)};
       };
-      const ExactPoint2 from = draw(), to = draw();
+      const Point2 from = draw(), to = draw();
       if (!(from == to)) check(points, from, to);
     }
   }

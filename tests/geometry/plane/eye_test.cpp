@@ -9,20 +9,20 @@
 namespace hottel {
 namespace {
 
-using Points = std::vector<ExactPoint2>;
+using Points = std::vector<Point2>;
 
-int exact_orientation(const ExactPoint2& p, const ExactPoint2& q, const ExactPoint2& r) {
+int exact_orientation(const Point2& p, const Point2& q, const Point2& r) {
   const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   return sgn(area);
 }
 
-int exact_direction(const ExactPoint2& p, const ExactPoint2& q, const ExactPoint2& r) {
+int exact_direction(const Point2& p, const Point2& q, const Point2& r) {
   const Rational product = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
   return sgn(product);
 }
 
 // `eye` in scene coordinates.
-void check(const Points& points, const ExactPoint2& eye) {
+void check(const Points& points, const Point2& eye) {
   const Vertices2 vertices(points, points.size());
   const Eye2 look(vertices, vertices.from_scene(eye));
   for (const VertexId j : IdRange<VertexId>(points.size())) {
@@ -79,13 +79,13 @@ TEST(Eye2, Consistency) {
       const Vertices2 vertices(points, points.size());
       EXPECT_NE(vertices.is_small(), large);
       for (int k = 0; k < 200; ++k) {
-        const ExactPoint2 &p = points[random() % 9], &q = points[random() % 9];
+        const Point2 &p = points[random() % 9], &q = points[random() % 9];
         Rational t(static_cast<long>(random() % 4001) - 2000, static_cast<long>(random() % 1000) + 1);
         t.canonicalize();
         Integer power;
         mpz_ui_pow_ui(power.get_mpz_t(), 10, random() % 50);
         const Rational off = Rational(static_cast<long>(random() % 3) - 1) / power;
-        const ExactPoint2 eye{p.x + t * (q.x - p.x) - off * (q.y - p.y), p.y + t * (q.y - p.y) + off * (q.x - p.x)};
+        const Point2 eye{p.x + t * (q.x - p.x) - off * (q.y - p.y), p.y + t * (q.y - p.y) + off * (q.x - p.x)};
         const Eye2 look(vertices, vertices.from_scene(eye));
         for (const VertexId i : IdRange<VertexId>(points.size()))
           for (const VertexId j : IdRange<VertexId>(i.index())) {

@@ -10,20 +10,20 @@
 namespace hottel {
 namespace {
 
-using Points = std::vector<ExactPoint2>;
+using Points = std::vector<Point2>;
 
 Rational number(const char* text) { return *parse_rational(text); }
 
-int exact_orientation(const ExactPoint2& p, const ExactPoint2& q, const ExactPoint2& r) {
+int exact_orientation(const Point2& p, const Point2& q, const Point2& r) {
   const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   return sgn(area);
 }
 
 // Eyes at from + k * step in scene coordinates: some groups of them about every pair of points.
-void check(const Points& points, const ExactPoint2& from, const Rational& step, std::size_t columns, std::size_t rows) {
+void check(const Points& points, const Point2& from, const Rational& step, std::size_t columns, std::size_t rows) {
   const Vertices2 vertices(points, points.size());
   std::vector<EyeCoordinate2> x, y;
-  std::vector<ExactPoint2> eyes(EyeTile2::kSide * EyeTile2::kSide);
+  std::vector<Point2> eyes(EyeTile2::kSide * EyeTile2::kSide);
   const auto place = [&](std::size_t k, const Rational& first) -> Rational {
     return first + step * static_cast<long>(k);
   };
@@ -87,13 +87,13 @@ TEST(EyeTile2, Consistency) {
       while (points.size() < 6) points.push_back({coordinate(), coordinate()});
       if (is_large) points.push_back(large().back());
       for (int k = 0; k < 24; ++k) {
-        const ExactPoint2 &p = points[random() % 6], &q = points[random() % 6];
+        const Point2 &p = points[random() % 6], &q = points[random() % 6];
         Rational t(static_cast<long>(random() % 4001) - 2000, static_cast<long>(random() % 1000) + 1);
         t.canonicalize();
         Integer power;
         mpz_ui_pow_ui(power.get_mpz_t(), 10, random() % 40);
         const Rational step = Rational(Integer(1ul << bits / 2)) / power;
-        const ExactPoint2 at{p.x + t * (q.x - p.x) - 3 * step, p.y + t * (q.y - p.y) - 3 * step};
+        const Point2 at{p.x + t * (q.x - p.x) - 3 * step, p.y + t * (q.y - p.y) - 3 * step};
         check(points, at, step, 1 + random() % 8, 1 + random() % 8);
       }
     }

@@ -21,11 +21,11 @@ struct Vector {
   Rational x, y;
 };
 Rational cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
-Vector operator-(const ExactPoint2& p, const ExactPoint2& q) { return {p.x - q.x, p.y - q.y}; }
+Vector operator-(const Point2& p, const Point2& q) { return {p.x - q.x, p.y - q.y}; }
 
 // A ray in exact numbers, and where it meets the line of a piece: at t + e u, for an infinitesimal shift e to the left.
 struct Ray {
-  ExactPoint2 origin;
+  Point2 origin;
   Vector direction, left;
 };
 struct Meeting {
@@ -36,7 +36,7 @@ struct Meeting {
 
 Ray exact_ray(const Arrangement2& arrangement, const PieceRay2& ray) {
   const Segment2& piece = arrangement.piece(ray.from);
-  const ExactPoint2 a = arrangement.vertices().exact(piece.a);
+  const Point2 a = arrangement.vertices().exact(piece.a);
   const Vector along = arrangement.vertices().exact(piece.b) - a;
   const Rational s(ray.s), dx(ray.dx), dy(ray.dy);
   return {{a.x + s * along.x, a.y + s * along.y}, {dx, dy}, {-dy, dx}};
@@ -54,8 +54,8 @@ PieceSideId brute_force(const Arrangement2& arrangement, const PieceRay2& ray) {
   std::optional<Meeting> first;
   for (std::size_t k = 0; k < arrangement.pieces().size(); ++k) {
     if (k == piece_of(ray.from)) continue;
-    const ExactPoint2 a = arrangement.vertices().exact(arrangement.pieces()[k].a);
-    const ExactPoint2 b = arrangement.vertices().exact(arrangement.pieces()[k].b);
+    const Point2 a = arrangement.vertices().exact(arrangement.pieces()[k].a);
+    const Point2 b = arrangement.vertices().exact(arrangement.pieces()[k].b);
     const bool a_is_left = cross(exact.direction, a - exact.origin) > 0;
     const bool b_is_left = cross(exact.direction, b - exact.origin) > 0;
     if (a_is_left == b_is_left) continue;

@@ -53,8 +53,8 @@ Contact contact(const Edge2& s, const Edge2& t) {
   return end_to_end ? Contact::kEndPoint : Contact::kTee;
 }
 
-GeneratorRequest request(const std::string& kind, std::uint64_t n, std::uint64_t seed, int digits = 0) {
-  GeneratorRequest r;
+GeneratorRequest2 request(const std::string& kind, std::uint64_t n, std::uint64_t seed, int digits = 0) {
+  GeneratorRequest2 r;
   r.kind = kind;
   r.n = n;
   r.seed = seed;
@@ -64,7 +64,7 @@ GeneratorRequest request(const std::string& kind, std::uint64_t n, std::uint64_t
 
 std::vector<std::string> kinds() {
   std::vector<std::string> names;
-  for (const GeneratorKind& kind : generator_kinds()) names.push_back(kind.name);
+  for (const GeneratorKind2& kind : generator_kinds_2()) names.push_back(kind.name);
   return names;
 }
 
@@ -149,7 +149,7 @@ TEST(Generators2, NumberOfEdgesIsAsPromised) {
 }
 
 TEST(Generators2, TheSmallestScenesOfEveryKindExist) {
-  for (const GeneratorKind& kind : generator_kinds()) {
+  for (const GeneratorKind2& kind : generator_kinds_2()) {
     const Scene2 scene = generate_2(request(kind.name, kind.min_edges, 1));
     EXPECT_LE(scene.surfaces.size(), kind.min_edges);
     EXPECT_GE(scene.surfaces.size() + 4, kind.min_edges);

@@ -63,7 +63,7 @@ const std::vector<PointSet>& point_sets() {
 
 TEST(KettnerPoints, OrientationsAreRightWherePlainDoublesAreNot) {
   for (const PointSet& set : point_sets()) {
-    std::vector<ExactPoint2> points;
+    std::vector<Point2> points;
     for (const Double2& p : set.points) points.push_back(exact(p));
     const Vertices2 vertices(points, points.size());
     int wrong_triples = 0;

@@ -41,7 +41,7 @@ TEST(NeighbouringDoublesOfVisibility, TheTargetIsSeenIffItBeginsLeftOfTheTip) {
     View2 view;
     for (int j = 0; j < kSide; ++j)
       for (int i = 0; i < kSide; ++i) {
-        const ExactPoint2 p = exact(grid.at(i, j));
+        const Point2 p = exact(grid.at(i, j));
         location.look_around(Eye2(vertices, vertices.from_scene(p)), view);
         const bool sees_target = std::any_of(view.seen.begin(), view.seen.end(), [&](const View2::Seen& s) {
           return s.behind != kSky && arrangement.owner(s.behind).surface == 1;

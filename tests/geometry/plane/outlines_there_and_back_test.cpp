@@ -24,7 +24,7 @@ void add_closed(Edges& edges, const Points& points, int material) {
   }
 }
 
-Arrangement2 arrangement_of(const Edges& edges) { return {oracle::to_scene(edges), Division(edges.size(), 1)}; }
+Arrangement2 arrangement_of(const Edges& edges) { return {oracle::to_scene(edges), Division2(edges.size(), 1)}; }
 
 // Found by the storm: an outline goes there and back along the wall of a room in it. The one of its fronts that looks
 // into its own solid is a face that lies on the other, which therefore makes no claim: the wall is the room's.

@@ -29,9 +29,9 @@ TEST(PointNeighbours2, AreAllThatAreInReachAndFewMore) {
     // In the units of the approximate coordinates: those of the scene times this.
     const auto &p = vertices.approximate(segments[0].a), &q = vertices.approximate(segments[0].b);
     const double unit =
-        std::hypot(q.x - p.x, q.y - p.y) / std::sqrt(squared_distance(to_point(index.points()[segments[0].a.index()]),
-                                                                      to_point(index.points()[segments[0].b.index()]))
-                                                         .get_d());
+        std::hypot(q.x - p.x, q.y - p.y) /
+        std::sqrt(
+            squared_distance(index.points()[segments[0].a.index()], index.points()[segments[0].b.index()]).get_d());
     const std::vector<long> reach_in_scene{1, 10, 100};
     const long reach = reach_in_scene[seed % 3];
     const auto near = segments_near_vertices(vertices, segments,
@@ -40,10 +40,9 @@ TEST(PointNeighbours2, AreAllThatAreInReachAndFewMore) {
       EXPECT_TRUE(std::ranges::is_sorted(near[v.index()]));
       EXPECT_TRUE(std::ranges::adjacent_find(near[v.index()]) == near[v.index()].end());
       for (std::uint32_t s = 0; s < segments.size(); ++s) {
-        const Rational squared =
-            closest_point(to_point(index.points()[segments[s].a.index()]),
-                          to_point(index.points()[segments[s].b.index()]), to_point(index.points()[v.index()]))
-                .squared;
+        const Rational squared = closest_point(index.points()[segments[s].a.index()],
+                                               index.points()[segments[s].b.index()], index.points()[v.index()])
+                                     .squared;
         const bool is_listed = std::ranges::binary_search(near[v.index()], s);
         if (squared <= reach * reach) {
           EXPECT_TRUE(is_listed) << "seed " << seed << ": " << s << " and vertex " << v.index();
@@ -51,7 +50,7 @@ TEST(PointNeighbours2, AreAllThatAreInReachAndFewMore) {
         if (squared > 2 * reach * reach) {
           EXPECT_FALSE(is_listed) << "seed " << seed << ": " << s << " and vertex " << v.index();
         }
-        const DistanceBounds bounds = distance_bounds(vertices, segments[s], v);
+        const DistanceBounds2 bounds = distance_bounds(vertices, segments[s], v);
         const double distance = std::sqrt(squared.get_d()) * unit;
         EXPECT_LE(bounds.lower, distance);
         EXPECT_GE(bounds.upper, distance);

@@ -33,12 +33,12 @@ class Points {
   }
 
   const Vertices2& vertices() const { return vertices_; }
-  const ExactPoint2& exact_point(VertexId v) const { return exact_[v.index()]; }
+  const Point2& exact_point(VertexId v) const { return exact_[v.index()]; }
   VertexId id(int i, int j) const { return VertexId(first_ + static_cast<std::size_t>(j * kSide + i)); }
 
  private:
   std::size_t first_;
-  std::vector<ExactPoint2> exact_;
+  std::vector<Point2> exact_;
   Vertices2 vertices_;
 };
 
@@ -133,7 +133,7 @@ TEST_P(NeighbouringDoubles, LeftTurnsSeenFromATileOfEyesAreRight) {
     const Vertices2& v = points.vertices();
     std::vector<EyeCoordinate2> x, y;
     for (int k = 0; k < kSide; ++k) {
-      const ExactPoint2 p = v.from_scene(exact(grid.at(k, k)));
+      const Point2 p = v.from_scene(exact(grid.at(k, k)));
       x.emplace_back(v, p.x);
       y.emplace_back(v, p.y);
     }
@@ -230,15 +230,15 @@ INSTANTIATE_TEST_SUITE_P(, NeighbouringDoubles, testing::Values(Form::kSmall, Fo
 // A detour over q is none iff q lies on the way: |pq| + |qr| - |pr| is 0 iff the three are on one line.
 TEST(NeighbouringDoublesOfRoots, TheSignOfADetourIsRight) {
   const Grid& grid = kettner_grids().front();
-  const auto add_distance = [](RootSum& sum, int factor, const ExactPoint2& a, const ExactPoint2& b) {
+  const auto add_distance = [](RootSum& sum, int factor, const Point2& a, const Point2& b) {
     const Rational x = a.x - b.x, y = a.y - b.y;
     sum.add(factor, x * x + y * y);
   };
-  const ExactPoint2 q = exact(grid.q), r = exact(grid.r);
+  const Point2 q = exact(grid.q), r = exact(grid.r);
   int failures = 0, none = 0;
   for (int j = 0; j < kSide; ++j)
     for (int i = 0; i < kSide; ++i) {
-      const ExactPoint2 p = exact(grid.at(i, j));
+      const Point2 p = exact(grid.at(i, j));
       RootSum detour;
       add_distance(detour, 1, p, q);
       add_distance(detour, 1, q, r);

@@ -64,7 +64,7 @@ TEST(SceneNames, UnknownNamesComeWithNearOnes) {
   EXPECT_THAT(hints_of([&] { surfaces_matching(scene, "windo3*"); }), ElementsAre("did you mean 'window*'?"));
 }
 
-TEST(Division, PartsAreAsFewAsALengthAllows) {
+TEST(Division2, PartsAreAsFewAsALengthAllows) {
   Scene2 scene = named_scene();
   EXPECT_EQ(divide_by_length(scene, Rational(5), 100), std::nullopt);
   EXPECT_EQ(scene.surfaces[0].elements, 1u);  // 5 long, exactly
@@ -76,7 +76,7 @@ TEST(Division, PartsAreAsFewAsALengthAllows) {
   EXPECT_EQ(scene.surfaces[0].elements, 6u);
 }
 
-TEST(Division, TheFirstSurfaceOfTooManyPartsIsTold) {
+TEST(Division2, TheFirstSurfaceOfTooManyPartsIsTold) {
   Scene2 scene = named_scene();
   divide_into(scene, 7);
   EXPECT_EQ(divide_by_length(scene, Rational(1, 3), 4), 0u);

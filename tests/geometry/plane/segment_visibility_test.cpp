@@ -17,7 +17,7 @@ class Points {
  public:
   explicit Points(const std::vector<Line>& lines)
       : lines_(lines),
-        arrangement_(testing_scenes::scene_of(lines), Division(lines.size(), 1)),
+        arrangement_(testing_scenes::scene_of(lines), Division2(lines.size(), 1)),
         visibility_(arrangement_) {
     for (const VertexId v : arrangement_.vertices().ids())
       vertices_.insert(arrangement_.vertices().to_scene(arrangement_.vertices().exact(v)));

@@ -17,8 +17,8 @@ struct Found {
     Rational sum = 0;
     for (std::size_t k = 0; k < border.size(); ++k) {
       const Vertices2& vertices = arrangement.vertices();
-      const ExactPoint2 a = vertices.to_scene(vertices.exact(border[k])),
-                        b = vertices.to_scene(vertices.exact(border[(k + 1) % border.size()]));
+      const Point2 a = vertices.to_scene(vertices.exact(border[k])),
+                   b = vertices.to_scene(vertices.exact(border[(k + 1) % border.size()]));
       sum += a.x * b.y - b.x * a.y;
     }
     return sum;
@@ -41,7 +41,7 @@ TEST(SolidRegions2, AreWhereTheBoxesAre) {
     const PointLocation2 location(vertices, found.arrangement.triangulation());
     for (int i = 0; i < 40; ++i)
       for (int j = 0; j < 30; ++j) {
-        const ExactPoint2 p{Rational(i, 10) + Rational(1, 17), Rational(j, 10) + Rational(1, 17)};  // on no border
+        const Point2 p{Rational(i, 10) + Rational(1, 17), Rational(j, 10) + Rational(1, 17)};  // on no border
         const Location2 at = location.locate(Eye2(vertices, vertices.from_scene(p)));
         ASSERT_EQ(found.regions.of(at.half_edge) != SolidRegions2::kNone, room.is_in_solid(p)) << room.name;
       }

@@ -50,7 +50,7 @@ std::vector<std::string> faces(const Scene2& scene) {
 
 // Half the area of triangles in solid cells, in scene units: what is solid within the hull of the scene.
 Rational solid_area(const Scene2& scene) {
-  const Arrangement2 arrangement(scene, Division(scene.surfaces.size(), 1));
+  const Arrangement2 arrangement(scene, Division2(scene.surfaces.size(), 1));
   const Triangulation2& triangulation = arrangement.triangulation();
   const FreeRegions2 regions(triangulation, arrangement.side_count());
   const Vertices2& vertices = arrangement.vertices();
@@ -59,7 +59,7 @@ Rational solid_area(const Scene2& scene) {
     if (!arrangement.is_covered(side)) continue;
     // Green's theorem: the cell lies on the left of the piece, or on its right.
     const Segment2& piece = arrangement.piece(side);
-    const ExactPoint2 p = vertices.to_scene(vertices.exact(piece.a)), q = vertices.to_scene(vertices.exact(piece.b));
+    const Point2 p = vertices.to_scene(vertices.exact(piece.a)), q = vertices.to_scene(vertices.exact(piece.b));
     const Rational twice = p.x * q.y - q.x * p.y;
     area += is_right(side) ? Rational(-twice) : twice;
   }

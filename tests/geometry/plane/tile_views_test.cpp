@@ -23,11 +23,11 @@ bool same(const View2::Seen& a, const View2::Seen& b) {
 class Together {
  public:
   explicit Together(const Scene2& scene)
-      : arrangement_(scene, Division(scene.surfaces.size(), 1)),
+      : arrangement_(scene, Division2(scene.surfaces.size(), 1)),
         location_(arrangement_.vertices(), arrangement_.triangulation()) {
     low_ = high_ = vertices().exact(0_v);
     for (const VertexId v : vertices().ids()) {
-      const ExactPoint2 p = vertices().exact(v);
+      const Point2 p = vertices().exact(v);
       low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
       high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
     }
@@ -53,7 +53,7 @@ class Together {
 
   // Eyes whose distance is this share of the scene, about the given vertex.
   void check_about(VertexId v, const Rational& share) {
-    const ExactPoint2 at = vertices().exact(v);
+    const Point2 at = vertices().exact(v);
     const Rational step = (high_.x - low_.x + high_.y - low_.y) * share;
     std::vector<EyeCoordinate2> x, y;
     for (long k = -4; k < 4; ++k) {
@@ -86,7 +86,7 @@ class Together {
 
   Arrangement2 arrangement_;
   PointLocation2 location_;
-  ExactPoint2 low_, high_;
+  Point2 low_, high_;
   inline static TileViews2 together_;  // for one scene after the other
 };
 

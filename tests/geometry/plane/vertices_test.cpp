@@ -12,7 +12,7 @@
 namespace hottel {
 namespace {
 
-using Points = std::vector<ExactPoint2>;
+using Points = std::vector<Point2>;
 
 Rational fraction(const Integer& p, const Integer& q) {
   Rational value(p, q);
@@ -20,21 +20,19 @@ Rational fraction(const Integer& p, const Integer& q) {
   return value;
 }
 
-int exact_orientation(const ExactPoint2& p, const ExactPoint2& q, const ExactPoint2& r) {
+int exact_orientation(const Point2& p, const Point2& q, const Point2& r) {
   const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   return sgn(area);
 }
 
-int exact_direction(const ExactPoint2& p, const ExactPoint2& q, const ExactPoint2& r) {
+int exact_direction(const Point2& p, const Point2& q, const Point2& r) {
   const Rational product = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
   return sgn(product);
 }
 
-int exact_side_of_circle(const ExactPoint2& p, const ExactPoint2& q, const ExactPoint2& r, const ExactPoint2& s) {
-  const auto lift = [&s](const ExactPoint2& t) -> Rational {
-    return (t.x - s.x) * (t.x - s.x) + (t.y - s.y) * (t.y - s.y);
-  };
-  const auto minor = [&s](const ExactPoint2& t, const ExactPoint2& u) -> Rational {
+int exact_side_of_circle(const Point2& p, const Point2& q, const Point2& r, const Point2& s) {
+  const auto lift = [&s](const Point2& t) -> Rational { return (t.x - s.x) * (t.x - s.x) + (t.y - s.y) * (t.y - s.y); };
+  const auto minor = [&s](const Point2& t, const Point2& u) -> Rational {
     return (t.x - s.x) * (u.y - s.y) - (t.y - s.y) * (u.x - s.x);
   };
   const Rational value = lift(p) * minor(q, r) + lift(q) * minor(r, p) + lift(r) * minor(p, q);
@@ -42,7 +40,7 @@ int exact_side_of_circle(const ExactPoint2& p, const ExactPoint2& q, const Exact
 }
 
 // Makes the vertices take the large form without touching the other points.
-ExactPoint2 spoiler() { return {fraction(1, (Integer(1) << 200) + 1), fraction(1, 3)}; }
+Point2 spoiler() { return {fraction(1, (Integer(1) << 200) + 1), fraction(1, 3)}; }
 
 Points from_doubles(const std::vector<std::pair<double, double>>& coordinates) {
   Points points;
@@ -207,7 +205,7 @@ TEST(Orientation2, Consistency) {
     const auto number = [&] {
       return fraction(Integer(random() >> 20) - (Integer(1) << 43), Integer(random() >> 50) + 1);
     };
-    const ExactPoint2 p{number(), number()}, q{number(), number()};
+    const Point2 p{number(), number()}, q{number(), number()};
     Points points{p, q};
     for (int digits = 1; digits <= 50; digits += 7) {
       const Rational t = fraction(static_cast<long>(random() % 2001) - 1000, 500);
@@ -259,7 +257,7 @@ TEST(Vertices2Order, IsInvariantUnderTranslationAndScaling) {
   const Rational shift = *parse_rational("9007199254740993");
   for (const char* factor : {"1048576", "1/3", "1e-300", "1e300", "1e-4000"}) {
     Points moved;
-    for (const ExactPoint2& p : points)
+    for (const Point2& p : points)
       moved.push_back({(p.x + shift) * *parse_rational(factor), (p.y - shift) * *parse_rational(factor)});
     const Vertices2 a(points, points.size()), b(moved, moved.size());
     EXPECT_TRUE(b.is_small());

@@ -16,12 +16,12 @@ namespace {
 
 using namespace testing_scenes;
 
-int orientation(const ExactPoint2& p, const ExactPoint2& q, const ExactPoint2& r) {
+int orientation(const Point2& p, const Point2& q, const Point2& r) {
   const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   return sgn(area);
 }
 
-bool lies_between(const ExactPoint2& p, const ExactPoint2& a, const ExactPoint2& b) {
+bool lies_between(const Point2& p, const Point2& a, const Point2& b) {
   const Rational product = (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y);
   return orientation(a, b, p) == 0 && product < 0;
 }
@@ -29,32 +29,31 @@ bool lies_between(const ExactPoint2& p, const ExactPoint2& a, const ExactPoint2&
 // A scene, and what a brute force sees in it.
 class Sight {
  public:
-  explicit Sight(const Scene2& scene) : arrangement_(scene, Division(scene.surfaces.size(), 1)) {
+  explicit Sight(const Scene2& scene) : arrangement_(scene, Division2(scene.surfaces.size(), 1)) {
     for (const VertexId v : arrangement_.vertices().ids()) points_.push_back(arrangement_.vertices().exact(v));
   }
 
   const Arrangement2& arrangement() const { return arrangement_; }
-  const ExactPoint2& point(VertexId v) const { return points_[v.index()]; }
+  const Point2& point(VertexId v) const { return points_[v.index()]; }
 
   // Property (1): the open segment from the eye meets no piece and no other vertex, or runs along a piece.
-  bool sees(const ExactPoint2& eye, VertexId v) const {
+  bool sees(const Point2& eye, VertexId v) const {
     if (points_[v.index()] == eye) return false;
-    for (const ExactPoint2& p : points_)
+    for (const Point2& p : points_)
       if (lies_between(p, eye, points_[v.index()])) return false;
     return std::none_of(arrangement_.pieces().begin(), arrangement_.pieces().end(), [&](const Segment2& piece) {
-      const ExactPoint2 &a = points_[piece.a.index()], &b = points_[piece.b.index()];
+      const Point2 &a = points_[piece.a.index()], &b = points_[piece.b.index()];
       return orientation(eye, points_[v.index()], a) * orientation(eye, points_[v.index()], b) < 0 &&
              orientation(a, b, eye) * orientation(a, b, points_[v.index()]) < 0;
     });
   }
 
   // The side of a piece that a ray from the eye meets first, if it passes no vertex; kSky for none.
-  PieceSideId first_met(const ExactPoint2& eye, const ExactPoint2& direction) const {
+  PieceSideId first_met(const Point2& eye, const Point2& direction) const {
     PieceSideId found = kSky;
     Rational nearest = 0;
     for (std::size_t k = 0; k < arrangement_.pieces().size(); ++k) {
-      const ExactPoint2 &a = points_[arrangement_.pieces()[k].a.index()],
-                        &b = points_[arrangement_.pieces()[k].b.index()];
+      const Point2 &a = points_[arrangement_.pieces()[k].a.index()], &b = points_[arrangement_.pieces()[k].b.index()];
       const Rational ux = b.x - a.x, uy = b.y - a.y;
       const Rational turn = direction.x * uy - direction.y * ux;
       if (turn == 0) continue;
@@ -68,7 +67,7 @@ class Sight {
   }
 
   // Checks a view from a point in integer form.
-  void check(const ExactPoint2& eye, const View2& view) const {
+  void check(const Point2& eye, const View2& view) const {
     std::set<VertexId> seen;
     const std::size_t m = view.seen.size();
     for (const View2::Seen& s : view.seen) EXPECT_TRUE(seen.insert(s.vertex).second) << "no vertex twice";
@@ -76,11 +75,11 @@ class Sight {
       EXPECT_EQ(seen.contains(v), sees(eye, v)) << "vertex " << v.index();
     for (std::size_t k = 0; k < m; ++k) {
       const View2::Seen& s = view.seen[k];
-      const ExactPoint2 &right = points_[s.vertex.index()], &left = points_[view.seen[(k + 1) % m].vertex.index()];
+      const Point2 &right = points_[s.vertex.index()], &left = points_[view.seen[(k + 1) % m].vertex.index()];
       // Counter-clockwise; a cone of half a turn or more is looked at just behind its right end.
-      const ExactPoint2 r{right.x - eye.x, right.y - eye.y}, l{left.x - eye.x, left.y - eye.y};
+      const Point2 r{right.x - eye.x, right.y - eye.y}, l{left.x - eye.x, left.y - eye.y};
       const Rational cross = r.x * l.y - r.y * l.x;
-      ExactPoint2 direction{r.x + l.x, r.y + l.y};
+      Point2 direction{r.x + l.x, r.y + l.y};
       if (cross <= 0) {
         direction = {-r.y, r.x};
       } else {
@@ -91,8 +90,7 @@ class Sight {
       // Along a piece that covers the line of sight.
       PieceSideId on_left = kNoPiece;
       for (std::size_t p = 0; p < arrangement_.pieces().size(); ++p) {
-        const ExactPoint2 &a = points_[arrangement_.pieces()[p].a.index()],
-                          &b = points_[arrangement_.pieces()[p].b.index()];
+        const Point2 &a = points_[arrangement_.pieces()[p].a.index()], &b = points_[arrangement_.pieces()[p].b.index()];
         if (b == right && (a == eye || lies_between(eye, a, b))) on_left = left_side(p);
         if (a == right && (b == eye || lies_between(eye, a, b))) on_left = right_side(p);
       }
@@ -117,22 +115,22 @@ class Sight {
     std::mt19937_64 random(1);
     View2 view;
     for (int k = 0; k < count; ++k) {
-      const ExactPoint2 &p = points_[random() % points_.size()], &q = points_[random() % points_.size()],
-                        &r = points_[random() % points_.size()];
+      const Point2 &p = points_[random() % points_.size()], &q = points_[random() % points_.size()],
+                   &r = points_[random() % points_.size()];
       const auto share = [&] {
         Rational value(static_cast<long>(random() % 13) - 3, 7);
         value.canonicalize();
         return value;
       };
       const Rational s = share(), t = k % 3 == 0 ? share() : Rational(0);
-      const ExactPoint2 eye{p.x + s * (q.x - p.x) + t * (r.x - p.x), p.y + s * (q.y - p.y) + t * (r.y - p.y)};
+      const Point2 eye{p.x + s * (q.x - p.x) + t * (r.x - p.x), p.y + s * (q.y - p.y) + t * (r.y - p.y)};
       location.look_around(Eye2(vertices, eye), view);
       SCOPED_TRACE(fmt::format("eye {}, {}", eye.x.get_str(), eye.y.get_str()));
       check(eye, view);
     }
     for (const Segment2& piece : arrangement_.pieces()) {
-      const ExactPoint2 &a = points_[piece.a.index()], &b = points_[piece.b.index()];
-      const ExactPoint2 eye{(a.x + 2 * b.x) / 3, (a.y + 2 * b.y) / 3};
+      const Point2 &a = points_[piece.a.index()], &b = points_[piece.b.index()];
+      const Point2 eye{(a.x + 2 * b.x) / 3, (a.y + 2 * b.y) / 3};
       location.look_around(Eye2(vertices, eye), view);
       check(eye, view);
     }
@@ -140,7 +138,7 @@ class Sight {
 
  private:
   Arrangement2 arrangement_;
-  std::vector<ExactPoint2> points_;  // in integer form
+  std::vector<Point2> points_;  // in integer form
 };
 
 class View2OfAScene : public testing::TestWithParam<std::string> {};

@@ -44,7 +44,7 @@ std::vector<oracle::LitSegment> lit_segments(const oracle::RandomScene& random) 
   return result;
 }
 
-AverageIllumination averages(const oracle::RandomScene& random, const Grid2& cells, double sky) {
+AverageIllumination2 averages(const oracle::RandomScene& random, const Grid2& cells, double sky) {
   const PreparedScene2 prepared = prepare(scene_of(random));
   const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   std::vector<double> radiosity;
@@ -78,7 +78,7 @@ void compare(bool lattice, double sky) {
     const oracle::RandomScene random = oracle::random_scene(seed, 5 + static_cast<int>(seed % 2), lattice);
     const Rational low = lowest(random), side = (highest(random) - low) / 6;
     const Grid2 cells{{low - side, low - side}, {low + 7 * side, low + 7 * side}, 8, 8};
-    const AverageIllumination light = averages(random, cells, sky);
+    const AverageIllumination2 light = averages(random, cells, sky);
     const std::vector<oracle::LitSegment> segments = lit_segments(random);
     const auto x0 = static_cast<long double>(to_double(cells.min.x)), h = static_cast<long double>(to_double(side));
     for (std::size_t cell = seed % 6; cell < 64; cell += 6) {
@@ -118,14 +118,14 @@ TEST(AverageIlluminationOracle, AgreesWithinItsBoundsInCellsPartlyInSolids) {
     std::vector<oracle::LitSegment> segments;
     for (std::size_t piece = 0; piece < arrangement.pieces().size(); ++piece) {
       const Vertices2& vertices = arrangement.vertices();
-      const ExactPoint2 a = vertices.to_scene(vertices.exact(arrangement.pieces()[piece].a)),
-                        b = vertices.to_scene(vertices.exact(arrangement.pieces()[piece].b));
+      const Point2 a = vertices.to_scene(vertices.exact(arrangement.pieces()[piece].a)),
+                   b = vertices.to_scene(vertices.exact(arrangement.pieces()[piece].b));
       const auto sends = [&](PieceSideId side) { return arrangement.is_covered(side) ? 0.0 : lit.radiosity(side); };
       segments.push_back({to_double(a.x), to_double(a.y), to_double(b.x), to_double(b.y), sends(left_side(piece)),
                           sends(right_side(piece))});
     }
     const Grid2 cells{{0, 0}, {4, 3}, 6, 9};
-    const AverageIllumination light = illuminate_averages(lit.prepared, cells, lit.faces());
+    const AverageIllumination2 light = illuminate_averages(lit.prepared, cells, lit.faces());
     const Rational w(2, 3), h(1, 3);
     for (std::uint32_t cell = 0; cell < 54; ++cell) {
       const std::uint32_t ix = cell % 6, iy = cell / 6;

@@ -23,7 +23,7 @@ class PairsOfPoints {
   PairsOfPoints(const RandomScene& scene, std::uint64_t seed)
       : edges_(scene.edges),
         scene_(to_scene(scene.edges)),
-        arrangement_(scene_, Division(scene.edges.size(), 1)),
+        arrangement_(scene_, Division2(scene.edges.size(), 1)),
         visibility_(arrangement_),
         random_(seed) {
     for (const VertexId v : arrangement_.vertices().ids())

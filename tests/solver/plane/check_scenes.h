@@ -39,20 +39,20 @@ inline const std::string kRoom =
 inline const std::string kLamp = edge("lamp", "[1, 2], [1.5, 2]", "lamp", "lamp");
 
 // Findings of all kinds but unused-material, of which every scene here has some.
-inline Findings found(const Scene2& scene) {
-  Findings findings = check_scene(scene).findings;
-  std::erase_if(findings, [](const Finding& finding) { return finding.kind == "unused-material"; });
+inline Findings2 found(const Scene2& scene) {
+  Findings2 findings = check_scene(scene).findings;
+  std::erase_if(findings, [](const Finding2& finding) { return finding.kind == "unused-material"; });
   return findings;
 }
 
-inline std::vector<std::string> kinds(const Findings& findings) {
+inline std::vector<std::string> kinds(const Findings2& findings) {
   std::vector<std::string> result;
-  for (const Finding& finding : findings)
+  for (const Finding2& finding : findings)
     result.push_back(std::string(to_string(finding.severity)) + " " + finding.kind);
   return result;
 }
 
-inline std::vector<std::string> names(const Scene2& scene, const Finding& finding) {
+inline std::vector<std::string> names(const Scene2& scene, const Finding2& finding) {
   std::vector<std::string> result;
   for (const std::uint32_t s : finding.surfaces) result.push_back(scene.surfaces[s].name);
   return result;

@@ -24,7 +24,7 @@ using namespace testing_radiosity;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 ExactScene random_exact_scene(std::uint64_t seed) {
-  return ExactScene(random_scene(seed), seed % 5 == 0 ? Divided::kYes : Divided::kNo);
+  return ExactScene(random_scene(seed), seed % 5 == 0 ? Divided2::kYes : Divided2::kNo);
 }
 
 double rounded_down(const mpf_class& value) {

@@ -37,8 +37,8 @@ std::vector<std::vector<mpf_class>> solve_dense(std::vector<std::vector<mpf_clas
   return rows;
 }
 
-ExactScene::ExactScene(Scene2 scene, Divided divided) : prepared_(prepare(std::move(scene), divided)) {
-  const Granularity granularity = divided == Divided::kYes ? Granularity::kElement : Granularity::kFace;
+ExactScene::ExactScene(Scene2 scene, Divided2 divided) : prepared_(prepare(std::move(scene), divided)) {
+  const Granularity granularity = divided == Divided2::kYes ? Granularity::kElement : Granularity::kFace;
   matrix_ = exact_exchange(prepared_, {granularity});
   std::vector<ElementPair> pairs;
   for (std::uint32_t i = 0; i < matrix_.size(); ++i)
@@ -124,9 +124,9 @@ Scene2 convex_polygon(int n) {
 }
 
 Scene2 random_scene(std::uint64_t seed) {
-  const auto& kinds = generator_kinds();
-  const GeneratorKind& kind = kinds[seed % kinds.size()];
-  GeneratorRequest request;
+  const auto& kinds = generator_kinds_2();
+  const GeneratorKind2& kind = kinds[seed % kinds.size()];
+  GeneratorRequest2 request;
   request.kind = kind.name;
   request.seed = seed;
   request.n = std::max<std::uint64_t>(kind.min_edges, 12 + 7 * seed % 19);

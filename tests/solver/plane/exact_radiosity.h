@@ -30,7 +30,7 @@ std::vector<mpf_class> radiosity_of(const ExchangeMatrix& matrix, const WideFact
 // A scene, its exact factors rounded, and the same factors to kBits.
 class ExactScene {
  public:
-  explicit ExactScene(Scene2 scene, Divided divided = Divided::kNo);
+  explicit ExactScene(Scene2 scene, Divided2 divided = Divided2::kNo);
 
   const Scene2& scene() const { return prepared_.scene; }
   const ExchangeMatrix& matrix() const { return matrix_; }

@@ -46,8 +46,8 @@ Everything everything(const Scene2& scene) {
   const ElementTable2 table(scene, prepared.arrangement, prepared.division, Granularity::kFace);
   const auto channels = static_cast<std::uint32_t>(solution.channels.size());
   result.light = illuminate_points(prepared, default_grid(scene, 24),
-                                   FaceRadiosity2(prepared.arrangement, table, radiosity_by_element(solution),
-                                                  sky_by_channel(scene.sky_emission, channels)))
+                                   FaceRadiosity2(prepared.arrangement, table, radiosity_by_element_2(solution),
+                                                  sky_by_channel_2(scene.sky_emission, channels)))
                      .values;
   // Nothing is seen in solids: NaN, which equals nothing.
   std::replace_if(

@@ -81,7 +81,7 @@ struct GrayCheck {
 };
 
 ExactScene random_exact_scene(std::uint64_t seed) {
-  return ExactScene(random_scene(seed), seed % 5 == 0 ? Divided::kYes : Divided::kNo);
+  return ExactScene(random_scene(seed), seed % 5 == 0 ? Divided2::kYes : Divided2::kNo);
 }
 
 TEST(GrayExchange, LiesWithinItsBoundsOnRandomScenes) {

@@ -15,12 +15,12 @@ namespace {
 
 using testing::Each;
 
-AverageIllumination averages(const Lit& lit, const Grid2& cells) {
+AverageIllumination2 averages(const Lit& lit, const Grid2& cells) {
   return illuminate_averages(lit.prepared, cells, lit.faces());
 }
 
 Scene2 clutter(unsigned edges) {
-  GeneratorRequest request;
+  GeneratorRequest2 request;
   request.kind = "clutter";
   request.n = edges;
   request.seed = 2;
@@ -29,7 +29,7 @@ Scene2 clutter(unsigned edges) {
 
 // The mean over each cell of exact values at the centres of s times s parts of it.
 std::vector<double> means_of_points(const Lit& lit, const Grid2& cells, std::uint32_t s) {
-  const IlluminationGrid points = lit.grid({cells.min, cells.max, cells.nx * s, cells.ny * s});
+  const IlluminationGrid2 points = lit.grid({cells.min, cells.max, cells.nx * s, cells.ny * s});
   std::vector<double> mean(std::size_t{cells.nx} * cells.ny * points.channels);
   for (std::uint32_t iy = 0; iy < cells.ny * s; ++iy)
     for (std::uint32_t ix = 0; ix < cells.nx * s; ++ix)
@@ -46,12 +46,12 @@ double largest_distance(const std::vector<double>& a, const std::vector<double>&
 
 // No edge in a room means no kink: the light is harmonic, the midpoint rule is off by a term of fourth order, which
 // Richardson takes away.
-TEST(AverageIllumination, IsTheLimitOfDenseGridsOfPoints) {
+TEST(AverageIllumination2, IsTheLimitOfDenseGridsOfPoints) {
   Scene2 hexagon;
   add_polygon(hexagon, {{0, 0}, {-1, 3}, {2, 5}, {6, 4}, {7, 1}, {3, -1}});
   const Lit lit(hexagon, 3);
   const Grid2 cells{{1, 1}, {5, 3}, 6, 3};
-  const AverageIllumination average = averages(lit, cells);
+  const AverageIllumination2 average = averages(lit, cells);
   const std::vector<double> coarse = means_of_points(lit, cells, 8), fine = means_of_points(lit, cells, 16);
   std::vector<double> limit(fine);
   for (std::size_t k = 0; k < fine.size(); ++k) limit[k] += (fine[k] - coarse[k]) / 15;
@@ -61,11 +61,11 @@ TEST(AverageIllumination, IsTheLimitOfDenseGridsOfPoints) {
 
 // With kinks along critical lines the midpoint rule still is of second order; where edges cut cells the light jumps,
 // and it is of the first: at most the largest radiosity times the part of the samples whose squares an edge meets.
-TEST(AverageIllumination, IsTheLimitOfDenseGridsOfPointsAmongEdges) {
+TEST(AverageIllumination2, IsTheLimitOfDenseGridsOfPointsAmongEdges) {
   for (const Scene2& scene : {pillar_room(), random_lattice_scene(3, 14), random_lattice_scene(6, 18)}) {
     const Lit lit(scene, 3);
     const Grid2 cells = default_grid(lit.prepared.scene, 9);
-    const AverageIllumination average = averages(lit, cells);
+    const AverageIllumination2 average = averages(lit, cells);
     double before = HUGE_VAL;
     for (const std::uint32_t s : {4u, 16u, 64u}) {
       const double distance = largest_distance(average.grid.values, means_of_points(lit, cells, s));
@@ -76,17 +76,17 @@ TEST(AverageIllumination, IsTheLimitOfDenseGridsOfPointsAmongEdges) {
   }
 }
 
-TEST(AverageIllumination, IsBWhereEverythingSeenSendsOutB) {
+TEST(AverageIllumination2, IsBWhereEverythingSeenSendsOutB) {
   const double b = 0.7;
   Scene2 convex;
   add_polygon(convex, {{0, 0}, {-1, 3}, {2, 5}, {6, 4}, {7, 1}, {3, -1}});
   const Lit hexagon(convex, 1, b);
-  const AverageIllumination inside = averages(hexagon, {{1, 0}, {5, 3}, 40, 30});
+  const AverageIllumination2 inside = averages(hexagon, {{1, 0}, {5, 3}, 40, 30});
   for (std::size_t k = 0; k < inside.errors.size(); ++k) EXPECT_NEAR(inside.grid.values[k], b, inside.errors[k]);
   EXPECT_LT(inside.max_error, 1e-11);
 
   const Lit pillar(pillar_room(), 1, b);  // its borders are borders of cells: cells are in it or outside
-  const AverageIllumination around = averages(pillar, {{0, 0}, {1, 1}, 20, 20});
+  const AverageIllumination2 around = averages(pillar, {{0, 0}, {1, 1}, 20, 20});
   for (std::size_t k = 0; k < around.errors.size(); ++k) {
     const std::size_t ix = k % 20, iy = k / 20;
     const bool is_solid = ix >= 8 && ix < 12 && iy >= 8 && iy < 12;
@@ -94,7 +94,7 @@ TEST(AverageIllumination, IsBWhereEverythingSeenSendsOutB) {
   }
 }
 
-TEST(AverageIllumination, KnowsAStripLight) {
+TEST(AverageIllumination2, KnowsAStripLight) {
   Scene2 scene;  // its front looks down
   add_edge(scene, {-1, 0}, {1, 0});
   Lit lit(scene, 1, 0);
@@ -105,7 +105,7 @@ TEST(AverageIllumination, KnowsAStripLight) {
   };
   for (const double sky : {0.0, 0.5}) {
     lit.sky = {sky};
-    const AverageIllumination light = averages(lit, {{-2, -2}, {2, Rational(-1, 2)}, 8, 3});
+    const AverageIllumination2 light = averages(lit, {{-2, -2}, {2, Rational(-1, 2)}, 8, 3});
     for (std::uint32_t iy = 0; iy < 3; ++iy)
       for (std::uint32_t ix = 0; ix < 8; ++ix) {
         long double mean = 0;
@@ -121,15 +121,15 @@ TEST(AverageIllumination, KnowsAStripLight) {
   }
 }
 
-TEST(AverageIllumination, IsTheMeanOfItsQuarters) {
+TEST(AverageIllumination2, IsTheMeanOfItsQuarters) {
   std::vector<Scene2> scenes{pillar_room(), clutter(40)};
   for (unsigned seed = 1; seed <= 6; ++seed) scenes.push_back(random_lattice_scene(seed, 12 + static_cast<int>(seed)));
   for (const Scene2& scene : scenes) {
     const Lit lit(scene, 2);
     Grid2 cells = default_grid(lit.prepared.scene, 11);
     cells.max.x += 1;
-    const AverageIllumination whole = averages(lit, cells);
-    const AverageIllumination quarters = averages(lit, {cells.min, cells.max, 2 * cells.nx, 2 * cells.ny});
+    const AverageIllumination2 whole = averages(lit, cells);
+    const AverageIllumination2 quarters = averages(lit, {cells.min, cells.max, 2 * cells.nx, 2 * cells.ny});
     for (std::uint32_t iy = 0; iy < cells.ny; ++iy)
       for (std::uint32_t ix = 0; ix < cells.nx; ++ix)
         for (std::uint32_t c = 0; c < 2; ++c) {
@@ -145,9 +145,9 @@ TEST(AverageIllumination, IsTheMeanOfItsQuarters) {
   }
 }
 
-TEST(AverageIllumination, IsBlackBehindBlackBacksUpToItsBound) {
+TEST(AverageIllumination2, IsBlackBehindBlackBacksUpToItsBound) {
   const Lit lit(pillar_room(), 2, 3);  // the sky sends out 3 as well
-  const AverageIllumination light =
+  const AverageIllumination2 light =
       averages(lit, {{Rational(2, 5), Rational(2, 5)}, {Rational(3, 5), Rational(3, 5)}, 4, 4});
   for (std::size_t k = 0; k < light.errors.size(); ++k) EXPECT_LE(light.grid.at(k % 4, k / 4 % 4), light.errors[k]);
   Lit dark(pillar_room(), 1, 3);
@@ -155,7 +155,7 @@ TEST(AverageIllumination, IsBlackBehindBlackBacksUpToItsBound) {
   EXPECT_THAT(averages(dark, {{-5, 2}, {5, 3}, 10, 3}).grid.values, Each(0.0));  // outside, only black backs
 }
 
-TEST(AverageIllumination, CellsThatEdgesCutAreTheMeanOfTheirParts) {
+TEST(AverageIllumination2, CellsThatEdgesCutAreTheMeanOfTheirParts) {
   Scene2 scene;  // black above, 8 below, endless for the cells near its middle
   add_edge(scene, {-1000000, 0}, {1000000, 0});
   Lit lit(scene, 1, 0);
@@ -168,17 +168,17 @@ TEST(AverageIllumination, CellsThatEdgesCutAreTheMeanOfTheirParts) {
   EXPECT_NEAR(averages(lit, {{-1, -1}, {1, 1}, 1, 1}).grid.values[0], (below + 0.5 + above + 0.5) / 2, 1e-5);
 }
 
-TEST(AverageIllumination, IsDefinedInScenesOnOneLineAndWithoutEdges) {
+TEST(AverageIllumination2, IsDefinedInScenesOnOneLineAndWithoutEdges) {
   Scene2 scene;
   add_edge(scene, {0, 0}, {1, 0}, true);
   add_edge(scene, {2, 0}, {3, 0}, true);
   const Lit lit(scene, 1, 2);
-  const AverageIllumination light = averages(lit, {{Rational(-3, 4), -1}, {Rational(15, 4), 1}, 9, 3});
+  const AverageIllumination2 light = averages(lit, {{Rational(-3, 4), -1}, {Rational(15, 4), 1}, 9, 3});
   for (std::size_t k = 0; k < light.errors.size(); ++k) EXPECT_NEAR(light.grid.values[k], 2, light.errors[k]);
   EXPECT_THAT(averages(Lit(Scene2{}, 1, 2), {{0, 0}, {1, 1}, 3, 2}).grid.values, Each(2.0));
 }
 
-TEST(AverageIllumination, StaysBetweenBlackAndTheBrightestFace) {
+TEST(AverageIllumination2, StaysBetweenBlackAndTheBrightestFace) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const Lit lit(random_lattice_scene(seed, 30));
     for (const double value : averages(lit, {{-1, -1}, {9, 9}, 20, 20}).grid.values) {
@@ -188,11 +188,11 @@ TEST(AverageIllumination, StaysBetweenBlackAndTheBrightestFace) {
   }
 }
 
-TEST(AverageIllumination, DoesNotChangeWhenSceneAndGridAreMovedAndScaled) {
+TEST(AverageIllumination2, DoesNotChangeWhenSceneAndGridAreMovedAndScaled) {
   const Rational far("9007199254740993"), tiny(Integer(1), Integer(1) << 40);  // 2^53 + 1, 2^-40
   for (const Scene2& scene : {clutter(30), random_lattice_scene(4, 20)}) {
     const Grid2 cells{{Rational(1, 3), Rational(1, 7)}, {7, 8}, 14, 11};
-    const AverageIllumination plain = averages(Lit(scene, 2), cells);
+    const AverageIllumination2 plain = averages(Lit(scene, 2), cells);
     EXPECT_LT(plain.max_error, 1e-10);
     for (const auto& map : {std::pair<Rational, Rational>{1, far}, {tiny, 0}, {tiny, far}}) {
       const Rational &scale = map.first, &offset = map.second;
@@ -206,7 +206,7 @@ TEST(AverageIllumination, DoesNotChangeWhenSceneAndGridAreMovedAndScaled) {
       move(there.min);
       move(there.max);
       // The vertices may be numbered otherwise, so that sums are in another order.
-      const AverageIllumination light = averages(Lit(moved, 2), there);
+      const AverageIllumination2 light = averages(Lit(moved, 2), there);
       EXPECT_NEAR(light.max_error, plain.max_error, 1e-3 * plain.max_error);
       for (std::size_t k = 0; k < light.grid.values.size(); ++k)
         EXPECT_NEAR(light.grid.values[k], plain.grid.values[k], 2 * plain.errors[k / 2]);
@@ -215,10 +215,10 @@ TEST(AverageIllumination, DoesNotChangeWhenSceneAndGridAreMovedAndScaled) {
 }
 
 // Cells a millionth of a room wide: what they show is the light at that point, and the bound does not suffer.
-TEST(AverageIllumination, StaysSharpInGridsMuchSmallerThanTheScene) {
+TEST(AverageIllumination2, StaysSharpInGridsMuchSmallerThanTheScene) {
   const Lit lit(pillar_room());
   const Rational tiny(1, 10000000), x(1, 3), y(1, 7);
-  const AverageIllumination light = averages(lit, {{x, y}, {x + tiny, y + tiny}, 10, 10});
+  const AverageIllumination2 light = averages(lit, {{x, y}, {x + tiny, y + tiny}, 10, 10});
   EXPECT_LT(light.max_error, 1e-11);
   EXPECT_NEAR(light.grid.values[0], lit.reference({x, y}), 1e-5);
   const Rational d = tiny / 20;
@@ -226,32 +226,32 @@ TEST(AverageIllumination, StaysSharpInGridsMuchSmallerThanTheScene) {
 }
 
 // A speck that no double can tell from a point, and one whose ends two doubles could not.
-TEST(AverageIllumination, DoesNotMindSpecks) {
+TEST(AverageIllumination2, DoesNotMindSpecks) {
   for (const unsigned long bits : {60ul, 150ul, 400ul}) {
     const Rational speck(Integer(1), Integer(1) << bits), half(1, 2);
     Scene2 scene = square_room();
     add_edge(scene, {half, half}, {half + speck, half + speck / 3}, true);
     const Lit lit(scene, 1, 1);
-    const AverageIllumination light = averages(lit, {{0, 0}, {1, 1}, 5, 5});
+    const AverageIllumination2 light = averages(lit, {{0, 0}, {1, 1}, 5, 5});
     EXPECT_LT(light.max_error, 1e-11);
     for (std::size_t k = 0; k < light.errors.size(); ++k) EXPECT_NEAR(light.grid.values[k], 1, light.errors[k]);
   }
 }
 
 // Cells so small that two doubles cannot place the scene among them: the bound owns up to it.
-TEST(AverageIllumination, OwnsUpToWhatItCannotPlace) {
+TEST(AverageIllumination2, OwnsUpToWhatItCannotPlace) {
   const Lit lit(pillar_room(), 1, 1);
   const Rational tiny(Integer(1), Integer(1) << 120), x(1, 3);
-  const AverageIllumination light = averages(lit, {{x, x}, {x + tiny, x + tiny}, 4, 4});
+  const AverageIllumination2 light = averages(lit, {{x, x}, {x + tiny, x + tiny}, 4, 4});
   EXPECT_EQ(light.max_error, 1.0);
   for (const double value : light.grid.values) EXPECT_NEAR(value, 1, light.max_error);
 }
 
-TEST(AverageIllumination, TakesCellsOfAnyShape) {
+TEST(AverageIllumination2, TakesCellsOfAnyShape) {
   const Lit lit(random_lattice_scene(2, 14));
-  const AverageIllumination square = averages(lit, {{0, 0}, {8, 8}, 64, 64});
+  const AverageIllumination2 square = averages(lit, {{0, 0}, {8, 8}, 64, 64});
   for (const auto& [nx, ny] : {std::pair<std::uint32_t, std::uint32_t>{1, 64}, {64, 1}, {2, 32}}) {
-    const AverageIllumination light = averages(lit, {{0, 0}, {8, 8}, nx, ny});
+    const AverageIllumination2 light = averages(lit, {{0, 0}, {8, 8}, nx, ny});
     for (std::uint32_t iy = 0; iy < ny; ++iy)
       for (std::uint32_t ix = 0; ix < nx; ++ix) {
         double mean = 0;
@@ -262,19 +262,19 @@ TEST(AverageIllumination, TakesCellsOfAnyShape) {
   }
 }
 
-TEST(AverageIllumination, DoesNotDependOnTheThreads) {
+TEST(AverageIllumination2, DoesNotDependOnTheThreads) {
   const Lit lit(clutter(60), 3);
   const Grid2 cells = default_grid(lit.prepared.scene, 75);
-  const AverageIllumination once = averages(lit, cells);
+  const AverageIllumination2 once = averages(lit, cells);
   for (const int threads : {1, 2, 3, 7}) {
     const ThreadLimit limit(threads);
-    const AverageIllumination again = averages(lit, cells);
+    const AverageIllumination2 again = averages(lit, cells);
     EXPECT_EQ(again.grid.values, once.grid.values) << threads;
     EXPECT_EQ(again.errors, once.errors) << threads;
   }
 }
 
-TEST(AverageIllumination, ReportsProgressAndStops) {
+TEST(AverageIllumination2, ReportsProgressAndStops) {
   const Lit lit(clutter(40));
   const Grid2 cells{{0, 0}, {1, 1}, 16, 16};
   std::vector<double> reports;

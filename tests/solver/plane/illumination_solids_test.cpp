@@ -26,10 +26,10 @@ TEST(IlluminationInSolids, OfARoomOfOneTemperatureIsTheRoomsEverywhereElse) {
     const Lit lit(room.scene, 2, kB);
     std::size_t solid = 0, free = 0;
     for (const Grid2& cells : {kQuarters, kBetween}) {
-      const IlluminationGrid grid = lit.grid(cells);
+      const IlluminationGrid2 grid = lit.grid(cells);
       for (std::uint32_t iy = 0; iy < cells.ny; ++iy)
         for (std::uint32_t ix = 0; ix < cells.nx; ++ix) {
-          const ExactPoint2 eye = cell_centre(cells, ix, iy);
+          const Point2 eye = cell_centre(cells, ix, iy);
           const bool is_solid = room.is_in_solid(eye);
           for (std::uint32_t c = 0; c < 2; ++c) {
             ASSERT_EQ(std::isnan(grid.at(ix, iy, c)), is_solid) << room.name << " " << eye.x << " " << eye.y;
@@ -49,8 +49,8 @@ TEST(IlluminationInSolids, IsNaNForTheInverseSquareFormulaAtTheSamePoints) {
   for (const BoxRoom& room : box_rooms()) {
     const Lit lit(room.scene);
     for (const Grid2& cells : {kQuarters, kBetween}) {
-      const IlluminationGrid points = lit.grid(cells),
-                             grid = illuminate_inverse_square(lit.prepared, cells, lit.table, lit.by_element, 1);
+      const IlluminationGrid2 points = lit.grid(cells),
+                              grid = illuminate_inverse_square(lit.prepared, cells, lit.table, lit.by_element, 1);
       for (std::size_t k = 0; k < grid.values.size(); ++k)
         ASSERT_EQ(std::isnan(grid.values[k]), std::isnan(points.values[k])) << room.name << " " << k;
     }
@@ -74,14 +74,14 @@ TEST(IlluminationInSolids, AtACornerIsTheMeanOverTheFreeDirectionsOfApproach) {
   for (const BoxRoom& room : box_rooms()) {
     const Lit lit(room.scene);
     for (const Box2& box : room.boxes)
-      for (const ExactPoint2& at : {ExactPoint2{box.x0, box.y0}, {box.x1, box.y1}, {box.x1, box.y0}}) {
+      for (const Point2& at : {Point2{box.x0, box.y0}, {box.x1, box.y1}, {box.x1, box.y0}}) {
         if (room.is_in_solid(at)) continue;
         constexpr int kDirections = 400;
         double sum = 0;
         int free = 0;
         for (int k = 0; k < kDirections; ++k) {
           const double phi = 2 * std::numbers::pi * (k + 0.37) / kDirections;
-          const ExactPoint2 eye{at.x + Rational(std::cos(phi)) * tiny, at.y + Rational(std::sin(phi)) * tiny};
+          const Point2 eye{at.x + Rational(std::cos(phi)) * tiny, at.y + Rational(std::sin(phi)) * tiny};
           if (room.is_in_solid(eye)) continue;
           sum += lit.reference(eye);
           ++free;
@@ -107,8 +107,7 @@ TEST(SolidAround, NamesTheGroupThatMakesItSolid) {
   const auto around = [&](const Rational& x, const Rational& y) {
     View2 view;
     lit.location.look_around(
-        Eye2(lit.prepared.arrangement.vertices(), lit.prepared.arrangement.vertices().from_scene(ExactPoint2{x, y})),
-        view);
+        Eye2(lit.prepared.arrangement.vertices(), lit.prepared.arrangement.vertices().from_scene(Point2{x, y})), view);
     return solid_around(lit.prepared.arrangement, view);
   };
   EXPECT_EQ(around(1 + kHalf, kHalf), 1u);
@@ -127,7 +126,7 @@ TEST(AverageInSolids, OfARoomOfOneTemperatureIsTheRoomsInEveryCellThatIsNotWholl
     const Lit lit(room.scene, 2, kB);
     std::size_t solid = 0;
     for (const Grid2& cells : grids) {
-      const AverageIllumination light = illuminate_averages(lit.prepared, cells, lit.faces());
+      const AverageIllumination2 light = illuminate_averages(lit.prepared, cells, lit.faces());
       const Rational w = Rational(4) / Rational(cells.nx), h = Rational(3) / Rational(cells.ny);
       for (std::uint32_t iy = 0; iy < cells.ny; ++iy)
         for (std::uint32_t ix = 0; ix < cells.nx; ++ix) {
@@ -161,7 +160,7 @@ TEST(AverageInSolids, OwnsUpToWhatSliversDoNotTell) {
     room.box({1, 0, 2 - sliver, 1});
     const Lit lit(room.scene, 1, kB);
     const Grid2 cells{{0, 0}, {4, 3}, 4, 3};
-    const AverageIllumination light = illuminate_averages(lit.prepared, cells, lit.faces());
+    const AverageIllumination2 light = illuminate_averages(lit.prepared, cells, lit.faces());
     EXPECT_NEAR(light.grid.at(1, 0), kB, light.errors[1]);
     EXPECT_FALSE(std::isnan(light.grid.at(1, 0))) << bits;
     EXPECT_LE(light.errors[1], bits < 50 ? 1e-11 * std::ldexp(1.0, bits) : kB) << bits;
@@ -176,7 +175,7 @@ TEST(AverageInSolids, IsDefinedInGridsMuchSmallerAndLargerThanTheScene) {
   const Lit lit(room.scene, 1, kB);
   const Rational tiny(Integer(1), Integer(1) << 40), huge(Integer(1) << 60);
   const Grid2 small{{2 - 4 * tiny, kHalf}, {2 + 4 * tiny, kHalf + 8 * tiny}, 8, 8};  // the right wall is in its middle
-  const AverageIllumination near = illuminate_averages(lit.prepared, small, lit.faces());
+  const AverageIllumination2 near = illuminate_averages(lit.prepared, small, lit.faces());
   for (std::uint32_t k = 0; k < 64; ++k) {
     ASSERT_EQ(std::isnan(near.grid.values[k]), k % 8 < 4) << k;
     if (k % 8 < 4) continue;
@@ -191,9 +190,9 @@ TEST(AverageInSolids, IsTheLimitOfDenseGridsOfPoints) {
   for (const BoxRoom& room : box_rooms()) {
     const Lit lit(room.scene);
     const Grid2 cells{{0, 0}, {4, 3}, 5, 5};
-    const AverageIllumination average = illuminate_averages(lit.prepared, cells, lit.faces());
+    const AverageIllumination2 average = illuminate_averages(lit.prepared, cells, lit.faces());
     constexpr std::uint32_t kFine = 40;
-    const IlluminationGrid points = lit.grid({cells.min, cells.max, 5 * kFine, 5 * kFine});
+    const IlluminationGrid2 points = lit.grid({cells.min, cells.max, 5 * kFine, 5 * kFine});
     for (std::uint32_t cell = 0; cell < 25; ++cell) {
       double sum = 0;
       int free = 0;

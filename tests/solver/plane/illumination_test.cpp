@@ -17,11 +17,11 @@ using testing::Each;
 
 const Rational kTiny(1, 1ul << 62);
 
-TEST(IlluminationGrid, EqualsTheAnglesOfTheExactVisibilityPolygon) {
+TEST(IlluminationGrid2, EqualsTheAnglesOfTheExactVisibilityPolygon) {
   std::vector<Scene2> scenes{pillar_room()};
   for (unsigned seed = 1; seed <= 12; ++seed)
     scenes.push_back(random_lattice_scene(seed, 4 + 2 * static_cast<int>(seed)));
-  GeneratorRequest request;
+  GeneratorRequest2 request;
   request.kind = "room";
   request.n = 40;
   request.seed = 3;
@@ -33,10 +33,10 @@ TEST(IlluminationGrid, EqualsTheAnglesOfTheExactVisibilityPolygon) {
     const Rational margin = (cells.max.x - cells.min.x) / 3;
     cells.min.x -= margin;
     cells.max.y += margin;
-    const IlluminationGrid grid = lit.grid(cells);
+    const IlluminationGrid2 grid = lit.grid(cells);
     for (std::uint32_t iy = 0; iy < cells.ny; ++iy)
       for (std::uint32_t ix = 0; ix < cells.nx; ++ix) {
-        const ExactPoint2 eye = cell_centre(cells, ix, iy);
+        const Point2 eye = cell_centre(cells, ix, iy);
         const Eye2 look(lit.prepared.arrangement.vertices(), lit.prepared.arrangement.vertices().from_scene(eye));
         View2 view;
         const auto kind = lit.location.look_around(look, view).kind;
@@ -53,7 +53,7 @@ TEST(IlluminationGrid, EqualsTheAnglesOfTheExactVisibilityPolygon) {
   EXPECT_GT(compared, 3000u);
 }
 
-TEST(IlluminationGrid, IsExactlyBWhereEverythingSeenSendsOutB) {
+TEST(IlluminationGrid2, IsExactlyBWhereEverythingSeenSendsOutB) {
   const double b = 0.1;
   const Lit lit(square_room(), 1, b);
   EXPECT_THAT(lit.grid({{0, 0}, {1, 1}, 20, 30}).values, Each(b));
@@ -64,7 +64,7 @@ TEST(IlluminationGrid, IsExactlyBWhereEverythingSeenSendsOutB) {
   EXPECT_EQ(hexagon.at(Rational(1, 3), Rational(1, 7)), b);
 }
 
-TEST(IlluminationGrid, HalfOpenRoomsSeeTheSkyUnderItsAngle) {
+TEST(IlluminationGrid2, HalfOpenRoomsSeeTheSkyUnderItsAngle) {
   Scene2 scene;  // three walls of a square, open at the top
   add_edge(scene, {0, 0}, {0, 1});
   add_edge(scene, {1, 1}, {1, 0});
@@ -76,7 +76,7 @@ TEST(IlluminationGrid, HalfOpenRoomsSeeTheSkyUnderItsAngle) {
   EXPECT_NEAR(lit.at(Rational(1, 2), Rational(1, 2)), 2.5, 1e-15);
 }
 
-TEST(IlluminationGrid, SeesAStraightEdgeUnderItsAngleFromOutside) {
+TEST(IlluminationGrid2, SeesAStraightEdgeUnderItsAngleFromOutside) {
   Scene2 scene;  // its front looks down
   add_edge(scene, {-1, 0}, {1, 0});
   Lit lit(scene, 1, 0);
@@ -91,7 +91,7 @@ TEST(IlluminationGrid, SeesAStraightEdgeUnderItsAngleFromOutside) {
   EXPECT_NEAR(lit.at(-1000000, 1), 1.0, 1e-6);
 }
 
-TEST(IlluminationGrid, IsBlackBehindBlackBacksAndOutsideRooms) {
+TEST(IlluminationGrid2, IsBlackBehindBlackBacksAndOutsideRooms) {
   const Lit lit(pillar_room(), 2, 3);
   EXPECT_THAT(lit.grid({{Rational(2, 5), Rational(2, 5)}, {Rational(3, 5), Rational(3, 5)}, 4, 4}).values, Each(0.0));
   Lit dark(pillar_room(), 1, 3);
@@ -100,7 +100,7 @@ TEST(IlluminationGrid, IsBlackBehindBlackBacksAndOutsideRooms) {
   EXPECT_EQ(dark.at(2, 2), 0.0);
 }
 
-TEST(IlluminationGrid, OnAnEdgeIsTheMeanOfTheLimitsFromItsSides) {
+TEST(IlluminationGrid2, OnAnEdgeIsTheMeanOfTheLimitsFromItsSides) {
   const Lit lit(pillar_room());
   const Rational x(1, 2), y(2, 5);
   const double mean = (lit.reference({x, y - kTiny}) + lit.reference({x, y + kTiny})) / 2;
@@ -113,7 +113,7 @@ TEST(IlluminationGrid, OnAnEdgeIsTheMeanOfTheLimitsFromItsSides) {
     const Arrangement2& arrangement = random.prepared.arrangement;
     for (const Segment2& piece : arrangement.pieces()) {
       const Vertices2& vertices = arrangement.vertices();
-      const ExactPoint2 a = vertices.to_scene(vertices.exact(piece.a)), b = vertices.to_scene(vertices.exact(piece.b));
+      const Point2 a = vertices.to_scene(vertices.exact(piece.a)), b = vertices.to_scene(vertices.exact(piece.b));
       const Rational mx = (2 * a.x + b.x) / 3, my = (2 * a.y + b.y) / 3, nx = (a.y - b.y) * kTiny,
                      ny = (b.x - a.x) * kTiny;
       const double sides = (random.reference({mx + nx, my + ny}) + random.reference({mx - nx, my - ny})) / 2;
@@ -124,7 +124,7 @@ TEST(IlluminationGrid, OnAnEdgeIsTheMeanOfTheLimitsFromItsSides) {
   EXPECT_GT(found, 500u);
 }
 
-TEST(IlluminationGrid, AtAVertexIsTheMeanOverTheDirectionsOfApproach) {
+TEST(IlluminationGrid2, AtAVertexIsTheMeanOverTheDirectionsOfApproach) {
   std::vector<Scene2> scenes{pillar_room(), random_lattice_scene(5, 12), random_lattice_scene(8, 20)};
   Scene2 free_end;
   add_edge(free_end, {0, 0}, {1, 0}, true);
@@ -134,7 +134,7 @@ TEST(IlluminationGrid, AtAVertexIsTheMeanOverTheDirectionsOfApproach) {
     const Lit lit(scene);
     const Vertices2& vertices = lit.prepared.arrangement.vertices();
     for (const VertexId v : IdRange<VertexId>(std::min<std::size_t>(vertices.size(), 12))) {
-      const ExactPoint2 at = vertices.to_scene(vertices.exact(v));
+      const Point2 at = vertices.to_scene(vertices.exact(v));
       constexpr int kDirections = 400;
       double sum = 0;
       for (int k = 0; k < kDirections; ++k) {
@@ -146,7 +146,7 @@ TEST(IlluminationGrid, AtAVertexIsTheMeanOverTheDirectionsOfApproach) {
   }
 }
 
-TEST(IlluminationGrid, KnowsTheValuesAtACornerOfARoom) {
+TEST(IlluminationGrid2, KnowsTheValuesAtACornerOfARoom) {
   Lit lit(square_room(), 1, 0);  // walls: left, top, right, bottom
   lit.by_element = {1, 0, 0, 0, 0, 0, 0, 0};
   lit.sky = {0};
@@ -157,10 +157,10 @@ TEST(IlluminationGrid, KnowsTheValuesAtACornerOfARoom) {
   EXPECT_NEAR(lit.at(0, 0), 0.25 * 0.125, 1e-15);
 }
 
-TEST(IlluminationGrid, IsDefinedEverywhereOnALatticeOfContacts) {
+TEST(IlluminationGrid2, IsDefinedEverywhereOnALatticeOfContacts) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const Lit lit(random_lattice_scene(seed, 30));
-    const IlluminationGrid grid = lit.grid(
+    const IlluminationGrid2 grid = lit.grid(
         {{Rational(-1, 4), Rational(-1, 4)}, {Rational(35, 4), Rational(35, 4)}, 18, 18});  // centres: multiples of 1/2
     for (const double value : grid.values) {
       EXPECT_GE(value, 0.0);
@@ -169,7 +169,7 @@ TEST(IlluminationGrid, IsDefinedEverywhereOnALatticeOfContacts) {
   }
 }
 
-TEST(IlluminationGrid, IsDefinedInScenesOnOneLine) {
+TEST(IlluminationGrid2, IsDefinedInScenesOnOneLine) {
   Scene2 scene;
   add_edge(scene, {0, 0}, {1, 0}, true);
   add_edge(scene, {2, 0}, {3, 0}, true);
@@ -179,44 +179,44 @@ TEST(IlluminationGrid, IsDefinedInScenesOnOneLine) {
   EXPECT_EQ(Lit(Scene2{}, 1, 2).at(5, 5), 2.0);
 }
 
-TEST(IlluminationGrid, DoesNotDependOnTheThreads) {
-  GeneratorRequest request;
+TEST(IlluminationGrid2, DoesNotDependOnTheThreads) {
+  GeneratorRequest2 request;
   request.kind = "clutter";
   request.n = 60;
   request.seed = 2;
   const Lit lit(generate_2(request), 3);
   const Grid2 cells = default_grid(lit.prepared.scene, 150);
-  const IlluminationGrid once = lit.grid(cells);
+  const IlluminationGrid2 once = lit.grid(cells);
   for (const int threads : {1, 2, 3, 7}) {
     const ThreadLimit limit(threads);
     EXPECT_EQ(lit.grid(cells).values, once.values) << threads;
   }
 }
 
-TEST(IlluminationGrid, CellsDoNotDependOnTheGridAroundThem) {
+TEST(IlluminationGrid2, CellsDoNotDependOnTheGridAroundThem) {
   const Lit lit(random_lattice_scene(4, 25));
   const Grid2 cells{{0, 0}, {8, 8}, 16, 8};  // some centres on edges and vertices
-  const IlluminationGrid grid = lit.grid(cells);
+  const IlluminationGrid2 grid = lit.grid(cells);
   for (std::uint32_t iy = 0; iy < 8; ++iy)
     for (std::uint32_t ix = 0; ix < 16; ++ix) {
-      const ExactPoint2 centre = cell_centre(cells, ix, iy);
+      const Point2 centre = cell_centre(cells, ix, iy);
       EXPECT_EQ(grid.at(ix, iy), lit.at(centre.x, centre.y)) << ix << " " << iy;
     }
 }
 
-TEST(IlluminationGrid, BeginsWithTheLowestRow) {
+TEST(IlluminationGrid2, BeginsWithTheLowestRow) {
   Scene2 scene;
   add_polygon(scene, {{0, 0}, {0, 2}, {3, 2}, {3, 0}});
   Lit lit(scene, 1, 0);
   lit.by_element[2 * 3] = 1;  // the floor
-  const IlluminationGrid grid = lit.grid({{0, 0}, {3, 2}, 3, 2});
+  const IlluminationGrid2 grid = lit.grid({{0, 0}, {3, 2}, 3, 2});
   EXPECT_EQ(grid.values.size(), 6u);
   EXPECT_GT(grid.values[1], grid.values[4]);
   EXPECT_EQ(grid.at(1, 0), grid.values[1]);
   EXPECT_NEAR(grid.at(0, 0), lit.reference({Rational(1, 2), Rational(1, 2)}), 1e-15);
 }
 
-TEST(IlluminationGrid, ElementsSendOutWhatTheyHave) {
+TEST(IlluminationGrid2, ElementsSendOutWhatTheyHave) {
   Scene2 scene = square_room();
   scene.surfaces[1].elements = 2;
   Lit lit(scene, 1, 0);
@@ -231,7 +231,7 @@ TEST(IlluminationGrid, ElementsSendOutWhatTheyHave) {
   EXPECT_NEAR(lit.at(Rational(3, 4), Rational(3, 4)), 2.0, 1e-15);
 }
 
-TEST(IlluminationGrid, ReportsProgressAndStops) {
+TEST(IlluminationGrid2, ReportsProgressAndStops) {
   const Lit lit(pillar_room());
   std::vector<double> reports;
   illuminate_points(lit.prepared, {{0, 0}, {1, 1}, 256, 256}, lit.faces(), [&](double f) { reports.push_back(f); });
@@ -278,10 +278,10 @@ TEST(InverseSquare, EqualsTheSumOverSeenFractionsOfElements) {
   add_edge(scene, {Rational(1, 10), Rational(1, 2)}, {Rational(3, 10), Rational(7, 10)}, true);
   const Lit lit(scene);
   const Grid2 cells{{0, 0}, {1, 1}, 9, 7};
-  const IlluminationGrid grid = illuminate_inverse_square(lit.prepared, cells, lit.table, lit.by_element, 1);
+  const IlluminationGrid2 grid = illuminate_inverse_square(lit.prepared, cells, lit.table, lit.by_element, 1);
   for (std::uint32_t iy = 0; iy < cells.ny; ++iy)
     for (std::uint32_t ix = 0; ix < cells.nx; ++ix) {
-      const ExactPoint2 eye = cell_centre(cells, ix, iy);
+      const Point2 eye = cell_centre(cells, ix, iy);
       double sum = 0;
       for (const auto& part : visibility_polygon(lit.prepared.arrangement, lit.location, eye).parts) {
         if (part.side == kSky) continue;
@@ -304,7 +304,7 @@ TEST(InverseSquare, KeepsHalfACellAwayFromTheMiddleOfAnEdge) {
   Scene2 scene;
   add_edge(scene, {1, Rational(1, 1000)}, {-1, Rational(1, 1000)});  // its front looks up
   const Lit lit(scene, 1, 3);
-  const IlluminationGrid grid = illuminate_inverse_square(
+  const IlluminationGrid2 grid = illuminate_inverse_square(
       lit.prepared, {{-1, Rational(-1, 100)}, {1, Rational(1, 10)}, 1, 1}, lit.table, lit.by_element, 1);
   const double half = 0.055;
   EXPECT_NEAR(grid.values[0], 3 / (half * half), 1e-9);

@@ -55,7 +55,7 @@ inline Scene2 random_lattice_scene(unsigned seed, int edges) {
 // A scene, ready, with a radiosity for each element and the sky.
 struct Lit {
   explicit Lit(Scene2 scene, std::uint32_t channel_count = 1, double fixed = -1)
-      : prepared(prepare(std::move(scene), Divided::kYes)),
+      : prepared(prepare(std::move(scene), Divided2::kYes)),
         table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement),
         location(prepared.arrangement.vertices(), prepared.arrangement.triangulation()) {
     std::mt19937 random(1);
@@ -65,13 +65,13 @@ struct Lit {
   }
 
   FaceRadiosity2 faces() const { return {prepared.arrangement, table, by_element, sky}; }
-  IlluminationGrid grid(const Grid2& cells) const { return illuminate_points(prepared, cells, faces()); }
+  IlluminationGrid2 grid(const Grid2& cells) const { return illuminate_points(prepared, cells, faces()); }
   double radiosity(PieceSideId side, std::uint32_t channel = 0) const { return faces().of(side)[channel]; }
   double at(const Rational& x, const Rational& y) const {
     return grid({{x - 1, y - 1}, {x + 1, y + 1}, 1, 1}).values[0];
   }
   // The slow way: the exact visibility polygon, its angles as balls.
-  double reference(const ExactPoint2& eye, std::uint32_t channel = 0) const {
+  double reference(const Point2& eye, std::uint32_t channel = 0) const {
     const FaceRadiosity2 radiosities = faces();
     const VisibilityPolygon2 polygon = visibility_polygon(prepared.arrangement, location, eye);
     double sum = 0;

@@ -20,12 +20,12 @@ namespace hottel {
 namespace {
 
 PreparedScene2 clutter(std::uint64_t edges, int digits = 0) {
-  GeneratorRequest request;
+  GeneratorRequest2 request;
   request.kind = "clutter";
   request.n = edges;
   request.seed = 3;
   request.digits = digits;
-  return prepare(generate_2(request), Divided::kYes);
+  return prepare(generate_2(request), Divided2::kYes);
 }
 
 std::vector<std::filesystem::path> scenes_in(const std::string& folder) {
@@ -53,7 +53,7 @@ struct Outcome {
 };
 Outcome run(const std::string& name, const PreparedScene2& prepared) {
   Outcome result;
-  result.matrix = planar_methods().make(name)->compute(prepared, result.report);
+  result.matrix = methods_2().make(name)->compute(prepared, result.report);
   return result;
 }
 
@@ -87,10 +87,10 @@ TEST(Arithmetic2, StaysWithinItsDeclaredErrorOnEveryAnalyticAndDegenerateScene) 
   int declared = 0;
   for (const char* folder : {"analytic", "degenerate"})
     for (const auto& file : scenes_in(folder)) {
-      const PreparedScene2 prepared = prepare(read_scene_2(file), Divided::kYes);
+      const PreparedScene2 prepared = prepare(read_scene_2(file), Divided2::kYes);
       const ExchangeMatrix exact = run("exact", prepared).matrix;
       for (const char* name : {"arithmetic:doubles", "arithmetic:bounds", "arithmetic:rounded"}) {
-        const auto error = planar_methods().make(name)->declared_error(prepared);
+        const auto error = methods_2().make(name)->declared_error(prepared);
         if (!error) continue;
         ++declared;
         EXPECT_LE(max_error(run(name, prepared).matrix, exact), *error) << file << ' ' << name;
@@ -102,7 +102,7 @@ TEST(Arithmetic2, StaysWithinItsDeclaredErrorOnEveryAnalyticAndDegenerateScene) 
 TEST(Arithmetic2, EnclosesEveryFactorByBounds) {
   for (const char* folder : {"analytic", "degenerate"})
     for (const auto& file : scenes_in(folder)) {
-      const PreparedScene2 prepared = prepare(read_scene_2(file), Divided::kYes);
+      const PreparedScene2 prepared = prepare(read_scene_2(file), Divided2::kYes);
       const ExchangeMatrix exact = run("exact", prepared).matrix, enclosed = run("arithmetic:bounds", prepared).matrix;
       EXPECT_EQ(enclosed.guarantee(), Guarantee::kEnclosed);
       for (std::uint32_t i = 0; i < enclosed.size(); ++i)
@@ -129,7 +129,7 @@ TEST(Arithmetic2, AgreesWhereNothingIsDegenerate) {
 
 TEST(Arithmetic2, NaiveSignsAreCountedAndMostlyRightInGeneralPosition) {
   const PreparedScene2 prepared = clutter(50);
-  const WrongOrientations counts =
+  const WrongOrientations2 counts =
       count_wrong_orientations(prepared.arrangement, NaivePoints2(prepared.arrangement.vertices()));
   EXPECT_GT(counts.asked, 10'000u);
   EXPECT_LT(counts.wrong, counts.asked / 100);
@@ -158,7 +158,7 @@ TEST(Arithmetic2, NaiveSignsAreWrongOnALineOfDecimals) {
   scene.surfaces.back().group = 8;
   scene.groups.push_back("wall");
   const PreparedScene2 prepared = prepare(scene);
-  const WrongOrientations counts =
+  const WrongOrientations2 counts =
       count_wrong_orientations(prepared.arrangement, NaivePoints2(prepared.arrangement.vertices()));
   EXPECT_GT(counts.wrong, 0u);
   EXPECT_THAT(
@@ -170,14 +170,14 @@ TEST(Arithmetic2, NaiveSignsAreWrongOnALineOfDecimals) {
 TEST(Arithmetic2, EndsOnEveryDegenerateScene) {
   std::uint64_t wrong = 0, wrong_scenes = 0, scenes = 0;
   for (const auto& file : scenes_in("degenerate")) {
-    const PreparedScene2 prepared = prepare(read_scene_2(file), Divided::kYes);
+    const PreparedScene2 prepared = prepare(read_scene_2(file), Divided2::kYes);
     for (const char* name : {"arithmetic:naive", "arithmetic:doubles", "arithmetic:bounds", "arithmetic:cgal"}) {
       const Outcome result = run(name, prepared);
       for (std::uint32_t i = 0; i < result.matrix.size(); ++i)
         for (const FactorEntry& entry : result.matrix.row(i))
           EXPECT_TRUE(std::isfinite(entry.factor.value)) << file << ' ' << name;
     }
-    const WrongOrientations counts =
+    const WrongOrientations2 counts =
         count_wrong_orientations(prepared.arrangement, NaivePoints2(prepared.arrangement.vertices()));
     wrong += counts.wrong;
     wrong_scenes += counts.wrong > 0;
@@ -217,8 +217,8 @@ TEST(Arithmetic2, EndsWhenSignsAreArbitrary) {
 }
 
 TEST(Arithmetic2, RefusesAVariantThatIsNotThere) {
-  EXPECT_THROW(planar_methods().make("arithmetic"), UsageError);
-  EXPECT_THROW(planar_methods().make("arithmetic:quad"), UsageError);
+  EXPECT_THROW(methods_2().make("arithmetic"), UsageError);
+  EXPECT_THROW(methods_2().make("arithmetic:quad"), UsageError);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::uint32_t kFewElements = 60;
 
 const MethodCatalogue2& catalogue() {
-  static const MethodCatalogue2 methods = planar_methods();
+  static const MethodCatalogue2 methods = methods_2();
   return methods;
 }
 
@@ -48,7 +48,7 @@ const SceneCase& scene_case(const std::string& folder, const std::string& stem) 
   auto& one = cases[folder + "/" + stem];
   if (!one) {
     PreparedScene2 prepared =
-        prepare(read_scene_2(fs::path(HOTTEL_SOURCE_DIR) / "scenes" / folder / (stem + ".json")), Divided::kYes);
+        prepare(read_scene_2(fs::path(HOTTEL_SOURCE_DIR) / "scenes" / folder / (stem + ".json")), Divided2::kYes);
     ExchangeMatrix exact = exact_exchange(prepared, {.granularity = Granularity::kElement});
     one = std::make_unique<SceneCase>(SceneCase{std::move(prepared), std::move(exact)});
   }
@@ -131,7 +131,7 @@ void PrintTo(const NamedMethod& method, std::ostream* out) { *out << method.name
 const std::vector<NamedMethod>& all_methods() {
   static const std::vector<NamedMethod> methods = [] {
     std::vector<NamedMethod> result;
-    for (const MethodFamily& family : catalogue().families()) {
+    for (const MethodFamily2& family : catalogue().families()) {
       std::set<std::string> curves;
       for (const std::string& name : family.sweep)
         result.push_back({name, curves.insert(catalogue().make(name)->info().family).second});

@@ -23,8 +23,8 @@ class MethodsOnExtremes : public testing::TestWithParam<std::string> {};
 // Calls visit(family, method, its matrix) for all points of all sweeps. An inverse square may be beyond doubles.
 template <class Visit>
 void for_each_method(const PreparedScene2& prepared, const Visit& visit) {
-  const MethodCatalogue2 methods = planar_methods();
-  for (const MethodFamily& family : methods.families())
+  const MethodCatalogue2 methods = methods_2();
+  for (const MethodFamily2& family : methods.families())
     for (const std::string& name : family.sweep) {
       const auto method = methods.make(name);
       MethodReport report;
@@ -41,7 +41,7 @@ void for_each_method(const PreparedScene2& prepared, const Visit& visit) {
 
 TEST_P(MethodsOnExtremes, GiveFiniteFactorsThatAreNotNegative) {
   for_each_method(scene_of(GetParam()),
-                  [](const MethodFamily& family, const ExchangeMethod2& method, const ExchangeMatrix& matrix) {
+                  [](const MethodFamily2& family, const ExchangeMethod2& method, const ExchangeMatrix& matrix) {
                     for (std::uint32_t i = 0; i < matrix.size(); ++i)
                       for (const FactorEntry& entry : matrix.row(i)) {
                         EXPECT_TRUE(std::isfinite(entry.factor.value)) << method.info().name;
@@ -55,7 +55,7 @@ TEST_P(MethodsOnExtremes, GiveFiniteFactorsThatAreNotNegative) {
 TEST_P(MethodsOnExtremes, KeepWhatTheyClaim) {
   const PreparedScene2 prepared = scene_of(GetParam());
   const ExchangeMatrix exact = exact_exchange(prepared, {.granularity = Granularity::kElement});
-  for_each_method(prepared, [&](const MethodFamily&, const ExchangeMethod2& method, const ExchangeMatrix& matrix) {
+  for_each_method(prepared, [&](const MethodFamily2&, const ExchangeMethod2& method, const ExchangeMatrix& matrix) {
     const auto claimed = method.declared_error(prepared);
     for (std::uint32_t i = 0; i < matrix.size(); ++i) {
       for (std::uint32_t j = 0; claimed && j <= matrix.sky(); ++j)

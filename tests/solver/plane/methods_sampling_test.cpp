@@ -22,16 +22,16 @@ namespace hottel {
 namespace {
 
 PreparedScene2 clutter(std::uint64_t edges) {
-  GeneratorRequest request;
+  GeneratorRequest2 request;
   request.kind = "clutter";
   request.n = edges;
   request.seed = 7;
-  return prepare(generate_2(request), Divided::kYes);
+  return prepare(generate_2(request), Divided2::kYes);
 }
 
 ExchangeMatrix run(const std::string& name, const PreparedScene2& prepared, MethodReport* report = nullptr) {
   MethodReport ignored;
-  return planar_methods().make(name)->compute(prepared, report != nullptr ? *report : ignored);
+  return methods_2().make(name)->compute(prepared, report != nullptr ? *report : ignored);
 }
 
 // Calls visit(exact factor, difference) for every pair that is in one of the two.
@@ -80,10 +80,10 @@ const std::vector<std::string> kSampled{"rays:1024",       "rays:1000:stratified
 TEST(SamplingMethods2, StayWithinTheirDeclaredErrorOnEveryAnalyticScene) {
   std::map<std::string, int> declared;
   for (const auto& file : std::filesystem::directory_iterator(HOTTEL_SOURCE_DIR "/scenes/analytic")) {
-    const PreparedScene2 prepared = prepare(read_scene_2(file.path()), Divided::kYes);
+    const PreparedScene2 prepared = prepare(read_scene_2(file.path()), Divided2::kYes);
     const ExchangeMatrix exact = run("exact", prepared);
     for (const std::string& name : kSampled) {
-      const auto error = planar_methods().make(name)->declared_error(prepared);
+      const auto error = methods_2().make(name)->declared_error(prepared);
       if (!error) continue;
       ++declared[name];
       EXPECT_LE(max_error(run(name, prepared), exact), *error) << file.path() << ' ' << name;
@@ -116,7 +116,7 @@ TEST(SamplingMethods2, RefuseVariantsThatAreNotThere) {
   for (const char* name :
        {"rays", "rays:", "rays:0", "rays:x", "rays:8:", "rays:8:halton", "rays:8:sobol:seed=", "rays:8:seed=1:sobol",
         "rays:-1", "hemicube", "hemicube:", "hemicube:3", "hemicube:0", "hemicube:64:plain", "hemicube:2097152"})
-    EXPECT_THROW(planar_methods().make(name), UsageError) << name;
+    EXPECT_THROW(methods_2().make(name), UsageError) << name;
 }
 
 // For each row, n sum (F' - F)^2 / F over the columns is distributed as chi square with one degree less than columns.
@@ -161,7 +161,7 @@ TEST(Rays2, ReportTheStandardErrorOfTheWorstFactorAndTheSeed) {
       worst = std::max(worst, std::sqrt(entry.factor.value * (1 - entry.factor.value) / 400));
   EXPECT_DOUBLE_EQ(report.standard_error.value(), worst);
   EXPECT_THAT(report.notes, ::testing::Contains("seed 1"));
-  EXPECT_EQ(planar_methods().make("rays:400:seed=5")->info().name, "rays:400:seed=5");
+  EXPECT_EQ(methods_2().make("rays:400:seed=5")->info().name, "rays:400:seed=5");
   EXPECT_GT(max_error(run("rays:400:seed=5", prepared), matrix), 0);
 }
 
@@ -182,7 +182,7 @@ TEST(Rays2, ConvergeFasterWhenStratified) {
 TEST(RaySamples2, LieOneByOneInTheirParts) {
   constexpr int kLevels = 10;
   const auto n = std::uint64_t{1} << kLevels;
-  const RaySamples2 sobol(Sampling::kSobol, n, 3);
+  const RaySamples2 sobol(Sampling2::kSobol, n, 3);
   for (int wide = 0; wide <= kLevels; ++wide) {
     std::set<std::pair<int, int>> parts;
     sobol.for_each(17, [&](const RaySamples2::Point& p) {
@@ -191,7 +191,7 @@ TEST(RaySamples2, LieOneByOneInTheirParts) {
     });
     EXPECT_EQ(parts.size(), n) << wide;
   }
-  const RaySamples2 grid(Sampling::kStratified, 900, 3);
+  const RaySamples2 grid(Sampling2::kStratified, 900, 3);
   std::set<std::pair<int, int>> parts;
   grid.for_each(17, [&](const RaySamples2::Point& p) {
     parts.emplace(static_cast<int>(30 * p.position), static_cast<int>(30 * p.turn));
@@ -203,7 +203,7 @@ TEST(RaySamples2, LieOneByOneInTheirParts) {
 TEST(RaySamples2, FollowTheAreaBelowACurve) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0, 1);
-  for (const Sampling sampling : {Sampling::kStratified, Sampling::kSobol})
+  for (const Sampling2 sampling : {Sampling2::kStratified, Sampling2::kSobol})
     for (const std::uint64_t n : {1u, 2u, 7u, 64u, 1000u, 1024u, 5000u}) {
       const RaySamples2 samples(sampling, n, 1);
       for (std::uint32_t element = 0; element < 40; ++element) {
@@ -221,7 +221,7 @@ TEST(RaySamples2, OfDifferentElementsAndSeedsDiffer) {
   std::set<double> positions;
   for (std::uint64_t seed = 0; seed < 10; ++seed)
     for (std::uint32_t element = 0; element < 10; ++element)
-      RaySamples2(Sampling::kIndependent, 10, seed).for_each(element, [&](const RaySamples2::Point& p) {
+      RaySamples2(Sampling2::kIndependent, 10, seed).for_each(element, [&](const RaySamples2::Point& p) {
         EXPECT_GT(p.position, 0);
         EXPECT_LT(p.position, 1);
         positions.insert(p.position);
@@ -318,7 +318,7 @@ TEST(Hemicube2, SeesNothingOfAnEdgeThatEndsAtTheEye) {
   add("roof", "1/3", "1", "1", "1");
   add("other", "1", "1", "1", "1/3");
   add("fin", "2/3", "1/3", "2/3", "0.9");
-  const PreparedScene2 prepared = prepare(scene, Divided::kYes);
+  const PreparedScene2 prepared = prepare(scene, Divided2::kYes);
   const ExchangeMatrix matrix = run("hemicube:1024", prepared);
   const auto factor = [&](const char* to) { return matrix.factor(0, matrix.find(to).value()).value; };
   EXPECT_EQ(factor("fin"), 0);
@@ -326,7 +326,7 @@ TEST(Hemicube2, SeesNothingOfAnEdgeThatEndsAtTheEye) {
   // From the middle of a unit square's side the roof takes sin phi = 1 / sqrt(5), to either side.
   EXPECT_NEAR(factor("roof"), 1 / std::sqrt(5.0), 2.0 / 1024);
   EXPECT_NEAR(factor("wall"), (1 - 1 / std::sqrt(5.0)) / 2, 1.0 / 1024);
-  EXPECT_FALSE(planar_methods().make("hemicube:1024")->declared_error(prepared).has_value());
+  EXPECT_FALSE(methods_2().make("hemicube:1024")->declared_error(prepared).has_value());
 }
 
 // The exact factors from the centre of each element, and how many stretches of each element are seen.
@@ -344,7 +344,7 @@ CentreFactors centre_factors(const PreparedScene2& prepared, const ElementTable2
        point_factors(prepared.arrangement, location, edge.from, edge.to, element.is_back, half))
     result.factor[table.of(each.side)] += each.factor.ball(128).nearest_of_ends().lower;
   const Vertices2& vertices = prepared.arrangement.vertices();
-  const ExactPoint2 centre{half * (edge.from.x + edge.to.x), half * (edge.from.y + edge.to.y)};
+  const Point2 centre{half * (edge.from.x + edge.to.x), half * (edge.from.y + edge.to.y)};
   View2 view;
   location.look_around(Eye2(vertices, vertices.from_scene(centre)), view);
   for (const View2::Seen& seen : view.seen) ++result.stretches[table.of(seen.behind)];

@@ -48,7 +48,7 @@ std::map<std::string, mpf_class> exact_flux(const ExactScene& scene,
 }
 
 ExactScene random_exact_scene(std::uint64_t seed) {
-  return ExactScene(random_scene(seed), seed % 5 == 0 ? Divided::kYes : Divided::kNo);
+  return ExactScene(random_scene(seed), seed % 5 == 0 ? Divided2::kYes : Divided2::kNo);
 }
 
 TEST(NetFlux, LiesWithinItsBoundsByElementAndByFace) {
@@ -96,7 +96,7 @@ constexpr const char* kOpen = R"({"hottel": 1, "dimension": 2,
             {"name": "floor", "points": [[4,0],[0,0]], "material": "floor", "elements": 4}]})";
 
 TEST(NetFlux, IsPositiveWhereMoreLeavesThanArrives) {
-  const ExactScene scene(scene_of(kOpen), Divided::kYes);
+  const ExactScene scene(scene_of(kOpen), Divided2::kYes);
   const RadiositySolution solution = scene.solve();
   const std::vector<NetFlux> flux =
       net_flux(scene.matrix(), solution, scene.scene().sky_emission,

@@ -9,11 +9,11 @@ namespace hottel {
 namespace {
 
 TEST(Normalised, RowsSumToOneAndNeverToMore) {
-  const PreparedScene2 prepared = prepare(generate_2({.kind = "clutter", .n = 90, .seed = 4}), Divided::kYes);
+  const PreparedScene2 prepared = prepare(generate_2({.kind = "clutter", .n = 90, .seed = 4}), Divided2::kYes);
   std::size_t rows = 0, below = 0;
   for (const char* name : {"exact", "strings", "center", "gauss:4", "rays:100", "hemicube:64"}) {
     MethodReport report;
-    const ExchangeMatrix matrix = planar_methods().make(std::string(name) + ":normalised")->compute(prepared, report);
+    const ExchangeMatrix matrix = methods_2().make(std::string(name) + ":normalised")->compute(prepared, report);
     for (std::uint32_t i = 0; i < matrix.size(); ++i) {
       if (matrix.row(i).empty()) continue;
       Rational sum = 0;
@@ -29,10 +29,10 @@ TEST(Normalised, RowsSumToOneAndNeverToMore) {
 }
 
 TEST(Normalised, StandsAtTheEndOfAName) {
-  EXPECT_EQ(split_method_name("gauss:4:normalised").raw, "gauss:4");
-  EXPECT_EQ(split_method_name("gauss:4:normalised").normalised, ":normalised");
-  EXPECT_EQ(split_method_name("gauss:4").raw, "gauss:4");
-  EXPECT_EQ(split_method_name("gauss:4").normalised, "");
+  EXPECT_EQ(split_method_name_2("gauss:4:normalised").raw, "gauss:4");
+  EXPECT_EQ(split_method_name_2("gauss:4:normalised").normalised, ":normalised");
+  EXPECT_EQ(split_method_name_2("gauss:4").raw, "gauss:4");
+  EXPECT_EQ(split_method_name_2("gauss:4").normalised, "");
 }
 
 }  // namespace

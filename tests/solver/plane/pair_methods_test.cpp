@@ -22,11 +22,11 @@ using testing_scenes::scene_of;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-PreparedScene2 prepared_of(const std::vector<Line>& lines) { return prepare(scene_of(lines), Divided::kYes); }
+PreparedScene2 prepared_of(const std::vector<Line>& lines) { return prepare(scene_of(lines), Divided2::kYes); }
 
 ExchangeMatrix computed(const std::string& method, const PreparedScene2& prepared) {
   MethodReport report;
-  return planar_methods().make(method)->compute(prepared, report);
+  return methods_2().make(method)->compute(prepared, report);
 }
 
 double factor(const ExchangeMatrix& matrix, const std::string& from, const std::string& to) {
@@ -120,7 +120,7 @@ TEST(StringsMethod, IsExactWhereNothingHides) {
   for (Line& line : lines) line.elements = 9;
   const PreparedScene2 prepared = prepared_of(lines);
   const ExchangeMatrix exact = computed("exact", prepared), strings = computed("strings", prepared);
-  const auto method = planar_methods().make("strings");
+  const auto method = methods_2().make("strings");
   const auto claimed = method->claimed_errors(prepared);
   for (std::uint32_t i = 0; i < exact.size(); ++i)
     for (const FactorEntry& entry : exact.row(i)) {
@@ -193,7 +193,7 @@ TEST(Claims, AreRealNumbersBetweenSeparatedPlates) {
                                                  {"gauss:4", 1e-9}, {"gauss:8", 1e-13},           {"strings", 1e-12},
                                                  {"exact", 0},      {"gauss:8:normalised", 1e-12}};
   for (const auto& [name, bound] : most) {
-    const auto claimed = planar_methods().make(name)->declared_error(prepared);
+    const auto claimed = methods_2().make(name)->declared_error(prepared);
     ASSERT_TRUE(claimed.has_value()) << name;
     EXPECT_LE(*claimed, bound) << name;
     EXPECT_LE(largest_error(computed(name, prepared), computed("exact", prepared)), *claimed) << name;
@@ -203,13 +203,13 @@ TEST(Claims, AreRealNumbersBetweenSeparatedPlates) {
 TEST(Claims, AreNotMadeWhereElementsTouchOrHideInPart) {
   const auto touching = prepared_of(corner());
   for (const std::string name : {"center", "center-vis", "vertices", "gauss:4"}) {
-    const auto method = planar_methods().make(name);
+    const auto method = methods_2().make(name);
     EXPECT_FALSE(method->declared_error(touching).has_value()) << name;
     EXPECT_EQ(method->claimed_errors(touching)(0, 2), kInfinity) << name;
   }
   const auto hidden = prepared_of(plates("10") + std::vector<Line>{{"wall", "1/2", "5", "2", "5"}});
   for (const std::string name : {"center", "center-vis", "vertices", "gauss:4", "strings"}) {
-    const auto method = planar_methods().make(name);
+    const auto method = methods_2().make(name);
     const double claimed = method->claimed_errors(hidden)(0, 2);
     if (name == "center-vis")
       EXPECT_LT(claimed, 1e-3);
@@ -226,7 +226,7 @@ TEST(Claims, AreNotMadeOfSpecks) {
        {"center", "center-vis", "center-vis:inverse-square=1", "vertices", "strings", "gauss:4"}) {
     const ExchangeMatrix matrix = computed(name, prepared);
     EXPECT_TRUE(matrix.row(matrix.find("speck").value()).empty()) << name;
-    const auto method = planar_methods().make(name);
+    const auto method = methods_2().make(name);
     EXPECT_EQ(method->claimed_errors(prepared)(matrix.find("speck").value(), matrix.find("bottom").value()), kInfinity);
     EXPECT_FALSE(method->declared_error(prepared).has_value());
   }
@@ -236,7 +236,7 @@ TEST(Claims, HoldOnALineWhereNothingFacesAnything) {
   const PreparedScene2 prepared = prepared_of({{"one", "0", "0", "1", "0"}, {"two", "3", "0", "2", "0"}});
   for (const std::string name : {"center", "center-vis", "vertices", "strings", "gauss:4"}) {
     EXPECT_EQ(factor(computed(name, prepared), "one", "sky"), 1) << name;
-    EXPECT_EQ(planar_methods().make(name)->declared_error(prepared), 0) << name;
+    EXPECT_EQ(methods_2().make(name)->declared_error(prepared), 0) << name;
   }
 }
 
@@ -287,7 +287,7 @@ TEST(RunPoints2, HaveAllElementsThatTheySeeAsPartners) {
   std::size_t seen = 0;
   for (const char* kind : {"lattice", "clutter"})
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
-      const PreparedScene2 prepared = prepare(testing_scenes::generated(kind, 60, seed), Divided::kYes);
+      const PreparedScene2 prepared = prepare(testing_scenes::generated(kind, 60, seed), Divided2::kYes);
       const ElementGeometry2 geometry(prepared);
       const RunPoints2 points(prepared, geometry, {Rational(1, 3), Rational(1, 2)});
       for (std::uint32_t i = 0; i < geometry.count(); ++i) {
@@ -313,7 +313,7 @@ TEST(Names, ThatMakeNoSenseAreRefused) {
        {"center:1", "strings:2", "gauss", "gauss:", "gauss:0", "gauss:-1", "gauss:4x", "gauss:1025", "vertices:first",
         "vertices:centroid:literal", "center-vis:1", "center-vis:inverse-square=", "center-vis:inverse-square=-1",
         "center-vis:inverse-square=x", "middle"})
-    EXPECT_THROW(planar_methods().make(name), UsageError) << name;
+    EXPECT_THROW(methods_2().make(name), UsageError) << name;
 }
 
 }  // namespace

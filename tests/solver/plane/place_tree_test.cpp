@@ -17,7 +17,7 @@ namespace hottel {
 namespace {
 
 PreparedScene2 scene_number(std::uint64_t seed) {
-  return prepare(testing_radiosity::random_scene(seed), seed % 2 == 0 ? Divided::kYes : Divided::kNo);
+  return prepare(testing_radiosity::random_scene(seed), seed % 2 == 0 ? Divided2::kYes : Divided2::kNo);
 }
 
 TEST(PlaceTree2, VisitsEveryVertexThatDoesNotLieBehindARun) {
@@ -133,9 +133,9 @@ std::optional<double> claimed_by_all_vertices(const PreparedScene2& prepared, do
 TEST(Hemicube2, ClaimsWhatAllVerticesTell) {
   int claims = 0, others = 0;
   const auto compare = [&](Scene2 scene) {
-    const PreparedScene2 prepared = prepare(std::move(scene), Divided::kYes);
+    const PreparedScene2 prepared = prepare(std::move(scene), Divided2::kYes);
     for (const int resolution : {64, 1024}) {
-      const auto claimed = planar_methods().make("hemicube:" + std::to_string(resolution))->declared_error(prepared);
+      const auto claimed = methods_2().make("hemicube:" + std::to_string(resolution))->declared_error(prepared);
       const auto expected = claimed_by_all_vertices(prepared, resolution);
       ASSERT_EQ(claimed.has_value(), expected.has_value()) << prepared.scene.about;
       ++(claimed ? claims : others);

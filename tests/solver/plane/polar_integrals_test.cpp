@@ -62,23 +62,23 @@ Vector2 axis_towards(const Vector2& z, double turned) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-TEST(PolarIntegrals, AgreeWithQuadratureWithinTheirBounds) {
+TEST(PolarIntegrals2, AgreeWithQuadratureWithinTheirBounds) {
   constexpr double kUnit = 0x1p-53;
   for (const double height : {1.0, 0.25, 3.0}) {
     Cells cells(7);
-    const PolarIntegrals integrals(height);
+    const PolarIntegrals2 integrals(height);
     std::size_t near = 0, far = 0;
     for (int k = 0; k < 300; ++k) {
       const Vector2 z = cells.centre(4 * integrals.radius(), 1e6);
       const Vector2 axis = axis_towards(z, cells.number(-0.5, 0.5));
       const CellPart2 part = cells.part(height);
       if (part.size() < 3) continue;
-      const AreaAndAngle found = integrals.over(part, z, axis);
+      const AreaAndAngle2 found = integrals.over(part, z, axis);
       const Exact exact = by_quadrature(part, z, axis);
       const double corners = 8 * kUnit * integrals.radius() * integrals.radius();  // the quadrature's own
       EXPECT_NEAR(found.area, static_cast<double>(exact.area), kUnit * integrals.area_error() + corners);
       EXPECT_NEAR(found.angle, static_cast<double>(exact.angle), kUnit * integrals.angle_error(z) + corners);
-      const AreaAndAngle whole = integrals.over_cell(z, axis);
+      const AreaAndAngle2 whole = integrals.over_cell(z, axis);
       const Exact exact_whole = by_quadrature(CellPart2(height), z, axis);
       EXPECT_NEAR(whole.angle, static_cast<double>(exact_whole.angle),
                   kUnit * (integrals.is_near(z) ? integrals.angle_error(z) : 12 * height) + corners);
@@ -90,8 +90,8 @@ TEST(PolarIntegrals, AgreeWithQuadratureWithinTheirBounds) {
 }
 
 // The pole is a corner of the part: a quadrant of the cell cut off there.
-TEST(PolarIntegrals, HoldAboutThePoleItself) {
-  const PolarIntegrals integrals(1);
+TEST(PolarIntegrals2, HoldAboutThePoleItself) {
+  const PolarIntegrals2 integrals(1);
   CellPart2 quadrant(1);
   quadrant.cut(-0.125, {1, 0});
   quadrant.cut(0.25, {0, 1});
@@ -102,13 +102,13 @@ TEST(PolarIntegrals, HoldAboutThePoleItself) {
     return a * b / 2 * std::atan(b / a) - a * a / 4 * std::log1p(b * b / a / a);
   };
   const double lower = under(w, h), upper = w * h / 2 * std::atan(1e300) - under(h, w);
-  const AreaAndAngle found = integrals.over(quadrant, z, axis);
+  const AreaAndAngle2 found = integrals.over(quadrant, z, axis);
   EXPECT_NEAR(found.area, w * h, 1e-15);
   EXPECT_NEAR(found.angle, lower + upper - w * h * std::atan(1.0), 1e-15);
 }
 
-TEST(PolarIntegrals, OfNothingAreNothing) {
-  const PolarIntegrals integrals(1);
+TEST(PolarIntegrals2, OfNothingAreNothing) {
+  const PolarIntegrals2 integrals(1);
   CellPart2 part(1);
   part.cut(-2, {1, 0});
   EXPECT_EQ(part.size(), 0);

@@ -21,7 +21,7 @@ using namespace testing_radiosity;
 constexpr std::uint64_t kScenes = 1000;
 
 ExactScene random_exact_scene(std::uint64_t seed) {
-  return ExactScene(random_scene(seed), seed % 5 == 0 ? Divided::kYes : Divided::kNo);
+  return ExactScene(random_scene(seed), seed % 5 == 0 ? Divided2::kYes : Divided2::kNo);
 }
 
 TEST(RadiosityBounds, HoldOnRandomScenesAndNeedTheirErrorTerms) {

@@ -184,7 +184,7 @@ TEST(LightOverManyDecades, OfRandomScenesIsBoundedBySolversOfAllKinds) {
   double width = 0;
   int scenes = 0, noted = 0;
   for (std::uint64_t seed = 0; seed < 120; ++seed) {
-    const ExactScene scene(random_decades(seed), seed % 5 == 0 ? Divided::kYes : Divided::kNo);
+    const ExactScene scene(random_decades(seed), seed % 5 == 0 ? Divided2::kYes : Divided2::kNo);
     for (const Solver solver : kSolvers) {
       if (solver != Solver::kAuto && seed % 4 != 0) continue;
       RadiosityOptions options;

@@ -28,7 +28,7 @@ TEST(SceneCheck2, ARoomOfMirrorsHasNoSolutionWhenItEmits) {
 }
 
 TEST(SceneCheck2, ABrightRoomTellsHowManyIterationsItTakes) {
-  const Findings findings = found(scene_of("", rings({ring("[0,0],[0,3],[4,3],[4,0]", "bright")})));
+  const Findings2 findings = found(scene_of("", rings({ring("[0,0],[0,3],[4,3],[4,0]", "bright")})));
   ASSERT_THAT(kinds(findings), ElementsAre("note slow-convergence"));
   EXPECT_THAT(findings[0].message, HasSubstr("2.8e+07 iterations"));  // log(1e-12) / log(1 - 1e-6)
 }
@@ -36,7 +36,8 @@ TEST(SceneCheck2, ABrightRoomTellsHowManyIterationsItTakes) {
 // Would prepare, the promise to be closed, or solve fail?
 bool cannot_be_solved(const Scene2& scene) {
   try {
-    const ExchangeMatrix matrix = exact_exchange(prepare(scene, Divided::kYes), {.granularity = Granularity::kElement});
+    const ExchangeMatrix matrix =
+        exact_exchange(prepare(scene, Divided2::kYes), {.granularity = Granularity::kElement});
     for (std::uint32_t i = 0; i < matrix.size() && scene.closed; ++i)
       for (const FactorEntry& entry : matrix.row(i))
         if (matrix.has_row(i) && !matrix.elements()[i].is_back && entry.to == matrix.sky()) return true;
@@ -87,10 +88,10 @@ TEST(SceneCheck2, ForeseesWhatDoublesCannotTell) {
             scene.materials[used].reflectivity = Spectrum::scalar(1 - number(loss));
             scene.materials[used].emission = Spectrum::scalar(number(emission));
           }
-          const Findings findings = check_scene(scene).findings;
+          const Findings2 findings = check_scene(scene).findings;
           EXPECT_EQ(has_error(findings), cannot_be_solved(scene))
               << "scale " << scale << ", emission " << emission << ", loss " << loss << (is_open ? ", open" : "");
-          for (const Finding& finding : findings)
+          for (const Finding2& finding : findings)
             if (finding.severity == Severity::kError) {
               EXPECT_EQ(finding.kind, "beyond-doubles");
               EXPECT_FALSE(finding.surfaces.empty());

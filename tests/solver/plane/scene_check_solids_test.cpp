@@ -35,9 +35,9 @@ Scene2 room_with(std::vector<std::string> lines, const std::string& more_edges =
 const std::string kThreeSides = "[3,0],[3,1],[2,1],[2,0]";
 
 // Everything but the contacts.
-Findings told(const Scene2& scene) {
-  Findings findings = found(scene);
-  std::erase_if(findings, [](const Finding& finding) {
+Findings2 told(const Scene2& scene) {
+  Findings2 findings = found(scene);
+  std::erase_if(findings, [](const Finding2& finding) {
     return finding.kind == "t-junction" || finding.kind == "overlap" || finding.kind == "crossing";
   });
   return findings;
@@ -47,7 +47,7 @@ std::vector<std::string> told_kinds(const Scene2& scene) { return kinds(told(sce
 // The names of the faces that are told to be covered.
 std::vector<std::string> covered(const Scene2& scene) {
   std::vector<std::string> result;
-  for (const Finding& finding : found(scene))
+  for (const Finding2& finding : found(scene))
     if (finding.kind == "covered") result.push_back(scene.surfaces[finding.surfaces.front()].name);
   return result;
 }
@@ -99,7 +99,7 @@ TEST(SolidChecks2, OfBoxesThatTouchTheCoveredFacesAreNoted) {
 
 TEST(SolidChecks2, AWallThatIsCoveredWhollyIsNotedAndNamesTheSolid) {
   const Scene2 scene = room_with({box("box", "0", "0", "4", "1")});
-  const Findings findings = told(scene);
+  const Findings2 findings = told(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("note covered"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("room[3]"));
   EXPECT_THAT(findings[0].message, HasSubstr("the front of 'room[3]' looks into the solid 'box' all along"));
@@ -110,7 +110,7 @@ TEST(SolidChecks2, WhatEmitsIntoASolidIsAWarning) {
   const Scene2 scene =
       scene_of(kLamp + ", " + edge("spot", "[3, 0], [2, 0]", "lamp"),
                rings({path("room", "[2,0],[0,0],[0,3],[4,3],[4,0],[3,0]"), box("box", "2", "0", "3", "1")}));
-  const Findings findings = told(scene);
+  const Findings2 findings = told(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("warning covered"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("spot"));
   EXPECT_THAT(findings[0].message, HasSubstr("though it emits"));
@@ -125,14 +125,14 @@ TEST(SolidChecks2, APillarDividesTheRoom) {
 
 TEST(SolidChecks2, ABoxThatCrossesAWallSeesItsBackFromOutside) {
   const Scene2 scene = room_with({box("box", "3", "1", "5", "2")});
-  const Findings findings = told(scene);
+  const Findings2 findings = told(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("warning black-back", "warning spans-rooms", "warning spans-rooms"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("room[2]"));
 }
 
 TEST(SolidChecks2, ASolidThatHoldsOthersIsAskedAbout) {
   const Scene2 nested = room_with({box("big", "2", "0.5", "3", "1.5"), box("small", "2.2", "0.7", "2.5", "1")});
-  const Findings findings = told(nested);
+  const Findings2 findings = told(nested);
   ASSERT_THAT(kinds(findings), ElementsAre("warning filled-room"));
   EXPECT_THAT(findings[0].message, AllOf(HasSubstr("'big' is solid"), HasSubstr("'small' is in its interior"),
                                          HasSubstr("was a room meant?")));
@@ -149,7 +149,7 @@ TEST(SolidChecks2, ARoomListedTheWrongWayRoundWithFurnitureInItIsOneQuestion) {
     const std::string table = box("table", "2", "0", "3", "1"), chair = box("chair", "2", "1.5", "3", "2");
     const Scene2 scene =
         scene_of(kLamp, order == "room first" ? rings({room, table, chair}) : rings({table, chair, room}));
-    const Findings findings = found(scene);
+    const Findings2 findings = found(scene);
     ASSERT_THAT(kinds(findings), ElementsAre("warning filled-room")) << order;
     EXPECT_THAT(findings[0].message, AllOf(HasSubstr("'lamp', "), HasSubstr("'table'"), HasSubstr("'chair'")));
     EXPECT_THAT(findings[0].suggestion, HasSubstr("the other way round (clockwise)"));
@@ -182,7 +182,7 @@ TEST(SolidChecks2, AShelfKeepsItsUnderside) {
 TEST(SolidChecks2, EachBlackBackThatIsSeenIsToldOnceWithTheLargestLoss) {
   const Scene2 scene = room_with({path("box", kThreeSides)});
   const SceneCheck2 check = check_scene(scene);
-  const Findings findings = told(scene);
+  const Findings2 findings = told(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("warning black-back", "warning black-back", "warning black-back"));
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_THAT(names(scene, findings[k]), ElementsAre("box[" + std::to_string(k) + "]"));
@@ -196,9 +196,9 @@ TEST(SolidChecks2, EachBlackBackThatIsSeenIsToldOnceWithTheLargestLoss) {
 
 TEST(SolidChecks2, AThinWallOrABoxWithAGapWantsABack) {
   for (const char* points : {"[2,0],[2,2]", "[3,0.01],[3,1],[2,1],[2,0]"}) {
-    const Findings findings = told(room_with({path("wall", points)}));
+    const Findings2 findings = told(room_with({path("wall", points)}));
     ASSERT_FALSE(findings.empty());
-    for (const Finding& finding : findings) {
+    for (const Finding2& finding : findings) {
       EXPECT_EQ(finding.kind, "black-back");
       EXPECT_EQ(finding.suggestion, "give 'wall' a \"back\"");
     }
@@ -207,7 +207,7 @@ TEST(SolidChecks2, AThinWallOrABoxWithAGapWantsABack) {
 
 TEST(SolidChecks2, ARemedyThatWouldFillARoomIsNotNamedAlone) {
   const Scene2 scene = room_with({path("partition", "[2,0],[2,3]")});
-  const Findings findings = told(scene);
+  const Findings2 findings = told(scene);
   const auto black = std::find_if(findings.begin(), findings.end(), [](auto& f) { return f.kind == "black-back"; });
   ASSERT_NE(black, findings.end());
   EXPECT_THAT(black->suggestion,
@@ -227,11 +227,11 @@ TEST(SolidChecks2, WarningsOfASolutionAreThoseOfACheck) {
                               room_with({box("big", "2", "0.5", "3", "1.5"), box("small", "2.2", "0.7", "2.5", "1")}),
                               scene_of(kLamp, rings({kRoom, ring("[1,0.5],[1,1],[2,1],[2,0.5]")})),
                               room_with({box("box", "2", "0", "3", "1")})}) {
-    const PreparedScene2 prepared = prepare(scene, Divided::kYes);
+    const PreparedScene2 prepared = prepare(scene, Divided2::kYes);
     std::vector<std::string> expected, warnings;
-    for (const Finding& finding : found(scene))
+    for (const Finding2& finding : found(scene))
       if (finding.severity == Severity::kWarning) expected.push_back(finding.message);
-    for (const Finding& finding : lost_light_warnings(prepared, exact_exchange(prepared)))
+    for (const Finding2& finding : lost_light_warnings(prepared, exact_exchange(prepared)))
       warnings.push_back(finding.message);
     EXPECT_EQ(warnings, expected);
   }
@@ -271,7 +271,7 @@ TEST(StateSolids, DoesNothingWhereAFaceWouldBeCoveredWhollyOrEmits) {
                  rings({path("room", "[2,0],[0,0],[0,3],[4,3],[4,0],[3,0]"), path("box", box_over_mat)}));
     Repair2 repair{scene, {}, {}};
     state_solids(repair, check_scene(repair.scene).black_backs);
-    EXPECT_THAT(repair.steps, ElementsAre(testing::Field(&RepairStep::kind, "not-repaired"))) << material;
+    EXPECT_THAT(repair.steps, ElementsAre(testing::Field(&RepairStep2::kind, "not-repaired"))) << material;
     EXPECT_EQ(repair.scene.groups, scene.groups);
   }
   // The floor goes on on both sides, and shines.
@@ -280,7 +280,7 @@ TEST(StateSolids, DoesNothingWhereAFaceWouldBeCoveredWhollyOrEmits) {
   const std::vector<std::uint32_t> backs = check_scene(repair.scene).black_backs;
   EXPECT_EQ(backs.size(), 3u);
   state_solids(repair, backs);
-  EXPECT_THAT(repair.steps, ElementsAre(testing::Field(&RepairStep::kind, "not-repaired")));
+  EXPECT_THAT(repair.steps, ElementsAre(testing::Field(&RepairStep2::kind, "not-repaired")));
 }
 
 }  // namespace

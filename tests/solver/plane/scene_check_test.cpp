@@ -32,7 +32,7 @@ TEST(SceneCheck2, ConflictingClaimsAreAnErrorAtThePiece) {
   const Scene2 scene =
       scene_of(edge("a", "[0, 0], [2, 0]") + ", " + edge("b", "[1, 0], [3, 0]", "lamp") + ", " +
                edge("c", "[5, 0], [6, 0]", "white", "red") + ", " + edge("d", "[6, 0], [5, 0]", "lamp", "white"));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   EXPECT_THAT(kinds(findings), ElementsAre("error conflicting-claims", "error conflicting-claims",
                                            "warning nothing-left", "note light-not-checked"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("a", "b"));
@@ -46,7 +46,7 @@ TEST(SceneCheck2, ConflictingClaimsAreAnErrorAtThePiece) {
 TEST(SceneCheck2, AConflictIsToldOnceWhateverLiesOnPartsOfIt) {
   const Scene2 scene = scene_of(edge("a", "[0, 0], [4, 0]") + ", " + edge("b", "[4, 0], [0, 0]", "white", "lamp") +
                                 ", " + edge("c", "[1, 0], [3, 0]") + ", " + edge("d", "[2, 0], [2, 1]"));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   EXPECT_THAT(kinds(findings), ElementsAre("error conflicting-claims", "warning nothing-left", "note t-junction",
                                            "note light-not-checked"));
   EXPECT_EQ(findings[0].at, (Point2{2, 0}));
@@ -57,7 +57,7 @@ TEST(SceneCheck2, ARepeatedSurfaceIsADuplicateOfWhichNothingIsLeft) {
   const Scene2 scene =
       scene_of(edge("a", "[1, 1], [2, 1]", "white", "white") + ", " + edge("b", "[1, 1], [2, 1]") + ", " + kLamp,
                rings({kRoom}));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   EXPECT_THAT(kinds(findings), ElementsAre("warning duplicate", "warning nothing-left"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("a", "b"));
   EXPECT_THAT(names(scene, findings[1]), ElementsAre("b"));
@@ -66,7 +66,7 @@ TEST(SceneCheck2, ARepeatedSurfaceIsADuplicateOfWhichNothingIsLeft) {
 TEST(SceneCheck2, AThinWallListedFromBothSidesIsANote) {
   const Scene2 scene =
       scene_of(edge("a", "[2, 1], [2, 2]") + ", " + edge("b", "[2, 2], [2, 1]", "lamp"), rings({kRoom}));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("note duplicate"));
   EXPECT_THAT(findings[0].message, HasSubstr("thin wall"));
 }
@@ -76,7 +76,7 @@ TEST(SceneCheck2, AnOverlapTellsWhatLightMeetsOnEachSide) {
   const Scene2 scene =
       scene_of(kLamp, rings({kRoom, R"({"name": "box", "points": [[1,0],[2,0],[2,1],[1,1]], "closed": true,
                                        "material": "white"})"}));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("note overlap", "note t-junction", "note t-junction"));
   const auto overlap = std::find_if(findings.begin(), findings.end(), [](auto& f) { return f.kind == "overlap"; });
   EXPECT_THAT(names(scene, *overlap), ElementsAre("room[3]", "box[0]"));
@@ -88,7 +88,7 @@ TEST(SceneCheck2, AnOverlapTellsWhatLightMeetsOnEachSide) {
 
 TEST(SceneCheck2, AJunctionNamesWhatEndsWhere) {
   const Scene2 scene = scene_of(edge("fin", "[2, 0], [2, 1]", "white", "white") + ", " + kLamp, rings({kRoom}));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("note t-junction"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("fin", "room[3]"));
   EXPECT_EQ(findings[0].at, (Point2{2, 0}));
@@ -99,7 +99,7 @@ TEST(SceneCheck2, ACrossingIsToldAtItsExactPlace) {
   const Scene2 scene = scene_of(edge("a", "[1, 1], [2, 1.5]", "white", "white") + ", " +
                                     edge("b", "[1, 1.5], [3, 1]", "white", "white") + ", " + kLamp,
                                 rings({kRoom}));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("note crossing"));
   EXPECT_EQ(findings[0].at, (Point2{Rational(5, 3), Rational(4, 3)}));
   EXPECT_THAT(findings[0].message, HasSubstr("'a' and 'b' cross at (5/3, 4/3)"));
@@ -108,7 +108,7 @@ TEST(SceneCheck2, ACrossingIsToldAtItsExactPlace) {
 TEST(SceneCheck2, ANearMissTellsItsWidthAndTheLightThatPasses) {
   const Scene2 scene =
       scene_of(edge("door", "[2, 0], [2, 2.9999999968]", "white", "white") + ", " + kLamp, rings({kRoom}));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("warning near-miss", "note t-junction"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("door", "room[1]"));
   EXPECT_THAT(findings[0].message, AllOf(HasSubstr("the end of 'door' is 3.2e-09 from"), HasSubstr("(2, 3)")));
@@ -125,7 +125,7 @@ TEST(SceneCheck2, ALeakIsTheFactorTowardTheGap) {
   const Scene2 scene = scene_of(edge("below", "[1, 0], [-1, 0]") + ", " + edge("above", "[-1, 2], [1, 2]") + ", " +
                                 edge("left", "[-1, 1], [-0.0000005, 1]", "white", "white") + ", " +
                                 edge("right", "[0.0000005, 1], [1, 1]", "white", "white"));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   const auto miss = std::find_if(findings.begin(), findings.end(), [](auto& f) { return f.kind == "near-miss"; });
   ASSERT_NE(miss, findings.end());
   const double leak = std::stod(miss->message.substr(miss->message.find("F = ") + 4));
@@ -138,7 +138,7 @@ TEST(SceneCheck2, ANearMissAlongASurfaceIsToldWithoutItsLeak) {
   const Scene2 scene =
       scene_of(edge("a", "[-1, 1], [0, 0]") + ", " + edge("stub", "[-1, 0], [0.00000001, 0]", "red", "red") + ", " +
                edge("wall", "[0.0000001, -1], [0.0000001, 1]", "red", "red"));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   const auto miss = std::find_if(findings.begin(), findings.end(), [](auto& f) { return f.kind == "near-miss"; });
   ASSERT_NE(miss, findings.end());
   EXPECT_THAT(names(scene, *miss), ElementsAre("a", "wall"));
@@ -147,7 +147,7 @@ TEST(SceneCheck2, ANearMissAlongASurfaceIsToldWithoutItsLeak) {
 
 TEST(SceneCheck2, ATipThatSticksOutIsAnOvershoot) {
   const Scene2 scene = scene_of(edge("door", "[2, 0], [2, 3.0001]", "white", "white") + ", " + kLamp, rings({kRoom}));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   EXPECT_THAT(kinds(findings), testing::IsSupersetOf({"warning overshoot", "note crossing"}));
   const auto stub = std::find_if(findings.begin(), findings.end(), [](auto& f) { return f.kind == "overshoot"; });
   EXPECT_THAT(stub->message, AllOf(HasSubstr("sticks 1e-04 out of 'room[1]'")));
@@ -157,7 +157,7 @@ TEST(SceneCheck2, ATipThatSticksOutIsAnOvershoot) {
 TEST(SceneCheck2, ANeedleTellsItsAngle) {
   const Scene2 scene =
       scene_of(edge("a", "[0, 0], [1, 0]", "lamp", "lamp") + ", " + edge("b", "[0, 0], [1, 0.000001]"));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("note needle", "note opening"));
   EXPECT_EQ(findings[0].at, (Point2{0, 0}));
   EXPECT_THAT(findings[0].message, HasSubstr("5.73e-05 degrees"));
@@ -166,7 +166,7 @@ TEST(SceneCheck2, ANeedleTellsItsAngle) {
 TEST(SceneCheck2, ARoomOfEdgesWithTheirFrontsOutsideIsInsideOut) {
   const Scene2 scene = scene_of(kLamp + ", " + edge("south", "[0, 0], [4, 0]") + ", " + edge("east", "[4, 0], [4, 3]") +
                                 ", " + edge("north", "[4, 3], [0, 3]") + ", " + edge("west", "[0, 3], [0, 0]"));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("warning inside-out"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("south", "east", "north", "west"));
 }
@@ -179,7 +179,7 @@ TEST(SceneCheck2, ASolidListedClockwiseIsInsideOut) {
 TEST(SceneCheck2, AWallThatTurnsItsBackToARoomIsABlackBack) {
   const Scene2 scene = scene_of(kLamp + ", " + edge("south", "[0, 0], [4, 0]") + ", " + edge("west", "[0, 0], [0, 3]") +
                                 ", " + edge("north", "[0, 3], [4, 3]") + ", " + edge("east", "[4, 3], [4, 0]"));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("warning black-back", "note isolated-cell", "note sees-only-sky"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("south"));
   // It would be accepted, and fill the room.
@@ -190,7 +190,7 @@ TEST(SceneCheck2, ABrokenPromiseToBeClosedIsAnError) {
   const Scene2 scene = scene_of(kLamp + ", " + edge("west", "[0, 0], [0, 3]") + ", " + edge("north", "[0, 3], [4, 3]") +
                                     ", " + edge("east", "[4, 3], [4, 0]"),
                                 ", \"closed\": true");
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("error not-closed"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("lamp", "west", "north", "east"));
 }
@@ -200,7 +200,7 @@ TEST(SceneCheck2, AnOpeningIsToldByWhatBoundsIt) {
                             edge("east", "[4, 3], [4, 0]") + ", " + edge("south", "[4, 0], [0.01, 0]") + ", " + kLamp;
   for (const bool closed : {true, false}) {
     const Scene2 scene = scene_of(walls, closed ? ", \"closed\": true" : "");
-    const Findings findings = found(scene);
+    const Findings2 findings = found(scene);
     ASSERT_THAT(kinds(findings), ElementsAre(closed ? "error not-closed" : "note opening"));
     EXPECT_THAT(names(scene, findings[0]), ElementsAre("west", "north", "east", "lamp"));
     EXPECT_EQ(findings[0].at, (Point2{Rational(1, 200), 0}));
@@ -214,16 +214,16 @@ TEST(SceneCheck2, AnOpeningMayLieBetweenAnEndAndAnEdge) {
       scene_of(edge("west", "[0, -1], [0, 3]") + ", " + edge("north", "[0, 3], [4, 3]") + ", " +
                    edge("east", "[4, 3], [4, 0]") + ", " + edge("south", "[4, 0], [0.01, 0]") + ", " + kLamp,
                ", \"closed\": true");
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   ASSERT_THAT(kinds(findings), testing::IsSupersetOf({"error not-closed"}));
-  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Finding2& finding) {
     return finding.message.find("opening from (0.01, 0) to (0, 0), 0.01 wide") != std::string::npos;
   })) << findings[0].message;
 }
 
 TEST(SceneCheck2, AFaceThatStandsInSeveralRoomsCarriesLightAcross) {
   const Scene2 scene = scene_of(edge("wall", "[2, 0], [2, 3]", "white", "white") + ", " + kLamp, rings({kRoom}));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("warning spans-rooms", "warning spans-rooms", "note t-junction",
                                            "note t-junction", "note isolated-cell", "note isolated-cell"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("room[1]"));
@@ -237,7 +237,7 @@ TEST(SceneCheck2, ElementsThatEndWhereRoomsDoCarryNothingAcross) {
                         "material": "white", "elements": )" +
                         std::to_string(elements) + "}]");
   };
-  const auto spans = [](const Finding& finding) { return finding.kind == "spans-rooms"; };
+  const auto spans = [](const Finding2& finding) { return finding.kind == "spans-rooms"; };
   for (const int elements : {1, 3, 5}) EXPECT_EQ(std::ranges::count_if(found(scene(elements)), spans), 2) << elements;
   for (const int elements : {2, 4}) {
     const std::vector<std::string> told = kinds(found(scene(elements)));
@@ -248,13 +248,13 @@ TEST(SceneCheck2, ElementsThatEndWhereRoomsDoCarryNothingAcross) {
 
 TEST(SceneCheck2, RoomsWithoutAWayBetweenThemAreIsolatedAndPerhapsDark) {
   const Scene2 scene = scene_of(kLamp, rings({kRoom, ring("[5,0],[5,3],[9,3],[9,0]")}));
-  const Findings findings = found(scene);
+  const Findings2 findings = found(scene);
   EXPECT_THAT(kinds(findings), ElementsAre("note isolated-cell", "note isolated-cell", "note dark"));
   EXPECT_THAT(names(scene, findings[2]), ElementsAre("ring[0]", "ring[1]", "ring[2]", "ring[3]"));
 }
 
 TEST(SceneCheck2, MaterialsWithoutSurfacesAreToldByName) {
-  const Findings findings = check_scene(scene_of(kLamp, rings({kRoom}))).findings;
+  const Findings2 findings = check_scene(scene_of(kLamp, rings({kRoom}))).findings;
   EXPECT_EQ(findings.size(), 5u);
   EXPECT_EQ(findings[0].message, "no surface has the material 'black'");
   EXPECT_THAT(findings[0].surfaces, IsEmpty());
@@ -267,7 +267,7 @@ TEST(SceneCheck2, FindsNothingButTrueNotesInTheScenesOfTheRepository) {
     for (const auto& entry : std::filesystem::directory_iterator(scenes / folder)) {
       if (entry.path().extension() != ".json") continue;
       ++count;
-      for (const Finding& finding : check_scene(read_scene_2(entry.path())).findings) {
+      for (const Finding2& finding : check_scene(read_scene_2(entry.path())).findings) {
         EXPECT_EQ(finding.severity, Severity::kNote) << entry.path() << ": " << finding.message;
         EXPECT_TRUE(
             finding.kind == "no-light" || finding.kind == "slow-convergence" ||
@@ -287,8 +287,8 @@ TEST(SceneCheck2, FindsTheGapThatWasCutIntoAClosedRoom) {
     const Point2 end = wall.to;
     const Rational part = Rational(static_cast<long>(seed)) / 1000;
     wall.to = {end.x + part * (wall.from.x - end.x), end.y + part * (wall.from.y - end.y)};
-    const Findings findings = check_scene(scene).findings;
-    std::vector<Finding> errors;
+    const Findings2 findings = check_scene(scene).findings;
+    std::vector<Finding2> errors;
     std::ranges::copy_if(findings, std::back_inserter(errors), [](auto& f) { return f.severity == Severity::kError; });
     ASSERT_EQ(errors.size(), 1u) << "seed " << seed;
     EXPECT_EQ(errors[0].kind, "not-closed");

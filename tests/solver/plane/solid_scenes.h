@@ -25,7 +25,7 @@ inline void add_outline(Scene2& scene, const std::vector<Point2>& points) {
 // An axis-parallel rectangle.
 struct Box2 {
   Rational x0, y0, x1, y1;
-  bool contains(const ExactPoint2& p) const { return p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1; }
+  bool contains(const Point2& p) const { return p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1; }
 };
 inline void add_box(Scene2& scene, const Box2& box) {
   add_outline(scene, {{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}});
@@ -49,16 +49,16 @@ struct BoxRoom {
 
   // Is the point in the interior of the union of all boxes? Then the points next to it in all four quadrants are in a
   // box.
-  bool is_in_solid(const ExactPoint2& p) const {
+  bool is_in_solid(const Point2& p) const {
     const Rational step = Rational(1, 1ul << 62) / 1024;
     for (const int dx : {-1, 1})
       for (const int dy : {-1, 1}) {
-        const ExactPoint2 near{p.x + step * dx, p.y + step * dy};
+        const Point2 near{p.x + step * dx, p.y + step * dy};
         if (std::none_of(boxes.begin(), boxes.end(), [&](const Box2& box) { return box.contains(near); })) return false;
       }
     return true;
   }
-  static bool is_within_walls(const ExactPoint2& p) { return p.x > 0 && p.x < 4 && p.y > 0 && p.y < 3; }
+  static bool is_within_walls(const Point2& p) { return p.x > 0 && p.x < 4 && p.y > 0 && p.y < 3; }
 };
 
 inline std::vector<BoxRoom> box_rooms() {

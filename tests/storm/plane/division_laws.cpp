@@ -136,7 +136,7 @@ std::string elements_are_broken(const Subject& subject) {
   std::mt19937_64 random(subject.chance());
   Scene2 scene = oracle::to_scene(subject.edges());
   divide(scene, random);
-  const PreparedScene2 divided = prepare(std::move(scene), Divided::kYes);
+  const PreparedScene2 divided = prepare(std::move(scene), Divided2::kYes);
   ExchangeOptions2 options;
   options.granularity = Granularity::kElement;
   options.wants_measures = true;
@@ -155,7 +155,8 @@ std::string convex_room_is_broken(const Subject& subject) {
   if (!is_convex_room(scene)) return "a convex room is not taken for one\n";
   std::string wrong;
   for (const Granularity granularity : {Granularity::kFace, Granularity::kElement}) {
-    const PreparedScene2 prepared = prepare(scene, granularity == Granularity::kElement ? Divided::kYes : Divided::kNo);
+    const PreparedScene2 prepared =
+        prepare(scene, granularity == Granularity::kElement ? Divided2::kYes : Divided2::kNo);
     ExchangeOptions2 options;
     options.granularity = granularity;
     const Numbers swept = numbers_of(exact_exchange(prepared, options));

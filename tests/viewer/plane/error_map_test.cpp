@@ -15,13 +15,13 @@ PreparedScene2 lit_square(const char* emission) {
     "edges":[{"name":"lamp","points":[[1,0],[0,0]],"material":"lamp"}],
     "polylines":[{"name":"wall","points":[[0,0],[0,1],[1,1],[1,0]],"material":"white"}]})",
                                "square"),
-                 Divided::kYes);
+                 Divided2::kYes);
 }
 
 TEST(ErrorMap, ColoursFacesByTheirErrorOverTheLargestRadiosity) {
   const PreparedScene2 prepared = lit_square("4");
   const MethodComparison2 comparison(prepared);
-  const MethodResult result = comparison.run(*planar_methods().make("gauss:1"), 1);
+  const MethodResult result = comparison.run(*methods_2().make("gauss:1"), 1);
   const ScenePicture2 picture = error_map_picture_2(comparison, result);
   ASSERT_TRUE(picture.colouring);
   ASSERT_TRUE(picture.pixels);
@@ -44,14 +44,14 @@ TEST(ErrorMap, ColoursFacesByTheirErrorOverTheLargestRadiosity) {
 TEST(ErrorMap, OfTheExactMethodIsZeroEverywhere) {
   const PreparedScene2 prepared = lit_square("4");
   const MethodComparison2 comparison(prepared);
-  const ScenePicture2 picture = error_map_picture_2(comparison, comparison.run(*planar_methods().make("exact"), 1));
+  const ScenePicture2 picture = error_map_picture_2(comparison, comparison.run(*methods_2().make("exact"), 1));
   for (const Colour& pixel : picture.pixels->image.pixels) EXPECT_EQ(pixel, map_colour(0));
 }
 
 TEST(ErrorMap, IsThePlanWhereThereIsNoLight) {
   const PreparedScene2 prepared = lit_square("0");
   const MethodComparison2 comparison(prepared);
-  const MethodResult result = comparison.run(*planar_methods().make("gauss:1"), 1);
+  const MethodResult result = comparison.run(*methods_2().make("gauss:1"), 1);
   EXPECT_EQ(result.max_radiosity_error, 0);
   const ScenePicture2 picture = error_map_picture_2(comparison, result);
   EXPECT_FALSE(picture.colouring);

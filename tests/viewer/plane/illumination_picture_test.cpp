@@ -18,19 +18,19 @@ namespace {
 using testing::StartsWith;
 using Kind = RecordingCanvas::Kind;
 
-IlluminationGrid grid_of(Grid2 cells, std::vector<double> values, std::uint32_t channels = 1) {
+IlluminationGrid2 grid_of(Grid2 cells, std::vector<double> values, std::uint32_t channels = 1) {
   return {std::move(cells), channels, std::move(values)};
 }
 
-IlluminationGrid random_grid(Grid2 cells, std::uint32_t channels) {
+IlluminationGrid2 random_grid(Grid2 cells, std::uint32_t channels) {
   std::mt19937 random(7);
-  IlluminationGrid grid{cells, channels, {}};
+  IlluminationGrid2 grid{cells, channels, {}};
   for (std::size_t k = 0; k < std::size_t{cells.nx} * cells.ny * channels; ++k)
     grid.values.push_back(static_cast<double>(random() % 1000));
   return grid;
 }
 
-std::vector<double> all_pixels(const LightPixels2& pixels, const IlluminationGrid& grid) {
+std::vector<double> all_pixels(const LightPixels2& pixels, const IlluminationGrid2& grid) {
   std::vector<double> all;
   for (std::uint32_t iy = 0; iy < grid.grid.ny; ++iy) {
     const std::vector<double> row = pixels.row_of_cells(iy);
@@ -42,7 +42,7 @@ std::vector<double> all_pixels(const LightPixels2& pixels, const IlluminationGri
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-RecordingCanvas drawn(const Scene2& scene, const IlluminationGrid& grid, const IlluminationPicture2& picture = {}) {
+RecordingCanvas drawn(const Scene2& scene, const IlluminationGrid2& grid, const IlluminationPicture2& picture = {}) {
   const PreparedScene2 prepared = prepare(scene);
   const IlluminationPainter2 painter(prepared, grid, picture);
   RecordingCanvas canvas(painter.width(), painter.height());
@@ -65,7 +65,7 @@ double linear(const Colour& colour) { return linear_from_srgb(colour.g); }
 
 TEST(LightPixels2, IntegrateToTheGrid) {
   for (const std::uint32_t per_cell : {1u, 2u, 5u}) {
-    const IlluminationGrid grid = random_grid({{0, 0}, {1, 1}, 7, 5}, 3);
+    const IlluminationGrid2 grid = random_grid({{0, 0}, {1, 1}, 7, 5}, 3);
     const LightPixels2 pixels(grid, per_cell, per_cell + 1, nullptr);
     const std::vector<double> all = all_pixels(pixels, grid);
     for (std::uint32_t c = 0; c < 3; ++c) {
@@ -81,7 +81,7 @@ TEST(LightPixels2, EachCellCountsAsMuchAsItsAreaAwayFromWalls) {
   const Scene2 room = furnished_room();
   const Grid2 cells{{0, 0}, {4, 3}, 40, 30};
   const auto spread = [&](std::uint32_t ix, std::uint32_t iy) {
-    IlluminationGrid one = grid_of(cells, std::vector<double>(1200, 0.0));
+    IlluminationGrid2 one = grid_of(cells, std::vector<double>(1200, 0.0));
     one.values[iy * 40 + ix] = 1;
     return sum(all_pixels(LightPixels2(one, 4, 4, &room), one)) / 16;
   };
@@ -91,7 +91,7 @@ TEST(LightPixels2, EachCellCountsAsMuchAsItsAreaAwayFromWalls) {
 }
 
 TEST(LightPixels2, AreTheCellsWhereThereIsOnePixelForEach) {
-  const IlluminationGrid grid = random_grid({{0, 0}, {2, 1}, 20, 10}, 2);
+  const IlluminationGrid2 grid = random_grid({{0, 0}, {2, 1}, 20, 10}, 2);
   EXPECT_EQ(all_pixels(LightPixels2(grid, 1, 1, nullptr), grid), grid.values);
 }
 
@@ -99,7 +99,7 @@ TEST(LightPixels2, DoNotLeakThroughWalls) {
   for (const Rational& wall : {Rational(2), Rational(19, 10), Rational(5, 2), Rational(13, 5)}) {
     DrawnScene scene;
     scene.edge({wall, -1}, {wall, 5});
-    IlluminationGrid grid = grid_of({{0, 0}, {4, 4}, 4, 4}, std::vector<double>(16, 0.0));
+    IlluminationGrid2 grid = grid_of({{0, 0}, {4, 4}, 4, 4}, std::vector<double>(16, 0.0));
     for (std::uint32_t iy = 0; iy < 4; ++iy)
       for (std::uint32_t ix = 0; ix < 4; ++ix) {
         const Rational centre(2 * ix + 1, 2);
@@ -116,7 +116,7 @@ TEST(LightPixels2, DoNotLeakThroughWalls) {
 
 TEST(LightPixels2, PassOverCellsInSolids) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const IlluminationGrid grid = grid_of({{0, 0}, {4, 1}, 4, 1}, {3, nan, nan, 5});
+  const IlluminationGrid2 grid = grid_of({{0, 0}, {4, 1}, 4, 1}, {3, nan, nan, 5});
   const std::vector<double> all = all_pixels(LightPixels2(grid, 4, 1, nullptr), grid);
   for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(all[k], 3) << k;
   for (std::size_t k = 6; k < 10; ++k) EXPECT_TRUE(std::isnan(all[k])) << k;
@@ -125,9 +125,9 @@ TEST(LightPixels2, PassOverCellsInSolids) {
 
 TEST(LightPixels2, StayBetweenTheValuesAroundThem) {
   const Scene2 room = furnished_room();
-  const IlluminationGrid even = grid_of({{-1, -1}, {5, 4}, 17, 13}, std::vector<double>(221, 0.3));
+  const IlluminationGrid2 even = grid_of({{-1, -1}, {5, 4}, 17, 13}, std::vector<double>(221, 0.3));
   for (const double value : all_pixels(LightPixels2(even, 5, 5, &room), even)) EXPECT_DOUBLE_EQ(value, 0.3);
-  const IlluminationGrid grid = random_grid({{-1, -1}, {5, 4}, 17, 13}, 1);
+  const IlluminationGrid2 grid = random_grid({{-1, -1}, {5, 4}, 17, 13}, 1);
   const auto [least, largest] = std::minmax_element(grid.values.begin(), grid.values.end());
   for (const double value : all_pixels(LightPixels2(grid, 3, 5, &room), grid)) {
     EXPECT_GE(value, *least);
@@ -204,7 +204,7 @@ TEST(ToneCurve, DarknessIsBlackUnderEveryCurve) {
 TEST(IlluminationPicture2, HasTheLargestYOnTop) {
   DrawnScene far;
   far.edge({100, 100}, {101, 100});
-  const IlluminationGrid grid = grid_of({{0, 0}, {2, 2}, 2, 2}, {1, 2, 3, 4});  // 4: right, above
+  const IlluminationGrid2 grid = grid_of({{0, 0}, {2, 2}, 2, 2}, {1, 2, 3, 4});  // 4: right, above
   const RecordingCanvas canvas = drawn(far.scene, grid, {.tone = Tone::kMax, .wanted_side = 2});
   const auto images = canvas.calls(Mark::kLight);
   ASSERT_EQ(images.size(), 1u);
@@ -218,7 +218,7 @@ TEST(IlluminationPicture2, HasTheLargestYOnTop) {
 TEST(IlluminationPicture2, HasWholePixelsForEachCell) {
   const PreparedScene2 room = prepare(furnished_room());
   const auto size = [&](std::uint32_t nx, std::uint32_t ny, std::uint32_t wanted) {
-    const IlluminationGrid grid = grid_of({{0, 0}, {4, 3}, nx, ny}, std::vector<double>(std::size_t{nx} * ny, 1.0));
+    const IlluminationGrid2 grid = grid_of({{0, 0}, {4, 3}, nx, ny}, std::vector<double>(std::size_t{nx} * ny, 1.0));
     const IlluminationPainter2 painter(room, grid, {.wanted_side = wanted});
     return std::pair(painter.width(), painter.height());
   };
@@ -231,7 +231,7 @@ TEST(IlluminationPicture2, HasWholePixelsForEachCell) {
 
 TEST(IlluminationPicture2, ShowsSolidsOverTheLightAndEdgesOnTop) {
   const Scene2 room = furnished_room();
-  const IlluminationGrid grid = grid_of({{0, 0}, {4, 3}, 40, 30}, std::vector<double>(1200, 1.0));
+  const IlluminationGrid2 grid = grid_of({{0, 0}, {4, 3}, 40, 30}, std::vector<double>(1200, 1.0));
   const RecordingCanvas canvas = drawn(room, grid);
   std::vector<Mark> order;
   for (const auto& call : canvas.calls())
@@ -248,7 +248,7 @@ TEST(IlluminationPicture2, RoomsInSolidsAreLit) {
   DrawnScene scene;
   scene.closed({{0, 0}, {4, 0}, {4, 4}, {0, 4}});  // a block, fronts outside
   scene.closed({{1, 1}, {1, 3}, {3, 3}, {3, 1}});  // a room in it
-  const IlluminationGrid grid = grid_of({{-1, -1}, {5, 5}, 6, 6}, std::vector<double>(36, 1.0));
+  const IlluminationGrid2 grid = grid_of({{-1, -1}, {5, 5}, 6, 6}, std::vector<double>(36, 1.0));
   const RecordingCanvas canvas = drawn(scene.scene, grid);
   EXPECT_EQ(canvas.count(Mark::kLight), 1u);
   ASSERT_EQ(canvas.count(Mark::kSolid), 1u);
@@ -269,7 +269,7 @@ TEST(IlluminationPicture2, SolidIsWhatIsSolidInTheArrangement) {
   scene.scene.groups.pop_back();
   scene.scene.groups.back().behind = Behind::kSolid;
   scene.scene.surfaces.back().group -= 1;
-  const IlluminationGrid grid = grid_of({{0, 0}, {4, 3}, 4, 3}, std::vector<double>(12, 1.0));
+  const IlluminationGrid2 grid = grid_of({{0, 0}, {4, 3}, 4, 3}, std::vector<double>(12, 1.0));
   const RecordingCanvas canvas = drawn(scene.scene, grid);
   ASSERT_EQ(canvas.count(Mark::kSolid), 1u);
   const std::vector<Pixel> solid = canvas.calls(Mark::kSolid)[0].points;
@@ -281,8 +281,8 @@ TEST(IlluminationPicture2, SolidIsWhatIsSolidInTheArrangement) {
 
 TEST(IlluminationPicture2, PlacesWithoutAValueAreGreyAndDoNotCount) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const IlluminationGrid grid = grid_of({{0, 0}, {3, 1}, 3, 1}, {1, nan, nan});
-  const IlluminationGrid lit = grid_of({{0, 0}, {1, 1}, 1, 1}, {1});
+  const IlluminationGrid2 grid = grid_of({{0, 0}, {3, 1}, 3, 1}, {1, nan, nan});
+  const IlluminationGrid2 lit = grid_of({{0, 0}, {1, 1}, 1, 1}, {1});
   for (const Tone tone : {Tone::kLinear, Tone::kMax, Tone::kReinhard, Tone::kLog}) {
     const RecordingCanvas canvas = drawn(Scene2{}, grid, {.tone = tone, .wanted_side = 3});
     const PixelImage image = canvas.calls(Mark::kLight)[0].image;
@@ -295,7 +295,7 @@ TEST(IlluminationPicture2, PlacesWithoutAValueAreGreyAndDoNotCount) {
 
 TEST(IlluminationPicture2, BecomesAFileOfEitherFormat) {
   const PreparedScene2 room = prepare(furnished_room());
-  const IlluminationGrid grid = random_grid({{0, 0}, {4, 3}, 16, 12}, 3);
+  const IlluminationGrid2 grid = random_grid({{0, 0}, {4, 3}, 16, 12}, 3);
   const IlluminationPicture2 small{.wanted_side = 160};
   EXPECT_THAT(illumination_picture_2(room, grid, small, PictureFormat::kPng), StartsWith("\x89PNG"));
   EXPECT_THAT(illumination_picture_2(room, grid, small, PictureFormat::kSvg), StartsWith("<?xml"));
@@ -303,7 +303,7 @@ TEST(IlluminationPicture2, BecomesAFileOfEitherFormat) {
 }
 
 TEST(IlluminationPicture2, RefusesGridsWithMoreCellsThanPixels) {
-  const IlluminationGrid grid =
+  const IlluminationGrid2 grid =
       grid_of({{0, 0}, {1, 1}, kMaxPictureSide + 1, 1}, std::vector<double>(kMaxPictureSide + 1, 1.0));
   EXPECT_THROW(illumination_picture_2(prepare(furnished_room()), grid, {}, PictureFormat::kPng), UsageError);
 }

@@ -19,7 +19,7 @@ RecordingCanvas drawn(const Painter& painter) {
 
 TEST(VisibilityPicture2, ShowsTheRegionTheRaysAndTheEye) {
   const PreparedScene2 scene = prepare(furnished_room());
-  const VisibilityDrawing drawing{
+  const VisibilityDrawing2 drawing{
       .eye = {0.5, 1.5}, .polygon = {{0, 0}, {1, 1}, {1, 2}, {0, 3}}, .rays_to = {{1, 1}, {1, 2}}};
   const RecordingCanvas canvas = drawn(VisibilityPainter2(scene, drawing));
   ASSERT_EQ(canvas.count(Mark::kLight), 1u);
@@ -34,9 +34,9 @@ TEST(VisibilityPicture2, ShowsTheRegionTheRaysAndTheEye) {
 
 TEST(VisibilityPicture2, CutsWhatReachesOutOfThePicture) {
   const PreparedScene2 scene = prepare(furnished_room());
-  const VisibilityDrawing drawing{.eye = {9, 1},  // outside the room: the picture grows to show it
-                                  .polygon = {{-1e6, -1e6}, {1e6, -1e6}, {1e6, 1e6}, {-1e6, 1e6}},
-                                  .rays_to = {{1e6, 3e5}, {0, 3}}};
+  const VisibilityDrawing2 drawing{.eye = {9, 1},  // outside the room: the picture grows to show it
+                                   .polygon = {{-1e6, -1e6}, {1e6, -1e6}, {1e6, 1e6}, {-1e6, 1e6}},
+                                   .rays_to = {{1e6, 3e5}, {0, 3}}};
   const RecordingCanvas canvas = drawn(VisibilityPainter2(scene, drawing));
   EXPECT_TRUE(inside(canvas));
   EXPECT_EQ(canvas.count(Mark::kRay), 2u);
@@ -45,10 +45,10 @@ TEST(VisibilityPicture2, CutsWhatReachesOutOfThePicture) {
 
 TEST(PairPicture2, HighlightsBothEdgesAndTheCriticalPoints) {
   const PreparedScene2 scene = prepare(furnished_room());
-  const PairDrawing drawing{.a = {1},
-                            .b = {kWindow},
-                            .critical_on_a = {{1, 3}, {2.5, 3}, {3.5, 3}},
-                            .lines = {{{1, 3}, {1, 0}}, {{3.5, 3}, {3, 0}}}};
+  const PairDrawing2 drawing{.a = {1},
+                             .b = {kWindow},
+                             .critical_on_a = {{1, 3}, {2.5, 3}, {3.5, 3}},
+                             .lines = {{{1, 3}, {1, 0}}, {{3.5, 3}, {3, 0}}}};
   const RecordingCanvas canvas = drawn(PairPainter2(scene, drawing));
   EXPECT_EQ(canvas.count(Mark::kTarget), 2u);
   EXPECT_NE(canvas.calls(Mark::kTarget)[0].colour, canvas.calls(Mark::kTarget)[1].colour);
@@ -62,7 +62,7 @@ TEST(PairPicture2, HighlightsBothEdgesAndTheCriticalPoints) {
 
 TEST(PairPicture2, LabelsTheSideThatIsMeant) {
   const PreparedScene2 scene = prepare(furnished_room());
-  PairDrawing drawing{.a = {kScreen}, .b = {kWindow}};
+  PairDrawing2 drawing{.a = {kScreen}, .b = {kWindow}};
   const auto label = [&] {
     const auto box = drawn(PairPainter2(scene, drawing)).calls(Mark::kLabel).back().points;
     return (box[0].x + box[1].x) / 2;

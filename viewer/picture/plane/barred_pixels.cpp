@@ -26,7 +26,7 @@ class Shadows {
       : x_(centre_x), y_(centre_y), bit_(bit), stride_(stride) {}
 
   // Marks the pixels of a block. The candidates are the last ones of the stack, from `first` on; they stay.
-  void mark(std::vector<Candidate>& stack, std::size_t first, const PixelBlock& block, std::uint8_t* marks) const {
+  void mark(std::vector<Candidate>& stack, std::size_t first, const PixelBlock2& block, std::uint8_t* marks) const {
     const std::size_t count = stack.size() - first, pixels = block.x.size() * block.y.size();
     if (count == 0 || pixels == 0) return;
     if (count * pixels <= kFewTests || pixels == 1) {
@@ -60,7 +60,7 @@ class Shadows {
       }
   }
 
-  void mark_all(const PixelBlock& block, std::uint8_t* marks) const {
+  void mark_all(const PixelBlock2& block, std::uint8_t* marks) const {
     for (std::size_t j = 0; j < block.y.size(); ++j)
       for (std::size_t i = 0; i < block.x.size(); ++i) marks[j * stride_ + i] |= bit_;
   }
@@ -74,7 +74,7 @@ class Shadows {
     return (side(x, y, x_, y_, w.ax, w.ay) < 0) != (side(x, y, x_, y_, w.bx, w.by) < 0);
   }
 
-  void test_each(std::span<const Candidate> walls, const PixelBlock& block, std::uint8_t* marks) const {
+  void test_each(std::span<const Candidate> walls, const PixelBlock2& block, std::uint8_t* marks) const {
     for (std::size_t j = 0; j < block.y.size(); ++j)
       for (std::size_t i = 0; i < block.x.size(); ++i)
         for (const Candidate& wall : walls)
@@ -86,7 +86,7 @@ class Shadows {
 
   // What a wall does to all pixels of a block: each of the three sides is linear in the place of the pixel, so its
   // corners tell.
-  Effect effect_on(const PixelBlock& block, const Candidate& by) const {
+  Effect effect_on(const PixelBlock2& block, const Candidate& by) const {
     const Wall2& w = *by.wall;
     const double corner_x[2] = {block.x.front(), block.x.back()}, corner_y[2] = {block.y.front(), block.y.back()};
     const auto farthest = [](const double* corner, double from) {
@@ -119,7 +119,7 @@ class Shadows {
 
 }  // namespace
 
-void mark_barred(const std::vector<Wall2>& all, std::span<const std::uint32_t> walls, const PixelBlock& block,
+void mark_barred(const std::vector<Wall2>& all, std::span<const std::uint32_t> walls, const PixelBlock2& block,
                  double centre_x, double centre_y, std::uint8_t bit, std::size_t stride, std::uint8_t* marks) {
   const Shadows shadows(centre_x, centre_y, bit, stride);
   thread_local std::vector<Candidate> stack;

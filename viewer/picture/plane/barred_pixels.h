@@ -20,7 +20,7 @@ inline double side(double ax, double ay, double bx, double by, double px, double
 }
 
 // A rectangle of pixels: their places along x and y, ascending.
-struct PixelBlock {
+struct PixelBlock2 {
   std::span<const double> x, y;
 };
 
@@ -32,7 +32,7 @@ struct PixelBlock {
 // `walls` are numbers of walls in `all`.
 // COST: a block that one wall bars as a whole, or that no wall comes near, is marked at once; others are divided: about
 // the number of walls, and for each pixel where a shadow ends a few walls near it.
-void mark_barred(const std::vector<Wall2>& all, std::span<const std::uint32_t> walls, const PixelBlock& block,
+void mark_barred(const std::vector<Wall2>& all, std::span<const std::uint32_t> walls, const PixelBlock2& block,
                  double centre_x, double centre_y, std::uint8_t bit, std::size_t stride, std::uint8_t* marks);
 
 }  // namespace hottel

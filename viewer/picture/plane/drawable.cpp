@@ -37,7 +37,7 @@ void require_drawable(const Scene2& scene) {
                     farthest->line, farthest->name, why));
 }
 
-void require_drawable(const Scene2& scene, const ExactPoint2& point, const std::string& text) {
+void require_drawable(const Scene2& scene, const Point2& point, const std::string& text) {
   if (std::max(std::abs(to_double(point.x)), std::abs(to_double(point.y))) > kLargestDrawn)
     throw RequestError(scene.file + ": the point " + text + " is too far away to be drawn");
 }

@@ -16,6 +16,6 @@ inline constexpr double kLargestDrawn = 1e300;
 void require_drawable(const Scene2& scene);
 
 // The same for a point that is shown beside the scene. Throws RequestError that calls it by `text`.
-void require_drawable(const Scene2& scene, const ExactPoint2& point, const std::string& text);
+void require_drawable(const Scene2& scene, const Point2& point, const std::string& text);
 
 }  // namespace hottel

@@ -29,8 +29,8 @@ void for_each_element_error(const RadiositySolution& found, const RadiositySolut
       set(i, std::abs(found.channels[c].elements[i].radiosity - exact.channels[c].elements[i].radiosity) / scale);
 }
 
-FaceColouring face_errors(const MethodComparison2& comparison, const MethodResult& result, double scale) {
-  FaceColouring colouring;
+FaceColouring2 face_errors(const MethodComparison2& comparison, const MethodResult& result, double scale) {
+  FaceColouring2 colouring;
   colouring.front.resize(comparison.prepared().scene.surfaces.size());
   colouring.back.resize(colouring.front.size());
   for_each_element_error(*result.solution, *comparison.exact_solution(), scale, [&](std::size_t i, double error) {
@@ -42,17 +42,17 @@ FaceColouring face_errors(const MethodComparison2& comparison, const MethodResul
   return colouring;
 }
 
-IlluminationGrid light_of(const MethodComparison2& comparison, const RadiositySolution& solution) {
+IlluminationGrid2 light_of(const MethodComparison2& comparison, const RadiositySolution& solution) {
   const PreparedScene2& prepared = comparison.prepared();
   const auto channels = static_cast<std::uint32_t>(solution.channels.size());
   const ElementTable2 labels(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
-  const FaceRadiosity2 radiosity(prepared.arrangement, labels, radiosity_by_element(solution),
-                                 sky_by_channel(prepared.scene.sky_emission, channels));
+  const FaceRadiosity2 radiosity(prepared.arrangement, labels, radiosity_by_element_2(solution),
+                                 sky_by_channel_2(prepared.scene.sky_emission, channels));
   return illuminate_points(prepared, default_grid(prepared.scene, kCells), radiosity);
 }
 
 // By cell, C order (ny, nx).
-std::vector<double> cell_errors(const IlluminationGrid& found, const IlluminationGrid& exact, double scale) {
+std::vector<double> cell_errors(const IlluminationGrid2& found, const IlluminationGrid2& exact, double scale) {
   std::vector<double> errors(exact.values.size() / exact.channels, 0);
   for (std::size_t k = 0; k < exact.values.size(); ++k) {
     double& error = errors[k / exact.channels];
@@ -82,9 +82,9 @@ ScenePicture2 error_map_picture_2(const MethodComparison2& comparison, const Met
     picture.sheet.subtitle = "no radiosities to compare";
     return picture;
   }
-  FaceColouring colouring = face_errors(comparison, result, scale);
-  const IlluminationGrid exact = light_of(comparison, *comparison.exact_solution()),
-                         found = light_of(comparison, *result.solution);
+  FaceColouring2 colouring = face_errors(comparison, result, scale);
+  const IlluminationGrid2 exact = light_of(comparison, *comparison.exact_solution()),
+                          found = light_of(comparison, *result.solution);
   const std::vector<double> errors = cell_errors(found, exact, scale);
   double largest = *std::max_element(errors.begin(), errors.end());
   for (const auto* faces : {&colouring.front, &colouring.back})

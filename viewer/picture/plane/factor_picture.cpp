@@ -8,7 +8,7 @@
 namespace hottel {
 namespace {
 
-FaceColouring colouring_toward(const Scene2& scene, const ExchangeMatrix& matrix, const PictureTargets2& targets) {
+FaceColouring2 colouring_toward(const Scene2& scene, const ExchangeMatrix& matrix, const PictureTargets2& targets) {
   std::vector<char> is_target(scene.surfaces.size(), 0);
   for (const std::uint32_t s : targets.surfaces) is_target[s] = 1;
   const auto counts = [&](std::uint32_t to) {
@@ -16,7 +16,7 @@ FaceColouring colouring_toward(const Scene2& scene, const ExchangeMatrix& matrix
     const Element& element = matrix.elements()[to];
     return is_target[element.surface] != 0 && !element.is_back;
   };
-  FaceColouring colouring;
+  FaceColouring2 colouring;
   colouring.front.resize(is_target.size());
   colouring.back.resize(is_target.size());
   double largest = 0;

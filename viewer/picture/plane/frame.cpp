@@ -33,7 +33,7 @@ struct Box {
 }  // namespace
 
 Frame2::Frame2(const Scene2& scene, const std::vector<std::array<double, 2>>& extra_points, double width,
-               const SheetMargins& margins)
+               const SheetMargins2& margins)
     : width_(width) {
   HOTTEL_REQUIRE(width > margins.left + margins.right);
   Box box;

@@ -11,7 +11,7 @@
 namespace hottel {
 
 // The size of a sheet and the room kept free around the drawing, in pixels.
-struct SheetMargins {
+struct SheetMargins2 {
   double left = 0, right = 0, top = 0, bottom = 0;
 };
 
@@ -25,7 +25,7 @@ class Frame2 {
  public:
   // REQUIRES width > left + right, finite extra points.
   Frame2(const Scene2& scene, const std::vector<std::array<double, 2>>& extra_points, double width,
-         const SheetMargins& margins);
+         const SheetMargins2& margins);
 
   // Exactly the region from min to max, filling a picture of that size, stretched to it.
   // REQUIRES min < max, positive sizes.

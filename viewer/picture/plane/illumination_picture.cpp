@@ -32,14 +32,14 @@ PixelsPerCell pixels_per_cell(const Grid2& grid, const IlluminationPicture2& pic
   return {pixels(wide, grid.nx), pixels(high, grid.ny)};
 }
 
-LightPixels2 light_pixels(const Scene2& scene, const IlluminationGrid& grid, const IlluminationPicture2& picture) {
+LightPixels2 light_pixels(const Scene2& scene, const IlluminationGrid2& grid, const IlluminationPicture2& picture) {
   const PixelsPerCell pixels = pixels_per_cell(grid.grid, picture);
   return {grid, pixels.across, pixels.up, &scene};
 }
 
 }  // namespace
 
-IlluminationPainter2::IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid& grid,
+IlluminationPainter2::IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
                                            const IlluminationPicture2& picture)
     : scene_(prepared.scene),
       grid_(grid),
@@ -77,7 +77,7 @@ void IlluminationPainter2::draw(PictureCanvas& canvas) const {
   canvas.image(Mark::kLight, {0, 0}, {frame_.width(), frame_.height()}, light(), false);
   for (const std::vector<Pixel>& solid : solids_) {
     canvas.fill(Mark::kSolid, solid, palette::kUnlitSolid);
-    draw_hatch(canvas, solid, 12 * unit_, 0.8 * unit_, palette::kUnlitHatch);
+    draw_hatch_2(canvas, solid, 12 * unit_, 0.8 * unit_, palette::kUnlitHatch);
   }
   draw_walls(canvas);
 }
@@ -100,7 +100,7 @@ void IlluminationPainter2::draw_walls(PictureCanvas& canvas) const {
   }
 }
 
-std::string illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid& grid,
+std::string illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
                                    const IlluminationPicture2& picture, PictureFormat format, double* scale) {
   const IlluminationPainter2 painter(prepared, grid, picture);
   CairoCanvas canvas(format, painter.width(), painter.height());

@@ -32,7 +32,7 @@ struct IlluminationPicture2 {
 class IlluminationPainter2 {
  public:
   // REQUIRES that grid and prepared outlive this.
-  IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid& grid,
+  IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
                        const IlluminationPicture2& picture);
 
   std::uint32_t width() const { return pixels_.width(); }
@@ -45,7 +45,7 @@ class IlluminationPainter2 {
   PixelImage light() const;
 
   const Scene2& scene_;
-  const IlluminationGrid& grid_;
+  const IlluminationGrid2& grid_;
   LightPixels2 pixels_;
   ToneCurve tone_;
   Frame2 frame_;
@@ -56,7 +56,7 @@ class IlluminationPainter2 {
 };
 
 // Returns the bytes of the picture file. scale: receives what the tone curve multiplied values by.
-std::string illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid& grid,
+std::string illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
                                    const IlluminationPicture2& picture, PictureFormat format, double* scale = nullptr);
 
 }  // namespace hottel

@@ -17,7 +17,7 @@ double centre_before(double place) { return std::floor(place - 0.5); }
 
 }  // namespace
 
-LightPixels2::LightPixels2(const IlluminationGrid& grid, std::uint32_t across, std::uint32_t up, const Scene2* walls)
+LightPixels2::LightPixels2(const IlluminationGrid2& grid, std::uint32_t across, std::uint32_t up, const Scene2* walls)
     : grid_(grid),
       across_(across),
       up_(up),
@@ -89,7 +89,7 @@ void LightPixels2::mark_cell(std::uint32_t ix, std::uint32_t iy, const Places& x
       return second ? at.subspan(places.half) : at.first(places.half);
     };
     const bool right = quarter % 2 == 1, above = quarter / 2 == 1;
-    const PixelBlock block{part(x, right), part(y, above)};
+    const PixelBlock2 block{part(x, right), part(y, above)};
     if (block.x.empty() || block.y.empty()) continue;
     std::uint8_t* const marks = barred + (above ? y.half : 0) * x.at.size() + (right ? x.half : 0);
     for (int corner = 0; corner < 4; ++corner) {

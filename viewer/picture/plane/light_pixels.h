@@ -22,7 +22,7 @@ namespace hottel {
 class LightPixels2 {
  public:
   // walls: the scene, or null: none. REQUIRES across, up > 0; the grid outlives this.
-  LightPixels2(const IlluminationGrid& grid, std::uint32_t across, std::uint32_t up, const Scene2* walls);
+  LightPixels2(const IlluminationGrid2& grid, std::uint32_t across, std::uint32_t up, const Scene2* walls);
 
   std::uint32_t width() const { return grid_.grid.nx * across_; }
   std::uint32_t height() const { return grid_.grid.ny * up_; }
@@ -41,7 +41,7 @@ class LightPixels2 {
   void blend(std::uint32_t ix, std::uint32_t iy, const Places& x, const Places& y, std::size_t i, std::size_t j,
              std::uint8_t barred, double* pixel) const;
 
-  const IlluminationGrid& grid_;
+  const IlluminationGrid2& grid_;
   std::uint32_t across_, up_;
   bool has_gaps_;                                 // some values are NaN
   std::vector<Wall2> walls_;                      // in cells from the lower left corner of the grid

@@ -33,7 +33,7 @@ std::optional<Colour> ScenePicturePainter2::colour(const Face& face) const {
   const Surface& s = scene_.surfaces[face.surface];
   if (face.is_back && !s.back) return std::nullopt;
   if (picture_.colouring) {
-    const FaceColouring& colouring = *picture_.colouring;
+    const FaceColouring2& colouring = *picture_.colouring;
     const auto value = value_of(face.is_back ? colouring.back : colouring.front, face.surface);
     return value ? std::optional(map_colour(colouring.scale.position(*value))) : std::nullopt;
   }

@@ -18,7 +18,7 @@
 namespace hottel {
 
 // A value for each face that has one.
-struct FaceColouring {
+struct FaceColouring2 {
   std::vector<std::optional<double>> front{}, back{};  // per surface; shorter: the rest has none
   ColourScale scale{};
   std::string title{};  // of the legend, e.g. "fraction of the window seen"
@@ -32,10 +32,10 @@ struct ScenePixels2 {
 };
 
 struct ScenePicture2 {
-  SheetText sheet{};
+  SheetText2 sheet{};
   std::vector<std::uint32_t> targets{};  // surfaces to highlight, e.g. the windows
   std::string target_label{};            // for the key, e.g. "window"; empty: no key
-  std::optional<FaceColouring> colouring{};
+  std::optional<FaceColouring2> colouring{};
   std::optional<ScenePixels2> pixels{};
 };
 

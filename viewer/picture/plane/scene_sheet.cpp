@@ -24,7 +24,7 @@ double unit_of(std::uint32_t width) {
   return std::max(width / 1600.0, 0.6);  // letters stay readable in small pictures
 }
 
-SheetMargins margins(const SheetText& text, double unit, double footer) {
+SheetMargins2 margins(const SheetText2& text, double unit, double footer) {
   const double side = std::min(kMargin * unit, text.width / 12.0);
   double top = side;
   if (!text.title.empty()) top += kTitleHeight * unit;
@@ -60,7 +60,7 @@ double round_length(double limit) {
 
 }  // namespace
 
-SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const SheetText& text, double footer,
+SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const SheetText2& text, double footer,
                          const std::vector<std::array<double, 2>>& extra_points)
     : title_(text.title),
       subtitle_(text.subtitle),
@@ -84,7 +84,7 @@ void SceneSheet2::draw_ground(PictureCanvas& canvas, const Ground& ground) const
   for (std::size_t level = 0; level <= outlines_.levels; ++level) draw_level(canvas, level, ground);
   for (const std::vector<Pixel>& solid : solids_) {
     canvas.fill(Mark::kSolid, solid, palette::kSolid);
-    draw_hatch(canvas, solid, 13 * unit_, 0.9 * unit_, palette::kHatch);
+    draw_hatch_2(canvas, solid, 13 * unit_, 0.9 * unit_, palette::kHatch);
   }
 }
 

@@ -16,7 +16,7 @@
 
 namespace hottel {
 
-struct SheetText {
+struct SheetText2 {
   std::uint32_t width = 1600;  // of the picture in pixels
   std::string title{};         // large, may be empty
   std::string subtitle{};      // beneath it, may be empty
@@ -29,7 +29,7 @@ class SceneSheet2 {
  public:
   // footer: height kept free below the drawing, in units. extra_points: shown as well, in scene coordinates.
   // Throws UsageError unless the width is in [kMinPictureWidth, kMaxPictureSide].
-  SceneSheet2(const PreparedScene2& prepared, const SheetText& text, double footer,
+  SceneSheet2(const PreparedScene2& prepared, const SheetText2& text, double footer,
               const std::vector<std::array<double, 2>>& extra_points = {});
 
   const Frame2& frame() const { return frame_; }

@@ -17,7 +17,7 @@ std::vector<std::vector<Pixel>> solid_polygons(const Arrangement2& arrangement, 
       const bool is_first = polygon.empty();
       const std::size_t begin = polygon.size();
       for (const VertexId v : border) {
-        const ExactPoint2 p = arrangement.vertices().to_scene(arrangement.vertices().exact(v));
+        const Point2 p = arrangement.vertices().to_scene(arrangement.vertices().exact(v));
         polygon.push_back(frame.at(Point2{p.x, p.y}));
       }
       if (regions.borders(region).size() == 1) continue;
@@ -27,8 +27,8 @@ std::vector<std::vector<Pixel>> solid_polygons(const Arrangement2& arrangement, 
   return polygons;
 }
 
-void draw_hatch(PictureCanvas& canvas, std::span<const Pixel> outline, double spacing, double line_width,
-                Colour colour) {
+void draw_hatch_2(PictureCanvas& canvas, std::span<const Pixel> outline, double spacing, double line_width,
+                  Colour colour) {
   if (outline.empty()) return;
   double lowest = outline.front().x + outline.front().y, highest = lowest;
   for (const Pixel& p : outline) {

@@ -16,7 +16,7 @@ std::vector<std::vector<Pixel>> solid_polygons(const Arrangement2& arrangement, 
 
 // Draws lines that rise to the right inside a polygon, `spacing` apart along the axes. Lines of neighbouring polygons
 // meet.
-void draw_hatch(PictureCanvas& canvas, std::span<const Pixel> outline, double spacing, double line_width,
-                Colour colour);
+void draw_hatch_2(PictureCanvas& canvas, std::span<const Pixel> outline, double spacing, double line_width,
+                  Colour colour);
 
 }  // namespace hottel

@@ -75,12 +75,12 @@ void draw_ring(PictureCanvas& canvas, Mark mark, Pixel at, double radius, const 
   canvas.circle(mark, at, radius, palette::kInk, line_width);
 }
 
-std::array<double, 2> rounded(const ExactPoint2& p) { return {to_double(p.x), to_double(p.y)}; }
+std::array<double, 2> rounded(const Point2& p) { return {to_double(p.x), to_double(p.y)}; }
 
 }  // namespace
 
-VisibilityDrawing drawing_of(const VisibilityPolygon2& polygon) {
-  VisibilityDrawing drawing;
+VisibilityDrawing2 drawing_of(const VisibilityPolygon2& polygon) {
+  VisibilityDrawing2 drawing;
   drawing.eye = rounded(polygon.eye);
   if (polygon.solid != Solids2::kNone) return drawing;
   for (const auto& part : polygon.parts) {
@@ -88,7 +88,7 @@ VisibilityDrawing drawing_of(const VisibilityPolygon2& polygon) {
       drawing.polygon.push_back(drawing.eye);
       continue;
     }
-    const auto far = [&](const ExactPoint2& p) {
+    const auto far = [&](const Point2& p) {
       const auto [x, y] = rounded(p);
       return std::array<double, 2>{drawing.eye[0] + 1e4 * (x - drawing.eye[0]),
                                    drawing.eye[1] + 1e4 * (y - drawing.eye[1])};
@@ -103,8 +103,8 @@ VisibilityDrawing drawing_of(const VisibilityPolygon2& polygon) {
   return drawing;
 }
 
-PairDrawing drawing_of(const PairSight2& sight) {
-  PairDrawing drawing;
+PairDrawing2 drawing_of(const PairSight2& sight) {
+  PairDrawing2 drawing;
   drawing.a = sight.face_from ? *sight.face_from : *sight.face_to;
   drawing.b = sight.face_to ? *sight.face_to : *sight.face_from;
   drawing.a_label = sight.face_from ? sight.from : sight.to;
@@ -116,7 +116,7 @@ PairDrawing drawing_of(const PairSight2& sight) {
   return drawing;
 }
 
-VisibilityPainter2::VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing& drawing)
+VisibilityPainter2::VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing2& drawing)
     : drawing_(drawing), sheet_(prepared, drawing.sheet, kFooter, {drawing.eye}) {}
 
 void VisibilityPainter2::draw(PictureCanvas& canvas) const {
@@ -139,7 +139,7 @@ void VisibilityPainter2::draw(PictureCanvas& canvas) const {
   sheet_.draw_scale_bar(canvas);
 }
 
-PairPainter2::PairPainter2(const PreparedScene2& prepared, const PairDrawing& drawing)
+PairPainter2::PairPainter2(const PreparedScene2& prepared, const PairDrawing2& drawing)
     : drawing_(drawing), sheet_(prepared, drawing.sheet, kFooter, drawing.critical_on_a) {
   HOTTEL_REQUIRE(drawing.a.surface < prepared.scene.surfaces.size() &&
                  drawing.b.surface < prepared.scene.surfaces.size());
@@ -180,7 +180,7 @@ void PairPainter2::draw_edge(PictureCanvas& canvas, const Face& face, const std:
       label, style);
 }
 
-std::string visibility_picture_2(const PreparedScene2& prepared, const VisibilityDrawing& drawing,
+std::string visibility_picture_2(const PreparedScene2& prepared, const VisibilityDrawing2& drawing,
                                  PictureFormat format) {
   const VisibilityPainter2 painter(prepared, drawing);
   CairoCanvas canvas(format, painter.width(), painter.height());
@@ -188,7 +188,7 @@ std::string visibility_picture_2(const PreparedScene2& prepared, const Visibilit
   return canvas.finish();
 }
 
-std::string pair_picture_2(const PreparedScene2& prepared, const PairDrawing& drawing, PictureFormat format) {
+std::string pair_picture_2(const PreparedScene2& prepared, const PairDrawing2& drawing, PictureFormat format) {
   const PairPainter2 painter(prepared, drawing);
   CairoCanvas canvas(format, painter.width(), painter.height());
   painter.draw(canvas);

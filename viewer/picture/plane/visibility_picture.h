@@ -10,7 +10,7 @@
 #include "geometry/face.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
-#include "io/results/visibility_report.h"
+#include "io/results/plane/visibility_report.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/plane/scene_sheet.h"
@@ -18,16 +18,16 @@
 namespace hottel {
 
 // All points in scene coordinates, finite; they are rounded, being for the eye only.
-struct VisibilityDrawing {
-  SheetText sheet{};
+struct VisibilityDrawing2 {
+  SheetText2 sheet{};
   std::array<double, 2> eye{};
   std::vector<std::array<double, 2>> polygon{};  // the visible region, in order; may reach far outside the scene
   std::vector<std::array<double, 2>> rays_to{};  // e.g. the vertices where the view jumps
 };
 
 // Two edges, their critical points, and lines between them. A: the edge whose critical points are shown.
-struct PairDrawing {
-  SheetText sheet{};
+struct PairDrawing2 {
+  SheetText2 sheet{};
   Face a, b;  // may be of one surface, or the same
   std::string a_label = "A", b_label = "B";
   std::vector<std::array<double, 2>> critical_on_a{};
@@ -36,8 +36,8 @@ struct PairDrawing {
 
 // What is drawn of a point's view, and of what two faces see of each other. Towards the sky the region is drawn far
 // beyond the picture; from within a solid only the eye. The sky is not drawn: its place is taken by the face, under it.
-VisibilityDrawing drawing_of(const VisibilityPolygon2& polygon);
-PairDrawing drawing_of(const PairSight2& sight);
+VisibilityDrawing2 drawing_of(const VisibilityPolygon2& polygon);
+PairDrawing2 drawing_of(const PairSight2& sight);
 
 // The size of the drawing on a sheet, and the drawing on a canvas of that size.
 //
@@ -45,13 +45,13 @@ PairDrawing drawing_of(const PairSight2& sight);
 //   (2) the eye and all critical points are shown, outside the scene too; what reaches out of the picture is cut off
 class VisibilityPainter2 {
  public:
-  VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing& drawing);
+  VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing2& drawing);
   std::uint32_t width() const { return sheet_.width(); }
   std::uint32_t height() const { return sheet_.height(); }
   void draw(PictureCanvas& canvas) const;
 
  private:
-  const VisibilityDrawing& drawing_;
+  const VisibilityDrawing2& drawing_;
   SceneSheet2 sheet_;
 };
 
@@ -60,7 +60,7 @@ class VisibilityPainter2 {
 // REQUIRES faces of the scene.
 class PairPainter2 {
  public:
-  PairPainter2(const PreparedScene2& prepared, const PairDrawing& drawing);
+  PairPainter2(const PreparedScene2& prepared, const PairDrawing2& drawing);
   std::uint32_t width() const { return sheet_.width(); }
   std::uint32_t height() const { return sheet_.height(); }
   void draw(PictureCanvas& canvas) const;
@@ -68,13 +68,13 @@ class PairPainter2 {
  private:
   void draw_edge(PictureCanvas& canvas, const Face& face, const std::string& label, const Colour& colour) const;
 
-  const PairDrawing& drawing_;
+  const PairDrawing2& drawing_;
   SceneSheet2 sheet_;
 };
 
 // Return the bytes of the picture file.
-std::string visibility_picture_2(const PreparedScene2& prepared, const VisibilityDrawing& drawing,
+std::string visibility_picture_2(const PreparedScene2& prepared, const VisibilityDrawing2& drawing,
                                  PictureFormat format);
-std::string pair_picture_2(const PreparedScene2& prepared, const PairDrawing& drawing, PictureFormat format);
+std::string pair_picture_2(const PreparedScene2& prepared, const PairDrawing2& drawing, PictureFormat format);
 
 }  // namespace hottel

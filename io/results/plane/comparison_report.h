@@ -36,7 +36,7 @@ std::string compare_csv(std::span<const MethodResult> results);
 
 // `method,from,to,value,exact,error,visibility,distance,angle,reason`: distance in scene units between the middles,
 // angle in degrees between the normals; empty where there is none (the sky; faces that do not face each other).
-std::string worst_csv(std::span<const ExplainedPair> pairs);
+std::string worst_csv(std::span<const ExplainedPair2> pairs);
 
 // `error,family,seconds,exact_seconds`: the least time in which each family reaches each error, empty where it does
 // not; times between the points of a sweep are interpolated (seconds_to_reach).

@@ -1,4 +1,4 @@
-#include "io/scene/svg_geometry.h"
+#include "io/scene/plane/svg_geometry.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "io/results/comparison_report.h"
+#include "io/results/plane/comparison_report.h"
 
 #include <fmt/format.h>
 
@@ -123,7 +123,7 @@ std::string compare_csv(std::span<const MethodResult> results) {
   return text;
 }
 
-std::string worst_csv(std::span<const ExplainedPair> pairs) {
+std::string worst_csv(std::span<const ExplainedPair2> pairs) {
   std::string text = "method,from,to,value,exact,error,visibility,distance,angle,reason\n";
   for (const auto& [method, from, to, error, explanation] : pairs)
     text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_field(method), csv_field(from), csv_field(to),

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/exchange.h"
+#include "geometry/exchange_report.h"
 #include "solver/radiosity/radiosity.h"
 
 namespace hottel {

@@ -1,4 +1,4 @@
-#include "io/foreign/foreign_matrix.h"
+#include "io/foreign/plane/foreign_matrix.h"
 
 #include <fmt/format.h>
 
@@ -242,7 +242,7 @@ std::string after_colon(std::string_view variant, const char* what) {
 
 }  // namespace
 
-MethodFamily file_family_2() {
+MethodFamily2 file_family_2() {
   return {.name = "file",
           .pattern = "file:PATH",
           .what = "read from a file: csv, Matrix Market, NumPy or View3D",
@@ -254,7 +254,7 @@ MethodFamily file_family_2() {
           }};
 }
 
-MethodFamily run_family_2() {
+MethodFamily2 run_family_2() {
   return {.name = "run",
           .pattern = "run:CMD",
           .what = "computed by a command, with {scene} and {out} in it",

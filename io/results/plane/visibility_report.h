@@ -21,7 +21,7 @@ struct VisibilityAnswer {
 // on the border of solids the directions into them are told apart, as fractions of the full turn.
 // light: nothing from within a solid.
 VisibilityAnswer point_answer(const PreparedScene2& prepared, const PointSight2& sight,
-                              const std::optional<PointLight>& light);
+                              const std::optional<PointLight2>& light);
 
 // The view factors from the point t of a face, each as a double and in closed form. name: what the face was called.
 VisibilityAnswer face_point_answer(const PreparedScene2& prepared, const std::string& name, const Face& face,

@@ -22,11 +22,11 @@ namespace hottel {
 ExchangeMatrix match_foreign_matrix(const ForeignMatrix& foreign, std::vector<Element> elements, MethodReport& report);
 
 // `file:PATH`: a file as in read_foreign_matrix. compute() reads it anew each time; MethodReport::seconds is nothing.
-MethodFamily file_family_2();
+MethodFamily2 file_family_2();
 
 // `run:CMD`: a command as in run_foreign_command, with PreparedScene2::scene.file as the scene; its time is
 // MethodReport::seconds. What it wrote and cannot be read is a RequestError that names the command.
-MethodFamily run_family_2();
+MethodFamily2 run_family_2();
 
 // Returns true for a name of these two families: their rows are as others made them, whatever elements are asked for.
 bool is_foreign(const std::string& method);

@@ -1,4 +1,4 @@
-#include "io/results/reference_set.h"
+#include "io/results/plane/reference_set.h"
 
 #include <functional>
 #include <iterator>
@@ -8,6 +8,7 @@
 #include "io/results/factor_files.h"
 #include "io/results/radiosity_files.h"
 #include "kernel/version.h"
+#include "geometry/plane/scene/division.h"
 
 namespace hottel {
 namespace {
@@ -79,8 +80,9 @@ SceneReference scene_reference(const std::string& name, std::string text, const 
   result.files.push_back({folder + "scene.json", std::move(text)});
   result.files.push_back({folder + "factors.csv", written([&](const Sink& sink) { write_factors_csv(table, sink); })});
   result.files.push_back({folder + "factors.mtx", written([&](const Sink& sink) { write_factors_mtx(table, sink); })});
-  result.files.push_back(
-      {folder + "factors.mtx.faces.csv", written([&](const Sink& sink) { write_faces_csv(table, sink); })});
+  result.files.push_back({folder + "factors.mtx.faces.csv", written([&](const Sink& sink) {
+                            write_faces_csv(table, element_ends(scene, matrix.elements()), sink);
+                          })});
   result.files.push_back({folder + "radiosity.csv",
                           written([&](const Sink& sink) { write_radiosity_csv(scene, matrix, solution, sink); })});
   return result;

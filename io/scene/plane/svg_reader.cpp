@@ -1,4 +1,4 @@
-#include "io/scene/svg_reader.h"
+#include "io/scene/plane/svg_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "geometry/name.h"
 #include "io/files/text_file.h"
-#include "io/scene/svg_geometry.h"
+#include "io/scene/plane/svg_geometry.h"
 #include "io/scene/svg_style.h"
 #include "io/scene/xml_references.h"
 #include "kernel/support/failure.h"

@@ -1,4 +1,4 @@
-#include "io/results/check_report.h"
+#include "io/results/plane/check_report.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-int line_of(const Scene2& scene, const Finding& finding) {
+int line_of(const Scene2& scene, const Finding2& finding) {
   return finding.surfaces.empty() ? 0 : scene.surfaces[finding.surfaces.front()].line;
 }
 
@@ -23,7 +23,7 @@ std::string count_text(std::size_t count, const char* noun) {
 
 void add_repair(const RepairReport& repair, Json& report) {
   report["repairs"] = Json::array();
-  for (const RepairStep& step : *repair.steps)
+  for (const RepairStep2& step : *repair.steps)
     report["repairs"].push_back({{"kind", step.kind}, {"surface", step.surface}, {"message", step.message}});
   report["changes"] = nullptr;
   if (repair.changes == nullptr) return;
@@ -36,9 +36,9 @@ void add_repair(const RepairReport& repair, Json& report) {
 
 }  // namespace
 
-std::string check_json(const Scene2& scene, const Findings& findings, const RepairReport* repair) {
+std::string check_json(const Scene2& scene, const Findings2& findings, const RepairReport* repair) {
   auto list = Json::array();
-  for (const Finding& finding : findings) {
+  for (const Finding2& finding : findings) {
     Json entry;
     entry["severity"] = to_string(finding.severity);
     entry["kind"] = finding.kind;
@@ -58,10 +58,10 @@ std::string check_json(const Scene2& scene, const Findings& findings, const Repa
   return report.dump(2) + "\n";
 }
 
-std::string findings_text(const Scene2& scene, const Findings& findings, std::size_t most) {
+std::string findings_text(const Scene2& scene, const Findings2& findings, std::size_t most) {
   std::string text;
   std::map<std::string, std::size_t> of_kind;
-  for (const Finding& finding : findings) {
+  for (const Finding2& finding : findings) {
     if (++of_kind[finding.kind] > most) continue;
     const int line = line_of(scene, finding);
     text += fmt::format("{}{}: {}: {}{}: {}\n", scene.file, line > 0 ? fmt::format(":{}", line) : "",
@@ -74,17 +74,17 @@ std::string findings_text(const Scene2& scene, const Findings& findings, std::si
   return text;
 }
 
-std::string check_text(const Scene2& scene, const Findings& findings, std::size_t most) {
+std::string check_text(const Scene2& scene, const Findings2& findings, std::size_t most) {
   std::size_t count[3] = {0, 0, 0};
-  for (const Finding& finding : findings) ++count[static_cast<int>(finding.severity)];
+  for (const Finding2& finding : findings) ++count[static_cast<int>(finding.severity)];
   return findings_text(scene, findings, most) + fmt::format("{}, {}, {}\n", count_text(count[0], "error"),
                                                             count_text(count[1], "warning"),
                                                             count_text(count[2], "note"));
 }
 
-std::vector<std::string> finding_notes(const Findings& findings) {
+std::vector<std::string> finding_notes(const Findings2& findings) {
   std::vector<std::string> notes;
-  for (const Finding& finding : findings)
+  for (const Finding2& finding : findings)
     notes.push_back(fmt::format("{}: {}: {}{}", to_string(finding.severity), finding.kind, finding.message,
                                 finding.suggestion.empty() ? "" : " (" + finding.suggestion + ")"));
   return notes;
@@ -92,7 +92,7 @@ std::vector<std::string> finding_notes(const Findings& findings) {
 
 std::string repair_text(const Scene2& scene, const RepairReport& repair) {
   std::string text;
-  for (const RepairStep& step : *repair.steps) {
+  for (const RepairStep2& step : *repair.steps) {
     const auto surface = scene.find(step.surface);
     const int line = surface ? scene.surfaces[*surface].line : 0;
     text +=

@@ -1,4 +1,4 @@
-#include "io/results/visibility_report.h"
+#include "io/results/plane/visibility_report.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include "geometry/name.h"
 #include "geometry/plane/check/wording.h"
 #include "geometry/plane/exchange/pair_rounding.h"
+#include "geometry/visibility_quotient.h"
 #include "kernel/decimal.h"
 
 namespace hottel {
@@ -31,7 +32,7 @@ bool is_a_double(const Rational& value) {
 
 Json json_of(const Rational& value) { return {{"value", to_double(value)}, {"exact", to_string(value)}}; }
 
-Json json_of(const ExactPoint2& p) {
+Json json_of(const Point2& p) {
   return {{"x", to_double(p.x)}, {"y", to_double(p.y)}, {"exact", {to_string(p.x), to_string(p.y)}}};
 }
 
@@ -41,7 +42,7 @@ Json json_of(const Rounded& number) {
 }
 
 // "(1.5, 0.3333333333333333)", with "= (3/2, 1/3)" where a decimal would not say all.
-std::string text_of(const ExactPoint2& p) {
+std::string text_of(const Point2& p) {
   std::string text = fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y));
   if (!is_a_double(p.x) || !is_a_double(p.y)) text += fmt::format(" = ({}, {})", to_string(p.x), to_string(p.y));
   return text;
@@ -98,7 +99,7 @@ void add_polygon(const PreparedScene2& prepared, const VisibilityPolygon2& polyg
                               : "area unbounded: the sky is seen\n";
   answer.json["polygon"] = Json::array();
   answer.text += "\nvisibility polygon, counter-clockwise\n";
-  for (const ExactPoint2& corner : polygon.corners()) {
+  for (const Point2& corner : polygon.corners()) {
     answer.json["polygon"].push_back(json_of(corner));
     answer.text += "  " + text_of(corner) + "\n";
   }
@@ -128,7 +129,7 @@ void add_fractions(const PointSight2& sight, Draft& answer) {
     add("solids", "solid", solid, "(in the solid " + quoted_name(solid.name) + ")");
 }
 
-void add_light(const PointLight& light, Draft& answer) {
+void add_light(const PointLight2& light, Draft& answer) {
   if (!light.why_none.empty()) {  // no finite light: what is seen stands all the same
     answer.json["mean_irradiance"] = nullptr;
     answer.text += fmt::format("\nno mean irradiance: {}\n", light.why_none);
@@ -144,7 +145,7 @@ void add_light(const PointLight& light, Draft& answer) {
 }  // namespace
 
 VisibilityAnswer point_answer(const PreparedScene2& prepared, const PointSight2& sight,
-                              const std::optional<PointLight>& light) {
+                              const std::optional<PointLight2>& light) {
   if (sight.polygon.solid != Solids2::kNone) return from_solid(prepared, sight.polygon);
   Draft answer;
   add_polygon(prepared, sight.polygon, answer);
@@ -155,7 +156,7 @@ VisibilityAnswer point_answer(const PreparedScene2& prepared, const PointSight2&
 
 VisibilityAnswer face_point_answer(const PreparedScene2& prepared, const std::string& name, const Face& face,
                                    const Rational& t, const std::vector<FaceFactor2>& factors) {
-  const ExactPoint2 x = point_on(prepared.scene.edges[face.surface], t);
+  const Point2 x = point_at(prepared.scene.edges[face.surface], t);
   Draft answer;
   answer.json["on"] = name;
   answer.json["t"] = json_of(t);

@@ -13,7 +13,7 @@ namespace hottel {
 
 // What a repair did, and what it changed; without the factors of both scenes there are no changes to tell.
 struct RepairReport {
-  const std::vector<RepairStep>* steps = nullptr;
+  const std::vector<RepairStep2>* steps = nullptr;
   const std::vector<FactorChange>* changes = nullptr;
 };
 
@@ -21,17 +21,17 @@ struct RepairReport {
 // newline. Coordinates are the nearest doubles; "at" and "line" are null where there is no place. With a repair also
 // "repairs":[{"kind","surface","message"}] and "changes":[{"from","to","before","after"}]: null where a face had no row
 // or was not there, the whole list null where factors could not be compared.
-std::string check_json(const Scene2& scene, const Findings& findings, const RepairReport* repair = nullptr);
+std::string check_json(const Scene2& scene, const Findings2& findings, const RepairReport* repair = nullptr);
 
 // Returns one paragraph a finding and a closing count. Of one kind at most `most` are shown, the rest is counted.
 inline constexpr std::size_t kMostOfAKind = 20;
-std::string check_text(const Scene2& scene, const Findings& findings, std::size_t most = kMostOfAKind);
+std::string check_text(const Scene2& scene, const Findings2& findings, std::size_t most = kMostOfAKind);
 
 // Returns the paragraphs alone.
-std::string findings_text(const Scene2& scene, const Findings& findings, std::size_t most = kMostOfAKind);
+std::string findings_text(const Scene2& scene, const Findings2& findings, std::size_t most = kMostOfAKind);
 
 // Returns each finding as a sentence for the notes of a report: "warning: KIND: MESSAGE (SUGGESTION)".
-std::vector<std::string> finding_notes(const Findings& findings);
+std::vector<std::string> finding_notes(const Findings2& findings);
 
 // Returns the steps a line each, then all changes as csv: from,to,before,after.
 std::string repair_text(const Scene2& scene, const RepairReport& repair);

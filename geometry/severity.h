@@ -1,0 +1,23 @@
+// How bad a finding is.
+#pragma once
+
+namespace hottel {
+
+// kError:   light cannot be computed, or a promise of the scene is broken
+// kWarning: probably not meant
+// kNote:    legal, and worth knowing
+enum class Severity : unsigned char { kError, kWarning, kNote };
+
+constexpr const char* to_string(Severity severity) {
+  switch (severity) {
+    case Severity::kError:
+      return "error";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kNote:
+      return "note";
+  }
+  return "";
+}
+
+}  // namespace hottel
