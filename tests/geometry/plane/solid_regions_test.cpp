@@ -89,7 +89,7 @@ TEST(SolidRegions2, AreNoneWithoutSolids) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const Found found(random_lattice_scene(seed, 20));
     EXPECT_EQ(found.regions.count(), 0u);
-    EXPECT_EQ(found.regions.of(0), SolidRegions2::kNone);
+    EXPECT_EQ(found.regions.of(HalfEdgeId(0)), SolidRegions2::kNone);
   }
 }
 
