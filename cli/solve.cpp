@@ -209,14 +209,14 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
     require_doubles(matrix, sky, result);
     return result;
   });
-  if (matrix.guarantee() != Guarantee::kExact) {
-    notes.push_back(matrix.guarantee() == Guarantee::kEnclosed
-                        ? "the bounds hold for all factors within their enclosures that sum to 1"
-                        : fmt::format("the equations of these factors are solved within {:.1e}; the bounds are those "
-                                      "that hold for any factors",
-                                      solution.max_relative_width));
+  if (matrix.guarantee() == Guarantee::kEnclosed) {
+    notes.push_back("the bounds hold for all factors within their enclosures that sum to 1");
     set_a_priori_bounds(matrix, materials, sky, solution);
   }
+  if (solution.guarantee == Guarantee::kEstimated)
+    notes.push_back(
+        "view factors are estimates: the bounds are those of the radiosities of these factors, and say "
+        "nothing of the scene");
   solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
   seconds.insert(solution.seconds.begin(), solution.seconds.end());
   const NetFluxes fluxes(prepared.scene, matrix, solution);
@@ -253,7 +253,6 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
                            seconds,
                            picture_scale,
                            light ? light->max_error : std::nullopt,
-                           matrix.guarantee() == Guarantee::kEstimated ? Guarantee::kEstimated : Guarantee::kEnclosed,
                            finding_notes(lost_light)};
   json.write(report_json(report));
   // All files are whole before the first one takes its name.

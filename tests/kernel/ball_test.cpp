@@ -99,11 +99,11 @@ TEST(Ball, HoldsNumbersBeyondTheRangeOfDouble) {
   huge.add(1, Rational(Integer(1) << 100'001));
   Rational small(1, Integer(1) << 100'001);
   tiny.add(1, small);
-  EXPECT_EQ(Ball::of(huge, 64).nearest_of_ends(), (Enclosure{HUGE_VAL, HUGE_VAL}));
-  EXPECT_EQ(Ball::of(tiny, 64).nearest_of_ends(), (Enclosure{0, 0}));
-  EXPECT_EQ(Ball::of(tiny, 64).sign(), 1);
-  EXPECT_EQ(Ball::of(tiny, 64).compare(0.0), 1);
-  EXPECT_EQ(Ball::of(huge, 64).compare(std::numeric_limits<double>::max()), 1);
+  EXPECT_EQ(huge.ball(64).nearest_of_ends(), (Enclosure{HUGE_VAL, HUGE_VAL}));
+  EXPECT_EQ(tiny.ball(64).nearest_of_ends(), (Enclosure{0, 0}));
+  EXPECT_EQ(tiny.ball(64).sign(), 1);
+  EXPECT_EQ(tiny.ball(64).compare(0.0), 1);
+  EXPECT_EQ(huge.ball(64).compare(std::numeric_limits<double>::max()), 1);
 }
 
 }  // namespace
