@@ -207,14 +207,14 @@ void compute_radiosities(const SolveOptions& options, const Request& request, St
     require_doubles(matrix, sky, result);
     return result;
   });
-  if (matrix.guarantee() != Guarantee::kExact) {
-    run.notes.push_back(matrix.guarantee() == Guarantee::kEnclosed
-                            ? "the bounds hold for all factors within their enclosures that sum to 1"
-                            : fmt::format("the equations of these factors are solved within {:.1e}; the bounds are "
-                                          "those that hold for any factors",
-                                          solution.max_relative_width));
+  if (matrix.guarantee() == Guarantee::kEnclosed) {
+    run.notes.push_back("the bounds hold for all factors within their enclosures that sum to 1");
     set_a_priori_bounds(matrix, materials, sky, solution);
   }
+  if (solution.guarantee == Guarantee::kEstimated)
+    run.notes.push_back(
+        "view factors are estimates: the bounds are those of the radiosities of these factors, and say "
+        "nothing of the scene");
   solution.notes.insert(solution.notes.begin(), run.notes.begin(), run.notes.end());
   run.seconds.insert(solution.seconds.begin(), solution.seconds.end());
   run.solution = std::move(solution);
@@ -269,17 +269,15 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   write_results(options, run, fluxes, outputs);
   run.seconds["write"] = watch.lap();
 
-  const SolveReport report{
-      options.scene,
-      &run.plan,
-      &run.exchange,
-      &run.solution,
-      &fluxes,
-      run.seconds,
-      run.picture_scale,
-      run.light ? run.light->max_error : std::nullopt,
-      run.matrix.guarantee() == Guarantee::kEstimated ? Guarantee::kEstimated : Guarantee::kEnclosed,
-      finding_notes(run.lost_light)};
+  const SolveReport report{options.scene,
+                           &run.plan,
+                           &run.exchange,
+                           &run.solution,
+                           &fluxes,
+                           run.seconds,
+                           run.picture_scale,
+                           run.light ? run.light->max_error : std::nullopt,
+                           finding_notes(run.lost_light)};
   outputs.json.write(solve_json(report));
   // All files are whole before the first one takes its name.
   const std::vector<OutputFile*> files = outputs.all();

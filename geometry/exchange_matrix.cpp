@@ -16,13 +16,24 @@ namespace {
 }  // namespace
 
 void ExchangeMatrix::assign(std::vector<std::size_t> begin, std::vector<FactorEntry> entries,
-                            std::vector<double> measures, std::vector<Enclosure> bounds) {
+                            std::vector<double> measures, std::vector<Enclosure> bounds,
+                            std::vector<Guarantee> guarantees) {
   begin_ = std::move(begin);
   entries_ = std::move(entries);
   measures_ = std::move(measures);
   bounds_ = std::move(bounds);
+  guarantees_ = std::move(guarantees);
   require_order();
-  require_guarantee();
+  require_lists();
+  if (!guarantees_.empty()) {
+    const auto [strongest, weakest] = std::minmax_element(guarantees_.begin(), guarantees_.end());
+    const bool are_alike = *strongest == *weakest;
+    guarantee_ = *weakest;
+    if (are_alike) guarantees_ = {};
+  }
+  if (guarantee_ == Guarantee::kExact) bounds_ = {};
+  for (std::uint32_t i = 0; i < size(); ++i)
+    for (std::size_t k = 0; k < row(i).size(); ++k) require_guarantee(i, k);
 }
 
 void ExchangeMatrix::require_order() const {
@@ -38,38 +49,38 @@ void ExchangeMatrix::require_order() const {
   }
 }
 
-void ExchangeMatrix::require_guarantee() const {
-  if (!measures_.empty() && measures_.size() != entries_.size())
-    refuse(fmt::format("{} entries, and measures of {}", entries_.size(), measures_.size()));
-  if (guarantee_ == Guarantee::kEstimated) return;
-  if (guarantee_ == Guarantee::kEnclosed && bounds_.size() != entries_.size())
-    refuse(fmt::format("{} entries, and bounds of {}", entries_.size(), bounds_.size()));
-  for (std::uint32_t i = 0; i < size(); ++i)
-    for (std::size_t k = 0; k < row(i).size(); ++k) {
-      const Rounded& factor = row(i)[k].factor;
-      if (guarantee_ == Guarantee::kExact) {
-        const bool is_positive = factor.value > 0 || (factor.value == 0 && factor.side > 0);
-        if (!is_positive || !std::isfinite(factor.value))
-          refuse(fmt::format("an exact factor of '{}' is {}", elements_[i].name, factor.value));
-      } else {
-        const Enclosure within = bounds(i, k);
-        if (!(0 <= within.lower && within.contains(factor.value) && std::isfinite(within.upper)))
-          refuse(fmt::format("a factor of '{}' is {} within [{}, {}]", elements_[i].name, factor.value, within.lower,
-                             within.upper));
-      }
-    }
+void ExchangeMatrix::require_lists() const {
+  const auto require = [this](std::size_t members, const char* what) {
+    if (members != 0 && members != entries_.size())
+      refuse(fmt::format("{} entries, and {} of {}", entries_.size(), what, members));
+  };
+  require(measures_.size(), "measures");
+  require(bounds_.size(), "bounds");
+  require(guarantees_.size(), "guarantees");
+}
+
+void ExchangeMatrix::require_guarantee(std::uint32_t i, std::size_t k) const {
+  const Rounded& factor = row(i)[k].factor;
+  const Guarantee guaranteed = guarantee(i, k);
+  if (guaranteed == Guarantee::kExact) {
+    const bool is_positive = factor.value > 0 || (factor.value == 0 && factor.side > 0);
+    if (!is_positive || !std::isfinite(factor.value))
+      refuse(fmt::format("an exact factor of '{}' is {}", elements_[i].name, factor.value));
+    return;
+  }
+  if (bounds_.empty() && guaranteed == Guarantee::kEstimated) return;
+  if (bounds_.empty()) refuse(fmt::format("{} entries, and bounds of 0", entries_.size()));
+  const Enclosure within = bounds(i, k);
+  const bool is_fitting = guaranteed == Guarantee::kEstimated || within.contains(factor.value);
+  if (!(0 <= within.lower && within.lower <= within.upper && std::isfinite(within.upper) && is_fitting))
+    refuse(fmt::format("a factor of '{}' is {} within [{}, {}]", elements_[i].name, factor.value, within.lower,
+                       within.upper));
 }
 
 Enclosure ExchangeMatrix::bounds(std::uint32_t i, std::size_t k) const {
-  switch (guarantee_) {
-    case Guarantee::kExact:
-      return entries_[begin_[i] + k].factor.enclosure();
-    case Guarantee::kEnclosed:
-      return bounds_[begin_[i] + k];
-    case Guarantee::kEstimated:
-      break;
-  }
-  return {0, 1};
+  const std::size_t place = begin_[i] + k;
+  if (guarantee(i, k) == Guarantee::kExact) return entries_[place].factor.enclosure();
+  return bounds_.empty() ? Enclosure{0, 1} : bounds_[place];
 }
 
 Rounded ExchangeMatrix::factor(std::uint32_t from, std::uint32_t to) const {

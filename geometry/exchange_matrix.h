@@ -22,21 +22,31 @@ struct FactorEntry {
 // View factors F_ij by rows, sparse.
 //
 //   (1) rows ascend by `to`; the sky is the last column, index sky()
-//   (2) kExact: every factor is correctly rounded, its enclosure at most one ulp wide, and reciprocity
-//       A_i F_ij = A_j F_ji holds for the real numbers behind the doubles
-//   (3) kEnclosed: the real factor and the double lie within bounds()
-//   (4) only elements with a material and an area have a row; pairs that exchange nothing have no entry
-// COST: 32 bytes an entry, two entries a visible pair of elements with materials.
+//   (2) an entry that is kExact is correctly rounded, its enclosure at most one ulp wide; where both entries of a pair
+//       are, reciprocity A_i F_ij = A_j F_ji holds for the real numbers behind the doubles
+//   (3) of one that is kEnclosed the real factor and the double lie within bounds()
+//   (4) of one that is kEstimated the real factor lies within bounds(), the double is a guess
+//   (5) only elements with a material and an area have a row; pairs that exchange nothing have no entry. That a pair
+//       without entry exchanges nothing is proven, unless all entries are estimated
+// COST: 32 bytes an entry, two entries a visible pair of elements with materials; 8 more with measures, 16 with bounds,
+// and 1 where entries differ in what is guaranteed of them.
 class ExchangeMatrix {
  public:
   ExchangeMatrix() = default;
+  // `guarantee`: of every entry, unless assign() is told of each.
   ExchangeMatrix(std::vector<Element> elements, Guarantee guarantee)
       : elements_(std::move(elements)), begin_(elements_.size() + 1, 0), guarantee_(guarantee) {}
 
   const std::vector<Element>& elements() const { return elements_; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(elements_.size()); }
   std::uint32_t sky() const { return size(); }
+
+  // Returns what is guaranteed of every entry: the weakest there is.
   Guarantee guarantee() const { return guarantee_; }
+  // Returns what is guaranteed of the k-th entry of row i.
+  Guarantee guarantee(std::uint32_t i, std::size_t k) const {
+    return guarantees_.empty() ? guarantee_ : guarantees_[begin_[i] + k];
+  }
 
   bool has_row(std::uint32_t i) const {
     const Rounded& area = elements_[i].area;
@@ -53,8 +63,8 @@ class ExchangeMatrix {
                              : std::span(measures_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }
 
-  // Returns proven bounds of the k-th entry of row i: one ulp at most where the matrix is exact, nothing but [0, 1]
-  // where it is an estimate.
+  // Returns proven bounds of the k-th entry of row i: one ulp at most where it is exact, those given where it is
+  // enclosed or estimated, nothing but [0, 1] where it is estimated and none were given.
   Enclosure bounds(std::uint32_t i, std::size_t k) const;
 
   // Returns F(from, to); 0 where there is no entry.
@@ -62,22 +72,26 @@ class ExchangeMatrix {
   // Returns the index of the element of that name; sky() for "sky"; nothing when there is none.
   std::optional<std::uint32_t> find(const std::string& name) const;
 
-  // For those who fill the matrix: entries by rows, row i in [begin[i], begin[i + 1]); for each entry its measure, or
-  // none at all, and its bounds where the matrix is enclosed.
-  // Throws ContractViolation, naming the row, where rows or columns are none of this matrix or do not ascend; where a
-  // factor of an exact matrix is not positive; where bounds of an enclosed one are not 0 <= lower <= double <= upper.
+  // For those who fill the matrix: entries by rows, row i in [begin[i], begin[i + 1]); for each entry its measure, its
+  // bounds and what is guaranteed of it, or none at all. Without guarantees every entry has that of the constructor.
+  // Bounds are needed where an entry is enclosed, and those of exact ones are not looked at. Throws ContractViolation,
+  // naming the row, where rows or columns are none of this matrix or do not ascend; where an exact factor is not
+  // positive; where bounds of an enclosed one are not 0 <= lower <= double <= upper, or those of an estimated one not 0
+  // <= lower <= upper; where a list has not as many members as there are entries.
   void assign(std::vector<std::size_t> begin, std::vector<FactorEntry> entries, std::vector<double> measures = {},
-              std::vector<Enclosure> bounds = {});
+              std::vector<Enclosure> bounds = {}, std::vector<Guarantee> guarantees = {});
 
  private:
   void require_order() const;
-  void require_guarantee() const;
+  void require_lists() const;
+  void require_guarantee(std::uint32_t i, std::size_t k) const;
 
   std::vector<Element> elements_;
   std::vector<std::size_t> begin_;
   std::vector<FactorEntry> entries_;
   std::vector<double> measures_;
-  std::vector<Enclosure> bounds_;
+  std::vector<Enclosure> bounds_;      // empty: none but what the entries say
+  std::vector<Guarantee> guarantees_;  // empty: all alike
   Guarantee guarantee_ = Guarantee::kEstimated;
 };
 

@@ -9,6 +9,7 @@ namespace hottel {
 // kExact:     the double is the correctly rounded value of the real number.
 // kEnclosed:  the real number lies in the printed interval, proven.
 // kEstimated: the interval is what is proven, however wide; the value alone is a guess with a stated estimate.
+// Each is weaker than the one before it.
 enum class Guarantee : unsigned char { kExact, kEnclosed, kEstimated };
 
 constexpr const char* to_string(Guarantee guarantee) {

@@ -82,20 +82,20 @@ void for_each_dense_row(const ExchangeMatrix& matrix, const Visit& visit) {
   }
 }
 
-// Calls visit(from, entry, its bounds) for every pair that the table lists, by from, then to: those with a factor, and
-// the hidden ones with factor and visibility 0.
+// Calls visit(from, entry, its bounds, its guarantee) for every pair that the table lists, by from, then to: those with
+// a factor, and the hidden ones with factor and visibility 0, exactly.
 template <class Visit>
 void for_each_listed(const FactorTable& table, const Visit& visit) {
   auto hidden = table.hidden.begin();
   for (std::uint32_t i = 0; i < table.matrix.size(); ++i) {
     const auto hidden_before = [&](std::uint32_t to) {
       for (; hidden != table.hidden.end() && hidden->first == i && hidden->second < to; ++hidden)
-        visit(i, FactorEntry{hidden->second, Rounded{}, 0}, Enclosure{0, 0});
+        visit(i, FactorEntry{hidden->second, Rounded{}, 0}, Enclosure{0, 0}, Guarantee::kExact);
     };
     const auto row = table.matrix.row(i);
     for (std::size_t k = 0; k < row.size(); ++k) {
       hidden_before(row[k].to);
-      visit(i, row[k], table.matrix.bounds(i, k));
+      visit(i, row[k], table.matrix.bounds(i, k), table.matrix.guarantee(i, k));
     }
     hidden_before(table.matrix.sky() + 1);
   }
@@ -148,15 +148,15 @@ std::string csv_field(const std::string& text) {
 void write_factors_csv(const FactorTable& table, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   const std::vector<std::string> names = csv_names(matrix);
-  const char* guarantee = to_string(matrix.guarantee());
   Buffer out(sink);
   out << "from,to,factor,lower,upper,visibility,guarantee\n";
-  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds) {
-    out << names[from] << "," << names[entry.to] << "," << entry.factor.value << "," << bounds.lower << ","
-        << bounds.upper << ",";
-    if (!std::isnan(entry.visibility)) out << entry.visibility;
-    out << "," << guarantee << "\n";
-  });
+  for_each_listed(table,
+                  [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds, Guarantee guarantee) {
+                    out << names[from] << "," << names[entry.to] << "," << entry.factor.value << "," << bounds.lower
+                        << "," << bounds.upper << ",";
+                    if (!std::isnan(entry.visibility)) out << entry.visibility;
+                    out << "," << to_string(guarantee) << "\n";
+                  });
   out.flush();
 }
 
@@ -168,7 +168,7 @@ void write_factors_mtx(const FactorTable& table, const Sink& sink) {
       << (table.gray_channel ? "% gray-body exchange factors script-F" : "% view factors F")
       << "(row, column), faces as in the .faces.csv beside this file, the sky last\n"
       << fmt::format("{} {} {}\n", n, n, matrix.entry_count() + table.hidden.size());
-  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure&) {
+  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure&, Guarantee) {
     out << fmt::format("{} {} ", from + 1, entry.to + 1) << entry.factor.value << "\n";
   });
   out.flush();
@@ -250,10 +250,10 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
   out << "\n";
   const double absent = quantity == DenseQuantity::kVisibility ? std::numeric_limits<double>::quiet_NaN() : 0.0;
   std::vector<double> dense(names.size());
-  // An estimated matrix has no measures: then of the doubles that it has.
+  // Where the matrix has no measures: of the doubles that it has.
   const auto measure = [&](std::uint32_t i, std::size_t k) {
-    return matrix.guarantee() == Guarantee::kEstimated ? matrix.elements()[i].area.value * matrix.row(i)[k].factor.value
-                                                       : matrix.measures(i)[k];
+    return matrix.measures(i).empty() ? matrix.elements()[i].area.value * matrix.row(i)[k].factor.value
+                                      : matrix.measures(i)[k];
   };
   if (quantity == DenseQuantity::kExchange)  // before the first byte, which may go to standard output
     for (std::uint32_t i = 0; i < matrix.size(); ++i)
@@ -334,7 +334,7 @@ namespace {
 std::vector<ElementPair> exact_form_rows(const FactorTable& table, const std::optional<ElementPair>& only) {
   if (only) return {*only};
   std::vector<ElementPair> rows;
-  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure&) {
+  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure&, Guarantee) {
     rows.emplace_back(from, entry.to);
   });
   return rows;

@@ -64,7 +64,7 @@ std::string solve_json(const SolveReport& report) {
                     {"absorbed", solution.energy.absorbed},
                     {"to_sky", solution.energy.to_sky},
                     {"defect", solution.energy.defect}};
-  json["bounds"] = {{"max_relative_width", solution.max_relative_width}, {"guarantee", to_string(report.guarantee)}};
+  json["bounds"] = {{"max_relative_width", solution.max_relative_width}, {"guarantee", to_string(solution.guarantee)}};
   if (report.illumination_max_error) json["bounds"]["illumination_max_error"] = *report.illumination_max_error;
   if (report.picture_scale) json["picture"] = {{"scale", *report.picture_scale}};
   json["notes"] = report.warnings;

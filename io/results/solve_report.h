@@ -26,7 +26,6 @@ struct SolveReport {
   std::map<std::string, double> seconds{};         // of stages that ran, and of no others
   std::optional<double> picture_scale{};           // what a value was multiplied by before the tone curve
   std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
-  Guarantee guarantee = Guarantee::kEnclosed;      // of the radiosities
   std::vector<std::string> warnings{};             // first of the notes of the JSON object; not in the text
 };
 

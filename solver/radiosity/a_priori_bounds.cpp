@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "kernel/rational.h"
+#include "kernel/support/failure.h"
 #include "solver/radiosity/irradiance.h"
 
 namespace hottel {
@@ -63,6 +64,7 @@ Enclosure both(const Enclosure& a, const Enclosure& b) {
 
 void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                          const Spectrum& sky_emission, RadiositySolution& solution) {
+  HOTTEL_REQUIRE(solution.guarantee != Guarantee::kEstimated);
   solution.max_relative_width = 0;
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
     ChannelSolution& channel = solution.channels[c];
@@ -75,14 +77,12 @@ void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Materia
       const Rational &emission = material.emission.value[c], &reflectivity = material.reflectivity.value[c];
       ElementRadiosity& element = channel.elements[i];
       CrudeBounds bounds = crude_bounds(emission, reflectivity, most);
-      if (matrix.guarantee() != Guarantee::kEstimated) {
-        bounds.radiosity = both(bounds.radiosity, {element.lower, element.upper});
-        bounds.net = both(bounds.net, {element.net_lower, element.net_upper});
-        const double moved = std::clamp(element.radiosity, bounds.radiosity.lower, bounds.radiosity.upper);
-        is_any_moved |= moved != element.radiosity;
-        element.radiosity = moved;
-        element.net_value = std::clamp(element.net_value, bounds.net.lower, bounds.net.upper);
-      }
+      bounds.radiosity = both(bounds.radiosity, {element.lower, element.upper});
+      bounds.net = both(bounds.net, {element.net_lower, element.net_upper});
+      const double moved = std::clamp(element.radiosity, bounds.radiosity.lower, bounds.radiosity.upper);
+      is_any_moved |= moved != element.radiosity;
+      element.radiosity = moved;
+      element.net_value = std::clamp(element.net_value, bounds.net.lower, bounds.net.upper);
       element.lower = bounds.radiosity.lower;
       element.upper = bounds.radiosity.upper;
       element.net_lower = bounds.net.lower;

@@ -9,18 +9,20 @@
 
 namespace hottel {
 
-// Replaces the bounds of a solution, or where its matrix is not estimated and they are proven narrows them, by
+// Narrows the bounds of a solution by
 //
 //   E_i  <=  B_i  <=  E_i + rho_i M,    M = max(emission of the sky, E_j / (1 - rho_j) over all faces with a material)
 //
 // and those of the net by E_i - (1 - rho_i) M and E_i, rounded outward, and its relative widths by those of these
 // bounds.
 //
-//   (1) the radiosities of the exact factors lie within, for any matrix that the solution was computed from: rows of
-//       exact factors sum to 1, so that no face receives more than the brightest thing in the scene sends out
-//   (2) upper is infinite where a face with reflectivity 1 emits
+//   (1) the radiosities of the exact factors still lie within: their rows sum to 1, so that no face receives more than
+//   the
+//       brightest thing in the scene sends out
+//   (2) M is infinite where a face with reflectivity 1 emits
 //   (3) where a radiosity is moved into its bounds the irradiances are summed anew
-// REQUIRES: the solution of `matrix` with these materials and this sky.
+// REQUIRES: the solution of `matrix` with these materials and this sky, proven of the scene: none of its factors is
+// estimated.
 void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                          const Spectrum& sky_emission, RadiositySolution& solution);
 

@@ -14,16 +14,17 @@ namespace hottel {
 using SolveDoubles =
     std::function<RadiositySolution(const ExchangeMatrix& matrix, const RadiosityOptions& options, bool is_whole)>;
 
-// Solves an enclosed matrix by solving three: that of its doubles, of the lower ends of its enclosures, of the upper.
+// Solves a matrix with enclosed entries by solving three: that of its doubles, of the lower ends of all bounds, of the
+// upper.
 // All entries of (I - rho F)^-1 = I + rho F + (rho F)^2 + ... ascend with every factor, and so do radiosities and
 // irradiances. What the lower and the upper ends give is therefore the smallest and the largest there is:
 //
-//   (1) lower <= B_i <= upper and net_lower <= net_i <= net_upper for all factors within the enclosures for which light
+//   (1) lower <= B_i <= upper and net_lower <= net_i <= net_upper for all factors within the bounds for which light
 //       dies out (spectral radius of rho F below 1); an upper bound that is finite proves that it does for all of them
 //   (2) no bounds are narrower, but for the few ulps of the two solutions
 //   (3) the radiosities of the doubles are moved into these bounds, the irradiances are those of what is then there
 //   (4) `dark`, and a radiosity of exactly 0, is what no light reaches for any of these factors
-// REQUIRES: an enclosed matrix. COST: three solutions, and copies of the factors of two.
+// REQUIRES: some entry is enclosed, none is estimated. COST: three solutions, and copies of the factors of two.
 RadiositySolution solve_enclosed(const ExchangeMatrix& matrix, const Spectrum& sky_emission,
                                  const RadiosityOptions& options, const SolveDoubles& solve);
 

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <unordered_map>
 
 #include "solver/radiosity/scaled_ball.h"
 
 namespace hottel {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 ScaledBall within(double value, double lower, double upper) {
   return ScaledBall::of(DoubleDoubleBall::around({value, 0}, {lower, upper}));
@@ -32,7 +29,9 @@ std::vector<ScaledBall> flux_by_element(const ExchangeMatrix& matrix, const Chan
       const FactorEntry& entry = matrix.row(i)[k];
       const bool is_sky = entry.to == matrix.sky();
       if (!is_sky && matrix.has_row(entry.to)) continue;
-      const DoubleDoubleBall factor = matrix.guarantee() == Guarantee::kEnclosed
+      const bool is_any_within =
+          matrix.guarantee() == Guarantee::kEnclosed && matrix.guarantee(i, k) == Guarantee::kEnclosed;
+      const DoubleDoubleBall factor = is_any_within
                                           ? DoubleDoubleBall::around({entry.factor.value, 0}, matrix.bounds(i, k))
                                           : DoubleDoubleBall::of(entry.factor);
       const ScaledBall sent = is_sky ? difference(sky_emission, radiosity) : negated(radiosity);
@@ -76,13 +75,6 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
     for (std::uint32_t i = 0; i <= matrix.size(); ++i)
       if (is_listed[i]) total[place[i]] = sum(total[place[i]], flux[i]);
     for (std::size_t k = 0; k < result.size(); ++k) result[k].by_channel[c] = power_of(total[k]);
-    // What arrives at a black back or goes to the sky is known by factors alone, and those are estimates.
-    if (matrix.guarantee() == Guarantee::kEstimated)
-      for (std::uint32_t i = 0; i <= matrix.size(); ++i)
-        if (is_listed[i] && (i == matrix.sky() || !matrix.has_row(i))) {
-          NetFlux::Power& power = result[place[i]].by_channel[c];
-          power = {power.value, -kInfinity, kInfinity};
-        }
   }
   return result;
 }

@@ -26,11 +26,11 @@ struct NetFlux {
 // over the elements for which `name_of` returns the same name, in the order of the first of them; the sky last.
 //
 //   (1) positive: more leaves than arrives, as from a lamp; negative: the difference is absorbed, or goes to the sky
-//   (2) lower <= true flux <= upper, and value lies between them; the same holds of sums over names, and for an
-//       enclosed matrix for all factors within their enclosures. For an estimated one: given bounds that hold of the
-//       true radiosities (set_a_priori_bounds), and nothing is known of black backs and the sky
-//   (3) the true fluxes of all names sum to 0: what is sent out arrives somewhere; so do the values, but for roundings,
-//       where iterations were stopped early too
+//   (2) lower <= true flux <= upper, and value lies between them; the same holds of sums over names. True is what the
+//       bounds of the solution are about: the exact factors, all factors within their bounds, or, where some are
+//       estimated (RadiositySolution::guarantee), those that the matrix holds
+//   (3) the true fluxes of all names sum to 0 where rows sum to 1 and pairs are reciprocal: what is sent out arrives
+//       somewhere; so do the values, but for roundings, where iterations were stopped early too
 // REQUIRES a solution of this matrix with this sky. COST: one pass over the matrix a channel.
 std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolution& solution,
                               const Spectrum& sky_emission, const std::function<std::string(const Element&)>& name_of);

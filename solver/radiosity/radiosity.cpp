@@ -18,7 +18,9 @@ RadiositySolution solve_radiosity(const ExchangeMatrix& matrix, const std::vecto
   RadiositySolution solution = matrix.guarantee() == Guarantee::kEnclosed
                                    ? solve_enclosed(matrix, sky_emission, options, solve)
                                    : solve(matrix, options, true);
-  if (matrix.guarantee() != Guarantee::kEstimated)  // whose bounds are those of its own equations
+  if (matrix.guarantee() == Guarantee::kEstimated)
+    solution.guarantee = Guarantee::kEstimated;
+  else  // the faint radiosities of estimates are what they are: estimates
     for (std::string& note : notes_of_faint_radiosities(matrix, solution)) solution.notes.push_back(std::move(note));
   return solution;
 }

@@ -13,8 +13,9 @@ namespace hottel {
 // Solves B_i = E_i + rho_i sum_j F_ij B_j in every channel.
 //
 //   (1) lower <= true B <= upper in every element, the true B being that of the exact reflectivities, emissions and
-//       factors; for an enclosed matrix, of any factors within its enclosures; for an estimated one, of the doubles it
-//       holds, which says nothing of the scene (set_a_priori_bounds gives what holds there)
+//       factors; where some entries are enclosed and none is estimated, of any factors within their bounds; where some
+//       are estimated, of the doubles that the matrix holds. The last says nothing of the scene: `guarantee` is then
+//       kEstimated, else kEnclosed
 //   (2) lower = upper = 0 = B where no light reaches; B = E within half an ulp where rho = 0; lower is never below the
 //       largest double that is not above E, net_upper never above the smallest that is not below it (unless a factor is
 //       negative)
@@ -31,12 +32,13 @@ namespace hottel {
 // Throws RequestError when a component with reflectivity 1 throughout and no way out emits (one that does not is 0,
 // with a note), when an upper bound of an exact matrix is infinite (factors that underflow, or more light than doubles
 // can tell), when rows do not sum to 1 and the spectral radius cannot be shown to be below 1, when cholesky or cg
-// are asked of such a matrix, which is not symmetric, and when a factor is no number. Where a factor of an estimated
-// matrix is negative the equations are solved and all bounds are infinite. Rows sum to 1 in exact matrices, and are
-// taken to where their enclosures allow it, which concerns the radiosity, not its bounds.
+// are asked of such a matrix, which is not symmetric, and when a factor is no number. Where an estimated
+// factor is negative the equations are solved and all bounds are infinite. Rows sum to 1 in exact matrices, and are
+// taken to where all entries are enclosed or exact and their bounds allow it, which concerns the radiosity, not its
+// bounds.
 // REQUIRES: the materials of the elements index into `materials`.
 // COST: one factorization a distinct reflectivity vector; then a few passes over the matrix a channel. Three times that
-// for an enclosed matrix.
+// where the weakest entry is enclosed.
 RadiositySolution solve_radiosity(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                                   const Spectrum& sky_emission, const RadiosityOptions& options = {});
 

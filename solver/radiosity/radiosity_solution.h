@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/enclosure.h"
 #include "solver/radiosity/radiosity_options.h"
 
 namespace hottel {
@@ -14,9 +15,9 @@ namespace hottel {
 struct ElementRadiosity {
   double emission = 0, reflectivity = 0;  // correctly rounded
   double radiosity = 0;
-  double lower = 0, upper = 0;          // proven bounds of the radiosity of the exact system
-  double irradiance = 0;                // sum_j F_ij B_j of these radiosities, where there is no reflection too
-  double net_lower = 0, net_upper = 0;  // proven bounds of radiosity - irradiance of the exact system
+  double lower = 0, upper = 0;  // proven bounds of the radiosity; RadiositySolution::guarantee says of which system
+  double irradiance = 0;        // sum_j F_ij B_j of these radiosities, where there is no reflection too
+  double net_lower = 0, net_upper = 0;  // proven bounds of radiosity - irradiance, of that system
   double net_value = 0;                 // within them, without what cancels in the difference of two doubles
 
   // Returns the difference of these two doubles, rounded once: what is printed as net.
@@ -43,6 +44,9 @@ struct ChannelSolution {
 };
 
 struct RadiositySolution {
+  // kEnclosed: the bounds hold for the true factors. kEstimated: some factor is only an estimate, and the bounds are
+  // those of the equations with the factors as printed; nothing is said of the true ones.
+  Guarantee guarantee = Guarantee::kEnclosed;
   std::vector<std::string> channel_names;  // {"all"} when every spectrum is a scalar, else {"r", "g", "b"}
   std::vector<ChannelSolution> channels;
   Solver used = Solver::kAuto;                 // kAuto: nothing had to be solved

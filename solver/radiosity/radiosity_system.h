@@ -64,8 +64,8 @@ struct ErrorTerms {
 //   (4) Sources::range is that of E_j / (1 - rho_j), over the unknowns of a component, and of the emissions of all that
 //       is known and that they see: no extremum can be elsewhere. REQUIRES a component that loses light; [0, infinity]
 //       where an unknown with rho = 1 emits, and where rows are not closed
-//   (5) F is the factors themselves: real numbers where the matrix is exact, else the doubles. Enclosures of factors do
-//       not enter (enclosed_radiosity.h)
+//   (5) F is the factors themselves: the double of an entry that is not exact; of one that is, the real number and its
+//       double alike: what is proven holds for both. Bounds of factors do not enter (enclosed_radiosity.h)
 // Throws RequestError where a factor is no number, ContractViolation where the matrix says that it is exact and a row
 // does not sum to 1.
 // COST: about 20 ns an entry of the matrix for a residual, over all threads.
@@ -74,7 +74,8 @@ class RadiositySystem {
   RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel);
 
   const ExchangeMatrix& matrix() const { return *matrix_; }
-  // True if the matrix is exact, and if it encloses factors that may sum to 1 in every row.
+  // True if the matrix is exact, and if no entry is estimated and factors within their bounds may sum to 1 in every
+  // row.
   bool rows_are_closed() const { return rows_are_closed_; }
   // Some factor is below 0, as only estimates may be: nothing is proven of the solution.
   bool has_negative_factors() const { return has_negative_factors_; }

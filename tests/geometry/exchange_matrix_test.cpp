@@ -4,7 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "kernel/support/failure.h"
 
@@ -79,6 +83,64 @@ TEST(ExchangeMatrix, RefusesWhatItsGuaranteeRulesOut) {
         two_faces(Guarantee::kExact).assign({0, 2, 3}, kGood, {1, 2});
       },
       ThrowsMessage<ContractViolation>(HasSubstr("3 entries, and measures of 2")));
+}
+
+using Guarantees = std::vector<Guarantee>;
+using Bounds = std::vector<Enclosure>;
+
+TEST(MixedExchangeMatrix, SaysOfEachEntryWhatIsGuaranteedAndOfAllTheWeakest) {
+  ExchangeMatrix matrix = two_faces(Guarantee::kExact);
+  const Entries entries = {{1, {0.5, 1}, 1}, {2, {0.4, 0}, 1}, {0, {1.5, 0}, 1}};
+  matrix.assign({0, 2, 3}, entries, {}, {{0, 0}, {0.375, 0.5}, {0.25, 1}},
+                {Guarantee::kExact, Guarantee::kEnclosed, Guarantee::kEstimated});
+  EXPECT_EQ(matrix.guarantee(), Guarantee::kEstimated);
+  EXPECT_EQ(matrix.guarantee(0, 0), Guarantee::kExact);
+  EXPECT_EQ(matrix.guarantee(0, 1), Guarantee::kEnclosed);
+  EXPECT_EQ(matrix.guarantee(1, 0), Guarantee::kEstimated);
+  EXPECT_EQ(matrix.bounds(0, 0), (Enclosure{0.5, std::nextafter(0.5, 1)}));  // its own, not those given
+  EXPECT_EQ(matrix.bounds(0, 1), (Enclosure{0.375, 0.5}));
+  EXPECT_EQ(matrix.bounds(1, 0), (Enclosure{0.25, 1}));  // proven, though the guess lies elsewhere
+
+  matrix.assign({0, 2, 3}, entries, {}, {}, {Guarantee::kExact, Guarantee::kEstimated, Guarantee::kEstimated});
+  EXPECT_EQ(matrix.bounds(0, 0), (Enclosure{0.5, std::nextafter(0.5, 1)}));
+  EXPECT_EQ(matrix.bounds(0, 1), (Enclosure{0, 1}));
+}
+
+TEST(MixedExchangeMatrix, IsAsWeakAsItsWeakestEntry) {
+  const Guarantee all[] = {Guarantee::kExact, Guarantee::kEnclosed, Guarantee::kEstimated};
+  for (const Guarantee a : all)
+    for (const Guarantee b : all)
+      for (const Guarantee c : all)
+        for (const Guarantee of_constructor : all) {
+          ExchangeMatrix matrix = two_faces(of_constructor);
+          matrix.assign({0, 2, 3}, kGood, {}, Bounds(3, {0, 1}), {a, b, c});
+          EXPECT_EQ(matrix.guarantee(), std::max({a, b, c}));
+          EXPECT_EQ((Guarantees{matrix.guarantee(0, 0), matrix.guarantee(0, 1), matrix.guarantee(1, 0)}),
+                    (Guarantees{a, b, c}));
+        }
+  ExchangeMatrix empty = two_faces(Guarantee::kEnclosed);
+  empty.assign({0, 0, 0}, {});
+  EXPECT_EQ(empty.guarantee(), Guarantee::kEnclosed);
+}
+
+TEST(MixedExchangeMatrix, RefusesEntriesThatBreakTheirOwnPromise) {
+  const auto assigned = [](Guarantees guarantees, Bounds bounds, double factor) {
+    return [=] {
+      two_faces(Guarantee::kExact).assign({0, 2, 2}, {{1, {0.5, 0}, 1}, {2, {factor, 0}, 1}}, {}, bounds, guarantees);
+    };
+  };
+  const auto refuses = [](const char* why) { return ThrowsMessage<ContractViolation>(HasSubstr(why)); };
+  constexpr Guarantee kExact = Guarantee::kExact, kEnclosed = Guarantee::kEnclosed, kEstimated = Guarantee::kEstimated;
+  EXPECT_NO_THROW(assigned({kExact, kEstimated}, {}, -0.5)());
+  EXPECT_NO_THROW(assigned({kExact, kEstimated}, {{0, 1}, {0, 1}}, 1.5)());
+  EXPECT_THAT(assigned({kExact}, {}, 0.5), refuses("2 entries, and guarantees of 1"));
+  EXPECT_THAT(assigned({kExact, kEnclosed}, {{0, 1}}, 0.5), refuses("2 entries, and bounds of 1"));
+  EXPECT_THAT(assigned({kExact, kEstimated}, {{0, 1}}, 0.5), refuses("2 entries, and bounds of 1"));
+  EXPECT_THAT(assigned({kExact, kEnclosed}, {}, 0.5), refuses("2 entries, and bounds of 0"));
+  EXPECT_THAT(assigned({kEnclosed, kExact}, Bounds(2, {0, 1}), 0), refuses("an exact factor of 'floor' is 0"));
+  EXPECT_THAT(assigned({kEstimated, kEnclosed}, {{0, 1}, {0, 0.25}}, 0.5), refuses("is 0.5 within [0, 0.25]"));
+  EXPECT_THAT(assigned({kExact, kEstimated}, {{0, 1}, {0.5, 0.25}}, 0.5), refuses("is 0.5 within [0.5, 0.25]"));
+  EXPECT_THAT(assigned({kExact, kEstimated}, {{0, 1}, {-0.5, 1}}, 0.5), refuses("is 0.5 within [-0.5, 1]"));
 }
 
 }  // namespace

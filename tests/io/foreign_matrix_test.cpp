@@ -11,11 +11,11 @@
 
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"
+#include "geometry/plane/scene/division.h"
 #include "io/results/factor_files.h"
 #include "io/results/npy.h"
 #include "kernel/support/failure.h"
 #include "tests/io/foreign_room.h"
-#include "geometry/plane/scene/division.h"
 
 namespace hottel {
 namespace {

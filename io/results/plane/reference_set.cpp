@@ -4,11 +4,11 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "geometry/plane/scene/division.h"
 #include "io/files/text_file.h"
 #include "io/results/factor_files.h"
 #include "io/results/radiosity_files.h"
 #include "kernel/version.h"
-#include "geometry/plane/scene/division.h"
 
 namespace hottel {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/exchange_report.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "solver/radiosity/radiosity.h"
 
 namespace hottel {

@@ -185,7 +185,7 @@ class Arithmetic2 final : public ExchangeMethod2 {
     info_.reference = "docs/design/plane/exchange.md";
     info_.guarantee = arithmetic == ArithmeticKind2::kRounded  ? Guarantee::kExact
                       : arithmetic == ArithmeticKind2::kBounds ? Guarantee::kEnclosed
-                                                           : Guarantee::kEstimated;
+                                                               : Guarantee::kEstimated;
   }
   const MethodInfo& info() const override { return info_; }
   std::optional<double> declared_error(const PreparedScene2& prepared) const override;

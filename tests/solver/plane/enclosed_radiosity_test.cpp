@@ -264,44 +264,151 @@ TEST(EnclosedFactors, TellHowFarTheyAreThreeTimesOver) {
   EXPECT_EQ(told.back(), 1);
 }
 
+// Net fluxes of a solution hold for these factors.
+std::size_t expect_within(const ExactScene& scene, const WideFactors& factors, const ExchangeMatrix& matrix,
+                          const RadiositySolution& solution, const std::string& what) {
+  const Scene2& plan = scene.scene();
+  const mpf_class sky = number(plan.sky_emission.value[0]);
+  const auto radiosity = radiosity_of(matrix, factors, plan.materials, plan.sky_emission, 0);
+  std::map<std::string, mpf_class> flux;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (std::uint32_t j = 0; j <= matrix.sky() && matrix.has_row(i); ++j) {
+      const bool is_sky = j == matrix.sky();
+      const std::string from = matrix.elements()[i].name, to = is_sky ? "sky" : matrix.elements()[j].name;
+      for (const std::string& name : {from, to}) flux.try_emplace(name, 0, kBits);
+      const mpf_class share = scene.areas()[i] * factors[i][j];
+      const mpf_class arrives = is_sky ? sky : radiosity[j];
+      flux[from] -= share * arrives;
+      if (j == 0) flux[from] += scene.areas()[i] * radiosity[i];
+      if (is_sky || !matrix.has_row(j)) flux[to] += share * ((is_sky ? sky : mpf_class(0, kBits)) - radiosity[i]);
+    }
+  std::size_t checked = 0;
+  for (const NetFlux& each : net_flux(matrix, solution, plan.sky_emission, [](const Element& e) { return e.name; })) {
+    const NetFlux::Power& power = each.by_channel[0];
+    const mpf_class real = flux.at(each.name), slack = (abs(real) + 1) * 1e-60;
+    ++checked;
+    EXPECT_LE(mpf_class(power.lower, kBits), real + slack) << what << " " << each.name;
+    EXPECT_GE(mpf_class(power.upper, kBits), real - slack) << what << " " << each.name;
+    EXPECT_LT(power.upper - power.lower, kInfinity);
+  }
+  return checked;
+}
+
 TEST(EnclosedFactors, BoundNetFluxesOfAllFactorsWithin) {
   std::size_t checked = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     std::mt19937_64 random(seed);
     const ExactScene scene = random_exact_scene(seed);
-    const Scene2& plan = scene.scene();
     const ExchangeMatrix matrix = widened(scene, seed % 2 == 0 ? 0.01 : 1e-10, random);
-    const std::optional<RadiositySolution> solved = solution_of(matrix, plan);
-    if (!solved) continue;
-    const RadiositySolution& solution = *solved;
-    if (!is_bounded(solution)) continue;
-    const mpf_class sky = number(plan.sky_emission.value[0]);
-    const auto fluxes = net_flux(matrix, solution, plan.sky_emission, [](const Element& e) { return e.name; });
-    for (const WideFactors& factors : {scene.factors(), random_factors(matrix, random)}) {
-      const auto radiosity = radiosity_of(matrix, factors, plan.materials, plan.sky_emission, 0);
-      std::map<std::string, mpf_class> flux;
-      for (std::uint32_t i = 0; i < matrix.size(); ++i)
-        for (std::uint32_t j = 0; j <= matrix.sky() && matrix.has_row(i); ++j) {
-          const bool is_sky = j == matrix.sky();
-          const std::string from = matrix.elements()[i].name, to = is_sky ? "sky" : matrix.elements()[j].name;
-          for (const std::string& name : {from, to}) flux.try_emplace(name, 0, kBits);
-          const mpf_class share = scene.areas()[i] * factors[i][j];
-          const mpf_class arrives = is_sky ? sky : radiosity[j];
-          flux[from] -= share * arrives;
-          if (j == 0) flux[from] += scene.areas()[i] * radiosity[i];
-          if (is_sky || !matrix.has_row(j)) flux[to] += share * ((is_sky ? sky : mpf_class(0, kBits)) - radiosity[i]);
-        }
-      for (const NetFlux& each : fluxes) {
-        const NetFlux::Power& power = each.by_channel[0];
-        const mpf_class real = flux.at(each.name), slack = (abs(real) + 1) * 1e-60;
-        ++checked;
-        EXPECT_LE(mpf_class(power.lower, kBits), real + slack) << seed << " " << each.name;
-        EXPECT_GE(mpf_class(power.upper, kBits), real - slack) << seed << " " << each.name;
-        EXPECT_LT(power.upper - power.lower, kInfinity);
-      }
-    }
+    const std::optional<RadiositySolution> solved = solution_of(matrix, scene.scene());
+    if (!solved || !is_bounded(*solved)) continue;
+    for (const WideFactors& factors : {scene.factors(), random_factors(matrix, random)})
+      checked += expect_within(scene, factors, matrix, *solved, fmt::format("{}", seed));
   }
   EXPECT_GT(checked, 500u);
+}
+
+// The same factors, of which each is known exactly, within an interval, or only guessed where `has_estimates`.
+ExchangeMatrix mixed(const ExactScene& scene, double width, bool has_estimates, std::mt19937_64& random) {
+  const ExchangeMatrix& exact = scene.matrix();
+  const ExchangeMatrix wide = widened(scene, width, random);
+  std::vector<std::size_t> begin{0};
+  std::vector<FactorEntry> entries;
+  std::vector<Enclosure> bounds;
+  std::vector<Guarantee> guarantees;
+  for (std::uint32_t i = 0; i < exact.size(); ++i) {
+    for (std::size_t k = 0; k < exact.row(i).size(); ++k) {
+      guarantees.push_back(static_cast<Guarantee>(random() % (has_estimates ? 3 : 2)));
+      entries.push_back(guarantees.back() == Guarantee::kExact ? exact.row(i)[k] : wide.row(i)[k]);
+      if (guarantees.back() == Guarantee::kEstimated) entries.back().factor.value *= 1 - width;  // perhaps outside
+      bounds.push_back(wide.bounds(i, k));
+    }
+    begin.push_back(entries.size());
+  }
+  ExchangeMatrix matrix(exact.elements(), Guarantee::kExact);
+  matrix.assign(std::move(begin), std::move(entries), {}, std::move(bounds), std::move(guarantees));
+  return matrix;
+}
+
+TEST(MixedFactors, BoundRadiositiesOfAllFactorsWithinWhereNoneIsEstimated) {
+  WithinCheck check;
+  std::size_t bounded = 0;
+  for (std::uint64_t seed = 0; seed < 80; ++seed) {
+    std::mt19937_64 random(seed);
+    const ExactScene scene = random_exact_scene(seed);
+    const Scene2& plan = scene.scene();
+    for (const double width : {1e-12, 0.05}) {
+      const ExchangeMatrix matrix = mixed(scene, width, false, random);
+      const std::optional<RadiositySolution> solved = solution_of(matrix, plan);
+      if (!solved) continue;
+      EXPECT_EQ(solved->guarantee, Guarantee::kEnclosed);
+      check.add(matrix, scene.factors(), *solved, plan.materials, plan.sky_emission);
+      if (!is_bounded(*solved)) continue;
+      ++bounded;
+      for (int k = 0; k < 3; ++k)
+        check.add(matrix, random_factors(matrix, random), *solved, plan.materials, plan.sky_emission);
+    }
+  }
+  EXPECT_EQ(check.misses, 0u) << check.first_miss;
+  EXPECT_GT(bounded, 120u);
+}
+
+TEST(MixedFactors, BoundRadiositiesOfThePrintedFactorsWhereSomeAreEstimated) {
+  WithinCheck check;
+  std::size_t solutions = 0, missed_by_the_scene = 0;
+  for (std::uint64_t seed = 0; seed < 80; ++seed) {
+    std::mt19937_64 random(seed);
+    const ExactScene scene = random_exact_scene(seed);
+    const Scene2& plan = scene.scene();
+    const ExchangeMatrix matrix = mixed(scene, 0.05, true, random);
+    const std::optional<RadiositySolution> solved = solution_of(matrix, plan);
+    if (!solved || matrix.guarantee() != Guarantee::kEstimated) continue;
+    ++solutions;
+    EXPECT_EQ(solved->guarantee, Guarantee::kEstimated);
+    EXPECT_LT(solved->max_relative_width, 1e-9) << seed;
+    // The doubles, and the real numbers behind those that are exact.
+    for (const bool has_real : {false, true}) {
+      WideFactors printed(matrix.size(), std::vector<mpf_class>(matrix.size() + 1, mpf_class(0, kBits)));
+      for (std::uint32_t i = 0; i < matrix.size(); ++i)
+        for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+          const FactorEntry& entry = matrix.row(i)[k];
+          printed[i][entry.to] = has_real && matrix.guarantee(i, k) == Guarantee::kExact
+                                     ? scene.factors()[i][entry.to]
+                                     : mpf_class(entry.factor.value, kBits);
+        }
+      check.add(matrix, printed, *solved, plan.materials, plan.sky_emission);
+    }
+    WithinCheck of_scene;
+    of_scene.add(matrix, scene.factors(), *solved, plan.materials, plan.sky_emission);
+    missed_by_the_scene += of_scene.misses > 0;
+  }
+  EXPECT_EQ(check.misses, 0u) << check.first_miss;
+  EXPECT_GT(solutions, 60u);
+  EXPECT_GT(missed_by_the_scene, solutions / 2) << "the guarantee would be needless";
+}
+
+TEST(MixedFactors, BoundNetFluxesOfThePrintedFactorsWhereSomeAreEstimated) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    std::mt19937_64 random(seed);
+    const ExactScene scene = random_exact_scene(seed);
+    const Scene2& plan = scene.scene();
+    const ExchangeMatrix matrix = mixed(scene, 0.05, true, random);
+    const std::optional<RadiositySolution> solved = solution_of(matrix, plan);
+    if (!solved || matrix.guarantee() != Guarantee::kEstimated) continue;
+    WideFactors printed(matrix.size(), std::vector<mpf_class>(matrix.size() + 1, mpf_class(0, kBits)));
+    for (std::uint32_t i = 0; i < matrix.size(); ++i)
+      for (const FactorEntry& entry : matrix.row(i)) printed[i][entry.to] = mpf_class(entry.factor.value, kBits);
+    expect_within(scene, printed, matrix, *solved, fmt::format("{}", seed));
+  }
+}
+
+TEST(CrudeBounds, AreNotForEstimates) {
+  const ExactScene scene = random_exact_scene(1);
+  std::mt19937_64 random(1);
+  const ExchangeMatrix matrix = mixed(scene, 1e-6, true, random);
+  std::optional<RadiositySolution> solved = solution_of(matrix, scene.scene());
+  ASSERT_TRUE(solved);
+  EXPECT_THROW(set_a_priori_bounds(matrix, scene.scene().materials, {}, *solved), ContractViolation);
 }
 
 TEST(CrudeBounds, NarrowThoseOfEnclosedFactorsAndHold) {

@@ -11,6 +11,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "solver/radiosity/factors_as_given.h"
+#include "solver/radiosity/net_flux.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
 namespace hottel {
@@ -223,6 +224,7 @@ TEST(EstimatedMatrices, AreSolvedAsTheyAre) {
     EXPECT_NEAR(first.radiosity, to_double(exact), 1e-11);
     EXPECT_GT(solution.reciprocity_defect, 0.01);
     EXPECT_EQ(solution.closure_defect, 0.25);
+    EXPECT_EQ(solution.guarantee, Guarantee::kEstimated);
   }
 }
 
@@ -257,6 +259,11 @@ TEST(EstimatedMatrices, WithNegativeFactorsAreSolvedAndNothingIsProven) {
       EXPECT_NEAR(elements[i].radiosity, 1 + irradiance / 2, 1e-11) << to_string(solver);
       EXPECT_EQ(elements[i].lower, -INFINITY);
       EXPECT_EQ(elements[i].upper, INFINITY);
+    }
+    for (const NetFlux& flux : net_flux(foreign(-1), solution, {}, [](const Element& e) { return e.name; })) {
+      EXPECT_EQ(flux.by_channel[0].lower, -INFINITY);
+      EXPECT_EQ(flux.by_channel[0].upper, INFINITY);
+      EXPECT_TRUE(std::isfinite(flux.by_channel[0].value));
     }
   }
 }
