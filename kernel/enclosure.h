@@ -24,7 +24,7 @@ constexpr const char* to_string(Guarantee guarantee) {
   return "";
 }
 
-// A closed interval that contains the real number.
+// A closed interval that contains the real number. Its ends may be infinite: then nothing is known on that side.
 struct Enclosure {
   double lower;
   double upper;

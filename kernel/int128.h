@@ -37,6 +37,7 @@ inline DoubleDouble to_double_double(Int128 value) {
   return {sum, lo - (sum - hi)};
 }
 
+// The same number, exactly.
 inline mpz_class to_integer(Int128 value) {
   const bool negative = value < 0;
   const UInt128 magnitude = negative ? -static_cast<UInt128>(value) : static_cast<UInt128>(value);

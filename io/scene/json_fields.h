@@ -24,8 +24,10 @@ struct Subject {
   std::string text() const { return std::string(owner) + (part.empty() ? "" : ": ") + std::string(part); }
 };
 
+// Throws InputError at the line of a value: one sentence, and at most three hints.
 [[noreturn]] void refuse(const JsonValue& at, const std::string& text, std::vector<std::string> hints = {});
 
+// Refuses a value of another kind, naming both kinds.
 void require_kind(const JsonValue& value, JsonKind kind, const Subject& subject);
 
 // Sets values[i] to the member called keys[i], or to no value where there is none. Refuses other keys.
@@ -43,6 +45,7 @@ std::array<JsonValue, N> read_members(const JsonValue& object, const Subject& su
 // Refuses an object without this member.
 void require_member(const JsonValue& member, std::string_view key, const JsonValue& object, const Subject& subject);
 
+// The contents of a string, true or false; other kinds are refused.
 std::string read_string(const JsonValue& value, const Subject& subject);
 bool read_boolean(const JsonValue& value, const Subject& subject);
 

@@ -5,6 +5,8 @@
 
 namespace hottel {
 
+// Measures consecutive stages: each lap ends one and begins the next, so that laps add up to the whole. Monotonic: not
+// moved by changes of the system clock.                                       COST: about 25 ns a lap.
 class Stopwatch {
  public:
   // Returns the seconds since the last lap, or since this was made.

@@ -22,6 +22,11 @@ struct JudgedPair {
 };
 
 // All pairs with a factor in either matrix, by rows; columns that the file lacks are left out.
+//
+//   (1) a pair is off iff value and exact differ by more than tolerance(): what the caller allows, and half of the last
+//       digit that the file writes of such a number
+//   (2) pairs() is sorted by row, then by column, each pair once; off() counts those that are
+// COST: 40 bytes a pair.
 class JudgedPairs {
  public:
   // REQUIRES the same elements. Both matrices outlive this.

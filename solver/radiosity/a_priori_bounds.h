@@ -17,8 +17,7 @@ namespace hottel {
 // bounds.
 //
 //   (1) the radiosities of the exact factors still lie within: their rows sum to 1, so that no face receives more than
-//   the
-//       brightest thing in the scene sends out
+//       the brightest thing in the scene sends out
 //   (2) M is infinite where a face with reflectivity 1 emits
 //   (3) where a radiosity is moved into its bounds the irradiances are summed anew
 // REQUIRES: the solution of `matrix` with these materials and this sky, proven of the scene: none of its factors is

@@ -144,21 +144,35 @@ class Group {
       if (!sources.is_lit[c])
         solution.dark.push_back({system_.components()[c].first_element, system_.components()[c].size});
 
-    std::vector<Printed> emission, reflectivity;
-    std::vector<ScaledBall> loss;
+    MaterialNumbers numbers;
     for (const Material& m : materials_) {
-      emission.emplace_back(m.emission.value[channel]);
-      reflectivity.emplace_back(m.reflectivity.value[channel]);
-      loss.push_back(ScaledBall::of(Rational(1 - m.reflectivity.value[channel])));
+      numbers.emission.emplace_back(m.emission.value[channel]);
+      numbers.reflectivity.emplace_back(m.reflectivity.value[channel]);
+      numbers.loss.push_back(ScaledBall::of(Rational(1 - m.reflectivity.value[channel])));
     }
+    const std::vector<ScaledBall> radiosity = fill_radiosities(sources, bounds, numbers, solution);
+    fill_irradiances(sources, radiosity, numbers, solution);
+    lap("irradiance");
+  }
+
+ private:
+  // What a channel of the materials is.
+  struct MaterialNumbers {
+    std::vector<Printed> emission, reflectivity;
+    std::vector<ScaledBall> loss;  // 1 - reflectivity
+  };
+
+  // Returns the radiosities, enclosed.
+  std::vector<ScaledBall> fill_radiosities(const Sources& sources, const CertifiedBounds& bounds,
+                                           const MaterialNumbers& numbers, ChannelSolution& solution) const {
     std::vector<ScaledBall> radiosity = sources.emission;  // right for all that is known
     solution.elements.resize(matrix_.size());
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
       if (!matrix_.has_row(i)) continue;
       ElementRadiosity& element = solution.elements[i];
-      const Printed& e = emission[*matrix_.elements()[i].material];
+      const Printed& e = numbers.emission[*matrix_.elements()[i].material];
       element.emission = e.nearest;
-      element.reflectivity = reflectivity[*matrix_.elements()[i].material].nearest;
+      element.reflectivity = numbers.reflectivity[*matrix_.elements()[i].material].nearest;
       const std::int32_t u = system_.unknown(i);
       if (u < 0) {
         element.radiosity = e.nearest;
@@ -180,13 +194,17 @@ class Group {
               std::max(solution.max_relative_width, (element.upper - element.lower) / element.radiosity);
       }
     }
+    return radiosity;
+  }
 
+  void fill_irradiances(const Sources& sources, const std::vector<ScaledBall>& radiosity,
+                        const MaterialNumbers& numbers, ChannelSolution& solution) const {
     const std::vector<ScaledBall> irradiance = system_.irradiance(radiosity);
     EnergySum energy(matrix_);
     for (std::uint32_t i = 0; i < matrix_.size(); ++i) {
       if (!matrix_.has_row(i)) continue;
       const std::uint32_t material = *matrix_.elements()[i].material;
-      const ScaledBall absorbed = product(loss[material], irradiance[i]);
+      const ScaledBall absorbed = product(numbers.loss[material], irradiance[i]);
       // Two forms of one number. Where the equations are not solved, the second is what the radiosities exchange.
       const ScaledBall net = difference(sources.emission[i], absorbed);
       const ScaledBall exchanged = is_refined() ? net : difference(radiosity[i], irradiance[i]);
@@ -196,15 +214,13 @@ class Group {
       element.net_lower = std::min(net.lower(), element.net_value);
       element.net_upper = net.upper();
       if (!system_.has_negative_factors())  // H >= 0
-        element.net_upper = std::min(element.net_upper, emission[material].upper);
+        element.net_upper = std::min(element.net_upper, numbers.emission[material].upper);
       element.net_upper = std::max(element.net_upper, element.net_value);
       energy.add(i, sources.emission[i], absorbed, radiosity[i], sources.emission[matrix_.sky()]);
     }
     solution.energy = energy.balance();
-    lap("irradiance");
   }
 
- private:
   void lap(const char* stage) { seconds_[stage] += watch_.lap(); }
 
   bool is_refined() const {

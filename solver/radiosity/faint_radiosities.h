@@ -14,8 +14,7 @@ namespace hottel {
 // how wide they are. Bounds that are open have a note of their own.
 //
 //   (1) none where elimination could be had: up to kMostEliminatedUnknowns unknowns in a component, solver auto,
-//   cholesky or cg
-//       without limits, factors that are normal doubles, radiosities too
+//       cholesky or cg without limits, factors that are normal doubles, radiosities too
 std::vector<std::string> notes_of_faint_radiosities(const ExchangeMatrix& matrix, const RadiositySolution& solution);
 
 }  // namespace hottel

@@ -16,8 +16,7 @@ namespace hottel::oracle {
 //   (1) no product of two radicands is a perfect square and no coefficient is 0: the number is zero iff there are no
 //       terms, and two sums are equal as numbers iff ==
 //   (2) radicands are square-free, so equal numbers have equal texts; this is certain while what trial division by
-//   small
-//       primes leaves of a radicand has at most kFactoredBits bits
+//       small primes leaves of a radicand has at most kFactoredBits bits
 // COST: adding a term factors its radicand by trial division and Pollard's rho, and compares it with every other term.
 class ExactSum {
  public:

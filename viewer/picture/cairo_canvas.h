@@ -17,8 +17,13 @@ enum class PictureFormat : unsigned char { kPng, kSvg };
 // Returns the format that the ending of a file name asks for (".png", ".svg"), or nothing.
 std::optional<PictureFormat> picture_format(std::string_view file_name);
 
+// The largest width or height of a picture.
 inline constexpr std::uint32_t kMaxPictureSide = 16384;
 
+// Draws with Cairo: antialiased, sRGB, fonts of the system.
+//
+//   (1) the same calls give the same bytes on one machine; fonts may differ on others
+//   (2) an SVG holds shapes and texts, its images as PNG data; its size in pixels is that of the canvas
 class CairoCanvas : public PictureCanvas {
  public:
   // Throws UsageError unless both sides are in [1, kMaxPictureSide], RequestError when memory does not suffice.

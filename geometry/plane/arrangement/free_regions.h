@@ -13,9 +13,8 @@ namespace hottel {
 //
 //   (1) region 0 is the one that reaches infinity; the others are bounded
 //   (2) two sides are in one region iff light can go from one to the other, perhaps by way of other sides and of the
-//   sky:
-//       along a path in free space the line through a point changes one of its two ends at a time, so that the pairs
-//       of sides (and sky) that exchange light form one connected graph in each region
+//       sky: along a path in free space the line through a point changes one of its two ends at a time, so that the
+//       pairs of sides (and sky) that exchange light form one connected graph in each region
 // COST: linear in the triangles.
 class FreeRegions2 {
  public:

@@ -8,6 +8,8 @@
 
 namespace hottel {
 
+// A hash of the numerators and denominators. Equal points have equal hashes because rationals are canonical: lowest
+// terms, denominator positive.                                                COST: linear in the digits.
 struct PointHash2 {
   std::size_t operator()(const Point2& p) const {
     std::size_t hash = 0x9e3779b97f4a7c15ull;
@@ -27,7 +29,11 @@ struct PointHash2 {
   }
 };
 
-// Gives every distinct point a number, in the order of first insertion.
+// Gives every distinct point a number.
+//
+//   (1) numbers are 0, 1, 2, ... in the order of first insertion; a point that comes again gets the one it has
+//   (2) points are told apart exactly, whatever their distance: points()[insert(p).index()] == p
+// COST: a hash and a comparison for each insertion.
 class PointIndex2 {
  public:
   PointIndex2() = default;
@@ -35,12 +41,14 @@ class PointIndex2 {
     for (const Point2& p : points) insert(p);
   }
 
+  // Returns the number of a point, a new one where it has none.
   VertexId insert(const Point2& point) {
     const auto [place, is_new] = number_.try_emplace(point, points_.size());
     if (is_new) points_.push_back(point);
     return place->second;
   }
 
+  // The points by number.
   const std::vector<Point2>& points() const { return points_; }
 
  private:

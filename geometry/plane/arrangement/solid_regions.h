@@ -12,11 +12,9 @@ namespace hottel {
 //
 //   (1) of(h) is the region that the triangle of a half-edge lies in; kNone where it is free
 //   (2) two triangles are in one region iff one gets from one to the other by way of solid triangles that share an
-//   edge,
-//       whatever is drawn on it: two boxes side by side are one region, two that touch in a point are two
+//       edge, whatever is drawn on it: two boxes side by side are one region, two that touch in a point are two
 //   (3) the borders of a region are closed runs of vertices, the solid on their left: the outer one, and one around
-//   each
-//       hole. Nothing drawn inside a solid is on them
+//       each hole. Nothing drawn inside a solid is on them
 // COST: linear in the triangles; nothing in a scene without solids.
 class SolidRegions2 {
  public:

@@ -30,8 +30,7 @@ struct BarePieces2 {
 //       less where the winding number of a room in it is -1. A room is a group that closes with winding number 0 or -1
 //       everywhere; it is in a solid when the inner sides of all its walls are
 //   (2) a group with "behind": "solid" makes solid also the bounded regions that a back of it without material looks
-//   into
-//       and none of its fronts. With "behind": "open" it makes none solid
+//       into and none of its fronts. With "behind": "open" it makes none solid
 //   (3) a region is solid iff some group makes it so
 // COST: linear in the sides of pieces, plus for each room the solids around it; nothing where no group can enclose
 // anything.

@@ -55,10 +55,9 @@ struct StarEntry2 {
 //
 //   (1) every piece is an edge of the triangulation; triangles are counter-clockwise and fill the convex hull
 //   (2) is_open(h): nothing stands on the edge, and twin(h) is the half-edge on its other side. Else twin(h) is none,
-//   and
-//       side(h) is the side of the piece that stands on it, as seen from inside the triangle, or kSky on an edge of the
-//       convex hull that is no piece
-//       across(h) is the half-edge on the other side whatever stands there; none on the hull only
+//       and side(h) is the side of the piece that stands on it, as seen from inside the triangle, or kSky on an edge of
+//       the convex hull that is no piece across(h) is the half-edge on the other side whatever stands there; none on
+//       the hull only
 //   (3) star(v) is in counter-clockwise order and holds every edge at v; a scene on one line has stars, no triangles
 class Triangulation2 {
  public:

@@ -14,8 +14,7 @@ namespace hottel {
 //   (1) has_area: the face owns a side of a piece, or is one of two that claim it
 //   (2) covered_by: the first listed group with a solid that the face looks into somewhere; Solids2::kNone: nowhere
 //   (3) holder, by group: the first listed other group in the interior of whose solid it stands: some of its surfaces
-//   do,
-//       on both sides; of others one side is covered and may lie on the border of the solid of another group from
+//       do, on both sides; of others one side is covered and may lie on the border of the solid of another group from
 //       within. Solids2::kNone where there is none
 // COST: linear in the sides of pieces.
 struct FaceCover2 {

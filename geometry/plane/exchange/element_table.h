@@ -13,6 +13,15 @@ namespace hottel {
 
 // The elements of an arrangement in the order of the contract: surfaces in the order of the scene, front before back,
 // parts ascending.
+//
+//   (1) every side of every piece belongs to one element, or is covered; the sky has a number too, sky()
+//   (2) the length of an element is that of the pieces it owns: parts that other surfaces own or that look into a solid
+//   do
+//       not count, and an element that owns nothing has length 0 and no row
+//   (3) Granularity::kGroup: all fronts of a group are one element and all its backs another, elements of one surface
+//   are
+//       never in two
+// COST: linear in the sides of pieces.
 class ElementTable2 {
  public:
   ElementTable2(const Scene2& scene, const Arrangement2& arrangement, const Division2& division,
@@ -24,7 +33,9 @@ class ElementTable2 {
   std::uint32_t covered() const { return count() + 1; }
   const std::vector<Element>& elements() const { return elements_; }
 
+  // Returns the element of a side, covered(), or sky() for kSky.
   std::uint32_t of(PieceSideId side) const { return of_side_[place_after_sky(side)]; }
+  // True iff the element has a material and an area: only then are factors from it computed.
   bool has_row(std::uint32_t label) const { return has_row_[label] != 0; }
 
   // The labels i and j alone (0, and 1 where j is another), on the arrangement of some pieces (ascending numbers) of

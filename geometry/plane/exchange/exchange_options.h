@@ -8,6 +8,8 @@
 
 namespace hottel {
 
+// No option changes a number that is computed with and without it: they choose rows and columns, leave out what nobody
+// asks for, and limit what it may take.
 struct ExchangeOptions2 {
   Granularity granularity = Granularity::kFace;
   bool wants_visibility = true;  // else FactorEntry::visibility is NaN

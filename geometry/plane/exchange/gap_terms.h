@@ -9,6 +9,9 @@ namespace hottel {
 // Calls add(i, j, sign) for the terms sign * |v w| that a gap adds to 2 S(i, j) of labels i and j (in either order; a
 // label with itself counts twice, once for each direction of the line). Pairs of which neither has a row are left out.
 //
+// Over all gaps of a scene the terms of a pair sum to 2 S(i, j): the crossed strings less the uncrossed ones, taken
+// apart gap by gap (docs/design/plane/exchange.md).
+//
 //   (1) the signs of all terms of one row cancel, except on a covered gap, where each side of the piece gets +2 in all
 template <class Add>
 void for_each_term(const Gap2& gap, const ElementTable2& table, const Add& add) {

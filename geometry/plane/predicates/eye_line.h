@@ -5,7 +5,11 @@
 
 namespace hottel {
 
-// The directed line from one eye to another.
+// The directed line from one eye to another: on which side of it vertices lie, when many are asked of one line.
+//
+//   (1) side(v) is the exact sign, whatever the coordinates: a filter in doubles with a proven error bound decides what
+//       it can, 128-bit integers most of the rest, rationals all
+//   (2) the opposite line answers with the opposite sign
 // REQUIRES that both eyes and their vertices outlive the line, and that the eyes differ.
 class EyeLine2 {
  public:

@@ -11,7 +11,12 @@
 
 namespace hottel {
 
-// The eyes where up to eight columns and up to eight rows cross. Eye 8 * row + column is that bit of a set of eyes.
+// The eyes where up to eight columns and up to eight rows cross: cells of a grid that look around together. Eye
+// 8 * row + column is that bit of a set of eyes.
+//
+//   (1) what is answered of a set of eyes is what each of them would answer by itself (Eye2), exactly
+//   (2) a line that passes by the box of a group has all of the group on one side: that is decided once, in doubles,
+//       with a bound on the error that holds anywhere in the box
 class EyeTile2 {
  public:
   static constexpr std::size_t kSide = 8;

@@ -15,6 +15,10 @@ namespace hottel {
 //   (1) the open segment from the eye to a seen vertex meets no piece and no other vertex, or it is covered by a piece
 //       that ends at the eye (then left and right are the sides of that piece, else kNoPiece)
 //   (2) between two neighbours in the list one sees exactly one side of one piece, or the sky (kSky)
+//   (3) of vertices in one direction only the nearest is listed; none is listed twice
+//   (4) exact, and independent of how the triangulation was made
+// Degenerate: an eye that is a vertex or lies on a piece sees both sides of what ends or lies there; alone in the plane
+// it sees nothing, and the list is empty. The memory of a view is used again by the next one.
 struct View2 {
   struct Seen {
     VertexId vertex;

@@ -56,8 +56,7 @@ Rounded rounded_angle_fraction(const VisibilityPolygon2& polygon, std::span<cons
 //
 //   (1) the factors sum to 1, the sky included
 //   (2) at the first point of the edge (t = 0) and at contacts inside it the limit from larger t is taken, at t = 1
-//   that
-//       from smaller t
+//       that from smaller t
 // REQUIRES 0 <= t <= 1.
 struct PointFactor2 {
   PieceSideId side;  // kSky for the sky

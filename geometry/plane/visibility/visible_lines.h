@@ -18,7 +18,11 @@ struct Gap2 {
 
 // Calls visit(const Gap2&) for every gap that starts at v, once for each unordered pair when `each_once` (that is, only
 // with w > v), where view is the view from v. Points is Vertices2, or anything else that has an orientation(i, j, k).
-// COST: at most two orientations for each visible vertex.
+//
+//   (1) every gap of the scene is visited from each of its two ends, once from one of them when `each_once`
+//   (2) lines through three or more vertices have a gap between each two that follow each other and see each other
+//   (3) with exact orientations all that is told of a gap is exact
+// REQUIRES the view from v. COST: at most two orientations for each visible vertex.
 template <class Points, class Visit>
 void for_each_gap(const Points& points, VertexId v, const View2& view, bool each_once, const Visit& visit) {
   const auto& seen = view.seen;

@@ -23,7 +23,7 @@ struct CheckOptions2 {
 //   (2) an error is told iff prepare, solve_radiosity (or that its light is in doubles) or the promise "closed" would
 //       fail
 //   (3) factors: by elements where some surface is divided, as solve has them; nothing when claims conflict or memory
-//   does not suffice (light-not-checked says so)
+//       does not suffice (light-not-checked says so)
 //   (4) black_backs: the surfaces that black-back is told of, in the order of the scene
 struct SceneCheck2 {
   Findings2 findings;

@@ -19,8 +19,11 @@ struct Columns2 {
 };
 Columns2 columns_of(const Vector2 (&corners)[3], double bottom, double top);
 
-// Calls visit(ix, iy) for the cells of some rows that come within `slack` of a triangle, and for some near them: row by
-// row, from the left. Two corners of the triangle may be equal.
+// Calls visit(ix, iy) for the cells of some rows that come within `slack` of a triangle, and for some near them.
+//
+//   (1) no cell that comes within `slack` is left out; each is visited at most once
+//   (2) row by row, from the left
+// Degenerate: two corners of the triangle may be equal. REQUIRES finite corners, slack >= 0. COST: the cells visited.
 template <class Visit>
 void for_each_cell_near(const Vector2 (&corners)[3], double slack, const CellFrame2& frame, std::uint32_t first_row,
                         std::uint32_t end_row, const Visit& visit) {

@@ -15,8 +15,7 @@ namespace hottel {
 //
 //   (1) a side sends out what the element that owns it sends out; a black back or what looks into a solid nothing
 //   (2) two sides have the same shade exactly when they send out the same in every channel; shade 0 is black. What
-//   looks
-//       into a solid has a shade of its own
+//       looks into a solid has a shade of its own
 class FaceRadiosity2 {
  public:
   // by_element: channels values for each of labels.elements(), in their order (that of ExchangeMatrix::elements());

@@ -27,6 +27,12 @@ struct LitWedge2 {
 // The wedges of one vertex that add anything, counter-clockwise.
 //
 //   (1) two wedges of a quadrant next to the same faces have the same coefficients
+//   (2) what is told of a wedge is within margin, doubt and rough_doubt of the real one; they bound the errors of
+//   places,
+//       of constants and of differences from the apex, and enter the error of every cell (CellSums2)
+//   (3) a wedge that would add less than its doubt anywhere, or adds the same as its neighbours, is still listed: none
+//   is
+//       left out but those counted in `lost`
 struct LitWedges2 {
   FinePoint2 apex;
   double rough_doubt = 0;      // a difference from the apex in doubles is known within this
@@ -36,7 +42,8 @@ struct LitWedges2 {
   double lost = 0;  // largest values of wedges that cannot be placed in the grid, summed: each cell may lack that much
 };
 
-// Finds the wedges of vertices. Threads may share one.
+// Finds the wedges of vertices. Threads may share one. REQUIRES that arrangement, radiosities and frame outlive it.
+// COST: one sweep about the vertex; `result` is filled anew and its memory used again.
 class WedgeLighting2 {
  public:
   WedgeLighting2(const Arrangement2& arrangement, const FaceRadiosity2& radiosity, const CellFrame2& frame)

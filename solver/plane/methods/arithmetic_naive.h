@@ -36,8 +36,7 @@ class NaivePoints2 {
 // Points for the sweep about one vertex, which may go in circles where signs contradict each other.
 //
 //   (1) after `limit` steps every orientation is 0, and cut_off is one more: the sweep then turns about one vertex
-//   after
-//       the other, each time until it meets a piece, and ends
+//       after the other, each time until it meets a piece, and ends
 template <class Points>
 class StepLimit2 {
  public:

@@ -12,6 +12,13 @@ namespace hottel {
 
 using PlainSums2 = std::vector<std::vector<PlainTerm2>>;  // sorted by key, one partition after the other
 
+// The sweep of the exact method in doubles, with whatever answers for signs and lengths: what exactness costs is the
+// difference of two runs.
+//
+//   (1) with exact signs every sum is that of exact_exchange but for the roundings of lengths and additions
+//   (2) with signs that are wrong it ends all the same; pairs may then be missing, or come out negative
+//   (3) the same for any number of threads, bit for bit
+//
 // Returns 2 S(i, j) in the unit of the lengths. points_at(v) answers for the sweep about v: orientation(i, j, k), and
 // distance(i, j) as a double. The triangulation is the exact one, whoever answers.
 template <class PointsAt>

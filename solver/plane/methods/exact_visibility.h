@@ -9,6 +9,10 @@
 
 namespace hottel {
 
+// The exact Vis(i, j) of all pairs of elements, for methods that approximate only the rest of a factor.
+//
+//   (1) of(i, j) == of(j, i); it is 0 iff nothing of one sees anything of the other, decided without rounding
+//   (2) black backs, which have no row, are found by those that see them
 class ExactVisibility2 {
  public:
   // COST: that of the exact factors.

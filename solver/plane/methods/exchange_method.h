@@ -14,8 +14,7 @@ namespace hottel {
 // A way to compute the view factors of the elements of a prepared scene.
 //
 //   (1) the elements are those of ElementTable2(scene, arrangement, division, Granularity::kElement), in that order; a
-//   row is there
-//       iff the exact matrix has it; the sky is a column
+//       row is there iff the exact matrix has it; the sky is a column
 //   (2) the same call gives the same matrix bit for bit, for any number of threads
 //   (3) a matrix that is not kExact says nothing of its factors' true values: FactorEntry::factor.side is 0
 //   (4) |F_ij - exact F_ij| <= claimed_errors(prepared)(i, j) for every pair, and <= declared_error where there is one

@@ -15,8 +15,7 @@ namespace hottel {
 //   (1) no ray leaks: what it meets is decided exactly (geometry/plane/visibility/first_hit.h)
 //   (2) the result depends on the seed alone, not on threads
 //   (3) MethodReport::standard_error is sqrt(F (1 - F) / n) of the worst factor. It is the standard error of
-//   independent
-//       rays; those of the other samplings are about as large in the worst case and mostly far below
+//       independent rays; those of the other samplings are about as large in the worst case and mostly far below
 //
 // declared_error: with independent or stratified rays all factors stay within it but for one run in 1.7 million, the
 // probability of five standard deviations (Hoeffding's inequality, for all pairs together). With stratified and Sobol

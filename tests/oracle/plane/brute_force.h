@@ -49,7 +49,7 @@ void for_each_gap(const std::vector<Segment>& segments, const std::function<void
 //
 //   (1) a missing pair exchanges nothing; of a pair that is there the lengths may still cancel: exact_measures decides
 //   (2) a line with both ends on the same label counts twice in M(f,f), so sum over g of M(f,g) is twice the length of
-//   f (3) (kInfinity, kInfinity) is left out: it has no finite measure
+//       f (3) (kInfinity, kInfinity) is left out: it has no finite measure
 // COST: O(V^3) orientation tests for V vertices, in doubles with an error bound and else in rationals.
 Measures exchange_measures(const std::vector<Segment>& segments);
 

@@ -16,6 +16,7 @@
 
 namespace hottel {
 
+// What stands on the sheet beside the drawing.
 struct SheetText2 {
   std::uint32_t width = 1600;  // of the picture in pixels
   std::string title{};         // large, may be empty
