@@ -10,7 +10,7 @@ namespace hottel {
 namespace {
 
 TEST(FactorsCsv, SaysOfEachFactorWhatIsGuaranteed) {
-  Scene2 scene;
+  SceneTable scene;
   std::vector<Element> elements(2);
   elements[0].name = "floor";
   elements[1].name = "wall";

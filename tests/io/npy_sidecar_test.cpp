@@ -12,8 +12,8 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(NpySidecar, TellsWhatTheCellsAndChannelsAre) {
-  const IlluminationGrid2 light{{{Rational(-1, 3), 0}, {2, Rational(5, 2)}, 4, 3}, 3, std::vector<double>(36)};
-  const Json json = Json::parse(illumination_sidecar(light, {"r", "g", "b"}, "average"));
+  const GridRegion region{{-1.0 / 3, 0}, {2, 2.5}, 4, 3};
+  const Json json = Json::parse(illumination_sidecar(region, {"r", "g", "b"}, "average"));
   EXPECT_EQ(json["shape"], Json({3, 4, 3}));
   EXPECT_EQ(json["order"], "C");
   EXPECT_EQ(json["axes"], Json({"y", "x", "channel"}));

@@ -103,6 +103,31 @@ TEST(Layers, NothingIncludesUpwardsAndNoHeaderBringsCgal) {
       EXPECT_EQ(problem(source.path, include), "") << source.path << " includes " << include.path;
 }
 
+// The way of a coordinate through a slice of the geometry, from the signs it decides to the factors that are printed.
+constexpr std::array<const char*, 6> kStages{"predicates", "scene", "arrangement", "visibility", "exchange", "check"};
+
+// The stage of a file of a slice; that of what stands beside the stages, or makes scenes up, is none.
+std::optional<std::size_t> stage_of(const fs::path& path) {
+  std::vector<std::string> parts;
+  for (const fs::path& part : path) parts.push_back(part.string());
+  if (parts.size() < 4 || parts[0] != "geometry" || slice_of(path).empty()) return std::nullopt;
+  const auto stage = std::find(kStages.begin(), kStages.end(), parts[2]);
+  if (stage == kStages.end()) return std::nullopt;
+  return static_cast<std::size_t>(stage - kStages.begin());
+}
+
+TEST(Layers, ACoordinateGoesOneWay) {
+  std::size_t checked = 0;
+  for (const Source& source : product_sources())
+    for (const Include& include : source.includes) {
+      const auto from = stage_of(source.path), to = stage_of(include.path);
+      if (!from || !to) continue;
+      ++checked;
+      EXPECT_LE(*to, *from) << source.path << " includes " << include.path;
+    }
+  EXPECT_GT(checked, 100u);
+}
+
 // The last identifier of what the linker calls a function or variable, and whether it may stand in the slice of a
 // dimension: its own name or a type among its parameters ends in the dimension, or it has a namespace of its own.
 bool names_its_dimension(const std::string& symbol, char dimension) {

@@ -1,5 +1,5 @@
 // What is called so in a scene, and how its surfaces are divided.
-#include "geometry/plane/scene/scene_names.h"
+#include "geometry/scene_names.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,10 +21,8 @@ Scene2 named_scene() {
   const auto add = [&](const char* name, const Point2& from, const Point2& to, std::uint32_t group) {
     Surface surface;
     surface.name = name;
-    surface.from = from;
-    surface.to = to;
     surface.group = group;
-    scene.surfaces.push_back(surface);
+    scene.add(surface, {from, to});
   };
   add("room[0]", {0, 0}, {3, 4}, 0);
   add("room[1]", {3, 4}, {4, 5}, 0);
