@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
           ->Unit(benchmark::kMillisecond);
   const hottel::Scene2 apartment = hottel::read_scene_2("scenes/showcase/apartment.json");
   const hottel::Scene2 polygon = scene_of(500, [](std::int64_t k) {
-    return Edge{on_circle(k + 1, 500), on_circle(k, 500)};
+    return hottel::Edge2{on_circle(k + 1, 500), on_circle(k, 500)};
   });
   for (const auto& [name, scene] : {std::pair("apartment", apartment), std::pair("polygon", polygon)})
     benchmark::RegisterBenchmark((std::string("crowds/picture/") + name).c_str(),

@@ -20,7 +20,7 @@ namespace hottel::benchmarks {
 namespace {
 
 // A scene by the radiosities of its elements, each edge in `elements` equal ones. Channels are averaged.
-struct Divided2 {
+struct DividedRoom {
   std::uint32_t elements = 1;
   std::vector<Element> labels;
   std::vector<double> radiosity, area;
@@ -28,13 +28,13 @@ struct Divided2 {
   std::uint64_t pairs = 0;
 };
 
-Divided2 solve_divided(Scene2 scene, std::uint32_t elements) {
+DividedRoom solve_divided(Scene2 scene, std::uint32_t elements) {
   for (Surface& surface : scene.surfaces) surface.elements = elements;
   const PreparedScene2 prepared = prepare(std::move(scene), Divided2::kYes);
   const ExchangeMatrix matrix =
       exact_exchange(prepared, {.granularity = Granularity::kElement, .wants_visibility = false});
   const RadiositySolution solution = solve_radiosity(matrix, prepared.scene.materials, prepared.scene.sky_emission);
-  Divided2 result{elements, matrix.elements(), {}, {}, solution.max_relative_width, matrix.entry_count() / 2};
+  DividedRoom result{elements, matrix.elements(), {}, {}, solution.max_relative_width, matrix.entry_count() / 2};
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     double sum = 0;
     for (const ChannelSolution& channel : solution.channels) sum += channel.elements[i].radiosity;
@@ -50,7 +50,7 @@ struct Errors {
 
 // REQUIRES that the reference divides each element of `coarse` into equally many. Elements of one face follow each
 // other in both.
-Errors errors_against(const Divided2& reference, const Divided2& coarse) {
+Errors errors_against(const DividedRoom& reference, const DividedRoom& coarse) {
   const double brightest = *std::max_element(reference.radiosity.begin(), reference.radiosity.end());
   Errors errors;
   double squares = 0, length = 0;
@@ -83,8 +83,8 @@ struct Case {
     if (!scenes.contains(name)) scenes[name] = read_scene_2(file);
     return scenes.at(name);
   }
-  const Divided2& solved_finely() const {
-    static std::map<std::string, Divided2> references;
+  const DividedRoom& solved_finely() const {
+    static std::map<std::string, DividedRoom> references;
     if (!references.contains(name)) references[name] = solve_divided(scene(), reference);
     return references.at(name);
   }
@@ -93,8 +93,8 @@ struct Case {
 double order(double before, double now) { return now > 0 ? std::log2(before / now) : 0; }
 
 void discretisation(benchmark::State& state, const Case& of, std::uint32_t elements) {
-  const Divided2& reference = of.solved_finely();
-  Divided2 solved;
+  const DividedRoom& reference = of.solved_finely();
+  DividedRoom solved;
   for (auto _ : state) {
     Stopwatch watch;
     solved = solve_divided(of.scene(), elements);

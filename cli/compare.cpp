@@ -15,7 +15,7 @@
 #include "io/files/output_file.h"
 #include "io/foreign/foreign_radiosity.h"
 #include "io/foreign/plane/foreign_matrix.h"
-#include "io/results/plane/comparison_report.h"
+#include "io/results/comparison_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "solver/compare/work_precision.h"
@@ -61,11 +61,11 @@ std::vector<std::string> names_to_run(const MethodCatalogue2& methods, const Com
     const auto [raw, normalised] = split_method_name_2(name);
     bool is_swept = false;
     for (const MethodFamily2& family : methods.families())
-      if (options.sweep && family.name == family_of(raw)) {
+      if (options.sweep && family.name == family_of_2(raw)) {
         for (const std::string& point : family.sweep) add(point + normalised);
         is_swept = !family.sweep.empty();
       }
-    if (!is_swept || raw != family_of(raw)) add(name);
+    if (!is_swept || raw != family_of_2(raw)) add(name);
   }
   return names;
 }
@@ -85,7 +85,7 @@ void require_effect(const CompareOptions& options, const MethodCatalogue2& catal
   for (const auto& method : methods) {
     names.push_back(method->info().name);
     ++members[method->info().family];
-    has_foreign = has_foreign || is_foreign(method->info().name);
+    has_foreign = has_foreign || is_foreign_2(method->info().name);
   }
   if (!options.map.empty() && std::ranges::find(names, options.map) == names.end())
     throw UnknownName("--map takes one of the methods that are compared, not '" + options.map + "'", options.map,
@@ -117,7 +117,7 @@ MethodResult run(const MethodComparison2& comparison, const ExchangeMethod2& met
 // What the methods came to, without their matrices.
 struct Outcome {
   std::vector<MethodResult> results;
-  std::vector<ExplainedPair2> worst;
+  std::vector<ExplainedPair> worst;
   std::string map;  // bytes of errors.png
 };
 
@@ -183,7 +183,13 @@ ExitCode compare(CompareOptions options, Streams& streams) {
       return judge_radiosity_file(file, comparison.exact(), comparison.required_solution(),
                                   options.beyond.value_or(kBeyond));
     }));
-  const ComparisonReport2 report{options.scene, comparison, outcome.results, readings};
+  const ComparisonReport report{options.scene,
+                                comparison.prepared().scene.surfaces.size(),
+                                comparison.prepared().seconds,
+                                comparison.exact(),
+                                comparison.exact_solution() ? "" : comparison.why_no_solution(),
+                                outcome.results,
+                                readings};
   csv.write(compare_csv(outcome.results));
   worst.write(worst_csv(outcome.worst));
   read.write(readings_csv(curves, kErrorsReadOff));

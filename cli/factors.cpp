@@ -253,7 +253,7 @@ struct Outputs {
 
 // The scene as its rows are asked for. An approximate method works on elements, whatever is asked for in the end.
 PreparedScene2 prepare_for(const FactorsOptions& options, Scene2 scene, const Streams& streams) {
-  const bool is_divided = options.granularity == "element" || !(is_exact(options) || is_foreign(options.method));
+  const bool is_divided = options.granularity == "element" || !(is_exact(options) || is_foreign_2(options.method));
   if (!is_divided && options.elements.is_given())
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");

@@ -30,8 +30,8 @@ std::vector<std::string> method_names(const std::vector<std::string>& lists, con
   std::vector<std::string> names;
   const auto add = [&](const std::string& part) {
     const bool is_method = std::any_of(methods.families().begin(), methods.families().end(),
-                                       [&](const MethodFamily2& family) { return family.name == family_of(part); });
-    if (!is_method && !names.empty() && is_foreign(names.back()))
+                                       [&](const MethodFamily2& family) { return family.name == family_of_2(part); });
+    if (!is_method && !names.empty() && is_foreign_2(names.back()))
       names.back() += "," + part;
     else if (part.empty())
       throw UsageError("--methods has an empty name; names are separated by single commas");

@@ -26,7 +26,7 @@ struct ReferenceOptions {
 };
 
 // The factors of all elements and the radiosities of one scene.
-SceneReference refer(const std::string& file, const std::string& name, const Streams& streams) {
+SceneReference2 refer(const std::string& file, const std::string& name, const Streams& streams) {
   const PreparedScene2 prepared = prepare(read_scene_2(file), Divided2::kYes);
   ExchangeReport exchange;
   const ExchangeMatrix matrix = exact_exchange(prepared,
@@ -59,9 +59,9 @@ ExitCode reference(const ReferenceOptions& options, Streams& streams) {
     if (!names.insert(name_of(file)).second)
       throw UsageError("two scenes are called '" + name_of(file) + "': names of scenes in a set must differ");
 
-  std::vector<SceneReference> scenes;
+  std::vector<SceneReference2> scenes;
   for (const std::string& file : options.scenes) {
-    const SceneReference& scene = scenes.emplace_back(refer(file, name_of(file), streams));
+    const SceneReference2& scene = scenes.emplace_back(refer(file, name_of(file), streams));
     streams.note(fmt::format("{}: {} elements, {} factors, bounds of radiosities within {:.1e} of the value",
                              scene.name, scene.exchange.elements, scene.factors, scene.max_relative_width));
   }

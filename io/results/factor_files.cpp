@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "io/results/npy.h"
 #include "kernel/rational.h"
@@ -206,6 +207,26 @@ void write_factors_npy(const FactorTable& table, const Sink& sink) {
     out << std::string_view(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(double));
   });
   out.flush();
+}
+
+std::string factors_sidecar(const FactorTable& table) {
+  const std::size_t n = table.matrix.size() + std::size_t{1};
+  nlohmann::ordered_json sidecar;
+  sidecar["quantity"] = table.gray_channel ? "script-F" : "view factor";
+  sidecar["shape"] = {n, n};
+  sidecar["order"] = "C";
+  sidecar["axes"] = {"from", "to"};
+  nlohmann::ordered_json names = nlohmann::ordered_json::array(), areas = nlohmann::ordered_json::array();
+  for (const Element& element : table.matrix.elements()) {
+    names.push_back(element.name);
+    areas.push_back(std::isfinite(element.area.value) ? nlohmann::ordered_json(element.area.value)
+                                                      : nlohmann::ordered_json());
+  }
+  names.push_back("sky");
+  areas.push_back(nullptr);
+  sidecar["names"] = std::move(names);
+  sidecar["areas"] = std::move(areas);
+  return sidecar.dump(2) + "\n";
 }
 
 void write_factors_view3d_text(const FactorTable& table, const Sink& sink) {

@@ -45,6 +45,10 @@ void write_faces_csv(const FactorTable& table, std::span<const std::array<double
 // NumPy float64, N x N, row = from, all faces and the sky last.
 void write_factors_npy(const FactorTable& table, const Sink& sink);
 
+// Returns a JSON object of `quantity`, `shape`, `order`, `axes`, and of `names` and `areas` of rows and columns alike,
+// the sky last; an area that is beyond the range of doubles, as that of the sky, is null.
+std::string factors_sidecar(const FactorTable& table);
+
 // View3D's text and binary formats (4.0.0). They know surfaces that radiate only: faces with a material, in order; what
 // goes to black backs and to the sky shows as rows that sum to less than 1. Emittance = 1 - reflectivity (mean of the
 // channels; for script-F, which is marked as View3D marks it, that of its channel). The text carries 17 digits; the

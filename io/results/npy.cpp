@@ -54,23 +54,4 @@ std::string illumination_sidecar(const GridRegion& region, const std::vector<std
   return sidecar.dump(2) + "\n";
 }
 
-std::string factors_sidecar(const FactorTable& table) {
-  const std::size_t n = table.matrix.size() + std::size_t{1};
-  Json sidecar;
-  sidecar["quantity"] = table.gray_channel ? "script-F" : "view factor";
-  sidecar["shape"] = {n, n};
-  sidecar["order"] = "C";
-  sidecar["axes"] = {"from", "to"};
-  Json names = Json::array(), areas = Json::array();
-  for (const Element& element : table.matrix.elements()) {
-    names.push_back(element.name);
-    areas.push_back(std::isfinite(element.area.value) ? Json(element.area.value) : Json());
-  }
-  names.push_back("sky");
-  areas.push_back(nullptr);
-  sidecar["names"] = std::move(names);
-  sidecar["areas"] = std::move(areas);
-  return sidecar.dump(2) + "\n";
-}
-
 }  // namespace hottel

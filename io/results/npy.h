@@ -9,8 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "io/results/factor_files.h"
-
 namespace hottel {
 
 // Returns what stands before the numbers of an array of that shape: magic, version, a header padded to whole 64 bytes.
@@ -31,9 +29,5 @@ struct GridRegion {
 };
 std::string illumination_sidecar(const GridRegion& region, const std::vector<std::string>& channels,
                                  std::string_view way);
-
-// Returns a JSON object of `quantity`, `shape`, `order`, `axes`, and of `names` and `areas` of rows and columns alike,
-// the sky last; an area that is beyond the range of doubles, as that of the sky, is null.
-std::string factors_sidecar(const FactorTable& table);
 
 }  // namespace hottel

@@ -12,6 +12,7 @@
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"
 #include "geometry/plane/scene/division.h"
+#include "io/foreign/matched_matrix.h"
 #include "io/results/factor_files.h"
 #include "io/results/npy.h"
 #include "kernel/support/failure.h"

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/plane/exchange/exchange.h"
+#include "io/results/factor_files.h"
 #include "io/results/npy.h"
 #include "tests/solver/plane/lit_scenes.h"
 

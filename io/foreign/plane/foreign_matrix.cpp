@@ -1,196 +1,12 @@
 #include "io/foreign/plane/foreign_matrix.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <limits>
-#include <unordered_map>
-
 #include "geometry/name.h"
-#include "geometry/near_names.h"
 #include "geometry/plane/exchange/element_table.h"
 #include "io/foreign/foreign_command.h"
-#include "kernel/rational.h"
+#include "io/foreign/matched_matrix.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
-namespace {
-
-constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
-
-// Which element each row and column of a file is; kUnused where none.
-struct Places {
-  std::vector<std::uint32_t> row, column;
-};
-
-class Matching {
- public:
-  Matching(const ForeignMatrix& foreign, const std::vector<Element>& elements)
-      : foreign_(foreign), elements_(elements), sky_(static_cast<std::uint32_t>(elements.size())) {
-    for (std::uint32_t i = 0; i < sky_; ++i)
-      if (elements[i].material) with_material_.push_back(i);
-  }
-
-  Places places() const {
-    if (foreign_.column_names.empty() && !foreign_.is_list) return by_order();
-    Places places{by_name(foreign_.row_names), by_name(foreign_.column_names)};
-    if (!foreign_.is_list) {
-      require_all(places.row, "row");
-      require_all(places.column, "column");
-    }
-    return places;
-  }
-
- private:
-  std::vector<std::uint32_t> by_name(const std::vector<ForeignName>& names) const;
-  void require_all(const std::vector<std::uint32_t>& places, const char* what) const;
-  Places by_order() const;
-  std::vector<std::uint32_t> in_order(std::uint32_t size) const;
-
-  const ForeignMatrix& foreign_;
-  const std::vector<Element>& elements_;
-  const std::uint32_t sky_;
-  std::vector<std::uint32_t> with_material_;
-};
-
-std::vector<std::uint32_t> Matching::by_name(const std::vector<ForeignName>& names) const {
-  std::unordered_map<std::string, std::uint32_t> index{{"sky", sky_}};
-  for (std::uint32_t i = 0; i < sky_; ++i) index.emplace(elements_[i].name, i);
-  std::vector<std::uint32_t> places;
-  std::vector<std::string> unknown;
-  int line = 0;
-  for (const ForeignName& name : names) {
-    const auto found = index.find(name.name);
-    places.push_back(found == index.end() ? kUnused : found->second);
-    if (found != index.end()) continue;
-    if (unknown.empty()) line = name.line;
-    unknown.push_back(name.name);
-  }
-  if (unknown.empty()) return places;
-  std::vector<std::string> known;
-  for (const std::uint32_t i : with_material_) known.push_back(elements_[i].name);
-  std::vector<std::string> hints = near_name_hints(unknown.front(), known);
-  hints.push_back("its faces are " + listed_names(known));
-  if (index.contains(unknown.front() + "#0"))
-    hints.push_back("the scene divides its faces: `hottel factors --per element` writes them as they are compared");
-  throw InputError({foreign_.names_file, line}, "the scene has no face " + listed_names(unknown), std::move(hints));
-}
-
-void Matching::require_all(const std::vector<std::uint32_t>& places, const char* what) const {
-  std::vector<char> is_there(sky_ + 1, 0);
-  for (const std::uint32_t place : places) is_there[place] = 1;
-  std::vector<std::string> missing;
-  for (const std::uint32_t i : with_material_)
-    if (!is_there[i]) missing.push_back(elements_[i].name);
-  if (!missing.empty())
-    throw InputError({foreign_.names_file, 0}, fmt::format("has no {} of the face {}", what, listed_names(missing)));
-}
-
-// The elements that `size` rows or columns stand for; empty when it fits none.
-std::vector<std::uint32_t> Matching::in_order(std::uint32_t size) const {
-  std::vector<std::uint32_t> places;
-  if (size == sky_ || size == sky_ + 1)
-    for (std::uint32_t i = 0; i < sky_; ++i) places.push_back(i);
-  else if (size == with_material_.size() || size == with_material_.size() + 1)
-    places = with_material_;
-  else
-    return {};
-  if (places.size() < size) places.push_back(sky_);
-  return places;
-}
-
-Places Matching::by_order() const {
-  Places places{in_order(foreign_.rows), in_order(foreign_.columns)};
-  if (!places.row.empty() && !places.column.empty() && foreign_.columns >= foreign_.rows) return places;
-  const std::size_t n = sky_, m = with_material_.size();
-  const auto sizes = [](std::size_t k) { return fmt::format("{0} x {0}, {0} x {1}, {1} x {1}", k, k + 1); };
-  throw InputError(
-      {foreign_.file, 0},
-      fmt::format("is {} x {}, which does not fit the scene's {} faces, {} of them with a material", foreign_.rows,
-                  foreign_.columns, n, m),
-      {"without names, faces are taken in the order of the scene: " + sizes(m) + (m == n ? "" : ", " + sizes(n)),
-       "names stand in the first row and column of a csv, or in " + foreign_.file + ".faces.csv"});
-}
-
-// Areas that the file gives and the scene does not have: a sign of another order or unit.
-void compare_areas(const ForeignMatrix& foreign, const Places& places, const std::vector<Element>& elements,
-                   MethodReport& report) {
-  constexpr double kSixDigits = 1e-5;
-  std::vector<std::string> different;
-  for (std::size_t k = 0; k < foreign.areas.size(); ++k) {
-    if (places.row[k] >= elements.size()) continue;
-    const Element& element = elements[places.row[k]];
-    if (std::abs(foreign.areas[k] - element.area.value) > kSixDigits * element.area.value)
-      different.push_back(fmt::format("{} ({} in the file, {} in the scene)", element.name, shortest(foreign.areas[k]),
-                                      shortest(element.area.value)));
-  }
-  if (!different.empty())
-    report.notes.push_back("areas differ, as if the order of the faces or the unit of length were another: " +
-                           listed_names(different));
-}
-
-// What was read and is not used, and what the file does not have.
-void note_gaps(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& unused_rows,
-               const WrittenFactors& written, MethodReport& report) {
-  std::vector<std::string> names;
-  for (const std::uint32_t i : unused_rows)
-    names.push_back(i == matrix.sky() ? std::string("sky") : matrix.elements()[i].name);
-  if (!names.empty()) report.notes.push_back("rows of faces without a material are not used: " + listed_names(names));
-  if (!written.has_column[matrix.sky()])
-    report.notes.push_back("there is no column for the sky: what rows lack of 1 is not counted as going there");
-  names.clear();
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    if (!written.has_column[i]) names.push_back(matrix.elements()[i].name);
-  if (!names.empty()) report.notes.push_back("there are no columns for " + listed_names(names));
-  std::size_t negative = 0;
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (const FactorEntry& entry : matrix.row(i)) negative += entry.factor.value < 0;
-  if (negative > 0) report.notes.push_back(fmt::format("{} factors are negative", negative));
-}
-
-}  // namespace
-
-ExchangeMatrix match_foreign_matrix(const ForeignMatrix& foreign, std::vector<Element> elements, MethodReport& report) {
-  const Places places = Matching(foreign, elements).places();
-  ExchangeMatrix matrix(std::move(elements), Guarantee::kEstimated);
-  compare_areas(foreign, places, matrix.elements(), report);
-
-  std::vector<ForeignEntry> entries;
-  std::vector<std::uint32_t> unused_rows;
-  for (ForeignEntry entry : foreign.entries) {
-    entry.row = places.row[entry.row];
-    entry.column = places.column[entry.column];
-    const bool is_used = entry.row != matrix.sky() && matrix.has_row(entry.row);
-    if (is_used)
-      entries.push_back(entry);
-    else if (unused_rows.empty() || unused_rows.back() != entry.row)
-      unused_rows.push_back(entry.row);
-  }
-  std::sort(entries.begin(), entries.end(), [](const ForeignEntry& a, const ForeignEntry& b) {
-    return a.row != b.row ? a.row < b.row : a.column < b.column;
-  });
-  std::vector<std::size_t> begin(matrix.size() + 1, 0);
-  std::vector<FactorEntry> factors;
-  for (const ForeignEntry& entry : entries) {
-    ++begin[entry.row + 1];
-    factors.push_back({entry.column, {entry.value, 0}, std::numeric_limits<double>::quiet_NaN()});
-  }
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) begin[i + 1] += begin[i];
-  matrix.assign(std::move(begin), std::move(factors));
-
-  WrittenFactors written{foreign.digits, std::vector<char>(matrix.size() + 1, foreign.is_list)};
-  for (const std::uint32_t column : places.column) written.has_column[column] = 1;
-  report.notes.insert(report.notes.end(), foreign.notes.begin(), foreign.notes.end());
-  note_gaps(matrix, unused_rows, written, report);
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    if (!matrix.has_row(i)) continue;
-    double sum = 0;
-    for (const FactorEntry& entry : matrix.row(i)) sum += entry.factor.value;
-    report.row_defect = std::max(report.row_defect, std::abs(sum - 1));
-  }
-  report.written = std::move(written);
-  return matrix;
-}
-
 namespace {
 
 std::vector<Element> elements_of(const PreparedScene2& prepared) {
@@ -266,8 +82,8 @@ MethodFamily2 run_family_2() {
           }};
 }
 
-bool is_foreign(const std::string& method) {
-  const std::string family = family_of(method);
+bool is_foreign_2(const std::string& method) {
+  const std::string family = family_of_2(method);
   return family == "file" || family == "run";
 }
 

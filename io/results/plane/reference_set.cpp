@@ -19,7 +19,7 @@ std::string written(const std::function<void(const Sink&)>& write) {
   return text;
 }
 
-nlohmann::ordered_json manifest_entry(const SceneReference& scene) {
+nlohmann::ordered_json manifest_entry(const SceneReference2& scene) {
   nlohmann::ordered_json json;
   json["name"] = scene.name;
   json["counts"] = {{"surfaces", scene.exchange.surfaces},
@@ -67,10 +67,10 @@ std::string readme() {
 
 }  // namespace
 
-SceneReference scene_reference(const std::string& name, std::string text, const Scene2& scene,
-                               const ExchangeMatrix& matrix, const ExchangeReport& exchange,
-                               const RadiositySolution& solution) {
-  SceneReference result;
+SceneReference2 scene_reference(const std::string& name, std::string text, const Scene2& scene,
+                                const ExchangeMatrix& matrix, const ExchangeReport& exchange,
+                                const RadiositySolution& solution) {
+  SceneReference2 result;
   result.name = name;
   result.exchange = exchange;
   result.factors = matrix.entry_count();
@@ -88,12 +88,12 @@ SceneReference scene_reference(const std::string& name, std::string text, const 
   return result;
 }
 
-std::vector<SetFile> set_files(std::vector<SceneReference> scenes) {
+std::vector<SetFile> set_files(std::vector<SceneReference2> scenes) {
   nlohmann::ordered_json manifest;
   manifest["hottel"] = kVersion;
   manifest["scenes"] = nlohmann::ordered_json::array();
   std::vector<SetFile> files;
-  for (SceneReference& scene : scenes) {
+  for (SceneReference2& scene : scenes) {
     manifest["scenes"].push_back(manifest_entry(scene));
     std::move(scene.files.begin(), scene.files.end(), std::back_inserter(files));
   }

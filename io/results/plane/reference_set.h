@@ -18,7 +18,7 @@ struct SetFile {
 };
 
 // One scene of the set.
-struct SceneReference {
+struct SceneReference2 {
   std::string name;
   ExchangeReport exchange;
   std::uint64_t factors = 0;
@@ -28,11 +28,11 @@ struct SceneReference {
 
 // Returns the files of one scene: scene.json (`text`, as it was given), factors.csv, factors.mtx,
 // factors.mtx.faces.csv and radiosity.csv. REQUIRES the exact matrix by elements, and its solution.
-SceneReference scene_reference(const std::string& name, std::string text, const Scene2& scene,
-                               const ExchangeMatrix& matrix, const ExchangeReport& exchange,
-                               const RadiositySolution& solution);
+SceneReference2 scene_reference(const std::string& name, std::string text, const Scene2& scene,
+                                const ExchangeMatrix& matrix, const ExchangeReport& exchange,
+                                const RadiositySolution& solution);
 
 // Returns all files of a set: those of its scenes, then reference.json, README.txt, and SHA256SUMS of all before it.
-std::vector<SetFile> set_files(std::vector<SceneReference> scenes);
+std::vector<SetFile> set_files(std::vector<SceneReference2> scenes);
 
 }  // namespace hottel

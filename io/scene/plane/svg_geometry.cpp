@@ -173,7 +173,7 @@ class SvgPathReader {
   bool has_begun_ = false, has_comma_ = false;
 };
 
-SvgTransform rotation(const Rational& degrees) {
+SvgTransform2 rotation(const Rational& degrees) {
   const Rational quarters = degrees / 90;
   if (quarters.get_den() != 1)
     throw SvgAttributeError("has a rotation by " + to_string(degrees) + " degrees: only multiples of 90 are exact");
@@ -183,7 +183,7 @@ SvgTransform rotation(const Rational& degrees) {
   return {cosine[q], sine[q], -sine[q], cosine[q], 0, 0};
 }
 
-SvgTransform one_transform(std::string_view name, const std::vector<Rational>& v) {
+SvgTransform2 one_transform(std::string_view name, const std::vector<Rational>& v) {
   const auto counts = [&](std::initializer_list<std::size_t> allowed) {
     if (std::find(allowed.begin(), allowed.end(), v.size()) == allowed.end())
       throw SvgAttributeError("has a wrong number of arguments for " + std::string(name));
@@ -203,7 +203,7 @@ SvgTransform one_transform(std::string_view name, const std::vector<Rational>& v
   if (name == "rotate") {
     counts({1, 3});
     if (v.size() == 1) return rotation(v[0]);
-    const SvgTransform there{1, 0, 0, 1, v[1], v[2]}, back{1, 0, 0, 1, -v[1], -v[2]};
+    const SvgTransform2 there{1, 0, 0, 1, v[1], v[2]}, back{1, 0, 0, 1, -v[1], -v[2]};
     return there.after(rotation(v[0]).after(back));
   }
   throw SvgAttributeError("has " + quoted(name) + ": only translate, scale, matrix and rotate are exact");
@@ -211,9 +211,9 @@ SvgTransform one_transform(std::string_view name, const std::vector<Rational>& v
 
 }  // namespace
 
-Point2 SvgTransform::apply(const Point2& p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
+Point2 SvgTransform2::apply(const Point2& p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
 
-SvgTransform SvgTransform::after(const SvgTransform& inner) const {
+SvgTransform2 SvgTransform2::after(const SvgTransform2& inner) const {
   const Point2 shift = apply({inner.e, inner.f});
   return {a * inner.a + c * inner.b,
           b * inner.a + d * inner.b,
@@ -223,7 +223,7 @@ SvgTransform SvgTransform::after(const SvgTransform& inner) const {
           shift.y};
 }
 
-Rational parse_svg_length(std::string_view text) {
+Rational parse_svg_length_2(std::string_view text) {
   SvgScanner in(text);
   Rational value = in.number();
   const std::string unit = in.rest();
@@ -232,7 +232,7 @@ Rational parse_svg_length(std::string_view text) {
   return value;
 }
 
-std::vector<Point2> parse_svg_points(std::string_view text) {
+std::vector<Point2> parse_svg_points_2(std::string_view text) {
   SvgScanner in(text);
   std::vector<Point2> points;
   while (!in.is_at_end()) {
@@ -246,11 +246,11 @@ std::vector<Point2> parse_svg_points(std::string_view text) {
   return points;
 }
 
-std::vector<SvgRun> parse_svg_path(std::string_view text) { return SvgPathReader(text).read(); }
+std::vector<SvgRun> parse_svg_path_2(std::string_view text) { return SvgPathReader(text).read(); }
 
-SvgTransform parse_svg_transform(std::string_view text) {
+SvgTransform2 parse_svg_transform_2(std::string_view text) {
   SvgScanner in(text);
-  SvgTransform result;
+  SvgTransform2 result;
   while (!in.is_at_end()) {
     const std::string_view name = in.word();
     if (name.empty() || !in.accept('(')) throw SvgAttributeError("is no list of transforms, at " + in.rest());

@@ -24,27 +24,27 @@ struct SvgRun {
 };
 
 // (x, y) -> (a x + c y + e, b x + d y + f).
-struct SvgTransform {
+struct SvgTransform2 {
   Rational a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
 
   Point2 apply(const Point2& p) const;
   bool is_mirrored() const { return a * d < b * c; }
   // The transform that applies `inner` first.
-  SvgTransform after(const SvgTransform& inner) const;
+  SvgTransform2 after(const SvgTransform2& inner) const;
 };
 
 // Every function throws SvgAttributeError.
 
 // A length in user units: a number, alone or followed by "px".
-Rational parse_svg_length(std::string_view text);
+Rational parse_svg_length_2(std::string_view text);
 
 // The points of a polyline or polygon.
-std::vector<Point2> parse_svg_points(std::string_view text);
+std::vector<Point2> parse_svg_points_2(std::string_view text);
 
 // The runs of a path of straight pieces: the commands M, L, H, V and Z, absolute and relative.
-std::vector<SvgRun> parse_svg_path(std::string_view text);
+std::vector<SvgRun> parse_svg_path_2(std::string_view text);
 
 // A list of translate, scale, matrix, and rotate by multiples of 90 degrees: what is exact over the rationals.
-SvgTransform parse_svg_transform(std::string_view text);
+SvgTransform2 parse_svg_transform_2(std::string_view text);
 
 }  // namespace hottel

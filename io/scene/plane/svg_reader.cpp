@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <pugixml.hpp>
 #include <unordered_map>
 #include <unordered_set>
@@ -39,7 +40,7 @@ std::string_view local_name(std::string_view name) {
 
 // What a group hands down.
 struct Inherited {
-  SvgTransform transform;
+  SvgTransform2 transform;
   std::string material = kSvgMaterial;
   std::string back;
   bool is_reversed = false;
@@ -66,8 +67,12 @@ class SvgReader {
     walk(root, group(root, {}), 0);
     if (scene_.surfaces.empty()) refuse(0, "has no lines");
     // Edges stand before polylines, as in a scene file.
-    std::stable_partition(scene_.surfaces.begin(), scene_.surfaces.end(),
-                          [&](const Surface& s) { return s.name == scene_.groups[s.group]; });
+    std::vector<std::uint32_t> order(scene_.surfaces.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_partition(order.begin(), order.end(), [&](std::uint32_t s) {
+      return scene_.surfaces[s].name == scene_.groups[scene_.surfaces[s].group].name;
+    });
+    scene_.keep(order);
     validate(scene_);
     return std::move(scene_);
   }
@@ -131,7 +136,7 @@ class SvgReader {
   }
   Rational length(pugi::xml_node node, const char* name) const {
     if (!node.attribute(name)) return 0;
-    return attribute(node, name, parse_svg_length);
+    return attribute(node, name, parse_svg_length_2);
   }
 
   void check_attributes(pugi::xml_node node) const {
@@ -188,7 +193,7 @@ class SvgReader {
   Inherited group(pugi::xml_node node, const Inherited& outer) const {
     check_attributes(node);
     Inherited inner = outer;
-    inner.transform = outer.transform.after(attribute(node, "transform", parse_svg_transform));
+    inner.transform = outer.transform.after(attribute(node, "transform", parse_svg_transform_2));
     if (const auto a = node.attribute("data-material"))
       inner.material = a.value();
     else if (const std::string_view classes = trimmed(node.attribute("class").value()); !classes.empty())
@@ -232,7 +237,7 @@ class SvgReader {
     else if (kind == "rect")
       runs = {rectangle(node, style.transform)};
     else if (kind == "path")
-      runs = attribute(node, "d", parse_svg_path);
+      runs = attribute(node, "d", parse_svg_path_2);
     else
       refuse(line_of(node), subject(node) + " is not made of straight lines that can be read exactly",
              {"lines, polylines, polygons, rects, and paths of M L H V Z are read; groups may hold them"});
@@ -248,13 +253,13 @@ class SvgReader {
   }
 
   SvgRun points(pugi::xml_node node, bool closed) const {
-    SvgRun run{attribute(node, "points", parse_svg_points), closed};
+    SvgRun run{attribute(node, "points", parse_svg_points_2), closed};
     if (closed && run.points.size() > 1 && run.points.front() == run.points.back()) run.points.pop_back();
     return run;
   }
 
   // As a room seen from inside, also where the drawing is mirrored.
-  SvgRun rectangle(pugi::xml_node node, const SvgTransform& transform) const {
+  SvgRun rectangle(pugi::xml_node node, const SvgTransform2& transform) const {
     for (const char* radius : {"rx", "ry"})
       if (std::string_view(node.attribute(radius).value()) != "auto" && length(node, radius) != 0)
         refuse(node, "has rounded corners");

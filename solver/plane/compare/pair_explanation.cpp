@@ -66,8 +66,8 @@ std::optional<double> PairExplainer2::visibility(std::uint32_t from, std::uint32
   return std::nullopt;
 }
 
-PairExplanation2 PairExplainer2::explain(const PairError& pair) const {
-  PairExplanation2 result;
+PairExplanation PairExplainer2::explain(const PairError& pair) const {
+  PairExplanation result;
   result.visibility = visibility(pair.from, pair.to);
   result.reason = seen(result.visibility);
   if (pair.to == exact_.sky()) {
@@ -86,12 +86,12 @@ PairExplanation2 PairExplainer2::explain(const PairError& pair) const {
   return result;
 }
 
-std::vector<ExplainedPair2> explained_worst_pairs(const PairExplainer2& explainer, const ExchangeMatrix& exact,
-                                                  const MethodResult& result, std::size_t count) {
+std::vector<ExplainedPair> explained_worst_pairs(const PairExplainer2& explainer, const ExchangeMatrix& exact,
+                                                 const MethodResult& result, std::size_t count) {
   const auto name = [&](std::uint32_t element) {
     return element == exact.sky() ? "sky" : exact.elements()[element].name;
   };
-  std::vector<ExplainedPair2> explained;
+  std::vector<ExplainedPair> explained;
   for (const PairError& pair : worst_pairs(result.matrix, exact, count))
     explained.push_back({result.info.name, name(pair.from), name(pair.to), pair, explainer.explain(pair)});
   return explained;

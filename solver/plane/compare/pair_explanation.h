@@ -8,17 +8,11 @@
 #include "geometry/exchange_matrix.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/element_table.h"
+#include "solver/compare/explained_pair.h"
 #include "solver/compare/matrix_errors.h"
 #include "solver/plane/compare/method_comparison.h"
 
 namespace hottel {
-
-struct PairExplanation2 {
-  std::optional<double> visibility;  // S / S0; nothing when they do not face each other. Of the sky: its factor
-  std::optional<double> distance;    // between their middles [scene unit]; nothing of the sky
-  std::optional<double> angle;       // between their normals [degrees], 180 when they look at each other
-  std::string reason;                // in words, e.g. "partly hidden, touching"
-};
 
 // Explains pairs of one scene.
 class PairExplainer2 {
@@ -30,7 +24,7 @@ class PairExplainer2 {
   //   "they do not face each other" | "hidden" | "partly hidden" | "in full view", for the sky with "toward the sky",
   //   "touching" (a common end) | "near" (nearer than the longer of the two is long) | "far", not for the sky,
   //   "missed" (the method sees nothing of it) | "light where there is none".
-  PairExplanation2 explain(const PairError& pair) const;
+  PairExplanation explain(const PairError& pair) const;
 
  private:
   std::optional<double> visibility(std::uint32_t from, std::uint32_t to) const;
@@ -40,16 +34,9 @@ class PairExplainer2 {
   ElementTable2 table_;
 };
 
-// A pair that a method gets most wrong.
-struct ExplainedPair2 {
-  std::string method, from, to;
-  PairError error;
-  PairExplanation2 explanation;
-};
-
 // Returns the pairs that a result gets most wrong, the worst first, at most `count`.
 // exact: as given to the explainer. REQUIRES a result with its matrix.
-std::vector<ExplainedPair2> explained_worst_pairs(const PairExplainer2& explainer, const ExchangeMatrix& exact,
-                                                  const MethodResult& result, std::size_t count);
+std::vector<ExplainedPair> explained_worst_pairs(const PairExplainer2& explainer, const ExchangeMatrix& exact,
+                                                 const MethodResult& result, std::size_t count);
 
 }  // namespace hottel

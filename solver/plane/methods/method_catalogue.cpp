@@ -92,7 +92,7 @@ ExchangeMethod2::ClaimedErrors Normalised2::claimed_errors(const PreparedScene2&
 
 }  // namespace
 
-std::string family_of(const std::string& name) { return name.substr(0, name.find(':')); }
+std::string family_of_2(const std::string& name) { return name.substr(0, name.find(':')); }
 
 SplitMethodName2 split_method_name_2(const std::string& name) {
   const std::string_view normalised = name.ends_with(kNormalised) ? kNormalised : "";
@@ -102,7 +102,7 @@ SplitMethodName2 split_method_name_2(const std::string& name) {
 std::unique_ptr<ExchangeMethod2> MethodCatalogue2::make(const std::string& name) const {
   if (const SplitMethodName2 split = split_method_name_2(name); !split.normalised.empty())
     return std::make_unique<Normalised2>(make(split.raw));
-  const std::string family = family_of(name);
+  const std::string family = family_of_2(name);
   for (const MethodFamily2& each : families_)
     if (each.name == family) return each.make(std::string_view(name).substr(family.size()));
   std::string patterns;

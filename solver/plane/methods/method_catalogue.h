@@ -25,7 +25,7 @@ struct MethodFamily2 {
 };
 
 // The name of a method up to the first colon.
-std::string family_of(const std::string& name);
+std::string family_of_2(const std::string& name);
 
 // The name of a method without the ":normalised" at its end, and that, or nothing.
 struct SplitMethodName2 {

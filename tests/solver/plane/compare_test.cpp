@@ -261,7 +261,7 @@ TEST(MethodComparison, ComparesFactorsOfASceneThatHasNoRadiosities) {
 }
 
 // A unit square that a screen without a back divides in two.
-TEST(PairExplanation2, TellsHowMuchIsHiddenHowFarAndAtWhatAngle) {
+TEST(PairExplanation, TellsHowMuchIsHiddenHowFarAndAtWhatAngle) {
   const PreparedScene2 prepared =
       prepare(parse_scene_2(R"({"hottel":1,"dimension":2,"materials":{"m":{"reflectivity":0.5}},
     "polylines":[{"name":"room","points":[[0,0],[0,1],[1,1],[1,0]],"closed":true,"material":"m"}],
@@ -276,27 +276,27 @@ TEST(PairExplanation2, TellsHowMuchIsHiddenHowFarAndAtWhatAngle) {
     return explainer.explain({i, j, value, exact.factor(i, j).value});
   };
 
-  const PairExplanation2 hidden = explain("room[0]", "room[2]", 0.1);  // the left and the right wall
+  const PairExplanation hidden = explain("room[0]", "room[2]", 0.1);  // the left and the right wall
   EXPECT_EQ(hidden.visibility, 0);
   EXPECT_EQ(hidden.distance, 1);
   EXPECT_DOUBLE_EQ(*hidden.angle, 180);
   EXPECT_EQ(hidden.reason, "hidden, far, light where there is none");
 
-  const PairExplanation2 partly = explain("room[1]", "room[3]", 0);
+  const PairExplanation partly = explain("room[1]", "room[3]", 0);
   EXPECT_GT(*partly.visibility, 0);
   EXPECT_LT(*partly.visibility, 1);
   EXPECT_EQ(partly.reason, "partly hidden, far, missed");
 
-  const PairExplanation2 corner = explain("room[0]", "room[1]", 0.25);
+  const PairExplanation corner = explain("room[0]", "room[1]", 0.25);
   EXPECT_DOUBLE_EQ(*corner.angle, 90);
   EXPECT_DOUBLE_EQ(*corner.distance, std::sqrt(0.5));
   EXPECT_EQ(corner.reason, "partly hidden, touching");
 
-  const PairExplanation2 itself = explain("room[0]", "room[0]", 0.25);
+  const PairExplanation itself = explain("room[0]", "room[0]", 0.25);
   EXPECT_EQ(itself.visibility, std::nullopt);
   EXPECT_EQ(itself.reason, "they do not face each other, touching, light where there is none");
 
-  const PairExplanation2 sky = explain("room[0]", "sky", 0.25);
+  const PairExplanation sky = explain("room[0]", "sky", 0.25);
   EXPECT_EQ(sky.distance, std::nullopt);
   EXPECT_EQ(sky.reason, "hidden toward the sky, light where there is none");
 }

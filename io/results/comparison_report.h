@@ -6,26 +6,30 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/exchange_matrix.h"
+#include "solver/compare/explained_pair.h"
+#include "solver/compare/method_result.h"
 #include "solver/compare/work_precision.h"
-#include "solver/plane/compare/method_comparison.h"
-#include "solver/plane/compare/pair_explanation.h"
 
 namespace hottel {
 
 // Everything that is said about one run of `compare`.
-struct ComparisonReport2 {
+struct ComparisonReport {
   std::string scene;
-  const MethodComparison2& comparison;
+  std::size_t surfaces = 0;
+  double seconds_to_prepare = 0;
+  const ExchangeMatrix& exact;     // of the elements that all methods have
+  std::string why_no_radiosities;  // empty where there are exact ones
   std::span<const MethodResult> results;
   std::span<const WorkReading> readings;  // times at which errors are reached
 };
 
 // Returns the report as one JSON object and a final newline.
-std::string comparison_json(const ComparisonReport2& report);
+std::string comparison_json(const ComparisonReport& report);
 
 // Returns an aligned table, a line a method, with the spread of the times; its size above it, notes (each once, with
 // the methods it is said of) and readings below it.
-std::string comparison_text(const ComparisonReport2& report);
+std::string comparison_text(const ComparisonReport& report);
 
 // "812 elements, 5852 view factors": elements that have a row, and the factors in these rows.
 std::string size_text(const ExchangeMatrix& matrix);
@@ -36,7 +40,7 @@ std::string compare_csv(std::span<const MethodResult> results);
 
 // `method,from,to,value,exact,error,visibility,distance,angle,reason`: distance in scene units between the middles,
 // angle in degrees between the normals; empty where there is none (the sky; faces that do not face each other).
-std::string worst_csv(std::span<const ExplainedPair2> pairs);
+std::string worst_csv(std::span<const ExplainedPair> pairs);
 
 // `error,family,seconds,exact_seconds`: the least time in which each family reaches each error, empty where it does
 // not; times between the points of a sweep are interpolated (seconds_to_reach).

@@ -1,4 +1,4 @@
-#include "io/results/plane/comparison_report.h"
+#include "io/results/comparison_report.h"
 
 #include <fmt/format.h>
 
@@ -56,16 +56,14 @@ std::string compare_table(std::span<const MethodResult> results) {
 
 }  // namespace
 
-std::string comparison_json(const ComparisonReport2& report) {
-  const MethodComparison2& comparison = report.comparison;
+std::string comparison_json(const ComparisonReport& report) {
   Json json;
   json["hottel"] = 1;
   json["version"] = kVersion;
   json["scene"] = report.scene;
-  json["counts"] = {{"surfaces", comparison.prepared().scene.surfaces.size()},
-                    {"elements", comparison.exact().size()},
-                    {"entries", comparison.exact().entry_count()}};
-  json["seconds"] = {{"prepare", comparison.prepared().seconds}};
+  json["counts"] = {
+      {"surfaces", report.surfaces}, {"elements", report.exact.size()}, {"entries", report.exact.entry_count()}};
+  json["seconds"] = {{"prepare", report.seconds_to_prepare}};
   json["methods"] = Json::array();
   for (const MethodResult& each : report.results) json["methods"].push_back(method_json(each));
   json["readings"] = Json::array();
@@ -84,12 +82,11 @@ std::string size_text(const ExchangeMatrix& matrix) {
   return fmt::format("{} elements, {} view factors", rows, matrix.entry_count());
 }
 
-std::string comparison_text(const ComparisonReport2& report) {
-  const MethodComparison2& comparison = report.comparison;
-  std::string text = fmt::format("{}; prepared once for all in {:.3g} s\n\n", size_text(comparison.exact()),
-                                 comparison.prepared().seconds) +
-                     compare_table(report.results) + "\n";
-  if (!comparison.exact_solution()) text += "no radiosities are compared: " + comparison.why_no_solution() + "\n";
+std::string comparison_text(const ComparisonReport& report) {
+  std::string text =
+      fmt::format("{}; prepared once for all in {:.3g} s\n\n", size_text(report.exact), report.seconds_to_prepare) +
+      compare_table(report.results) + "\n";
+  if (!report.why_no_radiosities.empty()) text += "no radiosities are compared: " + report.why_no_radiosities + "\n";
   std::vector<std::pair<std::string, std::string>> notes;  // what is said, of which methods
   for (const MethodResult& each : report.results)
     for (const std::string& note : each.notes) {
@@ -123,7 +120,7 @@ std::string compare_csv(std::span<const MethodResult> results) {
   return text;
 }
 
-std::string worst_csv(std::span<const ExplainedPair2> pairs) {
+std::string worst_csv(std::span<const ExplainedPair> pairs) {
   std::string text = "method,from,to,value,exact,error,visibility,distance,angle,reason\n";
   for (const auto& [method, from, to, error, explanation] : pairs)
     text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_field(method), csv_field(from), csv_field(to),
