@@ -11,7 +11,9 @@
 namespace hottel {
 
 // "(2, 3/7)"
-std::string place_text(const Point2& point);
+inline std::string place_text(const Point2& point) {
+  return "(" + short_text(point.x) + ", " + short_text(point.y) + ")";
+}
 
 inline Point2 middle(const Point2& a, const Point2& b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
 inline Point2 middle(const Edge2& edge) { return middle(edge.from, edge.to); }

@@ -51,7 +51,7 @@ class MethodCatalogue2 {
 };
 
 // The methods of this library, the exact one first. A new one is a file in solver/plane/methods and a line in
-// methods_2.cpp.
+// planar_methods.cpp.
 MethodCatalogue2 methods_2();
 
 }  // namespace hottel

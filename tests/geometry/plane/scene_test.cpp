@@ -72,6 +72,38 @@ TEST(Scene2Find, ReturnsTheSurfaceOfThatName) {
   EXPECT_FALSE(two_edges().find("c"));
 }
 
+// (1) of Scene2: as many edges as surfaces, each at the place of its own.
+TEST(Scene2, KeepsSurfacesAndTheirEdgesTogether) {
+  Scene2 scene = two_edges();
+  scene.add({.name = "c", .material = 0, .back = {}, .elements = 1, .group = 1, .line = 7}, {{5, 6}, {7, 8}});
+  const Scene2 all = scene;
+  scene.keep({2, 0});
+  ASSERT_EQ(scene.surfaces.size(), 2u);
+  EXPECT_EQ(scene.surfaces[0].name, "c");
+  EXPECT_EQ(scene.surfaces[1].name, "a");
+  EXPECT_EQ(scene.edges, (std::vector<Edge2>{all.edges[2], all.edges[0]}));
+  scene.edges.pop_back();
+  EXPECT_THROW(validate(scene), ContractViolation);
+}
+
+TEST(PointAt, DividesAnEdgeExactly) {
+  const Edge2 edge{{0, 1}, {1, 0}};
+  EXPECT_EQ(point_at(edge, 0), edge.from);
+  EXPECT_EQ(point_at(edge, 1), edge.to);
+  EXPECT_EQ(point_at(edge, Rational(1, 3)), (Point2{Rational(1, 3), Rational(2, 3)}));
+}
+
+// What has no dimension is told apart without one.
+TEST(SceneTable, IsValidByItself) {
+  SceneTable table = two_edges();
+  EXPECT_NO_THROW(validate_table(table));
+  EXPECT_EQ(channel_count(table), 1);
+  table.materials[0].emission.is_scalar = false;
+  EXPECT_EQ(channel_count(table), 3);
+  table.surfaces[1].name = "a";
+  EXPECT_THROW(validate_table(table), InputError);
+}
+
 TEST(Name, IsUtf8WithoutControlCharacters) {
   for (const char* good : {"a", "sky2", "Küche", "日本", "\xF0\x9F\x98\x80", ":back door", "a:Back", "\xC2\xA0"})
     EXPECT_TRUE(name_problem(good).empty()) << good;
