@@ -79,11 +79,11 @@ namespace {
 // free.
 std::uint32_t solid_at(const PreparedScene2& prepared, const Face& face, const Rational& t) {
   const Arrangement2& arrangement = prepared.arrangement;
-  const auto& [from, to] = prepared.scene.edges[face.surface];
-  const Rational dx = to.x - from.x, dy = to.y - from.y;
+  const Edge2& edge = prepared.scene.edges[face.surface];
+  const Rational dx = edge.to.x - edge.from.x, dy = edge.to.y - edge.from.y;
   const auto place = [&](VertexId v) -> Rational {
     const Point2 p = arrangement.vertices().to_scene(arrangement.vertices().exact(v));
-    return ((p.x - from.x) * dx + (p.y - from.y) * dy) / (dx * dx + dy * dy);
+    return ((p.x - edge.from.x) * dx + (p.y - edge.from.y) * dy) / (dx * dx + dy * dy);
   };
   for (std::size_t piece = 0; piece < arrangement.pieces().size(); ++piece)
     for (const PieceSource2& source : arrangement.sources(piece)) {
