@@ -67,14 +67,17 @@ struct SceneTable {
   bool closed = false;
   std::vector<Expectation> expect;
 
-  // Returns the index of the surface of that name, or nothing.                       COST: linear.
+  // Returns the index of the first surface of exactly that name, or nothing. COST: linear.
   std::optional<std::uint32_t> find(const std::string& name) const;
 };
 
-// Throws InputError naming file, line and surface unless the numbered properties hold.
+// Throws InputError naming file, line and surface unless the names of surfaces are allowed (name_problem) and unique,
+// and the indices of their materials and groups are valid. Where two surfaces share a name, the later one is refused
+// and the line of the first is told. COST: linear.
 void validate_table(const SceneTable& table);
 
-// Number of channels the spectra of a scene need: 1 when all are scalars, else 3.
+// Returns how many channels the spectra of a scene need: 1 when the sky and all materials are scalars, else 3.
+// Materials that no surface has count too.
 int channel_count(const SceneTable& table);
 
 }  // namespace hottel

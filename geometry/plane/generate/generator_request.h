@@ -8,6 +8,8 @@
 
 namespace hottel {
 
+// What to generate: the kind, and what it is made from. Equal requests give equal scenes on every machine
+// (generate_2). The ranges allowed are those of the kind; generate_2 checks them.
 struct GeneratorRequest2 {
   std::string kind;
   std::uint64_t n = 100;  // number of edges; each kind says how close it comes, never above
