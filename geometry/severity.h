@@ -8,6 +8,7 @@ namespace hottel {
 // kNote:    legal, and worth knowing
 enum class Severity : unsigned char { kError, kWarning, kNote };
 
+// The word that reports print.
 constexpr const char* to_string(Severity severity) {
   switch (severity) {
     case Severity::kError:

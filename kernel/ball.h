@@ -8,10 +8,15 @@
 
 namespace hottel {
 
-// A ball that contains a real number.
+// A ball that contains a real number. `precision` is in bits: that of the middle of the result.
 //
 //   (1) every operation returns a ball that contains the result for every number in its operands
 //   (2) bounds() contains the ball and is at most two ulps wide when the precision allows it
+//   (3) sign() and compare() are never wrong: 0 where the ball is too wide to tell, or the number is just that
+//
+// A ball by itself is exactly 0. No operation throws for want of precision: the ball becomes wider.
+// COST: an allocation a ball; then that of Arb at this precision.
+// SEE: Johansson, Arb: efficient arbitrary-precision midpoint-radius interval arithmetic, 2017.
 class Ball {
  public:
   Ball();
@@ -21,7 +26,7 @@ class Ball {
   ~Ball();
 
   static Ball of(const Rational& value, long precision);
-  // Square root of an integer. REQUIRES radicand >= 0.
+  // Square root of an integer. REQUIRES: radicand >= 0.
   static Ball root(const Integer& radicand, long precision);
   static Ball pi(long precision);
 

@@ -29,12 +29,13 @@ class RootSum {
   RootSum() = default;
   explicit RootSum(const Rational& rational) { add(rational, 1); }
 
-  // Adds coefficient * sqrt(radicand). REQUIRES radicand >= 0.
+  // Adds coefficient * sqrt(radicand); a zero adds no term. Throws ContractViolation unless radicand >= 0.
   void add(const Rational& coefficient, const Rational& radicand);
   RootSum& operator+=(const RootSum& other);
   RootSum& operator-=(const RootSum& other);
   RootSum& operator*=(const Rational& factor);
 
+  // Decided by the canonical form, without rounding.
   bool is_zero() const { return terms_.empty(); }
   int sign() const;  // -1, 0, 1
   // Returns a ball that contains the number. COST: a square root and a product a term at that precision.

@@ -15,6 +15,9 @@ namespace hottel {
 //   (2) two sides are in one region iff light can go from one to the other, perhaps by way of other sides and of the
 //       sky: along a path in free space the line through a point changes one of its two ends at a time, so that the
 //       pairs of sides (and sky) that exchange light form one connected graph in each region
+//   (3) each side stands in sides(region) for one region only, its own; sides ascend
+//
+// Degenerate: where all pieces lie on one line there is region 0 alone, with all sides.
 // COST: linear in the triangles.
 class FreeRegions2 {
  public:

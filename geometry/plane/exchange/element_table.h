@@ -11,16 +11,15 @@
 
 namespace hottel {
 
-// The elements of an arrangement in the order of the contract: surfaces in the order of the scene, front before back,
-// parts ascending.
+// The elements of an arrangement in the order of the contract: surfaces in the order of the scene, front before
+// back, parts ascending.
 //
 //   (1) every side of every piece belongs to one element, or is covered; the sky has a number too, sky()
-//   (2) the length of an element is that of the pieces it owns: parts that other surfaces own or that look into a solid
-//   do
-//       not count, and an element that owns nothing has length 0 and no row
-//   (3) Granularity::kGroup: all fronts of a group are one element and all its backs another, elements of one surface
-//   are
-//       never in two
+//   (2) the length of an element is that of the pieces it owns: parts that other surfaces own or that look into a
+//       solid do not count, and an element that owns nothing has length 0 and no row
+//   (3) Granularity::kGroup: all fronts of a group are one element and all its backs another; elements of one surface
+//       are never in two
+//
 // COST: linear in the sides of pieces.
 class ElementTable2 {
  public:

@@ -16,7 +16,12 @@ struct ClosedGroup2 {
   bool has_back = false;  // some surface has a material on its back
 };
 
-// Returns the closed groups of a scene, by group. COST: linear.
+// Returns the closed groups of a scene, in the order of their surfaces; exact.
+//
+//   (1) a group of one surface is never closed, nor is one whose surfaces are interrupted by those of another
+//   (2) there and back is closed: turn is 0 then, as wherever the signed area is 0
+//
+// COST: linear.
 std::vector<ClosedGroup2> closed_groups(const Scene2& scene);
 
 }  // namespace hottel

@@ -9,6 +9,7 @@
 
 namespace hottel {
 
+// Where a point lies: the part of the triangulation of least dimension that holds it, or outside the convex hull.
 struct Location2 {
   enum class Kind { kInTriangle, kOnEdge, kOnVertex, kOutside };
   Kind kind = Kind::kOutside;
@@ -21,8 +22,11 @@ struct Location2 {
 //
 //   (1) exact: on an edge or vertex means exactly on it
 //   (2) what is found does not depend on where the walk began
-// COST: O(1) steps on average from a grid of starting triangles, about one for every two triangles; from the place of a
-// point near by as many as there are triangles between.
+//
+// Degenerate: where all vertices lie on one line there are no triangles; a point is then a vertex or outside.
+// REQUIRES: the vertices and the triangulation outlive it, and the eyes are made with these vertices.
+// COST: O(1) steps on average from a grid of starting triangles, about one for every two triangles; from the place of
+// a point near by as many as there are triangles between.
 class PointLocation2 {
  public:
   PointLocation2(const Vertices2& vertices, const Triangulation2& triangulation);
