@@ -31,6 +31,7 @@ class Arrangement2 {
  public:
   // Throws InputError naming both surfaces, the side and the piece when claims with different materials meet and are
   // refused, and for a "behind" that cannot be obeyed (Solids2).
+  // REQUIRES: a valid scene, and a number of parts >= 1 for each of its surfaces. The scene need not outlive this.
   Arrangement2(const Scene2& scene, const Division2& division, Conflicts2 conflicts = Conflicts2::kRefused);
 
   const Vertices2& vertices() const { return overlay_.vertices; }

@@ -23,6 +23,9 @@ struct Opening2 {
 // The openings of a scene. Of all ways from a side of a piece to infinity through the triangulation the one with the
 // widest narrowest place is taken. Its narrow places lie one behind the other, each with less of the walls behind it;
 // the opening is the outermost one that has no narrower one with at least half of its walls behind it.
+//   (1) every opening is narrower than kOpeningPart of the walls behind it
+//   (2) widths are in doubles and about right: they decide nothing but what is told
+//   (3) its two ends are exact: a vertex, and a vertex or the nearest point of a piece
 // COST: O(n log n) for n triangles.
 class Openings2 {
  public:

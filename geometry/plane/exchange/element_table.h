@@ -37,12 +37,14 @@ class ElementTable2 {
   // True iff the element has a material and an area: only then are factors from it computed.
   bool has_row(std::uint32_t label) const { return has_row_[label] != 0; }
 
-  // The labels i and j alone (0, and 1 where j is another), on the arrangement of some pieces (ascending numbers) of
-  // the one that these are of. All other sides are covered.
+  // The table of elements i and j alone, with the numbers 0 and 1 (0 alone where j is i), on an arrangement of some
+  // pieces. Sides of all other elements are covered.
+  // REQUIRES: `pieces` ascend, and `arrangement_of_pieces` is what Arrangement2::restricted_to makes of them.
   ElementTable2 restricted_to(std::uint32_t i, std::uint32_t j, const std::vector<std::uint32_t>& pieces,
                               const Arrangement2& arrangement_of_pieces) const;
 
-  // The element's straight runs: its owned pieces, joined where they follow each other, front on the right.
+  // The element's straight runs: its owned pieces, joined where they follow each other on one line, front on the
+  // right. There are none where the element has no length.
   std::span<const Segment2> runs(std::uint32_t label) const {
     return {runs_.data() + runs_begin_[label], runs_.data() + runs_begin_[label + 1]};
   }
