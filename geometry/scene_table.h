@@ -53,7 +53,8 @@ struct Expectation {
   int line = 0;
 };
 
-// Names, materials, groups and lines: all that plans, verdicts, reports and net fluxes know of a scene.
+// Names, materials, groups and lines: all that plans, verdicts, reports and net fluxes know of a scene. `closed` is a
+// promise of its author: no front with a material sees the sky.
 //
 //   (1) names are not empty, unique after expansion, none is "sky"; see docs/scene_format.md
 //   (2) every material and group index is valid

@@ -21,6 +21,7 @@ class Ball;
 // COST: add is O(number of classes) integer square roots; sign refines balls until zero is excluded.
 class RootSum {
  public:
+  // A rational multiple of the square root of a positive integer; the rational part of a sum has the radicand 1.
   struct Term {
     Rational coefficient;
     Integer radicand;
@@ -31,6 +32,7 @@ class RootSum {
 
   // Adds coefficient * sqrt(radicand); a zero adds no term. Throws ContractViolation unless radicand >= 0.
   void add(const Rational& coefficient, const Rational& radicand);
+  // Exact, and canonical again; a sum may be added to or taken from itself.
   RootSum& operator+=(const RootSum& other);
   RootSum& operator-=(const RootSum& other);
   RootSum& operator*=(const Rational& factor);

@@ -85,6 +85,7 @@ class Triangulation2 {
   std::size_t triangle_count() const { return corner_.size() / 3; }
   IdRange<TriangleId> triangles() const { return IdRange<TriangleId>(triangle_count()); }
   IdRange<HalfEdgeId> half_edges() const { return IdRange<HalfEdgeId>(corner_.size()); }
+  // The half-edge h runs from origin(h) to target(h), and corner(h) is the third corner of its triangle.
   VertexId corner(HalfEdgeId h) const { return corner_[h.index()]; }  // opposite half-edge h
   VertexId origin(HalfEdgeId h) const { return corner(next_half_edge(h)); }
   VertexId target(HalfEdgeId h) const { return corner(previous_half_edge(h)); }
@@ -94,6 +95,8 @@ class Triangulation2 {
   PieceSideId side(HalfEdgeId h) const { return side_[h.index()]; }  // where it is not open
   bool is_piece(HalfEdgeId h) const { return !is_open(h) && side(h) != kSky; }
   bool is_bare_hull(HalfEdgeId h) const { return !is_open(h) && side(h) == kSky; }
+  // The neighbours of v. Where there are triangles, a vertex on the convex hull has one entry with opposite none: the
+  // outside comes after it.
   std::span<const StarEntry2> star(VertexId v) const {
     return {star_.data() + star_begin_[v.index()], star_.data() + star_begin_[v.index() + 1]};
   }

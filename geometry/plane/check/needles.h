@@ -7,8 +7,8 @@
 
 namespace hottel {
 
-// An angle is a needle when its tangent is below 1 / kNeedlePart: a twentieth of a degree. It decides what is worth
-// telling and nothing else.
+// An angle is a needle when its tangent is below 1 / kNeedlePart: a twentieth of a degree. It decides only what
+// is worth telling.
 inline constexpr int kNeedlePart = 1024;
 
 // Free space between two pieces that meet at a vertex in a small angle.

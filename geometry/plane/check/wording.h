@@ -10,7 +10,8 @@
 
 namespace hottel {
 
-// Returns a point as findings print it, each coordinate by short_text (kernel/decimal.h): "(2, 3/7)".
+// Returns a point as findings print it, each coordinate by short_text (kernel/decimal.h): "(2, 3/7)". What is printed
+// of a long coordinate is near it, not exact.
 inline std::string place_text(const Point2& point) {
   return "(" + short_text(point.x) + ", " + short_text(point.y) + ")";
 }
