@@ -32,8 +32,10 @@ struct FactorEntry {
 // and 1 where entries differ in what is guaranteed of them.
 class ExchangeMatrix {
  public:
+  // A matrix without elements: the sky alone.
   ExchangeMatrix() = default;
-  // `guarantee`: of every entry, unless assign() is told of each.
+  // A matrix of these elements without entries: every factor is 0 until assign(). `guarantee`: of every entry, unless
+  // assign() is told of each.
   ExchangeMatrix(std::vector<Element> elements, Guarantee guarantee)
       : elements_(std::move(elements)), begin_(elements_.size() + 1, 0), guarantee_(guarantee) {}
 

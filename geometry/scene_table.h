@@ -30,7 +30,8 @@ enum class Behind : unsigned char {
   kOpen,       // the group makes nothing solid
 };
 
-// A surface of its own, or those of one polyline or mesh.
+// A surface of its own, or those of one polyline or mesh. It has a name and says what is behind its backs; its
+// surfaces name it by their `group`.
 struct Group {
   std::string name;
   Behind behind = Behind::kByOutline;

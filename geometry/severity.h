@@ -6,6 +6,7 @@ namespace hottel {
 // kError:   light cannot be computed, or a promise of the scene is broken
 // kWarning: probably not meant
 // kNote:    legal, and worth knowing
+// The worst comes first, and findings are sorted by it.
 enum class Severity : unsigned char { kError, kWarning, kNote };
 
 // The word that reports print.

@@ -33,6 +33,8 @@ class Ball {
   // Angle of the vector (x, y) in (-pi, pi].
   static Ball atan2(const Ball& y, const Ball& x, long precision);
 
+  // Sum, difference, product and quotient, rounded to the precision. Where the divisor holds 0, nothing is known of
+  // the quotient, and its sign() is 0.
   Ball plus(const Ball& other, long precision) const;
   Ball minus(const Ball& other, long precision) const;
   Ball times(const Ball& other, long precision) const;

@@ -6,7 +6,8 @@
 
 namespace hottel {
 
-// Thrown where work stops because it was asked to. The program then exits with 130; no output has been replaced.
+// Thrown where work stops because it was asked to. The program then exits with 130; no output has been replaced. It is
+// no std::runtime_error: who catches failures of input or request does not catch it.
 class Interrupted : public std::exception {
  public:
   const char* what() const noexcept override { return "interrupted"; }

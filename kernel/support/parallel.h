@@ -61,7 +61,8 @@ void parallel_ranges(std::size_t n, std::size_t grain, const F& f) {
   });
 }
 
-// The same with f(k) for every k in [0, n).
+// The same with f(k) for every k in [0, n), each once. What f does for different k may happen at the same time and
+// in any order.
 template <class F>
 void parallel_for(std::size_t n, const F& f, std::size_t grain = 1) {
   parallel_ranges(n, grain, [&f](std::size_t begin, std::size_t end) {

@@ -26,6 +26,7 @@ class FreeRegions2 {
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(begin_.size() - 1); }
   std::size_t side_count() const { return of_side_.size(); }
+  // The region that a side looks into. REQUIRES: a side, not the sky.
   std::uint32_t of(PieceSideId side) const { return of_side_[side.index()]; }
   std::span<const PieceSideId> sides(std::uint32_t region) const {
     return {sides_.data() + begin_[region], sides_.data() + begin_[region + 1]};

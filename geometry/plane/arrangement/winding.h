@@ -25,7 +25,8 @@ struct NetRun2 {
 class NetRuns2 {
  public:
   NetRuns2() : begin_{0} {}
-  // The runs of the next piece, each group at most once.
+  // The runs of the next piece, each group at most once. REQUIRES: no net run is 0, or walk_regions() tells of changes
+  // that are none.
   void add_piece(const std::vector<NetRun2>& runs) {
     runs_.insert(runs_.end(), runs.begin(), runs.end());
     begin_.push_back(static_cast<std::uint32_t>(runs_.size()));

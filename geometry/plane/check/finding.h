@@ -12,6 +12,9 @@
 namespace hottel {
 
 // What was found, where, what it means for light, and what to do. docs/check.md lists the kinds.
+//
+//   (1) `surfaces` are indices into the surfaces of the scene; a finding about the whole scene names none
+//   (2) kind is for programs, message and suggestion are for people
 struct Finding2 {
   Severity severity = Severity::kNote;
   std::string kind;                       // a stable word

@@ -32,7 +32,7 @@ class ElementTable2 {
   std::uint32_t covered() const { return count() + 1; }
   const std::vector<Element>& elements() const { return elements_; }
 
-  // Returns the element of a side, covered(), or sky() for kSky.
+  // Returns the element of a side, covered(), or sky() for kSky. REQUIRES: not kNoPiece.
   std::uint32_t of(PieceSideId side) const { return of_side_[place_after_sky(side)]; }
   // True iff the element has a material and an area: only then are factors from it computed.
   bool has_row(std::uint32_t label) const { return has_row_[label] != 0; }
@@ -53,6 +53,7 @@ class ElementTable2 {
 
   // Sum of the lengths of the owned pieces, in units of Vertices2::fixed_unit().
   const FixedSum& length(std::uint32_t label) const { return length_[label]; }
+  // The same as a sum of square roots; 0 where the element owns nothing. REQUIRES: the vertices of the arrangement.
   RootSum exact_length(std::uint32_t label, const Vertices2& vertices) const;  // in integer form
 
  private:

@@ -62,13 +62,14 @@ enum Paint : std::uint32_t { kWhite, kRed, kBlue, kGrey, kLamp, kGlow };
 // equal stay equal, and whatever kept a distance of 3 units does not meet.
 class GeneratorCanvas2 {
  public:
-  // Throws UsageError when the digits asked for cannot hold the extent.
+  // Throws UsageError when the digits asked for cannot hold the extent and one digit more.
   GeneratorCanvas2(const GeneratorRequest2& request, int decimals, std::int64_t extent);
 
   // A canvas whose points the generator places itself, as multiples of 10^-decimals.
   static GeneratorCanvas2 of_placed_points(const GeneratorRequest2& request, int decimals);
 
-  // Where a point in units comes to lie: fixed point of the finished scene.
+  // Where a point in units comes to lie: fixed point of the finished scene. It depends on the point and the request
+  // alone; without digits asked for it is the point itself.
   Dot2 place(const Dot2& unit) const;
 
   // Both take placed points; edges come before polylines in the scene. An edge is a group of its own, and black behind

@@ -77,15 +77,15 @@ class Vertices2 {
   FixedLength2 distance(VertexId i, VertexId j) const;
   double length_error() const { return length_error_; }
 
-  // Chooses the fixed-point unit so that any sum of lengths up to this many times the largest coordinate fits.
+  // Chooses the fixed-point unit so that any sum of lengths up to this many times the largest coordinate fits. Lengths
+  // measured before it are in another unit.
   void set_total_length(double diameters);
 
   // Exact values in integer form.
   Point2 exact(VertexId i) const;
   Rational squared_distance(VertexId i, VertexId j) const;
 
-  // Approximate coordinates in integer form divided by 2^k for some k, each within approximation_error() of the exact
-  // one.
+  // Coordinates in integer form divided by 2^k for some k, each within approximation_error() of the exact one.
   struct Approximate {
     double x, y;
   };
@@ -154,7 +154,7 @@ class EyeCoordinate2 {
 // A point to look from that need not be a vertex: the same predicates with the eye as first point.
 class Eye2 {
  public:
-  // The point is given in integer form.
+  // The point is given in integer form. REQUIRES: the vertices outlive the eye.
   Eye2(const Vertices2& vertices, const Point2& point);
   // REQUIRES that both coordinates outlive the eye. COST: a few ns.
   Eye2(const Vertices2& vertices, const EyeCoordinate2& x, const EyeCoordinate2& y)

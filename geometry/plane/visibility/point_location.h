@@ -31,14 +31,16 @@ class PointLocation2 {
  public:
   PointLocation2(const Vertices2& vertices, const Triangulation2& triangulation);
 
+  // Returns where the point lies; the walk begins at the triangle kept for its cell of the grid.
   Location2 locate(const Eye2& eye) const;
-  // near: where the walk begins, a triangle near by; changed to where it ends. None: nowhere yet.
+  // The same, from a triangle near by: `near` is where the walk begins and is changed to where it ends.
+  // None: nowhere yet.
   Location2 locate(const Eye2& eye, TriangleId& near) const;
 
   const Triangulation2& triangulation() const { return triangulation_; }
 
   // Fills the view from the eye; from a point on an edge or vertex both sides are seen, the edges at it edge-on.
-  // Returns where the eye is.
+  // Returns where the eye is. With `near` it is found as by locate().
   Location2 look_around(const Eye2& eye, View2& view) const;
   Location2 look_around(const Eye2& eye, View2& view, TriangleId& near) const;
 
