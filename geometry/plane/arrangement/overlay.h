@@ -24,7 +24,8 @@ struct Overlay2 {
     return {source_list.data() + source_begin[piece], source_list.data() + source_begin[piece + 1]};
   }
 
-  // Makes room for the sum of all lengths in fixed-point sums.
+  // Makes room for the sum of the lengths of all pieces in fixed point (Vertices2::set_total_length). To be called
+  // before any length is measured.
   void set_total_length();
 
   std::vector<std::uint32_t> source_begin;  // one more than pieces

@@ -32,20 +32,20 @@ struct BarePieces2 {
 //   (2) a group with "behind": "solid" makes solid also the bounded regions that a back of it without material looks
 //       into and none of its fronts. With "behind": "open" it makes none solid
 //   (3) a region is solid iff some group makes it so
-// COST: linear in the sides of pieces, plus for each room the solids around it; nothing where no group can enclose
-// anything.
+// COST: linear in the sides of pieces, plus the solids around each room; nothing where no group can enclose anything.
 class Solids2 {
  public:
   static constexpr std::uint32_t kNone = 0xffffffff;
 
   Solids2() = default;  // nothing is solid
 
-  // Throws InputError for a "behind": "solid" that bounds nothing, naming the gap, and for two groups of which one says
-  // that a region is solid and the other that it is open.
+  // Throws InputError for a "behind": "solid" that bounds nothing, naming the gap, and for two groups of which one
+  // says that a region is solid and the other that it is open. Nothing of `pieces` is kept.
   explicit Solids2(const BarePieces2& pieces);
 
   bool is_empty() const { return maker_.empty(); }
-  // The first listed group that makes the region that a side looks into solid; kNone where it is free.
+  // The first listed group that makes the region that a side looks into solid; kNone where it is free. REQUIRES: a
+  // side, not the sky.
   std::uint32_t maker(PieceSideId side) const { return maker_.empty() ? kNone : maker_[side.index()]; }
   bool is_covered(PieceSideId side) const { return maker(side) != kNone; }
   // True iff the side looks into a solid that this group makes, and a back of the group is on that side.

@@ -16,6 +16,7 @@ namespace hottel {
 struct DistanceBounds2 {
   double lower = 0, upper = 0;
 };
+// In doubles: no exact coordinate is looked at.
 DistanceBounds2 distance_bounds(const Vertices2& vertices, const Segment2& segment, VertexId v);
 
 // Returns for each vertex the segments near it, ascending. Reaches are in the units of Vertices2::approximate.

@@ -44,8 +44,8 @@ std::string former_name(const Repair2& repair, const Element& element);
 Repair2 close_gaps(const Scene2& scene, const Rational& distance);
 
 // Reverses surfaces that are certainly the wrong way round (RegionFindings2::certainly_reversed) and adds a step for
-// each. Nothing is done where claims conflict or a "behind" cannot be obeyed, nor to groups that say what is behind
-// them.
+// each. Nothing is done where claims conflict or a "behind" cannot be obeyed. Groups that say what is behind them stay
+// as they are.
 void reverse_inside_out(Repair2& repair);
 
 // Says "behind": "solid" of groups whose black backs are told of (BlackBacks2::surfaces of the repaired scene) and adds

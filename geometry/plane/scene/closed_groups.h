@@ -8,8 +8,8 @@
 
 namespace hottel {
 
-// A group whose surfaces stand together in the list, each begins where the one before ends, and the last ends where the
-// first begins.
+// A group whose surfaces stand together in the list, where each begins at the end of the one before and the last ends
+// where the first begins.
 struct ClosedGroup2 {
   std::uint32_t group = 0;
   int turn = 0;           // sign of the area it winds around: +1 counter-clockwise (fronts outward), -1 clockwise

@@ -16,7 +16,7 @@ struct Edge2 {
   friend bool operator==(const Edge2&, const Edge2&) = default;
 };
 
-// A grid of nx times ny equal cells over the region from min to max.
+// A grid of nx times ny equal cells over the region from min to max, in scene coordinates: where light is asked for.
 struct Grid2 {
   Point2 min, max;
   std::uint32_t nx = 0, ny = 0;
