@@ -43,14 +43,14 @@ class InputError : public std::runtime_error {
 };
 
 // The input is fine, but what was asked of it cannot be had: too little memory, or a solution that does not exist.
-// what() is told to the user as it is.
+// what() is one line for the user.
 class RequestError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// The program or a generator was called with options it does not have, or out of their range. what() is told to the
-// user as it is.
+// The program or a function behind one of its options was asked for something that it does not have, or that is out of
+// range: an option, an ending, a method, a name. what() is one line for the user.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
