@@ -27,7 +27,7 @@ struct FileLine {
 //   (2) where() and hints() are as they were given
 class InputError : public std::runtime_error {
  public:
-  // what() is "FILE:LINE: text" or "FILE: text": one line. A hint says what to do about it.
+  // what() is "FILE:LINE: text" or "FILE: text": one line. Hints say more about what is wrong, or what to do.
   // REQUIRES: at most three hints, one line each (not checked).
   InputError(FileLine where, const std::string& text, std::vector<std::string> hints = {})
       : std::runtime_error(where.file + (where.line > 0 ? ':' + std::to_string(where.line) : "") + ": " + text),
@@ -56,8 +56,8 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A mistake in the calling code: a REQUIRES did not hold. what() is "FILE:LINE: required: EXPRESSION", with the place
-// of the check in the source.
+// A mistake in the calling code: a REQUIRES did not hold. From HOTTEL_REQUIRE, what() is "FILE:LINE: required:
+// EXPRESSION", with the place of the check in the source.
 class ContractViolation : public std::logic_error {
  public:
   using std::logic_error::logic_error;

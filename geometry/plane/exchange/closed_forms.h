@@ -15,7 +15,7 @@ namespace hottel {
 // One pair in closed form, in scene units: S(i, j), S0(i, j), A_i, A_j as sums of square roots.
 //
 //   (1) 0 <= exchange <= unobstructed
-//   (2) exchange.is_zero() iff the pair has no entry in the exact exchange matrix: nothing is rounded
+//   (2) exchange.is_zero() iff neither F(i, j) nor F(j, i) is an entry of the exact exchange matrix
 struct ExactPair2 {
   RootSum exchange, unobstructed, area_from, area_to;
 };
