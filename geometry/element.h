@@ -10,11 +10,16 @@
 
 namespace hottel {
 
-// What one row and column of the exchange matrix stands for. Elements: parts of faces with a material (a black back is
-// never divided). Groups: all fronts (backs) of one polyline.
+// What one row and column of the exchange matrix stands for.
+// kFace:    a face, whole
+// kElement: one of the equal parts of a face with a material; a black back is never divided
+// kGroup:   all fronts, or all backs, of one polyline
 enum class Granularity : unsigned char { kFace, kElement, kGroup };
 
 // One row or column of an exchange matrix: a face, a part of one, or a group of faces.
+//
+//   (1) part < parts, and parts == 1 for what is not divided
+//   (2) an element without a material, or with area 0, has no row
 struct Element {
   std::string name;                   // "wall", "wall:back", "wall#2"
   std::uint32_t surface = 0;          // index into the scene's surfaces (the first one of a group)

@@ -32,8 +32,10 @@ struct FactorEntry {
 // and 1 where entries differ in what is guaranteed of them.
 class ExchangeMatrix {
  public:
+  // A matrix without elements: the sky alone.
   ExchangeMatrix() = default;
-  // `guarantee`: of every entry, unless assign() is told of each.
+  // A matrix of these elements without entries: every factor is 0 until assign(). `guarantee`: of every entry, unless
+  // assign() is told of each.
   ExchangeMatrix(std::vector<Element> elements, Guarantee guarantee)
       : elements_(std::move(elements)), begin_(elements_.size() + 1, 0), guarantee_(guarantee) {}
 
@@ -48,10 +50,12 @@ class ExchangeMatrix {
     return guarantees_.empty() ? guarantee_ : guarantees_[begin_[i] + k];
   }
 
+  // True iff the element has a material and an area.
   bool has_row(std::uint32_t i) const {
     const Rounded& area = elements_[i].area;
     return elements_[i].material.has_value() && (area.value > 0 || area.side > 0);  // the double may underflow
   }
+  // The entries of row i, ascending by `to`; empty where the element has no row, or exchanges nothing.
   std::span<const FactorEntry> row(std::uint32_t i) const {
     return {entries_.data() + begin_[i], entries_.data() + begin_[i + 1]};
   }
@@ -67,9 +71,9 @@ class ExchangeMatrix {
   // enclosed or estimated, nothing but [0, 1] where it is estimated and none were given.
   Enclosure bounds(std::uint32_t i, std::size_t k) const;
 
-  // Returns F(from, to); 0 where there is no entry.
+  // Returns F(from, to); 0 where there is no entry. COST: O(log n) for n entries of the row.
   Rounded factor(std::uint32_t from, std::uint32_t to) const;
-  // Returns the index of the element of that name; sky() for "sky"; nothing when there is none.
+  // Returns the index of the first element of that name; sky() for "sky"; nothing when there is none. COST: linear.
   std::optional<std::uint32_t> find(const std::string& name) const;
 
   // For those who fill the matrix: entries by rows, row i in [begin[i], begin[i + 1]); for each entry its measure, its
@@ -78,6 +82,7 @@ class ExchangeMatrix {
   // naming the row, where rows or columns are none of this matrix or do not ascend; where an exact factor is not
   // positive; where bounds of an enclosed one are not 0 <= lower <= double <= upper, or those of an estimated one not 0
   // <= lower <= upper; where a list has not as many members as there are entries.
+  // After such a throw the matrix is not to be used.
   void assign(std::vector<std::size_t> begin, std::vector<FactorEntry> entries, std::vector<double> measures = {},
               std::vector<Enclosure> bounds = {}, std::vector<Guarantee> guarantees = {});
 

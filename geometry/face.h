@@ -15,6 +15,7 @@ struct Face {
   std::uint32_t surface = 0;
   bool is_back = false;
 
+  // A place in a table of all faces.
   constexpr std::uint32_t number() const { return 2 * surface + (is_back ? 1 : 0); }
   static constexpr Face of(std::uint32_t number) { return {number / 2, number % 2 == 1}; }
 

@@ -9,6 +9,9 @@
 namespace hottel {
 
 // A quantity per channel, exact. A scalar holds for every channel.
+//
+//   (1) equal where the three values are: is_scalar says how it was given, and is not compared
+//   (2) the default is the scalar 0
 struct Spectrum {
   std::array<Rational, 3> value{0, 0, 0};
   bool is_scalar = true;
@@ -18,8 +21,10 @@ struct Spectrum {
   friend bool operator==(const Spectrum& a, const Spectrum& b) { return a.value == b.value; }
 };
 
-// A diffuse material. 0 <= reflectivity <= 1 in every channel, emission >= 0 [W/m in 2D, W/m² in 3D].
-// Emissivity e and temperature T are read as reflectivity 1 - e and emission e sigma T⁴, exactly.
+// A diffuse material: 0 <= reflectivity <= 1 in every channel, emission >= 0 [W/m in 2D, W/m² in 3D]. The readers
+// check these ranges. Emissivity e and temperature T are read as reflectivity 1 - e and emission e sigma T⁴, exactly.
+//
+//   (1) the default is black and emits nothing
 struct Material {
   std::string name;
   Spectrum reflectivity;

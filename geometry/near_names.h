@@ -14,19 +14,24 @@ inline constexpr std::size_t kMostNearNames = 3;
 
 // Returns up to kMostNearNames of the known names that are near `name`, the nearest first, each once.
 //
-//   (1) near is what some letters less than a third of the name, but at least one and never all of it, turn into the
-//       name when each may be inserted, dropped, replaced or swapped with its neighbour; case does not count
-//   (2) and what goes on where the name ends ("room[0]" for "room"), after those of (1), the shortest first
+//   (1) a name is near when few letters have to be inserted, dropped, replaced or swapped with their neighbour to turn
+//       `name` into it: at most a third of its letters, but at least one and never all; case does not count
+//   (2) after those of (1) come names that go on where `name` ends ("room[0]" for "room"), the shortest first
 //   (3) equally near ones come in the order given
+//   (4) nothing is near an empty name; names of more than 200 bytes are not compared
 //
-// COST: the product of the lengths for each known name of a similar length. Names of more than 200 bytes are not
-// compared.
+// COST: the product of the lengths for each known name of a similar length.
+// SEE: the edit distance of Damerau, where no letter is changed twice.
 std::vector<std::string> near_names(std::string_view name, std::span<const std::string> known);
 
-// Returns the hint of a message about a name that there is not, "did you mean 'wall', 'wall:back'?", or no hint.
+// Returns the hint of a message about an unknown name, "did you mean 'wall', 'wall:back'?"; no hint where
+// none is near.
 std::vector<std::string> near_name_hints(std::string_view name, std::span<const std::string> known);
 
-// A name was asked for that there is not: a UsageError with hints below its line.
+// A name was asked for that does not exist: a UsageError with hints below its line.
+//
+//   (1) what() is the text as it was given
+//   (2) hints() are near_name_hints of the known names: one or none
 class UnknownName : public UsageError {
  public:
   // Of the known names those near to `name` are offered.

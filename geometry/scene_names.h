@@ -10,17 +10,19 @@
 
 namespace hottel {
 
-// Returns the surfaces whose name, or whose polyline's name, matches: equal, or equal up to a final '*'. Ascending.
-// Throws UnknownName when there is none.
+// Returns the surfaces whose name, or whose polyline's name, matches: equal, or equal up to a final '*'. Ascending;
+// "*" alone matches all. Throws UnknownName when there is none.
 std::vector<std::uint32_t> surfaces_matching(const SceneTable& scene, const std::string& pattern);
 
-// One face of the scene by name, "wall" or "wall:back". Throws UnknownName when there is none.
+// Returns the face of that name, "wall" or "wall:back". Throws UnknownName when there is none; the sky is no
+// face. COST: linear.
 Face face_of(const SceneTable& scene, const std::string& name);
 
-// "'a'", "'a' and 'b'", "'a', 'b', 'c' and 4 more"
+// Returns the names for a message, each quoted: "'a'", "'a' and 'b'", or "'a', 'b', 'c' and 4 more" where there are
+// more than four.
 std::string names_text(const SceneTable& scene, const std::vector<std::uint32_t>& surfaces);
 
-// "the solid 'box'"
+// Returns how messages call the solid that a group makes: "the solid 'box'".
 std::string solid_text(const SceneTable& scene, std::uint32_t group);
 
 }  // namespace hottel

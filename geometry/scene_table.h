@@ -30,7 +30,8 @@ enum class Behind : unsigned char {
   kOpen,       // the group makes nothing solid
 };
 
-// A surface of its own, or those of one polyline or mesh.
+// A surface of its own, or those of one polyline or mesh. It has a name and says what is behind its backs; its
+// surfaces name it by their `group`.
 struct Group {
   std::string name;
   Behind behind = Behind::kByOutline;
@@ -53,7 +54,8 @@ struct Expectation {
   int line = 0;
 };
 
-// Names, materials, groups and lines: all that plans, verdicts, reports and net fluxes know of a scene.
+// Names, materials, groups and lines: all that plans, verdicts, reports and net fluxes know of a scene. `closed` is a
+// promise of its author: no front with a material sees the sky.
 //
 //   (1) names are not empty, unique after expansion, none is "sky"; see docs/scene_format.md
 //   (2) every material and group index is valid
@@ -67,14 +69,17 @@ struct SceneTable {
   bool closed = false;
   std::vector<Expectation> expect;
 
-  // Returns the index of the surface of that name, or nothing.                       COST: linear.
+  // Returns the index of the first surface of exactly that name, or nothing. COST: linear.
   std::optional<std::uint32_t> find(const std::string& name) const;
 };
 
-// Throws InputError naming file, line and surface unless the numbered properties hold.
+// Throws InputError naming file, line and surface unless the names of surfaces are allowed (name_problem) and unique,
+// and the indices of their materials and groups are valid. Where two surfaces share a name, the later one is refused
+// and the line of the first is told. COST: linear.
 void validate_table(const SceneTable& table);
 
-// Number of channels the spectra of a scene need: 1 when all are scalars, else 3.
+// Returns how many channels the spectra of a scene need: 1 when the sky and all materials are scalars, else 3.
+// Materials that no surface has count too.
 int channel_count(const SceneTable& table);
 
 }  // namespace hottel

@@ -5,8 +5,11 @@
 
 namespace hottel {
 
-// Vis of the correctly rounded S / S0: below 1 whenever something hides a part, above 0 whenever something is seen. A
-// quotient that would round to 1 from below or to 0 from above keeps its distance.
+// Returns Vis from the correctly rounded S / S0.
+//
+//   (1) the double nearest to the quotient, with two exceptions
+//   (2) where the quotient is below 1 and would round to 1: the largest double below 1, since something hides a part
+//   (3) where the quotient is above 0 and would round to 0: the least positive double, since something is seen
 double visibility_of(const Rounded& quotient);
 
 }  // namespace hottel

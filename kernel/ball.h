@@ -8,10 +8,15 @@
 
 namespace hottel {
 
-// A ball that contains a real number.
+// A ball that contains a real number. `precision` is in bits: that of the middle of the result.
 //
 //   (1) every operation returns a ball that contains the result for every number in its operands
 //   (2) bounds() contains the ball and is at most two ulps wide when the precision allows it
+//   (3) sign() and compare() are never wrong: 0 where the ball is too wide to tell, or the number is just that
+//
+// A ball by itself is exactly 0. No operation throws for want of precision: the ball becomes wider.
+// COST: an allocation a ball; then that of Arb at this precision.
+// SEE: Johansson, Arb: efficient arbitrary-precision midpoint-radius interval arithmetic, 2017.
 class Ball {
  public:
   Ball();
@@ -21,13 +26,15 @@ class Ball {
   ~Ball();
 
   static Ball of(const Rational& value, long precision);
-  // Square root of an integer. REQUIRES radicand >= 0.
+  // Square root of an integer. REQUIRES: radicand >= 0.
   static Ball root(const Integer& radicand, long precision);
   static Ball pi(long precision);
 
   // Angle of the vector (x, y) in (-pi, pi].
   static Ball atan2(const Ball& y, const Ball& x, long precision);
 
+  // Sum, difference, product and quotient, rounded to the precision. Where the divisor holds 0, nothing is known of
+  // the quotient, and its sign() is 0.
   Ball plus(const Ball& other, long precision) const;
   Ball minus(const Ball& other, long precision) const;
   Ball times(const Ball& other, long precision) const;

@@ -16,8 +16,11 @@ namespace hottel {
 std::string decimal_text(const RootSum& value);
 std::string decimal_text(const Rational& value);
 
-// Returns the number as shortly as it can be said: the decimal when that is exact, p/q when that is short, otherwise
-// a decimal as above.
+// Returns the number as shortly as it can be said.
+//
+//   (1) the decimal of decimal_text when that is exact
+//   (2) else p/q when that has at most 11 characters
+//   (3) else the decimal all the same: the one case that is not exact
 std::string short_text(const Rational& value);
 
 // Returns sqrt(squared), correctly rounded, as its shortest decimal. REQUIRES squared >= 0.

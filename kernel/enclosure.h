@@ -12,6 +12,7 @@ namespace hottel {
 // Each is weaker than the one before it.
 enum class Guarantee : unsigned char { kExact, kEnclosed, kEstimated };
 
+// The word that files and reports print.
 constexpr const char* to_string(Guarantee guarantee) {
   switch (guarantee) {
     case Guarantee::kExact:
@@ -25,6 +26,9 @@ constexpr const char* to_string(Guarantee guarantee) {
 }
 
 // A closed interval that contains the real number. Its ends may be infinite: then nothing is known on that side.
+//
+//   (1) contains() is true at both ends, and false for NaN
+//   (2) width() is the difference of the ends, rounded to nearest
 struct Enclosure {
   double lower;
   double upper;
@@ -38,6 +42,7 @@ struct Enclosure {
 //
 //   (1) value is the double nearest to the real number, ties to even
 //   (2) side < 0: the real number is below value, > 0: above, 0: equal
+//   (3) enclosure() contains the real number: from value to the next double on that side, or value alone where equal
 struct Rounded {
   double value = 0;
   signed char side = 0;

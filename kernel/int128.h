@@ -11,18 +11,20 @@ namespace hottel {
 __extension__ using Int128 = __int128;
 __extension__ using UInt128 = unsigned __int128;
 
-// A number as an unevaluated sum hi + lo, |lo| <= ulp(hi)/2.
+// A number as an unevaluated sum hi + lo with |lo| <= ulp(hi)/2: about 106 significant bits.
 struct DoubleDouble {
   double hi = 0, lo = 0;
 };
 
-// A double near value, off by at most 2^-51 |value| + 2^11. (The compiler's own conversion is a slow call.)
+// Returns a double near value, off by at most 2^-51 |value| + 2^11. Exact from 0 up to 2^53; but a small negative
+// number may come out as 0, as -1 does. (The compiler's own conversion is a slow call.)
 inline double double_near(Int128 value) {
   return static_cast<double>(static_cast<std::int64_t>(value >> 64)) * 0x1p64 +
          static_cast<double>(static_cast<std::uint64_t>(value));
 }
 
-// Exact for |value| < 2^106; otherwise up to 2^-103 |value|. REQUIRES |value| < 2^126.
+// Returns value as a double-double: exact for |value| < 2^106, otherwise off by up to 2^-103 |value|.
+// REQUIRES: |value| < 2^126.
 inline DoubleDouble to_double_double(Int128 value) {
   const auto high = static_cast<std::uint64_t>((value < 0 ? -value : value) >> 64);
   // The top 53 bits (or fewer), exactly; the rest is below 2^74.
@@ -37,7 +39,7 @@ inline DoubleDouble to_double_double(Int128 value) {
   return {sum, lo - (sum - hi)};
 }
 
-// The same number, exactly.
+// Returns the same number, exactly, for every value of the type.
 inline mpz_class to_integer(Int128 value) {
   const bool negative = value < 0;
   const UInt128 magnitude = negative ? -static_cast<UInt128>(value) : static_cast<UInt128>(value);
@@ -47,15 +49,17 @@ inline mpz_class to_integer(Int128 value) {
   return negative ? mpz_class(-result) : result;
 }
 
-// s + e = a + b exactly, s the rounded sum.
+// Splits a sum: s + e = a + b exactly, s the rounded sum, whichever of a and b is larger (Knuth).
+// REQUIRES: rounding to nearest, and no overflow.
 inline void two_sum(double a, double b, double& s, double& e) {
   s = a + b;
   const double t = s - a;
   e = (a - (s - t)) + (b - t);
 }
 
-// p + e = a * b exactly, p the rounded product. Dekker's product: the same result on machines with and without
-// a fused multiply-add. REQUIRES |a|, |b| < 2^990.
+// Splits a product: p + e = a * b exactly, p the rounded product (Dekker). It gives the same on machines with and
+// without a fused multiply-add. Where the error is too small for a double, p + e is only near a * b.
+// REQUIRES: rounding to nearest, |a|, |b| < 2^990, and no overflow.
 inline void two_product(double a, double b, double& p, double& e) {
   constexpr double kSplitter = 134217729.0;  // 2^27 + 1
   p = a * b;

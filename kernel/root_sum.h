@@ -21,6 +21,7 @@ class Ball;
 // COST: add is O(number of classes) integer square roots; sign refines balls until zero is excluded.
 class RootSum {
  public:
+  // A rational multiple of the square root of a positive integer; the rational part of a sum has the radicand 1.
   struct Term {
     Rational coefficient;
     Integer radicand;
@@ -29,12 +30,14 @@ class RootSum {
   RootSum() = default;
   explicit RootSum(const Rational& rational) { add(rational, 1); }
 
-  // Adds coefficient * sqrt(radicand). REQUIRES radicand >= 0.
+  // Adds coefficient * sqrt(radicand); a zero adds no term. Throws ContractViolation unless radicand >= 0.
   void add(const Rational& coefficient, const Rational& radicand);
+  // Exact, and canonical again; a sum may be added to or taken from itself.
   RootSum& operator+=(const RootSum& other);
   RootSum& operator-=(const RootSum& other);
   RootSum& operator*=(const Rational& factor);
 
+  // Decided by the canonical form, without rounding.
   bool is_zero() const { return terms_.empty(); }
   int sign() const;  // -1, 0, 1
   // Returns a ball that contains the number. COST: a square root and a product a term at that precision.

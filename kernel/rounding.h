@@ -18,6 +18,7 @@ namespace hottel {
 //   kRootSum:      the canonical sum of square roots: ties, numbers that are doubles, and multiples of one root
 enum class Tier : unsigned char { kDouble, kDoubleDouble, kBall, kRootSum };
 
+// How many numbers each tier settled, for reports and for tests that ask which one decided.
 struct TierCounts {
   std::uint64_t by_tier[4] = {0, 0, 0, 0};
   void count(Tier tier) { ++by_tier[static_cast<int>(tier)]; }
@@ -34,13 +35,19 @@ struct FixedSum {
   double error = 0;
 };
 
-// Returns numerator / denominator correctly rounded, with the tier that settled it, or nothing when the error bounds
-// do not allow it (a tie, a quotient that is a double, heavy cancellation).
-// REQUIRES |value| < 2^126 and denominator.value > denominator.error.
+// A number and the tier that settled it.
 struct RoundedByTier {
   Rounded number;
   Tier tier;
 };
+// Returns numerator / denominator correctly rounded, or nothing when the error bounds do not allow it: a tie, a
+// quotient that is a double, heavy cancellation.
+//
+//   (1) what is returned is correctly rounded whatever the numbers within both error bounds are
+//   (2) without errors, or of a zero without error, the tier is kDouble and there always is a result
+//
+// REQUIRES: |value| < 2^126 of both, and denominator.value > denominator.error.
+// COST: a few dozen operations on doubles, unless both errors are 0: then a rational is made and rounded.
 std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedSum& denominator);
 
 // An exact unit, prepared for turning fixed-point sums into doubles.
@@ -57,7 +64,14 @@ class FixedScale {
 // Returns sum * unit correctly rounded, or nothing when the error bounds (or the range of double) do not allow it.
 std::optional<RoundedByTier> round_scaled(const FixedSum& sum, const FixedScale& scale);
 
-// Returns numerator / denominator correctly rounded, always. REQUIRES denominator > 0.
+// Returns numerator / denominator correctly rounded, always.
+//
+//   (1) ties and quotients that are doubles are recognised as such, by the canonical sum
+//   (2) where the nearest double is infinite, so is the value, and side points back to the real number
+//
+// Throws ContractViolation when the denominator is zero.
+// REQUIRES: denominator > 0.
+// COST: balls of 128 bits, then of twice as many each time until they settle it.
 RoundedByTier round_quotient(const RootSum& numerator, const RootSum& denominator);
 
 }  // namespace hottel

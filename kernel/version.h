@@ -1,4 +1,4 @@
-// The version of the library and of the program: the only place where it stands (CMake reads it from here).
+// The version of the library and of the program, MAJOR.MINOR.PATCH. It stands nowhere else: CMake reads it from here.
 #pragma once
 
 namespace hottel {

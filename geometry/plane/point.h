@@ -5,7 +5,10 @@
 
 namespace hottel {
 
-// A point with exact coordinates: of the scene as it was typed, or, where that is said, in integer form (Vertices2).
+// A point with exact coordinates: of the scene as it was typed, or, where a comment says so, in integer form
+// (Vertices2). Two points are equal iff both coordinates are, as numbers.
+//
+// REQUIRES: both coordinates in lowest terms, as all arithmetic on rationals leaves them.
 struct Point2 {
   Rational x, y;
   friend bool operator==(const Point2&, const Point2&) = default;

@@ -1,4 +1,4 @@
-// The three kinds of failure, and the channel of each.
+// The kinds of failure, and the channel of each.
 //
 //   contract broken     HOTTEL_REQUIRE throws ContractViolation with the expression and the place
 //   input wrong         InputError: the file, the line, one sentence, hints           (exit code 3)
@@ -15,14 +15,20 @@
 
 namespace hottel {
 
+// A place in a file that was read.
 struct FileLine {
   std::string file;
   int line = 0;  // 1-based; 0 where there is none
 };
 
+// What was read is wrong: a file, its syntax, or the scene it describes.
+//
+//   (1) what() begins with the place, and with the file alone where there is no line
+//   (2) where() and hints() are as they were given
 class InputError : public std::runtime_error {
  public:
-  // what() is "FILE:LINE: text" or "FILE: text": one line. At most three hints, one line each.
+  // what() is "FILE:LINE: text" or "FILE: text": one line. Hints say more about what is wrong, or what to do.
+  // REQUIRES: at most three hints, one line each (not checked).
   InputError(FileLine where, const std::string& text, std::vector<std::string> hints = {})
       : std::runtime_error(where.file + (where.line > 0 ? ':' + std::to_string(where.line) : "") + ": " + text),
         where_(std::move(where)),
@@ -36,16 +42,22 @@ class InputError : public std::runtime_error {
   std::vector<std::string> hints_;
 };
 
+// The input is fine, but what was asked of it cannot be had: too little memory, or a solution that does not exist.
+// what() is one line for the user.
 class RequestError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
+// The program or a function behind one of its options was asked for something that it does not have, or that is out of
+// range: an option, an ending, a method, a name. what() is one line for the user.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
+// A mistake in the calling code: a REQUIRES did not hold. From HOTTEL_REQUIRE, what() is "FILE:LINE: required:
+// EXPRESSION", with the place of the check in the source.
 class ContractViolation : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -57,5 +69,11 @@ class ContractViolation : public std::logic_error {
 
 }  // namespace hottel
 
+// Throws ContractViolation unless the expression is true.
+//
+//   (1) it is evaluated once, in every build: NDEBUG does not take it away
+//   (2) it is itself an expression, of type void
+//
+// A comma outside parentheses divides the arguments of a macro: put parentheses around such an expression.
 #define HOTTEL_REQUIRE(expression) \
   ((expression) ? void(0) : ::hottel::throw_contract_violation(#expression, __FILE__, __LINE__))

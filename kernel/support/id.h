@@ -34,6 +34,7 @@ class Id {
   // The place in a table of these things. REQUIRES number() >= 0.
   constexpr std::size_t index() const { return static_cast<std::size_t>(number_); }
 
+  // Goes on to the thing with the next number.
   constexpr Id& operator++() {
     ++number_;
     return *this;
@@ -45,7 +46,10 @@ class Id {
   std::int32_t number_;
 };
 
-// The first `count` things of a kind, to loop over.
+// The first `count` things of a kind, to loop over: for (const VertexId v : IdRange<VertexId>(n)).
+//
+//   (1) their numbers are 0 .. count - 1, in ascending order; of 0 things there are none
+//   (2) an id is made on the way: the range holds no list
 template <class Kind>
 class IdRange {
  public:

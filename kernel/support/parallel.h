@@ -7,7 +7,9 @@
 
 namespace hottel {
 
-// While it lives, this thread rounds to nearest and keeps subnormal numbers, whatever its caller has set.
+// While it lives, this thread rounds to nearest and keeps subnormal numbers, whatever its caller has set. At its end
+// the environment is what it was before, floating-point flags included: those raised meanwhile are lost.
+// REQUIRES: made and destroyed on one thread.
 class DefaultFloatingPoint {
  public:
   DefaultFloatingPoint() {
@@ -22,8 +24,9 @@ class DefaultFloatingPoint {
   std::fenv_t saved_;
 };
 
-// While it lives, at most so many threads work, this one included. Of several, the lowest limit holds.
-// REQUIRES: threads >= 1.
+// While it lives, at most so many threads work, this one included. Of several, the lowest limit holds. Results do not
+// depend on it.
+// Throws ContractViolation unless threads >= 1.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -41,13 +44,16 @@ void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFun
 
 // Calls f(begin, end) for disjoint ranges that together are [0, n), on all threads that are allowed.
 //
-//   (1) f runs in the default floating-point environment (DefaultFloatingPoint) on every thread; the caller's is as it
-//       was afterwards
+//   (1) f runs in the default floating-point environment (DefaultFloatingPoint) on every thread; the caller's is as
+//       it was afterwards
 //   (2) the first exception that f throws keeps ranges that were not begun from being begun, and is thrown again here
 //   (3) f may itself call parallel_ranges
 //   (4) all that f did is seen by what follows the call
+//   (5) where n is 0, f is not called
+//
 // Which ranges there are depends on the number of threads: what f computes for an index must not depend on its range.
-// REQUIRES: grain >= 1; a range shorter than it is not divided.
+// Throws ContractViolation unless grain >= 1.
+// REQUIRES: f may be called from several threads at once.
 template <class F>
 void parallel_ranges(std::size_t n, std::size_t grain, const F& f) {
   detail::run_ranges(n, grain, &f, [](const void* function, std::size_t begin, std::size_t end) {
@@ -55,7 +61,8 @@ void parallel_ranges(std::size_t n, std::size_t grain, const F& f) {
   });
 }
 
-// The same with f(k) for every k in [0, n).
+// The same with f(k) for every k in [0, n), each once. What f does for different k may happen at the same time and
+// in any order.
 template <class F>
 void parallel_for(std::size_t n, const F& f, std::size_t grain = 1) {
   parallel_ranges(n, grain, [&f](std::size_t begin, std::size_t end) {

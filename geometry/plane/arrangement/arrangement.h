@@ -30,26 +30,29 @@ enum class Conflicts2 : bool { kRefused, kFirstWins };
 class Arrangement2 {
  public:
   // Throws InputError naming both surfaces, the side and the piece when claims with different materials meet and are
-  // refused, and for a "behind" that cannot be obeyed (Solids2).
+  // refused, and for a "behind" that cannot be obeyed (Solids2). Throws ContractViolation unless the division has a
+  // number above 0 for each surface.
+  // REQUIRES: a valid scene (validate). It need not outlive this.
   Arrangement2(const Scene2& scene, const Division2& division, Conflicts2 conflicts = Conflicts2::kRefused);
 
   const Vertices2& vertices() const { return overlay_.vertices; }
   const std::vector<Segment2>& pieces() const { return overlay_.pieces; }
   const Triangulation2& triangulation() const { return triangulation_; }
   const Solids2& solids() const { return solids_; }
-  // The piece of a side, and the same turned so that the side is its right one.
+  // The piece of a side, and the same turned so that the side is its right one. REQUIRES: a side, not the sky.
   const Segment2& piece(PieceSideId side) const { return pieces()[piece_of(side)]; }
   Segment2 turned_piece(PieceSideId side) const {
     const Segment2& p = piece(side);
     return is_right(side) ? p : Segment2{p.b, p.a};
   }
   bool is_covered(PieceSideId side) const { return solids_.is_covered(side); }
-  // REQUIRES that the side is not covered.
+  // The face that has the side, and the part of it. Throws ContractViolation where the side is covered.
   const FacePart2& owner(PieceSideId side) const {
     HOTTEL_REQUIRE(!is_covered(side));
     return owner_[side.index()];
   }
-  // Who gets a side that is not covered, and who else claims it.
+  // Who gets a side, and who else claims it. Throws ContractViolation where the side is covered. REQUIRES: the scene
+  // that this was made of, which must outlive the result.
   SideOwner2 claims(const Scene2& scene, PieceSideId side) const;
   std::size_t side_count() const { return owner_.size(); }
   IdRange<PieceSideId> sides() const { return IdRange<PieceSideId>(side_count()); }

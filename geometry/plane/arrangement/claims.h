@@ -38,12 +38,19 @@ struct SideOwner2 {
 // Groups whose fronts on a side make no claim there.
 using SilentGroups2 = std::function<bool(std::uint32_t group)>;
 
-// Returns the owner of the right (left) side of a piece: the first face there that claims it, the first black back
-// when none does. REQUIRES: `covering` is not empty, not silent altogether, and in the order of the scene.
+// Returns the owner of the right (left) side of a piece.
+//
+//   (1) the owner is the first face there that has a material; where none has one, the first black back
+//   (2) the rival is the first later face with a material that acts otherwise (Material); nothing where all act alike
+//   (3) a front of a group that is_silent names is passed over; its back is not
+//
+// The materials pointed to are those of the scene, which must outlive the result. Throws ContractViolation when
+// nothing is left to own the side.
+// REQUIRES: `covering` is in the order of the scene.
 SideOwner2 owner_of_side(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right,
                          const SilentGroups2& is_silent = {});
 
-// Returns whether a face with a material is on the right (left) side of a piece.
+// True iff a face with a material is on the right (left) side of a piece, silent or not.
 bool has_material_on(const Scene2& scene, const std::vector<PieceSource2>& covering, bool right);
 
 }  // namespace hottel

@@ -14,11 +14,13 @@ namespace hottel {
 // bounding boxes meet its own.
 std::vector<char> find_entangled(const Vertices2& vertices, const std::vector<Segment2>& segments);
 
-// A set of segments without which none of the others are entangled with each other: a part of the entangled ones,
-// marked 1. REQUIRES what find_entangled does. COST: O(n log n).
+// Marks with 1 a set of segments without which none of the others are entangled with each other: a part of
+// the entangled ones.
 //
-// A line sweeps over the plane (Shamos, Hoey 1976). Two neighbours on it that are entangled are both taken away, and it
-// goes on with the rest.
+// A line sweeps over the plane (Shamos, Hoey 1976). Two neighbours on it that are entangled are both taken away, and
+// it goes on with the rest.
+//
+// REQUIRES: what find_entangled does. COST: O(n log n).
 std::vector<char> entangled_neighbours(const Vertices2& vertices, const std::vector<Segment2>& segments);
 
 }  // namespace hottel

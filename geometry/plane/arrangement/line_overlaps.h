@@ -10,7 +10,10 @@
 
 namespace hottel {
 
-// Segments with the same two ends, once. Groups are in the order of their first segments.
+// Segments with the same two ends, gathered; a segment and its reverse count as the same.
+//
+//   (1) every segment is a member of one group
+//   (2) groups are in the order of their first members; members ascend
 class EqualSegments2 {
  public:
   explicit EqualSegments2(const std::vector<Segment2>& segments);  // COST: O(n log n)

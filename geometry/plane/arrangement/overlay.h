@@ -24,14 +24,20 @@ struct Overlay2 {
     return {source_list.data() + source_begin[piece], source_list.data() + source_begin[piece + 1]};
   }
 
-  // Makes room for the sum of all lengths in fixed-point sums.
+  // Makes room for the sum of the lengths of all pieces in fixed point (Vertices2::set_total_length). To be called
+  // before any length is measured.
   void set_total_length();
 
   std::vector<std::uint32_t> source_begin;  // one more than pieces
   std::vector<std::uint32_t> source_list;   // ascending within a piece
 };
 
-// REQUIRES distinct points, and segments that are not points.
+// Returns the pieces of the segments, which are given by the numbers of their end points.
+//
+//   (1) segments that equal each other in their two ends make pieces together, with all of them as sources
+//   (2) exact, whatever the coordinates: no point is moved or merged
+//
+// REQUIRES: distinct points, and segments that are not points.
 // COST: O(n log n) for segments that equal others, or touch them in end points only; the others go through CGAL's
 // arrangement over exact rationals: O((n + k) log n) with a larger constant, for k crossings and sources of pieces.
 Overlay2 overlay(const std::vector<Point2>& points, const std::vector<Segment2>& segments);

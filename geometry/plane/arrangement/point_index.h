@@ -33,7 +33,9 @@ struct PointHash2 {
 //
 //   (1) numbers are 0, 1, 2, ... in the order of first insertion; a point that comes again gets the one it has
 //   (2) points are told apart exactly, whatever their distance: points()[insert(p).index()] == p
-// COST: a hash and a comparison for each insertion.
+//   (3) points() has each point once; its size is the number of distinct points inserted
+//
+// COST: a hash and a comparison for each insertion; each point is held twice.
 class PointIndex2 {
  public:
   PointIndex2() = default;

@@ -5,7 +5,8 @@
 
 namespace hottel {
 
-// From a to b. The two may be one vertex, where nothing says otherwise.
+// A segment from a to b, by the numbers of its ends; b to a is the same set of points but another Segment2. Both ends
+// may be one vertex, where nothing says otherwise.
 struct Segment2 {
   VertexId a, b;
 };

@@ -32,23 +32,23 @@ struct BarePieces2 {
 //   (2) a group with "behind": "solid" makes solid also the bounded regions that a back of it without material looks
 //       into and none of its fronts. With "behind": "open" it makes none solid
 //   (3) a region is solid iff some group makes it so
-// COST: linear in the sides of pieces, plus for each room the solids around it; nothing where no group can enclose
-// anything.
+// COST: linear in the sides of pieces, plus the solids around each room; nothing where no group can enclose anything.
 class Solids2 {
  public:
   static constexpr std::uint32_t kNone = 0xffffffff;
 
   Solids2() = default;  // nothing is solid
 
-  // Throws InputError for a "behind": "solid" that bounds nothing, naming the gap, and for two groups of which one says
-  // that a region is solid and the other that it is open.
+  // Throws InputError for a "behind": "solid" that bounds nothing, naming the gap, and for two groups of which one
+  // says that a region is solid and the other that it is open. Nothing of `pieces` is kept.
   explicit Solids2(const BarePieces2& pieces);
 
   bool is_empty() const { return maker_.empty(); }
-  // The first listed group that makes the region that a side looks into solid; kNone where it is free.
+  // The first listed group that makes the region that a side looks into solid; kNone where it is free. REQUIRES: a
+  // side, not the sky.
   std::uint32_t maker(PieceSideId side) const { return maker_.empty() ? kNone : maker_[side.index()]; }
   bool is_covered(PieceSideId side) const { return maker(side) != kNone; }
-  // Does the side look into a solid that this group makes, and is a back of the group on it?
+  // True iff the side looks into a solid that this group makes, and a back of the group is on that side.
   bool is_inside_of(PieceSideId side, std::uint32_t group) const;
 
   // The sides of some pieces, in their order: as if the other pieces had never been there, but covered as before.
@@ -64,8 +64,8 @@ class Solids2 {
 // sides of pieces.
 std::vector<std::vector<std::uint32_t>> regions_behind(const BarePieces2& pieces);
 
-// Returns whether the scene has a group that may enclose a solid or says what is behind it: only then are regions
-// needed. REQUIRES closed_groups(scene).
+// True iff the scene has a group that may enclose a solid, or that says what is behind it: only then are regions
+// needed. REQUIRES: `closed` is closed_groups(scene).
 bool may_have_solids(const Scene2& scene, const std::vector<ClosedGroup2>& closed);
 
 }  // namespace hottel

@@ -15,6 +15,10 @@ using TriangleId = Id<struct TriangleTag>;
 using HalfEdgeId = Id<struct HalfEdgeTag>;
 
 // Triangle t has the half-edges 0, 1 and 2, which follow each other counter-clockwise.
+//
+//   (1) triangle_of(half_edge(t, k)) == t and place_in_triangle(half_edge(t, k)) == k
+//   (2) next_half_edge and previous_half_edge stay in the triangle and undo each other; three steps come back
+//   (3) all of this is arithmetic on numbers: no triangulation is looked at
 constexpr TriangleId triangle_of(HalfEdgeId h) { return TriangleId(h.number() / 3); }
 constexpr HalfEdgeId half_edge(TriangleId t, int k) { return HalfEdgeId(3 * t.number() + k); }
 constexpr std::array<HalfEdgeId, 3> half_edges_of(TriangleId t) {
@@ -29,6 +33,10 @@ constexpr HalfEdgeId previous_half_edge(HalfEdgeId h) {
 }
 
 // One side of a piece a -> b: its left side or its right side. What is looked at is a side or the sky.
+//
+//   (1) opposite(opposite(side)) == side, and piece_of is the same for both
+//   (2) sides_of(p) is {left_side(p), right_side(p)}, with is_right false and true
+//   (3) place_after_sky is 0 for the sky and 1, 2, 3, ... for the sides of pieces 0, 0, 1, ...
 using PieceSideId = Id<struct PieceSideTag>;
 inline constexpr PieceSideId kNoPiece = PieceSideId::none();
 inline constexpr PieceSideId kSky{-1};
@@ -36,37 +44,48 @@ inline constexpr PieceSideId kSky{-1};
 constexpr PieceSideId left_side(std::size_t piece) { return PieceSideId(2 * piece); }
 constexpr PieceSideId right_side(std::size_t piece) { return PieceSideId(2 * piece + 1); }
 constexpr std::array<PieceSideId, 2> sides_of(std::size_t piece) { return {left_side(piece), right_side(piece)}; }
-// REQUIRES a side, not the sky.
+// REQUIRES a side, neither the sky nor none.
 constexpr std::size_t piece_of(PieceSideId side) { return static_cast<std::size_t>(side.number() / 2); }
 constexpr bool is_right(PieceSideId side) { return side.number() % 2 == 1; }
+// REQUIRES a side, neither the sky nor none.
 constexpr PieceSideId opposite(PieceSideId side) { return PieceSideId(side.number() ^ 1); }
 // The place in a table of the sky, which comes first, and of all sides.
 constexpr std::size_t place_after_sky(PieceSideId side) { return static_cast<std::size_t>(side.number() + 1); }
 
-// The neighbours of a vertex in counter-clockwise order, with what lies between them.
+// One neighbour of a vertex and what lies between it and the next one, counter-clockwise.
 struct StarEntry2 {
   VertexId neighbour;
   HalfEdgeId opposite;      // of the triangle between this neighbour and the next one; none: the sky lies between them
   PieceSideId left, right;  // sides of the piece vertex-neighbour as seen on its left (right); kNoPiece if it is none
 };
 
-// Triangle t has the half-edges 3t, 3t+1, 3t+2; half-edge 3t+i runs from corner i+1 to corner i+2, opposite corner i,
-// so that from corner i its origin is on the right and its target on the left.
+// A constrained Delaunay triangulation of the vertices, every piece an edge of it. Triangle t has the half-edges 3t,
+// 3t+1, 3t+2; half-edge 3t+i runs from corner i+1 to corner i+2, opposite corner i, so that from corner i its origin
+// is on the right and its target on the left.
 //
 //   (1) every piece is an edge of the triangulation; triangles are counter-clockwise and fill the convex hull
 //   (2) is_open(h): nothing stands on the edge, and twin(h) is the half-edge on its other side. Else twin(h) is none,
-//       and side(h) is the side of the piece that stands on it, as seen from inside the triangle, or kSky on an edge of
-//       the convex hull that is no piece across(h) is the half-edge on the other side whatever stands there; none on
-//       the hull only
-//   (3) star(v) is in counter-clockwise order and holds every edge at v; a scene on one line has stars, no triangles
+//       and side(h) is the side of the piece that stands on it, as seen from inside the triangle, or kSky on an edge
+//       of the convex hull that is no piece
+//   (3) across(h) is the half-edge on the other side whatever stands there; none on the hull only
+//   (4) of is_open(h), is_piece(h) and is_bare_hull(h) exactly one is true
+//   (5) star(v) is in counter-clockwise order and holds every edge at v
+//
+// Degenerate: where all vertices lie on one line there are no triangles; the star of a vertex then has the vertices
+// next to it on the line, joined by a piece or not.
+// SEE: insertion along a Hilbert curve in rounds (Amenta, Choi, Rote 2003), so that vertices on a convex outline do
+// not cost O(n^2).
 class Triangulation2 {
  public:
   Triangulation2() = default;
+  // REQUIRES: the vertices are distinct points; the pieces have two different ends and meet in common ends only, and
+  // no vertex lies inside a piece. Neither list is kept.
   Triangulation2(const Vertices2& vertices, const std::vector<Segment2>& pieces);
 
   std::size_t triangle_count() const { return corner_.size() / 3; }
   IdRange<TriangleId> triangles() const { return IdRange<TriangleId>(triangle_count()); }
   IdRange<HalfEdgeId> half_edges() const { return IdRange<HalfEdgeId>(corner_.size()); }
+  // The half-edge h runs from origin(h) to target(h), and corner(h) is the third corner of its triangle.
   VertexId corner(HalfEdgeId h) const { return corner_[h.index()]; }  // opposite half-edge h
   VertexId origin(HalfEdgeId h) const { return corner(next_half_edge(h)); }
   VertexId target(HalfEdgeId h) const { return corner(previous_half_edge(h)); }
@@ -76,6 +95,8 @@ class Triangulation2 {
   PieceSideId side(HalfEdgeId h) const { return side_[h.index()]; }  // where it is not open
   bool is_piece(HalfEdgeId h) const { return !is_open(h) && side(h) != kSky; }
   bool is_bare_hull(HalfEdgeId h) const { return !is_open(h) && side(h) == kSky; }
+  // The neighbours of v. Where there are triangles, a vertex on the convex hull has one entry with opposite none: the
+  // outside comes after it.
   std::span<const StarEntry2> star(VertexId v) const {
     return {star_.data() + star_begin_[v.index()], star_.data() + star_begin_[v.index() + 1]};
   }

@@ -17,12 +17,16 @@ struct NetRun2 {
 
 // The net runs of all pieces that are not zero. A closed outline that goes along a piece and back again adds none.
 //
-//   (1) of(p) is what the p-th call of add_piece was given
+//   (1) of(p) is what the p-th call of add_piece was given, p from 0
+//   (2) a piece may have no runs: of(p) is empty then
+//
+// REQUIRES: of(p) only for pieces that were added.
 // COST: 8 bytes a run and 4 a piece.
 class NetRuns2 {
  public:
   NetRuns2() : begin_{0} {}
-  // The runs of the next piece, each group at most once.
+  // The runs of the next piece, each group at most once. REQUIRES: no net run is 0, or walk_regions() tells of changes
+  // that are none.
   void add_piece(const std::vector<NetRun2>& runs) {
     runs_.insert(runs_.end(), runs.begin(), runs.end());
     begin_.push_back(static_cast<std::uint32_t>(runs_.size()));
@@ -36,14 +40,18 @@ class NetRuns2 {
   std::vector<std::uint32_t> begin_;
 };
 
-// Visits every region once, from neighbour to neighbour, starting outside, where all winding numbers are 0. On the way
-// calls change(group, from, to) for each winding number that changes, there and back again; then, on the first visit of
-// a region, visit(region).
+// Visits every region once, from neighbour to neighbour, starting with region 0, the outside, where all winding
+// numbers are 0. On the way it calls change(group, from, to) for each winding number that changes, there and back
+// again; then, on the first visit of a region, visit(region).
 //
 //   (1) the winding number of a group is greater by its net run on the left of a piece than on the right of it
 //   (2) when visit(region) is called, all calls of change() so far add up to the winding numbers of that region
 //   (3) the order of the regions depends on the arrangement alone
-// REQUIRES net runs of closed groups: else winding numbers depend on the way. COST: twice the sides of pieces.
+//   (4) at the end every winding number is back at 0
+//
+// The way back is kept in a list: no recursion, however many regions lie inside each other.
+// REQUIRES: net runs of closed groups, each below `group_count`: else winding numbers depend on the way.
+// COST: twice the sides of pieces.
 template <class Change, class Visit>
 void walk_regions(const FreeRegions2& regions, const NetRuns2& runs, std::size_t group_count, const Change& change,
                   const Visit& visit) {

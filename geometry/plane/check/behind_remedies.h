@@ -20,8 +20,11 @@ struct BehindRemedy2 {
 
 // Remedies for the black backs of a scene.
 //
-//   (1) a back has one iff the scene is accepted with "behind": "solid" for its group, and all of the back would be
-//       covered then
+//   (1) a back has one iff the scene is accepted with "behind": "solid" for its group, and the solid would cover all
+//       of the back
+//   (2) backs whose groups would make the same regions solid have the same remedy, one object
+//
+// REQUIRES: the scene and its regions outlive it. of() keeps what it found: only one thread may call it at a time.
 // COST: linear in the sides of pieces; then linear in those around the regions, once for each set of regions.
 class BehindRemedies2 {
  public:

@@ -18,7 +18,7 @@ struct Crossing2 {
   bool is_in_solid = false;  // all around is
 };
 
-// Surfaces that end inside others which lie on another line.
+// Surfaces that end inside others which lie on another line: a T-junction, or several at one point.
 struct Junction2 {
   Point2 at;
   std::vector<std::uint32_t> ends, through;
@@ -53,7 +53,9 @@ struct Contacts2 {
   FaceCover2 faces;
 };
 
-// REQUIRES the arrangement of the undivided scene; conflicts may be kept. COST: O(n log n) for n pieces.
+// Returns the contacts of a scene, all of them decided exactly.
+// REQUIRES: the arrangement of the undivided scene; conflicts may be kept.
+// COST: O(n log n) for n pieces.
 Contacts2 find_contacts(const Scene2& scene, const Arrangement2& arrangement);
 // The same with an arrangement of its own. Throws InputError for a "behind" that cannot be obeyed.
 Contacts2 find_contacts(const Scene2& scene);

@@ -13,9 +13,10 @@ namespace hottel {
 //
 //   (1) has_area: the face owns a side of a piece, or is one of two that claim it
 //   (2) covered_by: the first listed group with a solid that the face looks into somewhere; Solids2::kNone: nowhere
-//   (3) holder, by group: the first listed other group in the interior of whose solid it stands: some of its surfaces
-//       do, on both sides; of others one side is covered and may lie on the border of the solid of another group from
-//       within. Solids2::kNone where there is none
+//   (3) holder, by group: the first listed other group that holds it in the interior of its solid; Solids2::kNone
+//       where there is none. A group is held when some of its surfaces are covered on both sides, and the others are
+//       too, or lie on the border of the solid of another group from within
+//
 // COST: linear in the sides of pieces.
 struct FaceCover2 {
   std::vector<char> has_area;
@@ -30,7 +31,8 @@ struct FaceCover2 {
 // Throws RequestError, naming the solid, where a face looks into solids all along.
 void require_free(const PreparedScene2& prepared, const Face& face);
 
-// The same where it looks into a solid at the place t: just after it, at its end just before it. REQUIRES 0 <= t <= 1.
+// Throws RequestError, naming the solid, where a face looks into a solid at the place t: just after it, or just before
+// it at the end of the face. REQUIRES: 0 <= t <= 1.
 void require_free_at(const PreparedScene2& prepared, const Face& face, const Rational& t);
 
 }  // namespace hottel

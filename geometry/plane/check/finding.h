@@ -12,6 +12,9 @@
 namespace hottel {
 
 // What was found, where, what it means for light, and what to do. docs/check.md lists the kinds.
+//
+//   (1) `surfaces` are indices into the surfaces of the scene; a finding about the whole scene names none
+//   (2) kind is for programs, message and suggestion are for people
 struct Finding2 {
   Severity severity = Severity::kNote;
   std::string kind;                       // a stable word
@@ -22,9 +25,14 @@ struct Finding2 {
 
 using Findings2 = std::vector<Finding2>;
 
-// Sorts by severity, then by the first surface in the order of the scene (those that name none last); stable.
+// Sorts the findings as they are printed.
+//
+//   (1) errors come first, then warnings, then notes
+//   (2) of one severity, by the first surface in the order of the scene; those that name no surface come last
+//   (3) stable: those alike in both keep their order
 void sort_findings(Findings2& findings);
 
+// True iff light cannot be computed, or a promise of the scene is broken: some finding is Severity::kError.
 bool has_error(const Findings2& findings);
 
 }  // namespace hottel

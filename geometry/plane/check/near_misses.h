@@ -8,10 +8,11 @@
 
 namespace hottel {
 
-// How near is near: closer than this part of the shortest surface that takes part. It decides what is worth telling and
-// nothing else.
+// How near is near: closer than this part of the shortest surface that takes part. It decides only what
+// is worth telling.
 inline constexpr int kNearPart = 1024;
 
+// An end of surfaces that is near another surface without touching it. All places are exact, in scene coordinates.
 struct NearMiss2 {
   Point2 tip;                           // where surfaces end
   std::vector<std::uint32_t> surfaces;  // those, ascending

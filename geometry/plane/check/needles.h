@@ -7,8 +7,8 @@
 
 namespace hottel {
 
-// An angle is a needle when its tangent is below 1 / kNeedlePart: a twentieth of a degree. It decides what is worth
-// telling and nothing else.
+// An angle is a needle when its tangent is below 1 / kNeedlePart: a twentieth of a degree. It decides only what
+// is worth telling.
 inline constexpr int kNeedlePart = 1024;
 
 // Free space between two pieces that meet at a vertex in a small angle.
@@ -18,6 +18,11 @@ struct Needle2 {
   double degrees;           // about
 };
 
+// Returns the needles of an arrangement, by vertex and then counter-clockwise.
+//
+//   (1) whether an angle is a needle is decided exactly: its tangent is positive and below 1 / kNeedlePart
+//   (2) nothing stands in the angle near the vertex, and it is not within a solid
+//
 // COST: linear in the triangles; exact arithmetic where doubles do not tell.
 std::vector<Needle2> find_needles(const Arrangement2& arrangement);
 

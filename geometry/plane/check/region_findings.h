@@ -23,6 +23,7 @@ struct RegionFindings2 {
   std::vector<std::vector<std::uint32_t>> certainly_reversed;
   std::vector<char> is_inside_out;  // by surface: told of as inside-out, for its black back
 };
+// REQUIRES: the regions of the arrangement of `prepared`.
 RegionFindings2 region_findings(const PreparedScene2& prepared, const FreeRegions2& regions);
 
 }  // namespace hottel

@@ -9,14 +9,15 @@
 
 namespace hottel {
 
-// One thing that was done to a surface, or that was not: "merged", "snapped", "dropped", "reversed", "solid",
-// "renumbered", "split", "not-repaired".
+// One thing that was done to a surface, or that was left undone (not-repaired). Kinds: "merged", "snapped", "dropped",
+// "reversed", "solid", "renumbered", "split", "not-repaired".
 struct RepairStep2 {
   std::string kind;
   std::string surface;
   std::string message;
 };
 
+// A repaired scene, and how it came from the one that was given.
 struct Repair2 {
   Scene2 scene;
   std::vector<RepairStep2> steps;
@@ -26,7 +27,7 @@ struct Repair2 {
 // Returns the scene as it is, without any step.
 Repair2 unrepaired(const Scene2& scene);
 
-// Returns what an element of the repaired scene was called before: as factor_changes asks for.
+// Returns what an element of the repaired scene was called before; factor_changes() asks for it.
 std::string former_name(const Repair2& repair, const Element& element);
 
 // Returns the scene with ends that are within `distance` of each other merged (into the one listed first), ends within
@@ -43,8 +44,8 @@ std::string former_name(const Repair2& repair, const Element& element);
 Repair2 close_gaps(const Scene2& scene, const Rational& distance);
 
 // Reverses surfaces that are certainly the wrong way round (RegionFindings2::certainly_reversed) and adds a step for
-// each. Nothing is done where claims conflict or a "behind" cannot be obeyed, nor to groups that say what is behind
-// them.
+// each. Nothing is done where claims conflict or a "behind" cannot be obeyed. Groups that say what is behind them stay
+// as they are.
 void reverse_inside_out(Repair2& repair);
 
 // Says "behind": "solid" of groups whose black backs are told of (BlackBacks2::surfaces of the repaired scene) and adds

@@ -13,22 +13,29 @@
 namespace hottel {
 
 // One pair in closed form, in scene units: S(i, j), S0(i, j), A_i, A_j as sums of square roots.
+//
+//   (1) 0 <= exchange <= unobstructed
+//   (2) exchange.is_zero() iff neither F(i, j) nor F(j, i) is an entry of the exact exchange matrix
 struct ExactPair2 {
   RootSum exchange, unobstructed, area_from, area_to;
 };
+// Returns the pair of two elements, or of an element and the sky; `from` is never the sky. Of the sky S0 = A_i, and
+// area_to is left 0.
+// COST: a table of the elements; then one sweep about the vertices that may lie between the two (exact_sums.h).
 ExactPair2 exact_pair(const PreparedScene2& prepared, Granularity granularity, std::uint32_t from, std::uint32_t to);
-// The same for those who have the labels of `per` already.
+// The same for those who have the table of that granularity already.
 ExactPair2 exact_pair(const PreparedScene2& prepared, const ElementTable2& table, Granularity granularity,
                       std::uint32_t from, std::uint32_t to);
 
-// Of two faces, of which one (nothing) may be the sky, whose area is left 0 and which takes all there is: S0 = A.
+// The same of two faces, of which one (nothing) may be the sky: its area is left 0, and S0 is the area of the other.
 ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<Face>& from, const std::optional<Face>& to);
 
-// Closed forms of many exchange measures S(i, j) at once, in scene units.
+// Returns the closed forms of many exchange measures S(i, j) at once, in scene units, in the order of the pairs.
+// COST: one sweep for all of them (exact_sums.h).
 std::vector<RootSum> exact_exchange_measures(const PreparedScene2& prepared, Granularity granularity,
                                              const std::vector<ElementPair>& pairs);
 
-// Areas of all labels in closed form, in scene units.
+// Returns the areas of all elements in closed form, in scene units, by their numbers; the sky is left out.
 std::vector<RootSum> exact_areas(const PreparedScene2& prepared, Granularity granularity);
 
 }  // namespace hottel

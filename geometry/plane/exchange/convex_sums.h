@@ -12,7 +12,7 @@ namespace hottel {
 //   (1) as properties (1) and (2) of sum_visible_pairs: strings along a wall are the sums of its parts, so they cancel
 //       to the last bit in every row
 //   (2) the sums differ from those of the sweep by no more than their errors allow
-// REQUIRES that is_convex_room holds of the scene.
+// REQUIRES: is_convex_room() holds of the scene.
 // COST: four strings for each pair of pieces.
 std::vector<PairSum2> sum_convex_pairs(const Arrangement2& arrangement, const ElementTable2& table);
 

@@ -11,16 +11,15 @@
 
 namespace hottel {
 
-// The elements of an arrangement in the order of the contract: surfaces in the order of the scene, front before back,
-// parts ascending.
+// The elements of an arrangement in the order of the contract: surfaces in the order of the scene, front before
+// back, parts ascending.
 //
 //   (1) every side of every piece belongs to one element, or is covered; the sky has a number too, sky()
-//   (2) the length of an element is that of the pieces it owns: parts that other surfaces own or that look into a solid
-//   do
-//       not count, and an element that owns nothing has length 0 and no row
-//   (3) Granularity::kGroup: all fronts of a group are one element and all its backs another, elements of one surface
-//   are
-//       never in two
+//   (2) the length of an element is that of the pieces it owns: parts that other surfaces own or that look into a
+//       solid do not count, and an element that owns nothing has length 0 and no row
+//   (3) Granularity::kGroup: all fronts of a group are one element and all its backs another; elements of one surface
+//       are never in two
+//
 // COST: linear in the sides of pieces.
 class ElementTable2 {
  public:
@@ -33,17 +32,19 @@ class ElementTable2 {
   std::uint32_t covered() const { return count() + 1; }
   const std::vector<Element>& elements() const { return elements_; }
 
-  // Returns the element of a side, covered(), or sky() for kSky.
+  // Returns the element of a side, covered(), or sky() for kSky. REQUIRES: not kNoPiece.
   std::uint32_t of(PieceSideId side) const { return of_side_[place_after_sky(side)]; }
   // True iff the element has a material and an area: only then are factors from it computed.
   bool has_row(std::uint32_t label) const { return has_row_[label] != 0; }
 
-  // The labels i and j alone (0, and 1 where j is another), on the arrangement of some pieces (ascending numbers) of
-  // the one that these are of. All other sides are covered.
+  // The table of elements i and j alone, with the numbers 0 and 1 (0 alone where j is i), on an arrangement of some
+  // pieces. Sides of all other elements are covered.
+  // REQUIRES: `pieces` ascend, and `arrangement_of_pieces` is what Arrangement2::restricted_to makes of them.
   ElementTable2 restricted_to(std::uint32_t i, std::uint32_t j, const std::vector<std::uint32_t>& pieces,
                               const Arrangement2& arrangement_of_pieces) const;
 
-  // The element's straight runs: its owned pieces, joined where they follow each other, front on the right.
+  // The element's straight runs: its owned pieces, joined where they follow each other on one line, front on the
+  // right. There are none where the element has no length.
   std::span<const Segment2> runs(std::uint32_t label) const {
     return {runs_.data() + runs_begin_[label], runs_.data() + runs_begin_[label + 1]};
   }
@@ -52,6 +53,7 @@ class ElementTable2 {
 
   // Sum of the lengths of the owned pieces, in units of Vertices2::fixed_unit().
   const FixedSum& length(std::uint32_t label) const { return length_[label]; }
+  // The same as a sum of square roots; 0 where the element owns nothing. REQUIRES: the vertices of the arrangement.
   RootSum exact_length(std::uint32_t label, const Vertices2& vertices) const;  // in integer form
 
  private:

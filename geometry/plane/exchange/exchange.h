@@ -24,13 +24,20 @@ namespace hottel {
 //   (4) Vis(i, j) is correctly rounded too, but below 1 whenever something hides a part, and 1 when nothing does
 //   (5) the result is the same bit for bit for any number of threads
 //   (6) in a convex room it is the same bit for bit with and without occlusion
+// Throws RequestError when the memory allowed by the options does not suffice, and passes on what `progress` throws.
+// The report, where one is asked for, says how the numbers came about.
 // COST: about 1 µs a visible pair and core; see benchmarks/results.
 ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOptions2& options = {},
                               ExchangeReport* report = nullptr);
 
-// Returns the pairs (from, to) that have a row and no entry in the matrix, but would exchange light if everything else
-// were taken away (S = 0 < S0), sorted. What does not see the sky would: S0(i, sky) = A_i, so that Vis(i, sky) =
-// F(i, sky). COST: every pair is looked at.
+// Returns the pairs (from, to) that are hidden: `from` has a row without an entry for `to`, but they would exchange
+// light if everything else were taken away (S = 0 < S0).
+//
+//   (1) sorted by `from`, then by `to`, the sky last
+//   (2) (i, j) and (j, i) are both in the list where both have rows
+//   (3) (i, sky) is in the list wherever i does not see the sky: S0(i, sky) = A_i, so that Vis(i, sky) = F(i, sky)
+//
+// REQUIRES: the exact matrix of the scene, of this granularity. COST: every pair is looked at.
 std::vector<ElementPair> hidden_pairs(const PreparedScene2& prepared, Granularity granularity,
                                       const ExchangeMatrix& matrix);
 

@@ -8,8 +8,13 @@
 
 namespace hottel {
 
-// No option changes a number that is computed with and without it: they choose rows and columns, leave out what nobody
-// asks for, and limit what it may take.
+// What is asked of exact_exchange().
+//
+//   (1) no option changes a number that is computed with and without it: options choose rows and columns, leave out
+//       what nobody asks for, and limit what the computation may take
+//   (2) a limit of memory is held against an estimate before the sweep, and against the pairs found during it
+//
+// REQUIRES: occlusion is left out for convex rooms only (is_convex_room).
 struct ExchangeOptions2 {
   Granularity granularity = Granularity::kFace;
   bool wants_visibility = true;  // else FactorEntry::visibility is NaN

@@ -39,10 +39,12 @@ std::vector<PairSum2> sum_visible_pairs(const Arrangement2& arrangement, const E
 // backs, where both directions have a row; benchmarks/factors).
 inline constexpr std::uint64_t kBytesPerPair = 200;
 
-// Estimates the number of visible pairs from the sweeps about 256 vertices, drawn by a fixed seed.
+// Returns about how many visible pairs there are, from the sweeps about 256 vertices drawn by a fixed seed, or about
+// all of them where there are fewer. The same scene always gives the same estimate. It may be wrong either way.
 std::uint64_t estimated_pairs(const Arrangement2& arrangement, const ElementTable2& table);
 
-// Checks property (2) as an identity of integers; returns the largest defect, 0 when it holds.
+// Checks property (2) of sum_visible_pairs as an identity of integers. Returns the largest defect of a row, in units
+// of Vertices2::fixed_unit(): 0 when it holds.
 Int128 closure_defect(const std::vector<PairSum2>& pairs, const ElementTable2& table);
 
 }  // namespace hottel

@@ -13,6 +13,8 @@ namespace hottel {
 // apart gap by gap (docs/design/plane/exchange.md).
 //
 //   (1) the signs of all terms of one row cancel, except on a covered gap, where each side of the piece gets +2 in all
+//   (2) a free gap adds at most four terms, and none where one of its two ends meets the same element on both sides
+//   (3) a covered gap adds at most six
 template <class Add>
 void for_each_term(const Gap2& gap, const ElementTable2& table, const Add& add) {
   const auto term = [&](std::uint32_t i, std::uint32_t j, int sign) {

@@ -33,8 +33,13 @@ class PairRounding2 {
   // REQUIRES that all three outlive this.
   PairRounding2(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeOptions2& options);
 
+  // What fixed point settles of the pair. Counts a tier for each factor and visibility that it settles.
+  //
+  //   (1) an unobstructed pair of straight elements has visibility 1, unless its sum may be zero
+  //   (2) the sky has no visibility: it stays NaN
   RoundedPair2 quick(const PairSum2& pair, TierCounts& tiers) const;
-  // sum: 2 S(i, j) in integer form.
+  // Settles what quick() left open in `result`, and nothing else; of a sum that is zero it says is_zero alone.
+  // REQUIRES: sum is 2 S(i, j) in integer form.
   void exactly(const PairSum2& pair, const RootSum& sum, RoundedPair2& result, TierCounts& tiers) const;
 
  private:
@@ -45,7 +50,9 @@ class PairRounding2 {
   const FixedScale half_unit_;  // 2 S in fixed point to S in scene units
 };
 
-// A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it.
+// A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it. Settles the
+// open factors of labels that stand in one pair only; the others are left as they are.
+// REQUIRES: rounded[k] is that of pairs[k]; a pair of a label with itself counts as one.
 void settle_lonely_rows(const std::vector<PairSum2>& pairs, const ElementTable2& table,
                         std::vector<RoundedPair2>& rounded);
 

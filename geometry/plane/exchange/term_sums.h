@@ -10,11 +10,20 @@
 
 namespace hottel {
 
+// Returns the key of an unordered pair of labels.
+//
+//   (1) pair_key(i, j) == pair_key(j, i), and different pairs have different keys
+//   (2) keys ascend by the smaller label, then by the larger one
 constexpr std::uint64_t pair_key(std::uint32_t i, std::uint32_t j) {
   return i <= j ? (static_cast<std::uint64_t>(i) << 32) | j : (static_cast<std::uint64_t>(j) << 32) | i;
 }
 
-// A term in fixed point: sums do not depend on the order of addition.
+// A term in fixed point.
+//
+//   (1) any order of addition gives the same sum, bit for bit: integers are added modulo 2^128
+//   (2) is_obstructed is 1 as soon as it is 1 in one term of the sum
+//
+// REQUIRES: the final sum of a key fits into 128 bits. Sums on the way need not.
 struct FixedTerm2 {
   static constexpr bool kOrderMatters = false;
   std::uint64_t key;
@@ -30,7 +39,7 @@ struct FixedTerm2 {
   }
 };
 
-// A term in plain doubles.
+// A term in plain doubles: the sum depends on the order of addition, which sum_terms() fixes.
 struct PlainTerm2 {
   static constexpr bool kOrderMatters = true;
   std::uint64_t key;
@@ -39,7 +48,9 @@ struct PlainTerm2 {
   void add(const PlainTerm2& term) { value += term.value; }
 };
 
-// Where a sweep leaves its terms: by partition of the smaller label.
+// Where a sweep leaves its terms: by partition of the smaller label. Partition k takes the labels from k * 2^shift on,
+// 2^shift of them.
+// REQUIRES: every smaller label falls into one of the partitions.
 template <class Term>
 class TermBuffer2 {
  public:
@@ -65,18 +76,23 @@ struct SumCounts2 {
   std::uint64_t updates = 0;  // terms added
 };
 
+// Leaves the terms of one vertex in the buffer, and counts its gaps and updates there.
 template <class Term>
 using TermSweep = std::function<void(VertexId, TermBuffer2<Term>&)>;
 
-// Calls sweep(v, buffer) for each vertex v and sums the terms by key. Returns the sums in partitions; one after the
-// other they are sorted by key.
+// Calls sweep(v, buffer) for each vertex v and sums the terms by key. Returns the sums in partitions, each sorted by
+// key; taken one after the other they are sorted as a whole.
 //
-//   (1) the terms of a key are added in the order of the vertices and, for one vertex, of the buffer, for any number of
-//       threads: sums of doubles are the same bit for bit
+//   (1) each key occurs once, and only where a term was added
+//   (2) the terms of a key are added in the order of the vertices and, for one vertex, of the buffer, for any number
+//       of threads: sums of doubles are the same bit for bit
+//   (3) `counts` grows by what the sweeps counted
 //
+// `sweep` is called from several threads at once, for different vertices and with different buffers. `progress` is
+// called from time to time, on the calling thread, with the fraction done; it may throw to stop.
+// Throws RequestError when the pairs become more than `most_pairs`; this is looked at after each round of vertices.
+// REQUIRES: labels >= 1, and every smaller label of a term is below `labels`.
 // COST: parallel; once or twice the size of a term for each term in flight, 1.3 to 2.7 times for each pair.
-// `progress` is called from time to time with the fraction done and may throw to stop. Throws RequestError when the
-// pairs become more than `most_pairs`.
 template <class Term>
 std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t labels, const TermSweep<Term>& sweep,
                                          const std::function<void(double)>& progress, std::uint64_t most_pairs,

@@ -6,7 +6,10 @@
 
 namespace hottel {
 
-// As generate_2() says, for a request whose number of edges and digits are within the limits of the kind.
+// Each returns the scene that generate_2() says, with the properties listed there; generate_2() is what others call.
+//
+// REQUIRES: the number of edges is within the limits of the kind (generator_kinds_2), and 0 <= digits <=
+// kMaxGeneratedDigits. More may be refused: each throws UsageError where it cannot obey the request.
 Scene2 generate_room_2(const GeneratorRequest2& request);
 Scene2 generate_clutter_2(const GeneratorRequest2& request);
 Scene2 generate_lattice_2(const GeneratorRequest2& request);

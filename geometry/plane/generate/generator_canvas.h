@@ -14,17 +14,17 @@
 
 namespace hottel {
 
-// A point in fixed point.
+// A point in fixed point: in units, or placed (GeneratorCanvas2::place).
 struct Dot2 {
   std::int64_t x = 0, y = 0;
   friend bool operator==(const Dot2&, const Dot2&) = default;
 };
 
-// Returns whether the closed segments ab and cd have a common point. Exact for coordinates below 2^61 in absolute
-// value.
+// True iff the closed segments ab and cd have a common point; end points count, and a segment may be a point.
+// REQUIRES: coordinates below 2^61 in absolute value; then it is exact.
 bool share_a_point(const Dot2& a, const Dot2& b, const Dot2& c, const Dot2& d);
 
-// Returns the integer part of the square root.
+// Returns the integer part r of the square root: r^2 <= value < (r + 1)^2, for every value of the type.
 std::uint64_t integer_root_2(std::uint64_t value);
 
 // Returns stem followed by the number.
@@ -34,6 +34,9 @@ std::string numbered(const char* stem, Number number) {
 }
 
 // Chance from std::mt19937_64, whose raw output the standard fixes.
+//
+//   (1) a seed gives the same numbers on every machine: no distribution of the library is used
+//   (2) each call takes one word from the engine
 class Chance2 {
  public:
   explicit Chance2(std::uint64_t seed) : engine_(seed) {}
@@ -42,7 +45,7 @@ class Chance2 {
   std::uint64_t below(std::uint64_t count) {
     return static_cast<std::uint64_t>((static_cast<UInt128>(engine_()) * count) >> 64);
   }
-  // A number in [low, high].
+  // A number in [low, high]. REQUIRES: low <= high.
   std::int64_t between(std::int64_t low, std::int64_t high) {
     return low + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(high - low) + 1));
   }
@@ -59,19 +62,23 @@ enum Paint : std::uint32_t { kWhite, kRed, kBlue, kGrey, kLamp, kGlow };
 // equal stay equal, and whatever kept a distance of 3 units does not meet.
 class GeneratorCanvas2 {
  public:
-  // Throws UsageError when the digits asked for cannot hold the extent.
+  // Throws UsageError when the digits asked for cannot hold the extent and one digit more.
   GeneratorCanvas2(const GeneratorRequest2& request, int decimals, std::int64_t extent);
 
   // A canvas whose points the generator places itself, as multiples of 10^-decimals.
   static GeneratorCanvas2 of_placed_points(const GeneratorRequest2& request, int decimals);
 
-  // Where a point in units comes to lie: fixed point of the finished scene.
+  // Where a point in units comes to lie: fixed point of the finished scene. It depends on the point and the request
+  // alone; without digits asked for it is the point itself.
   Dot2 place(const Dot2& unit) const;
 
-  // Both take placed points; edges come before polylines in the scene.
+  // Both take placed points; edges come before polylines in the scene. An edge is a group of its own, and black behind
+  // where no paint is given for its back.
   void add_edge(std::string name, const Dot2& from, const Dot2& to, Paint paint, std::optional<Paint> back = {});
+  // The closed polyline through the corners, one group. Its surfaces are "name[0]", "name[1]", ...; backs are black.
   void add_polygon(const std::string& name, const std::vector<Dot2>& corners, Paint paint);
 
+  // Returns the scene, without the materials that nothing uses. REQUIRES: called once, after all the rest.
   Scene2 finish(bool closed);
 
  private:

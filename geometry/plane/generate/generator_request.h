@@ -8,6 +8,13 @@
 
 namespace hottel {
 
+// What to generate: the kind, and what it is made from. Equal requests give equal scenes on every machine.
+//
+//   (1) kind is a name of generator_kinds_2(); n is from the kind's min_edges to kMaxGeneratedEdges
+//   (2) digits is from 0 to kMaxGeneratedDigits; a large scene may need more digits than are asked for
+//   (3) length (of clutter) is from 1/50 to 4; k (of lattice) is at most 100000
+//
+// What is out of range is refused by generate_2().
 struct GeneratorRequest2 {
   std::string kind;
   std::uint64_t n = 100;  // number of edges; each kind says how close it comes, never above

@@ -11,6 +11,7 @@
 
 namespace hottel {
 
+// A kind of scene, as help tells of it.
 struct GeneratorKind2 {
   std::string name;
   std::string description;  // one line

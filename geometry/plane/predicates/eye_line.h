@@ -10,7 +10,9 @@ namespace hottel {
 //   (1) side(v) is the exact sign, whatever the coordinates: a filter in doubles with a proven error bound decides what
 //       it can, 128-bit integers most of the rest, rationals all
 //   (2) the opposite line answers with the opposite sign
-// REQUIRES that both eyes and their vertices outlive the line, and that the eyes differ.
+//   (3) a vertex at one of the two points lies on the line: 0
+//
+// REQUIRES: both eyes and their vertices outlive the line, have the same vertices, and are different points.
 class EyeLine2 {
  public:
   EyeLine2(const Eye2& from, const Eye2& to)

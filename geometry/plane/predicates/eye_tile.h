@@ -28,14 +28,16 @@ class EyeTile2 {
     double x, y, radius_x, radius_y;
   };
 
-  // REQUIRES one to eight columns and rows, each in ascending order; they and the vertices outlive the tile.
+  // Throws ContractViolation unless there are one to eight columns, and one to eight rows.
+  // REQUIRES: both in ascending order and made with these vertices; all three outlive the tile.
   EyeTile2(const Vertices2& vertices, std::span<const EyeCoordinate2> columns, std::span<const EyeCoordinate2> rows);
 
   std::size_t columns() const { return columns_; }
   std::size_t rows() const { return eyes_.size() / columns_; }
   const Eye2& eye(std::size_t k) const { return eyes_[k / kSide * columns_ + k % kSide]; }
 
-  // REQUIRES eyes of the tile, at least one.
+  // These eyes and a box that holds them, widened by the error of their coordinates.
+  // REQUIRES: eyes of the tile, at least one.
   Group group(Set eyes) const;
 
   // The eyes of the group whose orientation(j, k) is positive; exactly.

@@ -43,7 +43,8 @@ class Vertices2 {
   IdRange<VertexId> ids() const { return IdRange<VertexId>(size()); }
   bool is_small() const { return !small_.empty() || size() == 0; }
 
-  // Sign of the area of the triangle i j k: +1 counter-clockwise, -1 clockwise, 0 collinear.
+  // Sign of the area of the triangle i j k: +1 counter-clockwise, -1 clockwise, 0 collinear or where two are one
+  // point. It is the same for j k i and the opposite for i k j.
   int orientation(VertexId i, VertexId j, VertexId k) const {
     const Approximate &p = approximate_[i.index()], &q = approximate_[j.index()], &r = approximate_[k.index()];
     const double ax = q.x - p.x, ay = q.y - p.y, bx = r.x - p.x, by = r.y - p.y;
@@ -59,7 +60,7 @@ class Vertices2 {
   // True iff vertex k, collinear with i and j, lies strictly between them. REQUIRES orientation(i, j, k) == 0.
   bool is_between(VertexId i, VertexId j, VertexId k) const;
 
-  // Sign of the scalar product (j - i) . (k - i).
+  // Sign of the scalar product (j - i) . (k - i): 0 also where j or k is i.
   int direction_sign(VertexId i, VertexId j, VertexId k) const;
 
   // Where vertex l lies of the circle through the counter-clockwise triangle i j k: +1 inside, -1 outside, 0 on it.
@@ -71,18 +72,20 @@ class Vertices2 {
   // Lexicographic order of exact coordinates.
   bool precedes(VertexId i, VertexId j) const;
 
+  // The length from i to j, in units of fixed_unit(), off by at most length_error() of them. Only the small form has
+  // exact ones: those whose length in integer form is an integer.
   FixedLength2 distance(VertexId i, VertexId j) const;
   double length_error() const { return length_error_; }
 
-  // Chooses the fixed-point unit so that any sum of lengths up to this many times the largest coordinate fits.
+  // Chooses the fixed-point unit so that any sum of lengths up to this many times the largest coordinate fits. Lengths
+  // measured before it are in another unit.
   void set_total_length(double diameters);
 
   // Exact values in integer form.
   Point2 exact(VertexId i) const;
   Rational squared_distance(VertexId i, VertexId j) const;
 
-  // Approximate coordinates in integer form divided by 2^k for some k, each within approximation_error() of the exact
-  // one.
+  // Coordinates in integer form divided by 2^k for some k, each within approximation_error() of the exact one.
   struct Approximate {
     double x, y;
   };
@@ -151,7 +154,7 @@ class EyeCoordinate2 {
 // A point to look from that need not be a vertex: the same predicates with the eye as first point.
 class Eye2 {
  public:
-  // The point is given in integer form.
+  // The point is given in integer form. REQUIRES: the vertices outlive the eye.
   Eye2(const Vertices2& vertices, const Point2& point);
   // REQUIRES that both coordinates outlive the eye. COST: a few ns.
   Eye2(const Vertices2& vertices, const EyeCoordinate2& x, const EyeCoordinate2& y)
@@ -162,6 +165,7 @@ class Eye2 {
         y_(y.approximate_),
         error_(x.error_ > y.error_ ? x.error_ : y.error_) {}
 
+  // Sign of the area of the triangle eye j k, exactly.
   int orientation(VertexId j, VertexId k) const {
     const auto &q = vertices_->approximate_[j.index()], &r = vertices_->approximate_[k.index()];
     const double ax = q.x - x_, ay = q.y - y_, bx = r.x - x_, by = r.y - y_;

@@ -16,7 +16,7 @@ struct Edge2 {
   friend bool operator==(const Edge2&, const Edge2&) = default;
 };
 
-// A grid of nx times ny equal cells over the region from min to max.
+// A grid of nx times ny equal cells over the region from min to max, in scene coordinates: where light is asked for.
 struct Grid2 {
   Point2 min, max;
   std::uint32_t nx = 0, ny = 0;
@@ -36,17 +36,25 @@ struct Scene2 : SceneTable {
     surfaces.push_back(std::move(surface));
     edges.push_back(std::move(edge));
   }
-  // Keeps these surfaces, in this order, and no others.
+  // Keeps these surfaces, in this order, and no others. Materials and groups stay, used or not. REQUIRES:
+  // indices of surfaces.
   void keep(const std::vector<std::uint32_t>& which);
 };
 
-// Throws InputError naming file, line and surface unless the numbered properties hold.
+// Throws InputError naming file, line and surface unless (2) and (3) hold, ContractViolation unless (1)
+// does. COST: linear.
 void validate(const Scene2& scene);
 
-// The point at t of the way from the first to the second point of an edge.
+// The point at t of the way from the first to the second point of an edge, exactly; t = 0 and t = 1 are its ends.
 Point2 point_at(const Edge2& edge, const Rational& t);
 
 // True iff the scene is one closed convex polygon, fronts inside, and no back has a material: nothing hides anything.
+//
+//   (1) its edges follow each other in the order of the scene, clockwise; two that follow each other may lie
+//       on one line
+//   (2) false for fewer than three edges, and where all lie on one line
+//
+// Exact. COST: linear.
 bool is_convex_room(const Scene2& scene);
 
 }  // namespace hottel

@@ -18,8 +18,14 @@ struct CriticalPoint2 {
   bool is_jump = false;  // D0: something touches the face here; otherwise D1, a kink
 };
 
-// Returns the critical points of face a with respect to b, another face or the sky (no face), by ascending t; several
-// lines may pass through one point. COST: one sweep about every vertex.
+// Returns the critical points of face a with respect to b, another face or the sky (no face), by ascending t.
+//
+//   (1) exact: 0 <= t <= 1, and `point` is at t of the way along the surface of a
+//   (2) is_jump iff near == point
+//   (3) several lines may pass through one point; each is told once with its (near, far)
+//   (4) lines along the surface of a give none, nor do its own end points as the nearer vertex
+//
+// COST: one sweep about every vertex.
 std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, const Scene2& scene, const Face& a,
                                             const std::optional<Face>& b);
 

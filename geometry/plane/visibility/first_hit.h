@@ -27,6 +27,7 @@ class FirstHit2 {
   // REQUIRES that the arrangement outlives this.
   explicit FirstHit2(const Arrangement2& arrangement);
 
+  // Returns the side that the ray meets first, or kSky. It may be a side that looks into a solid.
   PieceSideId operator()(const PieceRay2& ray) const;
 
  private:

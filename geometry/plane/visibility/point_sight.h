@@ -10,7 +10,8 @@
 
 namespace hottel {
 
-// The face that owns a side of a piece: "wall", "wall:back"; "sky". REQUIRES a side that is not covered.
+// Returns the name of the face that owns a side of a piece, "wall" or "wall:back"; "sky" for kSky. Throws
+// ContractViolation for a side that is covered.
 std::string face_name(const Scene2& scene, const Arrangement2& arrangement, PieceSideId side);
 
 // What a point sees of one face, of the sky, or of one solid that directions lead into.
@@ -29,14 +30,18 @@ struct PointSight2 {
   VisibilityPolygon2 polygon;
   std::vector<SeenFrom2> faces, solids;
 };
+// Returns what a point sees, in scene coordinates; it may lie on edges and vertices. COST: linear in the triangles,
+// for the point location that is made for it.
 PointSight2 point_sight(const PreparedScene2& prepared, const Point2& eye);
 
-// The view factor from a point of a face to another face or the sky; point_factors summed up by faces, in their order
-// of first sight.
+// The exact view factor from a point of a face to another face or the sky.
 struct FaceFactor2 {
   std::string to;
   RootSum factor;
 };
+// Returns the view factors from the point at t of the way along a face, one entry a face that is seen: point_factors
+// summed by faces, in the order of first sight.
+// REQUIRES: 0 <= t <= 1. COST: as point_sight.
 std::vector<FaceFactor2> point_factors_by_face(const PreparedScene2& prepared, const Face& face, const Rational& t);
 
 }  // namespace hottel

@@ -42,9 +42,11 @@ class RunPoint2 {
 //   (3) at an end of a run the pieces of others that stand there block the shift on their side
 class SegmentVisibility2 {
  public:
+  // REQUIRES: the arrangement outlives this.
   explicit SegmentVisibility2(const Arrangement2& arrangement)
       : vertices_(arrangement.vertices()), triangulation_(arrangement.triangulation()) {}
 
+  // True iff the two points see each other. REQUIRES: points of this arrangement.
   // COST: a few ns for each triangle on the way; the way is walked twice when a vertex lies on it.
   bool see_each_other(const RunPoint2& p, const RunPoint2& q) const;
 

@@ -9,18 +9,23 @@
 
 namespace hottel {
 
-// The views from the eyes of a tile.
+// The views from the eyes of a tile. Eyes have the numbers that they have in the tile (EyeTile2): 8 * row + column.
 //
 //   (1) view(k) and location(k) are what PointLocation2::look_around gives for eye k, entry by entry
 //
 // Neighbours see nearly the same, so they look around together: by triangular expansion (view.h), but with cones that
-// many eyes share. Where a line through two vertices passes between the eyes of a cone it is divided; cones between the
-// same two vertices are united again.
+// many eyes share. Where a line through two vertices passes between the eyes of a cone it is divided; cones between
+// the same two vertices are united again.
+// Eyes on an edge, at a vertex or outside the convex hull look around by themselves.
+//
+// REQUIRES: the tile and the location have the same vertices.
 // COST: that of the view from one eye, of what changes between the eyes, and about 3 ns for each vertex an eye sees.
 class TileViews2 {
  public:
+  // Fills the views of all eyes of the tile; those of the tile before are lost, their memory is used again.
   void look_around(const PointLocation2& location, const EyeTile2& tile);
 
+  // REQUIRES: k is an eye of the tile that was last looked around from.
   const View2& view(std::size_t k) const { return views_[k]; }
   const Location2& location(std::size_t k) const { return places_[k]; }
 

@@ -28,11 +28,13 @@ struct View2 {
   std::vector<Seen> seen;
 };
 
-// Follows the cone between right and left into the triangle of half-edge `entry`, which it enters through it (none: the
-// cone ends at the piece side or sky `blocked_by`), counter-clockwise; appends the vertices found strictly inside the
-// cone and what is seen between them. The last entry of the view must be the right end.
-// Orientation(j, k) is the sign of the triangle eye, j, k.
-// COST: one or two orientations for each triangle the cone enters.
+// Follows the cone between right and left into the triangle of half-edge `entry`, which it enters through it (none:
+// the cone ends at the piece side or sky `blocked_by`), counter-clockwise; appends the vertices found strictly inside
+// the cone and what is seen between them. Orientation(j, k) is the sign of the triangle eye, j, k.
+// REQUIRES: the last entry of the view is the right end.
+// COST: one or two orientations for each triangle the cone enters; no recursion.
+// SEE: triangular expansion: Bungiu, Hemmer, Hershberger, Huang, Kröller, Efficient computation of
+// visibility polygons, 2014.
 template <class Orientation>
 void expand_cone(const Triangulation2& triangulation, HalfEdgeId entry, PieceSideId blocked_by, VertexId right,
                  VertexId left, const Orientation& orientation, View2& view) {
@@ -76,7 +78,12 @@ void expand_cone_through(const Triangulation2& triangulation, HalfEdgeId exit, V
   expand_cone(triangulation, triangulation.twin(exit), triangulation.side(exit), right, left, orientation, view);
 }
 
-// Fills the view from vertex v, by the signs of points.orientation(i, j, k).
+// Fills the view from vertex v, by the signs of points.orientation(i, j, k). What the view held before is lost.
+//
+//   (1) every neighbour of v in the triangulation is in the list, in the order of star(v); vertices farther away
+//       stand between them
+//
+// REQUIRES: the triangulation has the vertices that `points` knows.
 template <class Points>
 void look_around(const Points& points, const Triangulation2& triangulation, VertexId v, View2& view) {
   view.seen.clear();
@@ -91,7 +98,7 @@ void look_around(const Points& points, const Triangulation2& triangulation, Vert
   }
 }
 
-// The same by exact signs. COST: about 20 ns for each triangle seen.
+// The same by exact signs: then all that the view says is exact. COST: about 20 ns for each triangle seen.
 void look_around(const Vertices2& vertices, const Triangulation2& triangulation, VertexId v, View2& view);
 
 }  // namespace hottel

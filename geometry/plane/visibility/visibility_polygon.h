@@ -40,28 +40,37 @@ struct VisibilityPolygon2 {
   std::vector<Point2> corners() const;
 };
 
+// Returns the region that a point sees; `eye` is in scene coordinates.
+// REQUIRES: `location` is made of the vertices and the triangulation of the arrangement.
+// COST: that of the view from the point, and rational arithmetic for each part.
 VisibilityPolygon2 visibility_polygon(const Arrangement2& arrangement, const PointLocation2& location,
                                       const Point2& eye);
 
-// Angle under which a part is seen, as a fraction of the full turn, enclosed with the given precision in bits.
+// Returns the angle under which a part is seen, as a fraction of the full turn, enclosed with the given precision in
+// bits; 1 where it is the only part.
 Ball angle_fraction(const VisibilityPolygon2& polygon, std::size_t part, long precision);
 
-// Sum of the angles of some parts as a fraction of the full turn, correctly rounded.
+// Returns the sum of the angles of some parts as a fraction of the full turn, correctly rounded; 0 for no parts.
 //
 // The corners are rational, so the fraction is irrational unless it is a multiple of 1/8 (the tangent of a rational
 // angle is rational only if it is 0, 1, -1 or infinite); that case is decided exactly, all others by balls.
 Rounded rounded_angle_fraction(const VisibilityPolygon2& polygon, std::span<const std::size_t> parts);
 
-// View factors from a point of a face: F(x -> g) = 1/2 sum (sin phi_end - sin phi_start), exact sums of square roots.
-//
-//   (1) the factors sum to 1, the sky included
-//   (2) at the first point of the edge (t = 0) and at contacts inside it the limit from larger t is taken, at t = 1
-//       that from smaller t
-// REQUIRES 0 <= t <= 1.
+// One entry of the view factors from a point of a face.
 struct PointFactor2 {
   PieceSideId side;  // kSky for the sky
   RootSum factor;
 };
+// Returns the view factors from the point at t of the way from `from` to `to`, the ends of an edge in scene
+// coordinates, of its front (right side) or its back: F(x -> g) = 1/2 sum (sin phi_end - sin phi_start), exact sums
+// of square roots.
+//
+//   (1) the factors sum to 1, the sky included; each side of a piece that is seen has one entry
+//   (2) at the first point of the edge (t = 0) and at contacts inside it the limit from larger t is taken, at t = 1
+//       that from smaller t
+//
+// Throws ContractViolation unless 0 <= t <= 1.
+// REQUIRES: from != to.
 std::vector<PointFactor2> point_factors(const Arrangement2& arrangement, const PointLocation2& location,
                                         const Point2& from, const Point2& to, bool from_back, const Rational& t);
 

@@ -22,6 +22,7 @@ struct Gap2 {
 //   (1) every gap of the scene is visited from each of its two ends, once from one of them when `each_once`
 //   (2) lines through three or more vertices have a gap between each two that follow each other and see each other
 //   (3) with exact orientations all that is told of a gap is exact
+//   (4) gaps are visited in the order of the view: counter-clockwise by w, one for each vertex seen
 // REQUIRES the view from v. COST: at most two orientations for each visible vertex.
 template <class Points, class Visit>
 void for_each_gap(const Points& points, VertexId v, const View2& view, bool each_once, const Visit& visit) {
