@@ -17,6 +17,7 @@ class JudgedScene {
  public:
   virtual ~JudgedScene() = default;
 
+  // The name of a surface, to be printed. REQUIRES an index of Element::surface.
   virtual const std::string& surface_name(std::uint32_t surface) const = 0;
 
   // Returns F(from, to) without any obstacle, by place in judged.pairs(): of pairs that are off and whose second is not

@@ -13,6 +13,7 @@ namespace hottel {
 inline constexpr const char* kExactFamily = "exact";            // the method that all others are held against
 inline constexpr const char* kArithmeticFamily = "arithmetic";  // the same sweep in other arithmetic
 
+// What one run of a method cost, and how wrong it was.
 struct WorkPoint {
   std::string method;
   double seconds = 0, error = 0;  // error: max |F - exact F|
@@ -25,7 +26,8 @@ struct WorkCurve {
   std::vector<WorkPoint> points;
 };
 
-// Returns one curve a family, in the order in which families first appear.
+// Returns one curve a family, in the order in which families first appear; seconds are medians.
+// COST: results times families.
 std::vector<WorkCurve> work_curves(std::span<const MethodResult> results);
 
 // Returns the least time in which a family gets down to an error: on the polyline, in logarithms, through the points
@@ -45,7 +47,8 @@ struct WorkReading {
 // One reading for each error that is asked for; none without the method "exact".
 std::vector<WorkReading> read_off(std::span<const WorkCurve> curves, std::span<const double> errors);
 
-// "at an error of 0.001 exact is 5.2 times faster than the cheapest method that reaches it, gauss (1.3 ms against ...)"
+// Returns a sentence without a full stop; times within a tenth of each other are said to be about as long.
+// "at an error of 0.001 exact (250 µs) is 5.2 times faster than the cheapest method that reaches it, gauss (1.3 ms)"
 std::string to_sentence(const WorkReading& reading);
 
 }  // namespace hottel

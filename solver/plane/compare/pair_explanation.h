@@ -14,7 +14,8 @@
 
 namespace hottel {
 
-// Explains pairs of one scene.
+// Explains pairs of one scene. Visibilities are the exact ones; distances and angles are doubles, of the lines as
+// typed: what other surfaces own of an element is not cut off.
 class PairExplainer2 {
  public:
   // exact: the scene's factors by elements, with visibilities. Both outlive this.
@@ -34,7 +35,7 @@ class PairExplainer2 {
   ElementTable2 table_;
 };
 
-// Returns the pairs that a result gets most wrong, the worst first, at most `count`.
+// Returns the pairs that a result gets most wrong, the worst first, at most `count` (worst_pairs() of matrix_errors.h).
 // exact: as given to the explainer. REQUIRES a result with its matrix.
 std::vector<ExplainedPair> explained_worst_pairs(const PairExplainer2& explainer, const ExchangeMatrix& exact,
                                                  const MethodResult& result, std::size_t count);
