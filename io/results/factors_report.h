@@ -29,7 +29,8 @@ struct FactorsReport {
   bool is_exact() const { return method == "exact"; }
 };
 
-// Returns the report as one JSON object and a final newline.
+// Returns the report as one JSON object and a final newline. `notes` and `script_f` are there only where there
+// is something to say.
 std::string factors_json(const FactorsReport& report);
 
 // Returns a line or more, without a final newline.

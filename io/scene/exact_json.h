@@ -11,17 +11,20 @@ namespace hottel {
 // Lists and objects may be nested this deep. Reading and walking a document never recurses.
 inline constexpr int kMaxJsonDepth = 64;
 
+// What a value is. kKey is the key of a member; no item of a list, and not the root, is one.
 enum class JsonKind : std::uint8_t { kNull, kBoolean, kNumber, kString, kArray, kObject, kKey };
 
 class JsonDocument;
 class JsonItems;
 class JsonMembers;
 
-// A value of a document, or the absence of one (default constructed). A view: valid while its document lives.
+// A value of a document, or the absence of one (default constructed). A view: valid while its document lives. All but
+// the conversion to bool REQUIRE a value.
 class JsonValue {
  public:
   JsonValue() = default;
 
+  // Whether there is a value.
   explicit operator bool() const { return document_ != nullptr; }
   JsonKind kind() const;
   int line() const;                 // of its first character, 1-based
@@ -33,6 +36,7 @@ class JsonValue {
   // The number of items of a list or of members of an object; otherwise 0.
   std::size_t size() const;
 
+  // For loops in the order of the text; COST: the n-th item is reached by passing those before it.
   JsonItems items() const;      // REQUIRES: kind() is kArray
   JsonMembers members() const;  // REQUIRES: kind() is kObject
 
@@ -48,6 +52,7 @@ class JsonValue {
   std::uint32_t index_ = 0;
 };
 
+// A member of an object: `"key": value`.
 struct JsonMember {
   JsonValue key;  // its text is the key
   JsonValue value;
@@ -122,7 +127,7 @@ class JsonItems {
   JsonValue list_;
 };
 
-// The members of an object, in order.
+// The members of an object, in the order in which they were typed.
 class JsonMembers {
  public:
   class Iterator {

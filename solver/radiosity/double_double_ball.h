@@ -35,7 +35,7 @@ inline constexpr double kRoundoff = 0x1p-53;     // of one operation, relative
 inline constexpr double kUnderflow = 0x1p-1070;  // of a few operations, absolute
 inline constexpr double kOutward = 1 + 0x1p-48;  // more than the roundings of a radius
 
-// Enclosures of a + b, -a, a - b and a b.                                      COST: about 10 ns each.
+// Enclosures of a + b, -a, a - b and a b. That of -a has the radius of a.       COST: about 10 ns each.
 inline DoubleDoubleBall sum(const DoubleDoubleBall& a, const DoubleDoubleBall& b) {
   double s, e;
   two_sum(a.hi, b.hi, s, e);

@@ -20,12 +20,15 @@ struct ScaledBall {
   DoubleDoubleBall mantissa;
   int exponent = 0;
 
+  // From a number, exactly where a mantissa of two doubles holds it; 0 is 0. The exponents of doubles are no limit.
   static ScaledBall of(const Rational& value);
   static ScaledBall of(const DoubleDoubleBall& value, int exponent = 0) {
     return ScaledBall{value, exponent}.near_one();
   }
 
+  // Whether nothing but 0 is enclosed.
   bool is_zero() const { return mantissa.size() == 0; }
+  // A double near the middle of what is enclosed; infinite beyond the range of doubles.
   double nearest() const { return std::ldexp(mantissa.value(), exponent); }
   double lower() const { return -negated(*this).upper(); }
   double upper() const {
@@ -48,6 +51,7 @@ struct ScaledBall {
   friend ScaledBall negated(const ScaledBall& a) { return {hottel::negated(a.mantissa), a.exponent}; }
 };
 
+// Enclosures of a + b, a - b and a b; 0 times anything is 0.
 inline ScaledBall sum(const ScaledBall& a, const ScaledBall& b) {
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;

@@ -12,6 +12,7 @@
 
 namespace hottel {
 
+// What a picture is written as: pixels, or shapes that stay sharp at any size.
 enum class PictureFormat : unsigned char { kPng, kSvg };
 
 // Returns the format that the ending of a file name asks for (".png", ".svg"), or nothing.
