@@ -34,10 +34,11 @@ class Streams {
   bool is_quiet_;
 };
 
-// One line without control characters or ill-formed UTF-8: what a message may contain of a file name or argument.
+// One line without control characters or ill-formed UTF-8: what a message may contain of a file name or argument. Each
+// byte of these is written as \xNN; all else is kept.
 std::string one_line(std::string_view text);
 
-// An error message on stderr: the line, then at most three hints, indented.
+// An error message on stderr: the line, then at most three hints, indented. Printed under --quiet too.
 void print_error(const std::string& line, const std::vector<std::string>& hints = {}) noexcept;
 
 }  // namespace hottel

@@ -41,11 +41,15 @@ class ReaderGone : public std::exception {
 // when opening.
 class OutputFile {
  public:
+  // Opens the file to write. Throws OutputError, for an empty name too.
   explicit OutputFile(const std::filesystem::path& file);
   OutputFile(OutputFile&&) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
   ~OutputFile();
 
+  // Appends bytes; they are buffered, and go out some 64 KiB at a time. Throws OutputError, ReaderGone when standard
+  // output is a pipe that nobody reads, Interrupted when a stop is asked for while a write waits. REQUIRES that
+  // finish() or commit() has not been called.
   void write(std::string_view bytes);
 
   // Puts everything on disk and closes; nothing may be written afterwards. To replace several files together, finish()
@@ -71,7 +75,7 @@ class OutputFile {
   std::string buffer_;
 };
 
-// Writes a whole file; see OutputFile.
+// Writes a whole file; see OutputFile. Until it returns a file that was there before is untouched.
 void write_output_file(const std::filesystem::path& file, std::string_view bytes);
 
 // Makes the folder where there is none, with those that it lies in.

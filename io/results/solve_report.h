@@ -16,7 +16,7 @@ namespace hottel {
 std::string plan_text(const Plan& plan);
 std::string plan_json(const std::string& scene, const Plan& plan);
 
-// Everything that is said about one run of `solve`.
+// Everything that is said about one run of `solve`. REQUIRES that none of the pointers is null when it is written.
 struct SolveReport {
   std::string scene;
   const Plan* plan = nullptr;

@@ -20,6 +20,7 @@ class FaceRadiosity2 {
  public:
   // by_element: channels values for each of labels.elements(), in their order (that of ExchangeMatrix::elements());
   // those of black backs are not looked at. sky: one value per channel.
+  // REQUIRES at least one channel, and as many values; throws ContractViolation otherwise.
   FaceRadiosity2(const Arrangement2& arrangement, const ElementTable2& table, std::span<const double> by_element,
                  std::span<const double> sky);
 

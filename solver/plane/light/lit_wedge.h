@@ -28,11 +28,9 @@ struct LitWedge2 {
 //
 //   (1) two wedges of a quadrant next to the same faces have the same coefficients
 //   (2) what is told of a wedge is within margin, doubt and rough_doubt of the real one; they bound the errors of
-//   places,
-//       of constants and of differences from the apex, and enter the error of every cell (CellSums2)
+//       places, of constants and of differences from the apex, and enter the error of every cell (CellSums2)
 //   (3) a wedge that would add less than its doubt anywhere, or adds the same as its neighbours, is still listed: none
-//   is
-//       left out but those counted in `lost`
+//       is left out but those counted in `lost`
 struct LitWedges2 {
   FinePoint2 apex;
   double rough_doubt = 0;      // a difference from the apex in doubles is known within this

@@ -8,7 +8,8 @@
 
 namespace hottel {
 
-// A ray that starts at a vertex.
+// A ray that starts at a vertex: along an axis, towards another vertex, or away from one. Kept
+// by name, without rounding.
 struct VertexRay2 {
   enum class Kind : unsigned char { kAxis, kTowards, kAwayFrom };
   Kind kind = Kind::kAxis;

@@ -21,6 +21,7 @@ class NaivePoints2 {
     const double determinant = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
     return (determinant > 0) - (determinant < 0);
   }
+  // In the unit of the scene times that power of two.
   double distance(VertexId i, VertexId j) const {
     const double dx = place_[j.index()].x - place_[i.index()].x, dy = place_[j.index()].y - place_[i.index()].y;
     return std::sqrt(dx * dx + dy * dy);
@@ -60,7 +61,9 @@ class StepLimit2 {
 // window through which it is seen.
 std::uint64_t naive_step_limit(const Triangulation2& triangulation);
 
-// How many orientations the naive sweep asks for, and how many of them have another sign than the exact ones.
+// How many orientations the naive sweep asks for, and how many of them have another sign than the exact ones. A sweep
+// that goes in circles is cut off as StepLimit2 does.
+// COST: an exact orientation for each that is asked for, one vertex after the other.
 struct WrongOrientations2 {
   std::uint64_t asked = 0, wrong = 0;
 };

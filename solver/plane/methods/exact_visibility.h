@@ -23,7 +23,8 @@ class ExactVisibility2 {
         if (entry.to != exact_.sky() && !exact_.has_row(entry.to)) rows_that_see_[entry.to].push_back(i);
   }
 
-  // Appends the elements j with S(i, j) > 0, where one of i and j at least has a row; no others.
+  // Appends the elements j with S(i, j) > 0, where one of i and j at least has a row; no others, and not the sky. COST:
+  // the number of these.
   void append_partners(std::uint32_t i, std::vector<std::uint32_t>& elements) const {
     for (const FactorEntry& entry : exact_.row(i))
       if (entry.to != exact_.sky()) elements.push_back(entry.to);

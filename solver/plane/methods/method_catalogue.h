@@ -39,6 +39,7 @@ SplitMethodName2 split_method_name_2(const std::string& name);
 // more. Rows that do not sum to more than 0 stay as they are.
 class MethodCatalogue2 {
  public:
+  // Adds a family. REQUIRES a name that no family has yet: the first one of a name is found.
   void add(MethodFamily2 family) { families_.push_back(std::move(family)); }
   const std::vector<MethodFamily2>& families() const { return families_; }
 

@@ -29,6 +29,7 @@ class RandomStream2 {
   std::uint64_t start_;
 };
 
+// How the points of an element are spread over the square: see RaySamples2.
 enum class Sampling2 : unsigned char { kIndependent, kStratified, kSobol };
 
 // n points for each element, uniform in the open unit square. Points of different elements are independent.

@@ -37,6 +37,7 @@ class Frame2 {
   Pixel bottom_right() const { return bottom_right_; }
   double pixels_per_length() const { return pixels_per_extent_x_ / extent_double_; }
 
+  // Where a point of the scene lies in the picture, y down; points beside the region lie beside the picture.
   Pixel at(const Point2& point) const;
   Pixel at(const std::array<double, 2>& point) const;
 
