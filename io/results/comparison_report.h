@@ -24,7 +24,8 @@ struct ComparisonReport {
   std::span<const WorkReading> readings;  // times at which errors are reached
 };
 
-// Returns the report as one JSON object and a final newline.
+// Returns the report as one JSON object and a final newline. What is not known is null; what is no UTF-8 in
+// a name is replaced.
 std::string comparison_json(const ComparisonReport& report);
 
 // Returns an aligned table, a line a method, with the spread of the times; its size above it, notes (each once, with

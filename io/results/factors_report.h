@@ -33,7 +33,8 @@ struct FactorsReport {
 // is something to say.
 std::string factors_json(const FactorsReport& report);
 
-// Returns a line or more, without a final newline.
+// Returns a line or more, without a final newline: pairs and seconds; of the exact method also which arithmetic settled
+// how many factors, of others their notes.
 std::string factors_text(const FactorsReport& report);
 
 }  // namespace hottel

@@ -12,7 +12,7 @@
 namespace hottel {
 
 // A scene whose factors are judged. Hypotheses that follow from more than the numbers ask it; they know of no
-// dimension.
+// dimension. Asked only when some pair is off.
 class JudgedScene {
  public:
   virtual ~JudgedScene() = default;

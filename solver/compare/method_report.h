@@ -19,7 +19,7 @@ struct MethodInfo {
   std::string reference;  // who described it, and where
 };
 
-// How a matrix came about: what a method tells of one run. What it does not tell is left as it is here.
+// How a matrix came about: what a method tells of one run.
 struct MethodReport {
   double row_defect = 0;                  // max |sum_j F_ij - 1| as computed, before any normalisation
   std::optional<double> standard_error;   // of the worst factor, where the method is random

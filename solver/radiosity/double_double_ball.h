@@ -20,6 +20,8 @@ namespace hottel {
 struct DoubleDoubleBall {
   double hi = 0, lo = 0, radius = 0;
 
+  // Enclosures of one real number: a rational, to about 106 bits; a sum of two doubles, exactly; a number that was
+  // rounded to a double; and one of which only bounds are known.
   static DoubleDoubleBall of(const Rational& value);  // any number, where it is beyond the range of doubles
   static DoubleDoubleBall of(DoubleDouble value) { return {value.hi, value.lo, 0}; }
   static DoubleDoubleBall of(const Rounded& value);  // on the side that is known, as far as half-way to the next double

@@ -31,9 +31,11 @@ struct SymmetricRows {
 // Light stays so long that a constant is huge to what is sent out.
 inline bool is_huge(double constant, double right_side) { return std::abs(constant) > 0x1p24 * right_side; }
 
-// Whether a solution is to be kept as a constant and differences to it, or as values: differences that are as large
-// cost the digits of what is far from the light. Where light stays very long, so that the constant is huge, values
-// would cost those of the differences; it is kept unless something is very much darker.
+// Whether the solution of a component is to be kept as a constant and differences to it, or as values.
+//
+//   (1) differences as large as the constant are not kept: they would cost the digits of what is far from the light
+//   (2) where light stays so long that the constant is huge, values would cost the digits of the differences: the
+//       constant is kept then, unless some value is very much smaller than it
 class FormOfSolution {
  public:
   // Takes in one unknown of the component: x = constant + difference, and its right side.

@@ -49,7 +49,9 @@ class LogPlotPainter {
   // the number of curves.
   explicit LogPlotPainter(const LogPlot& plot);
 
+  // Draws on a canvas of the plot's size: paper, heading, axes, curves, labels where there is room, legend.
   void draw(PictureCanvas& canvas) const;
+  // REQUIRES values that the plot shows: finite, x > 0, y >= 0.
   Pixel at(double x, double y) const;  // where a value is drawn
 
  private:

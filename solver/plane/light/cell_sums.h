@@ -15,6 +15,7 @@ namespace hottel {
 //   (2) a sum depends on the order in which wedges came, and on nothing else
 class CellSums2 {
  public:
+  // All sums are 0. REQUIRES that the frame outlives this. COST: 8 bytes a cell and channel, 8 more a cell.
   CellSums2(const CellFrame2& frame, std::uint32_t channels);
 
   // Adds the wedges of a vertex to the cells of the rows first_row to end_row - 1. Threads may work on different rows.

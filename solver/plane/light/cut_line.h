@@ -17,9 +17,10 @@ class CutLine2 {
 
   double at(const FinePoint2& place) const;  // REQUIRES a place in the grid
   double doubt() const { return doubt_; }
+  // The unit vector along which the distance grows: to the left of the line, rounded.
   const Vector2& gradient() const { return gradient_; }
 
-  // Half the extent of a cell across the line.
+  // Half the extent of a cell across the line: how far a corner of a cell may lie beyond its centre.
   double support() const { return support_; }
   // +1: a whole cell certainly lies left of the line, -1: right of it, 0: neither is certain. By plain doubles; the
   // same for the same line and cell, always. centre: of the cell, rounded.

@@ -47,6 +47,8 @@ class WedgeLighting2 {
   WedgeLighting2(const Arrangement2& arrangement, const FaceRadiosity2& radiosity, const CellFrame2& frame)
       : arrangement_(arrangement), radiosity_(radiosity), frame_(frame) {}
 
+  // Fills `result` with the wedges of v. Left out are those that lie in solids and those of which both sides send what
+  // the sky sends: they add nothing. Wedges whose lines are not known to a quarter of a cell are counted in `lost`.
   void find(VertexId v, LitWedges2& result) const;
 
  private:

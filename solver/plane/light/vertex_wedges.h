@@ -37,7 +37,10 @@ struct Wedge2 {
 };
 
 // Appends the wedges of vertex v, counter-clockwise from the x axis; view is what v sees.
-// COST: about two orientations for each vertex seen.
+//
+//   (1) a wedge between two rays of one direction, which has no inside, is left out
+//   (2) nothing is rounded: directions are compared by signs
+// REQUIRES the view of v among these vertices. COST: about two orientations for each vertex seen.
 void append_wedges(const Vertices2& vertices, VertexId v, const View2& view, std::vector<Wedge2>& wedges);
 
 }  // namespace hottel

@@ -29,8 +29,8 @@ class PlaceTree2 {
   static constexpr double kSlack = 0x1p-40;  // coordinates are below 1
   using Visit = std::function<bool(VertexId)>;
 
-  // The first `vertices` vertices of the geometry, which need not outlive this. COST: O(n log n); 36 bytes a box of
-  // four to eight vertices.
+  // The first `vertices` vertices of the geometry, which need not outlive this. COST: O(n log n); 32 bytes a
+  // box, 4 a vertex.
   PlaceTree2(const ElementGeometry2& geometry, std::size_t vertices);
 
   // Visits the vertices that do not lie behind the line of a run, until visit returns false. Returns false if it did.

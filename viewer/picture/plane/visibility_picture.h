@@ -75,7 +75,7 @@ class PairPainter2 {
   SceneSheet2 sheet_;
 };
 
-// Return the bytes of the picture file.
+// Return the bytes of the picture file. The sheet is as the drawing asks for.
 std::string visibility_picture_2(const PreparedScene2& prepared, const VisibilityDrawing2& drawing,
                                  PictureFormat format);
 std::string pair_picture_2(const PreparedScene2& prepared, const PairDrawing2& drawing, PictureFormat format);
