@@ -25,8 +25,8 @@ struct ElementOptions {
   void apply_to(Scene2& scene) const;  // throws UsageError for a size that is no positive number
 };
 
-// The folder of an option -o: `option`, or ./STEM-hottel for a scene STEM.json. Throws UsageError for "-": results of
-// several files do not go to standard output.
+// The folder of an option -o: `option`, or ./STEM-hottel for a scene STEM.json, wherever that scene lies. Throws
+// UsageError for "-": results of several files do not go to standard output.
 std::filesystem::path output_folder(const std::string& option, const std::string& scene);
 
 // Returns what `work` returns. A RequestError of it, which knows no files, is told with the scene's file before it.

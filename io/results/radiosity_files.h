@@ -27,6 +27,7 @@ void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, 
 struct NetFluxes {
   std::vector<NetFlux> faces, groups;
 
+  // REQUIRES the solution of this matrix, of this scene. COST: two passes over the matrix a channel.
   NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution);
 };
 void write_flux_csv(const NetFluxes& fluxes, const std::vector<std::string>& channel_names,

@@ -18,8 +18,10 @@ class JsonDocument;
 class JsonItems;
 class JsonMembers;
 
-// A value of a document, or the absence of one (default constructed). A view: valid while its document lives. All but
-// the conversion to bool REQUIRE a value.
+// A value of a document, or the absence of one (default constructed). A view: valid while its document lives.
+//
+//   (1) 16 bytes, to be passed by value; nothing is copied or converted when it is looked at
+// All but the conversion to bool REQUIRE a value.
 class JsonValue {
  public:
   JsonValue() = default;
@@ -33,7 +35,7 @@ class JsonValue {
   // A number as it was typed, the contents of a string, "true" or "false"; otherwise empty.
   std::string_view text() const;
 
-  // The number of items of a list or of members of an object; otherwise 0.
+  // The number of items of a list or of members of an object; otherwise 0. COST: none, it is stored.
   std::size_t size() const;
 
   // For loops in the order of the text; COST: the n-th item is reached by passing those before it.
@@ -63,6 +65,7 @@ struct JsonMember {
 //   (1) a number's text denotes exactly the number typed ("0.1", "1e400"), also beyond the range of double
 //   (2) no object has a key twice
 //   (3) every string is well-formed UTF-8
+// Not copied or moved, so that values may point to it. Read only: many threads may look at it at once.
 class JsonDocument {
  public:
   // Throws InputError{name, line} when the text is not JSON (a byte order mark, comments, NaN and NUL bytes are not),

@@ -26,6 +26,7 @@ struct JudgedPair {
 //   (1) a pair is off iff value and exact differ by more than tolerance(): what the caller allows, and half of the last
 //       digit that the file writes of such a number
 //   (2) pairs() is sorted by row, then by column, each pair once; off() counts those that are
+//   (3) where the exact matrix has no entry the exact factor is 0 and so is the visibility
 // COST: 40 bytes a pair.
 class JudgedPairs {
  public:

@@ -14,6 +14,9 @@
 namespace hottel {
 
 // What one method came to on one scene, held against the exact factors and radiosities.
+//
+//   (1) errors are those of `matrix` as it is: nothing is rescaled or completed before it is judged
+//   (2) `solution` is nothing where max_radiosity_error is nothing or infinite
 struct MethodResult {
   MethodInfo info;
   Timing timing;  // of the factors alone; the prepared scene is given to all

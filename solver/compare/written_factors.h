@@ -30,7 +30,7 @@ struct WrittenDigits {
   }
 };
 
-// Factors of a file, laid out as the elements of a scene.
+// What a file of factors tells besides its numbers, laid out as the elements of a scene.
 struct WrittenFactors {
   WrittenDigits digits;
   std::vector<char> has_column;  // by element, the sky last: the file has a place for what goes there

@@ -93,6 +93,8 @@ class RadiositySystem {
   // Returns the unknown of an element (or of the sky), -1 when it is known.
   std::int32_t unknown(std::uint32_t element) const { return unknown_[element]; }
 
+  // The sources of one channel: emissions of the materials, and of the sky. REQUIRES the channel of this system, or one
+  // of the same reflectivities.
   Sources sources(const std::vector<Material>& materials, const Spectrum& sky_emission, int channel) const;
   // The sources when one element (or the sky) emits 1 and nothing else does.
   Sources unit_source(std::uint32_t element) const;

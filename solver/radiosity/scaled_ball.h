@@ -39,7 +39,7 @@ struct ScaledBall {
   // The mantissa in units of 2^unit.
   DoubleDoubleBall in_unit(int unit) const { return scaled(mantissa, exponent - unit); }
 
-  // The same number with a mantissa of size 1 to 2; 0 is 0 times 1.
+  // The same number with a mantissa of size 1 to 2; 0 is 0 times 1. A mantissa that is not finite stays as it is.
   ScaledBall near_one() const {
     const double size = mantissa.size();
     if (size == 0) return {};

@@ -25,6 +25,7 @@ struct SymmetricRows {
   std::vector<double> coupling, defect, weight;  // by unknown; coupling is the sum of its entries
   std::vector<std::uint32_t> component;
 
+  // One row for each unknown of the system, whose matrix is not needed afterwards.
   explicit SymmetricRows(const RadiositySystem& system);
 };
 

@@ -18,6 +18,7 @@ struct LogPlotPoint {
   std::string label{};  // small, beside the point where there is room; may be empty
 };
 
+// A line of the plot: points joined in their order.
 struct LogPlotCurve {
   std::string name;  // for the legend
   std::vector<LogPlotPoint> points;

@@ -69,7 +69,7 @@ class RecordingCanvas : public PictureCanvas {
     return 0.55 * style.size * static_cast<double>(text.size());
   }
 
-  // All calls; those with a mark; those with a mark and of a kind.
+  // All calls, in order; those with a mark; those with a mark and of a kind.
   const std::vector<Call>& calls() const { return calls_; }
   std::vector<Call> calls(Mark mark) const {
     std::vector<Call> found;

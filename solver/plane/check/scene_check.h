@@ -12,6 +12,7 @@
 
 namespace hottel {
 
+// What a check may take, and whom it tells how far it is.
 struct CheckOptions2 {
   std::uint64_t memory = 0;                   // bytes that view factors may take; 0: no limit
   std::function<void(double)> progress = {};  // fraction done; may throw to stop

@@ -9,7 +9,7 @@
 
 namespace hottel {
 
-// A range of x, closed; empty (min > max) until something is included.
+// A range of x; empty (min > max) until something is included.
 struct Columns2 {
   double min = HUGE_VAL, max = -HUGE_VAL;
   void include(double value) {

@@ -13,6 +13,7 @@ namespace hottel {
 //
 //   (1) of(i, j) == of(j, i); it is 0 iff nothing of one sees anything of the other, decided without rounding
 //   (2) black backs, which have no row, are found by those that see them
+// Many threads may ask at once. The scene is not needed afterwards.
 class ExactVisibility2 {
  public:
   // COST: that of the exact factors.
