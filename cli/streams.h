@@ -23,7 +23,8 @@ class Streams {
   // Writes a whole text there, and commits. That nobody reads standard output any more is no reason to stop.
   void write(const std::string& option, std::string_view text) const;
 
-  // A remark on stderr, unless --quiet. Lines; a final newline is added where there is none.
+  // A remark on stderr, unless --quiet. Lines; a final newline is added where there is none. An empty
+  // text is no remark.
   void note(std::string_view text) const;
 
   // A callback for work that reports the fraction done, from any thread. It draws a bar with the time left (see

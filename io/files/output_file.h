@@ -23,7 +23,7 @@ class OutputError : public std::runtime_error {
   std::string file_;
 };
 
-// Nobody reads standard output any more: no reason for a message.
+// Nobody reads standard output any more: no reason for a message. The program ends without one, as if all were done.
 class ReaderGone : public std::exception {
  public:
   const char* what() const noexcept override { return "the reader of standard output has gone"; }

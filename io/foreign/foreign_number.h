@@ -8,7 +8,8 @@
 
 namespace hottel {
 
-// Reads decimal numbers of one file and keeps count of their digits.
+// Reads decimal numbers of one file and keeps count of their digits, so that in the end it is known how far a number
+// may be from what was meant (WrittenDigits).
 class ForeignNumbers {
  public:
   explicit ForeignNumbers(std::string file) : file_(std::move(file)) {}
@@ -39,7 +40,7 @@ class ForeignWords {
 
   // Moves to the next word; false at the end, where word() is empty.
   bool next();
-  // Returns the rest of the line, and moves to the beginning of the next one.
+  // Returns the rest of the line, without its LF, and moves to the beginning of the next one.
   std::string_view rest_of_line();
 
   std::string_view word() const { return word_; }

@@ -25,7 +25,7 @@ struct Subject {
   std::string text() const { return std::string(owner) + (part.empty() ? "" : ": ") + std::string(part); }
 };
 
-// Throws InputError at the line of a value: one sentence, and at most three hints.
+// Throws InputError with the file and the line of a value: one sentence, and at most three hints.
 [[noreturn]] void refuse(const JsonValue& at, const std::string& text, std::vector<std::string> hints = {});
 
 // Refuses a value of another kind, naming both kinds. REQUIRES a value, as do all functions here that read one; to

@@ -49,12 +49,18 @@ class TableReader {
   // Appends what the scene says of its own answers: numbers are checked to be numbers and kept as typed.
   void read_expectations(const JsonValue& list);
 
-  // Calls read_item(item, "edge[k]") for each item of a list; `key` and `noun` are for messages.
+  // Calls read_item(item, "edge[k]") for each item of a list, k from 0, in order; `key` and `noun` are for messages.
+  // Refuses what is no list.
   void read_list(const JsonValue& list, std::string_view key, const std::string& noun,
                  const std::function<void(const JsonValue&, const std::string&)>& read_item);
 
   // Reads an item and makes a group of its name. Keys beyond name, points, material, back, elements, about and behind
   // are those of `more`.
+  //
+  //   (1) `points` and `material` must be there; points are a list, which the caller reads
+  //   (2) an item without a name has the default one; a name that cannot be one is refused, and the reason is told
+  //   (3) elements are from 1 to kMaxElements; "behind" is "solid" or "open", and left to the outline where
+  //       it is not given
   SceneEntry read_entry(const JsonValue& value, const std::string& default_name, std::string_view noun,
                         std::span<const std::string_view> more = {});
 

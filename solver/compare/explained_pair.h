@@ -8,7 +8,8 @@
 
 namespace hottel {
 
-// How much of a pair is hidden, how near and at what angle its elements are: why a method may find it hard.
+// How much of a pair is hidden, how near and at what angle its elements are: why a method may find it hard. Numbers are
+// for people: rounded, without bounds.
 struct PairExplanation {
   std::optional<double> visibility;  // S / S0; nothing when they do not face each other. Of the sky: its factor
   std::optional<double> distance;    // between their middles [scene unit]; nothing of the sky

@@ -44,7 +44,7 @@ struct WorkReading {
   double seconds = 0;  // of that family
 };
 
-// One reading for each error that is asked for; none without the method "exact".
+// One reading for each error that is asked for, in their order; none without the method "exact". REQUIRES errors > 0.
 std::vector<WorkReading> read_off(std::span<const WorkCurve> curves, std::span<const double> errors);
 
 // Returns a sentence without a full stop; times within a tenth of each other are said to be about as long.

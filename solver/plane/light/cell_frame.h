@@ -10,7 +10,8 @@
 
 namespace hottel {
 
-// A point or vector whose coordinates are good to about 2^-104 of the largest number that went into them.
+// A point or vector whose coordinates are good to about 2^-104 of the largest number that went into them: sums of two
+// doubles, of which the first is the rounded coordinate.
 struct FinePoint2 {
   DoubleDouble x, y;
 };
@@ -21,7 +22,7 @@ inline constexpr double kFine = 0x1p-102;  // more than the relative error of a 
 // What CellFrame2::direction is good to, relative to its length.
 inline constexpr double kDirection = 0x1p-80;
 
-// A vector in doubles.
+// A vector in doubles; every operation rounds.
 struct Vector2 {
   double x, y;
   friend Vector2 operator+(const Vector2& a, const Vector2& b) { return {a.x + b.x, a.y + b.y}; }

@@ -17,7 +17,7 @@ struct Columns2 {
     max = std::max(max, value);
   }
 };
-// Returns the x that a triangle takes between two heights; empty when it takes none.
+// Returns the x that a triangle takes between two heights; empty when it takes none. REQUIRES bottom <= top.
 Columns2 columns_of(const Vector2 (&corners)[3], double bottom, double top);
 
 // Calls visit(ix, iy) for the cells of some rows that come within `slack` of a triangle, and for some near them.

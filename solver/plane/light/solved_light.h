@@ -14,7 +14,7 @@
 
 namespace hottel {
 
-// Light on a grid, and the proven bound on its values where there is one.
+// Light on a grid, and the proven bound on its values where there is one: for "average" alone, of these radiosities.
 struct SolvedLight2 {
   IlluminationGrid2 grid;
   std::optional<double> max_error{};

@@ -36,7 +36,7 @@ class RowSums2 {
   std::vector<std::uint32_t> touched_;  // columns that are not 0
 };
 
-// Fills the row of an element: adds F(from, j) to column j, the sky last.
+// Fills the row of an element: adds F(from, j) to column j, the sky last. `by` is empty when it is called.
 using FillRow2 = std::function<void(std::uint32_t from, RowSums2& by)>;
 
 // Returns the matrix of all rows that elements with a place have, estimated; an entry for each factor that is not 0.

@@ -16,7 +16,7 @@
 
 namespace hottel {
 
-// What stands on the sheet beside the drawing.
+// What stands on the sheet beside the drawing. A text that is empty takes no room.
 struct SheetText2 {
   std::uint32_t width = 1600;  // of the picture in pixels
   std::string title{};         // large, may be empty
