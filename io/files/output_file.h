@@ -38,7 +38,7 @@ class ReaderGone : public std::exception {
 //
 // "-" is standard output: there is no temporary, and bytes go out as the buffer fills. A path that exists and is no
 // regular file (/dev/null, a pipe) is written to directly. A directory, or a file without write permission, is refused
-// when opening.
+// when it is to be opened.
 class OutputFile {
  public:
   // Opens the file to write. Throws OutputError, for an empty name too.

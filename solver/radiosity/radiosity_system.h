@@ -77,8 +77,8 @@ class RadiositySystem {
   RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel);
 
   const ExchangeMatrix& matrix() const { return *matrix_; }
-  // True if the matrix is exact, and if no entry is estimated and factors within their bounds may sum to 1 in every
-  // row.
+  // True if the matrix is exact; also if no entry is estimated and factors within their bounds may sum to
+  // 1 in every row.
   bool rows_are_closed() const { return rows_are_closed_; }
   // Some factor is below 0, as only estimates may be: nothing is proven of the solution.
   bool has_negative_factors() const { return has_negative_factors_; }

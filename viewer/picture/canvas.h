@@ -82,9 +82,10 @@ class PictureCanvas {
   // A filled circle; a circle of which only the line is drawn, half of its width inside the radius.
   virtual void disc(Mark mark, Pixel centre, double radius, Colour colour) = 0;
   virtual void circle(Mark mark, Pixel centre, double radius, Colour colour, double line_width) = 0;
-  // at: the anchor on the base line. Bytes that are not UTF-8 are shown as question marks.
+  // One line. at: the anchor on the base line. Bytes that are not UTF-8 are shown as question marks.
   virtual void text(Mark mark, Pixel at, std::string_view text, const TextStyle& style) = 0;
-  // Stretched over the rectangle; smooth: blended between pixels, else each pixel a rectangle of its own.
+  // Stretched over the rectangle; smooth: blended between pixels, else each pixel a rectangle of its own. REQUIRES an
+  // image of width * height pixels.
   virtual void image(Mark mark, Pixel top_left, Pixel bottom_right, const PixelImage& image, bool smooth) = 0;
 
   // Until unclip() nothing is drawn outside the polygon. One clip at a time.
