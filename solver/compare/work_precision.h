@@ -30,9 +30,12 @@ struct WorkCurve {
 // COST: results times families.
 std::vector<WorkCurve> work_curves(std::span<const MethodResult> results);
 
-// Returns the least time in which a family gets down to an error: on the polyline, in logarithms, through the points
-// that no cheaper point beats. Nothing when its best point is worse than that; never less than its cheapest point
-// takes. REQUIRES error > 0.
+// Returns the least time in which a family gets down to an error: on the polyline, in logarithms, through
+// the points that no cheaper point beats. Nothing when its best point is worse than that; never less than
+// its cheapest point takes.
+//
+//   (1) a point with error 0 is reached at its own time: there is no logarithm to interpolate in
+// REQUIRES error > 0; throws ContractViolation otherwise.
 std::optional<double> seconds_to_reach(std::span<const WorkPoint> curve, double error);
 
 // What one reads off at an error: which approximation gets there first, and what the exact method takes. Families that

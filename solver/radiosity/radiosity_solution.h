@@ -30,7 +30,7 @@ struct EnergyBalance {
   double emitted = 0, absorbed = 0, to_sky = 0, defect = 0;
 };
 
-// Faces that exchange light with each other and that no light reaches: exactly 0, not solved.
+// Faces that exchange light with each other and that no light reaches: exactly 0, not solved. `size` counts them.
 struct DarkComponent {
   std::uint32_t first_element = 0, size = 0;
 };

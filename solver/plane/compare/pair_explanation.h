@@ -25,6 +25,11 @@ class PairExplainer2 {
   //   "they do not face each other" | "hidden" | "partly hidden" | "in full view", for the sky with "toward the sky",
   //   "touching" (a common end) | "near" (nearer than the longer of the two is long) | "far", not for the sky,
   //   "missed" (the method sees nothing of it) | "light where there is none".
+  //
+  //   (1) visibility is nothing only where no part of one faces any part of the other, and 0 where all
+  //       that does is hidden
+  //   (2) "touching" is decided on exact ends
+  // COST: a search in a row of the exact matrix; where the pair has no entry, all runs of both elements.
   PairExplanation explain(const PairError& pair) const;
 
  private:

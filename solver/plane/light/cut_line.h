@@ -12,7 +12,8 @@ namespace hottel {
 class CutLine2 {
  public:
   CutLine2() = default;
-  // The direction is known to kDirection of its length.
+  // The line through a point in a direction, which is known to kDirection of its length. REQUIRES a
+  // direction of some length.
   CutLine2(const FinePoint2& point, const FinePoint2& direction, const CellFrame2& frame);
 
   double at(const FinePoint2& place) const;  // REQUIRES a place in the grid

@@ -15,6 +15,7 @@ struct VertexRay2 {
   Kind kind = Kind::kAxis;
   std::uint32_t index = 0;  // kAxis: quarter turns from the x axis; else the number of a vertex
 
+  // Along the x axis after so many quarter turns counter-clockwise, 4 being 0 again; towards a vertex; away from one.
   static VertexRay2 axis(std::uint32_t quarter_turns) { return {Kind::kAxis, quarter_turns}; }
   static VertexRay2 towards(VertexId v) { return {Kind::kTowards, static_cast<std::uint32_t>(v.index())}; }
   static VertexRay2 away_from(VertexId v) { return {Kind::kAwayFrom, static_cast<std::uint32_t>(v.index())}; }
