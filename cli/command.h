@@ -35,9 +35,13 @@
 
 namespace hottel {
 
+// What the program returns. kUnmet: the request cannot be met, or memory does not suffice; kUsage: an option or a
+// name that makes no sense; kFile: a file cannot be read or written, or holds what it must not; kInterrupted: it
+// was told to stop.
 enum class ExitCode : int { kDone = 0, kUnmet = 1, kUsage = 2, kFile = 3, kInterrupted = 130 };
 
-// Checks of an option's number, in words: CLI11's own let NaN pass and take -5 for a very large unsigned number.
+// Checks of an option's number, in words: CLI11's own let NaN pass and take -5 for a very large unsigned
+// number. Finite numbers only.
 CLI::Validator positive_number();
 CLI::Validator number_not_below_zero();
 
@@ -72,6 +76,7 @@ class Commands {
   int threads_ = 0;  // 0: as many as there are cores
 };
 
+// Each adds one command, with its options and examples (cli/NAME.cpp).
 void add_solve(Commands& commands);
 void add_plan(Commands& commands);
 void add_factors(Commands& commands);

@@ -12,6 +12,7 @@ namespace hottel {
 //   (1) update and advance may be called from any thread, as often as one likes   COST: a clock and two atomics
 //   (2) nothing is drawn in the first second, nor more often than ten times a second, nor unless `is_shown`
 //   (3) the fraction never goes back; the line is wiped by the destructor
+//   (4) a line that cannot be written is no reason to stop
 class Progress {
  public:
   // `total` is what advance() counts up to.
@@ -39,7 +40,8 @@ class Progress {
   std::atomic<bool> is_drawn_{false};
 };
 
-// The line as it is drawn: "view factors  [#####.....]  50 %  12 s left".
+// The line as it is drawn: "view factors  [#####.....]  50 %  12 s left". A fraction beyond 0 or 1 is taken for these;
+// at 0 no time is told, and never more than 100 hours. The time left is what the rest takes at the pace so far.
 std::string progress_line(const std::string& what, double fraction, double seconds_so_far);
 
 }  // namespace hottel

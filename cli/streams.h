@@ -23,7 +23,8 @@ class Streams {
   // Writes a whole text there, and commits. That nobody reads standard output any more is no reason to stop.
   void write(const std::string& option, std::string_view text) const;
 
-  // A remark on stderr, unless --quiet. Lines; a final newline is added where there is none.
+  // A remark on stderr, unless --quiet. Lines; a final newline is added where there is none. An empty
+  // text is no remark.
   void note(std::string_view text) const;
 
   // A callback for work that reports the fraction done, from any thread. It draws a bar with the time left (see
@@ -34,10 +35,11 @@ class Streams {
   bool is_quiet_;
 };
 
-// One line without control characters or ill-formed UTF-8: what a message may contain of a file name or argument.
+// One line without control characters or ill-formed UTF-8: what a message may contain of a file name or argument. Each
+// byte of these is written as \xNN; all else is kept.
 std::string one_line(std::string_view text);
 
-// An error message on stderr: the line, then at most three hints, indented.
+// An error message on stderr: the line, then at most three hints, indented. Printed under --quiet too.
 void print_error(const std::string& line, const std::vector<std::string>& hints = {}) noexcept;
 
 }  // namespace hottel

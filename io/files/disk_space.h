@@ -13,6 +13,7 @@ namespace hottel {
 std::optional<std::uint64_t> free_space(const std::filesystem::path& file);
 
 // Throws RequestError "WHAT BYTES bytes; FREE are free where 'FILE' is to be" and the advice when they do not suffice.
+// Passes where free_space() returns nothing.
 void require_space(const std::filesystem::path& file, std::uint64_t bytes, const std::string& what,
                    const std::string& advice);
 

@@ -23,7 +23,7 @@ class OutputError : public std::runtime_error {
   std::string file_;
 };
 
-// Nobody reads standard output any more: no reason for a message.
+// Nobody reads standard output any more: no reason for a message. The program ends without one, as if all were done.
 class ReaderGone : public std::exception {
  public:
   const char* what() const noexcept override { return "the reader of standard output has gone"; }
@@ -38,14 +38,18 @@ class ReaderGone : public std::exception {
 //
 // "-" is standard output: there is no temporary, and bytes go out as the buffer fills. A path that exists and is no
 // regular file (/dev/null, a pipe) is written to directly. A directory, or a file without write permission, is refused
-// when opening.
+// when it is to be opened.
 class OutputFile {
  public:
+  // Opens the file to write. Throws OutputError, for an empty name too.
   explicit OutputFile(const std::filesystem::path& file);
   OutputFile(OutputFile&&) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
   ~OutputFile();
 
+  // Appends bytes; they are buffered, and go out some 64 KiB at a time. Throws OutputError, ReaderGone when standard
+  // output is a pipe that nobody reads, Interrupted when a stop is asked for while a write waits. REQUIRES that
+  // finish() or commit() has not been called.
   void write(std::string_view bytes);
 
   // Puts everything on disk and closes; nothing may be written afterwards. To replace several files together, finish()
@@ -71,7 +75,7 @@ class OutputFile {
   std::string buffer_;
 };
 
-// Writes a whole file; see OutputFile.
+// Writes a whole file; see OutputFile. Until it returns a file that was there before is untouched.
 void write_output_file(const std::filesystem::path& file, std::string_view bytes);
 
 // Makes the folder where there is none, with those that it lies in.

@@ -7,10 +7,13 @@ namespace hottel {
 
 // kFile:         the file
 // kEmptyFolder:  the folder, if nothing is in it
-// kFolder:       the folder and all that is in it
+// kFolder:       the folder and all that is in it, to a depth of eight folders
 enum class Removal : unsigned char { kFile, kEmptyFolder, kFolder };
 
-// A path that remove_pending() removes while this lives. (Of more than a hundred at a time some are left.)
+// A path that remove_pending() removes while this lives. (Of more than a hundred at a time some are left.) The end of
+// its life removes nothing: the path is no longer pending, that is all.
+//
+//   (1) made without a path, or moved from, it stands for nothing
 class PendingRemoval {
  public:
   PendingRemoval() = default;
@@ -23,7 +26,8 @@ class PendingRemoval {
   int slot_ = -1;
 };
 
-// Removes all that is pending: files first, then folders. Async-signal-safe.
+// Removes all that is pending: files and full folders first, then empty folders, until none can be removed any more.
+// What cannot be removed is left, without a word. Async-signal-safe.
 void remove_pending() noexcept;
 
 }  // namespace hottel

@@ -14,7 +14,7 @@ inline constexpr std::size_t kMaxTextFileBytes = 0x7fffffff;
 // larger than kMaxTextFileBytes.
 std::string read_text_file(const std::filesystem::path& file);
 
-// Returns SHA-256 of the bytes in 64 hexadecimal digits, as `sha256sum` prints it.
+// Returns SHA-256 of the bytes in 64 hexadecimal digits, as `sha256sum` prints it: lower case.
 std::string sha256(std::string_view bytes);
 
 }  // namespace hottel

@@ -13,7 +13,10 @@ namespace hottel {
 // Reads fields separated by commas and records separated by line ends (LF or CR LF). A quoted field may hold commas,
 // line ends and doubled quotes. Blank lines are skipped, and a byte order mark at the beginning.
 //
+//   (1) blanks around a field belong to it; a field may be empty
+//   (2) records may have different numbers of fields: the caller checks them
 // Throws InputError for a quote that is not closed, or followed by something else than a comma or a line end.
+// COST: linear; only fields with doubled quotes are copied.
 class CsvReader {
  public:
   // REQUIRES that `text` outlives this.
@@ -24,6 +27,7 @@ class CsvReader {
 
   // The fields of the record, until next() is called again.
   const std::vector<std::string_view>& fields() const { return fields_; }
+  // The line on which the record begins, 1-based.
   FileLine where() const { return {file_, line_of_record_}; }
 
  private:

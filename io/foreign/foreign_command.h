@@ -23,6 +23,7 @@ class ScratchFolder {
   PendingRemoval pending_;
 };
 
+// What a command left behind, and how long it took.
 struct CommandRun {
   std::filesystem::path output;  // the file it wrote, in the scratch folder
   double seconds = 0;            // wall-clock time from the start of the shell to its end

@@ -11,6 +11,7 @@
 
 namespace hottel {
 
+// One number of a file, with its place in the matrix, from 0, and its line, from 1.
 struct ForeignEntry {
   std::uint32_t row = 0, column = 0;
   int line = 0;  // 0 in binary formats

@@ -13,7 +13,7 @@
 
 namespace hottel {
 
-// Everything that is said about one run of `compare`.
+// Everything that is said about one run of `compare`. What it refers to outlives it.
 struct ComparisonReport {
   std::string scene;
   std::size_t surfaces = 0;
@@ -24,11 +24,12 @@ struct ComparisonReport {
   std::span<const WorkReading> readings;  // times at which errors are reached
 };
 
-// Returns the report as one JSON object and a final newline.
+// Returns the report as one JSON object and a final newline. What is not known is null; what is no UTF-8 in
+// a name is replaced.
 std::string comparison_json(const ComparisonReport& report);
 
-// Returns an aligned table, a line a method, with the spread of the times; its size above it, notes (each once, with
-// the methods it is said of) and readings below it.
+// Returns an aligned table, a line a method, with the spread of the times. Above it stands the size of the matrix,
+// below it notes, each once with the methods it is said of, and readings.
 std::string comparison_text(const ComparisonReport& report);
 
 // "812 elements, 5852 view factors": elements that have a row, and the factors in these rows.
@@ -44,6 +45,9 @@ std::string worst_csv(std::span<const ExplainedPair> pairs);
 
 // `error,family,seconds,exact_seconds`: the least time in which each family reaches each error, empty where it does
 // not; times between the points of a sweep are interpolated (seconds_to_reach).
+//
+//   (1) one line for each error and family, by errors, families in the order of the curves
+//   (2) exact_seconds is empty where the method `exact` is not among them
 std::string readings_csv(std::span<const WorkCurve> curves, std::span<const double> errors);
 
 }  // namespace hottel

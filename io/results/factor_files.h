@@ -59,6 +59,13 @@ void write_factors_view3d_binary(const FactorTable& table, const Sink& sink);
 // Dense csv with names in the first row and column, all faces and the sky last: factors, exchange measures (needs
 // ExchangeMatrix::measures) or visibilities (NaN where S0 = 0; needs `hidden`).
 enum class DenseQuantity { kFactor, kExchange, kVisibility };
+// Dense csv with names in the first row and column, all faces and the sky last: factors, exchange measures,
+// or visibilities (needs `hidden`).
+//
+//   (1) what has no entry is 0; of visibilities NaN, but 0 for the pairs of `hidden`
+//   (2) exchange measures are those of the matrix, or A_i F_ij of the doubles where it has none; one that is beyond the
+//       range of doubles throws RequestError before anything is written
+//   (3) the row of the sky has no entries
 void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sink& sink);
 
 // The formats that hold every pair, be it visible or not.

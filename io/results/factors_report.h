@@ -29,10 +29,12 @@ struct FactorsReport {
   bool is_exact() const { return method == "exact"; }
 };
 
-// Returns the report as one JSON object and a final newline.
+// Returns the report as one JSON object and a final newline. `notes` and `script_f` are there only where there
+// is something to say.
 std::string factors_json(const FactorsReport& report);
 
-// Returns a line or more, without a final newline.
+// Returns a line or more, without a final newline: pairs and seconds; of the exact method also which arithmetic settled
+// how many factors, of others their notes.
 std::string factors_text(const FactorsReport& report);
 
 }  // namespace hottel

@@ -16,7 +16,8 @@ namespace hottel {
 std::string npy_header(std::span<const std::size_t> shape);
 
 // Writes a whole array through a sink; whatever the sink throws stops the writing.
-// REQUIRES as many values as the shape has places.
+// REQUIRES as many values as the shape has places; throws ContractViolation otherwise. COST: the sink is called twice,
+// the values are not copied.
 void write_npy(std::span<const std::size_t> shape, std::span<const double> values,
                const std::function<void(std::string_view)>& sink);
 

@@ -13,7 +13,11 @@
 namespace hottel {
 
 // `face,element,channel,area,emission,reflectivity,radiosity,lower,upper,irradiance,net`: one line for each element
-// with a material and each channel. Shortest decimals that read back to the same double.
+// with a row and each channel, by elements of the matrix. Shortest decimals that read back to the same double; `net` is
+// the difference of the two doubles printed, rounded once.
+//
+// Whatever the sink throws stops the writing.
+// REQUIRES the solution of this matrix, of this scene.
 void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
                          const std::function<void(std::string_view)>& sink);
 
@@ -23,6 +27,7 @@ void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, 
 struct NetFluxes {
   std::vector<NetFlux> faces, groups;
 
+  // REQUIRES the solution of this matrix, of this scene. COST: two passes over the matrix a channel.
   NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution);
 };
 void write_flux_csv(const NetFluxes& fluxes, const std::vector<std::string>& channel_names,

@@ -12,11 +12,11 @@
 
 namespace hottel {
 
-// Returns a plan as text for people, and as the head of a report.
+// Returns a plan as text for people, a line an effect, and as the head of a report: one JSON object.
 std::string plan_text(const Plan& plan);
 std::string plan_json(const std::string& scene, const Plan& plan);
 
-// Everything that is said about one run of `solve`.
+// Everything that is said about one run of `solve`. REQUIRES that none of the pointers is null when it is written.
 struct SolveReport {
   std::string scene;
   const Plan* plan = nullptr;
@@ -29,7 +29,8 @@ struct SolveReport {
   std::vector<std::string> warnings{};             // first of the notes of the JSON object; not in the text
 };
 
-// Returns the report as one JSON object (the contract's report.json), and as text for people.
+// Returns the report as one JSON object (the contract's report.json) and a final newline, and as text for people:
+// sizes, solver, energy, the six largest net fluxes, notes, seconds. The fluxes are not in the JSON object.
 std::string solve_json(const SolveReport& report);
 std::string solve_text(const SolveReport& report);
 

@@ -11,6 +11,7 @@ namespace hottel {
 // Lists and objects may be nested this deep. Reading and walking a document never recurses.
 inline constexpr int kMaxJsonDepth = 64;
 
+// What a value is. kKey is the key of a member; no item of a list, and not the root, is one.
 enum class JsonKind : std::uint8_t { kNull, kBoolean, kNumber, kString, kArray, kObject, kKey };
 
 class JsonDocument;
@@ -18,10 +19,14 @@ class JsonItems;
 class JsonMembers;
 
 // A value of a document, or the absence of one (default constructed). A view: valid while its document lives.
+//
+//   (1) 16 bytes, to be passed by value; nothing is copied or converted when it is looked at
+// All but the conversion to bool REQUIRE a value.
 class JsonValue {
  public:
   JsonValue() = default;
 
+  // Whether there is a value.
   explicit operator bool() const { return document_ != nullptr; }
   JsonKind kind() const;
   int line() const;                 // of its first character, 1-based
@@ -30,9 +35,10 @@ class JsonValue {
   // A number as it was typed, the contents of a string, "true" or "false"; otherwise empty.
   std::string_view text() const;
 
-  // The number of items of a list or of members of an object; otherwise 0.
+  // The number of items of a list or of members of an object; otherwise 0. COST: none, it is stored.
   std::size_t size() const;
 
+  // For loops in the order of the text; COST: the n-th item is reached by passing those before it.
   JsonItems items() const;      // REQUIRES: kind() is kArray
   JsonMembers members() const;  // REQUIRES: kind() is kObject
 
@@ -48,6 +54,7 @@ class JsonValue {
   std::uint32_t index_ = 0;
 };
 
+// A member of an object: `"key": value`.
 struct JsonMember {
   JsonValue key;  // its text is the key
   JsonValue value;
@@ -58,6 +65,7 @@ struct JsonMember {
 //   (1) a number's text denotes exactly the number typed ("0.1", "1e400"), also beyond the range of double
 //   (2) no object has a key twice
 //   (3) every string is well-formed UTF-8
+// Not copied or moved, so that values may point to it. Read only: many threads may look at it at once.
 class JsonDocument {
  public:
   // Throws InputError{name, line} when the text is not JSON (a byte order mark, comments, NaN and NUL bytes are not),
@@ -122,7 +130,7 @@ class JsonItems {
   JsonValue list_;
 };
 
-// The members of an object, in order.
+// The members of an object, in the order in which they were typed.
 class JsonMembers {
  public:
   class Iterator {

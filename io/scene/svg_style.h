@@ -8,6 +8,7 @@
 
 namespace hottel {
 
+// Why a drawing cannot be read as it is styled, and where this stands.
 struct StyleProblem {
   std::size_t offset = 0;  // in the text that was looked at
   std::string text;        // the end of a sentence whose subject is the element

@@ -29,26 +29,42 @@ struct SceneEntry {
   Surface surface;              // without its name and line
 };
 
-// Fills the table of a scene. Every function throws InputError with file and line for what docs/scene_format.md does
-// not allow.
+// Fills the table of a scene. Every function throws InputError with file and line for what
+// docs/scene_format.md does not allow.
+//
+//   (1) numbers are exact: what was typed, as a rational
+//   (2) materials and groups are numbered in the order in which they were read
+// Materials come first: an entry that names one that was not read is refused, with the names of those that were.
 class TableReader {
  public:
   // REQUIRES that the table outlives this.
   explicit TableReader(SceneTable& table) : table_(table) {}
 
+  // Appends the materials of an object. Reflectivities and emissivities are from 0 to 1, emissions and temperatures not
+  // below 0; a grey body of emissivity e and temperature T has reflectivity 1 - e and emission e sigma T⁴. REQUIRES
+  // that the document outlives this: names are looked up in its texts.
   void read_materials(const JsonValue& materials);
+  // Sets the emission of the sky, which is not below 0; the sky stays dark without one.
   void read_sky(const JsonValue& sky);
+  // Appends what the scene says of its own answers: numbers are checked to be numbers and kept as typed.
   void read_expectations(const JsonValue& list);
 
-  // Calls read_item(item, "edge[k]") for each item of a list; `key` and `noun` are for messages.
+  // Calls read_item(item, "edge[k]") for each item of a list, k from 0, in order; `key` and `noun` are for messages.
+  // Refuses what is no list.
   void read_list(const JsonValue& list, std::string_view key, const std::string& noun,
                  const std::function<void(const JsonValue&, const std::string&)>& read_item);
 
   // Reads an item and makes a group of its name. Keys beyond name, points, material, back, elements, about and behind
   // are those of `more`.
+  //
+  //   (1) `points` and `material` must be there; points are a list, which the caller reads
+  //   (2) an item without a name has the default one; a name that cannot be one is refused, and the reason is told
+  //   (3) elements are from 1 to kMaxElements; "behind" is "solid" or "open", and left to the outline where
+  //       it is not given
   SceneEntry read_entry(const JsonValue& value, const std::string& default_name, std::string_view noun,
                         std::span<const std::string_view> more = {});
 
+  // An empty list passes; lights are not simulated.
   static void refuse_lights(const JsonValue& lights);
 
  private:

@@ -8,6 +8,7 @@
 
 namespace hottel {
 
+// Why the text of a file does not say all that it means, and where: the offset of a byte.
 struct XmlProblem {
   std::size_t offset = 0;
   std::string text;  // the end of a sentence whose subject is the file

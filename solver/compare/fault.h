@@ -3,7 +3,8 @@
 
 namespace hottel {
 
-// What can be wrong with many pairs at once. In this order of preference, where two explain equally many.
+// What can be wrong with many pairs at once: each is a mistake in a program, or another convention (hypotheses.h and
+// scene_hypotheses.h say what each means for a pair). In this order of preference, where two explain equally many.
 enum class Fault {
   kTransposed,      // F(j, i) stands for F(i, j); the same as divided by the area of the other face
   kConstantFactor,  // pi, 2, 1/2, ...

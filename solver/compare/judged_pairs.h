@@ -10,7 +10,7 @@
 
 namespace hottel {
 
-// One ordered pair of elements; `to` may be the sky.
+// One ordered pair of elements; `to` may be the sky. A factor that a matrix does not hold is 0 here.
 struct JudgedPair {
   std::uint32_t from = 0, to = 0;
   double value = 0, exact = 0;
@@ -26,26 +26,32 @@ struct JudgedPair {
 //   (1) a pair is off iff value and exact differ by more than tolerance(): what the caller allows, and half of the last
 //       digit that the file writes of such a number
 //   (2) pairs() is sorted by row, then by column, each pair once; off() counts those that are
+//   (3) where the exact matrix has no entry the exact factor is 0 and so is the visibility
 // COST: 40 bytes a pair.
 class JudgedPairs {
  public:
-  // REQUIRES the same elements. Both matrices outlive this.
+  // `beyond`: what the caller allows a factor to differ by, besides the digits of the file.
+  // REQUIRES both matrices to be over the same elements, and to outlive this. COST: one pass over both.
   JudgedPairs(const ExchangeMatrix& exact, const ExchangeMatrix& matrix, double beyond, const WrittenFactors& written);
 
   const ExchangeMatrix& exact() const { return *exact_; }
   const ExchangeMatrix& matrix() const { return *matrix_; }
+  // Whether the file has a place for what goes to this element, or to the sky (column exact().sky()).
   bool has_column(std::uint32_t column) const { return written_.has_column.empty() || written_.has_column[column]; }
 
+  // All of them, and those of one row.
   std::span<const JudgedPair> pairs() const { return pairs_; }
   std::span<const JudgedPair> row(std::uint32_t i) const {
     return pairs().subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }
+  // The place of a pair in pairs(). REQUIRES a reference into pairs(), not a copy.
   std::size_t index_of(const JudgedPair& pair) const { return static_cast<std::size_t>(&pair - pairs_.data()); }
   std::uint64_t off() const { return off_; }
 
-  // How far a number of the file may be from what is right.
+  // How far a number of the file may be from what is right: what the caller allows, and half of its last digit.
   double tolerance(double value) const { return beyond_ + written_.digits.rounding(value); }
-  // Whether a pair that is off agrees with another number, and so much better than with the exact one.
+  // Whether `with` would explain the value of a pair: it is within tolerance() of it, and at most half as far away as
+  // the exact factor is.
   bool agrees(const JudgedPair& pair, double with) const;
 
  private:

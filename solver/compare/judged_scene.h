@@ -12,11 +12,12 @@
 namespace hottel {
 
 // A scene whose factors are judged. Hypotheses that follow from more than the numbers ask it; they know of no
-// dimension.
+// dimension. Asked only when some pair is off.
 class JudgedScene {
  public:
   virtual ~JudgedScene() = default;
 
+  // The name of a surface, to be printed. REQUIRES an index of Element::surface.
   virtual const std::string& surface_name(std::uint32_t surface) const = 0;
 
   // Returns F(from, to) without any obstacle, by place in judged.pairs(): of pairs that are off and whose second is not

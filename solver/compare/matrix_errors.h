@@ -35,6 +35,9 @@ struct PairError {
 MatrixErrors matrix_errors(const ExchangeMatrix& matrix, const ExchangeMatrix& exact);
 
 // Returns the pairs with the largest errors, worst first; equal ones in the order of the matrix; none without error.
+//
+//   (1) at most `count` pairs, each with error() > 0; a factor that is no finite number comes before all that are
+// REQUIRES: both are over the same elements. COST: one pass over both, and a heap of `count` pairs.
 std::vector<PairError> worst_pairs(const ExchangeMatrix& matrix, const ExchangeMatrix& exact, std::size_t count);
 
 }  // namespace hottel

@@ -10,7 +10,7 @@
 
 namespace hottel {
 
-// What a method says of itself.
+// What a method says of itself before it has run.
 struct MethodInfo {
   std::string name;      // in full, variant and parameter included: "gauss:4:normalised"
   std::string family;    // what a sweep of the parameter belongs to: "gauss"
@@ -19,7 +19,7 @@ struct MethodInfo {
   std::string reference;  // who described it, and where
 };
 
-// How a matrix came about.
+// How a matrix came about: what a method tells of one run.
 struct MethodReport {
   double row_defect = 0;                  // max |sum_j F_ij - 1| as computed, before any normalisation
   std::optional<double> standard_error;   // of the worst factor, where the method is random

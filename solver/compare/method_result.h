@@ -13,7 +13,10 @@
 
 namespace hottel {
 
-// What one method came to.
+// What one method came to on one scene, held against the exact factors and radiosities.
+//
+//   (1) errors are those of `matrix` as it is: nothing is rescaled or completed before it is judged
+//   (2) `solution` is nothing where max_radiosity_error is nothing or infinite
 struct MethodResult {
   MethodInfo info;
   Timing timing;  // of the factors alone; the prepared scene is given to all
@@ -32,7 +35,10 @@ struct MethodResult {
   std::vector<std::string> notes;             // the method's, then those of the comparison
 };
 
-// max |B - exact B| / max |exact B| as in MethodResult. REQUIRES the same elements and channels.
+// Returns max |B - exact B| / max exact B, over all elements and channels of two solutions.
+//
+//   (1) 0 for equal solutions, also in the dark; infinite where only the exact one is dark, or a radiosity is no number
+// REQUIRES the same elements and channels; throws ContractViolation when their numbers differ. COST: one pass.
 double max_radiosity_error(const RadiositySolution& solution, const RadiositySolution& exact);
 
 }  // namespace hottel

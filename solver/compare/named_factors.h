@@ -6,12 +6,14 @@
 
 namespace hottel {
 
+// A ratio that a mistake is known to leave between what was written and what is right.
 struct NamedFactor {
   double value;
   const char* words;  // "2 pi"
 };
 
-// Other conventions (half or whole angles, areas doubled), percent, a sign, and pi with three digits.
+// The ratios written / exact that have a name: other conventions (half or whole angles, areas doubled), percent, a
+// sign, and pi taken as 3.14. Of two that explain equally many numbers the earlier one is named.
 inline constexpr std::array kNamedFactors = {
     NamedFactor{2, "2"},
     NamedFactor{0.5, "1/2"},

@@ -9,10 +9,23 @@
 
 namespace hottel {
 
-// `unobstructed`: as JudgedScene::unobstructed_factors() returns them.
+// Hypotheses that need more of a scene than its exact matrix. `unobstructed`: as JudgedScene::unobstructed_factors()
+// returns them, by place in judged.pairs().
+//
+// Factors of hidden pairs that are those without obstacles. Explains nothing unless a pair that is wholly hidden is
+// among them: else something does hide, and the fault is one of all or nothing.
 Hypothesis suppose_no_occlusion(const JudgedPairs& judged, const std::vector<double>& unobstructed);
+// Factors of partly hidden pairs that are those without obstacles, or 0. The sky is left aside.
 Hypothesis suppose_all_or_nothing(const JudgedPairs& judged, const std::vector<double>& unobstructed);
+// Pairs that do not face each other (exact factor and unobstructed one are 0) have a factor, whatever its value. The
+// sky is left aside.
 Hypothesis suppose_behind(const JudgedPairs& judged, const std::vector<double>& unobstructed);
+// The back of a surface is taken for its front: its rows and columns are those of its other side. Explains nothing
+// where the scene cannot tell the factors of both sides.
+//
+//   (1) a surface counts only where every factor of its rows agrees once it is turned around
+//   (2) where the file has all columns, a row that does not sum to 1 rules its surface out: it is missing, not turned
+// COST: that of JudgedScene::factors_of_both_sides(), another exact matrix.
 Hypothesis suppose_reversed(const JudgedScene& scene, const JudgedPairs& judged);
 
 }  // namespace hottel

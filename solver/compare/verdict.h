@@ -21,11 +21,13 @@ struct FoundFault {
   std::vector<JudgedPair> worst;
 };
 
+// What a matrix is allowed, and how its file was written.
 struct VerdictOptions {
   double beyond = 1e-6;    // a pair is off when it is wrong by more, whatever digits the file left out
   WrittenFactors written;  // has_column may be empty: all are there
 };
 
+// What is to be said of a matrix: how many pairs are off, which laws it breaks, and what would explain it.
 struct Verdict {
   VerdictOptions options;
   std::uint64_t pairs = 0, off = 0;  // that were judged; that are off
@@ -57,7 +59,9 @@ inline constexpr std::size_t kPairsNamed = 5;
 Verdict judge(const JudgedScene& scene, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
               const VerdictOptions& options);
 
-// The verdict as sentences, most important first.
+// The verdict as sentences, most important first: how many pairs are off, which laws hold, then a sentence a finding,
+// and one for what is left unexplained. They name at most kPairsNamed pairs each.
+// REQUIRES the exact matrix of this verdict.
 std::vector<std::string> verdict_sentences(const Verdict& verdict, const ExchangeMatrix& exact);
 
 }  // namespace hottel

@@ -13,6 +13,7 @@ namespace hottel {
 inline constexpr const char* kExactFamily = "exact";            // the method that all others are held against
 inline constexpr const char* kArithmeticFamily = "arithmetic";  // the same sweep in other arithmetic
 
+// What one run of a method cost, and how wrong it was.
 struct WorkPoint {
   std::string method;
   double seconds = 0, error = 0;  // error: max |F - exact F|
@@ -25,12 +26,16 @@ struct WorkCurve {
   std::vector<WorkPoint> points;
 };
 
-// Returns one curve a family, in the order in which families first appear.
+// Returns one curve a family, in the order in which families first appear; seconds are medians.
+// COST: results times families.
 std::vector<WorkCurve> work_curves(std::span<const MethodResult> results);
 
-// Returns the least time in which a family gets down to an error: on the polyline, in logarithms, through the points
-// that no cheaper point beats. Nothing when its best point is worse than that; never less than its cheapest point
-// takes. REQUIRES error > 0.
+// Returns the least time in which a family gets down to an error: on the polyline, in logarithms, through
+// the points that no cheaper point beats. Nothing when its best point is worse than that; never less than
+// its cheapest point takes.
+//
+//   (1) a point with error 0 is reached at its own time: there is no logarithm to interpolate in
+// REQUIRES error > 0; throws ContractViolation otherwise.
 std::optional<double> seconds_to_reach(std::span<const WorkPoint> curve, double error);
 
 // What one reads off at an error: which approximation gets there first, and what the exact method takes. Families that
@@ -42,10 +47,11 @@ struct WorkReading {
   double seconds = 0;  // of that family
 };
 
-// One reading for each error that is asked for; none without the method "exact".
+// One reading for each error that is asked for, in their order; none without the method "exact". REQUIRES errors > 0.
 std::vector<WorkReading> read_off(std::span<const WorkCurve> curves, std::span<const double> errors);
 
-// "at an error of 0.001 exact is 5.2 times faster than the cheapest method that reaches it, gauss (1.3 ms against ...)"
+// Returns a sentence without a full stop; times within a tenth of each other are said to be about as long.
+// "at an error of 0.001 exact (250 µs) is 5.2 times faster than the cheapest method that reaches it, gauss (1.3 ms)"
 std::string to_sentence(const WorkReading& reading);
 
 }  // namespace hottel

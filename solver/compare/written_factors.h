@@ -17,6 +17,8 @@ struct WrittenDigits {
   int significant = 0;  // the most significant digits; 0: nothing was printed, rounding(v) is relative * |v|
   double relative = 0;  // of a binary format: 2^-24 for single, 2^-53 for double precision
 
+  // Returns how far a number that prints as `value` may be from it: half a unit of the last place written. Fewer than
+  // three places or digits are taken for three. [unit of the value]
   double rounding(double value) const {
     if (significant == 0) return relative * std::abs(value);
     constexpr int kFewest = 3;  // nobody prints fewer; "0.5" alone does not mean 0.45 to 0.55
@@ -28,7 +30,7 @@ struct WrittenDigits {
   }
 };
 
-// Factors of a file, laid out as the elements of a scene.
+// What a file of factors tells besides its numbers, laid out as the elements of a scene.
 struct WrittenFactors {
   WrittenDigits digits;
   std::vector<char> has_column;  // by element, the sky last: the file has a place for what goes there

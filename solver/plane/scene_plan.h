@@ -6,7 +6,8 @@
 
 namespace hottel {
 
-// Returns which effects a scene calls for.                                   COST: O(n) exact operations.
+// Returns which effects a scene in the plane calls for, one convex room being told from others exactly.
+// COST: O(n) exact operations.
 Plan plan_scene(const Scene2& scene, const PlanRequest& request);
 
 }  // namespace hottel

@@ -19,6 +19,7 @@ struct Correction {
 class ApproximateInverse {
  public:
   virtual ~ApproximateInverse() = default;
+  // Returns x for a right side by unknown. REQUIRES one number for each unknown of the system.
   virtual Correction solve(const std::vector<double>& r) = 0;
 };
 

@@ -20,6 +20,8 @@ namespace hottel {
 struct DoubleDoubleBall {
   double hi = 0, lo = 0, radius = 0;
 
+  // Enclosures of one real number: a rational, to about 106 bits; a sum of two doubles, exactly; a number that was
+  // rounded to a double; and one of which only bounds are known.
   static DoubleDoubleBall of(const Rational& value);  // any number, where it is beyond the range of doubles
   static DoubleDoubleBall of(DoubleDouble value) { return {value.hi, value.lo, 0}; }
   static DoubleDoubleBall of(const Rounded& value);  // on the side that is known, as far as half-way to the next double
@@ -35,7 +37,7 @@ inline constexpr double kRoundoff = 0x1p-53;     // of one operation, relative
 inline constexpr double kUnderflow = 0x1p-1070;  // of a few operations, absolute
 inline constexpr double kOutward = 1 + 0x1p-48;  // more than the roundings of a radius
 
-// Enclosures of a + b, -a, a - b and a b.                                      COST: about 10 ns each.
+// Enclosures of a + b, -a, a - b and a b. That of -a has the radius of a.       COST: about 10 ns each.
 inline DoubleDoubleBall sum(const DoubleDoubleBall& a, const DoubleDoubleBall& b) {
   double s, e;
   two_sum(a.hi, b.hi, s, e);

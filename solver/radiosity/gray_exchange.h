@@ -11,8 +11,10 @@
 
 namespace hottel {
 
+// Memory for one pair of the result while it is made, by which `memory` is judged.
 inline constexpr std::uint64_t kBytesPerGrayPair = 80;
 
+// Which reflectivities count, what memory there is, and whom it tells how far it is.
 struct GrayExchangeOptions {
   int channel = 0;                            // 0 to 2: whose reflectivities are meant
   std::uint64_t memory = 0;                   // bytes the result may take, while it is made; 0: no limit

@@ -8,7 +8,10 @@
 namespace hottel {
 
 // Sets the irradiance of every row to sum_j F_ij B_j of the radiosities of the solution as they are now, and moves
-// net_value into its bounds. REQUIRES a solution of this matrix with this sky. COST: one pass over the matrix.
+// net_value into its bounds.
+//
+//   (1) the sum is formed to about 100 bits and rounded once; it is never below 0
+// REQUIRES a solution of this matrix with this sky. COST: one pass over the matrix.
 void set_irradiances(const ExchangeMatrix& matrix, const Rational& sky_emission, ChannelSolution& channel);
 
 }  // namespace hottel

@@ -8,10 +8,14 @@
 
 namespace hottel {
 
-// max |sum_j F_ij - 1| over all rows, of the doubles.
+// Returns max |sum_j F_ij - 1| over all rows, of the doubles, the sky included; 0 without rows. The sums are
+// formed to about 100 bits, so that they add nothing to the defect. COST: one pass, in parallel; the same for
+// any number of threads.
 double closure_defect(const ExchangeMatrix& matrix);
 
-// max |A_i F_ij - A_j F_ji| / min(A_i, A_j) over all pairs of rows, of the doubles.
+// Returns max |A_i F_ij - A_j F_ji| / min(A_i, A_j) over all pairs of rows, of the doubles; 0 without such pairs. A
+// pair with one entry only counts with 0 for the other.
+// COST: a search for each entry, in parallel; the same for any number of threads.
 double reciprocity_defect(const ExchangeMatrix& matrix);
 
 // Throws RequestError, naming what, where areas of rows, the sky's emission, the light of a solution or its power are
@@ -23,10 +27,12 @@ class EnergySum {
  public:
   explicit EnergySum(const ExchangeMatrix& matrix) : matrix_(matrix) {}
 
-  // All per area; `absorbed` is (1 - reflectivity) irradiance. Only the middles count.
+  // All per area; `absorbed` is (1 - reflectivity) irradiance. Only the middles count. What goes to elements without a
+  // row counts as absorbed, what comes from the sky as emitted.
   void add(std::uint32_t row, const ScaledBall& emission, const ScaledBall& absorbed, const ScaledBall& radiosity,
            const ScaledBall& sky_emission);
 
+  // The sums so far, each rounded; `defect` is formed before they are.
   EnergyBalance balance() const;
 
  private:

@@ -18,9 +18,11 @@ enum class Solver { kAuto, kCholesky, kCg, kLu, kBicgstab, kJacobi, kGaussSeidel
 
 inline constexpr std::uint32_t kMostDenseUnknowns = 500;
 
+// The name of a solver as --solver takes it, and the solver of a name; nothing for other names.
 const char* to_string(Solver solver);
 std::optional<Solver> solver_named(std::string_view name);  // "auto", "cholesky", ..., "gauss-seidel", "shooting"
 
+// How to solve: by what, how far, and whom it tells how far it is.
 struct RadiosityOptions {
   Solver solver = Solver::kAuto;
   // Iterative solvers stop after so many iterations, or when |residual| <= until * (largest source of the component)

@@ -30,11 +30,12 @@ struct EnergyBalance {
   double emitted = 0, absorbed = 0, to_sky = 0, defect = 0;
 };
 
-// Faces that exchange light with each other and that no light reaches: exactly 0, not solved.
+// Faces that exchange light with each other and that no light reaches: exactly 0, not solved. `size` counts them.
 struct DarkComponent {
   std::uint32_t first_element = 0, size = 0;
 };
 
+// One channel of a solution. Lists by element are as long as the matrix has elements.
 struct ChannelSolution {
   std::vector<ElementRadiosity> elements;  // by element of the matrix; those without a row are 0
   std::vector<double> residual_history;    // max |residual| / largest source of its component, the start first
@@ -43,6 +44,9 @@ struct ChannelSolution {
   double max_relative_width = 0;  // of the bounds, over elements with radiosity > 0
 };
 
+// Radiosities in all channels, and how they were found.
+//
+//   (1) channels and channel_names are equally many: one, or three
 struct RadiositySolution {
   // kEnclosed: the bounds hold for the true factors. kEstimated: some factor is only an estimate, and the bounds are
   // those of the equations with the factors as printed; nothing is said of the true ones.

@@ -42,6 +42,7 @@ struct SystemComponent {
   bool loses = false;  // some face has reflectivity < 1 or sees the sky or a face that reflects nothing
 };
 
+// One unknown: its element, and the numbers of its equation, enclosed.
 struct SystemRow {
   std::uint32_t element = 0, component = 0;
   DoubleDoubleBall reflectivity, loss;  // loss = 1 - reflectivity * (sum of the row's factors)
@@ -71,15 +72,18 @@ struct ErrorTerms {
 // COST: about 20 ns an entry of the matrix for a residual, over all threads.
 class RadiositySystem {
  public:
+  // channel: 0, 1 or 2 of the materials' spectra. REQUIRES that the matrix outlives this, and that the materials of its
+  // rows index into `materials`; throws ContractViolation otherwise.
   RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel);
 
   const ExchangeMatrix& matrix() const { return *matrix_; }
-  // True if the matrix is exact, and if no entry is estimated and factors within their bounds may sum to 1 in every
-  // row.
+  // True if the matrix is exact; also if no entry is estimated and factors within their bounds may sum to
+  // 1 in every row.
   bool rows_are_closed() const { return rows_are_closed_; }
   // Some factor is below 0, as only estimates may be: nothing is proven of the solution.
   bool has_negative_factors() const { return has_negative_factors_; }
   std::size_t size() const { return rows_.size(); }
+  // By unknown, in the order of the matrix; components in the order of their first elements.
   const std::vector<SystemRow>& rows() const { return rows_; }
   const std::vector<SystemComponent>& components() const { return components_; }
   // Returns 1 - rho of an unknown.
@@ -89,6 +93,8 @@ class RadiositySystem {
   // Returns the unknown of an element (or of the sky), -1 when it is known.
   std::int32_t unknown(std::uint32_t element) const { return unknown_[element]; }
 
+  // The sources of one channel: emissions of the materials, and of the sky. REQUIRES the channel of this system, or one
+  // of the same reflectivities.
   Sources sources(const std::vector<Material>& materials, const Spectrum& sky_emission, int channel) const;
   // The sources when one element (or the sky) emits 1 and nothing else does.
   Sources unit_source(std::uint32_t element) const;
@@ -121,7 +127,7 @@ class RadiositySystem {
 inline bool is_positive(const Rounded& factor) { return factor.value > 0 || factor.side > 0; }  // it may underflow
 
 // The same system in plain doubles: x = source + scatter x, each component in its unit. Rows of components that are not
-// wanted scatter nothing.
+// wanted scatter nothing. Made for iterations: nothing here is proven.
 struct PlainSystem {
   std::vector<std::size_t> begin;  // by unknown, one more at the end
   std::vector<std::uint32_t> to;   // unknowns
@@ -132,10 +138,11 @@ struct PlainSystem {
 
   PlainSystem() = default;
   PlainSystem(const RadiositySystem& system, const std::vector<char>& is_wanted);
+  // Sets `source` and `per_source` from the sources of one channel. relative() REQUIRES it.
   void set_source(const RadiositySystem& system, const Sources& sources);
   // Returns the row of scatter times x.
   double gathered(std::size_t i, const std::vector<double>& x) const;
-  // Returns source - (I - scatter) x for any source.
+  // Returns of - (I - scatter) x, for any source `of`. COST: one pass over the entries, over all threads.
   std::vector<double> residual(const std::vector<double>& of, const std::vector<double>& x) const;
   // Returns max |r_i|, each relative to the largest source of its component.
   double relative(const std::vector<double>& r) const;

@@ -20,12 +20,15 @@ struct ScaledBall {
   DoubleDoubleBall mantissa;
   int exponent = 0;
 
+  // From a number, exactly where a mantissa of two doubles holds it; 0 is 0. The exponents of doubles are no limit.
   static ScaledBall of(const Rational& value);
   static ScaledBall of(const DoubleDoubleBall& value, int exponent = 0) {
     return ScaledBall{value, exponent}.near_one();
   }
 
+  // Whether nothing but 0 is enclosed.
   bool is_zero() const { return mantissa.size() == 0; }
+  // A double near the middle of what is enclosed; infinite beyond the range of doubles.
   double nearest() const { return std::ldexp(mantissa.value(), exponent); }
   double lower() const { return -negated(*this).upper(); }
   double upper() const {
@@ -36,7 +39,7 @@ struct ScaledBall {
   // The mantissa in units of 2^unit.
   DoubleDoubleBall in_unit(int unit) const { return scaled(mantissa, exponent - unit); }
 
-  // The same number with a mantissa of size 1 to 2; 0 is 0 times 1.
+  // The same number with a mantissa of size 1 to 2; 0 is 0 times 1. A mantissa that is not finite stays as it is.
   ScaledBall near_one() const {
     const double size = mantissa.size();
     if (size == 0) return {};
@@ -48,6 +51,7 @@ struct ScaledBall {
   friend ScaledBall negated(const ScaledBall& a) { return {hottel::negated(a.mantissa), a.exponent}; }
 };
 
+// Enclosures of a + b, a - b and a b; 0 times anything is 0.
 inline ScaledBall sum(const ScaledBall& a, const ScaledBall& b) {
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;

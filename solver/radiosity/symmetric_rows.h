@@ -11,13 +11,13 @@
 
 namespace hottel {
 
-// K = D + L: couplings S_ij = A_i F_ij between different unknowns (equal to S_ji but for roundings), defects
-// d_i = A_i (loss_i / rho_i + sum of F_ij over all that is known), areas in units of the
-// largest of the component.
+// K = D + L: couplings S_ij = A_i F_ij between different unknowns (equal to S_ji but for roundings), defects d_i = A_i
+// (loss_i / rho_i + sum of F_ij over all that is known), areas in units of the largest of the component.
 //
 //   (K x)_i = d_i x_i + sum_j S_ij (x_i - x_j)
 //
-// REQUIRES rows that are closed.
+//   (1) defects and couplings are not below 0 where factors are not; weight_i = A_i / rho_i, finite also for tiny rho
+// REQUIRES rows that are closed. COST: one pass over the matrix, 12 bytes a coupling.
 struct SymmetricRows {
   std::vector<std::size_t> begin;  // by unknown, one more at the end
   std::vector<std::uint32_t> to;
@@ -25,22 +25,27 @@ struct SymmetricRows {
   std::vector<double> coupling, defect, weight;  // by unknown; coupling is the sum of its entries
   std::vector<std::uint32_t> component;
 
+  // One row for each unknown of the system, whose matrix is not needed afterwards.
   explicit SymmetricRows(const RadiositySystem& system);
 };
 
 // Light stays so long that a constant is huge to what is sent out.
 inline bool is_huge(double constant, double right_side) { return std::abs(constant) > 0x1p24 * right_side; }
 
-// Whether a solution is to be kept as a constant and differences to it, or as values: differences that are as large
-// cost the digits of what is far from the light. Where light stays very long, so that the constant is huge, values
-// would cost those of the differences; it is kept unless something is very much darker.
+// Whether the solution of a component is to be kept as a constant and differences to it, or as values.
+//
+//   (1) differences as large as the constant are not kept: they would cost the digits of what is far from the light
+//   (2) where light stays so long that the constant is huge, values would cost the digits of the differences: the
+//       constant is kept then, unless some value is very much smaller than it
 class FormOfSolution {
  public:
+  // Takes in one unknown of the component: x = constant + difference, and its right side.
   void meet(double constant, double difference, double right_side) {
     largest_difference_ = std::max(largest_difference_, std::abs(difference));
     least_value_ = std::min(least_value_, std::abs(constant + difference));
     right_side_ = std::max(right_side_, std::abs(right_side));
   }
+  // Whether the constant is to be kept, after all unknowns have been met. Without any it is.
   bool keeps(double constant) const {
     const double size = std::abs(constant);
     return largest_difference_ <= size / 2 || (is_huge(constant, right_side_) && least_value_ > 0x1p-10 * size);

@@ -12,6 +12,7 @@
 
 namespace hottel {
 
+// What a picture is written as: pixels, or shapes that stay sharp at any size.
 enum class PictureFormat : unsigned char { kPng, kSvg };
 
 // Returns the format that the ending of a file name asks for (".png", ".svg"), or nothing.
@@ -24,6 +25,8 @@ inline constexpr std::uint32_t kMaxPictureSide = 16384;
 //
 //   (1) the same calls give the same bytes on one machine; fonts may differ on others
 //   (2) an SVG holds shapes and texts, its images as PNG data; its size in pixels is that of the canvas
+//   (3) a polygon of fewer than three corners and an image without pixels draw nothing
+// image() throws ContractViolation unless there are width * height pixels.
 class CairoCanvas : public PictureCanvas {
  public:
   // Throws UsageError unless both sides are in [1, kMaxPictureSide], RequestError when memory does not suffice.

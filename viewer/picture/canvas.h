@@ -48,6 +48,7 @@ enum class Mark : unsigned char {
 enum class TextAnchor : unsigned char { kLeft, kCentre, kRight };
 enum class TextWeight : unsigned char { kRegular, kBold };
 
+// How a text looks, and which of its points lies where it is asked for.
 struct TextStyle {
   double size = 16;  // of the font, in pixels
   Colour colour{};
@@ -61,31 +62,41 @@ struct PixelImage {
   std::vector<Colour> pixels;  // width * height
 };
 
+// A sheet of width() by height() pixels. What lies outside of it is not seen, and is no error.
+//
+//   (1) later marks cover earlier ones; colours with a < 1 let them shine through
+//   (2) the mark of a call changes nothing that is seen
 // REQUIRES of all calls: finite coordinates and sizes. Ends and joints of strokes are round.
 class PictureCanvas {
  public:
   virtual ~PictureCanvas() = default;
 
+  // The size of the picture in pixels.
   virtual double width() const = 0;
   virtual double height() const = 0;
 
+  // A straight line, line_width pixels wide.
   virtual void stroke(Mark mark, Pixel from, Pixel to, Colour colour, double line_width) = 0;
   // The inside of a closed polygon; where it winds about itself more than once it is inside.
   virtual void fill(Mark mark, std::span<const Pixel> polygon, Colour colour) = 0;
+  // A filled circle; a circle of which only the line is drawn, half of its width inside the radius.
   virtual void disc(Mark mark, Pixel centre, double radius, Colour colour) = 0;
   virtual void circle(Mark mark, Pixel centre, double radius, Colour colour, double line_width) = 0;
-  // at: the anchor on the base line. Bytes that are not UTF-8 are shown as question marks.
+  // One line. at: the anchor on the base line. Bytes that are not UTF-8 are shown as question marks.
   virtual void text(Mark mark, Pixel at, std::string_view text, const TextStyle& style) = 0;
-  // Stretched over the rectangle; smooth: blended between pixels, else each pixel a rectangle of its own.
+  // Stretched over the rectangle; smooth: blended between pixels, else each pixel a rectangle of its own. REQUIRES an
+  // image of width * height pixels.
   virtual void image(Mark mark, Pixel top_left, Pixel bottom_right, const PixelImage& image, bool smooth) = 0;
 
   // Until unclip() nothing is drawn outside the polygon. One clip at a time.
   virtual void clip(std::span<const Pixel> polygon) = 0;
+  // Everything is drawn again.
   virtual void unclip() = 0;
 
   // How wide text() draws, in pixels.
   virtual double text_width(std::string_view text, const TextStyle& style) const = 0;
 
+  // An upright rectangle, as a polygon of four corners.
   void fill_rectangle(Mark mark, Pixel top_left, Pixel bottom_right, Colour colour) {
     const Pixel corners[] = {top_left, {bottom_right.x, top_left.y}, bottom_right, {top_left.x, bottom_right.y}};
     fill(mark, corners, colour);

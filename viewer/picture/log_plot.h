@@ -12,16 +12,19 @@
 
 namespace hottel {
 
+// A pair of values, both in the unit of its axis.
 struct LogPlotPoint {
   double x = 0, y = 0;
   std::string label{};  // small, beside the point where there is room; may be empty
 };
 
+// A line of the plot: points joined in their order.
 struct LogPlotCurve {
   std::string name;  // for the legend
   std::vector<LogPlotPoint> points;
 };
 
+// A plot as data: what stands on it, without where.
 struct LogPlot {
   std::uint32_t width = 1600, height = 1000;
   std::string title{}, subtitle{};  // may be empty
@@ -43,9 +46,13 @@ struct LogPlot {
 // Throws UsageError for sides out of range (CairoCanvas).
 class LogPlotPainter {
  public:
+  // Decides where everything lies. REQUIRES that the plot outlives this, and that `emphasised` is below
+  // the number of curves.
   explicit LogPlotPainter(const LogPlot& plot);
 
+  // Draws on a canvas of the plot's size: paper, heading, axes, curves, labels where there is room, legend.
   void draw(PictureCanvas& canvas) const;
+  // REQUIRES values that the plot shows: finite, x > 0, y >= 0.
   Pixel at(double x, double y) const;  // where a value is drawn
 
  private:
@@ -71,11 +78,12 @@ class LogPlotPainter {
   Axis x_, y_;
 };
 
-// Returns the bytes of the picture file.
+// Returns the bytes of the picture file. Throws UsageError for sides out of range. The same plot gives the same
+// bytes on one machine.
 std::string log_plot(const LogPlot& plot, PictureFormat format);
 
-// What accuracy costs: seconds along x, the largest error of a view factor along y, points labelled by their parameter.
-// The exact method, in ink, is a line down to its error: 0, on a level of its own.
+// What accuracy costs: seconds along x, the largest error of a view factor along y, points labelled by their parameter
+// where a curve has several. The exact method, in ink, is a line down to its error: 0, on a level of its own.
 LogPlot work_precision_plot(std::span<const WorkCurve> curves, const std::string& title, const std::string& subtitle);
 
 }  // namespace hottel

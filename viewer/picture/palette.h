@@ -7,6 +7,7 @@
 
 namespace hottel::palette {
 
+// Paper and ink, and what lies on the ground: floors are light and warm, solids grey with a darker hatch.
 inline constexpr Colour kPaper{0.992, 0.988, 0.980};
 inline constexpr Colour kInk{0.145, 0.153, 0.180};
 inline constexpr Colour kSoftInk{0.40, 0.405, 0.43};
@@ -15,6 +16,7 @@ inline constexpr Colour kSolid{0.875, 0.872, 0.868};
 inline constexpr Colour kHatch{0.755, 0.752, 0.750};
 inline constexpr Colour kUnlitSolid{0.235, 0.235, 0.250};  // in pictures of light
 inline constexpr Colour kUnlitHatch{0.330, 0.330, 0.345};
+// What is told apart by its colour: a face that emits, an edge that is highlighted, the light and the rays of a view.
 inline constexpr Colour kEmitter{0.98, 0.72, 0.10};
 inline constexpr Colour kTarget{0.02, 0.62, 0.83};
 inline constexpr Colour kLight{1.0, 0.80, 0.30, 0.55};

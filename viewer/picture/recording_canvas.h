@@ -11,12 +11,14 @@ namespace hottel {
 
 // Remembers every call, in order, with its mark and the clip that was in force; draws nothing.
 //
-//   (1) calls() is exactly what was asked for: nothing is merged, rounded or left out
-//   (2) texts are taken to be 0.55 of their size wide a character, the same on every machine
+//   (1) calls() is exactly what was asked for: nothing is merged, rounded or left out; clip() and unclip() are no calls
+//   (2) texts are taken to be 0.55 of their size wide a byte, the same on every machine
 class RecordingCanvas : public PictureCanvas {
  public:
+  // What was drawn: one for each function of a PictureCanvas that leaves a mark. fill_rectangle() is a fill.
   enum class Kind : unsigned char { kStroke, kFill, kDisc, kCircle, kText, kImage };
 
+  // One mark. Not kept are the line width of a circle, the weight of a text, and whether an image is smooth.
   struct Call {
     Kind kind;
     Mark mark;
@@ -28,6 +30,7 @@ class RecordingCanvas : public PictureCanvas {
     std::vector<Pixel> clip{};  // empty: none
   };
 
+  // Of that many pixels; what is drawn outside is recorded all the same.
   RecordingCanvas(double width, double height) : width_(width), height_(height) {}
 
   double width() const override { return width_; }
@@ -66,7 +69,7 @@ class RecordingCanvas : public PictureCanvas {
     return 0.55 * style.size * static_cast<double>(text.size());
   }
 
-  // All calls; those with a mark; those with a mark and of a kind.
+  // All calls, in order; those with a mark; those with a mark and of a kind.
   const std::vector<Call>& calls() const { return calls_; }
   std::vector<Call> calls(Mark mark) const {
     std::vector<Call> found;
@@ -79,7 +82,9 @@ class RecordingCanvas : public PictureCanvas {
     std::erase_if(found, [&](const Call& c) { return c.kind != kind; });
     return found;
   }
+  // How many calls have this mark.
   std::size_t count(Mark mark) const { return calls(mark).size(); }
+  // Whether exactly this text was drawn, under any mark.
   bool wrote(std::string_view text) const {
     return std::any_of(calls_.begin(), calls_.end(), [&](const Call& c) { return c.text == text; });
   }

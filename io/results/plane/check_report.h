@@ -25,9 +25,12 @@ std::string check_json(const Scene2& scene, const Findings2& findings, const Rep
 
 // Returns one paragraph a finding and a closing count. Of one kind at most `most` are shown, the rest is counted.
 inline constexpr std::size_t kMostOfAKind = 20;
+// Returns one paragraph a finding and a closing line that counts errors, warnings and notes. Of one kind at most `most`
+// are shown, the rest is counted.
 std::string check_text(const Scene2& scene, const Findings2& findings, std::size_t most = kMostOfAKind);
 
-// Returns the paragraphs alone.
+// Returns the paragraphs alone: "FILE:LINE: SEVERITY: KIND at PLACE: MESSAGE", the suggestion on a line below. LINE and
+// PLACE are left out where there is none.
 std::string findings_text(const Scene2& scene, const Findings2& findings, std::size_t most = kMostOfAKind);
 
 // Returns each finding as a sentence for the notes of a report: "warning: KIND: MESSAGE (SUGGESTION)".

@@ -33,6 +33,10 @@ SceneReference2 scene_reference(const std::string& name, std::string text, const
                                 const RadiositySolution& solution);
 
 // Returns all files of a set: those of its scenes, then reference.json, README.txt, and SHA256SUMS of all before it.
+//
+//   (1) the same scenes in the same order give the same bytes: nothing depends on time, machine or threads
+//   (2) paths are from the folder of the set, as `sha256sum -c` wants them
+// COST: all texts in memory.
 std::vector<SetFile> set_files(std::vector<SceneReference2> scenes);
 
 }  // namespace hottel

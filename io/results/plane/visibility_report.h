@@ -13,6 +13,9 @@
 namespace hottel {
 
 // One answer in two forms: a JSON object, and lines. Both end in a newline.
+//
+//   (1) a coordinate stands as the nearest double and exactly, a measure as the nearest double and in closed form
+//   (2) a quotient stands as a double with bounds at most one ulp apart; null where the denominator is 0
 struct VisibilityAnswer {
   std::string json, text;
 };
@@ -24,6 +27,7 @@ VisibilityAnswer point_answer(const PreparedScene2& prepared, const PointSight2&
                               const std::optional<PointLight2>& light);
 
 // The view factors from the point t of a face, each as a double and in closed form. name: what the face was called.
+// t: 0 at the first end of the edge, 1 at the second.
 VisibilityAnswer face_point_answer(const PreparedScene2& prepared, const std::string& name, const Face& face,
                                    const Rational& t, const std::vector<FaceFactor2>& factors);
 
@@ -34,6 +38,8 @@ struct PairSight2 {
   ExactPair2 pair;
   std::vector<CriticalPoint2> critical;  // of `from` with respect to `to`; none of the sky
 };
+// What they exchange, what they would exchange with everything else taken away, the part of it that is visible, both
+// areas and both factors, and the critical points. The sky has neither area nor factor: null.
 VisibilityAnswer pair_answer(const PairSight2& sight);
 
 }  // namespace hottel

@@ -12,6 +12,7 @@
 
 namespace hottel {
 
+// What a check may take, and whom it tells how far it is.
 struct CheckOptions2 {
   std::uint64_t memory = 0;                   // bytes that view factors may take; 0: no limit
   std::function<void(double)> progress = {};  // fraction done; may throw to stop
@@ -20,8 +21,8 @@ struct CheckOptions2 {
 // What was found, and the view factors that it took.
 //
 //   (1) findings are sorted (sort_findings); docs/check.md has their kinds
-//   (2) an error is told iff prepare, solve_radiosity (or that its light is in doubles) or the promise "closed" would
-//       fail
+//   (2) an error is told iff prepare would fail, solve_radiosity (or that its light is in doubles),
+//       or the promise "closed"
 //   (3) factors: by elements where some surface is divided, as solve has them; nothing when claims conflict or memory
 //       does not suffice (light-not-checked says so)
 //   (4) black_backs: the surfaces that black-back is told of, in the order of the scene

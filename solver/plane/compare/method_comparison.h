@@ -13,12 +13,21 @@
 namespace hottel {
 
 // A scene with its exact factors and radiosities, ready to judge methods.
+//
+//   (1) exact() is over the elements that the surfaces ask for, with visibilities; all methods are held against it
+//   (2) where radiosities cannot be solved for, exact_solution() is nothing and why_no_solution() says why; methods are
+//       then judged by their factors alone
 class MethodComparison2 {
  public:
-  // The scene, divided as its surfaces ask for, outlives this.
+  // The scene, divided as its surfaces ask for, outlives this. COST: the exact factors and one solution.
   explicit MethodComparison2(const PreparedScene2& prepared);
 
-  // Throws RequestError when the method cannot be run on the scene. runs: as in time_repeatedly().
+  // Runs a method, times it and takes its errors. runs: as in time_repeatedly(). Of repeated runs the last one's matrix
+  // and report are kept. Seconds are the method's own where its report has them.
+  //
+  //   (1) max_radiosity_error is nothing where there is no exact solution; it is infinite, and a note says why, where
+  //       the method's matrix has none though there is an exact one
+  // Throws RequestError when the method cannot be run on the scene. COST: the runs, and one solution of its matrix.
   MethodResult run(const ExchangeMethod2& method, const std::optional<int>& runs = {}) const;
 
   const PreparedScene2& prepared() const { return prepared_; }

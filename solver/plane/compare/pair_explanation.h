@@ -14,7 +14,8 @@
 
 namespace hottel {
 
-// Explains pairs of one scene.
+// Explains pairs of one scene. Visibilities are the exact ones; distances and angles are doubles, of the lines as
+// typed: what other surfaces own of an element is not cut off.
 class PairExplainer2 {
  public:
   // exact: the scene's factors by elements, with visibilities. Both outlive this.
@@ -24,6 +25,11 @@ class PairExplainer2 {
   //   "they do not face each other" | "hidden" | "partly hidden" | "in full view", for the sky with "toward the sky",
   //   "touching" (a common end) | "near" (nearer than the longer of the two is long) | "far", not for the sky,
   //   "missed" (the method sees nothing of it) | "light where there is none".
+  //
+  //   (1) visibility is nothing only where no part of one faces any part of the other, and 0 where all
+  //       that does is hidden
+  //   (2) "touching" is decided on exact ends
+  // COST: a search in a row of the exact matrix; where the pair has no entry, all runs of both elements.
   PairExplanation explain(const PairError& pair) const;
 
  private:
@@ -34,7 +40,7 @@ class PairExplainer2 {
   ElementTable2 table_;
 };
 
-// Returns the pairs that a result gets most wrong, the worst first, at most `count`.
+// Returns the pairs that a result gets most wrong, the worst first, at most `count` (worst_pairs() of matrix_errors.h).
 // exact: as given to the explainer. REQUIRES a result with its matrix.
 std::vector<ExplainedPair> explained_worst_pairs(const PairExplainer2& explainer, const ExchangeMatrix& exact,
                                                  const MethodResult& result, std::size_t count);

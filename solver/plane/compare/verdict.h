@@ -6,9 +6,11 @@
 
 namespace hottel {
 
-// As judge() of solver/compare/verdict.h. REQUIRES: both matrices are over the elements of `prepared`; the exact one
-// has visibilities. COST: a few passes over both matrices; another exact matrix, of both sides of all edges, when
-// something is off; and an exact sum for each pair that is off and exchanges nothing.
+// As judge() of solver/compare/verdict.h, of a scene in the plane.
+//
+// REQUIRES: both matrices are over the elements of `prepared`; the exact one has visibilities.
+// COST: a few passes over both matrices; another exact matrix, of both sides of all edges, when something is off; and
+// an exact sum for each pair that is off and exchanges nothing.
 Verdict judge(const PreparedScene2& prepared, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
               const VerdictOptions& options);
 

@@ -10,7 +10,8 @@
 
 namespace hottel {
 
-// A point or vector whose coordinates are good to about 2^-104 of the largest number that went into them.
+// A point or vector whose coordinates are good to about 2^-104 of the largest number that went into them: sums of two
+// doubles, of which the first is the rounded coordinate.
 struct FinePoint2 {
   DoubleDouble x, y;
 };
@@ -21,13 +22,15 @@ inline constexpr double kFine = 0x1p-102;  // more than the relative error of a 
 // What CellFrame2::direction is good to, relative to its length.
 inline constexpr double kDirection = 0x1p-80;
 
-// A vector in doubles.
+// A vector in doubles; every operation rounds.
 struct Vector2 {
   double x, y;
   friend Vector2 operator+(const Vector2& a, const Vector2& b) { return {a.x + b.x, a.y + b.y}; }
   friend Vector2 operator-(const Vector2& a, const Vector2& b) { return {a.x - b.x, a.y - b.y}; }
   friend Vector2 operator*(double t, const Vector2& a) { return {t * a.x, t * a.y}; }
 };
+// Positive when b points to the left of a; the cosine of their angle times both lengths; the leading
+// doubles of a point.
 inline double cross(const Vector2& a, const Vector2& b) { return a.x * b.y - a.y * b.x; }
 inline double dot(const Vector2& a, const Vector2& b) { return a.x * b.x + a.y * b.y; }
 inline Vector2 rounded(const FinePoint2& p) { return {p.x.hi, p.y.hi}; }
@@ -45,7 +48,9 @@ class CellFrame2 {
 
   const FinePoint2& vertex(VertexId v) const { return places_[v.index()]; }
   // A vector of any length from a to b, good to kDirection of its length: near each other or far from the grid, too.
+  // REQUIRES two vertices at different places.
   FinePoint2 direction(VertexId a, VertexId b) const;
+  // The middle of a cell; row 0 is the lowest. REQUIRES ix < nx() and iy < ny().
   FinePoint2 centre(std::uint32_t ix, std::uint32_t iy) const { return {{ix + 0.5, 0}, rows_[iy]}; }
   double height() const { return height_.hi; }  // of a cell, rounded
   std::uint32_t nx() const { return nx_; }

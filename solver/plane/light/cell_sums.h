@@ -15,11 +15,14 @@ namespace hottel {
 //   (2) a sum depends on the order in which wedges came, and on nothing else
 class CellSums2 {
  public:
+  // All sums are 0. REQUIRES that the frame outlives this. COST: 8 bytes a cell and channel, 8 more a cell.
   CellSums2(const CellFrame2& frame, std::uint32_t channels);
 
-  // Adds the wedges of a vertex to the cells of some rows. Threads may work on different rows.
+  // Adds the wedges of a vertex to the cells of the rows first_row to end_row - 1. Threads may work on different rows.
+  // COST: the cells of these rows that the wedges come near.
   void add(const LitWedges2& lit, std::uint32_t first_row, std::uint32_t end_row);
 
+  // What a cell holds so far, and how far each of its channels may be off. REQUIRES cell = iy * nx + ix.
   double sum(std::size_t cell, std::uint32_t channel) const { return sums_[cell * channels_ + channel]; }
   double error(std::size_t cell) const { return errors_[cell]; }
 

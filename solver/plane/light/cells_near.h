@@ -9,7 +9,7 @@
 
 namespace hottel {
 
-// The x that a triangle takes between two heights; empty (min > max) when it takes none.
+// A range of x; empty (min > max) until something is included.
 struct Columns2 {
   double min = HUGE_VAL, max = -HUGE_VAL;
   void include(double value) {
@@ -17,6 +17,7 @@ struct Columns2 {
     max = std::max(max, value);
   }
 };
+// Returns the x that a triangle takes between two heights; empty when it takes none. REQUIRES bottom <= top.
 Columns2 columns_of(const Vector2 (&corners)[3], double bottom, double top);
 
 // Calls visit(ix, iy) for the cells of some rows that come within `slack` of a triangle, and for some near them.

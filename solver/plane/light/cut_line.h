@@ -12,14 +12,16 @@ namespace hottel {
 class CutLine2 {
  public:
   CutLine2() = default;
-  // The direction is known to kDirection of its length.
+  // The line through a point in a direction, which is known to kDirection of its length. REQUIRES a
+  // direction of some length.
   CutLine2(const FinePoint2& point, const FinePoint2& direction, const CellFrame2& frame);
 
   double at(const FinePoint2& place) const;  // REQUIRES a place in the grid
   double doubt() const { return doubt_; }
+  // The unit vector along which the distance grows: to the left of the line, rounded.
   const Vector2& gradient() const { return gradient_; }
 
-  // Half the extent of a cell across the line.
+  // Half the extent of a cell across the line: how far a corner of a cell may lie beyond its centre.
   double support() const { return support_; }
   // +1: a whole cell certainly lies left of the line, -1: right of it, 0: neither is certain. By plain doubles; the
   // same for the same line and cell, always. centre: of the cell, rounded.

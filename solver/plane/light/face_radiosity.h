@@ -20,12 +20,14 @@ class FaceRadiosity2 {
  public:
   // by_element: channels values for each of labels.elements(), in their order (that of ExchangeMatrix::elements());
   // those of black backs are not looked at. sky: one value per channel.
+  // REQUIRES at least one channel, and as many values; throws ContractViolation otherwise.
   FaceRadiosity2(const Arrangement2& arrangement, const ElementTable2& table, std::span<const double> by_element,
                  std::span<const double> sky);
 
   std::uint32_t channels() const { return channels_; }
   bool is_covered(PieceSideId side) const { return shade(side) == covered_; }            // does it look into a solid?
   std::uint32_t shade(PieceSideId side) const { return shade_[place_after_sky(side)]; }  // kSky too
+  // What a shade, or a side of a piece, sends out in each channel.
   std::span<const double> of_shade(std::uint32_t shade) const {
     return {values_.data() + std::size_t{shade} * channels_, channels_};
   }
@@ -37,7 +39,8 @@ class FaceRadiosity2 {
   std::vector<double> values_;        // by shade and channel
 };
 
-// What FaceRadiosity2 wants of a solution: radiosities element-major, channels inside; the sky's emission by channel.
+// What FaceRadiosity2 wants of a solution: radiosities element-major, channels inside; the sky's emission by channel,
+// as the nearest doubles. REQUIRES at least one channel, at most three.
 std::vector<double> radiosity_by_element_2(const RadiositySolution& solution);
 std::vector<double> sky_by_channel_2(const Spectrum& sky_emission, std::size_t channels);
 

@@ -19,6 +19,7 @@ struct IlluminationGrid2 {
   std::uint32_t channels = 1;
   std::vector<double> values;
 
+  // REQUIRES ix < grid.nx, iy < grid.ny, channel < channels.
   double at(std::uint32_t ix, std::uint32_t iy, std::uint32_t channel = 0) const {
     return values[(std::size_t{iy} * grid.nx + ix) * channels + channel];
   }

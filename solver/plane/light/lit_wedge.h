@@ -28,11 +28,9 @@ struct LitWedge2 {
 //
 //   (1) two wedges of a quadrant next to the same faces have the same coefficients
 //   (2) what is told of a wedge is within margin, doubt and rough_doubt of the real one; they bound the errors of
-//   places,
-//       of constants and of differences from the apex, and enter the error of every cell (CellSums2)
+//       places, of constants and of differences from the apex, and enter the error of every cell (CellSums2)
 //   (3) a wedge that would add less than its doubt anywhere, or adds the same as its neighbours, is still listed: none
-//   is
-//       left out but those counted in `lost`
+//       is left out but those counted in `lost`
 struct LitWedges2 {
   FinePoint2 apex;
   double rough_doubt = 0;      // a difference from the apex in doubles is known within this
@@ -49,6 +47,8 @@ class WedgeLighting2 {
   WedgeLighting2(const Arrangement2& arrangement, const FaceRadiosity2& radiosity, const CellFrame2& frame)
       : arrangement_(arrangement), radiosity_(radiosity), frame_(frame) {}
 
+  // Fills `result` with the wedges of v. Left out are those that lie in solids and those of which both sides send what
+  // the sky sends: they add nothing. Wedges whose lines are not known to a quarter of a cell are counted in `lost`.
   void find(VertexId v, LitWedges2& result) const;
 
  private:

@@ -11,7 +11,7 @@ namespace hottel {
 class CellPart2 {
  public:
   explicit CellPart2(double height);
-  // Keeps what lies where at_centre + gradient . offset >= 0. At most three cuts.
+  // Keeps what lies where at_centre + gradient . offset >= 0; size() is 0 once nothing is left. At most three cuts.
   void cut(double at_centre, const Vector2& gradient);
 
   int size() const { return size_; }
@@ -30,10 +30,18 @@ struct AreaAndAngle2 {
   double area = 0, angle = 0;
 };
 
+// These integrals for the cells of one grid, all of one height.
+//
+//   (1) areas and angles are within area_error() and angle_error() of the real ones, in units of 2^-53, for the
+//       corners as they are
+//   (2) near the pole each edge has a closed form; elsewhere series of kTerms terms are used
 class PolarIntegrals2 {
  public:
   explicit PolarIntegrals2(double height);
 
+  // Over the whole cell, and over a part of it. Near the pole by closed forms for each edge, else by series in offset /
+  // z, of kTerms terms.
+  // REQUIRES of over() that the part is not empty.
   AreaAndAngle2 over_cell(const Vector2& z, const Vector2& axis) const;
   AreaAndAngle2 over(const CellPart2& part, const Vector2& z, const Vector2& axis) const;
 
@@ -42,6 +50,7 @@ class PolarIntegrals2 {
   double area_error() const { return 32 * radius_ * radius_; }
   double angle_error(const Vector2& z) const;
 
+  // Whether the pole is within kFar radii of the centre of the cell.
   bool is_near(const Vector2& z) const { return dot(z, z) <= kFar * kFar * radius_ * radius_; }
   double radius() const { return radius_; }  // half the diagonal of a cell
 

@@ -14,14 +14,14 @@
 
 namespace hottel {
 
-// Light on a grid, and the proven bound on its values where there is one.
+// Light on a grid, and the proven bound on its values where there is one: for "average" alone, of these radiosities.
 struct SolvedLight2 {
   IlluminationGrid2 grid;
   std::optional<double> max_error{};
 };
 
 // Returns the light of a solution on a grid. way: "point" (illuminate_points), "average" (illuminate_averages, with its
-// bound) or "inverse-square" (illuminate_inverse_square); these say what is thrown.
+// bound) or "inverse-square" (illuminate_inverse_square); these say what is thrown. Another word: ContractViolation.
 // REQUIRES the solution of a matrix of the scene of that granularity.
 SolvedLight2 illuminate(std::string_view way, const PreparedScene2& prepared, const Grid2& grid,
                         Granularity granularity, const RadiositySolution& solution,
@@ -34,7 +34,9 @@ struct PointLight2 {
   std::string why_none;                 // no solution, or none in doubles: the reason; else empty
 };
 
-// Solves the scene by faces and looks around from the eye (mean_irradiance.h). REQUIRES an eye that is in no solid.
+// Solves the scene by faces and looks around from the eye (mean_irradiance.h). Does not throw RequestError: where there
+// is no solution, or none that doubles can hold, why_none says why and the lists are empty.
+// REQUIRES an eye that is in no solid. COST: the exact factors of the scene and one solution.
 PointLight2 light_at(const PreparedScene2& prepared, const VisibilityPolygon2& seen);
 
 }  // namespace hottel

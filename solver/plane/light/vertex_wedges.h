@@ -8,12 +8,14 @@
 
 namespace hottel {
 
-// A ray that starts at a vertex.
+// A ray that starts at a vertex: along an axis, towards another vertex, or away from one. Kept
+// by name, without rounding.
 struct VertexRay2 {
   enum class Kind : unsigned char { kAxis, kTowards, kAwayFrom };
   Kind kind = Kind::kAxis;
   std::uint32_t index = 0;  // kAxis: quarter turns from the x axis; else the number of a vertex
 
+  // Along the x axis after so many quarter turns counter-clockwise, 4 being 0 again; towards a vertex; away from one.
   static VertexRay2 axis(std::uint32_t quarter_turns) { return {Kind::kAxis, quarter_turns}; }
   static VertexRay2 towards(VertexId v) { return {Kind::kTowards, static_cast<std::uint32_t>(v.index())}; }
   static VertexRay2 away_from(VertexId v) { return {Kind::kAwayFrom, static_cast<std::uint32_t>(v.index())}; }
@@ -36,7 +38,10 @@ struct Wedge2 {
 };
 
 // Appends the wedges of vertex v, counter-clockwise from the x axis; view is what v sees.
-// COST: about two orientations for each vertex seen.
+//
+//   (1) a wedge between two rays of one direction, which has no inside, is left out
+//   (2) nothing is rounded: directions are compared by signs
+// REQUIRES the view of v among these vertices. COST: about two orientations for each vertex seen.
 void append_wedges(const Vertices2& vertices, VertexId v, const View2& view, std::vector<Wedge2>& wedges);
 
 }  // namespace hottel

@@ -11,16 +11,20 @@
 namespace hottel {
 
 // Vertices in doubles as they stand in the scene, but for a power of two that keeps squares in range.
+//
+//   (1) coordinates are those of the scene, rounded to the nearest double; none is above 1 in size
+//   (2) a sign may be wrong, and signs may contradict each other
 class NaivePoints2 {
  public:
   explicit NaivePoints2(const Vertices2& vertices);
 
-  // Sign of the determinant as it comes out.
+  // Sign of the determinant as it comes out: +1 when k lies left of i -> j, if rounding does not say otherwise.
   int orientation(VertexId i, VertexId j, VertexId k) const {
     const Place &p = place_[i.index()], &q = place_[j.index()], &r = place_[k.index()];
     const double determinant = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
     return (determinant > 0) - (determinant < 0);
   }
+  // In the unit of the scene times that power of two. Square root of the sum of squares, each operation rounded.
   double distance(VertexId i, VertexId j) const {
     const double dx = place_[j.index()].x - place_[i.index()].x, dy = place_[j.index()].y - place_[i.index()].y;
     return std::sqrt(dx * dx + dy * dy);
@@ -60,7 +64,9 @@ class StepLimit2 {
 // window through which it is seen.
 std::uint64_t naive_step_limit(const Triangulation2& triangulation);
 
-// How many orientations the naive sweep asks for, and how many of them have another sign than the exact ones.
+// How many orientations the naive sweep asks for, and how many of them have another sign than the exact ones. A sweep
+// that goes in circles is cut off as StepLimit2 does.
+// COST: an exact orientation for each that is asked for, one vertex after the other.
 struct WrongOrientations2 {
   std::uint64_t asked = 0, wrong = 0;
 };

@@ -55,8 +55,10 @@ std::vector<double> plain_lengths(const Arrangement2& arrangement, const Element
   return lengths;
 }
 
-// Returns F_ij = 2 S(i, j) / (2 A_i) for all sums that are not zero. An element whose length came out as zero has an
-// empty row.
+// Returns F_ij = 2 S(i, j) / (2 A_i) for all sums that are not zero.
+//
+//   (1) both factors of a pair come from one sum: A_i F_ij = A_j F_ji but for the roundings of the quotients
+//   (2) an element whose length came out as zero has an empty row
 ExchangeMatrix plain_matrix(const ElementTable2& table, const PlainSums2& sums, const std::vector<double>& lengths);
 
 }  // namespace hottel

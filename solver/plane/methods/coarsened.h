@@ -11,7 +11,9 @@ namespace hottel {
 // made of the matrix's elements: an estimate.
 //
 //   (1) row sums are means of row sums; reciprocity holds as far as it does among the elements
-// REQUIRES: a matrix over the elements of `prepared`.
+//   (2) visibilities are NaN: they were not asked for
+// REQUIRES: a matrix over the elements of `prepared`. COST: the scene is prepared once more, undivided; one
+// pass over the matrix.
 ExchangeMatrix coarsened(const ExchangeMatrix& matrix, const PreparedScene2& prepared, Granularity granularity);
 
 }  // namespace hottel

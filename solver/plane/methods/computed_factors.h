@@ -14,6 +14,9 @@ struct ComputedFactors2 {
 };
 
 // View factors by a method that is not `exact`, by elements of `prepared`, or put together per face or group.
+//
+//   (1) counts.pairs is the number of entries; counts.seconds has "prepare" and "factors", the latter as the method
+//       tells it where it does
 // Throws RequestError naming scene and method when it cannot be run.
 ComputedFactors2 factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared, Granularity granularity);
 

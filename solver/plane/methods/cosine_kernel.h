@@ -8,6 +8,9 @@ namespace hottel {
 // Returns cos cos' / (2 r) for points x, y with unit normals, r their distance and the cosines those of the angles
 // between the segment and the normals; 0 when one of them is not positive. [1 / local unit]
 // S(a, b) is the integral of this over the points of a and of b that see each other.
+//
+//   (1) symmetric in the two points, bit for bit, and never below 0
+//   (2) 0 for points that coincide
 inline double cosine_kernel(const LocalPoint2& x, const LocalVector2& x_normal, const LocalPoint2& y,
                             const LocalVector2& y_normal) {
   const LocalVector2 d = y - x;
@@ -17,6 +20,7 @@ inline double cosine_kernel(const LocalPoint2& x, const LocalVector2& x_normal, 
   return r > 0 ? (from / r) * (to / r) / (2 * r) : 0;
 }
 
+// The same between the middles of two runs: what the midpoint rule takes for all their points.
 inline double between_centres(const ElementRun2& a, const ElementRun2& b) {
   return cosine_kernel(a.centre, a.normal(), b.centre, b.normal());
 }

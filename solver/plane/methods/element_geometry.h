@@ -11,6 +11,7 @@
 
 namespace hottel {
 
+// A difference of places, or a direction, in local units.
 struct LocalVector2 {
   double x = 0, y = 0;
 };
@@ -29,6 +30,9 @@ struct LocalPoint2 {
 };
 
 // One straight run of an element, its front on the right of from -> to.
+//
+//   (1) at(0) is `from` and at(1) is `to`, exactly; in between places are as good as doubles of the length allow
+//   (2) a back has its ends exchanged: normal() always leads into the space that the face looks into
 struct ElementRun2 {
   Segment2 ends;  // the vertices at from and to
   LocalPoint2 from, to, centre;
@@ -64,7 +68,9 @@ class ElementGeometry2 {
   }
   // Whether no run of an element was left out.
   bool is_whole(std::uint32_t element) const { return runs(element).size() == table_.runs(element).size(); }
+  // The runs of all elements, one element after the other.
   std::span<const ElementRun2> all_runs() const { return runs_; }
+  // The place of a run in all_runs(). REQUIRES a reference into it, not a copy.
   std::size_t number_of(const ElementRun2& run) const { return static_cast<std::size_t>(&run - runs_.data()); }
   double length(std::uint32_t element) const { return length_[element]; }  // in local units
 

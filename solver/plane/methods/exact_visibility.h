@@ -13,6 +13,7 @@ namespace hottel {
 //
 //   (1) of(i, j) == of(j, i); it is 0 iff nothing of one sees anything of the other, decided without rounding
 //   (2) black backs, which have no row, are found by those that see them
+// Many threads may ask at once. The scene is not needed afterwards.
 class ExactVisibility2 {
  public:
   // COST: that of the exact factors.
@@ -23,7 +24,8 @@ class ExactVisibility2 {
         if (entry.to != exact_.sky() && !exact_.has_row(entry.to)) rows_that_see_[entry.to].push_back(i);
   }
 
-  // Appends the elements j with S(i, j) > 0, where one of i and j at least has a row; no others.
+  // Appends the elements j with S(i, j) > 0, where one of i and j at least has a row; no others, and not the sky. COST:
+  // the number of these.
   void append_partners(std::uint32_t i, std::vector<std::uint32_t>& elements) const {
     for (const FactorEntry& entry : exact_.row(i))
       if (entry.to != exact_.sky()) elements.push_back(entry.to);

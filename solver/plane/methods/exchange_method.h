@@ -18,16 +18,18 @@ namespace hottel {
 //   (2) the same call gives the same matrix bit for bit, for any number of threads
 //   (3) a matrix that is not kExact says nothing of its factors' true values: FactorEntry::factor.side is 0
 //   (4) |F_ij - exact F_ij| <= claimed_errors(prepared)(i, j) for every pair, and <= declared_error where there is one
-//   (5) a method that looks into every direction says how much of the sky it sees. One that looks at pairs only has no
-//       entry for the sky in the rows of elements inside closed walls; an element whose front borders the open space
-//       (open_space.h) leaves to the sky what the other factors leave of 1: max(0, 1 - their sum). So the row defect
-//       shows all that is wrong with a row inside closed walls, and with one in the open if it sums to more than 1
+//   (5) a method that looks into every direction says how much of the sky it sees
+//   (6) a method that looks at pairs only has no entry for the sky in the rows of elements inside closed walls; where
+//       an element borders the open space (open_space.h) the sky gets max(0, 1 - the sum of its other factors). So the
+//       row defect shows all that is wrong with the sum of a row inside closed walls, and of one in the open whether it
+//       sums to more than 1
 class ExchangeMethod2 {
  public:
   virtual ~ExchangeMethod2() = default;
+  // Name, family, guarantee and reference: what the method says of itself, on any scene.
   virtual const MethodInfo& info() const = 0;
 
-  // Throws RequestError when the method cannot be run on the scene.
+  // Computes the view factors, and fills `report`. Throws RequestError when the method cannot be run on the scene.
   virtual ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport& report) const = 0;
 
   // What the method claims of its largest error on a scene, before it is run: a bound that follows from its reference

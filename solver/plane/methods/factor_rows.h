@@ -9,10 +9,12 @@
 
 namespace hottel {
 
-// Returns the estimated matrix with these rows, one for each element.
+// Returns the estimated matrix with these rows, one for each element; those without a row are empty.
+// REQUIRES rows that ascend by column, the sky last; throws ContractViolation otherwise (ExchangeMatrix::assign).
 ExchangeMatrix matrix_of_rows(const ElementGeometry2& geometry, const std::vector<std::vector<FactorEntry>>& rows);
 
-// The factors of one row while they are summed. COST: that of the columns that receive something.
+// The factors of one row while they are summed. One object serves many rows, one after the other.
+// COST: that of the columns that receive something; 8 bytes a column.
 class RowSums2 {
  public:
   explicit RowSums2(std::size_t columns) : sums_(columns, 0) {}
@@ -22,10 +24,11 @@ class RowSums2 {
     if (sums_[column] == 0) touched_.push_back(column);
     sums_[column] += amount;
   }
+  // Divides all sums. REQUIRES a divisor other than 0.
   void divide_by(double divisor) {
     for (const std::uint32_t column : touched_) sums_[column] /= divisor;
   }
-  // Moves out what is not 0, by ascending columns.
+  // Moves out what is not 0, by ascending columns, with visibilities NaN; all sums are 0 afterwards.
   std::vector<FactorEntry> take();
 
  private:
@@ -33,11 +36,14 @@ class RowSums2 {
   std::vector<std::uint32_t> touched_;  // columns that are not 0
 };
 
-// Fills the row of an element: adds F(from, j) to column j, the sky last.
+// Fills the row of an element: adds F(from, j) to column j, the sky last. `by` is empty when it is called.
 using FillRow2 = std::function<void(std::uint32_t from, RowSums2& by)>;
 
 // Returns the matrix of all rows that elements with a place have, estimated; an entry for each factor that is not 0.
 // `make_fill` is called for every range of rows, by the thread that fills them.
+//
+//   (1) an element without a run long enough (ElementGeometry2) has an empty row
+//   (2) the result does not depend on the number of threads where what `fill` adds does not
 // COST: parallel over rows. Stops when it is interrupted.
 ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<FillRow2()>& make_fill);
 

@@ -8,8 +8,9 @@
 
 namespace hottel {
 
-// Returns for every element whether its front borders the open space: whether a way that crosses no piece leads from
-// some point before the front to infinity. An element that does not sees no sky; one that does may see none.
+// Returns for every element, by its place in the table, whether its front borders the open space: whether a way that
+// crosses no piece leads from some point before the front to infinity. An element that does not sees no sky; one that
+// does may see none.
 std::vector<char> borders_open_space(const Arrangement2& arrangement, const ElementTable2& table);
 
 }  // namespace hottel

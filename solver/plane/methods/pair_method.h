@@ -19,6 +19,10 @@ struct PairFactors2 {
 //
 // The matrix, the sky and the claims are made here: a pair that exchanges nothing is claimed to be exactly 0, one that
 // nothing hides to be within error_of_free_runs(), one that is hidden in part as the method says.
+//
+//   (1) each pair is asked for once, both factors together; an entry for each that is above 0
+//   (2) what a row lacks of 1 goes to the sky where its element borders open space; other rows, and those above 1, stay
+//   (3) the matrix is the same bit for bit for any number of threads
 class PairMethod2 : public ExchangeMethod2 {
  public:
   const MethodInfo& info() const final { return info_; }
@@ -60,7 +64,7 @@ class PairMethod2 : public ExchangeMethod2 {
 };
 
 // The factors that belong to a measure S(a, b) of two runs: F_ab = S / (length of a), summed over the runs of both
-// elements.
+// elements. Both are 0 where the sum is not above 0.
 template <class Measure>
 PairFactors2 sum_over_runs(const ElementGeometry2& geometry, std::uint32_t i, std::uint32_t j, const Measure& measure) {
   double sum = 0;

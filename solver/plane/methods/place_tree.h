@@ -17,22 +17,27 @@ struct LocalBox2 {
   double reach(const LocalVector2& along) const;
 };
 
-// The places of an ElementGeometry2.
+// The places of the vertices of an ElementGeometry2, in boxes that are halved along their longer side.
 //
 // A box is left out only if it is farther off than kSlack, which is more than its numbers are rounded by: what is
 // visited are all vertices that are asked for and some others, which the caller tells apart.
+//
+//   (1) a vertex is visited at most once; visiting stops at the first false
+//   (2) without vertices nothing is visited, and the answer is true
 class PlaceTree2 {
  public:
   static constexpr double kSlack = 0x1p-40;  // coordinates are below 1
   using Visit = std::function<bool(VertexId)>;
 
+  // The first `vertices` vertices of the geometry, which need not outlive this. COST: O(n log n); 32 bytes a
+  // box, 4 a vertex.
   PlaceTree2(const ElementGeometry2& geometry, std::size_t vertices);
 
   // Visits the vertices that do not lie behind the line of a run, until visit returns false. Returns false if it did.
   // COST: that of the boxes that the line cuts, O(sqrt n) or so, and of what is visited.
   bool visit_before(const ElementRun2& run, const Visit& visit) const;
 
-  // The same for the vertices within a distance of a segment.
+  // The same for the vertices within a distance of a segment; for all of them where the segment is a point.
   bool visit_near(const LocalPoint2& from, const LocalVector2& along, double distance, const Visit& visit) const;
 
  private:

@@ -27,6 +27,8 @@ struct RayOptions2 {
   std::uint64_t seed = 1;
 };
 
+// Returns the method, whose report notes the seed. Throws ContractViolation for a number of rays that is out of range.
+// COST: n rays for each element, in parallel.
 std::unique_ptr<ExchangeMethod2> rays_method_2(const RayOptions2& options);
 
 }  // namespace hottel

@@ -8,6 +8,9 @@
 
 namespace hottel {
 
+// The same chosen places on every run, as exact points, and which of them see each other.
+//
+//   (1) see_each_other() is decided without rounding
 class RunPoints2 {
  public:
   // The points run.at(t) of every run, for each t of `places`. REQUIRES 0 < t < 1; that both outlive this.
@@ -20,7 +23,7 @@ class RunPoints2 {
   }
 
   // Appends the elements that are seen from the points of all runs of an element, each once or more: among them all
-  // elements with points that one of these points sees.
+  // elements with points that one of these points sees. COST: one look around for each point of the element.
   void append_partners(std::uint32_t element, std::vector<std::uint32_t>& elements) const;
 
  private:

@@ -22,16 +22,16 @@ struct Corners2 {
   std::vector<std::uint32_t> from, to;  // per surface
 
   Corners2() = default;
-  // COST: O(n log n).
+  // Edge k of the corners is surface k. COST: O(n log n).
   Corners2(const Scene2& scene, const Frame2& frame);
 
   std::size_t surfaces() const { return from.size(); }
 };
 
-// The straight parts of faces that exchange light: a part that looks into a solid, or that another surface owns, is
-// missing.
+// The straight parts of faces that exchange light: a part that looks into a solid, or that another
+// surface owns, is missing.
 //
-//   (1) the runs of a surface, those of its front before those of its back
+//   (1) the runs of a surface, those of its front before those of its back, are begin(surface) to end(surface) - 1
 //   (2) edge k of corners() is run k, the face on its right
 class FaceRuns2 {
  public:

@@ -21,6 +21,8 @@ struct SheetMargins2 {
 //   (1) points of the scene and the extra points lie within the margins
 //   (2) the height is at most 3 widths and at most kMaxPictureSide; where that binds the drawing is centred
 //   (3) coordinates of any size and digits: differences are formed before rounding
+//   (4) a flat scene has room all the same: an eighth of the width, or nearly
+// Throws ContractViolation where what is required does not hold.
 class Frame2 {
  public:
   // REQUIRES width > left + right, finite extra points.
@@ -37,7 +39,9 @@ class Frame2 {
   Pixel bottom_right() const { return bottom_right_; }
   double pixels_per_length() const { return pixels_per_extent_x_ / extent_double_; }
 
+  // Where a point of the scene lies in the picture, y down; points beside the region lie beside the picture.
   Pixel at(const Point2& point) const;
+  // The same for a point in doubles, whose place is found in doubles.
   Pixel at(const std::array<double, 2>& point) const;
 
  private:

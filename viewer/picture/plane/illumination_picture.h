@@ -13,6 +13,7 @@
 
 namespace hottel {
 
+// How the light of a grid becomes a picture.
 struct IlluminationPicture2 {
   Tone tone = Tone::kLog;
   double exposure = 1;               // what the light is multiplied by; ToneCurve says relative to what
@@ -37,7 +38,9 @@ class IlluminationPainter2 {
 
   std::uint32_t width() const { return pixels_.width(); }
   std::uint32_t height() const { return pixels_.height(); }
+  // The curve, fitted to the values of this grid.
   const ToneCurve& tone() const { return tone_; }
+  // REQUIRES a canvas of width() by height(). COST: the pixels are made in parallel, by rows of cells.
   void draw(PictureCanvas& canvas) const;
 
  private:
@@ -55,7 +58,7 @@ class IlluminationPainter2 {
   double unit_, wall_width_;
 };
 
-// Returns the bytes of the picture file. scale: receives what the tone curve multiplied values by.
+// Returns the bytes of the picture file. scale: receives what the tone curve multiplied values by, unless it is null.
 std::string illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
                                    const IlluminationPicture2& picture, PictureFormat format, double* scale = nullptr);
 

@@ -10,7 +10,8 @@
 
 namespace hottel {
 
-// Each cell becomes across x up pixels, blended between the centres of the cells (bilinear).
+// The light of a grid in pixels. Each cell becomes across x up of them, blended between the centres
+// of the cells (bilinear).
 //
 //   (1) the picture integrates to the grid: every cell's value counts in its pixels and those around as much as its own
 //       area; with walls, for each cell that no wall comes near (a cell and a half)
@@ -21,13 +22,14 @@ namespace hottel {
 // Where to draw is decided in doubles.
 class LightPixels2 {
  public:
-  // walls: the scene, or null: none. REQUIRES across, up > 0; the grid outlives this.
+  // walls: the scene, or null: none; it is not needed afterwards. REQUIRES across, up > 0, else throws
+  // ContractViolation; the grid outlives this.
   LightPixels2(const IlluminationGrid2& grid, std::uint32_t across, std::uint32_t up, const Scene2* walls);
 
   std::uint32_t width() const { return grid_.grid.nx * across_; }
   std::uint32_t height() const { return grid_.grid.ny * up_; }
   // Pixels of a row of cells, in C order (up, width, channels), the lowest row of pixels first. Callable from many
-  // threads at once.
+  // threads at once. REQUIRES iy < ny of the grid.
   std::vector<double> row_of_cells(std::uint32_t iy) const;
 
  private:

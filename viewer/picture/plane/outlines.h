@@ -39,6 +39,7 @@ struct Outlines2 {
   std::vector<std::optional<std::size_t>> around_loose;  // per loose surface, into closed
   std::size_t levels = 0;
 
+  // REQUIRES the corners of this scene; they are not needed afterwards.
   Outlines2(const Scene2& scene, const Corners2& corners);
 
  private:

@@ -31,6 +31,7 @@ struct ScenePixels2 {
   bool smooth = true;
 };
 
+// A plan as data: what is drawn beside floors, solids and walls.
 struct ScenePicture2 {
   SheetText2 sheet{};
   std::vector<std::uint32_t> targets{};  // surfaces to highlight, e.g. the windows
@@ -47,9 +48,9 @@ struct ScenePicture2 {
 //   (2) each edge is drawn once, over the stripes: highlighted when it is a target
 //   (3) nothing leaves the picture
 //   (4) a legend iff there is colouring
-//
+//   (5) a key is left out where the footer has no room for it
 // Degenerate: a scene without surfaces is an empty sheet.
-// Throws UsageError for a width out of range. REQUIRES valid surface indices. COST: O(n log n).
+// Throws UsageError for a width out of range, ContractViolation for a target that is no surface. COST: O(n log n).
 class ScenePicturePainter2 {
  public:
   // REQUIRES that prepared and picture outlive this.

@@ -16,7 +16,7 @@
 
 namespace hottel {
 
-// What stands on the sheet beside the drawing.
+// What stands on the sheet beside the drawing. A text that is empty takes no room.
 struct SheetText2 {
   std::uint32_t width = 1600;  // of the picture in pixels
   std::string title{};         // large, may be empty
@@ -25,7 +25,12 @@ struct SheetText2 {
 
 inline constexpr std::uint32_t kMinPictureWidth = 200;
 
-// A scene laid out on paper. Sizes grow with the picture: a unit is a pixel of a picture 1600 pixels wide.
+// A scene laid out on paper. Sizes grow with the picture: a unit is a pixel of a picture 1600 pixels wide, and never
+// below 0.6 pixels, so that letters stay readable.
+//
+//   (1) lines of walls and stripes grow with the length of a typical edge, within limits: neither a few long walls nor
+//       the many sides of round pillars decide
+//   (2) a heading that is too wide is written smaller
 class SceneSheet2 {
  public:
   // footer: height kept free below the drawing, in units. extra_points: shown as well, in scene coordinates.
@@ -40,6 +45,7 @@ class SceneSheet2 {
   double unit() const { return unit_; }
   double wall_width() const { return wall_width_; }  // of the line of an edge
   double stripe_depth() const { return stripe_depth_; }
+  // Where a surface begins and ends in the picture.
   Pixel from(std::uint32_t surface) const { return corners_.at[corners_.from[surface]]; }
   Pixel to(std::uint32_t surface) const { return corners_.at[corners_.to[surface]]; }
 
@@ -54,7 +60,8 @@ class SceneSheet2 {
   void draw_ground(PictureCanvas& canvas, const Ground& ground) const;
   // One dark line for each edge that is not hidden. hidden: one entry per surface, or none at all.
   void draw_walls(PictureCanvas& canvas, const std::vector<bool>& hidden = {}) const;
-  // A bar of a round length at the right of the footer.
+  // A bar of a round length (1, 2 or 5 times a power of ten, in metres) at the right of the footer; at most a quarter
+  // of the drawing's width.
   void draw_scale_bar(PictureCanvas& canvas) const;
   // The top of the footer's content.
   double footer_top() const;

@@ -15,9 +15,11 @@ namespace hottel {
 //   (1) a stripe lies on the right of its edge
 //   (2) it is at most as deep as `thickness`, less on a short edge between narrow corners
 //   (3) it reaches beyond the ends of the edge only around a corner, by at most 1.2 thicknesses
+//   (4) where no striped edge is next in a corner narrower than a right angle, it ends at that edge
+// Degenerate: an edge without length has a stripe without area. Edges of one direction at a corner are one wall.
 class Stripes2 {
  public:
-  // is_striped: which edges get a stripe.
+  // is_striped: which edges get a stripe, one entry for each. REQUIRES that the corners outlive this. COST: O(n log n).
   Stripes2(const Corners2& corners, std::vector<bool> is_striped, double thickness);
 
   // The four corners: along the edge, then back along the outer border.

@@ -17,7 +17,7 @@
 
 namespace hottel {
 
-// All points in scene coordinates, finite; they are rounded, being for the eye only.
+// What a point sees, to be drawn. All points in scene coordinates, finite; they are rounded, being for the eye only.
 struct VisibilityDrawing2 {
   SheetText2 sheet{};
   std::array<double, 2> eye{};
@@ -43,6 +43,7 @@ PairDrawing2 drawing_of(const PairSight2& sight);
 //
 //   (1) the light lies over the floors and beneath the walls, translucent and warm
 //   (2) the eye and all critical points are shown, outside the scene too; what reaches out of the picture is cut off
+// Throws UsageError for a width out of range. REQUIRES that the drawing outlives this.
 class VisibilityPainter2 {
  public:
   VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing2& drawing);
@@ -55,9 +56,11 @@ class VisibilityPainter2 {
   SceneSheet2 sheet_;
 };
 
+// The same of two edges.
+//
 //   (1) each of the two edges is drawn in a colour of its own, with its label on the side that is meant
 //   (2) one small circle for each critical point
-// REQUIRES faces of the scene.
+// REQUIRES faces of the scene; throws ContractViolation otherwise. The drawing outlives this.
 class PairPainter2 {
  public:
   PairPainter2(const PreparedScene2& prepared, const PairDrawing2& drawing);
@@ -72,7 +75,7 @@ class PairPainter2 {
   SceneSheet2 sheet_;
 };
 
-// Return the bytes of the picture file.
+// Return the bytes of the picture file. The sheet is as the drawing asks for.
 std::string visibility_picture_2(const PreparedScene2& prepared, const VisibilityDrawing2& drawing,
                                  PictureFormat format);
 std::string pair_picture_2(const PreparedScene2& prepared, const PairDrawing2& drawing, PictureFormat format);
