@@ -30,6 +30,10 @@ class Buffer {
     if (text_.size() > 1 << 16) flush();
     return *this;
   }
+  Buffer& operator<<(char c) {
+    text_ += c;
+    return *this;
+  }
   Buffer& operator<<(double value) { return *this << std::string_view(shortest(value)); }
 
   template <class Number>
@@ -153,10 +157,10 @@ void write_factors_csv(const FactorTable& table, const Sink& sink) {
   out << "from,to,factor,lower,upper,visibility,guarantee\n";
   for_each_listed(table,
                   [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds, Guarantee guarantee) {
-                    out << names[from] << "," << names[entry.to] << "," << entry.factor.value << "," << bounds.lower
-                        << "," << bounds.upper << ",";
+                    out << names[from] << ',' << names[entry.to] << ',' << entry.factor.value << ',' << bounds.lower
+                        << ',' << bounds.upper << ',';
                     if (!std::isnan(entry.visibility)) out << entry.visibility;
-                    out << "," << to_string(guarantee) << "\n";
+                    out << ',' << to_string(guarantee) << '\n';
                   });
   out.flush();
 }
