@@ -165,9 +165,9 @@ void write_factors(const FactorsOptions& options, const PreparedScene2& prepared
     if (!options.exact_form.empty())
       only = {require_element(table.matrix, options.exact_form[0]),
               require_element(table.matrix, options.exact_form[1])};
-    const std::vector<RootSum> measures =
-        exact_exchange_measures(prepared, table.granularity, exact_form_pairs(table, only));
-    write_exact_forms_csv(table, only, measures, exact_areas(prepared, table.granularity), sink);
+    const std::vector<ElementPair> pairs = exact_form_pairs(table, only);
+    write_exact_forms_csv(table, only, pairs, exact_exchange_measures(prepared, table.granularity, pairs),
+                          exact_areas(prepared, table.granularity), sink);
   } else if (!options.matrix.empty()) {
     write_dense_csv(table,
                     options.matrix == "factor"     ? DenseQuantity::kFactor

@@ -13,9 +13,9 @@ constexpr std::size_t kMostNames = 4;  // that are listed
 // What may be named in a scene: the fronts and backs of its surfaces, or its surfaces and groups; and the sky.
 std::vector<std::string> names_of(const SceneTable& scene, bool of_faces) {
   std::vector<std::string> names;
-  for (const Surface& surface : scene.surfaces) {
-    names.push_back(surface.name);
-    if (of_faces) names.push_back(surface.name + ":back");
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    names.push_back(face_name(scene, {s, false}));
+    if (of_faces) names.push_back(face_name(scene, {s, true}));
   }
   for (const Group& group : scene.groups)
     if (!of_faces) names.push_back(group.name);
@@ -53,6 +53,10 @@ Face face_of(const SceneTable& scene, const std::string& name) {
   if (name.ends_with(":back"))
     if (const auto surface = scene.find(name.substr(0, name.size() - 5))) return {*surface, true};
   throw UnknownName("no face of " + scene.file + " is called '" + name + "'", name, names_of(scene, true));
+}
+
+std::string face_name(const SceneTable& scene, const Face& face) {
+  return scene.surfaces[face.surface].name + (face.is_back ? ":back" : "");
 }
 
 std::string names_text(const SceneTable& scene, const std::vector<std::uint32_t>& surfaces) {

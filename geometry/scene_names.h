@@ -18,6 +18,9 @@ std::vector<std::uint32_t> surfaces_matching(const SceneTable& scene, const std:
 // face. COST: linear.
 Face face_of(const SceneTable& scene, const std::string& name);
 
+// Returns the name of a face: "wall" or "wall:back". face_of(scene, face_name(scene, face)) == face.
+std::string face_name(const SceneTable& scene, const Face& face);
+
 // Returns the names for a message, each quoted: "'a'", "'a' and 'b'", or "'a', 'b', 'c' and 4 more" where there are
 // more than four.
 std::string names_text(const SceneTable& scene, const std::vector<std::uint32_t>& surfaces);

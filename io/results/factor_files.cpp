@@ -10,6 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "geometry/scene_names.h"
 #include "io/results/npy.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
@@ -136,10 +137,6 @@ void for_each_radiating_row(const ExchangeMatrix& matrix, const std::vector<std:
 
 }  // namespace
 
-std::string face_name(const SceneTable& scene, const Element& element) {
-  return scene.surfaces[element.surface].name + (element.is_back ? ":back" : "");
-}
-
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -185,7 +182,9 @@ void write_faces_csv(const FactorTable& table, std::span<const std::array<double
   out << "index,face,element,area,material,x0,y0,x1,y1\n";
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     const Element& element = matrix.elements()[i];
-    const std::string face = table.granularity == Granularity::kGroup ? element.name : face_name(table.scene, element);
+    const std::string face = table.granularity == Granularity::kGroup
+                                 ? element.name
+                                 : face_name(table.scene, {element.surface, element.is_back});
     require_double(element.area.value, area_of(matrix, i));
     out << fmt::format("{},{},{},", i + 1, csv_field(face), element.part) << element.area.value << ","
         << (element.material ? csv_field(table.scene.materials[*element.material].name) : "");
@@ -378,9 +377,9 @@ std::vector<ElementPair> exact_form_pairs(const FactorTable& table, const std::o
 }
 
 void write_exact_forms_csv(const FactorTable& table, const std::optional<ElementPair>& only,
-                           std::span<const RootSum> measures, std::span<const RootSum> areas, const Sink& sink) {
+                           std::span<const ElementPair> pairs, std::span<const RootSum> measures,
+                           std::span<const RootSum> areas, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
-  const std::vector<ElementPair> pairs = exact_form_pairs(table, only);
   HOTTEL_REQUIRE(measures.size() == pairs.size() && areas.size() == matrix.size());
   Buffer out(sink);
   out << "from,to,exchange,area\n";

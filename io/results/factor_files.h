@@ -83,13 +83,11 @@ DenseSize dense_size(const SceneTable& scene, Granularity granularity, DenseForm
 // listed or not; each once, the smaller number first, sorted.
 std::vector<ElementPair> exact_form_pairs(const FactorTable& table, const std::optional<ElementPair>& only);
 
-// `from,to,exchange,area`: S(from, to) and A_from as sums of square roots, in scene units. measures: of
-// exact_form_pairs(table, only); areas: of all elements.
+// `from,to,exchange,area`: S(from, to) and A_from as sums of square roots, in scene units. pairs:
+// exact_form_pairs(table, only), measures: theirs, one each; areas: of all elements.
 void write_exact_forms_csv(const FactorTable& table, const std::optional<ElementPair>& only,
-                           std::span<const RootSum> measures, std::span<const RootSum> areas, const Sink& sink);
-
-// The face that an element is a part of: "wall" or "wall:back".
-std::string face_name(const SceneTable& scene, const Element& element);
+                           std::span<const ElementPair> pairs, std::span<const RootSum> measures,
+                           std::span<const RootSum> areas, const Sink& sink);
 
 // A field of a csv file, quoted when it holds a comma, a quote or a line break.
 std::string csv_field(const std::string& text);

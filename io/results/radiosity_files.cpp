@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "geometry/scene_names.h"
 #include "io/results/factor_files.h"
 
 namespace hottel {
@@ -12,7 +13,7 @@ void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, 
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
     const Element& element = matrix.elements()[i];
-    const std::string face = csv_field(face_name(scene, element));
+    const std::string face = csv_field(face_name(scene, {element.surface, element.is_back}));
     for (std::size_t c = 0; c < solution.channels.size(); ++c) {
       const ElementRadiosity& r = solution.channels[c].elements[i];
       std::string line = fmt::format("{},{},{}", face, element.part, solution.channel_names[c]);
@@ -40,7 +41,10 @@ void write_fluxes(const char* per, const std::vector<NetFlux>& fluxes, const std
 }  // namespace
 
 NetFluxes::NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution)
-    : faces(net_flux(matrix, solution, scene.sky_emission, [&](const Element& e) { return face_name(scene, e); })),
+    : faces(net_flux(matrix, solution, scene.sky_emission,
+                     [&](const Element& e) {
+                       return face_name(scene, {e.surface, e.is_back});
+                     })),
       groups(net_flux(matrix, solution, scene.sky_emission, [&](const Element& e) {
         return scene.groups[scene.surfaces[e.surface].group].name + (e.is_back ? ":back" : "");
       })) {}

@@ -110,8 +110,7 @@ class VisibilityAgainstCgal : public testing::TestWithParam<std::string> {
         : arrangement(scene, Division2(scene.surfaces.size(), 1)),
           location(arrangement.vertices(), arrangement.triangulation()) {
       std::vector<Kernel::Segment_2> segments;
-      for (const Edge2& s : scene.edges)
-        segments.emplace_back(to_cgal({s.from.x, s.from.y}), to_cgal({s.to.x, s.to.y}));
+      for (const Edge2& s : scene.edges) segments.emplace_back(to_cgal(s.from), to_cgal(s.to));
       CGAL::insert(cgal, segments.begin(), segments.end());
       visibility.attach(cgal);
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/plane/predicates/vertices.h"
+#include "tests/geometry/plane/exact_signs.h"
 
 namespace hottel::neighbouring_doubles {
 
@@ -61,14 +62,8 @@ inline int naive_side_of_circle(const Double2& a, const Double2& b, const Double
 }
 
 // The same over rationals.
-inline int exact_orientation(const Point2& p, const Point2& q, const Point2& r) {
-  const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-  return sgn(area);
-}
-inline int exact_direction(const Point2& p, const Point2& q, const Point2& r) {
-  const Rational product = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
-  return sgn(product);
-}
+using exact_signs::exact_direction;
+using exact_signs::exact_orientation;
 inline int exact_side_of_circle(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const Rational ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x, cy = c.y - d.y;
   const Rational determinant = (ax * ax + ay * ay) * (bx * cy - cx * by) - (bx * bx + by * by) * (ax * cy - cx * ay) +

@@ -3,6 +3,7 @@
 #include "geometry/plane/arrangement/free_regions.h"
 #include "geometry/plane/arrangement/hilbert_order.h"
 #include "geometry/plane/arrangement/point_index.h"
+#include "geometry/plane/scene/division.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -30,11 +31,7 @@ Arrangement2::Arrangement2(const Scene2& scene, const Division2& division, Confl
     const std::uint32_t parts = division[s];
     HOTTEL_REQUIRE(parts > 0);
     points.push_back(edge.from);
-    for (std::uint32_t k = 1; k < parts; ++k) {
-      Rational t(k, parts);
-      t.canonicalize();
-      points.push_back(point_at(edge, t));
-    }
+    for (std::uint32_t k = 1; k < parts; ++k) points.push_back(part_begin(edge, k, parts));
     points.push_back(edge.to);
   }
   PointIndex2 index = number_in_space(points);

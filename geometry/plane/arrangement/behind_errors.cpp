@@ -74,8 +74,7 @@ std::vector<LooseEnd> loose_ends(const UnboundedBehind2& behind) {
   const auto add = [&](PieceSideId side, bool is_own) {
     for (const VertexId v : {piece(side).a, piece(side).b}) {
       if (degree[v] != 1 || !connected.contains(v)) continue;
-      const Point2 p = vertices.to_scene(vertices.exact(v));
-      const Point2 at{p.x, p.y};
+      const Point2 at = vertices.to_scene(vertices.exact(v));
       if (std::none_of(ends.begin(), ends.end(), [&](const LooseEnd& end) { return end.at == at; }))
         ends.push_back({at, is_own});
     }

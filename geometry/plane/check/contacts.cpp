@@ -4,8 +4,6 @@
 #include <map>
 #include <utility>
 
-#include "geometry/plane/check/wording.h"
-
 namespace hottel {
 namespace {
 

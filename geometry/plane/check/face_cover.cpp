@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "geometry/name.h"
-#include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/closest_point.h"
+#include "geometry/scene_names.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -80,10 +81,8 @@ namespace {
 std::uint32_t solid_at(const PreparedScene2& prepared, const Face& face, const Rational& t) {
   const Arrangement2& arrangement = prepared.arrangement;
   const Edge2& edge = prepared.scene.edges[face.surface];
-  const Rational dx = edge.to.x - edge.from.x, dy = edge.to.y - edge.from.y;
-  const auto place = [&](VertexId v) -> Rational {
-    const Point2 p = arrangement.vertices().to_scene(arrangement.vertices().exact(v));
-    return ((p.x - edge.from.x) * dx + (p.y - edge.from.y) * dy) / (dx * dx + dy * dy);
+  const auto place = [&](VertexId v) {
+    return position_on(edge, arrangement.vertices().to_scene(arrangement.vertices().exact(v)));
   };
   for (std::size_t piece = 0; piece < arrangement.pieces().size(); ++piece)
     for (const PieceSource2& source : arrangement.sources(piece)) {

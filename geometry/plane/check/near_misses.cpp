@@ -10,7 +10,6 @@
 #include "geometry/plane/arrangement/overlay.h"
 #include "geometry/plane/arrangement/point_index.h"
 #include "geometry/plane/check/point_neighbours.h"
-#include "geometry/plane/check/wording.h"
 #include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {

@@ -6,7 +6,6 @@
 #include <limits>
 #include <queue>
 
-#include "geometry/plane/check/wording.h"
 #include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {

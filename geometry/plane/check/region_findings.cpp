@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/plane/check/wording.h"
+#include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {
 namespace {
@@ -190,9 +191,7 @@ class RegionTeller {
 
   // Where a vertex lies on a surface: 0 at its first point, 1 at its second.
   Rational place_on(const Edge2& edge, VertexId v) const {
-    const Point2 p = arrangement_.vertices().to_scene(arrangement_.vertices().exact(v));
-    const Rational dx = edge.to.x - edge.from.x, dy = edge.to.y - edge.from.y;
-    return ((p.x - edge.from.x) * dx + (p.y - edge.from.y) * dy) / (dx * dx + dy * dy);
+    return position_on(edge, arrangement_.vertices().to_scene(arrangement_.vertices().exact(v)));
   }
 
   // The elements of its face that a side begins and ends in. (All between lie on it wholly.)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/scene_names.h"
+
 namespace hottel {
 ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangement, const Division2& division,
                              Granularity granularity) {
@@ -27,7 +29,7 @@ ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangemen
         first[back][s] = group_label[back][surface.group];
         continue;
       }
-      const std::string name = surface.name + (back ? ":back" : "");
+      const std::string name = face_name(scene, {s, back});
       const std::uint32_t parts = granularity == Granularity::kElement && material ? division[s] : 1;
       first[back][s] = count();
       for (std::uint32_t k = 0; k < parts; ++k)

@@ -14,6 +14,13 @@ inline Rational squared_distance(const Point2& a, const Point2& b) {
   return dx * dx + dy * dy;
 }
 
+// Returns the position on the edge's line of the foot of the perpendicular from p: 0 at the first point, 1 at the
+// second. Of a point on the line, point_at(edge, position_on(edge, p)) == p. REQUIRES: edge.from != edge.to.
+inline Rational position_on(const Edge2& edge, const Point2& p) {
+  const Rational dx = edge.to.x - edge.from.x, dy = edge.to.y - edge.from.y;
+  return ((p.x - edge.from.x) * dx + (p.y - edge.from.y) * dy) / (dx * dx + dy * dy);
+}
+
 // The point of a segment that is nearest to a given point.
 struct ClosestPoint2 {
   Point2 at;

@@ -32,16 +32,19 @@ std::optional<std::uint32_t> divide_by_length(Scene2& scene, const Rational& h, 
   return std::nullopt;
 }
 
+Point2 part_begin(const Edge2& edge, std::uint32_t k, std::uint32_t parts) {
+  Rational t(k, parts);
+  t.canonicalize();
+  return point_at(edge, t);
+}
+
 std::vector<std::array<double, 4>> element_ends(const Scene2& scene, const std::vector<Element>& elements) {
   std::vector<std::array<double, 4>> ends;
   ends.reserve(elements.size());
   for (const Element& element : elements) {
-    const auto at = [&](std::uint32_t part) {
-      Rational t(part, element.parts);
-      t.canonicalize();
-      return point_at(scene.edges[element.surface], t);
-    };
-    const Point2 from = at(element.part), to = at(element.part + 1);
+    const Edge2& edge = scene.edges[element.surface];
+    const Point2 from = part_begin(edge, element.part, element.parts);
+    const Point2 to = part_begin(edge, element.part + 1, element.parts);
     ends.push_back({to_double(from.x), to_double(from.y), to_double(to.x), to_double(to.y)});
   }
   return ends;

@@ -20,6 +20,9 @@ void divide_into(Scene2& scene, std::uint32_t n);
 // Throws ContractViolation unless h > 0.
 std::optional<std::uint32_t> divide_by_length(Scene2& scene, const Rational& h, std::uint32_t most);
 
+// Returns the point where part k of an edge in so many equal parts begins; k == parts: where the last one ends. Exact.
+Point2 part_begin(const Edge2& edge, std::uint32_t k, std::uint32_t parts);
+
 // Returns where each element begins and ends, in the order of the elements: x0, y0, x1, y1 in scene coordinates, each
 // rounded to the nearest double. Elements of backs, too, run from the first to the second point of the surface.
 // REQUIRES: faces and their equal parts; of a group it is the first surface alone.

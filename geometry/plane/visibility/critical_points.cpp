@@ -14,8 +14,8 @@ class Collector {
       : arrangement_(arrangement), a_(a), b_(b) {
     const Vertices2& vertices = arrangement.vertices();
     const auto& [from, to] = scene.edges[a.surface];
-    from_ = vertices.from_scene({from.x, from.y});
-    to_ = vertices.from_scene({to.x, to.y});
+    from_ = vertices.from_scene(from);
+    to_ = vertices.from_scene(to);
   }
 
   void look_along(const Gap2& gap) {

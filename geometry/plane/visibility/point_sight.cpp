@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "geometry/scene_names.h"
+
 namespace hottel {
 namespace {
 
@@ -33,8 +35,7 @@ std::vector<SeenFrom2> met_solids(const PreparedScene2& prepared, const Visibili
 
 std::string face_name(const Scene2& scene, const Arrangement2& arrangement, PieceSideId side) {
   if (side == kSky) return "sky";
-  const FacePart2& owner = arrangement.owner(side);
-  return scene.surfaces[owner.surface].name + (owner.is_back ? ":back" : "");
+  return face_name(scene, arrangement.owner(side));
 }
 
 PointSight2 point_sight(const PreparedScene2& prepared, const Point2& eye) {

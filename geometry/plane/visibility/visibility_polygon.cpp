@@ -117,7 +117,7 @@ std::vector<PointFactor2> point_factors(const Arrangement2& arrangement, const P
   const Vertices2& vertices = arrangement.vertices();
   // The front is on the right of from -> to, the back on the right of to -> from: u runs with the seen side on its
   // right.
-  const Point2 first = vertices.from_scene({from.x, from.y}), second = vertices.from_scene({to.x, to.y});
+  const Point2 first = vertices.from_scene(from), second = vertices.from_scene(to);
   const Point2 u = from_back ? minus(first, second) : minus(second, first);
   const Point2 back_u{-u.x, -u.y};
   const Eye2 eye(vertices, {first.x + t * (second.x - first.x), first.y + t * (second.y - first.y)});

@@ -7,8 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/name.h"
-#include "geometry/plane/check/wording.h"
-#include "geometry/plane/exchange/pair_rounding.h"
+#include "geometry/scene_names.h"
 #include "geometry/visibility_quotient.h"
 #include "kernel/decimal.h"
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/plane/exchange/unobstructed.h"
+#include "geometry/plane/scene/division.h"
 
 namespace hottel {
 namespace {
@@ -25,12 +26,8 @@ struct Line {
 
 Line line_of(const Scene2& scene, const Element& element) {
   const Edge2& edge = scene.edges[element.surface];
-  const auto at = [&](std::uint32_t part) -> Point2 {
-    Rational t(part, element.parts);
-    t.canonicalize();
-    return point_at(edge, t);
-  };
-  return {at(element.part), at(element.part + 1), element.is_back};
+  return {part_begin(edge, element.part, element.parts), part_begin(edge, element.part + 1, element.parts),
+          element.is_back};
 }
 
 double distance(const Point2& a, const Point2& b) { return std::hypot(to_double(b.x - a.x), to_double(b.y - a.y)); }

@@ -59,8 +59,7 @@ std::vector<Spot> middles(const Scene2& scene, const ElementTable2& table) {
   std::vector<Spot> result;
   for (const Element& element : table.elements()) {
     const Rational t = Rational(Integer(2ul * element.part + 1)) / Rational(Integer(2ul * element.parts));
-    const Point2 centre = point_at(scene.edges[element.surface], t);
-    result.push_back(rounded({centre.x, centre.y}));
+    result.push_back(rounded(point_at(scene.edges[element.surface], t)));
   }
   return result;
 }

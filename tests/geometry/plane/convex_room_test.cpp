@@ -38,7 +38,7 @@ Scene2 convex_room(const Room& room, std::uint64_t seed) {
     Surface surface;
     surface.name = "s" + std::to_string(scene.surfaces.size());
     surface.elements = 1 + static_cast<std::uint32_t>(below(room.most_elements));
-    scene.add(surface, {{from.x, from.y}, {to.x, to.y}});
+    scene.add(surface, {from, to});
   };
   // The first wall may begin in the middle of a side, as when a user starts there.
   const auto on = [](const Point2& a, const Point2& b, const Rational& t) {
@@ -67,7 +67,7 @@ TEST(IsConvexRoom, NotWithACornerThatJutsIn) {
     Scene2 scene;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const Point2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
-      scene.add({}, {{a.x, a.y}, {b.x, b.y}});
+      scene.add({}, {a, b});
     }
     return scene;
   };

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "geometry/plane/exchange/pair_alone.h"
-#include "geometry/plane/exchange/pair_rounding.h"
 #include "geometry/plane/generate/generators.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 

@@ -6,17 +6,16 @@
 #include <random>
 #include <vector>
 
+#include "tests/geometry/plane/exact_signs.h"
+
 namespace hottel {
 namespace {
+
+using exact_signs::exact_orientation;
 
 using Points = std::vector<Point2>;
 
 Rational number(const char* text) { return *parse_rational(text); }
-
-int exact_side(const Point2& p, const Point2& q, const Point2& r) {
-  const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-  return sgn(area);
-}
 
 // `from` and `to` in scene coordinates.
 void check(const Points& points, const Point2& from, const Point2& to) {
@@ -24,7 +23,7 @@ void check(const Points& points, const Point2& from, const Point2& to) {
   const Eye2 p(vertices, vertices.from_scene(from)), q(vertices, vertices.from_scene(to));
   const EyeLine2 forth(p, q), back(q, p);
   for (const VertexId v : IdRange<VertexId>(points.size())) {
-    ASSERT_EQ(forth.side(v), exact_side(from, to, points[v.index()])) << v.index();
+    ASSERT_EQ(forth.side(v), exact_orientation(from, to, points[v.index()])) << v.index();
     ASSERT_EQ(back.side(v), -forth.side(v)) << v.index();
   }
 }

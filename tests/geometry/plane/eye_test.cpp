@@ -5,21 +5,15 @@
 #include <vector>
 
 #include "geometry/plane/predicates/vertices.h"
+#include "tests/geometry/plane/exact_signs.h"
 
 namespace hottel {
 namespace {
 
+using exact_signs::exact_direction;
+using exact_signs::exact_orientation;
+
 using Points = std::vector<Point2>;
-
-int exact_orientation(const Point2& p, const Point2& q, const Point2& r) {
-  const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-  return sgn(area);
-}
-
-int exact_direction(const Point2& p, const Point2& q, const Point2& r) {
-  const Rational product = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
-  return sgn(product);
-}
 
 // `eye` in scene coordinates.
 void check(const Points& points, const Point2& eye) {

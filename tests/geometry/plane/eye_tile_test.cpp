@@ -7,17 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "tests/geometry/plane/exact_signs.h"
+
 namespace hottel {
 namespace {
+
+using exact_signs::exact_orientation;
 
 using Points = std::vector<Point2>;
 
 Rational number(const char* text) { return *parse_rational(text); }
-
-int exact_orientation(const Point2& p, const Point2& q, const Point2& r) {
-  const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-  return sgn(area);
-}
 
 // Eyes at from + k * step in scene coordinates: some groups of them about every pair of points.
 void check(const Points& points, const Point2& from, const Rational& step, std::size_t columns, std::size_t rows) {

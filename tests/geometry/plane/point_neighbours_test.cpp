@@ -8,7 +8,6 @@
 #include <random>
 
 #include "geometry/plane/arrangement/point_index.h"
-#include "geometry/plane/check/wording.h"
 #include "geometry/plane/scene/closest_point.h"
 
 namespace hottel {

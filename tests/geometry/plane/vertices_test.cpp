@@ -7,10 +7,14 @@
 #include <random>
 #include <vector>
 
+#include "tests/geometry/plane/exact_signs.h"
 #include "tests/geometry/plane/vertex_literal.h"
 
 namespace hottel {
 namespace {
+
+using exact_signs::exact_direction;
+using exact_signs::exact_orientation;
 
 using Points = std::vector<Point2>;
 
@@ -18,16 +22,6 @@ Rational fraction(const Integer& p, const Integer& q) {
   Rational value(p, q);
   value.canonicalize();
   return value;
-}
-
-int exact_orientation(const Point2& p, const Point2& q, const Point2& r) {
-  const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-  return sgn(area);
-}
-
-int exact_direction(const Point2& p, const Point2& q, const Point2& r) {
-  const Rational product = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
-  return sgn(product);
 }
 
 int exact_side_of_circle(const Point2& p, const Point2& q, const Point2& r, const Point2& s) {

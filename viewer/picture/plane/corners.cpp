@@ -39,8 +39,7 @@ Corners2::Corners2(const Scene2& scene, const Frame2& frame) {
 FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame) {
   const Vertices2& vertices = prepared.arrangement.vertices();
   for (const VertexId v : vertices.ids()) {
-    const Point2 p = vertices.to_scene(vertices.exact(v));
-    corners_.at.push_back(frame.at(Point2{p.x, p.y}));
+    corners_.at.push_back(frame.at(vertices.to_scene(vertices.exact(v))));
   }
   const ElementTable2 labels(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   begin_.assign(prepared.scene.surfaces.size() + 1, 0);

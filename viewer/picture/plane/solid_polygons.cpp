@@ -17,8 +17,7 @@ std::vector<std::vector<Pixel>> solid_polygons(const Arrangement2& arrangement, 
       const bool is_first = polygon.empty();
       const std::size_t begin = polygon.size();
       for (const VertexId v : border) {
-        const Point2 p = arrangement.vertices().to_scene(arrangement.vertices().exact(v));
-        polygon.push_back(frame.at(Point2{p.x, p.y}));
+        polygon.push_back(frame.at(arrangement.vertices().to_scene(arrangement.vertices().exact(v))));
       }
       if (regions.borders(region).size() == 1) continue;
       polygon.push_back(polygon[begin]);
