@@ -13,10 +13,10 @@
 #include <cmath>
 
 #include "benchmarks/clutter.h"
+#include "geometry/exchange_request.h"
 #include "geometry/pair_table.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
-#include "geometry/plane/exchange/exchange_options.h"
 #include "geometry/plane/exchange/gap_terms.h"
 #include "geometry/plane/exchange/term_sums.h"
 #include "kernel/support/parallel.h"
@@ -100,7 +100,7 @@ void certified(benchmark::State& state, View view, std::uint64_t edges) {
   using Clock = std::chrono::steady_clock;
   const ThreadLimit limit(1);
   const PreparedScene2 prepared = prepare(clutter(view, edges));
-  ExchangeOptions2 options;
+  ExchangeRequest options;
   options.wants_visibility = false;
   double exact_seconds = 0, plain_seconds = 0, pairs = 0;
   for (auto _ : state) {

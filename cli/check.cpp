@@ -6,8 +6,7 @@
 #include "io/results/plane/check_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/memory.h"
-#include "solver/plane/check/scene_check.h"
+#include "solver/plane/simulation/simulation.h"
 
 namespace hottel {
 namespace {
@@ -28,8 +27,8 @@ Rational distance_of(const CheckCommandOptions& options) {
   return *distance;
 }
 
-SceneCheck2 look_at(const Scene2& scene, const Streams& streams) {
-  return check_scene(scene, {.memory = memory_allowed(), .progress = streams.progress("view factors")});
+std::shared_ptr<const SceneCheck2> look_at(const Scene2& scene, const Streams& streams) {
+  return Simulation2(scene).check(streams.stages());
 }
 
 ExitCode exit_code(const SceneCheck2& check) { return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone; }
@@ -37,35 +36,35 @@ ExitCode exit_code(const SceneCheck2& check) { return has_error(check.findings) 
 // Writes the repaired scene, and tells what was done and what is found in it.
 ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const Scene2& scene, Streams& streams) {
   OutputFile out(options.fix);
-  const SceneCheck2 before = look_at(scene, streams);
+  const auto before = look_at(scene, streams);
   Repair2 repair = distance > 0 ? close_gaps(scene, distance) : unrepaired(scene);
   reverse_inside_out(repair);
-  state_solids(repair, repair.steps.empty() ? before.black_backs : look_at(repair.scene, streams).black_backs);
+  state_solids(repair, repair.steps.empty() ? before->black_backs : look_at(repair.scene, streams)->black_backs);
   restore_polylines(repair);
   const std::string text = naming_file(options.scene, [&] { return write_scene_2(repair.scene); });
   const Scene2 repaired = parse_scene_2(text, options.fix);
-  const SceneCheck2 after = look_at(repaired, streams);
+  const auto after = look_at(repaired, streams);
 
   std::optional<std::vector<FactorChange>> changes;
-  if (before.factors && after.factors)
-    changes = factor_changes(*before.factors, *after.factors,
+  if (before->factors && after->factors)
+    changes = factor_changes(*before->factors, *after->factors,
                              [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
   out.write(text);
   out.finish();
-  streams.write("", options.json ? check_json(repaired, after.findings, &report)
-                                 : repair_text(scene, report) + check_text(repaired, after.findings));
+  streams.write("", options.json ? check_json(repaired, after->findings, &report)
+                                 : repair_text(scene, report) + check_text(repaired, after->findings));
   out.commit();
-  return exit_code(after);
+  return exit_code(*after);
 }
 
 ExitCode check(const CheckCommandOptions& options, Streams& streams) {
   const Rational distance = distance_of(options);
   const Scene2 scene = read_scene_2(options.scene);
   if (!options.fix.empty()) return fix(options, distance, scene, streams);
-  const SceneCheck2 check = look_at(scene, streams);
-  streams.write("", options.json ? check_json(scene, check.findings) : check_text(scene, check.findings));
-  return exit_code(check);
+  const auto check = look_at(scene, streams);
+  streams.write("", options.json ? check_json(scene, check->findings) : check_text(scene, check->findings));
+  return exit_code(*check);
 }
 
 }  // namespace

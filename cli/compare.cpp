@@ -58,14 +58,14 @@ std::vector<std::string> names_to_run(const MethodCatalogue2& methods, const Com
     for (const MethodFamily2& family : methods.families())
       if (!family.sweep.empty()) asked.push_back(options.sweep ? family.name : family.sweep[family.sweep.size() / 2]);
   for (const std::string& name : asked) {
-    const auto [raw, normalised] = split_method_name_2(name);
+    const auto [raw, normalised] = split_method_name(name);
     bool is_swept = false;
     for (const MethodFamily2& family : methods.families())
-      if (options.sweep && family.name == family_of_2(raw)) {
+      if (options.sweep && family.name == family_of_method(raw)) {
         for (const std::string& point : family.sweep) add(point + normalised);
         is_swept = !family.sweep.empty();
       }
-    if (!is_swept || raw != family_of_2(raw)) add(name);
+    if (!is_swept || raw != family_of_method(raw)) add(name);
   }
   return names;
 }
@@ -168,8 +168,7 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   std::optional<OutputFile> map;
   if (!options.map.empty()) map.emplace(directory / "errors.png");
 
-  const PreparedScene2 prepared = prepare(std::move(scene), Divided2::kYes);
-  const MethodComparison2 comparison(prepared);
+  const MethodComparison2 comparison(Simulation2(std::move(scene)), streams.stages());
   if (map && !comparison.exact_solution())
     throw RequestError(options.scene + ": --map draws errors of the light, and there is none to compare: " +
                        comparison.why_no_solution());

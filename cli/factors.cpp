@@ -12,7 +12,6 @@
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/scene/division.h"
 #include "io/files/disk_space.h"
-#include "io/foreign/plane/foreign_matrix.h"
 #include "io/results/factor_files.h"
 #include "io/results/factors_report.h"
 #include "io/results/npy.h"
@@ -20,7 +19,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "kernel/support/stopwatch.h"
-#include "solver/plane/methods/computed_factors.h"
+#include "solver/plane/simulation/simulation.h"
 #include "solver/radiosity/gray_exchange.h"
 #include "viewer/picture/plane/factor_picture.h"
 
@@ -80,20 +79,21 @@ int channel_of(const FactorsOptions& options, const PreparedScene2& prepared, co
 
 // What is computed of a scene, and what is said of it.
 struct Factors {
-  ExchangeMatrix matrix;               // view factors
-  std::optional<ExchangeMatrix> gray;  // script-F instead
-  int channel = 0;                     // of script-F
+  std::shared_ptr<const PreparedScene2> prepared;
+  std::shared_ptr<const ComputedFactors2> computed;  // view factors
+  std::optional<ExchangeMatrix> gray;                // script-F instead
+  int channel = 0;                                   // of script-F
   FactorsReport report;
 
-  const ExchangeMatrix& written() const { return gray ? *gray : matrix; }
+  const ExchangeMatrix& matrix() const { return computed->matrix; }
+  const ExchangeMatrix& written() const { return gray ? *gray : matrix(); }
 };
 
-void add_script_f(const FactorsOptions& options, const PreparedScene2& prepared, const Streams& streams,
-                  Factors& factors) {
+void add_script_f(const FactorsOptions& options, const Streams& streams, Factors& factors) {
   Stopwatch watch;
-  factors.channel = channel_of(options, prepared, factors.matrix);
+  factors.channel = channel_of(options, *factors.prepared, factors.matrix());
   factors.gray = naming_file(options.scene, [&] {
-    return gray_exchange(factors.matrix, prepared.scene.materials,
+    return gray_exchange(factors.matrix(), factors.prepared->scene.materials,
                          {.channel = factors.channel,
                           .memory = memory_allowed(options.memory),
                           .progress = streams.progress("script-F")});
@@ -206,27 +206,20 @@ void require_room_for(const FactorsOptions& options, const Scene2& scene, Format
                 "; lists of the pairs that see each other, -o FILE.csv or FILE.mtx without --matrix, are smaller");
 }
 
-Factors compute(const FactorsOptions& options, const ExchangeMethod2& method, const PreparedScene2& prepared,
-                const Streams& streams) {
+SimulationRequest2 request_of(const FactorsOptions& options) {
+  return {.method = program_methods().make(options.method),
+          .granularity = per_of(options.granularity),
+          .wants_visibility = is_exact(options) && (options.matrix.empty() || options.matrix == "visibility"),
+          .wants_measures = options.matrix == "exchange",
+          .memory = options.memory};
+}
+
+Factors factors_of(const FactorsOptions& options, const Simulation2& simulation, const Streams& streams) {
   Factors factors;
-  factors.report = {options.scene, options.method, per_of(options.granularity)};
-  if (is_exact(options)) {
-    factors.matrix = naming_file(options.scene, [&] {
-      return exact_exchange(prepared,
-                            {.granularity = factors.report.granularity,
-                             .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
-                             .wants_measures = options.matrix == "exchange",
-                             .memory = memory_allowed(options.memory),
-                             .progress = streams.progress("view factors")},
-                            &factors.report.counts);
-    });
-  } else {
-    ComputedFactors2 computed = factors_by(method, prepared, factors.report.granularity);
-    factors.report.counts = std::move(computed.counts);
-    factors.report.of_method = std::move(computed.report);
-    factors.matrix = std::move(computed.matrix);
-  }
-  if (options.script_f) add_script_f(options, prepared, streams, factors);
+  factors.computed = simulation.factors(streams.stages());
+  factors.prepared = simulation.prepared();
+  factors.report = {options.scene, options.method, simulation.granularity(), factors.computed->report};
+  if (options.script_f) add_script_f(options, streams, factors);
   return factors;
 }
 
@@ -251,19 +244,10 @@ struct Outputs {
   }
 };
 
-// The scene as its rows are asked for. An approximate method works on elements, whatever is asked for in the end.
-PreparedScene2 prepare_for(const FactorsOptions& options, Scene2 scene, const Streams& streams) {
-  const bool is_divided = options.granularity == "element" || !(is_exact(options) || is_foreign_2(options.method));
-  if (!is_divided && options.elements.is_given())
-    streams.note("elements change nothing here: rows are those of whole " + options.granularity +
-                 "s; --per element has a row each");
-  return prepare(std::move(scene), is_divided ? Divided2::kYes : Divided2::kNo);
-}
-
 ExitCode factors(FactorsOptions options, Streams& streams) {
   take_exact_form(options);
   require_sense(options);
-  const std::unique_ptr<ExchangeMethod2> method = program_methods().make(options.method);
+  SimulationRequest2 request = request_of(options);
   const Format format = format_of(options);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   if (!options.picture.empty() && !picture)
@@ -274,14 +258,18 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   options.elements.apply_to(scene);
   require_room_for(options, scene, format);
   const PictureTargets2 targets = picture ? picture_targets(scene, options.toward) : PictureTargets2{};
-  const PreparedScene2 prepared = prepare_for(options, std::move(scene), streams);
+  if (options.elements.is_given() && options.granularity != "element" && !request.method->works_by_elements())
+    streams.note("elements change nothing here: rows are those of whole " + options.granularity +
+                 "s; --per element has a row each");
+  const Simulation2 simulation(std::move(scene), std::move(request));
 
   Outputs outputs(options, format, streams);
-  const Factors factors = compute(options, *method, prepared, streams);
+  const Factors factors = factors_of(options, simulation, streams);
+  const PreparedScene2& prepared = *factors.prepared;
   FactorTable table{prepared.scene, factors.written(), factors.report.granularity, {}, {}};
   if (factors.gray) table.gray_channel = factors.channel;
   if (options.pairs == "facing" || options.matrix == "visibility")
-    table.hidden = hidden_pairs(prepared, table.granularity, factors.matrix);
+    table.hidden = hidden_pairs(prepared, table.granularity, factors.matrix());
   if (picture)
     outputs.drawing->write(
         factor_picture_2(prepared, table.matrix, targets, factors.gray ? "script-F" : "view factor", *picture));

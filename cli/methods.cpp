@@ -29,8 +29,9 @@ std::string methods_text(const MethodCatalogue2& methods) {
 std::vector<std::string> method_names(const std::vector<std::string>& lists, const MethodCatalogue2& methods) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& part) {
-    const bool is_method = std::any_of(methods.families().begin(), methods.families().end(),
-                                       [&](const MethodFamily2& family) { return family.name == family_of_2(part); });
+    const bool is_method =
+        std::any_of(methods.families().begin(), methods.families().end(),
+                    [&](const MethodFamily2& family) { return family.name == family_of_method(part); });
     if (!is_method && !names.empty() && is_foreign_2(names.back()))
       names.back() += "," + part;
     else if (part.empty())
@@ -49,7 +50,7 @@ std::vector<std::string> method_names(const std::vector<std::string>& lists, con
 
 std::vector<std::string> take_radiosity_files(std::vector<std::string>& methods) {
   const auto first = std::stable_partition(methods.begin(), methods.end(), [](const std::string& name) {
-    return !name.starts_with(kFile) || name == kFile || !split_method_name_2(name).normalised.empty() ||
+    return !name.starts_with(kFile) || name == kFile || !split_method_name(name).normalised.empty() ||
            !holds_radiosities(name.substr(kFile.size()));
   });
   std::vector<std::string> files;

@@ -3,7 +3,7 @@
 #include "cli/scene_input.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
-#include "solver/plane/scene_plan.h"
+#include "solver/plane/simulation/simulation.h"
 
 namespace hottel {
 namespace {
@@ -18,8 +18,8 @@ ExitCode plan(const PlanOptions& options, Streams& streams) {
   Scene2 scene = read_scene_2(options.scene);
   options.elements.apply_to(scene);
   const Grid2 grid = grid_of(scene, options.grid);
-  const Plan plan = plan_scene(scene, {.everything = false, .grid_cells = std::uint64_t{grid.nx} * grid.ny});
-  streams.write("", options.json ? plan_json(options.scene, plan) : plan_text(plan));
+  const auto plan = Simulation2(std::move(scene), {.grid = grid}).plan();
+  streams.write("", options.json ? plan_json(options.scene, *plan) : plan_text(*plan));
   return ExitCode::kDone;
 }
 

@@ -6,16 +6,12 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
-#include "geometry/plane/check/sight_findings.h"
-#include "geometry/plane/exchange/exchange.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
 #include "io/results/plane/reference_set.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/memory.h"
-#include "solver/radiosity/matrix_checks.h"
-#include "solver/radiosity/radiosity.h"
+#include "solver/plane/simulation/simulation.h"
 
 namespace hottel {
 namespace {
@@ -27,23 +23,11 @@ struct ReferenceOptions {
 
 // The factors of all elements and the radiosities of one scene.
 SceneReference2 refer(const std::string& file, const std::string& name, const Streams& streams) {
-  const PreparedScene2 prepared = prepare(read_scene_2(file), Divided2::kYes);
-  ExchangeReport exchange;
-  const ExchangeMatrix matrix = exact_exchange(prepared,
-                                               {.granularity = Granularity::kElement,
-                                                .memory = memory_allowed(),
-                                                .progress = streams.progress("view factors of " + name)},
-                                               &exchange);
-  require_closed(prepared.scene, matrix);
-  RadiosityOptions options;
-  options.progress = streams.progress("radiosities of " + name);
-  const Spectrum& sky = prepared.scene.sky_emission;
-  const RadiositySolution solution = naming_file(file, [&] {
-    RadiositySolution solved = solve_radiosity(matrix, prepared.scene.materials, sky, options);
-    require_doubles(matrix, sky, solved);
-    return solved;
-  });
-  return scene_reference(name, read_text_file(file), prepared.scene, matrix, exchange, solution);
+  const Simulation2 simulation(read_scene_2(file), {.granularity = Granularity::kElement, .wants_visibility = true});
+  const auto factors = simulation.factors(streams.stages());
+  const auto solution = simulation.radiosities(streams.stages());
+  return scene_reference(name, read_text_file(file), simulation.scene(), factors->matrix, factors->report.counts,
+                         *solution);
 }
 
 // The name of a scene in the set: of its file, or of the folder of a scene.json.

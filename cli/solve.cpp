@@ -7,7 +7,6 @@
 #include "cli/methods.h"
 #include "cli/scene_input.h"
 #include "geometry/near_names.h"
-#include "geometry/plane/check/sight_findings.h"
 #include "io/files/disk_space.h"
 #include "io/files/output_file.h"
 #include "io/results/npy.h"
@@ -17,13 +16,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "kernel/support/stopwatch.h"
-#include "solver/plane/check/scene_check.h"
-#include "solver/plane/light/solved_light.h"
-#include "solver/plane/methods/computed_factors.h"
-#include "solver/plane/scene_plan.h"
-#include "solver/radiosity/a_priori_bounds.h"
-#include "solver/radiosity/matrix_checks.h"
-#include "solver/radiosity/radiosity.h"
+#include "solver/plane/simulation/simulation.h"
 #include "viewer/picture/plane/illumination_picture.h"
 
 namespace hottel {
@@ -70,41 +63,36 @@ void require_room_for(const Grid2& grid, int channels, const SolveOptions& optio
   require_space(directory / "illumination.npy", bytes, what + " takes", advice);
 }
 
-// View factors by another method than the exact one; what is to be said of it.
-ExchangeMatrix approximate_factors(const ExchangeMethod2& method, const PreparedScene2& prepared,
-                                   Granularity granularity, ExchangeReport& exchange, std::vector<std::string>& notes) {
-  ComputedFactors2 computed = factors_by(method, prepared, granularity);
-  require_not_negative(computed.matrix, prepared, method);
-  exchange = computed.counts;
-  notes = computed.report.notes;
-  return std::move(computed.matrix);
-}
-
 // What is asked for, once names and combinations of options are found to make sense.
 struct Request {
-  std::unique_ptr<ExchangeMethod2> method;
-  Solver solver = Solver::kAuto;
-  Tone tone = Tone::kLog;
-  bool is_exact = true, wants_light = true, wants_picture = true;
+  SimulationRequest2 simulation;  // all but the grid, which needs the scene
+  bool wants_picture = true;
   std::filesystem::path directory;
 };
 
 Request request_of(const SolveOptions& options) {
   Request request;
-  request.method = program_methods().make(options.method);
-  request.solver = solver_of(options);
+  SimulationRequest2& asked = request.simulation;
+  asked.method = program_methods().make(options.method);
+  asked.solver = solver_of(options);
+  asked.iterations = options.iterations;
+  asked.until = options.until;
+  asked.everything = options.simulate == "everything";
+  asked.light = *light_kind_2(options.illumination);
+  asked.memory = options.memory.value_or(0);
   const auto tone = tone_of(options.tone);
   if (!tone)
     throw UnknownName("there is no tone curve called '" + options.tone + "': linear, reinhard, log, max", options.tone,
                       std::vector<std::string>{"linear", "reinhard", "log", "max"});
-  request.tone = *tone;
-  request.is_exact = options.method == "exact";
-  if (options.memory && !request.is_exact)
+  if (options.memory && options.method != "exact")
     throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
-  if (options.no_illumination && options.simulate == "everything")
+  if (options.no_illumination && asked.everything)
     throw UsageError("--simulate everything and --no-illumination exclude each other");
-  request.wants_light = !options.no_illumination;
-  request.wants_picture = request.wants_light && !options.no_picture;
+  asked.wants_light = !options.no_illumination;
+  request.wants_picture = asked.wants_light && !options.no_picture;
+  if (request.wants_picture)
+    asked.painter = light_painter_2({.tone = *tone, .exposure = options.exposure, .wanted_width = options.size},
+                                    PictureFormat::kPng);
   request.directory = output_folder(options.out, options.scene);
   return request;
 }
@@ -120,7 +108,7 @@ struct Outputs {
         csv(request.directory / "radiosity.csv"),
         flux(request.directory / "flux.csv"),
         json(request.directory / "report.json") {
-    if (request.wants_light) {
+    if (request.simulation.wants_light) {
       npy.emplace(request.directory / "illumination.npy");
       sidecar.emplace(request.directory / "illumination.npy.json");
     }
@@ -141,101 +129,44 @@ struct Outputs {
   }
 };
 
-// A scene, what is done about it, and what came of it, stage by stage.
-struct Run {
-  Grid2 grid;
-  Plan plan;
-  Granularity granularity = Granularity::kFace;
-  PreparedScene2 prepared;
-  ExchangeReport exchange{};
-  std::vector<std::string> notes{};  // of the method
-  ExchangeMatrix matrix{};
-  Findings2 lost_light{};
-  RadiositySolution solution{};
-  std::optional<SolvedLight2> light{};
-  std::string pixels{};
-  std::optional<double> picture_scale{};
-  std::map<std::string, double> seconds{};
-};
-
-Run planned(const SolveOptions& options, const Request& request, Streams& streams) {
-  Stopwatch watch;
+// The scene as it is asked for, read and ready to be simulated.
+Simulation2 simulation_of(const SolveOptions& options, Request request) {
   Scene2 scene = read_scene_2(options.scene);
   options.elements.apply_to(scene);
   const Grid2 grid = grid_of(scene, options.grid);
-  const double seconds = watch.lap();
-  if (request.wants_light) require_room_for(grid, channel_count(scene), options, request.directory);
-  const Plan plan =
-      plan_scene(scene, {options.simulate == "everything", request.wants_light ? std::uint64_t{grid.nx} * grid.ny : 0});
-  streams.note(plan_text(plan));
-  const bool is_divided = plan.uses(Plan::kSubdivision);
-  Run run{grid, plan, is_divided ? Granularity::kElement : Granularity::kFace,
-          prepare(std::move(scene), is_divided ? Divided2::kYes : Divided2::kNo)};
-  run.seconds["read"] = seconds;
-  return run;
+  if (request.simulation.wants_light) require_room_for(grid, channel_count(scene), options, request.directory);
+  request.simulation.grid = grid;
+  return Simulation2(std::move(scene), std::move(request.simulation));
 }
 
-void compute_factors(const SolveOptions& options, const Request& request, Streams& streams, Run& run) {
-  const auto exact_factors = [&] {
-    return exact_exchange(run.prepared,
-                          {.granularity = run.granularity,
-                           .wants_visibility = false,
-                           .occlusion = run.plan.uses(Plan::kOcclusion),
-                           .memory = memory_allowed(options.memory.value_or(0)),
-                           .progress = streams.progress("view factors")},
-                          &run.exchange);
-  };
-  run.matrix = request.is_exact
-                   ? naming_file(options.scene, exact_factors)
-                   : approximate_factors(*request.method, run.prepared, run.granularity, run.exchange, run.notes);
-  if (request.is_exact) require_closed(run.prepared.scene, run.matrix);  // an error of the method is none of the scene
-  run.seconds.insert(run.exchange.seconds.begin(), run.exchange.seconds.end());
-  run.lost_light = lost_light_warnings(run.prepared, run.matrix);
-  if (!run.lost_light.empty()) streams.note(findings_text(run.prepared.scene, run.lost_light));
+// What came of it.
+struct Results {
+  std::shared_ptr<const ComputedFactors2> factors;
+  std::shared_ptr<const Findings2> lost_light;
+  std::shared_ptr<const RadiositySolution> solution;
+  std::shared_ptr<const SolvedLight2> light;  // null: not wanted
+  std::shared_ptr<const LightPicture2> picture;
+};
+
+// Asks stage by stage, so that each is told of as it is there.
+Results results_of(const Simulation2& simulation, const Request& request, Streams& streams) {
+  const StageProgress progress = streams.stages();
+  Results results;
+  results.factors = simulation.factors(progress);
+  results.lost_light = simulation.lost_light(progress);
+  if (!results.lost_light->empty()) streams.note(findings_text(simulation.scene(), *results.lost_light));
+  results.solution = simulation.radiosities(progress);
+  if (request.simulation.wants_light) results.light = simulation.light(progress);
+  if (request.wants_picture) results.picture = simulation.picture(progress);
+  return results;
 }
 
-void compute_radiosities(const SolveOptions& options, const Request& request, Streams& streams, Run& run) {
-  const ExchangeMatrix& matrix = run.matrix;
-  const std::vector<Material>& materials = run.prepared.scene.materials;
-  const Spectrum& sky = run.prepared.scene.sky_emission;
-  RadiositySolution solution = naming_file(options.scene, [&] {
-    RadiositySolution result = solve_radiosity(matrix, materials, sky,
-                                               {.solver = request.solver,
-                                                .iterations = options.iterations,
-                                                .until = options.until,
-                                                .progress = streams.progress("radiosity")});
-    require_doubles(matrix, sky, result);
-    return result;
-  });
-  if (matrix.guarantee() == Guarantee::kEnclosed) {
-    run.notes.push_back("the bounds hold for all factors within their enclosures that sum to 1");
-    set_a_priori_bounds(matrix, materials, sky, solution);
-  }
-  if (solution.guarantee == Guarantee::kEstimated)
-    run.notes.push_back(
-        "view factors are estimates: the bounds are those of the radiosities of these factors, and say "
-        "nothing of the scene");
-  solution.notes.insert(solution.notes.begin(), run.notes.begin(), run.notes.end());
-  run.seconds.insert(solution.seconds.begin(), solution.seconds.end());
-  run.solution = std::move(solution);
-}
-
-void compute_light(const SolveOptions& options, const Request& request, Streams& streams, Run& run) {
-  Stopwatch watch;
-  if (request.wants_light) {
-    run.light = naming_file(options.scene, [&] {
-      return illuminate(options.illumination, run.prepared, run.grid, run.granularity, run.solution,
-                        streams.progress("illumination"));
-    });
-    run.seconds["illumination"] = watch.lap();
-  }
-  if (request.wants_picture) {
-    run.pixels =
-        illumination_picture_2(run.prepared, run.light->grid,
-                               {.tone = request.tone, .exposure = options.exposure, .wanted_width = options.size},
-                               PictureFormat::kPng, &run.picture_scale.emplace());
-    run.seconds["picture"] = watch.lap();
-  }
+std::map<std::string, double> seconds_of(const Results& results) {
+  std::map<std::string, double> seconds = results.factors->report.counts.seconds;
+  seconds.insert(results.solution->seconds.begin(), results.solution->seconds.end());
+  if (results.light) seconds["illumination"] = results.light->seconds;
+  if (results.picture) seconds["picture"] = results.picture->seconds;
+  return seconds;
 }
 
 GridRegion region_of(const Grid2& grid) {
@@ -243,48 +174,54 @@ GridRegion region_of(const Grid2& grid) {
   return {rounded(grid.min), rounded(grid.max), grid.nx, grid.ny};
 }
 
-void write_results(const SolveOptions& options, const Run& run, const NetFluxes& fluxes, Outputs& outputs) {
-  const RadiositySolution& solution = run.solution;
-  write_radiosity_csv(run.prepared.scene, run.matrix, solution,
+void write_results(const SolveOptions& options, const Simulation2& simulation, const Results& results,
+                   const NetFluxes& fluxes, Outputs& outputs) {
+  const RadiositySolution& solution = *results.solution;
+  write_radiosity_csv(simulation.scene(), results.factors->matrix, solution,
                       [&outputs](std::string_view text) { outputs.csv.write(text); });
   write_flux_csv(fluxes, solution.channel_names, [&outputs](std::string_view text) { outputs.flux.write(text); });
   if (outputs.npy) {
-    const IlluminationGrid2& light = run.light->grid;
+    const IlluminationGrid2& light = results.light->grid;
     const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
     write_npy(shape, light.values, [&outputs](std::string_view bytes) { outputs.npy->write(bytes); });
     outputs.sidecar->write(illumination_sidecar(region_of(light.grid), solution.channel_names, options.illumination));
   }
-  if (outputs.png) outputs.png->write(run.pixels);
+  if (outputs.png) outputs.png->write(results.picture->bytes);
 }
 
 ExitCode solve(const SolveOptions& options, Streams& streams) {
   const Request request = request_of(options);
-  Run run = planned(options, request, streams);
-  Outputs outputs(request);
-  compute_factors(options, request, streams, run);
-  compute_radiosities(options, request, streams, run);
-  const NetFluxes fluxes(run.prepared.scene, run.matrix, run.solution);
-  compute_light(options, request, streams, run);
   Stopwatch watch;
-  write_results(options, run, fluxes, outputs);
-  run.seconds["write"] = watch.lap();
+  const Simulation2 simulation = simulation_of(options, request);
+  const double seconds_to_read = watch.lap();
+  const std::shared_ptr<const Plan> plan = simulation.plan();
+  streams.note(plan_text(*plan));
+  Outputs outputs(request);
+  const Results results = results_of(simulation, request, streams);
+  const ExchangeMatrix& matrix = results.factors->matrix;
+  const NetFluxes fluxes(simulation.scene(), matrix, *results.solution);
+  watch.lap();
+  write_results(options, simulation, results, fluxes, outputs);
 
+  std::map<std::string, double> seconds = seconds_of(results);
+  seconds["read"] = seconds_to_read;
+  seconds["write"] = watch.lap();
   const SolveReport report{options.scene,
-                           &run.plan,
-                           &run.exchange,
-                           &run.solution,
+                           plan.get(),
+                           &results.factors->report.counts,
+                           results.solution.get(),
                            &fluxes,
-                           run.seconds,
-                           run.picture_scale,
-                           run.light ? run.light->max_error : std::nullopt,
-                           finding_notes(run.lost_light)};
+                           seconds,
+                           results.picture ? std::optional(results.picture->scale) : std::nullopt,
+                           results.light ? results.light->max_error : std::nullopt,
+                           finding_notes(*results.lost_light)};
   outputs.json.write(solve_json(report));
   // All files are whole before the first one takes its name.
   const std::vector<OutputFile*> files = outputs.all();
   for (OutputFile* file : files) file->finish();
   if (options.json) streams.write("", solve_json(report));
   for (OutputFile* file : files) file->commit();
-  streams.note(solve_text(report) + small_scene_text(run.prepared.scene, run.matrix, run.solution) + "\nin " +
+  streams.note(solve_text(report) + small_scene_text(simulation.scene(), matrix, *results.solution) + "\nin " +
                request.directory.string() + ":" + outputs.names());
   return ExitCode::kDone;
 }

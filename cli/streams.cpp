@@ -39,6 +39,22 @@ std::function<void(double)> Streams::progress(const std::string& what) const {
   };
 }
 
+StageProgress Streams::stages() const {
+  struct Bar {
+    std::string stage;
+    std::unique_ptr<Progress> progress;
+  };
+  const auto bar = std::make_shared<Bar>();
+  return [bar, is_shown = !is_quiet_ && Progress::is_terminal()](std::string_view stage, double fraction) {
+    if (bar->stage != stage || !bar->progress) {
+      bar->progress.reset();  // wipes its line first
+      bar->stage = stage;
+      bar->progress = std::make_unique<Progress>(bar->stage, is_shown);
+    }
+    bar->progress->update(fraction);
+  };
+}
+
 std::string one_line(std::string_view text) {
   if (!has_control_character(text)) return std::string(text);
   const bool is_text = is_utf8(text);

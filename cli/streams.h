@@ -7,6 +7,7 @@
 
 #include "cli/progress.h"
 #include "io/files/output_file.h"
+#include "kernel/support/stage.h"
 
 namespace hottel {
 
@@ -30,6 +31,8 @@ class Streams {
   // A callback for work that reports the fraction done, from any thread. It draws a bar with the time left (see
   // Progress) and throws Interrupted after Ctrl-C. The bar vanishes with the last copy of the callback.
   std::function<void(double)> progress(const std::string& what) const;
+  // The same for stages (kernel/support/stage.h), one bar after the other.
+  StageProgress stages() const;
 
  private:
   bool is_quiet_;

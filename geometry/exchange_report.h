@@ -13,7 +13,7 @@ namespace hottel {
 //
 //   (1) pairs: unordered pairs of elements that exchange light, those with the sky among them
 //   (2) gaps and terms: what the sweep looked at and added; 0 where no sweep was made
-//   (3) seconds: "prepare", "label", "sweep" (or "strings" without occlusion), "round", "exact" where it
+//   (3) seconds: "prepare", "label", "sweep" (or "strings" in a convex room), "round", "exact" where it
 //       was needed, "matrix"
 //
 // exact_exchange() adds to the tiers of the report it is given, and sets the rest.

@@ -21,6 +21,7 @@ struct Surface {
   std::uint32_t elements = 1;         // equal parts it is divided into
   std::uint32_t group = 0;            // index into SceneTable::groups
   int line = 0;                       // where it stands in the file, 0 if nowhere
+  friend bool operator==(const Surface&, const Surface&) = default;
 };
 
 // What is behind the backs of a group.

@@ -21,6 +21,10 @@ std::string plural(std::size_t count, const std::string& noun) {
 
 }  // namespace
 
+bool is_divided(const SceneTable& scene) {
+  return std::ranges::any_of(scene.surfaces, [](const Surface& surface) { return surface.elements > 1; });
+}
+
 Plan::Plan(const SceneTable& scene, const PlannedShape& shape, const PlanRequest& request) {
   const auto n = static_cast<double>(scene.surfaces.size());
   const bool is_convex = shape.is_convex_room;

@@ -20,6 +20,7 @@ struct PlannedEffect {
 struct PlanRequest {
   bool everything = false;       // --simulate everything: every effect is used, whatever the scene says
   std::uint64_t grid_cells = 0;  // cells of the illumination grid; 0: none is wanted
+  friend bool operator==(const PlanRequest&, const PlanRequest&) = default;
 };
 
 // What a scene's shape says, and what its surfaces are called.
@@ -27,6 +28,9 @@ struct PlannedShape {
   bool is_convex_room = false;  // one closed convex room, fronts inside, no back with a material
   std::string noun;             // "edge"
 };
+
+// True iff some surface is divided: then rows are those of elements.
+bool is_divided(const SceneTable& scene);
 
 // The effects in the order in which they are simulated.
 //

@@ -158,7 +158,7 @@ Result sweep(const HardCase& hard, const MethodCatalogue2& methods) {
     const Real reference = hard.factor(power_of_ten(hard.direction * k));
     for (std::size_t m = 0; m < makers.size(); ++m) {
       MethodReport report;
-      const ExchangeMatrix matrix = makers[m]->compute(prepared, report);
+      const ExchangeMatrix matrix = makers[m]->compute(prepared, {.granularity = Granularity::kElement}, report);
       const double value = matrix.factor(*matrix.find(hard.from), *matrix.find(hard.to)).value;
       result.curves[m].errors.push_back(relative_error(value, reference));
     }

@@ -24,7 +24,7 @@ const char* plural(Granularity granularity) {
 }  // namespace
 
 std::string factors_json(const FactorsReport& report) {
-  const ExchangeReport& counts = report.counts;
+  const ExchangeReport& counts = report.of_method.counts;
   nlohmann::ordered_json json;
   json["hottel"] = 1;
   json["version"] = kVersion;
@@ -49,7 +49,7 @@ std::string factors_json(const FactorsReport& report) {
 }
 
 std::string factors_text(const FactorsReport& report) {
-  const ExchangeReport& counts = report.counts;
+  const ExchangeReport& counts = report.of_method.counts;
   const char* const noun = plural(report.granularity);
   double seconds = 0;
   for (const auto& [stage, time] : counts.seconds) seconds += time;

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "geometry/element.h"
-#include "geometry/exchange_report.h"
 #include "solver/compare/method_report.h"
 
 namespace hottel {
@@ -22,8 +21,7 @@ struct FactorsReport {
 
   std::string scene, method;
   Granularity granularity = Granularity::kFace;
-  ExchangeReport counts{};
-  MethodReport of_method{};  // of the method exact: empty
+  MethodReport of_method{};
   std::optional<Gray> gray{};
 
   bool is_exact() const { return method == "exact"; }

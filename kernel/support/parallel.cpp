@@ -1,6 +1,7 @@
 #include "kernel/support/parallel.h"
 
 #include "kernel/support/failure.h"
+#include "kernel/support/interrupt.h"
 
 // ThreadSanitizer does not see how TBB's library hands over work, since that is not instrumented; it does see
 // std::thread. So its build takes the second of two ways, which starts its threads anew in every call.
@@ -28,7 +29,11 @@ void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFun
                                   tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, n, grain),
-      [function, call](const auto& range) { call(function, range.begin(), range.end()); }, context);
+      [function, call, stop = stop_flag](const auto& range) {
+        const StopScope scope(stop);
+        call(function, range.begin(), range.end());
+      },
+      context);
 }
 
 }  // namespace detail
@@ -65,8 +70,9 @@ void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFun
   std::atomic<std::size_t> next{0};
   std::exception_ptr first;
   std::mutex mutex;
-  const auto work = [&] {
+  const auto work = [&, stop = stop_flag] {
     const DefaultFloatingPoint here;
+    const StopScope scope(stop);
     const bool was_inside = std::exchange(is_inside, true);
     for (std::size_t begin; (begin = next.fetch_add(grain)) < n;) {
       try {

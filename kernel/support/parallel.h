@@ -50,6 +50,7 @@ void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFun
 //   (3) f may itself call parallel_ranges
 //   (4) all that f did is seen by what follows the call
 //   (5) where n is 0, f is not called
+//   (6) what asks the caller to stop (StopScope) asks f to stop, on every thread
 //
 // Which ranges there are depends on the number of threads: what f computes for an index must not depend on its range.
 // Throws ContractViolation unless grain >= 1.

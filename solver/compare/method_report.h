@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/exchange_report.h"
 #include "kernel/enclosure.h"
 #include "solver/compare/written_factors.h"
 
@@ -21,6 +22,7 @@ struct MethodInfo {
 
 // How a matrix came about: what a method tells of one run.
 struct MethodReport {
+  ExchangeReport counts;                  // of the scene and the matrix; tiers and gaps where the method has any
   double row_defect = 0;                  // max |sum_j F_ij - 1| as computed, before any normalisation
   std::optional<double> standard_error;   // of the worst factor, where the method is random
   std::optional<double> seconds;          // where the method knows better than who called it (an outside command)

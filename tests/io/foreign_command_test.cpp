@@ -23,7 +23,7 @@ class ForeignCommandTest : public ForeignRoomTest {
     const PreparedScene2 prepared = room();
     MethodReport report;
     try {
-      planar().make("run:" + command)->compute(prepared, report);
+      planar().make("run:" + command)->compute(prepared, {.granularity = Granularity::kElement}, report);
     } catch (const RequestError& error) {
       return error.what();
     }
@@ -40,7 +40,8 @@ TEST_F(ForeignCommandTest, ReadsWhatACommandWritesAndTimesIt) {
            "sleep 0.05; printf '%%%%MatrixMarket matrix coordinate real general\\n4 4 2\\n1 2 0.5\\n3 4 0.25\\n' > "
            "{out.mtx}"}) {
     MethodReport report;
-    const ExchangeMatrix matrix = planar().make("run:" + command)->compute(prepared, report);
+    const ExchangeMatrix matrix =
+        planar().make("run:" + command)->compute(prepared, {.granularity = Granularity::kElement}, report);
     EXPECT_EQ(matrix.factor(0, 2).value, 0.5) << command;
     EXPECT_EQ(matrix.factor(4, 6).value, 0.25) << command;
     EXPECT_GT(report.seconds.value_or(0), 0.05);
@@ -51,7 +52,9 @@ TEST_F(ForeignCommandTest, PathsWithBlanksAreOneWord) {
   fs::create_directory(directory_ / "it's a folder");
   const PreparedScene2 prepared = prepare(read_scene_2(write("it's a folder/room.json", kRoom)));
   MethodReport report;
-  planar().make("run:test -s {scene} && echo from,to,factor && echo a,b,0.5")->compute(prepared, report);
+  planar()
+      .make("run:test -s {scene} && echo from,to,factor && echo a,b,0.5")
+      ->compute(prepared, {.granularity = Granularity::kElement}, report);
   EXPECT_EQ(report.written->digits.decimals, 1);
 }
 

@@ -43,7 +43,7 @@ class ForeignRoomTest : public ::testing::Test {
   ExchangeMatrix matched(const PreparedScene2& prepared, const std::string& name, std::string_view text) {
     write(name, text);
     report_ = {};
-    return planar().make("file:" + path(name))->compute(prepared, report_);
+    return planar().make("file:" + path(name))->compute(prepared, {.granularity = Granularity::kElement}, report_);
   }
 
   // The message of reading a file and matching it with the room, without the folder.

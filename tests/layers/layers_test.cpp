@@ -179,7 +179,7 @@ TEST(Layers, NamesOfASliceSayTheirDimension) {
 
 TEST(Layers, TheCheckOfNamesSeesWhatItForbids) {
   EXPECT_TRUE(names_its_dimension("hottel::Vertices2::distance(unsigned int) const", '2'));
-  EXPECT_TRUE(names_its_dimension("hottel::check_scene(hottel::Scene2 const&)", '2'));
+  EXPECT_TRUE(names_its_dimension("hottel::check_scene(hottel::Scene2 const&, hottel::CheckSources2 const&)", '2'));
   EXPECT_TRUE(names_its_dimension("hottel::generate_2(hottel::Request const&)", '2'));
   EXPECT_TRUE(names_its_dimension("hottel::sampling::below_one(double)", '2'));
   EXPECT_TRUE(names_its_dimension("std::vector<int>::size() const", '2'));

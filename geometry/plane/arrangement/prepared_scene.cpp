@@ -10,10 +10,8 @@ PreparedScene2 prepare(Scene2 scene, Divided2 divided) {
   Stopwatch watch;
   Division2 division;
   for (const Surface& surface : scene.surfaces) division.push_back(divided == Divided2::kYes ? surface.elements : 1);
-  Arrangement2 arrangement(scene, division);
-  PreparedScene2 prepared{std::move(scene), std::move(division), std::move(arrangement), 0};
-  prepared.seconds = watch.lap();
-  return prepared;
+  auto arrangement = std::make_shared<const Arrangement2>(scene, division);
+  return {std::move(scene), std::move(division), std::move(arrangement), watch.lap()};
 }
 
 }  // namespace hottel

@@ -1,6 +1,9 @@
 // A scene made ready to be asked: overlaid, owned and triangulated.
 #pragma once
 
+#include <memory>
+#include <utility>
+
 #include "geometry/plane/arrangement/arrangement.h"
 #include "geometry/plane/scene/scene.h"
 
@@ -11,13 +14,20 @@ namespace hottel {
 //   (1) division has one number a surface: the equal parts that the arrangement was made with, 1 where it
 //       is not divided
 //   (2) while nobody changes it, any number of threads may use it at once
+//   (3) copies share the arrangement, which lives as long as one of them
 //
 // COST: O((n + k) log n) for n edges with k contacts.
 struct PreparedScene2 {
   Scene2 scene;
   Division2 division;
-  Arrangement2 arrangement;
-  double seconds = 0;  // what the preparation took
+  std::shared_ptr<const Arrangement2> shared;
+  const Arrangement2& arrangement;  // *shared
+  double seconds;                   // what the preparation took
+
+  // REQUIRES the arrangement of this scene by this division, or of one that differs from it in values of materials and
+  // of the sky, in its grid and in what is told about it only, so that the same materials act alike.
+  PreparedScene2(Scene2 s, Division2 d, std::shared_ptr<const Arrangement2> a, double took)
+      : scene(std::move(s)), division(std::move(d)), shared(std::move(a)), arrangement(*shared), seconds(took) {}
 };
 
 // Whether the parts of surfaces are told apart. kYes is needed for Granularity::kElement only: whole

@@ -136,4 +136,8 @@ RootSum ElementTable2::exact_length(std::uint32_t label, const Vertices2& vertic
   return length;
 }
 
+std::vector<Element> elements_of(const PreparedScene2& prepared, Granularity granularity) {
+  return ElementTable2(prepared.scene, prepared.arrangement, prepared.division, granularity).elements();
+}
+
 }  // namespace hottel

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/plane/arrangement/arrangement.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "kernel/rounding.h"
 
 namespace hottel {
@@ -70,5 +70,8 @@ class ElementTable2 {
   std::vector<VertexId> end_;
   std::vector<FixedSum> length_;
 };
+
+// The elements of a prepared scene, as rows and columns of a matrix stand for them.
+std::vector<Element> elements_of(const PreparedScene2& prepared, Granularity granularity);
 
 }  // namespace hottel

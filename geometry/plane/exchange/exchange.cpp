@@ -49,34 +49,35 @@ ExchangeMatrix to_matrix(const ElementTable2& table, const std::vector<PairSum2>
 
 }  // namespace
 
-ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOptions2& options, ExchangeReport* report) {
+ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequest& request, ExchangeReport* report) {
   const DefaultFloatingPoint arithmetic;
   Stopwatch watch;
   ExchangeReport ignored;
   ExchangeReport& r = report != nullptr ? *report : ignored;
   const Arrangement2& arrangement = prepared.arrangement;
-  const ElementTable2 table(prepared.scene, arrangement, prepared.division, options.granularity);
+  const ElementTable2 table(prepared.scene, arrangement, prepared.division, request.granularity);
   r.seconds["prepare"] = prepared.seconds;
   r.seconds["label"] = watch.lap();
 
+  const bool sweeps = request.always_sweeps || !is_convex_room(prepared.scene);
   std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();
-  if (options.memory > 0) {
-    most_pairs = options.memory / kBytesPerPair;
-    const std::uint64_t pairs = options.occlusion ? estimated_pairs(arrangement, table) : count_all_pairs(table);
+  if (request.memory > 0) {
+    most_pairs = request.memory / kBytesPerPair;
+    const std::uint64_t pairs = sweeps ? estimated_pairs(arrangement, table) : count_all_pairs(table);
     if (pairs > most_pairs)
       throw RequestError("about " + std::to_string(pairs) + " visible pairs need about " +
                          std::to_string(pairs * kBytesPerPair) + " bytes; allowed are " +
-                         std::to_string(options.memory));
+                         std::to_string(request.memory));
   }
   SumCounts2 counts;
-  const std::vector<PairSum2> pairs = options.occlusion
-                                          ? sum_visible_pairs(arrangement, table, options.progress, most_pairs, counts)
+  const std::vector<PairSum2> pairs = sweeps
+                                          ? sum_visible_pairs(arrangement, table, request.progress, most_pairs, counts)
                                           : sum_convex_pairs(arrangement, table);
-  r.seconds[options.occlusion ? "sweep" : "strings"] = watch.lap();
+  r.seconds[sweeps ? "sweep" : "strings"] = watch.lap();
   r.closure_is_exact = closure_defect(pairs, table) == 0;
   HOTTEL_REQUIRE(r.closure_is_exact);
 
-  const PairRounding2 rounding(prepared, table, options);
+  const PairRounding2 rounding(prepared, table, request);
   std::vector<RoundedPair2> rounded(pairs.size());
   std::mutex tiers;
   const auto count = [&r, &tiers](const TierCounts& some) {
@@ -116,7 +117,7 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOpti
       std::count_if(rounded.begin(), rounded.end(), [](const auto& pair) { return !pair.is_zero; }));
   r.gaps = counts.gaps;
   r.terms = counts.updates;
-  ExchangeMatrix matrix = to_matrix(table, pairs, rounded, options.wants_measures);
+  ExchangeMatrix matrix = to_matrix(table, pairs, rounded, request.wants_measures);
   r.seconds["matrix"] = watch.lap();
   return matrix;
 }

@@ -6,11 +6,11 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/exchange_report.h"
+#include "geometry/exchange_request.h"
 #include "geometry/plane/arrangement/arrangement.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exact_sums.h"
-#include "geometry/plane/exchange/exchange_options.h"
 #include "kernel/root_sum.h"
 #include "kernel/rounding.h"
 
@@ -23,11 +23,12 @@ namespace hottel {
 //   (3) A_i F_ij = A_j F_ji for the real numbers, and every row sums to 1, the sky included
 //   (4) Vis(i, j) is correctly rounded too, but below 1 whenever something hides a part, and 1 when nothing does
 //   (5) the result is the same bit for bit for any number of threads
-//   (6) in a convex room it is the same bit for bit with and without occlusion
-// Throws RequestError when the memory allowed by the options does not suffice, and passes on what `progress` throws.
+//   (6) in a convex room, where nothing can hide anything, no sweep is made unless one is asked for: the result is
+//       the same bit for bit
+// Throws RequestError when the memory allowed by the request does not suffice, and passes on what `progress` throws.
 // The report, where one is asked for, says how the numbers came about.
 // COST: about 1 µs a visible pair and core; see benchmarks/results.
-ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeOptions2& options = {},
+ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequest& request = {},
                               ExchangeReport* report = nullptr);
 
 // Returns the pairs (from, to) that are hidden: `from` has a row without an entry for `to`, but they would exchange

@@ -11,12 +11,11 @@ FixedSum twice(const FixedSum& sum) { return {2 * sum.value, 2 * sum.error}; }
 
 }  // namespace
 
-PairRounding2::PairRounding2(const PreparedScene2& prepared, const ElementTable2& table,
-                             const ExchangeOptions2& options)
+PairRounding2::PairRounding2(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeRequest& request)
     : prepared_(prepared),
       table_(table),
-      options_(options),
-      alone_(prepared, table, options.granularity),
+      request_(request),
+      alone_(prepared, table, request.granularity),
       half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {}
 
 RoundedPair2 PairRounding2::quick(const PairSum2& pair, TierCounts& tiers) const {
@@ -35,12 +34,12 @@ RoundedPair2 PairRounding2::quick(const PairSum2& pair, TierCounts& tiers) const
   };
   if (table_.has_row(pair.i)) settle(twice(table_.length(pair.i)), result.forth, result.is_forth_open);
   if (table_.has_row(pair.j)) settle(twice(table_.length(pair.j)), result.back, result.is_back_open);
-  if (options_.wants_measures) {
+  if (request_.wants_measures) {
     const auto rounded = may_be_zero ? std::nullopt : round_scaled(sum, half_unit_);
     result.is_measure_open = !rounded;
     if (rounded) result.measure = rounded->number.value;
   }
-  if (!options_.wants_visibility || pair.j == table_.sky()) return result;
+  if (!request_.wants_visibility || pair.j == table_.sky()) return result;
   if (!alone_.are_straight(pair.i, pair.j)) {
     result.is_visibility_open = true;
   } else if (!pair.is_obstructed && !may_be_zero) {

@@ -4,9 +4,9 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/exchange_request.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/element_table.h"
-#include "geometry/plane/exchange/exchange_options.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/exchange/pair_alone.h"
 #include "kernel/rounding.h"
@@ -31,7 +31,7 @@ struct RoundedPair2 {
 class PairRounding2 {
  public:
   // REQUIRES that all three outlive this.
-  PairRounding2(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeOptions2& options);
+  PairRounding2(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeRequest& request);
 
   // What fixed point settles of the pair. Counts a tier for each factor and visibility that it settles.
   //
@@ -45,7 +45,7 @@ class PairRounding2 {
  private:
   const PreparedScene2& prepared_;
   const ElementTable2& table_;
-  const ExchangeOptions2& options_;
+  const ExchangeRequest& request_;
   const PairsAlone2 alone_;
   const FixedScale half_unit_;  // 2 S in fixed point to S in scene units
 };

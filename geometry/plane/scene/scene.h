@@ -20,6 +20,7 @@ struct Edge2 {
 struct Grid2 {
   Point2 min, max;
   std::uint32_t nx = 0, ny = 0;
+  friend bool operator==(const Grid2&, const Grid2&) = default;
 };
 
 // The scene, in the order of the file: edges, then the pieces of polylines.

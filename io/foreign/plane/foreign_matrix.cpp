@@ -1,7 +1,6 @@
 #include "io/foreign/plane/foreign_matrix.h"
 
 #include "geometry/name.h"
-#include "geometry/plane/exchange/element_table.h"
 #include "io/foreign/foreign_command.h"
 #include "io/foreign/matched_matrix.h"
 #include "kernel/support/failure.h"
@@ -9,17 +8,14 @@
 namespace hottel {
 namespace {
 
-std::vector<Element> elements_of(const PreparedScene2& prepared) {
-  return ElementTable2(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement).elements();
-}
-
 // What a method that reads knows of itself: where from.
-class Foreign2 : public ExchangeMethod2 {
+class Foreign2 : public ElementMethod2 {
  public:
   Foreign2(const std::string& family, const std::string& source)
       : info_{family + ":" + source, family, 0, Guarantee::kEstimated, source} {}
   const MethodInfo& info() const override { return info_; }
   std::optional<double> declared_error(const PreparedScene2&) const override { return std::nullopt; }
+  bool works_by_elements() const override { return false; }  // rows are read as they are asked for
 
  protected:
   const std::string& source() const { return info_.reference; }
@@ -31,20 +27,23 @@ class Foreign2 : public ExchangeMethod2 {
 class FromFile2 final : public Foreign2 {
  public:
   explicit FromFile2(const std::string& file) : Foreign2("file", file) {}
-  ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport& report) const override {
-    return match_foreign_matrix(read_foreign_matrix(source()), elements_of(prepared), report);
+  ExchangeMatrix compute_elements(const PreparedScene2& prepared, const std::function<void(double)>&,
+                                  MethodReport& report) const override {
+    return match_foreign_matrix(read_foreign_matrix(source()), elements_of(prepared, Granularity::kElement), report);
   }
 };
 
 class FromCommand2 final : public Foreign2 {
  public:
   explicit FromCommand2(const std::string& command) : Foreign2("run", command) {}
-  ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport& report) const override {
+  ExchangeMatrix compute_elements(const PreparedScene2& prepared, const std::function<void(double)>&,
+                                  MethodReport& report) const override {
     const ScratchFolder scratch;
     const CommandRun run = run_foreign_command(source(), prepared.scene.file, scratch);
     report.seconds = run.seconds;
     try {
-      return match_foreign_matrix(read_foreign_matrix(run.output), elements_of(prepared), report);
+      return match_foreign_matrix(read_foreign_matrix(run.output), elements_of(prepared, Granularity::kElement),
+                                  report);
     } catch (const InputError& error) {
       throw RequestError("what the command " + quoted_name(source()) + " wrote cannot be used: " + error.what());
     }
@@ -83,7 +82,7 @@ MethodFamily2 run_family_2() {
 }
 
 bool is_foreign_2(const std::string& method) {
-  const std::string family = family_of_2(method);
+  const std::string family = family_of_method(method);
   return family == "file" || family == "run";
 }
 

@@ -15,7 +15,6 @@
 #include "geometry/plane/check/sight_findings.h"
 #include "geometry/plane/check/solid_findings.h"
 #include "geometry/plane/check/wording.h"
-#include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/solid_around.h"
 #include "kernel/support/failure.h"
@@ -39,18 +38,6 @@ Findings2 needle_findings(const Scene2& scene, const Arrangement2& arrangement) 
                         "factors are exact here too; approximate methods lose digits between such surfaces"});
   }
   return findings;
-}
-
-// The matrix that solve would use: by elements where some surface is divided.
-ExchangeMatrix factors_as_solved(const PreparedScene2& prepared, const CheckOptions2& options) {
-  const auto& surfaces = prepared.scene.surfaces;
-  const bool is_divided = std::any_of(surfaces.begin(), surfaces.end(), [](auto& s) { return s.elements > 1; });
-  const ExchangeOptions2 exchange{.granularity = is_divided ? Granularity::kElement : Granularity::kFace,
-                                  .wants_visibility = false,
-                                  .memory = options.memory,
-                                  .progress = options.progress};
-  return is_divided ? exact_exchange(prepare(prepared.scene, Divided2::kYes), exchange)
-                    : exact_exchange(prepared, exchange);
 }
 
 // Those that are not in a solid, where nothing is seen.
@@ -95,14 +82,14 @@ void leave_out_consequences(const Scene2& scene, const FaceCover2& cover, const 
 
 // What needs the arrangement of a scene without conflicts, and perhaps view factors.
 void check_light(const PreparedScene2& prepared, const FaceCover2& cover, const std::vector<NearMiss2>& near_misses,
-                 const CheckOptions2& options, SceneCheck2& check) {
+                 const CheckSources2& sources, SceneCheck2& check) {
   const Scene2& scene = prepared.scene;
   append(check.findings, needle_findings(scene, prepared.arrangement));
   const FreeRegions2 regions = cells_of(prepared);
   RegionFindings2 rooms = region_findings(prepared, regions);
   append(check.findings, std::move(rooms.findings));
   try {
-    check.factors = factors_as_solved(prepared, options);
+    check.factors = sources.factors();
   } catch (const RequestError& error) {
     check.findings.push_back({Severity::kNote,
                               "light-not-checked",
@@ -111,19 +98,19 @@ void check_light(const PreparedScene2& prepared, const FaceCover2& cover, const 
                               fmt::format("what needs view factors was not looked at: {}", error.what()),
                               "check a part of the scene"});
   }
-  append(check.findings, gap_findings(scene, near_misses, check.factors.has_value()));
+  append(check.findings, gap_findings(scene, near_misses, check.factors != nullptr));
   if (!check.factors) return;
   BlackBacks2 black = black_backs(prepared, regions, *check.factors, rooms.is_inside_out);
   append(check.findings, std::move(black.findings));
   check.black_backs = std::move(black.surfaces);
   append(check.findings, sight_findings(prepared, *check.factors));
-  append(check.findings, light_findings(scene, *check.factors, options.progress));
+  append(check.findings, light_findings(scene, *check.factors, sources.progress));
   leave_out_consequences(scene, cover, rooms.is_inside_out, check.findings);
 }
 
 }  // namespace
 
-SceneCheck2 check_scene(const Scene2& scene, const CheckOptions2& options) {
+SceneCheck2 check_scene(const Scene2& scene, const CheckSources2& sources) {
   SceneCheck2 check;
   const Arrangement2 arrangement(scene, Division2(scene.surfaces.size(), 1), Conflicts2::kFirstWins);
   const Contacts2 contacts = find_contacts(scene, arrangement);
@@ -140,7 +127,7 @@ SceneCheck2 check_scene(const Scene2& scene, const CheckOptions2& options) {
                               "looked at",
                               "mend that and check again"});
   } else {
-    check_light(prepare(scene), contacts.faces, near_misses, options, check);
+    check_light(*sources.prepared(), contacts.faces, near_misses, sources, check);
   }
   sort_findings(check.findings);
   return check;

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
@@ -11,12 +11,6 @@
 #include "geometry/plane/check/finding.h"
 
 namespace hottel {
-
-// What a check may take, and whom it tells how far it is.
-struct CheckOptions2 {
-  std::uint64_t memory = 0;                   // bytes that view factors may take; 0: no limit
-  std::function<void(double)> progress = {};  // fraction done; may throw to stop
-};
 
 // What was found, and the view factors that it took.
 //
@@ -28,13 +22,22 @@ struct CheckOptions2 {
 //   (4) black_backs: the surfaces that black-back is told of, in the order of the scene
 struct SceneCheck2 {
   Findings2 findings;
-  std::optional<ExchangeMatrix> factors;
+  std::shared_ptr<const ExchangeMatrix> factors;
   std::vector<std::uint32_t> black_backs{};
+};
+
+// Where a check takes what it needs of a scene (Simulation2 has it), once each, if at all: after it was found that
+// claims do not conflict.
+struct CheckSources2 {
+  std::function<std::shared_ptr<const PreparedScene2>()> prepared;  // undivided
+  // As solve has them: exact, by elements where some surface is divided. May throw RequestError: light is not checked.
+  std::function<std::shared_ptr<const ExchangeMatrix>()> factors;
+  std::function<void(double)> progress = {};  // fraction of the rest done; may throw to stop
 };
 
 // Throws InputError for a "behind" that cannot be obeyed (geometry/plane/arrangement/solids.h).
 // COST: an overlay, exact view factors, and once more those where something is nearly touched; the rest O(n log n).
-SceneCheck2 check_scene(const Scene2& scene, const CheckOptions2& options = {});
+SceneCheck2 check_scene(const Scene2& scene, const CheckSources2& sources);
 
 // Those warnings that tell of light which is lost in solids and on black backs, sorted: what a solution goes with.
 //

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <limits>
 
-#include "geometry/plane/exchange/exchange.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plane/compare/verdict.h"
@@ -13,10 +12,13 @@
 
 namespace hottel {
 
-MethodComparison2::MethodComparison2(const PreparedScene2& prepared)
-    : prepared_(prepared),
-      exact_(exact_exchange(prepared, {.granularity = Granularity::kElement})),
-      exact_solution_(solve(exact_, why_no_solution_)) {}
+MethodComparison2::MethodComparison2(const Simulation2& simulation, const StageProgress& progress) {
+  const Simulation2 by_elements = simulation.with_request(
+      {.granularity = Granularity::kElement, .wants_visibility = true, .memory = simulation.request().memory});
+  prepared_ = by_elements.prepared(progress);
+  exact_ = by_elements.factors(progress);
+  exact_solution_ = solve(exact(), why_no_solution_);
+}
 
 const RadiositySolution& MethodComparison2::required_solution() const {
   if (!exact_solution_) throw RequestError("radiosities cannot be compared: " + why_no_solution_);
@@ -25,7 +27,7 @@ const RadiositySolution& MethodComparison2::required_solution() const {
 
 std::optional<RadiositySolution> MethodComparison2::solve(const ExchangeMatrix& matrix, std::string& why_not) const {
   try {
-    return solve_radiosity(matrix, prepared_.scene.materials, prepared_.scene.sky_emission);
+    return solve_radiosity(matrix, prepared().scene.materials, prepared().scene.sky_emission);
   } catch (const RequestError& error) {
     why_not = error.what();
     return std::nullopt;
@@ -39,14 +41,15 @@ MethodResult MethodComparison2::run(const ExchangeMethod2& method, const std::op
       [&] {
         result.report = {};
         Stopwatch watch;
-        result.matrix = method.compute(prepared_, result.report);
+        result.matrix = method.compute(prepared(), {.granularity = Granularity::kElement, .wants_visibility = false},
+                                       result.report);
         const double seconds = watch.lap();
         return result.report.seconds.value_or(seconds);
       },
       runs);
   result.notes = result.report.notes;
-  result.errors = matrix_errors(result.matrix, exact_);
-  result.declared_error = method.declared_error(prepared_);
+  result.errors = matrix_errors(result.matrix, exact());
+  result.declared_error = method.declared_error(prepared());
   if (!exact_solution_) return result;
 
   std::string why_not;

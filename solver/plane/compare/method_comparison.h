@@ -1,6 +1,7 @@
 // Approximate methods beside the exact one, on one scene: how wrong, and how long.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "solver/compare/method_result.h"
 #include "solver/plane/methods/exchange_method.h"
+#include "solver/plane/simulation/simulation.h"
 #include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
@@ -19,8 +21,9 @@ namespace hottel {
 //       then judged by their factors alone
 class MethodComparison2 {
  public:
-  // The scene, divided as its surfaces ask for, outlives this. COST: the exact factors and one solution.
-  explicit MethodComparison2(const PreparedScene2& prepared);
+  // Of the simulation only the scene and the memory allowed matter; its exact factors are shared where it has them by
+  // elements and with visibilities. COST: the exact factors and one solution.
+  explicit MethodComparison2(const Simulation2& simulation, const StageProgress& progress = {});
 
   // Runs a method, times it and takes its errors. runs: as in time_repeatedly(). Of repeated runs the last one's matrix
   // and report are kept. Seconds are the method's own where its report has them.
@@ -30,8 +33,8 @@ class MethodComparison2 {
   // Throws RequestError when the method cannot be run on the scene. COST: the runs, and one solution of its matrix.
   MethodResult run(const ExchangeMethod2& method, const std::optional<int>& runs = {}) const;
 
-  const PreparedScene2& prepared() const { return prepared_; }
-  const ExchangeMatrix& exact() const { return exact_; }  // with visibilities
+  const PreparedScene2& prepared() const { return *prepared_; }
+  const ExchangeMatrix& exact() const { return exact_->matrix; }  // with visibilities
   const std::optional<RadiositySolution>& exact_solution() const { return exact_solution_; }
   const RadiositySolution& required_solution() const;  // throws RequestError when there is none
   const std::string& why_no_solution() const { return why_no_solution_; }
@@ -39,8 +42,8 @@ class MethodComparison2 {
  private:
   std::optional<RadiositySolution> solve(const ExchangeMatrix& matrix, std::string& why_not) const;
 
-  const PreparedScene2& prepared_;
-  ExchangeMatrix exact_;
+  std::shared_ptr<const PreparedScene2> prepared_;
+  std::shared_ptr<const ComputedFactors2> exact_;
   std::string why_no_solution_;
   std::optional<RadiositySolution> exact_solution_;
 };

@@ -18,6 +18,7 @@ namespace hottel {
 struct SolvedLight2 {
   IlluminationGrid2 grid;
   std::optional<double> max_error{};
+  double seconds = 0;  // what it took, as a simulation measures it
 };
 
 // Returns the light of a solution on a grid. way: "point" (illuminate_points), "average" (illuminate_averages, with its

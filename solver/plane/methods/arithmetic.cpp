@@ -44,14 +44,16 @@ class FilteredPoints {
   const Vertices2& vertices_;
 };
 
-ExchangeMatrix naive_exchange(const PreparedScene2& prepared, MethodReport& report) {
+ExchangeMatrix naive_exchange(const PreparedScene2& prepared, const std::function<void(double)>& progress,
+                              MethodReport& report) {
   const Arrangement2& arrangement = prepared.arrangement;
   const NaivePoints2 points(arrangement.vertices());
   const std::uint64_t limit = naive_step_limit(arrangement.triangulation());
   std::atomic<std::uint64_t> cut_off = 0;
   Stopwatch watch;
   const ElementTable2 table = table_of(prepared);
-  const PlainSums2 sums = plain_sums(arrangement, table, [&](VertexId) { return StepLimit2(points, limit, cut_off); });
+  const PlainSums2 sums =
+      plain_sums(arrangement, table, progress, [&](VertexId) { return StepLimit2(points, limit, cut_off); });
   ExchangeMatrix matrix = plain_matrix(table, sums, plain_lengths(arrangement, table, points));
   report.seconds = watch.lap();
   const WrongOrientations2 counts = count_wrong_orientations(arrangement, points);
@@ -61,17 +63,18 @@ ExchangeMatrix naive_exchange(const PreparedScene2& prepared, MethodReport& repo
   return matrix;
 }
 
-ExchangeMatrix filtered_exchange(const PreparedScene2& prepared) {
+ExchangeMatrix filtered_exchange(const PreparedScene2& prepared, const std::function<void(double)>& progress) {
   const FilteredPoints points(prepared.arrangement.vertices());
   const ElementTable2 table = table_of(prepared);
   const PlainSums2 sums =
-      plain_sums(prepared.arrangement, table, [&](VertexId) -> const FilteredPoints& { return points; });
+      plain_sums(prepared.arrangement, table, progress, [&](VertexId) -> const FilteredPoints& { return points; });
   return plain_matrix(table, sums, plain_lengths(prepared.arrangement, table, points));
 }
 
-ExchangeMatrix cgal_exchange(const PreparedScene2& prepared, MethodReport& report) {
+ExchangeMatrix cgal_exchange(const PreparedScene2& prepared, const std::function<void(double)>& progress,
+                             MethodReport& report) {
   const ElementTable2 table = table_of(prepared);
-  const CgalExchange2 exchange = cgal_exchange(prepared.arrangement, table);
+  const CgalExchange2 exchange = cgal_exchange(prepared.arrangement, table, progress);
   Stopwatch watch;
   ExchangeMatrix matrix = plain_matrix(table, exchange.sums, exchange.lengths);
   report.seconds = exchange.seconds + watch.lap();
@@ -111,12 +114,13 @@ FactorEntry entry_of(std::uint32_t to, double factor) {
   return {to, {factor, 0}, std::numeric_limits<double>::quiet_NaN()};
 }
 
-ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, MethodReport& report) {
+ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, const std::function<void(double)>& progress,
+                                 MethodReport& report) {
   const ElementTable2 table = table_of(prepared);
   const double length_error = prepared.arrangement.vertices().length_error();
   SumCounts2 counts;
   const std::vector<PairSum2> pairs =
-      sum_visible_pairs(prepared.arrangement, table, {}, std::numeric_limits<std::uint64_t>::max(), counts);
+      sum_visible_pairs(prepared.arrangement, table, progress, std::numeric_limits<std::uint64_t>::max(), counts);
   const auto each_entry = [&](const auto& visit) {
     for (const PairSum2& pair : pairs) {
       if (pair.value == 0 && pair.inexact == 0) continue;
@@ -178,7 +182,7 @@ std::optional<SumScale> scale_of(const PreparedScene2& prepared, const ElementTa
                   kConversion / double_near(smallest), vertices.approximation_error() > 0 ? coordinate * 0x1p-52 : 0};
 }
 
-class Arithmetic2 final : public ExchangeMethod2 {
+class Arithmetic2 final : public ElementMethod2 {
  public:
   explicit Arithmetic2(ArithmeticKind2 arithmetic) : arithmetic_(arithmetic) {
     info_.name = info_.family = std::string("arithmetic:") + kNames[static_cast<std::size_t>(arithmetic)];
@@ -190,27 +194,30 @@ class Arithmetic2 final : public ExchangeMethod2 {
   const MethodInfo& info() const override { return info_; }
   std::optional<double> declared_error(const PreparedScene2& prepared) const override;
 
-  ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport& report) const override {
-    ExchangeMatrix matrix = run(prepared, report);
+  ExchangeMatrix compute_elements(const PreparedScene2& prepared, const std::function<void(double)>& progress,
+                                  MethodReport& report) const override {
+    ExchangeMatrix matrix = run(prepared, progress, report);
     report.row_defect = closure_defect(matrix);
     return matrix;
   }
 
  private:
-  ExchangeMatrix run(const PreparedScene2& prepared, MethodReport& report) const {
+  ExchangeMatrix run(const PreparedScene2& prepared, const std::function<void(double)>& progress,
+                     MethodReport& report) const {
     switch (arithmetic_) {
       case ArithmeticKind2::kNaive:
-        return naive_exchange(prepared, report);
+        return naive_exchange(prepared, progress, report);
       case ArithmeticKind2::kDoubles:
-        return filtered_exchange(prepared);
+        return filtered_exchange(prepared, progress);
       case ArithmeticKind2::kBounds:
-        return enclosed_exchange(prepared, report);
+        return enclosed_exchange(prepared, progress, report);
       case ArithmeticKind2::kCgal:
-        return cgal_exchange(prepared, report);
+        return cgal_exchange(prepared, progress, report);
       case ArithmeticKind2::kRounded:
         break;
     }
-    return exact_exchange(prepared, {.granularity = Granularity::kElement, .wants_visibility = false});
+    return exact_exchange(prepared,
+                          {.granularity = Granularity::kElement, .wants_visibility = false, .progress = progress});
   }
 
   ArithmeticKind2 arithmetic_;

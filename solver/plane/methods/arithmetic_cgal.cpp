@@ -39,11 +39,12 @@ class CgalPoints {
 
 }  // namespace
 
-CgalExchange2 cgal_exchange(const Arrangement2& arrangement, const ElementTable2& table) {
+CgalExchange2 cgal_exchange(const Arrangement2& arrangement, const ElementTable2& table,
+                            const std::function<void(double)>& progress) {
   const CgalPoints points(arrangement.vertices());
   CgalExchange2 result;
   Stopwatch watch;
-  result.sums = plain_sums(arrangement, table, [&](VertexId) -> const CgalPoints& { return points; });
+  result.sums = plain_sums(arrangement, table, progress, [&](VertexId) -> const CgalPoints& { return points; });
   result.lengths = plain_lengths(arrangement, table, points);
   result.seconds = watch.lap();
   return result;

@@ -17,6 +17,7 @@ struct CgalExchange2 {
 // Runs the sweep of the exact method with CGAL's exact orientations; distances are the square roots of CGAL's squared
 // distances, which are exact before they become doubles. The arrangement and its triangulation are ours.
 // REQUIRES the table of this arrangement. COST: that of the sweep, whose signs are CGAL's filtered ones.
-CgalExchange2 cgal_exchange(const Arrangement2& arrangement, const ElementTable2& table);
+CgalExchange2 cgal_exchange(const Arrangement2& arrangement, const ElementTable2& table,
+                            const std::function<void(double)>& progress = {});
 
 }  // namespace hottel

@@ -20,9 +20,10 @@ using PlainSums2 = std::vector<std::vector<PlainTerm2>>;  // sorted by key, one 
 //   (3) the same for any number of threads, bit for bit
 //
 // Returns 2 S(i, j) in the unit of the lengths. points_at(v) answers for the sweep about v: orientation(i, j, k), and
-// distance(i, j) as a double. The triangulation is the exact one, whoever answers.
+// distance(i, j) as a double. progress: as of sum_terms(). The triangulation is the exact one, whoever answers.
 template <class PointsAt>
-PlainSums2 plain_sums(const Arrangement2& arrangement, const ElementTable2& table, const PointsAt& points_at) {
+PlainSums2 plain_sums(const Arrangement2& arrangement, const ElementTable2& table,
+                      const std::function<void(double)>& progress, const PointsAt& points_at) {
   const auto sweep = [&](VertexId v, TermBuffer2<PlainTerm2>& out) {
     thread_local View2 view;
     auto&& points = points_at(v);
@@ -38,7 +39,7 @@ PlainSums2 plain_sums(const Arrangement2& arrangement, const ElementTable2& tabl
     });
   };
   SumCounts2 counts;
-  return sum_terms<PlainTerm2>(arrangement.vertices().size(), table.covered() + std::size_t{1}, sweep, {},
+  return sum_terms<PlainTerm2>(arrangement.vertices().size(), table.covered() + std::size_t{1}, sweep, progress,
                                std::numeric_limits<std::uint64_t>::max(), counts);
 }
 

@@ -11,8 +11,9 @@ namespace {
 class Exact2 final : public ExchangeMethod2 {
  public:
   const MethodInfo& info() const override { return info_; }
-  ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport&) const override {
-    return exact_exchange(prepared, {.granularity = Granularity::kElement, .wants_visibility = false});
+  ExchangeMatrix compute(const PreparedScene2& prepared, const ExchangeRequest& request,
+                         MethodReport& report) const override {
+    return exact_exchange(prepared, request, &report.counts);
   }
   std::optional<double> declared_error(const PreparedScene2&) const override { return 0; }
 

@@ -1,48 +1,25 @@
-// What all ways to compute view factors have in common, exact or approximate.
+// Methods to compute view factors in the plane.
 #pragma once
 
-#include <functional>
-#include <limits>
-#include <optional>
-
-#include "geometry/exchange_matrix.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
-#include "solver/compare/method_report.h"
+#include "geometry/plane/exchange/element_table.h"
+#include "solver/exchange_method.h"
 
 namespace hottel {
 
-// A way to compute the view factors of the elements of a prepared scene.
-//
-//   (1) the elements are those of ElementTable2(scene, arrangement, division, Granularity::kElement), in that order; a
-//       row is there iff the exact matrix has it; the sky is a column
-//   (2) the same call gives the same matrix bit for bit, for any number of threads
-//   (3) a matrix that is not kExact says nothing of its factors' true values: FactorEntry::factor.side is 0
-//   (4) |F_ij - exact F_ij| <= claimed_errors(prepared)(i, j) for every pair, and <= declared_error where there is one
-//   (5) a method that looks into every direction says how much of the sky it sees
-//   (6) a method that looks at pairs only has no entry for the sky in the rows of elements inside closed walls; where
-//       an element borders the open space (open_space.h) the sky gets max(0, 1 - the sum of its other factors). So the
-//       row defect shows all that is wrong with the sum of a row inside closed walls, and of one in the open whether it
-//       sums to more than 1
-class ExchangeMethod2 {
+using ExchangeMethod2 = ExchangeMethod<PreparedScene2>;
+
+// A method that knows elements only. Factors of faces and groups are put together from theirs (coarsened.h).
+class ElementMethod2 : public ExchangeMethod2 {
  public:
-  virtual ~ExchangeMethod2() = default;
-  // Name, family, guarantee and reference: what the method says of itself, on any scene.
-  virtual const MethodInfo& info() const = 0;
+  ExchangeMatrix compute(const PreparedScene2& prepared, const ExchangeRequest& request,
+                         MethodReport& report) const final;
+  bool works_by_elements() const override { return true; }
 
-  // Computes the view factors, and fills `report`. Throws RequestError when the method cannot be run on the scene.
-  virtual ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport& report) const = 0;
-
-  // What the method claims of its largest error on a scene, before it is run: a bound that follows from its reference
-  // and the scene's geometry. Nothing where the method claims nothing.
-  virtual std::optional<double> declared_error(const PreparedScene2& prepared) const = 0;
-
-  // The same for every factor F(from, to), the sky included; infinity where nothing is claimed. Unless a method knows
-  // better it claims of each what it claims of all. REQUIRES that the method and `prepared` outlive what is returned.
-  using ClaimedErrors = std::function<double(std::uint32_t from, std::uint32_t to)>;
-  virtual ClaimedErrors claimed_errors(const PreparedScene2& prepared) const {
-    const double of_all = declared_error(prepared).value_or(std::numeric_limits<double>::infinity());
-    return [of_all](std::uint32_t, std::uint32_t) { return of_all; };
-  }
+ protected:
+  // The factors of the elements that `prepared` is divided into; fills what the report says of the method.
+  virtual ExchangeMatrix compute_elements(const PreparedScene2& prepared, const std::function<void(double)>& progress,
+                                          MethodReport& report) const = 0;
 };
 
 }  // namespace hottel

@@ -5,6 +5,7 @@
 
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
+#include "kernel/support/progress_count.h"
 
 namespace hottel {
 
@@ -31,14 +32,17 @@ std::vector<FactorEntry> RowSums2::take() {
   return row;
 }
 
-ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<FillRow2()>& make_fill) {
+ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<void(double)>& progress,
+                              const std::function<FillRow2()>& make_fill) {
   const std::uint32_t n = geometry.count();
   std::vector<std::vector<FactorEntry>> rows(n);
+  ProgressCount done(progress, n);
   parallel_ranges(n, 1, [&](std::size_t first, std::size_t last) {
     const FillRow2 fill = make_fill();
     RowSums2 by(n + std::size_t{1});
     for (std::size_t from = first; from != last; ++from) {
       throw_if_interrupted();
+      done.add();
       const auto i = static_cast<std::uint32_t>(from);
       if (!geometry.has_row(i) || geometry.runs(i).empty()) continue;
       fill(i, by);

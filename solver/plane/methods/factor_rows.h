@@ -45,6 +45,8 @@ using FillRow2 = std::function<void(std::uint32_t from, RowSums2& by)>;
 //   (1) an element without a run long enough (ElementGeometry2) has an empty row
 //   (2) the result does not depend on the number of threads where what `fill` adds does not
 // COST: parallel over rows. Stops when it is interrupted.
-ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<FillRow2()>& make_fill);
+// progress: fraction of the rows done, from any thread; may throw to stop.
+ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<void(double)>& progress,
+                              const std::function<FillRow2()>& make_fill);
 
 }  // namespace hottel

@@ -77,7 +77,7 @@ std::vector<BufferItem2> items_of(const Arrangement2& arrangement, const Element
   return items;
 }
 
-class Hemicube2 final : public ExchangeMethod2 {
+class Hemicube2 final : public ElementMethod2 {
  public:
   Hemicube2(const HemicubeOptions2& options, MakeItemBuffer2 make_buffer)
       : options_(options), make_buffer_(std::move(make_buffer)) {
@@ -89,7 +89,8 @@ class Hemicube2 final : public ExchangeMethod2 {
   }
   const MethodInfo& info() const override { return info_; }
   std::optional<double> declared_error(const PreparedScene2& prepared) const override;
-  ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport& report) const override;
+  ExchangeMatrix compute_elements(const PreparedScene2& prepared, const std::function<void(double)>& progress,
+                                  MethodReport& report) const override;
 
  private:
   HemicubeOptions2 options_;
@@ -97,14 +98,15 @@ class Hemicube2 final : public ExchangeMethod2 {
   MethodInfo info_;
 };
 
-ExchangeMatrix Hemicube2::compute(const PreparedScene2& prepared, MethodReport& report) const {
+ExchangeMatrix Hemicube2::compute_elements(const PreparedScene2& prepared, const std::function<void(double)>& progress,
+                                           MethodReport& report) const {
   const ElementGeometry2 geometry(prepared);
   const HalfSquare2 square(options_.resolution);
   std::vector<double> weight(square.pixels(), 1 / static_cast<double>(square.pixels()));
   if (!options_.is_uniform)
     for (std::size_t k = 0; k < weight.size(); ++k) weight[k] = square.weight(k);
   const ElementTable2& table = geometry.table();
-  ExchangeMatrix matrix = matrix_by_rows(geometry, [&]() -> FillRow2 {
+  ExchangeMatrix matrix = matrix_by_rows(geometry, progress, [&]() -> FillRow2 {
     return [&, buffer = std::shared_ptr(make_buffer_(options_.resolution))](std::uint32_t from, RowSums2& by) {
       for (const ElementRun2& run : geometry.runs(from)) {
         const CentreFrame frame(prepared.arrangement.vertices(), geometry, run);

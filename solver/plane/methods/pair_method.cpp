@@ -9,6 +9,7 @@
 #include "geometry/plane/exchange/unobstructed.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
+#include "kernel/support/progress_count.h"
 #include "solver/plane/methods/factor_rows.h"
 #include "solver/plane/methods/open_space.h"
 
@@ -37,11 +38,13 @@ double close_row(std::vector<FactorEntry>& row, std::uint32_t sky, bool borders_
 
 }  // namespace
 
-ExchangeMatrix PairMethod2::compute(const PreparedScene2& prepared, MethodReport& report) const {
+ExchangeMatrix PairMethod2::compute_elements(const PreparedScene2& prepared,
+                                             const std::function<void(double)>& progress, MethodReport& report) const {
   const ElementGeometry2 geometry(prepared);
   const Pairs pairs_of_method = pairs(prepared, geometry);
   const std::uint32_t n = geometry.count();
   std::vector<std::vector<LaterFactors>> later(n);
+  ProgressCount done(progress, n);
   parallel_for(n, [&](std::size_t row) {
     throw_if_interrupted();
     const auto i = static_cast<std::uint32_t>(row);
@@ -54,6 +57,7 @@ ExchangeMatrix PairMethod2::compute(const PreparedScene2& prepared, MethodReport
       const PairFactors2 both = pairs_of_method.factors(i, j);
       if (both.forth > 0 || both.back > 0) later[i].push_back({j, both});
     }
+    done.add();
   });
 
   std::vector<std::vector<FactorEntry>> rows(n);

@@ -23,16 +23,17 @@ struct PairFactors2 {
 //   (1) each pair is asked for once, both factors together; an entry for each that is above 0
 //   (2) what a row lacks of 1 goes to the sky where its element borders open space; other rows, and those above 1, stay
 //   (3) the matrix is the same bit for bit for any number of threads
-class PairMethod2 : public ExchangeMethod2 {
+class PairMethod2 : public ElementMethod2 {
  public:
   const MethodInfo& info() const final { return info_; }
-  ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport& report) const final;
   std::optional<double> declared_error(const PreparedScene2& prepared) const final;
   // COST: that of the exact matrix, once.
   ClaimedErrors claimed_errors(const PreparedScene2& prepared) const final;
 
  protected:
   explicit PairMethod2(MethodInfo info) : info_(std::move(info)) {}
+  ExchangeMatrix compute_elements(const PreparedScene2& prepared, const std::function<void(double)>& progress,
+                                  MethodReport& report) const final;
 
   // What is asked of a method, by several threads at once.
   struct Pairs {

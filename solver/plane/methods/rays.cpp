@@ -71,7 +71,7 @@ class RayStarts {
   std::vector<std::vector<Part>> parts_;  // by element
 };
 
-class Rays2 final : public ExchangeMethod2 {
+class Rays2 final : public ElementMethod2 {
  public:
   explicit Rays2(const RayOptions2& options) : options_(options) {
     const std::string sampling = kSamplings[static_cast<std::size_t>(options.sampling)];
@@ -83,14 +83,16 @@ class Rays2 final : public ExchangeMethod2 {
   }
   const MethodInfo& info() const override { return info_; }
   std::optional<double> declared_error(const PreparedScene2& prepared) const override;
-  ExchangeMatrix compute(const PreparedScene2& prepared, MethodReport& report) const override;
+  ExchangeMatrix compute_elements(const PreparedScene2& prepared, const std::function<void(double)>& progress,
+                                  MethodReport& report) const override;
 
  private:
   RayOptions2 options_;
   MethodInfo info_;
 };
 
-ExchangeMatrix Rays2::compute(const PreparedScene2& prepared, MethodReport& report) const {
+ExchangeMatrix Rays2::compute_elements(const PreparedScene2& prepared, const std::function<void(double)>& progress,
+                                       MethodReport& report) const {
   const ElementGeometry2 geometry(prepared);
   const RayStarts starts(prepared.arrangement, geometry);
   const FirstHit2 first_hit(prepared.arrangement);
@@ -107,7 +109,7 @@ ExchangeMatrix Rays2::compute(const PreparedScene2& prepared, MethodReport& repo
     });
     by.divide_by(n);
   };
-  ExchangeMatrix matrix = matrix_by_rows(geometry, [&] { return shoot; });
+  ExchangeMatrix matrix = matrix_by_rows(geometry, progress, [&] { return shoot; });
 
   double variance = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)

@@ -94,11 +94,11 @@ TEST_P(ConvexRoom, RowsCancelToTheLastBit) {
 TEST_P(ConvexRoom, FactorsAreThoseOfTheSweep) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const PreparedScene2 prepared = prepare(convex_room(GetParam(), seed));
-    for (const Granularity granularity : {Granularity::kFace, Granularity::kElement}) {
-      ExchangeOptions2 options{.granularity = granularity};
-      const ExchangeMatrix swept = exact_exchange(prepared, options);
-      options.occlusion = false;
-      const ExchangeMatrix strung = exact_exchange(prepared, options);
+    for (const Granularity granularity : {Granularity::kFace, Granularity::kElement, Granularity::kGroup}) {
+      ExchangeRequest request{.granularity = granularity};
+      const ExchangeMatrix strung = exact_exchange(prepared, request);
+      request.always_sweeps = true;
+      const ExchangeMatrix swept = exact_exchange(prepared, request);
       ASSERT_EQ(swept.size(), strung.size());
       for (std::uint32_t i = 0; i < swept.size(); ++i) {
         ASSERT_EQ(swept.row(i).size(), strung.row(i).size()) << seed;

@@ -122,7 +122,7 @@ class Exact {
   explicit Exact(const Scene2& scene, Granularity granularity = Granularity::kFace)
       : prepared_(prepare(scene, granularity == Granularity::kElement ? Divided2::kYes : Divided2::kNo)),
         granularity_(granularity) {
-    ExchangeOptions2 options;
+    ExchangeRequest options;
     options.granularity = granularity;
     options.wants_measures = true;
     matrix_ = exact_exchange(prepared_, options, &report_);

@@ -6,6 +6,7 @@
 
 #include "io/scene/scene_json.h"
 #include "solver/plane/check/scene_check.h"
+#include "solver/plane/simulation/simulation.h"
 
 namespace hottel::check_scenes {
 
@@ -40,7 +41,7 @@ inline const std::string kLamp = edge("lamp", "[1, 2], [1.5, 2]", "lamp", "lamp"
 
 // Findings of all kinds but unused-material, of which every scene here has some.
 inline Findings2 found(const Scene2& scene) {
-  Findings2 findings = check_scene(scene).findings;
+  Findings2 findings = Simulation2(scene).check()->findings;
   std::erase_if(findings, [](const Finding2& finding) { return finding.kind == "unused-material"; });
   return findings;
 }

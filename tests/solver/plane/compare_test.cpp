@@ -183,11 +183,12 @@ TEST(WorkReading, NamesTheCheapestFamilyAndTheFactor) {
 }
 
 // A method that gives the matrix it is given.
-class Given final : public ExchangeMethod2 {
+class Given final : public ElementMethod2 {
  public:
   explicit Given(ExchangeMatrix matrix) : matrix_(std::move(matrix)) {}
   const MethodInfo& info() const override { return info_; }
-  ExchangeMatrix compute(const PreparedScene2&, MethodReport& report) const override {
+  ExchangeMatrix compute_elements(const PreparedScene2&, const std::function<void(double)>&,
+                                  MethodReport& report) const override {
     report.seconds = 0.25;
     return matrix_;
   }
@@ -225,7 +226,7 @@ PreparedScene2 square(const std::string& reflectivity = "0.5") {
 
 TEST(MethodComparison, FindsNothingWrongWithTheExactMethod) {
   const PreparedScene2 prepared = square();
-  const MethodResult result = MethodComparison2(prepared).run(*methods_2().make("exact"), 1);
+  const MethodResult result = MethodComparison2(Simulation2(prepared.scene)).run(*methods_2().make("exact"), 1);
   EXPECT_EQ(result.errors.max, 0);
   EXPECT_EQ(result.max_radiosity_error, 0);
   EXPECT_GT(result.timing.median, 0);
@@ -235,7 +236,7 @@ TEST(MethodComparison, FindsNothingWrongWithTheExactMethod) {
 // Every factor halved: the walls send out 1 / (1 - 1/4) instead of 1 / (1 - 1/2).
 TEST(MethodComparison, SolvesTheMatrixAsItIs) {
   const PreparedScene2 prepared = square();
-  const MethodComparison2 comparison(prepared);
+  const MethodComparison2 comparison{Simulation2(prepared.scene)};
   const MethodResult result = comparison.run(Given(times(comparison.exact(), 0.5)));
   EXPECT_NEAR(*result.max_radiosity_error, (2 - 4.0 / 3) / 2, 1e-14);
   EXPECT_NEAR(result.errors.closure, 0.5, 1e-15);
@@ -244,7 +245,7 @@ TEST(MethodComparison, SolvesTheMatrixAsItIs) {
 
 TEST(MethodComparison, SaysThatAMatrixWithoutRadiositiesHasNone) {
   const PreparedScene2 prepared = square();
-  const MethodComparison2 comparison(prepared);
+  const MethodComparison2 comparison{Simulation2(prepared.scene)};
   const MethodResult result = comparison.run(Given(times(comparison.exact(), 1e3)), 1);
   EXPECT_EQ(result.max_radiosity_error, kInfinity);
   EXPECT_FALSE(result.solution);
@@ -254,7 +255,7 @@ TEST(MethodComparison, SaysThatAMatrixWithoutRadiositiesHasNone) {
 
 TEST(MethodComparison, ComparesFactorsOfASceneThatHasNoRadiosities) {
   const PreparedScene2 prepared = square("1");
-  const MethodComparison2 comparison(prepared);
+  const MethodComparison2 comparison{Simulation2(prepared.scene)};
   EXPECT_FALSE(comparison.exact_solution());
   EXPECT_FALSE(comparison.why_no_solution().empty());
   EXPECT_EQ(comparison.run(*methods_2().make("exact"), 1).max_radiosity_error, std::nullopt);

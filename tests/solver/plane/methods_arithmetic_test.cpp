@@ -53,7 +53,7 @@ struct Outcome {
 };
 Outcome run(const std::string& name, const PreparedScene2& prepared) {
   Outcome result;
-  result.matrix = methods_2().make(name)->compute(prepared, result.report);
+  result.matrix = methods_2().make(name)->compute(prepared, {.granularity = Granularity::kElement}, result.report);
   return result;
 }
 

@@ -105,7 +105,7 @@ void expect_conformance(const std::string& name, const SceneCase& scene) {
   EXPECT_FALSE(method->info().reference.empty());
   const auto computed_by = [&](int threads, MethodReport& report) {
     const ThreadLimit limit(threads);
-    return method->compute(scene.prepared, report);
+    return method->compute(scene.prepared, {.granularity = Granularity::kElement}, report);
   };
   MethodReport report;
   const ExchangeMatrix matrix = computed_by(1, report);

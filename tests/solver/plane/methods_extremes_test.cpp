@@ -30,7 +30,7 @@ void for_each_method(const PreparedScene2& prepared, const Visit& visit) {
       MethodReport report;
       ExchangeMatrix matrix;
       try {
-        matrix = method->compute(prepared, report);
+        matrix = method->compute(prepared, {.granularity = Granularity::kElement}, report);
       } catch (const RequestError&) {
         EXPECT_EQ(name, "center-vis:inverse-square=1");
         continue;

@@ -31,7 +31,8 @@ PreparedScene2 clutter(std::uint64_t edges) {
 
 ExchangeMatrix run(const std::string& name, const PreparedScene2& prepared, MethodReport* report = nullptr) {
   MethodReport ignored;
-  return methods_2().make(name)->compute(prepared, report != nullptr ? *report : ignored);
+  return methods_2().make(name)->compute(prepared, {.granularity = Granularity::kElement},
+                                         report != nullptr ? *report : ignored);
 }
 
 // Calls visit(exact factor, difference) for every pair that is in one of the two.

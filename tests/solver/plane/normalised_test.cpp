@@ -13,7 +13,9 @@ TEST(Normalised, RowsSumToOneAndNeverToMore) {
   std::size_t rows = 0, below = 0;
   for (const char* name : {"exact", "strings", "center", "gauss:4", "rays:100", "hemicube:64"}) {
     MethodReport report;
-    const ExchangeMatrix matrix = methods_2().make(std::string(name) + ":normalised")->compute(prepared, report);
+    const ExchangeMatrix matrix = methods_2()
+                                      .make(std::string(name) + ":normalised")
+                                      ->compute(prepared, {.granularity = Granularity::kElement}, report);
     for (std::uint32_t i = 0; i < matrix.size(); ++i) {
       if (matrix.row(i).empty()) continue;
       Rational sum = 0;
@@ -29,10 +31,10 @@ TEST(Normalised, RowsSumToOneAndNeverToMore) {
 }
 
 TEST(Normalised, StandsAtTheEndOfAName) {
-  EXPECT_EQ(split_method_name_2("gauss:4:normalised").raw, "gauss:4");
-  EXPECT_EQ(split_method_name_2("gauss:4:normalised").normalised, ":normalised");
-  EXPECT_EQ(split_method_name_2("gauss:4").raw, "gauss:4");
-  EXPECT_EQ(split_method_name_2("gauss:4").normalised, "");
+  EXPECT_EQ(split_method_name("gauss:4:normalised").raw, "gauss:4");
+  EXPECT_EQ(split_method_name("gauss:4:normalised").normalised, ":normalised");
+  EXPECT_EQ(split_method_name("gauss:4").raw, "gauss:4");
+  EXPECT_EQ(split_method_name("gauss:4").normalised, "");
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ PreparedScene2 prepared_of(const std::vector<Line>& lines) { return prepare(scen
 
 ExchangeMatrix computed(const std::string& method, const PreparedScene2& prepared) {
   MethodReport report;
-  return methods_2().make(method)->compute(prepared, report);
+  return methods_2().make(method)->compute(prepared, {.granularity = Granularity::kElement}, report);
 }
 
 double factor(const ExchangeMatrix& matrix, const std::string& from, const std::string& to) {

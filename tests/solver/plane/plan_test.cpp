@@ -20,14 +20,12 @@ struct SweepReached : std::runtime_error {
 
 // The factors as solve computes them, where every sweep throws.
 ExchangeReport exchange_without_sweep(const Scene2& scene, bool everything) {
-  const Plan plan = plan_scene(scene, {.everything = everything, .grid_cells = 0});
   const PreparedScene2 prepared = prepare(scene);
   ExchangeReport report;
-  exact_exchange(prepared,
-                 {.wants_visibility = false,
-                  .occlusion = plan.uses(Plan::kOcclusion),
-                  .progress = [](double) { throw SweepReached(); }},
-                 &report);
+  exact_exchange(
+      prepared,
+      {.wants_visibility = false, .always_sweeps = everything, .progress = [](double) { throw SweepReached(); }},
+      &report);
   return report;
 }
 
@@ -47,8 +45,8 @@ TEST(Plan, WithoutOcclusionReachesNoSweep) {
 TEST(Plan, WithoutOcclusionKnowsItsPairsWithoutLooking) {
   const PreparedScene2 prepared = prepare(convex_polygon(40));
   const std::uint64_t bytes = 40 * 39 / 2 * kBytesPerPair;
-  EXPECT_NO_THROW(exact_exchange(prepared, {.occlusion = false, .memory = bytes}));
-  EXPECT_THROW(exact_exchange(prepared, {.occlusion = false, .memory = bytes - 1}), RequestError);
+  EXPECT_NO_THROW(exact_exchange(prepared, {.memory = bytes}));
+  EXPECT_THROW(exact_exchange(prepared, {.memory = bytes - 1}), RequestError);
 }
 
 TEST(Plan, WithoutInterreflectionSolvesNothing) {

@@ -63,7 +63,7 @@ TEST(SceneCheck2, TellsAnErrorIffTheSceneCannotBeSolved) {
         scene.edges.erase(scene.edges.begin());
       }
       if (seed % 5 == 0) scene.surfaces[3].elements = 2;
-      const bool told = has_error(check_scene(scene).findings);
+      const bool told = has_error(Simulation2(scene).check()->findings);
       EXPECT_EQ(told, cannot_be_solved(scene)) << "seed " << seed << (closed ? ", closed" : "");
       errors += told;
       ++scenes;
@@ -88,7 +88,7 @@ TEST(SceneCheck2, ForeseesWhatDoublesCannotTell) {
             scene.materials[used].reflectivity = Spectrum::scalar(1 - number(loss));
             scene.materials[used].emission = Spectrum::scalar(number(emission));
           }
-          const Findings2 findings = check_scene(scene).findings;
+          const Findings2 findings = Simulation2(scene).check()->findings;
           EXPECT_EQ(has_error(findings), cannot_be_solved(scene))
               << "scale " << scale << ", emission " << emission << ", loss " << loss << (is_open ? ", open" : "");
           for (const Finding2& finding : findings)

@@ -181,7 +181,7 @@ TEST(SolidChecks2, AShelfKeepsItsUnderside) {
 
 TEST(SolidChecks2, EachBlackBackThatIsSeenIsToldOnceWithTheLargestLoss) {
   const Scene2 scene = room_with({path("box", kThreeSides)});
-  const SceneCheck2 check = check_scene(scene);
+  const SceneCheck2 check = *Simulation2(scene).check();
   const Findings2 findings = told(scene);
   ASSERT_THAT(kinds(findings), ElementsAre("warning black-back", "warning black-back", "warning black-back"));
   for (std::size_t k = 0; k < 3; ++k) {
@@ -239,12 +239,12 @@ TEST(SolidChecks2, WarningsOfASolutionAreThoseOfACheck) {
 
 TEST(SolidChecks2, RefuseABehindThatCannotBeObeyed) {
   for (const std::string points : {"[2,0],[2,2]", "[3,0.01],[3,1],[2,1],[2,0]"})
-    EXPECT_THROW(check_scene(room_with({path("box", points, R"("behind": "solid")")})), InputError) << points;
+    EXPECT_THROW(Simulation2(room_with({path("box", points, R"("behind": "solid")")})).check(), InputError) << points;
 }
 
 TEST(StateSolids, SaysSolidWhereThatIsCertainAndOnceForEachRegion) {
   Repair2 repair{room_with({path("box", kThreeSides)}), {}, {}};
-  state_solids(repair, check_scene(repair.scene).black_backs);
+  state_solids(repair, Simulation2(repair.scene).check()->black_backs);
   ASSERT_EQ(repair.steps.size(), 1u);
   EXPECT_EQ(repair.steps[0].kind, "solid");
   EXPECT_EQ(repair.steps[0].message, "'box' says \"behind\": \"solid\" now");
@@ -257,7 +257,7 @@ TEST(StateSolids, SaysSolidWhereThatIsCertainAndOnceForEachRegion) {
                          rings({kRoom})),
                 {},
                 {}};
-  state_solids(edges, check_scene(edges.scene).black_backs);
+  state_solids(edges, Simulation2(edges.scene).check()->black_backs);
   EXPECT_EQ(edges.steps.size(), 1u);
   EXPECT_THAT(told_kinds(edges.scene), IsEmpty());
 }
@@ -270,14 +270,14 @@ TEST(StateSolids, DoesNothingWhereAFaceWouldBeCoveredWhollyOrEmits) {
         scene_of(kLamp + ", " + edge("mat", "[3, 0], [2, 0]", material),
                  rings({path("room", "[2,0],[0,0],[0,3],[4,3],[4,0],[3,0]"), path("box", box_over_mat)}));
     Repair2 repair{scene, {}, {}};
-    state_solids(repair, check_scene(repair.scene).black_backs);
+    state_solids(repair, Simulation2(repair.scene).check()->black_backs);
     EXPECT_THAT(repair.steps, ElementsAre(testing::Field(&RepairStep2::kind, "not-repaired"))) << material;
     EXPECT_EQ(repair.scene.groups, scene.groups);
   }
   // The floor goes on on both sides, and shines.
   Repair2 repair{
       scene_of("", rings({outline("room", "[0,0],[0,3],[4,3],[4,0]", "", "lamp"), path("box", box_over_mat)})), {}, {}};
-  const std::vector<std::uint32_t> backs = check_scene(repair.scene).black_backs;
+  const std::vector<std::uint32_t> backs = Simulation2(repair.scene).check()->black_backs;
   EXPECT_EQ(backs.size(), 3u);
   state_solids(repair, backs);
   EXPECT_THAT(repair.steps, ElementsAre(testing::Field(&RepairStep2::kind, "not-repaired")));

@@ -11,6 +11,7 @@
 
 #include "geometry/plane/check/repair.h"
 #include "io/scene/scene_json.h"
+#include "solver/plane/simulation/simulation.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 #include "tests/solver/plane/check_scenes.h"
 
@@ -254,7 +255,7 @@ TEST(SceneCheck2, RoomsWithoutAWayBetweenThemAreIsolatedAndPerhapsDark) {
 }
 
 TEST(SceneCheck2, MaterialsWithoutSurfacesAreToldByName) {
-  const Findings2 findings = check_scene(scene_of(kLamp, rings({kRoom}))).findings;
+  const Findings2 findings = Simulation2(scene_of(kLamp, rings({kRoom}))).check()->findings;
   EXPECT_EQ(findings.size(), 5u);
   EXPECT_EQ(findings[0].message, "no surface has the material 'black'");
   EXPECT_THAT(findings[0].surfaces, IsEmpty());
@@ -267,7 +268,8 @@ TEST(SceneCheck2, FindsNothingButTrueNotesInTheScenesOfTheRepository) {
     for (const auto& entry : std::filesystem::directory_iterator(scenes / folder)) {
       if (entry.path().extension() != ".json") continue;
       ++count;
-      for (const Finding2& finding : check_scene(read_scene_2(entry.path())).findings) {
+      const auto check = Simulation2(read_scene_2(entry.path())).check();
+      for (const Finding2& finding : check->findings) {
         EXPECT_EQ(finding.severity, Severity::kNote) << entry.path() << ": " << finding.message;
         EXPECT_TRUE(
             finding.kind == "no-light" || finding.kind == "slow-convergence" ||
@@ -282,12 +284,12 @@ TEST(SceneCheck2, FindsTheGapThatWasCutIntoAClosedRoom) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Scene2 scene = testing_scenes::generated("clutter", 100, seed);
     scene.closed = true;
-    ASSERT_FALSE(has_error(check_scene(scene).findings));
+    ASSERT_FALSE(has_error(Simulation2(scene).check()->findings));
     Edge2& wall = scene.edges[seed % 4];
     const Point2 end = wall.to;
     const Rational part = Rational(static_cast<long>(seed)) / 1000;
     wall.to = {end.x + part * (wall.from.x - end.x), end.y + part * (wall.from.y - end.y)};
-    const Findings2 findings = check_scene(scene).findings;
+    const Findings2 findings = Simulation2(scene).check()->findings;
     std::vector<Finding2> errors;
     std::ranges::copy_if(findings, std::back_inserter(errors), [](auto& f) { return f.severity == Severity::kError; });
     ASSERT_EQ(errors.size(), 1u) << "seed " << seed;
@@ -303,7 +305,7 @@ TEST(SceneCheck2, RepairsScenesFullOfCoincidencesWithoutFailing) {
       Repair2 repair = close_gaps(scene, testing_scenes::number(distance));
       reverse_inside_out(repair);
       EXPECT_NO_THROW(validate(repair.scene));
-      EXPECT_NO_THROW(check_scene(repair.scene)) << "seed " << seed << ", " << distance;
+      EXPECT_NO_THROW(Simulation2(repair.scene).check()) << "seed " << seed << ", " << distance;
     }
 }
 
@@ -311,7 +313,7 @@ TEST(SceneCheck2, LooksAtScenesFullOfCoincidencesWithoutFailing) {
   std::size_t errors = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Scene2 scene = testing_scenes::generated("lattice", 60, seed);
-    const SceneCheck2 check = check_scene(scene);
+    const SceneCheck2 check = *Simulation2(scene).check();
     errors += has_error(check.findings);
     EXPECT_EQ(check.factors.has_value(), !std::any_of(check.findings.begin(), check.findings.end(),
                                                       [](auto& f) { return f.kind == "conflicting-claims"; }));

@@ -137,7 +137,7 @@ std::string elements_are_broken(const Subject& subject) {
   Scene2 scene = oracle::to_scene(subject.edges());
   divide(scene, random);
   const PreparedScene2 divided = prepare(std::move(scene), Divided2::kYes);
-  ExchangeOptions2 options;
+  ExchangeRequest options;
   options.granularity = Granularity::kElement;
   options.wants_measures = true;
   const ExchangeMatrix parts = exact_exchange(divided, options);
@@ -157,11 +157,10 @@ std::string convex_room_is_broken(const Subject& subject) {
   for (const Granularity granularity : {Granularity::kFace, Granularity::kElement}) {
     const PreparedScene2 prepared =
         prepare(scene, granularity == Granularity::kElement ? Divided2::kYes : Divided2::kNo);
-    ExchangeOptions2 options;
-    options.granularity = granularity;
-    const Numbers swept = numbers_of(exact_exchange(prepared, options));
-    options.occlusion = false;
-    wrong += difference(swept, numbers_of(exact_exchange(prepared, options)));
+    ExchangeRequest request{.granularity = granularity, .always_sweeps = true};
+    const Numbers swept = numbers_of(exact_exchange(prepared, request));
+    request.always_sweeps = false;
+    wrong += difference(swept, numbers_of(exact_exchange(prepared, request)));
   }
   return wrong;
 }

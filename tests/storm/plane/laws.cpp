@@ -264,7 +264,7 @@ std::string brute_force_differs_in_groups(const Subject& subject) {
 }  // namespace
 
 Subject::Subject(const Edges& edges, std::uint64_t chance) : edges_(edges), chance_(chance) {
-  ExchangeOptions2 options;
+  ExchangeRequest options;
   options.wants_measures = true;
   matrix_ = exact_exchange(prepare(oracle::to_scene(edges)), options, &report_);
   numbers_ = numbers_of(matrix_);

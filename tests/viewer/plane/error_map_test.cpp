@@ -20,7 +20,7 @@ PreparedScene2 lit_square(const char* emission) {
 
 TEST(ErrorMap, ColoursFacesByTheirErrorOverTheLargestRadiosity) {
   const PreparedScene2 prepared = lit_square("4");
-  const MethodComparison2 comparison(prepared);
+  const MethodComparison2 comparison{Simulation2(prepared.scene)};
   const MethodResult result = comparison.run(*methods_2().make("gauss:1"), 1);
   const ScenePicture2 picture = error_map_picture_2(comparison, result);
   ASSERT_TRUE(picture.colouring);
@@ -43,14 +43,14 @@ TEST(ErrorMap, ColoursFacesByTheirErrorOverTheLargestRadiosity) {
 
 TEST(ErrorMap, OfTheExactMethodIsZeroEverywhere) {
   const PreparedScene2 prepared = lit_square("4");
-  const MethodComparison2 comparison(prepared);
+  const MethodComparison2 comparison{Simulation2(prepared.scene)};
   const ScenePicture2 picture = error_map_picture_2(comparison, comparison.run(*methods_2().make("exact"), 1));
   for (const Colour& pixel : picture.pixels->image.pixels) EXPECT_EQ(pixel, map_colour(0));
 }
 
 TEST(ErrorMap, IsThePlanWhereThereIsNoLight) {
   const PreparedScene2 prepared = lit_square("0");
-  const MethodComparison2 comparison(prepared);
+  const MethodComparison2 comparison{Simulation2(prepared.scene)};
   const MethodResult result = comparison.run(*methods_2().make("gauss:1"), 1);
   EXPECT_EQ(result.max_radiosity_error, 0);
   const ScenePicture2 picture = error_map_picture_2(comparison, result);

@@ -297,9 +297,9 @@ TEST(IlluminationPicture2, BecomesAFileOfEitherFormat) {
   const PreparedScene2 room = prepare(furnished_room());
   const IlluminationGrid2 grid = random_grid({{0, 0}, {4, 3}, 16, 12}, 3);
   const IlluminationPicture2 small{.wanted_side = 160};
-  EXPECT_THAT(illumination_picture_2(room, grid, small, PictureFormat::kPng), StartsWith("\x89PNG"));
-  EXPECT_THAT(illumination_picture_2(room, grid, small, PictureFormat::kSvg), StartsWith("<?xml"));
-  EXPECT_THAT(illumination_picture_2(prepare(Scene2{}), grid, small, PictureFormat::kPng), StartsWith("\x89PNG"));
+  EXPECT_THAT(illumination_picture_2(room, grid, small, PictureFormat::kPng).bytes, StartsWith("\x89PNG"));
+  EXPECT_THAT(illumination_picture_2(room, grid, small, PictureFormat::kSvg).bytes, StartsWith("<?xml"));
+  EXPECT_THAT(illumination_picture_2(prepare(Scene2{}), grid, small, PictureFormat::kPng).bytes, StartsWith("\x89PNG"));
 }
 
 TEST(IlluminationPicture2, RefusesGridsWithMoreCellsThanPixels) {

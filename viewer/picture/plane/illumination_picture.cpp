@@ -100,13 +100,27 @@ void IlluminationPainter2::draw_walls(PictureCanvas& canvas) const {
   }
 }
 
-std::string illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
-                                   const IlluminationPicture2& picture, PictureFormat format, double* scale) {
+LightPicture2 illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
+                                     const IlluminationPicture2& picture, PictureFormat format) {
   const IlluminationPainter2 painter(prepared, grid, picture);
   CairoCanvas canvas(format, painter.width(), painter.height());
   painter.draw(canvas);
-  if (scale != nullptr) *scale = painter.tone().scale();
-  return canvas.finish();
+  return {.bytes = canvas.finish(), .scale = painter.tone().scale()};
+}
+
+std::shared_ptr<const LightPainter2> light_painter_2(const IlluminationPicture2& picture, PictureFormat format) {
+  class Painter final : public LightPainter2 {
+   public:
+    Painter(const IlluminationPicture2& what, PictureFormat as) : picture_(what), format_(as) {}
+    LightPicture2 paint(const PreparedScene2& prepared, const IlluminationGrid2& light) const override {
+      return illumination_picture_2(prepared, light, picture_, format_);
+    }
+
+   private:
+    IlluminationPicture2 picture_;
+    PictureFormat format_;
+  };
+  return std::make_shared<const Painter>(picture, format);
 }
 
 }  // namespace hottel

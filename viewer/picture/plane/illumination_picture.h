@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <memory>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "solver/plane/light/illumination_grid.h"
+#include "solver/plane/simulation/simulation_request.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/plane/corners.h"
 #include "viewer/picture/plane/light_pixels.h"
@@ -58,8 +59,11 @@ class IlluminationPainter2 {
   double unit_, wall_width_;
 };
 
-// Returns the bytes of the picture file. scale: receives what the tone curve multiplied values by, unless it is null.
-std::string illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
-                                   const IlluminationPicture2& picture, PictureFormat format, double* scale = nullptr);
+// Returns the bytes of the picture file, and what the tone curve multiplied values by.
+LightPicture2 illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
+                                     const IlluminationPicture2& picture, PictureFormat format);
+
+// The same for a simulation to call.
+std::shared_ptr<const LightPainter2> light_painter_2(const IlluminationPicture2& picture, PictureFormat format);
 
 }  // namespace hottel

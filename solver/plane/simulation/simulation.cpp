@@ -1,0 +1,431 @@
+#include "solver/plane/simulation/simulation.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/plane/check/sight_findings.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
+#include "kernel/support/stopwatch.h"
+#include "solver/plane/methods/method_catalogue.h"
+#include "solver/plane/scene_plan.h"
+#include "solver/radiosity/a_priori_bounds.h"
+#include "solver/radiosity/matrix_checks.h"
+#include "solver/radiosity/radiosity.h"
+
+namespace hottel {
+namespace {
+
+template <class T>
+using StagePtr = std::shared_ptr<Stage<T>>;
+using MethodPtr = std::shared_ptr<const ExchangeMethod2>;
+using ScenePtr = std::shared_ptr<const Scene2>;
+
+// A stage, and the input that it was made for.
+template <class Input, class T>
+struct Node {
+  Input input;
+  StagePtr<T> stage;
+};
+
+// The node of an input: that of the version before where its input was the same, else a new one. make(input, progress)
+// makes the value.
+template <class Input, class Make>
+auto node_of(const char* name, Input input, const auto* before, Make make) {
+  using T = decltype(make(std::declval<const Input&>(), std::declval<const StageProgress&>()));
+  if (before != nullptr && before->input == input) return *before;
+  auto stage =
+      std::make_shared<Stage<T>>(name, [input, make](const StageProgress& progress) { return make(input, progress); });
+  return Node<Input, T>{std::move(input), std::move(stage)};
+}
+
+// Progress of one function, told as that of a stage.
+std::function<void(double)> telling(const char* stage, const StageProgress& progress) {
+  return [stage, progress](double fraction) { progress(stage, fraction); };
+}
+
+// Whatever `work` throws that knows no files names this one.
+template <class Work>
+auto naming(const std::string& file, const Work& work) {
+  try {
+    return work();
+  } catch (const RequestError& error) {
+    throw RequestError(file.empty() ? error.what() : file + ": " + error.what());
+  }
+}
+
+// Spectra that say the same and were given alike: whether one is a scalar decides how many channels there are.
+bool is_same(const Spectrum& a, const Spectrum& b) { return a == b && a.is_scalar == b.is_scalar; }
+
+struct Spectra {
+  std::vector<Spectrum> values;
+  friend bool operator==(const Spectra& a, const Spectra& b) { return std::ranges::equal(a.values, b.values, is_same); }
+};
+
+Spectra reflectivities_of(const Scene2& scene) {
+  Spectra spectra;
+  for (const Material& material : scene.materials) spectra.values.push_back(material.reflectivity);
+  return spectra;
+}
+
+Spectra emissions_of(const Scene2& scene) {
+  Spectra spectra;
+  for (const Material& material : scene.materials) spectra.values.push_back(material.emission);
+  spectra.values.push_back(scene.sky_emission);
+  return spectra;
+}
+
+// All of a scene that its arrangement, and factors, come from: its shape, its names, and which materials act alike.
+bool is_same_shape(const Scene2& a, const Scene2& b) {
+  if (a.file != b.file || a.edges != b.edges || a.surfaces != b.surfaces || a.groups != b.groups) return false;
+  if (a.materials.size() != b.materials.size()) return false;
+  const std::vector<Material>&m = a.materials, &n = b.materials;
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    if (m[i].name != n[i].name) return false;
+    for (std::size_t j = 0; j < i; ++j)
+      if ((m[i] == m[j]) != (n[i] == n[j])) return false;
+  }
+  return true;
+}
+
+struct ArrangementInput {
+  ScenePtr scene;
+  Divided2 divided = Divided2::kNo;
+  friend bool operator==(const ArrangementInput& a, const ArrangementInput& b) {
+    return a.divided == b.divided && (a.scene == b.scene || is_same_shape(*a.scene, *b.scene));
+  }
+};
+
+PreparedScene2 make_arrangement(const ArrangementInput& input, const StageProgress&) {
+  return prepare(*input.scene, input.divided);
+}
+
+// The scene of a version, with an arrangement that was made for another.
+struct PreparedInput {
+  StagePtr<PreparedScene2> arrangement;
+  ScenePtr scene;
+  friend bool operator==(const PreparedInput&, const PreparedInput&) = default;
+};
+
+PreparedScene2 make_prepared(const PreparedInput& input, const StageProgress& progress) {
+  const auto other = input.arrangement->get(progress);
+  return {*input.scene, other->division, other->shared, other->seconds};
+}
+
+struct FactorsInput {
+  StagePtr<PreparedScene2> arrangement;
+  MethodPtr method;
+  Granularity granularity = Granularity::kFace;
+  bool wants_visibility = false, wants_measures = false, everything = false;
+  std::uint64_t memory = 0;
+  friend bool operator==(const FactorsInput&, const FactorsInput&) = default;
+};
+
+struct RadiositiesInput {
+  StagePtr<ComputedFactors2> factors;
+  MethodPtr method;                   // of the factors
+  StagePtr<PreparedScene2> prepared;  // of the version that it is made for; not compared: what matters of it follows
+  Spectra reflectivities, emissions;
+  Solver solver = Solver::kAuto;
+  std::optional<int> iterations;
+  std::optional<double> until;
+  bool closed = false;
+  friend bool operator==(const RadiositiesInput& a, const RadiositiesInput& b) {
+    return a.factors == b.factors && a.reflectivities == b.reflectivities && a.emissions == b.emissions &&
+           a.solver == b.solver && a.iterations == b.iterations && a.until == b.until && a.closed == b.closed;
+  }
+};
+
+struct LightInput {
+  StagePtr<RadiositySolution> radiosities;
+  StagePtr<PreparedScene2> prepared;  // not compared, as before
+  Granularity granularity = Granularity::kFace;
+  Grid2 grid;
+  LightKind2 kind = LightKind2::kPoint;
+  friend bool operator==(const LightInput& a, const LightInput& b) {
+    return a.radiosities == b.radiosities && a.granularity == b.granularity && a.grid == b.grid && a.kind == b.kind;
+  }
+};
+
+struct PictureInput {
+  StagePtr<SolvedLight2> light;
+  StagePtr<PreparedScene2> prepared;  // not compared, as before
+  std::shared_ptr<const LightPainter2> painter;
+  friend bool operator==(const PictureInput& a, const PictureInput& b) {
+    return a.light == b.light && a.painter == b.painter;
+  }
+};
+
+struct PlanInput {
+  ScenePtr scene;
+  PlanRequest request;
+  friend bool operator==(const PlanInput&, const PlanInput&) = default;
+};
+
+struct LostLightInput {
+  StagePtr<PreparedScene2> prepared;
+  StagePtr<ComputedFactors2> factors;
+  friend bool operator==(const LostLightInput&, const LostLightInput&) = default;
+};
+
+struct CheckInput {
+  ScenePtr scene;
+  StagePtr<PreparedScene2> whole;  // undivided
+  StagePtr<ComputedFactors2> exact_factors;
+  friend bool operator==(const CheckInput&, const CheckInput&) = default;
+};
+
+ComputedFactors2 make_factors(const FactorsInput& input, const StageProgress& progress) {
+  const auto prepared = input.arrangement->get(progress);
+  return factors_by(*input.method, *prepared,
+                    {.granularity = input.granularity,
+                     .wants_visibility = input.wants_visibility,
+                     .wants_measures = input.wants_measures,
+                     .always_sweeps = input.everything,
+                     .memory = memory_allowed(input.memory),
+                     .progress = telling("view factors", progress)});
+}
+
+RadiositySolution make_radiosities(const RadiositiesInput& input, const StageProgress& progress) {
+  const auto factors = input.factors->get(progress);
+  const auto prepared = input.prepared->get(progress);
+  const Scene2& scene = prepared->scene;
+  const ExchangeMatrix& matrix = factors->matrix;
+  if (input.method->info().guarantee == Guarantee::kExact)  // an error of another method is none of the scene
+    require_closed(scene, matrix);
+  else
+    require_not_negative(matrix, *prepared, *input.method);
+  return naming(scene.file, [&] {
+    RadiositySolution solution = solve_radiosity(matrix, scene.materials, scene.sky_emission,
+                                                 {.solver = input.solver,
+                                                  .iterations = input.iterations,
+                                                  .until = input.until,
+                                                  .progress = telling("radiosity", progress)});
+    require_doubles(matrix, scene.sky_emission, solution);
+    std::vector<std::string> notes = factors->report.notes;
+    if (matrix.guarantee() == Guarantee::kEnclosed) {
+      notes.push_back("the bounds hold for all factors within their enclosures that sum to 1");
+      set_a_priori_bounds(matrix, scene.materials, scene.sky_emission, solution);
+    }
+    if (solution.guarantee == Guarantee::kEstimated)
+      notes.push_back(
+          "view factors are estimates: the bounds are those of the radiosities of these factors, and say "
+          "nothing of the scene");
+    solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
+    return solution;
+  });
+}
+
+SolvedLight2 make_light(const LightInput& input, const StageProgress& progress) {
+  const auto radiosities = input.radiosities->get(progress);
+  const auto prepared = input.prepared->get(progress);
+  Stopwatch watch;
+  SolvedLight2 light = naming(prepared->scene.file, [&] {
+    return illuminate(to_string(input.kind), *prepared, input.grid, input.granularity, *radiosities,
+                      telling("illumination", progress));
+  });
+  light.seconds = watch.lap();
+  return light;
+}
+
+LightPicture2 make_picture(const PictureInput& input, const StageProgress& progress) {
+  const auto light = input.light->get(progress);
+  const auto prepared = input.prepared->get(progress);
+  Stopwatch watch;
+  LightPicture2 picture = input.painter->paint(*prepared, light->grid);
+  picture.seconds = watch.lap();
+  return picture;
+}
+
+SceneCheck2 make_check(const CheckInput& input, const StageProgress& progress) {
+  return check_scene(*input.scene, {.prepared = [&] { return input.whole->get(progress); },
+                                    .factors =
+                                        [&] {
+                                          const auto factors = input.exact_factors->get(progress);
+                                          return std::shared_ptr<const ExchangeMatrix>(factors, &factors->matrix);
+                                        },
+                                    .progress = telling("check", progress)});
+}
+
+// The exact method as the catalogue makes it: one object for all that ask for none.
+const MethodPtr& exact_method() {
+  static const MethodPtr method = methods_2().make("exact");
+  return method;
+}
+
+}  // namespace
+
+struct Simulation2::Version {
+  ScenePtr scene;
+  SimulationRequest2 request;
+  Grid2 grid;
+  Granularity granularity = Granularity::kFace;
+
+  Node<PlanInput, Plan> plan;
+  Node<ArrangementInput, PreparedScene2> undivided, divided;  // the same one where no surface is divided
+  Node<PreparedInput, PreparedScene2> prepared, whole;        // as rows are asked for, and undivided: with this scene
+  Node<FactorsInput, ComputedFactors2> factors, exact_factors;
+  Node<RadiositiesInput, RadiositySolution> radiosities;
+  Node<LightInput, SolvedLight2> light;
+  Node<PictureInput, LightPicture2> picture;
+  Node<LostLightInput, Findings2> lost_light;
+  Node<CheckInput, SceneCheck2> check;
+
+  Version(ScenePtr its_scene, SimulationRequest2 its_request, const Version* before);
+
+ private:
+  const Node<ArrangementInput, PreparedScene2>& arrangement() const;  // as rows are asked for
+  void set_arrangements(const Version* before);
+  void set_factors(const Version* before);
+  void set_light(const Version* before);
+  void set_findings(const Version* before);
+};
+
+namespace {
+
+// A member of the version before, where there is one.
+template <class Version, class Member>
+const Member* old(const Version* before, Member Version::*member) {
+  return before != nullptr ? &(before->*member) : nullptr;
+}
+
+// An arrangement with the scene of a version: itself where it was made for that scene.
+Node<PreparedInput, PreparedScene2> with_values(const Node<ArrangementInput, PreparedScene2>& arrangement,
+                                                const ScenePtr& scene,
+                                                const Node<PreparedInput, PreparedScene2>* before) {
+  const PreparedInput input{arrangement.stage, scene};
+  if (arrangement.input.scene == scene) return {input, arrangement.stage};
+  return node_of("arrangement", input, before, make_prepared);
+}
+
+}  // namespace
+
+Simulation2::Version::Version(ScenePtr its_scene, SimulationRequest2 its_request, const Version* before)
+    : scene(std::move(its_scene)), request(std::move(its_request)) {
+  const bool keeps_grid = before != nullptr && before->scene == scene && !before->request.grid;
+  grid = request.grid ? *request.grid : keeps_grid ? before->grid : default_grid(*scene);
+  granularity = request.granularity.value_or(is_divided(*scene) || request.everything ? Granularity::kElement
+                                                                                      : Granularity::kFace);
+  const PlanRequest of_plan{request.everything,
+                            request.wants_light ? std::uint64_t{grid.nx} * grid.ny : std::uint64_t{0}};
+  plan = node_of("plan", PlanInput{scene, of_plan}, old(before, &Version::plan),
+                 [](const PlanInput& input, const StageProgress&) { return plan_scene(*input.scene, input.request); });
+  set_arrangements(before);
+  set_factors(before);
+  set_light(before);
+  set_findings(before);
+}
+
+void Simulation2::Version::set_arrangements(const Version* before) {
+  undivided = node_of("arrangement", ArrangementInput{scene, Divided2::kNo}, old(before, &Version::undivided),
+                      make_arrangement);
+  divided = is_divided(*scene) ? node_of("arrangement", ArrangementInput{scene, Divided2::kYes},
+                                         old(before, &Version::divided), make_arrangement)
+                               : undivided;
+  prepared = with_values(arrangement(), scene, old(before, &Version::prepared));
+  whole = with_values(undivided, scene, old(before, &Version::whole));
+}
+
+const Node<ArrangementInput, PreparedScene2>& Simulation2::Version::arrangement() const {
+  const bool tells_elements_apart =
+      granularity == Granularity::kElement || (request.method && request.method->works_by_elements());
+  return tells_elements_apart ? divided : undivided;
+}
+
+void Simulation2::Version::set_factors(const Version* before) {
+  const FactorsInput wanted{.arrangement = arrangement().stage,
+                            .method = request.method && request.method->info().name != exact_method()->info().name
+                                          ? request.method
+                                          : exact_method(),
+                            .granularity = granularity,
+                            .wants_visibility = request.wants_visibility,
+                            .wants_measures = request.wants_measures,
+                            .everything = request.everything,
+                            .memory = request.memory};
+  const FactorsInput exact{.arrangement = divided.stage,
+                           .method = exact_method(),
+                           .granularity = is_divided(*scene) ? Granularity::kElement : Granularity::kFace,
+                           .memory = request.memory};
+  factors = node_of("view factors", wanted, old(before, &Version::factors), make_factors);
+  exact_factors =
+      exact == wanted ? factors : node_of("view factors", exact, old(before, &Version::exact_factors), make_factors);
+}
+
+void Simulation2::Version::set_light(const Version* before) {
+  const RadiositiesInput to_solve{.factors = factors.stage,
+                                  .method = factors.input.method,
+                                  .prepared = prepared.stage,
+                                  .reflectivities = reflectivities_of(*scene),
+                                  .emissions = emissions_of(*scene),
+                                  .solver = request.solver,
+                                  .iterations = request.iterations,
+                                  .until = request.until,
+                                  .closed = scene->closed};
+  radiosities = node_of("radiosity", to_solve, old(before, &Version::radiosities), make_radiosities);
+  light = node_of("illumination", LightInput{radiosities.stage, prepared.stage, granularity, grid, request.light},
+                  old(before, &Version::light), make_light);
+  picture = node_of("picture", PictureInput{light.stage, prepared.stage, request.painter},
+                    old(before, &Version::picture), make_picture);
+}
+
+void Simulation2::Version::set_findings(const Version* before) {
+  lost_light = node_of("check", LostLightInput{prepared.stage, factors.stage}, old(before, &Version::lost_light),
+                       [](const LostLightInput& input, const StageProgress& progress) {
+                         const auto scene_there = input.prepared->get(progress);
+                         return lost_light_warnings(*scene_there, input.factors->get(progress)->matrix);
+                       });
+  check =
+      node_of("check", CheckInput{scene, whole.stage, exact_factors.stage}, old(before, &Version::check), make_check);
+}
+
+Simulation2::Simulation2(Scene2 scene, SimulationRequest2 request) {
+  validate(scene);
+  version_ =
+      std::make_shared<const Version>(std::make_shared<const Scene2>(std::move(scene)), std::move(request), nullptr);
+}
+
+Simulation2 Simulation2::with_scene(Scene2 scene) const {
+  validate(scene);
+  return Simulation2(std::make_shared<const Version>(std::make_shared<const Scene2>(std::move(scene)),
+                                                     version_->request, version_.get()));
+}
+
+Simulation2 Simulation2::with_request(SimulationRequest2 request) const {
+  return Simulation2(std::make_shared<const Version>(version_->scene, std::move(request), version_.get()));
+}
+
+const Scene2& Simulation2::scene() const { return *version_->scene; }
+const SimulationRequest2& Simulation2::request() const { return version_->request; }
+const Grid2& Simulation2::grid() const { return version_->grid; }
+Granularity Simulation2::granularity() const { return version_->granularity; }
+
+std::shared_ptr<const Plan> Simulation2::plan(const StageProgress& progress) const {
+  return version_->plan.stage->get(progress);
+}
+std::shared_ptr<const PreparedScene2> Simulation2::prepared(const StageProgress& progress) const {
+  return version_->prepared.stage->get(progress);
+}
+std::shared_ptr<const ComputedFactors2> Simulation2::factors(const StageProgress& progress) const {
+  return version_->factors.stage->get(progress);
+}
+std::shared_ptr<const RadiositySolution> Simulation2::radiosities(const StageProgress& progress) const {
+  return version_->radiosities.stage->get(progress);
+}
+std::shared_ptr<const SolvedLight2> Simulation2::light(const StageProgress& progress) const {
+  return version_->light.stage->get(progress);
+}
+std::shared_ptr<const LightPicture2> Simulation2::picture(const StageProgress& progress) const {
+  HOTTEL_REQUIRE(version_->request.painter != nullptr);
+  return version_->picture.stage->get(progress);
+}
+std::shared_ptr<const Findings2> Simulation2::lost_light(const StageProgress& progress) const {
+  return version_->lost_light.stage->get(progress);
+}
+std::shared_ptr<const SceneCheck2> Simulation2::check(const StageProgress& progress) const {
+  return version_->check.stage->get(progress);
+}
+
+}  // namespace hottel

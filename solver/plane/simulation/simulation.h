@@ -1,0 +1,80 @@
+// A scene in the plane, simulated: what is asked for is made when it is asked for, and kept while it holds.
+#pragma once
+
+#include <memory>
+
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/scene/scene.h"
+#include "kernel/support/stage.h"
+#include "solver/plan.h"
+#include "solver/plane/check/scene_check.h"
+#include "solver/plane/light/solved_light.h"
+#include "solver/plane/methods/computed_factors.h"
+#include "solver/plane/simulation/simulation_request.h"
+#include "solver/radiosity/radiosity_solution.h"
+
+namespace hottel {
+
+// One version of a scene and what is asked of it, with all that follows, in stages:
+//
+//   arrangement <- factors <- system <- radiosities <- light <- picture;   plan, lost_light and check beside them
+//
+// A version never changes. An edit makes a new one, which shares every stage whose input is the same; so undoing is
+// taking the older version, and copies are cheap. What is asked for is made at the first call, with what it needs
+// before it, and returned as a shared value that outlives the version.
+//
+//   (1) a stage is dropped by an edit iff its input changed, directly or in a stage before it:
+//         arrangement   edges, surfaces, groups, names, which materials act alike; whether elements are told apart
+//         factors       method, granularity, visibilities and measures, `everything`, memory
+//         system        reflectivities; solver, iterations, until
+//         radiosities   emissions, that of the sky, the promise `closed`
+//         light         grid, kind of light
+//         picture       painter
+//         plan, lost_light, check    anything in the scene, and what they look at: the grid, factors
+//   (2) every value is a function of scene and request: bit for bit that of a new simulation of the same scene, also
+//       after it was written and read again, whatever was edited, asked or cancelled before, on any number of threads.
+//       (`seconds` in reports are what was measured)
+//   (3) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
+//       kernel/support/stage.h says. What a stage throws is thrown again until an edit drops it
+//   (4) memory is checked when factors are made (ExchangeRequest::memory)
+//
+// RequestErrors name the scene's file. Stages throw what their functions throw: InputError where claims conflict or a
+// "behind" cannot be obeyed (prepare); RequestError where the memory does not suffice, where a method cannot be run,
+// where `closed` is broken (exact factors) or a factor negative (others), where there is no solution, or none in
+// doubles.
+class Simulation2 {
+ public:
+  // Throws InputError naming file, line and surface unless the scene is valid (validate).
+  explicit Simulation2(Scene2 scene, SimulationRequest2 request = {});
+
+  // The version after an edit. COST: linear in the scene, which is compared with that of this version.
+  Simulation2 with_scene(Scene2 scene) const;  // throws as the constructor does
+  Simulation2 with_request(SimulationRequest2 request) const;
+
+  const Scene2& scene() const;
+  const SimulationRequest2& request() const;
+  const Grid2& grid() const;        // where light is asked for: the request's, else default_grid(scene())
+  Granularity granularity() const;  // what has a row each
+
+  // The stages. progress: as Stage::get() takes it; it is told of "view factors", "radiosity", "illumination", and of
+  // others as they run.
+  std::shared_ptr<const Plan> plan(const StageProgress& progress = {}) const;
+  std::shared_ptr<const PreparedScene2> prepared(const StageProgress& progress = {}) const;  // with this scene
+  std::shared_ptr<const ComputedFactors2> factors(const StageProgress& progress = {}) const;
+  std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;
+  std::shared_ptr<const SolvedLight2> light(const StageProgress& progress = {}) const;
+  // REQUIRES a painter in the request; throws ContractViolation otherwise.
+  std::shared_ptr<const LightPicture2> picture(const StageProgress& progress = {}) const;
+  // What is worth telling: warnings of light that is lost, and all that `check` finds. Both look at the exact factors,
+  // which are this version's where its method is exact.
+  std::shared_ptr<const Findings2> lost_light(const StageProgress& progress = {}) const;
+  std::shared_ptr<const SceneCheck2> check(const StageProgress& progress = {}) const;
+
+ private:
+  struct Version;
+  explicit Simulation2(std::shared_ptr<const Version> version) : version_(std::move(version)) {}
+
+  std::shared_ptr<const Version> version_;
+};
+
+}  // namespace hottel

@@ -1,0 +1,60 @@
+// What is asked of a simulation in the plane, beside its scene.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "geometry/plane/scene/scene.h"
+#include "solver/plane/light/illumination_grid.h"
+#include "solver/plane/methods/exchange_method.h"
+#include "solver/radiosity/radiosity_options.h"
+
+namespace hottel {
+
+// A picture of light, as a painter makes it: the bytes of a file, or whatever its painter says.
+struct LightPicture2 {
+  std::string bytes;
+  double scale = 1;    // what values were multiplied by before they were toned
+  double seconds = 0;  // what it took, as the simulation measures it
+};
+
+// Who draws light. The simulation knows no pictures; whoever has one to draw says how.
+class LightPainter2 {
+ public:
+  virtual ~LightPainter2() = default;
+  // Draws the light of a scene. The same arguments give the same picture. Throws UsageError where it cannot be drawn.
+  // Threads may share one.
+  virtual LightPicture2 paint(const PreparedScene2& prepared, const IlluminationGrid2& light) const = 0;
+};
+
+// How light is spread onto the grid (solved_light.h).
+enum class LightKind2 : unsigned char { kPoint, kAverage, kInverseSquare };
+
+// The word for it: "point", "average", "inverse-square".
+const char* to_string(LightKind2 kind);
+// The kind of a word; nothing for other words.
+std::optional<LightKind2> light_kind_2(std::string_view word);
+
+// What is asked, with what is taken where nothing is said.
+//
+//   (1) two requests are equal when they ask for the same; methods and painters are the same object then
+struct SimulationRequest2 {
+  std::shared_ptr<const ExchangeMethod2> method = {};     // null: the exact one
+  std::optional<Granularity> granularity = {};            // nothing: elements where a surface is divided, else faces
+  bool wants_visibility = false, wants_measures = false;  // beside the factors
+  bool everything = false;                                // every effect, though the scene calls for less of them
+  Solver solver = Solver::kAuto;
+  std::optional<int> iterations = {};  // of solvers that iterate, as in RadiosityOptions
+  std::optional<double> until = {};
+  std::optional<Grid2> grid = {};  // nothing: default_grid(scene)
+  bool wants_light = true;         // whether the plan reckons with it; light is made when it is asked for
+  LightKind2 light = LightKind2::kPoint;
+  std::shared_ptr<const LightPainter2> painter = {};  // null: no picture can be asked for
+  std::uint64_t memory = 0;                           // bytes, as memory_allowed() takes it
+
+  friend bool operator==(const SimulationRequest2&, const SimulationRequest2&) = default;
+};
+
+}  // namespace hottel

@@ -1,0 +1,152 @@
+// Scenes that are edited at random, and what is to be the same however they came about.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+#include <string>
+
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
+#include "solver/plane/simulation/simulation.h"
+
+namespace hottel {
+
+// A scene as it is after it was written and read again.
+inline Scene2 saved(const Scene2& scene) { return parse_scene_2(write_scene_2(scene), "edited.json"); }
+
+// A room of 8 x 8 with a lamp, a box on its floor and free-standing edges, some of which touch and cross.
+inline Scene2 room_to_edit() {
+  return parse_scene_2(R"({"hottel": 1, "dimension": 2,
+    "materials": {"white": {"reflectivity": 0.7}, "red": {"reflectivity": [0.8, 0.2, 0.1]},
+                  "lamp": {"emission": [9, 8, 6], "reflectivity": 0.1}, "black": {}},
+    "polylines": [{"name": "room", "points": [[0,0],[0,8],[8,8],[8,0]], "closed": true, "material": "white"},
+                  {"name": "box", "points": [[5,0],[6,0],[6,2],[5,2]], "closed": true, "material": "red"}],
+    "edges": [{"name": "lamp", "points": [[3,7],[4,7]], "material": "lamp", "back": "white"},
+              {"name": "shelf", "points": [[1,3],[3,3]], "material": "white", "back": "red"},
+              {"name": "screen", "points": [[2,1],[2,5]], "material": "black", "back": "white", "elements": 2},
+              {"name": "post", "points": [[6,4],[7,5]], "material": "red"}],
+    "sky": {"emission": 1}})",
+                       "edited.json");
+}
+
+// Edits at random: geometry, materials, sky, promises, elements, grid, the kind of light, the method.
+class RandomEdits {
+ public:
+  explicit RandomEdits(std::uint64_t seed) : random_(seed) {}
+
+  Simulation2 next(const Simulation2& simulation) {
+    Scene2 scene = simulation.scene();
+    SimulationRequest2 request = simulation.request();
+    const auto surface = below(scene.surfaces.size());
+    Material& material = scene.materials[below(scene.materials.size())];
+    switch (below(12)) {
+      case 0:
+      case 1:
+        move_point(scene, surface);
+        break;
+      case 2:
+        material.emission = Spectrum::scalar(Rational(static_cast<int>(below(4))));
+        break;
+      case 3:
+        material.reflectivity = Spectrum::scalar(Rational(static_cast<int>(below(10)), 10));
+        break;
+      case 4:
+        material.reflectivity = {{Rational(1, 2), Rational(static_cast<int>(below(10)), 10), 0}, false};
+        break;
+      case 5:
+        scene.sky_emission = Spectrum::scalar(Rational(static_cast<int>(below(3))));
+        break;
+      case 6:
+        scene.surfaces[surface].elements = static_cast<std::uint32_t>(1 + below(3));
+        break;
+      case 7:
+        scene.surfaces[surface].material = static_cast<std::uint32_t>(below(scene.materials.size()));
+        break;
+      case 8:
+        request.grid = grid_over(scene, static_cast<std::uint32_t>(2 + below(5)), 4);
+        return simulation.with_request(request);
+      case 9:
+        request.light = static_cast<LightKind2>(below(3));
+        return simulation.with_request(request);
+      case 10:
+        request.everything = !request.everything;
+        return simulation.with_request(request);
+      default:
+        scene.about = "edited " + std::to_string(random_());
+    }
+    return simulation.with_scene(saved(scene));
+  }
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
+
+ private:
+  // Moves an end to a place on a coarse lattice, and all ends that lie where it lay.
+  void move_point(Scene2& scene, std::size_t surface) {
+    const Point2 place{Rational(static_cast<int>(below(17)), 2), Rational(static_cast<int>(below(17)), 2)};
+    const Point2 before = below(2) == 0 ? scene.edges[surface].from : scene.edges[surface].to;
+    Scene2 moved = scene;
+    for (Edge2& edge : moved.edges) {
+      if (edge.from == before) edge.from = place;
+      if (edge.to == before) edge.to = place;
+      if (edge.from == edge.to) return;
+    }
+    scene = std::move(moved);
+  }
+
+  std::mt19937_64 random_;
+};
+
+// Everything that a simulation came to, bit for bit, or why it came to nothing.
+class Traces {
+ public:
+  template <class Work>
+  void add(const Work& work) {
+    try {
+      work();
+    } catch (const std::exception& error) {
+      text_ += std::string("failed: ") + error.what() + "\n";
+    }
+  }
+  void add_number(double value) { text_ += std::to_string(std::bit_cast<std::uint64_t>(value)) + " "; }
+  void add_text(const std::string& text) { text_ += text + "\n"; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+inline std::string traces_of(const Simulation2& simulation) {
+  Traces traces;
+  traces.add([&] {
+    const auto factors = simulation.factors();
+    const ExchangeMatrix& matrix = factors->matrix;
+    for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+      traces.add_text(matrix.elements()[i].name);
+      for (const FactorEntry& entry : matrix.row(i)) {
+        traces.add_number(entry.to);
+        traces.add_number(entry.factor.value);
+      }
+    }
+  });
+  traces.add([&] {
+    const auto solution = simulation.radiosities();
+    for (const ChannelSolution& channel : solution->channels)
+      for (const ElementRadiosity& element : channel.elements)
+        for (const double value : {element.radiosity, element.lower, element.upper, element.irradiance,
+                                   element.net_value, element.net_lower, element.net_upper})
+          traces.add_number(value);
+    for (const std::string& note : solution->notes) traces.add_text(note);
+  });
+  traces.add([&] {
+    const auto light = simulation.light();
+    for (const double value : light->grid.values) traces.add_number(value);
+  });
+  traces.add([&] {
+    const auto check = simulation.check();
+    for (const Finding2& finding : check->findings) traces.add_text(finding.kind + ": " + finding.message);
+  });
+  return traces.text();
+}
+
+}  // namespace hottel
