@@ -29,4 +29,5 @@
 #include "solver/radiosity/gray_exchange.h"             // gray_exchange
 #include "solver/radiosity/net_flux.h"                  // net_flux
 #include "solver/radiosity/radiosity.h"                 // solve_radiosity
+#include "solver/radiosity/radiosity_solver.h"          // RadiositySolver
 #include "viewer/picture/plane/scene_picture.h"         // scene_picture_2
