@@ -209,6 +209,8 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
     const auto system = input.system->get(progress);
     RadiositySolution solution = system->solve(sources_of(matrix, scene.materials, scene.sky_emission),
                                                telling("radiosity", progress));
+    if (const auto place = solution.seconds.find("radiosity"); place != solution.seconds.end())
+      place->second += system->seconds();
     require_doubles(matrix, scene.sky_emission, solution);
     std::vector<std::string> notes = factors->report.notes;
     if (matrix.guarantee() == Guarantee::kEnclosed) {
