@@ -19,10 +19,7 @@ struct Printed {
   double nearest = 0, lower = 0, upper = 0;
 
   Printed() = default;
-  explicit Printed(const RationalEnclosure& number)
-      : nearest(to_double(number.is_exact() ? number.lower : Rational((number.lower + number.upper) / 2))),
-        lower(rounded_down(number.lower)),
-        upper(rounded_up(number.upper)) {}
+  explicit Printed(const RationalEnclosure& number);
 };
 
 }  // namespace hottel
