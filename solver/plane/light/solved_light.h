@@ -9,6 +9,7 @@
 
 #include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
+#include "solver/plane/light/face_radiosity.h"
 #include "solver/plane/light/illumination_grid.h"
 #include "solver/radiosity/radiosity.h"
 
@@ -32,6 +33,32 @@ struct PointLight2 {
   std::vector<std::string> channel_names;
   std::vector<double> mean_irradiance;  // by channel
   std::string why_none;                 // no solution, or none in doubles: the reason; else empty
+};
+
+// The mean irradiance at as many points as one likes, from one solution of the scene by faces (mean_irradiance.h).
+//
+//   (1) at() says for a point what light_at() says, bit for bit
+//   (2) NaN in solids, in every channel
+//
+// REQUIRES that the prepared scene outlives it. Any number of threads may ask at once.
+class PointLights2 {
+ public:
+  // Throws RequestError where there is no solution, or none that doubles can hold. COST: the exact factors of the scene
+  // and one solution.
+  explicit PointLights2(const PreparedScene2& prepared, const std::function<void(double)>& progress = {});
+
+  const std::vector<std::string>& channel_names() const { return channel_names_; }
+  // By channel. REQUIRES the location and the view of the eye. COST: one arc tangent for each change of radiosity.
+  std::vector<double> at(const Eye2& eye, const Location2& location, const View2& view) const;
+  // The same of a point in scene coordinates, which is looked around from.
+  std::vector<double> at(const PointLocation2& location, const Point2& point) const;
+
+ private:
+  PointLights2(const PreparedScene2& prepared, const RadiositySolution& solution);
+
+  const Vertices2& vertices_;
+  std::vector<std::string> channel_names_;
+  FaceRadiosity2 faces_;
 };
 
 // Solves the scene by faces and looks around from the eye (mean_irradiance.h). Does not throw RequestError: where there
