@@ -1,14 +1,11 @@
-// The light of a solution in space: on a grid, and at one point.
+// The light of a solution on a grid.
 #pragma once
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "geometry/plane/exchange/element_table.h"
-#include "geometry/plane/visibility/visibility_polygon.h"
 #include "solver/plane/light/illumination_grid.h"
 #include "solver/radiosity/radiosity.h"
 
@@ -27,17 +24,5 @@ struct SolvedLight2 {
 SolvedLight2 illuminate(std::string_view way, const PreparedScene2& prepared, const Grid2& grid,
                         Granularity granularity, const RadiositySolution& solution,
                         const std::function<void(double)>& progress = {});
-
-// The mean irradiance at a point once light has been reflected until it is absorbed.
-struct PointLight2 {
-  std::vector<std::string> channel_names;
-  std::vector<double> mean_irradiance;  // by channel
-  std::string why_none;                 // no solution, or none in doubles: the reason; else empty
-};
-
-// Solves the scene by faces and looks around from the eye (mean_irradiance.h). Does not throw RequestError: where there
-// is no solution, or none that doubles can hold, why_none says why and the lists are empty.
-// REQUIRES an eye that is in no solid. COST: the exact factors of the scene and one solution.
-PointLight2 light_at(const PreparedScene2& prepared, const VisibilityPolygon2& seen);
 
 }  // namespace hottel
