@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
+#include "cli/views.h"
 #include "geometry/near_names.h"
 #include "geometry/plane/check/sight_findings.h"
 #include "io/files/disk_space.h"
@@ -34,7 +35,7 @@ struct SolveOptions {
   std::string method = "exact", solver = "auto", simulate = "auto";
   std::optional<int> iterations;
   std::optional<double> until;
-  std::string grid, illumination = "point", tone = "log";
+  std::string grid, illumination = "point", tone = "log", views;
   double exposure = 1;
   std::uint32_t size = 0;
   bool no_picture = false, no_illumination = false;
@@ -103,6 +104,7 @@ Request request_of(const SolveOptions& options) {
     throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
   if (options.no_illumination && options.simulate == "everything")
     throw UsageError("--simulate everything and --no-illumination exclude each other");
+  if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
   request.wants_light = !options.no_illumination;
   request.wants_picture = request.wants_light && !options.no_picture;
   request.directory = output_folder(options.out, options.scene);
@@ -114,8 +116,9 @@ struct Outputs {
   OutputFolder folder;
   OutputFile csv, flux, json;
   std::optional<OutputFile> npy, sidecar, png;
+  std::optional<ViewsOutput> views;
 
-  explicit Outputs(const Request& request)
+  Outputs(const SolveOptions& options, const Request& request)
       : folder(request.directory),
         csv(request.directory / "radiosity.csv"),
         flux(request.directory / "flux.csv"),
@@ -125,6 +128,7 @@ struct Outputs {
       sidecar.emplace(request.directory / "illumination.npy.json");
     }
     if (request.wants_picture) png.emplace(request.directory / "illumination.png");
+    if (!options.views.empty()) views.emplace(options.views);
   }
 
   // In the order in which they take their names.
@@ -132,6 +136,7 @@ struct Outputs {
     std::vector<OutputFile*> files{&csv, &flux};
     for (std::optional<OutputFile>* file : {&sidecar, &npy, &png})
       if (*file) files.push_back(&**file);
+    if (views) files.insert(files.end(), {&views->faces, &views->mtx});
     files.push_back(&json);
     return files;
   }
@@ -260,13 +265,16 @@ void write_results(const SolveOptions& options, const Run& run, const NetFluxes&
 ExitCode solve(const SolveOptions& options, Streams& streams) {
   const Request request = request_of(options);
   Run run = planned(options, request, streams);
-  Outputs outputs(request);
+  Outputs outputs(options, request);
   compute_factors(options, request, streams, run);
   compute_radiosities(options, request, streams, run);
   const NetFluxes fluxes(run.prepared.scene, run.matrix, run.solution);
   compute_light(options, request, streams, run);
   Stopwatch watch;
   write_results(options, run, fluxes, outputs);
+  if (outputs.views)
+    write_views_2(run.prepared, run.grid, {run.prepared.scene, run.matrix, run.granularity, {}, {}},
+                  options.memory.value_or(0), streams, *outputs.views);
   run.seconds["write"] = watch.lap();
 
   const SolveReport report{options.scene,
@@ -285,7 +293,8 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   if (options.json) streams.write("", solve_json(report));
   for (OutputFile* file : files) file->commit();
   streams.note(solve_text(report) + small_scene_text(run.prepared.scene, run.matrix, run.solution) + "\nin " +
-               request.directory.string() + ":" + outputs.names());
+               request.directory.string() + ":" + outputs.names() +
+               (outputs.views ? "\nwhat the cells see: " + options.views : ""));
   return ExitCode::kDone;
 }
 
@@ -313,7 +322,13 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
                                                   "no light in space: neither illumination.npy nor illumination.png");
   for (const char* of_picture : {"--size", "--tone", "--exposure"})
     for (CLI::Option* none : {no_picture, no_illumination}) none->excludes(command.get_option(of_picture));
-  for (const char* of_light : {"--grid", "--illumination"}) no_illumination->excludes(command.get_option(of_light));
+  command
+      .add_option("--views", options.views,
+                  "write what the cells see: a matrix whose product with the radiosities is the light, columns "
+                  "named in FILE.mtx.faces.csv")
+      ->type_name("FILE.mtx");
+  for (const char* of_light : {"--grid", "--illumination", "--views"})
+    no_illumination->excludes(command.get_option(of_light));
 }
 
 }  // namespace
@@ -325,6 +340,7 @@ void add_solve(Commands& commands) {
       {"hottel solve scenes/showcase/apartment.json -o /tmp/apartment",
        "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --grid 64x64 --tone max --size 320",
        "hottel solve scenes/showcase/museum.json -o /tmp/museum --no-illumination",
+       "hottel solve scenes/showcase/apartment.json -o /tmp/apartment --grid 32x32 --views /tmp/views.mtx",
        "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --solver jacobi --iterations 20 --json"},
       [options](Streams& streams) { return solve(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
