@@ -19,10 +19,6 @@ constexpr int kPlaceBits = 60;
 // Integers below 2^62 have differences and, times those of vertices, cross products that 128 bits hold.
 constexpr int kEyeBits = 61;
 
-// |m - d| < 2^12 units for the first guess m of a distance d (EyeRounding2::filtered), so that the remainder of the
-// division by a determinant below this is below 2^126.
-constexpr Int128 kLargestDeterminant = static_cast<Int128>(1) << 114;
-
 DoubleDouble split(const Rational& value) {
   const double hi = to_double(value);
   return {hi, std::isfinite(hi) ? to_double(value - Rational(hi)) : 0.0};
@@ -155,11 +151,11 @@ RoundedPoint2 EyeRounding2::operator()(const ViewCorner2& corner, RoundingCounts
 // With r = vertex - eye, w along the piece and a from the vertex to its line, the corner is vertex + r N / D, where
 // N = a x w and D = r x w are integers (r times the denominator of the eye). A first guess m of a coordinate of r N / D
 // in units of 2^-k comes from doubles: the roundings of N, D and r, one quotient and two products put it off by less
-// than 2^-49 of itself, which is below 2^61, and by one for the fraction that is dropped: by less than 2^12 + 1. The
-// remainder r N 2^k - m D is below 2^12 D <= 2^126, so it is exact though its terms are known modulo 2^128 only.
-// Divided by D, by which puts it off by 2^-49 of itself at the most, it is the rest of the coordinate. The rest is
-// below 2^-49 of the extent and 2 units, so that it is off by 2^-97 of the extent at the most: an extent has 2^56 units
-// and more. The way to the scene adds a few times 2^-106 of the extent.
+// than 2^-49 of itself, and the fraction that is dropped by one. The remainder r N 2^k - m D is below
+// (2^-49 |m| + 2) D; where that is below 2^126 it is exact, though its terms are known modulo 2^128 only. Divided by D,
+// which puts it off by 2^-49 of itself at the most, it is the rest of the coordinate. The rest is below 2^-49 of the
+// extent and 2 units, so that it is off by 2^-97 of the extent at the most: an extent has 2^56 units and more. The way
+// to the scene adds a few times 2^-106 of the extent.
 std::optional<RoundedPoint2> EyeRounding2::filtered(const ViewCorner2& corner) const {
   if (denominator_ == 0) return std::nullopt;
   const Segment2& line = scene_.lines_[piece_of(corner.on)];
@@ -174,14 +170,16 @@ std::optional<RoundedPoint2> EyeRounding2::filtered(const ViewCorner2& corner) c
     d = -d;
     n = -n;
   }
-  if (d == 0 || d >= kLargestDeterminant) return std::nullopt;
-  const double inverse = 1 / near(d), quotient = near(n) * inverse;
+  if (d == 0) return std::nullopt;
+  const double divisor = near(d), inverse = 1 / divisor, quotient = near(n) * inverse;
   const double unit = static_cast<double>(std::int64_t{1} << scene_.unit_bits_);
-  const auto coordinate = [&](std::int64_t r, const DoubleDouble& origin) {
+  const auto coordinate = [&](std::int64_t r, const DoubleDouble& origin) -> std::optional<double> {
     const auto guess = static_cast<std::int64_t>(static_cast<double>(r) * quotient * unit);
+    const auto distance = static_cast<double>(guess);
+    if (!((std::fabs(distance) * 0x1p-49 + 2) * divisor < 0x1p125)) return std::nullopt;
     const Int128 whole = static_cast<Int128>(static_cast<UInt128>(wrapped_product(n, r)) << scene_.unit_bits_);
     const double rest = near(wrapped_difference(whole, wrapped_product(d, guess))) * inverse;
-    return moved(origin, static_cast<double>(guess), rest, scene_.unit_in_scene_, scene_.error_);
+    return moved(origin, distance, rest, scene_.unit_in_scene_, scene_.error_);
   };
   // Along an axis a coordinate is that of the piece, or of the vertex.
   const auto x = wx == 0   ? std::optional(a.scene_x.hi)

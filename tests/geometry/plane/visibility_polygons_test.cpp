@@ -156,6 +156,50 @@ TEST(CornerRounding2, FilterDecidesOrdinaryCornersAndExactOnesOnWallsAlongAnAxis
   EXPECT_EQ(upright.look({Rational(-1, 3), Rational(1, 7)}).exact, 0u);
 }
 
+// A few edges with coordinates of up to so many bits, over some denominator, far from the origin or near it.
+Scene2 edges_of_bits(std::mt19937_64& chance, int bits) {
+  Scene2 scene;
+  scene.materials.push_back({"black", {}, {}});
+  const long denominators[] = {1, 3, 10, 1000, 1 << 20, 7 * 11 * 13};
+  const long denominator = denominators[chance() % 6];
+  const Rational far = fraction(chance() % 1000, 7) * static_cast<long>(chance() % 3) * 1000;
+  const auto coordinate = [&] { return Rational(far + fraction(chance() >> (64 - bits), denominator)); };
+  for (std::uint32_t k = 0; k < 8; ++k) {
+    Surface surface;
+    surface.name = "edge" + std::to_string(k);
+    surface.group = k;
+    const Point2 from{coordinate(), coordinate()}, to{coordinate(), coordinate()};
+    if (from == to) continue;
+    scene.groups.push_back(surface.name);
+    surface.group = static_cast<std::uint32_t>(scene.groups.size() - 1);
+    scene.add(std::move(surface), {from, to});
+  }
+  return scene;
+}
+
+TEST(CornerRounding2, Consistency) {
+  std::mt19937_64 chance(3);
+  RoundingCounts2 counts;
+  for (int bits = 2; bits <= 62; ++bits)
+    for (int round = 0; round < 6; ++round) {
+      Scene2 scene = edges_of_bits(chance, bits);
+      if (scene.edges.empty()) continue;
+      const std::vector<Point2> points = points_of(scene, 12);
+      const PreparedScene2 prepared = prepare(std::move(scene));
+      const VisibilityPolygons2 polygons(prepared.arrangement);
+      RoundedPolygon2 polygon;
+      for (const Point2& point : points) {
+        polygons.look(point, true, polygon, counts);
+        for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+          ASSERT_EQ(polygon.corners[k].x, to_double(polygon.exact[k].x)) << bits << " bits";
+          ASSERT_EQ(polygon.corners[k].y, to_double(polygon.exact[k].y)) << bits << " bits";
+        }
+      }
+    }
+  EXPECT_GT(counts.filtered, 10 * counts.exact);
+  EXPECT_GT(counts.exact, 0u);
+}
+
 TEST(CornerRounding2, TiesZerosAndEyesOfManyDigitsAreDecidedExactly) {
   // Through the tip (0, 1) from (-1, y) the wall x = 1 is met at 2 - y: half-way between two doubles for this y.
   Wall upright("[[1, 700], [1, -7]]");
