@@ -57,7 +57,7 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
   std::unordered_map<std::string, std::size_t> place_of;
   for (std::uint32_t i = 0; i <= matrix.size(); ++i) {
     if (!is_listed[i]) continue;
-    const std::string name = i == matrix.sky() ? "sky" : name_of(matrix.elements()[i]);
+    const std::string name = i == matrix.sky() ? matrix.name(i) : name_of(matrix.elements()[i]);
     const auto [known, is_new] = place_of.emplace(name, result.size());
     if (is_new) {
       result.push_back({name, {}, std::vector<NetFlux::Power>(solution.channels.size())});
