@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/visible_lines.h"
 
 namespace hottel {
@@ -77,6 +78,11 @@ std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, con
     for_each_gap(vertices, v, view, true, [&](const Gap2& gap) { collector.look_along(gap); });
   }
   return collector.take();
+}
+
+std::vector<CriticalPoint2> critical_points(const PreparedScene2& prepared, const Face& a,
+                                            const std::optional<Face>& b) {
+  return critical_points(prepared.arrangement, prepared.scene, a, b);
 }
 
 }  // namespace hottel
