@@ -8,7 +8,7 @@
 
 #include "geometry/scene_table.h"
 #include "solver/radiosity/net_flux.h"
-#include "solver/radiosity/radiosity.h"
+#include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/plane/exchange/exact_sums.h"
 #include "geometry/plane/exchange/pair_alone.h"
 
 namespace hottel {

@@ -4,13 +4,14 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
-#include "geometry/plane/exchange/exact_sums.h"
-#include "geometry/scene_names.h"
+#include "geometry/element.h"
+#include "geometry/face.h"
 #include "kernel/root_sum.h"
 
 namespace hottel {
+
+class ElementTable2;
+struct PreparedScene2;
 
 // One pair in closed form, in scene units: S(i, j), S0(i, j), A_i, A_j as sums of square roots.
 //

@@ -1,6 +1,7 @@
 #include "io/foreign/plane/foreign_matrix.h"
 
 #include "geometry/name.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "io/foreign/foreign_command.h"
 #include "io/foreign/matched_matrix.h"
 #include "kernel/support/failure.h"

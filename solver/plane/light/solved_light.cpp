@@ -1,6 +1,7 @@
 #include "solver/plane/light/solved_light.h"
 
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/visibility/visibility_polygon.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/light/average_illumination.h"
 #include "solver/plane/light/mean_irradiance.h"

@@ -2,24 +2,16 @@
 #pragma once
 
 #include <functional>
-#include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
-#include "geometry/plane/exchange/element_table.h"
-#include "geometry/plane/visibility/visibility_polygon.h"
-#include "solver/plane/light/illumination_grid.h"
-#include "solver/radiosity/radiosity.h"
+#include "geometry/element.h"
+#include "solver/plane/light/light_values.h"
 
 namespace hottel {
 
-// Light on a grid, and the proven bound on its values where there is one: for "average" alone, of these radiosities.
-struct SolvedLight2 {
-  IlluminationGrid2 grid;
-  std::optional<double> max_error{};
-  double seconds = 0;  // what it took, as a simulation measures it
-};
+struct PreparedScene2;
+struct RadiositySolution;
+struct VisibilityPolygon2;
 
 // Returns the light of a solution on a grid. way: "point" (illuminate_points), "average" (illuminate_averages, with its
 // bound) or "inverse-square" (illuminate_inverse_square); these say what is thrown. Another word: ContractViolation.
@@ -27,13 +19,6 @@ struct SolvedLight2 {
 SolvedLight2 illuminate(std::string_view way, const PreparedScene2& prepared, const Grid2& grid,
                         Granularity granularity, const RadiositySolution& solution,
                         const std::function<void(double)>& progress = {});
-
-// The mean irradiance at a point once light has been reflected until it is absorbed.
-struct PointLight2 {
-  std::vector<std::string> channel_names;
-  std::vector<double> mean_irradiance;  // by channel
-  std::string why_none;                 // no solution, or none in doubles: the reason; else empty
-};
 
 // Solves the scene by faces and looks around from the eye (mean_irradiance.h). Does not throw RequestError: where there
 // is no solution, or none that doubles can hold, why_none says why and the lists are empty.
