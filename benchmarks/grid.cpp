@@ -30,14 +30,16 @@ void grid(benchmark::State& state, Light light, const Scene2& scene, std::uint32
   std::vector<double> radiosity;
   for (std::size_t k = 0; k < std::size_t{table.count()} * kChannels; ++k)
     radiosity.push_back(1 + 0.001 * static_cast<double>(k));
-  const FaceRadiosity2 faces(prepared.arrangement, table, radiosity, std::vector<double>(kChannels, 0.0));
+  const std::vector<double> sky(kChannels, 0.0);
+  const FaceRadiosity2 faces(prepared.arrangement, table, radiosity, sky);
+  const SentOut2 sent_out(table, radiosity, sky);
   Scene2 without_grid = scene;
   without_grid.grid.reset();
   const Grid2 cells = grid_over(without_grid, side, side);
   double max_error = 0;
   for (auto _ : state) {
     if (light == Light::kPoints)
-      benchmark::DoNotOptimize(illuminate_points(prepared, cells, faces).values.data());
+      benchmark::DoNotOptimize(illuminate_points(prepared, cells, table, sent_out).values.data());
     else
       max_error = illuminate_averages(prepared, cells, faces).max_error;
   }

@@ -1,11 +1,15 @@
 // What it costs to ask what a point sees: ours, and CGAL's triangular expansion with an exact and an inexact kernel.
 //
-// The map is a square of 1000 with 100 holes, each a star of ten corners: 1004 vertices. 1000 points are drawn at
-// random outside the holes. Coordinates are doubles in both variants: `short`
-// (multiples of 1/1024) and `double` (all 53 bits in use). The counter is microseconds per query.
+// The maps of the first two variants are a square of 1000 with 100 holes, each a star of ten corners: 1004 vertices.
+// Coordinates are doubles: `short` (multiples of 1/1024) and `double` (all 53 bits in use). `town` is a square
+// kilometre with 1600 buildings, whose corners are given in whole centimetres, as a map of a land register gives them:
+// some 8000 vertices, and long views between the buildings. 1000 points are drawn at random outside the holes (`town`:
+// 200). The counter is microseconds per query.
 //
 //   view              ours: point location and the exact combinatorial view (which vertices, which edge between them)
 //   view-and-corners  the same, and the corners of the region in doubles, as an inexact code delivers them
+//   rounded           ours: the region with all its corners as correctly rounded doubles (VisibilityPolygons2); `exact`
+//                     counts the corners a query that took rational arithmetic
 //   polygon           ours: location, and the region with all its corners and its area as exact rationals
 //   cgal-epeck        the region as an arrangement over exact numbers; their exact values are computed when asked for
 //   cgal-epeck-exact  the same, with the exact value of every corner and the area, as `polygon` delivers them
@@ -32,6 +36,7 @@
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
+#include "geometry/plane/visibility/visibility_polygons.h"
 
 namespace hottel::benchmarks {
 namespace {
@@ -55,7 +60,44 @@ bool contains(const Ring& ring, const Spot& p) {
   return inside;
 }
 
-Map make_map(bool is_short) {
+enum class Variant { kShort, kDouble, kTown };
+constexpr const char* kVariantNames[] = {"short", "double", "town"};
+
+// `town`: on a place of 25 m by 25 m each a building of four to six corners, turned a little, or none.
+Map make_town() {
+  std::mt19937_64 engine(1);
+  const auto uniform = [&engine](double low, double high) {
+    return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;
+  };
+  Map map{{{{0, 0}, {100000, 0}, {100000, 100000}, {0, 100000}}}, {}};
+  for (int row = 0; row < 40; ++row)
+    for (int column = 0; column < 40; ++column) {
+      const double x = 2500 * column + uniform(1100, 1400), y = 2500 * row + uniform(1100, 1400);
+      const double half_width = uniform(150, 350), half_depth = uniform(150, 350), turn = uniform(-0.4, 0.4);
+      Ring outline{{half_width, half_depth}, {-half_width, half_depth}, {-half_width, -half_depth}};
+      if (engine() % 2 == 0) {
+        outline.push_back({half_width / 3, -half_depth});
+        outline.push_back({half_width / 3, -half_depth / 4});
+        outline.push_back({half_width, -half_depth / 4});
+      } else {
+        outline.push_back({half_width, -half_depth});
+      }
+      for (Spot& p : outline)
+        p = {std::round(x + p.x * std::cos(turn) - p.y * std::sin(turn)),
+             std::round(y + p.x * std::sin(turn) + p.y * std::cos(turn))};
+      map.rings.push_back(std::move(outline));
+    }
+  while (map.queries.size() < 200) {
+    const Spot p{std::round(uniform(100, 99900)), std::round(uniform(100, 99900))};
+    if (std::none_of(map.rings.begin() + 1, map.rings.end(), [&](const Ring& hole) { return contains(hole, p); }))
+      map.queries.push_back(p);
+  }
+  return map;
+}
+
+Map make_map(Variant variant) {
+  if (variant == Variant::kTown) return make_town();
+  const bool is_short = variant == Variant::kShort;
   std::mt19937_64 engine(1);
   const auto uniform = [&engine](double low, double high) {
     return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;
@@ -93,7 +135,7 @@ struct Ours {
     scene.materials.push_back({"black", {}, {}});
     for (const Ring& ring : map.rings) {
       const auto group = static_cast<std::uint32_t>(scene.groups.size());
-      scene.groups.push_back("ring" + std::to_string(group));
+      scene.groups.push_back({"ring" + std::to_string(group), Behind::kOpen});  // walls: nothing is solid
       for (std::size_t k = 0; k < ring.size(); ++k) {
         const Spot &a = ring[k], &b = ring[(k + 1) % ring.size()];
         Surface surface;
@@ -207,6 +249,7 @@ void run(benchmark::State& state, const Map& map, const Ask& ask) {
       benchmark::Counter(1e-6 * queries, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   state.counters["vertices"] = vertices / (queries - failed);
   state.counters["failed"] = failed;
+  state.counters["exact"] = 0;
 }
 
 void view(benchmark::State& state, const Map& map) {
@@ -229,6 +272,19 @@ void view_and_corners(benchmark::State& state, const Map& map) {
     benchmark::DoNotOptimize(corners.data());
     return corners.size();
   });
+}
+
+void rounded(benchmark::State& state, const Map& map) {
+  const Ours ours(map);
+  const VisibilityPolygons2 polygons(ours.prepared.arrangement);
+  RoundedPolygon2 region;
+  RoundingCounts2 counts;
+  run(state, map, [&](const Spot& query) {
+    polygons.look({Rational(query.x), Rational(query.y)}, false, region, counts);
+    return region.corners.size();
+  });
+  state.counters["exact"] =
+      static_cast<double>(counts.exact) / static_cast<double>(map.queries.size() * state.iterations());
 }
 
 void polygon(benchmark::State& state, const Map& map) {
@@ -265,10 +321,10 @@ void theirs_exact(benchmark::State& state, const Map& map) {
   });
 }
 
-void add(const std::string& name, bool is_short, void (*measure)(benchmark::State&, const Map&)) {
-  const std::string full = "point_visibility/" + name + "/" + (is_short ? "short" : "double");
+void add(const std::string& name, Variant variant, void (*measure)(benchmark::State&, const Map&)) {
+  const std::string full = "point_visibility/" + name + "/" + kVariantNames[static_cast<int>(variant)];
   benchmark::RegisterBenchmark(full.c_str(), [=](benchmark::State& state) {
-    measure(state, make_map(is_short));
+    measure(state, make_map(variant));
   })->Unit(benchmark::kMillisecond);
 }
 
@@ -277,13 +333,14 @@ void add(const std::string& name, bool is_short, void (*measure)(benchmark::Stat
 
 int main(int argc, char** argv) {
   using namespace hottel::benchmarks;
-  for (const bool is_short : {true, false}) {
-    add("view", is_short, view);
-    add("view-and-corners", is_short, view_and_corners);
-    add("polygon", is_short, polygon);
-    add("cgal-epeck", is_short, theirs<Exact>);
-    add("cgal-epeck-exact", is_short, theirs_exact);
-    add("cgal-epick", is_short, theirs<Inexact>);
+  for (const Variant variant : {Variant::kShort, Variant::kDouble, Variant::kTown}) {
+    add("view", variant, view);
+    add("view-and-corners", variant, view_and_corners);
+    add("rounded", variant, rounded);
+    add("polygon", variant, polygon);
+    add("cgal-epeck", variant, theirs<Exact>);
+    add("cgal-epeck-exact", variant, theirs_exact);
+    add("cgal-epick", variant, theirs<Inexact>);
   }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

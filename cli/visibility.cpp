@@ -1,16 +1,29 @@
-// hottel visibility: what a point sees, what a point of a face receives, what two faces see of each other.
+// hottel visibility: what points see, what a point of a face receives, what two faces see of each other, what some
+// point of a face sees, and the lines along which it changes.
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "cli/command.h"
+#include "cli/scene_input.h"
 #include "geometry/plane/check/face_cover.h"
 #include "geometry/plane/exchange/closed_forms.h"
+#include "geometry/plane/visibility/critical_lines.h"
 #include "geometry/plane/visibility/critical_points.h"
+#include "geometry/plane/visibility/edge_sight.h"
 #include "geometry/plane/visibility/point_sight.h"
+#include "geometry/plane/visibility/visibility_polygons.h"
+#include "io/files/text_file.h"
+#include "io/foreign/plane/point_list.h"
+#include "io/results/plane/edge_report.h"
+#include "io/results/plane/polygon_files.h"
 #include "io/results/plane/visibility_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
-#include "solver/plane/light/solved_light.h"
+#include "kernel/support/parallel.h"
+#include "solver/plane/light/point_lights.h"
+#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/simulation.h"
 #include "viewer/picture/plane/drawable.h"
 #include "viewer/picture/plane/visibility_picture.h"
 
@@ -18,8 +31,8 @@ namespace hottel {
 namespace {
 
 struct VisibilityOptions {
-  std::string scene, at, on, from, to, out;
-  bool json = false;
+  std::string scene, at, on, from, to, out, points, range, edge;
+  bool json = false, exact = false, irradiance = false, events = false;
 
   bool is_pair() const { return !from.empty() || !to.empty(); }
 };
@@ -37,16 +50,22 @@ Point2 point(const std::string& text) {
   return {number(text.substr(0, comma), "--at"), number(text.substr(comma + 1), "--at")};
 }
 
+// Whole faces: nothing here is asked of their elements.
+Simulation2 simulation_of(const VisibilityOptions& options) {
+  return Simulation2(read_scene_2(options.scene), {.granularity = Granularity::kFace});
+}
+
 // What is answered, and a drawing of it on demand.
 struct Shown {
   VisibilityAnswer answer;
   std::function<std::string(PictureFormat)> draw;
 };
 
-Shown from_point(const PreparedScene2& prepared, const Point2& eye) {
+Shown from_point(const Simulation2& simulation, const PreparedScene2& prepared, const Point2& eye,
+                 const Streams& streams) {
   const PointSight2 sight = point_sight(prepared, eye);
   std::optional<PointLight2> light;
-  if (sight.polygon.solid == Solids2::kNone) light = light_at(prepared, sight.polygon);
+  if (sight.polygon.solid == Solids2::kNone) light = light_at(simulation, sight.polygon, streams.stages());
   return {point_answer(prepared, sight, light), [&prepared, polygon = sight.polygon](PictureFormat format) {
             return visibility_picture_2(prepared, drawing_of(polygon), format);
           }};
@@ -90,26 +109,176 @@ void require_sense(const VisibilityOptions& options) {
   if (options.is_pair() && (options.from.empty() || options.to.empty() || !options.at.empty() || !options.on.empty()))
     throw UsageError("--from A and --to B go together, without --at and --on");
   if (!options.is_pair() && options.at.empty())
-    throw UsageError("visibility needs --at X,Y or --on NAME --at T or --from A --to B");
+    throw UsageError(
+        "visibility needs --at X,Y or --on NAME --at T or --from A --to B or --points FILE or --edge NAME or --events");
   if (options.from == "sky" && options.to == "sky")
     throw UsageError("--from or --to is a face: the sky exchanges nothing with itself");
 }
 
+bool is_file(const std::string& out) { return !out.empty() && out != "-"; }
+
+// ---- many points
+
+// What --points asks for, and where it goes.
+struct PolygonRequest {
+  std::vector<Point2> points;
+  PolygonFormat2 format = PolygonFormat2::kCsv;
+  PolygonsOptions2 wanted;
+};
+
+PolygonRequest polygon_request(const VisibilityOptions& options) {
+  PolygonRequest request;
+  if (is_file(options.out)) {
+    const auto format = polygon_format_2(options.out);
+    if (!format) throw UsageError("polygons are written as .csv, .geojson, .wkt or .npz, not '" + options.out + "'");
+    request.format = *format;
+  }
+  const bool is_wkt = request.format == PolygonFormat2::kWkt, is_npz = request.format == PolygonFormat2::kNpz;
+  if (options.exact && (is_wkt || is_npz)) throw UsageError("--exact writes p/q, which .csv and .geojson can hold");
+  if (options.irradiance && is_wkt) throw UsageError("--irradiance has no place in .wkt");
+  request.wanted.wants_exact = options.exact;
+  if (!options.range.empty()) {
+    request.wanted.range = number(options.range, "--range");
+    if (*request.wanted.range <= 0) throw UsageError("--range is a distance above 0, not " + options.range);
+  }
+  request.points = options.points == "-" ? read_points_2(read_standard_input(), "standard input")
+                                         : read_points_2(read_text_file(options.points), options.points);
+  return request;
+}
+
+// What is to be said of polygons that are none.
+class PolygonRemarks {
+ public:
+  void see(std::size_t first, std::span<const RoundedPolygon2> polygons) {
+    for (std::size_t k = 0; k < polygons.size(); ++k) {
+      const bool is_in_solid = polygons[k].solid != Solids2::kNone;
+      if (is_in_solid && in_solids_++ == 0) first_in_solid_ = {first + k, polygons[k].solid};
+      const bool is_open = !is_in_solid && (polygons[k].corners.empty() || polygons[k].sees_sky());
+      if (is_open && open_++ == 0) first_open_ = first + k;
+    }
+  }
+  std::string text(const Scene2& scene) const {
+    std::string result;
+    if (in_solids_ > 0)
+      result += "points in solids, which see nothing: " + std::to_string(in_solids_) + ", the first is point " +
+                std::to_string(first_in_solid_.first) + ", in " + solid_text(scene, first_in_solid_.second) + "\n";
+    if (open_ > 0)
+      result += "points that see the sky: " + std::to_string(open_) + ", the first is point " +
+                std::to_string(first_open_) + "; what they see is unbounded, --range R bounds it\n";
+    return result;
+  }
+
+ private:
+  std::size_t in_solids_ = 0, open_ = 0, first_open_ = 0;
+  std::pair<std::size_t, std::uint32_t> first_in_solid_{0, 0};
+};
+
+// The scene is solved once, and only where light is asked for.
+std::vector<std::vector<double>> lights_at(const PointLights2& lights, const PointLocation2& location,
+                                           std::span<const Point2> points) {
+  std::vector<std::vector<double>> result(points.size());
+  parallel_for(
+      points.size(), [&](std::size_t k) { result[k] = lights.at(location, points[k]); }, 16);
+  return result;
+}
+
+void write_polygons(const PolygonRequest& request, const PreparedScene2& prepared, const PointLights2* lights,
+                    Streams& streams, OutputFile& file) {
+  const VisibilityPolygons2 polygons(prepared.arrangement);
+  const auto progress = streams.progress("visibility polygons");
+  const PolygonFileOptions2 told{request.wanted.wants_exact, request.wanted.range,
+                                 lights ? lights->channel_names() : std::vector<std::string>()};
+  const auto writer =
+      polygon_writer_2(request.format, prepared, told, [&](std::string_view text) { file.write(text); });
+  PolygonRemarks remarks;
+  constexpr std::size_t kBatch = 1024;  // what is held at a time
+  const std::span<const Point2> all(request.points);
+  for (std::size_t first = 0; first < all.size(); first += kBatch) {
+    const auto points = all.subspan(first, std::min(kBatch, all.size() - first));
+    PolygonsOptions2 wanted = request.wanted;
+    wanted.progress = [&](double fraction) {
+      progress((static_cast<double>(first) + fraction * static_cast<double>(points.size())) /
+               static_cast<double>(all.size()));
+    };
+    const auto found = polygons.all(points, wanted);
+    std::vector<std::vector<double>> irradiance;
+    if (lights) irradiance = lights_at(*lights, polygons.location(), points);
+    writer->add({points, found, irradiance});
+    remarks.see(first, found);
+  }
+  writer->finish();
+  streams.note(remarks.text(prepared.scene));
+}
+
+ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
+  const PolygonRequest request = polygon_request(options);
+  const Simulation2 simulation = simulation_of(options);
+  const auto prepared = simulation.prepared(streams.stages());
+  std::optional<PointLights2> lights;
+  if (options.irradiance) lights.emplace(point_lights(simulation, streams.stages()));
+  OutputFile file = streams.output(options.out);
+  try {
+    naming_file(options.scene, [&] { write_polygons(request, *prepared, lights ? &*lights : nullptr, streams, file); });
+    file.commit();
+  } catch (const ReaderGone&) {  // nobody reads on
+  }
+  return ExitCode::kDone;
+}
+
+// ---- what some point of a face sees, and critical lines
+
+ExitCode from_edge(const VisibilityOptions& options, Streams& streams) {
+  if (is_file(options.out)) throw UsageError("--edge writes to standard output, not to '" + options.out + "'");
+  if (options.edge == "sky") throw UsageError("--edge is a face, which the sky is not");
+  const auto prepared = simulation_of(options).prepared(streams.stages());
+  const Face face = face_of(prepared->scene, options.edge);
+  require_free(*prepared, face);
+  const EdgeSight2 sight = edge_sight(*prepared, face, streams.progress("weak visibility"));
+  const VisibilityAnswer answer = edge_answer(*prepared, options.edge, sight);
+  streams.write("", options.json ? answer.json : answer.text);
+  return ExitCode::kDone;
+}
+
+ExitCode events(const VisibilityOptions& options, Streams& streams) {
+  if (options.json && is_file(options.out)) throw UsageError("--json is for standard output, -o FILE for a .csv");
+  if (options.json && options.exact) throw UsageError("--exact is for a csv: --json holds p/q as it is");
+  if (is_file(options.out) && !options.out.ends_with(".csv"))
+    throw UsageError("critical lines are written as .csv, not '" + options.out + "'");
+  const auto prepared = simulation_of(options).prepared(streams.stages());
+  const std::vector<CriticalLine2> lines = critical_lines(*prepared, streams.progress("critical lines"));
+  if (options.json) {
+    streams.write("", critical_lines_json(*prepared, lines));
+    return ExitCode::kDone;
+  }
+  std::string text;
+  naming_file(options.scene, [&] {
+    write_critical_lines_csv(*prepared, lines, options.exact, [&](std::string_view part) { text += part; });
+  });
+  streams.write(options.out, text);
+  return ExitCode::kDone;
+}
+
 ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
+  if (!options.points.empty()) return from_points(options, streams);
+  if (!options.edge.empty()) return from_edge(options, streams);
+  if (options.events) return events(options, streams);
+  if (options.exact) throw UsageError("--exact goes with --points or --events");
   require_sense(options);
-  const bool is_drawn = !options.out.empty() && options.out != "-";
+  const bool is_drawn = is_file(options.out);
   const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
   if (is_drawn && !format) throw UsageError("a drawing is written as .svg or .png, not '" + options.out + "'");
   const std::optional<Point2> eye =
       options.is_pair() || !options.on.empty() ? std::nullopt : std::optional(point(options.at));
   const Rational t = options.on.empty() ? Rational(0) : number(options.at, "--at with --on");
 
-  const PreparedScene2 prepared = prepare(read_scene_2(options.scene));
+  const Simulation2 simulation = simulation_of(options);
+  const auto there = simulation.prepared(streams.stages());
+  const PreparedScene2& prepared = *there;
   if (format) require_drawable(prepared.scene);
   if (format && eye) require_drawable(prepared.scene, *eye, options.at);
   const Shown shown = options.is_pair()     ? between_faces(prepared, options.from, options.to)
                       : !options.on.empty() ? from_face(prepared, options.on, t)
-                                            : from_point(prepared, *eye);
+                                            : from_point(simulation, prepared, *eye, streams);
   std::optional<OutputFile> drawing;
   if (format) {
     drawing.emplace(options.out);
@@ -130,25 +299,55 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
 
 void add_visibility(Commands& commands) {
   const auto options = std::make_shared<VisibilityOptions>();
-  CLI::App& command =
-      commands.add("visibility", "What a point sees, what a point of a face sees, what two faces see of each other",
-                   {"hottel visibility scenes/analytic/triangle_345.json --at 1,1",
-                    "hottel visibility scenes/analytic/triangle_345.json --on three --at 1/2",
-                    "hottel visibility scenes/analytic/strip_obstructed.json --from bottom --to top --json",
-                    "hottel visibility scenes/showcase/apartment.json --at 4,3 -o /tmp/seen.png"},
-                   [options](Streams& streams) { return visibility(*options, streams); });
+  CLI::App& command = commands.add(
+      "visibility", "What points see, what a point of a face sees, what two faces see of each other, critical lines",
+      {"hottel visibility scenes/analytic/triangle_345.json --at 1,1",
+       "hottel visibility scenes/analytic/triangle_345.json --on three --at 1/2",
+       "hottel visibility scenes/analytic/strip_obstructed.json --from bottom --to top --json",
+       "hottel visibility scenes/showcase/apartment.json --at 4,3 -o /tmp/seen.png",
+       "echo 4,3 | hottel visibility scenes/showcase/apartment.json --points - --range 5 -o /tmp/seen.geojson",
+       "hottel visibility scenes/analytic/strip_obstructed.json --edge bottom",
+       "hottel visibility scenes/analytic/strip_obstructed.json --events"},
+      [options](Streams& streams) { return visibility(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
-  command.add_option("--at", options->at, "a point X,Y, or with --on a position T from 0 to 1 (numbers may be p/q)");
-  command.add_option("--on", options->on, "a face: view factors from its point --at T")->type_name("NAME");
+  CLI::Option* at = command.add_option("--at", options->at,
+                                       "a point X,Y, or with --on a position T from 0 to 1 (numbers may be p/q)");
+  CLI::Option* on = command.add_option("--on", options->on, "a face: view factors from its point --at T");
+  on->type_name("NAME");
+  CLI::Option* from = command.add_option("--from", options->from,
+                                         "a face, or sky; with --to: their exchange and the critical points on it");
+  from->type_name("A");
+  CLI::Option* to = command.add_option("--to", options->to, "the other face, or sky");
+  to->type_name("B");
+  CLI::Option* json = command.add_flag("--json", options->json, "the answer as one JSON object");
+  CLI::Option* points = command.add_option(
+      "--points", options->points,
+      "points, one visibility polygon each: csv of lines x,y, GeoJSON or well-known text; - is standard input");
+  points->type_name("FILE");
+  points->excludes(at)->excludes(on)->excludes(from)->excludes(to)->excludes(json);
+  command.add_option("--range", options->range, "with --points: nothing beyond this distance of the point")
+      ->type_name("R")
+      ->needs(points);
+  CLI::Option* exact = command.add_flag("--exact", options->exact, "with --points or --events: coordinates as p/q");
+  exact->excludes("--range");
   command
-      .add_option("--from", options->from, "a face, or sky; with --to: their exchange and the critical points on it")
-      ->type_name("A");
-  command.add_option("--to", options->to, "the other face, or sky")->type_name("B");
-  command.add_flag("--json", options->json, "the answer as one JSON object");
+      .add_flag("--irradiance", options->irradiance,
+                "with --points: the mean irradiance at each, for which the scene is solved")
+      ->needs(points);
+  CLI::Option* edge = command.add_option("--edge", options->edge, "a face: what some point of it sees");
+  edge->type_name("NAME");
+  CLI::Option* events = command.add_flag("--events", options->events, "the critical lines of the scene");
+  for (CLI::Option* other : {at, on, from, to, points}) {
+    edge->excludes(other);
+    events->excludes(other);
+  }
+  edge->excludes(events)->excludes(exact);
   command
-      .add_option("-o", options->out,
-                  "draw it: .svg or .png; the answer in words is a remark then, on stderr. Without it, or with -, the "
-                  "answer is on standard output")
+      .add_option(
+          "-o", options->out,
+          "draw it: .svg or .png; the answer in words is a remark then, on stderr. With --points the polygons: "
+          ".csv, .geojson, .wkt or .npz; with --events a .csv. Without it, or with -, the answer is on standard "
+          "output")
       ->type_name("FILE");
 }
 

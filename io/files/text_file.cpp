@@ -11,6 +11,26 @@
 #include "kernel/support/failure.h"
 
 namespace hottel {
+namespace {
+
+// Appends what is left of a stream. Refuse throws, with a text.
+template <class Refuse>
+void append_rest(std::FILE* stream, std::string& text, const Refuse& refuse) {
+  char buffer[1 << 16];
+  while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, stream)) {
+    text.append(buffer, got);
+    if (text.size() > kMaxTextFileBytes) refuse("is larger than " + std::to_string(kMaxTextFileBytes) + " bytes");
+  }
+  if (std::ferror(stream)) refuse(std::string("cannot be read: ") + std::strerror(errno));
+}
+
+}  // namespace
+
+std::string read_standard_input() {
+  std::string text;
+  append_rest(stdin, text, [](const std::string& why) { throw InputError({"standard input", 0}, why); });
+  return text;
+}
 
 std::string read_text_file(const std::filesystem::path& file) {
   const auto refuse = [&](const std::string& text) { throw InputError({file.string(), 0}, text); };
@@ -24,12 +44,7 @@ std::string read_text_file(const std::filesystem::path& file) {
   std::string text;
   if (const auto size = std::filesystem::file_size(file, error); !error && size <= kMaxTextFileBytes)
     text.reserve(size);
-  char buffer[1 << 16];
-  while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, stream.get())) {
-    text.append(buffer, got);
-    if (text.size() > kMaxTextFileBytes) refuse("is larger than " + std::to_string(kMaxTextFileBytes) + " bytes");
-  }
-  if (std::ferror(stream.get())) refuse(std::string("cannot be read: ") + std::strerror(errno));
+  append_rest(stream.get(), text, refuse);
   return text;
 }
 

@@ -14,6 +14,9 @@ inline constexpr std::size_t kMaxTextFileBytes = 0x7fffffff;
 // larger than kMaxTextFileBytes.
 std::string read_text_file(const std::filesystem::path& file);
 
+// Returns all that is on standard input. Throws InputError naming it when it cannot be read or is larger.
+std::string read_standard_input();
+
 // Returns SHA-256 of the bytes in 64 hexadecimal digits, as `sha256sum` prints it: lower case.
 std::string sha256(std::string_view bytes);
 

@@ -11,11 +11,11 @@ namespace hottel {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as the machine holds them");
 
-std::string npy_header(std::span<const std::size_t> shape) {
+std::string npy_header(std::span<const std::size_t> shape, std::string_view type) {
   std::string sides;
   for (const std::size_t side : shape) sides += (sides.empty() ? "" : " ") + std::to_string(side) + ",";
   if (shape.size() > 1) sides.pop_back();  // a tuple of one keeps its comma
-  std::string text = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + sides + "), }";
+  std::string text = "{'descr': '" + std::string(type) + "', 'fortran_order': False, 'shape': (" + sides + "), }";
   constexpr std::size_t kPreamble = 10;
   text.append(63 - (kPreamble + text.size()) % 64, ' ');
   text += '\n';

@@ -13,7 +13,8 @@ namespace hottel {
 
 // Returns what stands before the numbers of an array of that shape: magic, version, a header padded to whole 64 bytes.
 // The numbers follow as they lie in memory, the last index running fastest.
-std::string npy_header(std::span<const std::size_t> shape);
+// `type` is NumPy's word for what a number is: '<f8' is float64.
+std::string npy_header(std::span<const std::size_t> shape, std::string_view type = "<f8");
 
 // Writes a whole array through a sink; whatever the sink throws stops the writing.
 // REQUIRES as many values as the shape has places; throws ContractViolation otherwise. COST: the sink is called twice,

@@ -5,37 +5,33 @@
 #include <limits>
 #include <optional>
 
-#include "kernel/rational.h"
 #include "kernel/support/failure.h"
 #include "solver/radiosity/irradiance.h"
+#include "solver/radiosity/printed_number.h"
 
 namespace hottel {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double rounded_down(const Rational& value) {
-  const double nearest = to_double(value);
-  return Rational(nearest) > value ? std::nextafter(nearest, -kInfinity) : nearest;
-}
+const RationalEnclosure kNothing{};
 
-double rounded_up(const Rational& value) {
-  const double nearest = to_double(value);
-  return std::isfinite(nearest) && Rational(nearest) < value ? std::nextafter(nearest, kInfinity) : nearest;
+const RationalEnclosure& direct_of(const RadiositySources& sources, std::uint32_t element, int channel) {
+  return sources.direct_irradiance.empty() ? kNothing : sources.direct_irradiance[element][channel];
 }
 
 // The most that anything in the scene sends out; nothing when there is no bound.
-std::optional<Rational> most_sent(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
-                                  const Spectrum& sky_emission, std::size_t channel) {
-  Rational most = sky_emission.value[channel];
+std::optional<Rational> most_sent(const ExchangeMatrix& matrix, const std::vector<Rational>& reflectivity,
+                                  const RadiositySources& sources, int channel) {
+  Rational most = sources.sky[channel].upper;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
-    const Material& material = materials[*matrix.elements()[i].material];
-    const Rational& emission = material.emission.value[channel];
-    const Rational loss = 1 - material.reflectivity.value[channel];
-    if (emission == 0) continue;
+    const Rational& rho = reflectivity[*matrix.elements()[i].material];
+    const Rational loss = 1 - rho;
+    const Rational sent = sources.emission[i][channel].upper + rho * direct_of(sources, i, channel).upper;
+    if (sent == 0) continue;
     if (loss == 0) return std::nullopt;
-    most = std::max<Rational>(most, emission / loss);
+    most = std::max<Rational>(most, sent / loss);
   }
   return most;
 }
@@ -45,15 +41,16 @@ struct CrudeBounds {
   Enclosure radiosity, net;
 };
 
-CrudeBounds crude_bounds(const Rational& emission, const Rational& reflectivity, const std::optional<Rational>& most) {
-  const double least = rounded_down(emission);
-  return {{least, reflectivity == 0 ? rounded_up(emission)
-                  : most            ? rounded_up(emission + reflectivity * *most)
-                                    : kInfinity},
-          {reflectivity == 1 ? least
-           : most            ? rounded_down(emission - (1 - reflectivity) * *most)
-                             : -kInfinity,
-           rounded_up(emission)}};
+CrudeBounds crude_bounds(const RationalEnclosure& emission, const RationalEnclosure& direct,
+                         const Rational& reflectivity, const std::optional<Rational>& most) {
+  const Rational loss = 1 - reflectivity;
+  return {{rounded_down(emission.lower), reflectivity == 0 ? rounded_up(emission.upper)
+                                         : most ? rounded_up(emission.upper + reflectivity * (*most + direct.upper))
+                                                : kInfinity},
+          {loss == 0 ? rounded_down(emission.lower)
+           : most    ? rounded_down(emission.lower - loss * (*most + direct.upper))
+                     : -kInfinity,
+           rounded_up(emission.upper - loss * direct.lower)}};
 }
 
 Enclosure both(const Enclosure& a, const Enclosure& b) {
@@ -64,19 +61,25 @@ Enclosure both(const Enclosure& a, const Enclosure& b) {
 
 void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                          const Spectrum& sky_emission, RadiositySolution& solution) {
+  set_a_priori_bounds(matrix, reflectivities_of(materials), sources_of(matrix, materials, sky_emission), solution);
+}
+
+void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Spectrum>& reflectivity,
+                         const RadiositySources& sources, RadiositySolution& solution) {
   HOTTEL_REQUIRE(solution.guarantee != Guarantee::kEstimated);
   solution.max_relative_width = 0;
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
     ChannelSolution& channel = solution.channels[c];
     channel.max_relative_width = 0;
-    const std::optional<Rational> most = most_sent(matrix, materials, sky_emission, c);
+    const int of = static_cast<int>(c);
+    const std::vector<Rational> rho = in_channel(reflectivity, of);
+    const std::optional<Rational> most = most_sent(matrix, rho, sources, of);
     bool is_any_moved = false;
     for (std::uint32_t i = 0; i < matrix.size(); ++i) {
       if (!matrix.has_row(i)) continue;
-      const Material& material = materials[*matrix.elements()[i].material];
-      const Rational &emission = material.emission.value[c], &reflectivity = material.reflectivity.value[c];
       ElementRadiosity& element = channel.elements[i];
-      CrudeBounds bounds = crude_bounds(emission, reflectivity, most);
+      CrudeBounds bounds =
+          crude_bounds(sources.emission[i][of], direct_of(sources, i, of), rho[*matrix.elements()[i].material], most);
       bounds.radiosity = both(bounds.radiosity, {element.lower, element.upper});
       bounds.net = both(bounds.net, {element.net_lower, element.net_upper});
       const double moved = std::clamp(element.radiosity, bounds.radiosity.lower, bounds.radiosity.upper);
@@ -91,7 +94,7 @@ void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Materia
         channel.max_relative_width =
             std::max(channel.max_relative_width, (element.upper - element.lower) / element.radiosity);
     }
-    if (is_any_moved) set_irradiances(matrix, sky_emission.value[c], channel);
+    if (is_any_moved) set_irradiances(matrix, sources, of, channel);
     solution.max_relative_width = std::max(solution.max_relative_width, channel.max_relative_width);
   }
 }

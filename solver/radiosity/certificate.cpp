@@ -83,7 +83,7 @@ void start_where_nothing_is(const RadiositySystem& system, SplitVector& v) {
 }
 
 // Looks for v > 0 with A v near `target` > 0.
-PositiveVector positive_vector(const RadiositySystem& system, ApproximateInverse& inverse,
+PositiveVector positive_vector(const RadiositySystem& system, const ApproximateInverse& inverse,
                                const std::vector<char>& is_wanted, std::vector<double> target,
                                const ErrorTerms& terms) {
   const std::size_t n = system.size();
@@ -116,7 +116,7 @@ PositiveVector positive_vector(const RadiositySystem& system, ApproximateInverse
 
 }  // namespace
 
-Correction solve_by_component(const RadiositySystem& system, ApproximateInverse& inverse, std::vector<double> r) {
+Correction solve_by_component(const RadiositySystem& system, const ApproximateInverse& inverse, std::vector<double> r) {
   const std::vector<int> exponent = exponents_by_component(system, r);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = std::ldexp(r[i], -exponent[system.rows()[i].component]);
   Correction x = inverse.solve(r);
@@ -125,7 +125,7 @@ Correction solve_by_component(const RadiositySystem& system, ApproximateInverse&
   return x;
 }
 
-std::vector<double> refine(const RadiositySystem& system, const Sources& sources, ApproximateInverse& inverse,
+std::vector<double> refine(const RadiositySystem& system, const Sources& sources, const ApproximateInverse& inverse,
                            SplitVector& x) {
   std::vector<double> history;
   const std::size_t count = system.components().size();
@@ -167,7 +167,7 @@ ScaledBall CertifiedBounds::enclosed(std::size_t unknown) const {
   return ScaledBall::of(DoubleDoubleBall::around({inside, inside == x.hi ? x.lo : 0}, {from, to}), exponent[unknown]);
 }
 
-CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, ApproximateInverse& inverse,
+CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, const ApproximateInverse& inverse,
                         const SplitVector& x, const ErrorTerms& terms) {
   const std::size_t n = system.size();
   const std::vector<DoubleDoubleBall> r = system.residual(&sources, x, sources.is_lit, terms);
@@ -212,7 +212,7 @@ CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, A
   return result;
 }
 
-bool spectral_radius_is_below_one(const RadiositySystem& system, ApproximateInverse& inverse,
+bool spectral_radius_is_below_one(const RadiositySystem& system, const ApproximateInverse& inverse,
                                   const std::vector<char>& is_wanted) {
   std::vector<double> target(system.size(), 0);
   for (std::size_t i = 0; i < system.size(); ++i) target[i] = is_wanted[system.rows()[i].component] ? 1 : 0;

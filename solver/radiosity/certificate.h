@@ -20,12 +20,12 @@ struct CertifiedBounds {
 };
 
 // Solves A x = r, the right side of each component brought near 1 first: none is solved by the scale of another.
-Correction solve_by_component(const RadiositySystem& system, ApproximateInverse& inverse, std::vector<double> r);
+Correction solve_by_component(const RadiositySystem& system, const ApproximateInverse& inverse, std::vector<double> r);
 
 // Adds corrections to x, in each component until its residual is below its own error bound, or no longer falls. Returns
 // max |residual| before each correction and after the last, each relative to the largest source of its component.
 // COST: one residual and one inner solve a step; two or three steps after an elimination.
-std::vector<double> refine(const RadiositySystem& system, const Sources& sources, ApproximateInverse& inverse,
+std::vector<double> refine(const RadiositySystem& system, const Sources& sources, const ApproximateInverse& inverse,
                            SplitVector& x);
 
 // Encloses the solution of A B = E, given x near it.
@@ -41,11 +41,11 @@ std::vector<double> refine(const RadiositySystem& system, const Sources& sources
 //       infinite ones on both sides everywhere when some factor is negative
 //   (3) never wrong, but possibly infinite, when a reflectivity is so near 1 that the loss underflows
 // COST: two matrix passes and one inner solve; up to twice as much again a further round when A v > 0 is not settled.
-CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, ApproximateInverse& inverse,
+CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, const ApproximateInverse& inverse,
                         const SplitVector& x, const ErrorTerms& terms = {});
 
 // True iff the spectral radius of rho F is proven to be below 1 in all wanted components. COST: as certify().
-bool spectral_radius_is_below_one(const RadiositySystem& system, ApproximateInverse& inverse,
+bool spectral_radius_is_below_one(const RadiositySystem& system, const ApproximateInverse& inverse,
                                   const std::vector<char>& is_wanted);
 
 }  // namespace hottel

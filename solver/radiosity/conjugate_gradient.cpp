@@ -14,13 +14,13 @@ constexpr std::size_t kGrain = 64;  // rows a task
 
 class ConjugateGradient : public ApproximateInverse {
  public:
-  ConjugateGradient(const RadiositySystem& system, const std::vector<char>& is_wanted, CgLimits limits,
+  ConjugateGradient(const SymmetricRows& rows, const std::vector<char>& is_wanted, CgLimits limits,
                     std::vector<double>* history)
-      : rows_(system), is_wanted_(is_wanted), limits_(limits), history_(history), defects_(is_wanted.size(), 0) {
-    for (std::size_t i = 0; i < system.size(); ++i) defects_[rows_.component[i]] += rows_.defect[i];
+      : rows_(rows), is_wanted_(is_wanted), limits_(limits), history_(history), defects_(is_wanted.size(), 0) {
+    for (std::size_t i = 0; i < rows.defect.size(); ++i) defects_[rows_.component[i]] += rows_.defect[i];
   }
 
-  Correction solve(const std::vector<double>& r_of_rows) override {
+  Correction solve(const std::vector<double>& r_of_rows) const override {
     const std::size_t n = rows_.weight.size();
     Correction x{constants(r_of_rows), std::vector<double>(n, 0)};
     std::vector<double> r(n, 0), z(n), p(n, 0), kp(n);
@@ -52,7 +52,6 @@ class ConjugateGradient : public ApproximateInverse {
         r[i] -= step * kp[i];
       }
     }
-    history_ = nullptr;
     fold(r_of_rows, x);
     return x;
   }
@@ -132,7 +131,7 @@ class ConjugateGradient : public ApproximateInverse {
     });
   }
 
-  SymmetricRows rows_;
+  const SymmetricRows& rows_;
   std::vector<char> is_wanted_;
   CgLimits limits_;
   std::vector<double>* history_;
@@ -141,10 +140,10 @@ class ConjugateGradient : public ApproximateInverse {
 
 }  // namespace
 
-std::unique_ptr<ApproximateInverse> make_conjugate_gradient(const RadiositySystem& system,
-                                                            const std::vector<char>& is_wanted, CgLimits limits,
-                                                            std::vector<double>* history) {
-  return std::make_unique<ConjugateGradient>(system, is_wanted, limits, history);
+std::unique_ptr<const ApproximateInverse> make_conjugate_gradient(const SymmetricRows& rows,
+                                                                  const std::vector<char>& is_wanted, CgLimits limits,
+                                                                  std::vector<double>* history) {
+  return std::make_unique<ConjugateGradient>(rows, is_wanted, limits, history);
 }
 
 }  // namespace hottel

@@ -1,35 +1,33 @@
+#include "solver/radiosity/elimination.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "kernel/support/interrupt.h"
-#include "solver/radiosity/approximate_inverse.h"
-#include "solver/radiosity/symmetric_rows.h"
 
 namespace hottel {
 namespace {
 
 constexpr Eigen::Index kBlock = 48;  // columns eliminated before the rest is updated
 
+}  // namespace
+
 // One component, eliminated.
-class DenseComponent {
+class Elimination::DenseComponent {
  public:
-  DenseComponent(const RadiositySystem& system, const SymmetricRows& rows, std::vector<std::uint32_t> unknowns)
-      : unknowns_(std::move(unknowns)) {
+  // `place`: of each of these unknowns among them. REQUIRES that the unknowns outlive this.
+  DenseComponent(const SymmetricRows& rows, const std::vector<std::uint32_t>& unknowns,
+                 const std::vector<std::uint32_t>& place)
+      : unknowns_(unknowns) {
     const auto n = static_cast<Eigen::Index>(unknowns_.size());
-    // The constant is the value at the unknown that is coupled best.
-    std::swap(*std::max_element(unknowns_.begin(), unknowns_.end(),
-                                [&](auto a, auto b) { return rows.coupling[a] < rows.coupling[b]; }),
-              unknowns_.back());
-    std::vector<Eigen::Index> place(system.size(), -1);
-    for (Eigen::Index k = 0; k < n; ++k) place[unknowns_[k]] = k;
     coupling_ = Eigen::MatrixXd::Zero(n, n);
     defect_.resize(n);
     for (Eigen::Index k = 0; k < n; ++k) {
       const std::uint32_t i = unknowns_[k];
       defect_[k] = rows.defect[i];
       for (std::size_t e = rows.begin[i]; e < rows.begin[i + 1]; ++e) {
-        const Eigen::Index j = place[rows.to[e]];
+        const auto j = static_cast<Eigen::Index>(place[rows.to[e]]);
         coupling_(std::max(k, j), std::min(k, j)) =
             rows.coupling_of[e];  // the same number, but for roundings, from both
       }
@@ -92,26 +90,19 @@ class DenseComponent {
     }
   }
 
-  std::vector<std::uint32_t> unknowns_;
+  const std::vector<std::uint32_t>& unknowns_;
   Eigen::MatrixXd coupling_;
   Eigen::VectorXd defect_, pivot_;
   bool is_done_ = false;  // no pivot was lost to the range of doubles
 };
 
-class Elimination : public ApproximateInverse {
+// The components that are wanted.
+class Elimination::Wanted : public ApproximateInverse {
  public:
-  Elimination(const RadiositySystem& system, const std::vector<char>& is_wanted)
-      : rows_(system), components_(system.components().size()) {
-    std::vector<std::vector<std::uint32_t>> members(system.components().size());
-    for (std::uint32_t i = 0; i < system.size(); ++i) {
-      const std::uint32_t c = system.rows()[i].component;
-      if (is_wanted[c]) members[c].push_back(i);
-    }
-    for (std::size_t c = 0; c < members.size(); ++c)
-      if (!members[c].empty()) components_[c] = std::make_unique<DenseComponent>(system, rows_, std::move(members[c]));
-  }
+  Wanted(const SymmetricRows& rows, std::vector<const DenseComponent*> components)
+      : rows_(rows), components_(std::move(components)) {}
 
-  Correction solve(const std::vector<double>& r) override {
+  Correction solve(const std::vector<double>& r) const override {
     Correction x{std::vector<double>(components_.size(), 0), std::vector<double>(r.size(), 0)};
     for (std::uint32_t c = 0; c < components_.size(); ++c)
       if (components_[c]) components_[c]->solve(rows_, r, x, c);
@@ -119,15 +110,30 @@ class Elimination : public ApproximateInverse {
   }
 
  private:
-  SymmetricRows rows_;
-  std::vector<std::unique_ptr<DenseComponent>> components_;
+  const SymmetricRows& rows_;
+  std::vector<const DenseComponent*> components_;  // null: not wanted
 };
 
-}  // namespace
+Elimination::Elimination(const SymmetricRows& rows, std::size_t components)
+    : rows_(rows), members_(components), place_(rows.component.size()), eliminated_(components) {
+  for (std::uint32_t i = 0; i < rows.component.size(); ++i) members_[rows.component[i]].push_back(i);
+  for (std::vector<std::uint32_t>& members : members_) {
+    // The constant is the value at the unknown that is coupled best.
+    const auto best = std::max_element(members.begin(), members.end(),
+                                       [&](auto a, auto b) { return rows.coupling[a] < rows.coupling[b]; });
+    std::swap(*best, members.back());
+    for (std::uint32_t k = 0; k < members.size(); ++k) place_[members[k]] = k;
+  }
+}
 
-std::unique_ptr<ApproximateInverse> make_elimination(const RadiositySystem& system,
-                                                     const std::vector<char>& is_wanted) {
-  return std::make_unique<Elimination>(system, is_wanted);
+Elimination::~Elimination() = default;
+
+std::unique_ptr<const ApproximateInverse> Elimination::of(const std::vector<char>& is_wanted) const {
+  std::vector<const DenseComponent*> wanted(members_.size(), nullptr);
+  for (std::size_t c = 0; c < members_.size(); ++c)
+    if (is_wanted[c])
+      wanted[c] = &eliminated_[c].get([&] { return std::make_unique<DenseComponent>(rows_, members_[c], place_); });
+  return std::make_unique<Wanted>(rows_, std::move(wanted));
 }
 
 }  // namespace hottel

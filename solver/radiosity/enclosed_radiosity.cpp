@@ -1,9 +1,11 @@
 #include "solver/radiosity/enclosed_radiosity.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
-#include "kernel/support/failure.h"
 #include "solver/radiosity/irradiance.h"
+#include "solver/radiosity/printed_number.h"
 
 namespace hottel {
 namespace {
@@ -26,9 +28,35 @@ ExchangeMatrix matrix_of_ends(const ExchangeMatrix& matrix, double Enclosure::*e
   return result;
 }
 
-// The bounds of one channel from those of the least and the most light.
+// Whether sources are known so well that nothing is gained by looking at their ends.
+bool are_narrow(const ExchangeMatrix& matrix, const RadiositySources& sources) {
+  const auto is_narrow = [](const SourceSpectrum& spectrum) {
+    for (int c = 0; c < 3; ++c) {
+      const RationalEnclosure& number = spectrum[c];
+      if (!number.is_exact() && scaled_by_power_of_two(number.upper - number.lower, 48) > number.upper) return false;
+    }
+    return true;
+  };
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    if (!is_narrow(sources.emission[i])) return false;
+    if (!sources.direct_irradiance.empty() && !is_narrow(sources.direct_irradiance[i])) return false;
+  }
+  return is_narrow(sources.sky);
+}
+
+// A double not above value - width, one not below value + width.
+double lowered(double value, const Rational& width) {
+  return width == 0 || !std::isfinite(value) ? value : rounded_down(Rational(value) - width);
+}
+double raised(double value, const Rational& width) {
+  return width == 0 || !std::isfinite(value) ? value : rounded_up(Rational(value) + width);
+}
+
+// The bounds of one channel from those of the least and the most light. are_at_ends: of sources at their ends; else
+// both are of all that they may be.
 void set_bounds(const ExchangeMatrix& matrix, const ChannelSolution& least, const ChannelSolution& most,
-                const Rational& sky_emission, ChannelSolution& channel) {
+                const RadiositySources& sources, bool are_at_ends, int of, ChannelSolution& channel) {
   channel.max_relative_width = 0;
   channel.dark = most.dark;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
@@ -37,35 +65,61 @@ void set_bounds(const ExchangeMatrix& matrix, const ChannelSolution& least, cons
     element.lower = least.elements[i].lower;
     element.upper = most.elements[i].upper;
     element.radiosity = std::clamp(element.radiosity, element.lower, element.upper);
-    // More light, more of it absorbed.
-    element.net_lower = most.elements[i].net_lower;
-    element.net_upper = least.elements[i].net_upper;
+    // More light, more of it absorbed, and where the most is absorbed the least may be emitted.
+    const RationalEnclosure& emission = sources.emission[i][of];
+    const Rational width = are_at_ends ? Rational(emission.upper - emission.lower) : Rational(0);
+    element.net_lower = lowered(most.elements[i].net_lower, width);
+    element.net_upper = raised(least.elements[i].net_upper, width);
     if (element.radiosity > 0)
       channel.max_relative_width =
           std::max(channel.max_relative_width, (element.upper - element.lower) / element.radiosity);
   }
-  set_irradiances(matrix, sky_emission, channel);
+  set_irradiances(matrix, sources, of, channel);
 }
 
 }  // namespace
 
-RadiositySolution solve_enclosed(const ExchangeMatrix& matrix, const Spectrum& sky_emission,
-                                 const RadiosityOptions& options, const SolveDoubles& solve) {
-  HOTTEL_REQUIRE(matrix.guarantee() == Guarantee::kEnclosed);
+// A matrix of doubles, of which only bounds are wanted.
+struct EnclosedRadiosity::Ends {
+  ExchangeMatrix matrix;
+  FactorsAsGiven as_given;
+
+  Ends(ExchangeMatrix of, const std::vector<Spectrum>& reflectivity)
+      : matrix(std::move(of)), as_given(matrix, reflectivity) {}
+  Ends(const Ends&) = delete;
+  Ends& operator=(const Ends&) = delete;
+};
+
+EnclosedRadiosity::EnclosedRadiosity(const ExchangeMatrix& matrix, const std::vector<Spectrum>& reflectivity)
+    : matrix_(matrix), as_given_(matrix, reflectivity) {
+  if (matrix.guarantee() != Guarantee::kEnclosed) return;
+  lower_ = std::make_unique<const Ends>(matrix_of_ends(matrix, &Enclosure::lower), reflectivity);
+  upper_ = std::make_unique<const Ends>(matrix_of_ends(matrix, &Enclosure::upper), reflectivity);
+}
+
+EnclosedRadiosity::~EnclosedRadiosity() = default;
+
+RadiositySolution EnclosedRadiosity::solve(const RadiositySources& sources, const RadiosityOptions& options) const {
+  const bool is_narrow = are_narrow(matrix_, sources);
+  if (is_narrow && !lower_) return as_given_.solve(sources, options, false);
+  const auto sources_at = [&](End end) { return is_narrow ? sources : sources.at(end); };
   int solved = 0;
   const auto progress = [&](double fraction) { options.progress((solved + fraction) / 3); };
   RadiosityOptions as_asked = options, by_default;
   if (options.progress) as_asked.progress = by_default.progress = progress;
 
-  RadiositySolution solution = solve(matrix, as_asked, true);
+  RadiositySolution solution = as_given_.solve(sources_at(End::kMiddle), as_asked, false);
   ++solved;
-  const RadiositySolution least = solve(matrix_of_ends(matrix, &Enclosure::lower), by_default, false);
+  const RadiositySolution least =
+      (lower_ ? lower_->as_given : as_given_).solve(sources_at(End::kLower), by_default, true);
   ++solved;
-  const RadiositySolution most = solve(matrix_of_ends(matrix, &Enclosure::upper), by_default, false);
+  const RadiositySolution most =
+      (upper_ ? upper_->as_given : as_given_).solve(sources_at(End::kUpper), by_default, true);
 
   solution.max_relative_width = 0;
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
-    set_bounds(matrix, least.channels[c], most.channels[c], sky_emission.value[c], solution.channels[c]);
+    set_bounds(matrix_, least.channels[c], most.channels[c], sources, !is_narrow, static_cast<int>(c),
+               solution.channels[c]);
     solution.max_relative_width = std::max(solution.max_relative_width, solution.channels[c].max_relative_width);
   }
   for (const RadiositySolution* bound : {&least, &most})

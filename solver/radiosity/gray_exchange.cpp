@@ -10,9 +10,9 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
-#include "solver/radiosity/approximate_inverse.h"
 #include "solver/radiosity/certificate.h"
 #include "solver/radiosity/high_precision_elimination.h"
+#include "solver/radiosity/kept_inverses.h"
 #include "solver/radiosity/radiosity_system.h"
 
 namespace hottel {
@@ -31,7 +31,7 @@ struct ColumnEntry {
 class GraySystem {
  public:
   GraySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
-      : matrix_(matrix), system_(matrix, materials, channel), elimination_(system_) {
+      : matrix_(matrix), system_(matrix, materials, channel), elimination_(system_), inverses_(system_) {
     for (const Material& material : materials)
       emissivity_.push_back(ScaledBall::of(Rational(1 - material.reflectivity.value[channel])));
     // Components that lose nothing have no column: all their emissivities are 0.
@@ -41,7 +41,7 @@ class GraySystem {
       is_wanted.push_back(component.loses);
       is_any_wanted |= component.loses;
     }
-    if (is_any_wanted) inverse_ = make_elimination(system_, is_wanted);
+    if (is_any_wanted) inverse_ = inverses_.elimination(is_wanted);
   }
 
   // The numbers of one column that are not 0, by rows.
@@ -86,7 +86,8 @@ class GraySystem {
   RadiositySystem system_;
   HighPrecisionElimination elimination_;
   std::vector<ScaledBall> emissivity_;  // by material
-  std::unique_ptr<ApproximateInverse> inverse_;
+  KeptInverses inverses_;
+  std::shared_ptr<const ApproximateInverse> inverse_;
 };
 
 ExchangeMatrix from_columns(const std::vector<Element>& elements,
@@ -114,6 +115,7 @@ ExchangeMatrix from_columns(const std::vector<Element>& elements,
 ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                              const GrayExchangeOptions& options) {
   HOTTEL_REQUIRE(matrix.guarantee() == Guarantee::kExact);
+  HOTTEL_REQUIRE(options.channel >= 0 && options.channel < 3);
   const GraySystem system(matrix, materials, options.channel);
   std::vector<std::vector<ColumnEntry>> columns(matrix.size() + 1);
   std::atomic<std::uint64_t> pairs{0};

@@ -173,14 +173,12 @@ class HighPrecisionElimination::Component {
   double spread_ = kInfinity;
 };
 
-HighPrecisionElimination::HighPrecisionElimination(const RadiositySystem& system) : system_(system) {}
+HighPrecisionElimination::HighPrecisionElimination(const RadiositySystem& system)
+    : system_(system), components_(system.components().size()) {}
 HighPrecisionElimination::~HighPrecisionElimination() = default;
 
 const HighPrecisionElimination::Component& HighPrecisionElimination::eliminated(std::uint32_t component) const {
-  const std::lock_guard lock(mutex_);
-  std::unique_ptr<Component>& place = components_[component];
-  if (!place) place = std::make_unique<Component>(system_, component);
-  return *place;
+  return components_[component].get([&] { return std::make_unique<Component>(system_, component); });
 }
 
 void HighPrecisionElimination::narrow(const Sources& sources, const Wanted& wanted, CertifiedBounds& bounds) const {

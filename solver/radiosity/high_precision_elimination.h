@@ -1,13 +1,11 @@
 // Radiosities where doubles give no bounds, or wide ones: elimination in high precision.
 #pragma once
 
-#include <map>
-#include <memory>
-#include <mutex>
 #include <vector>
 
 #include "kernel/enclosure.h"
 #include "solver/radiosity/certificate.h"
+#include "solver/radiosity/made_once.h"
 #include "solver/radiosity/radiosity_system.h"
 
 namespace hottel {
@@ -47,8 +45,7 @@ class HighPrecisionElimination {
   const Component& eliminated(std::uint32_t component) const;
 
   const RadiositySystem& system_;
-  mutable std::mutex mutex_;
-  mutable std::map<std::uint32_t, std::unique_ptr<Component>> components_;
+  std::vector<MadeOnce<Component>> components_;
 };
 
 // Throws RequestError, naming a face, where an upper bound is infinite.

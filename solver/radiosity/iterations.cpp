@@ -35,37 +35,37 @@ struct Columns {
 
 }  // namespace
 
-IterationResult jacobi(const PlainSystem& system, const IterationLimits& limits) {
-  IterationResult result{system.source, {}};
+IterationResult jacobi(const PlainSystem& system, const PlainSource& source, const IterationLimits& limits) {
+  IterationResult result{source.value, {}};
   for (int iteration = 0;; ++iteration) {
     throw_if_interrupted();
-    const std::vector<double> r = system.residual(system.source, result.x);
-    result.history.push_back(system.relative(r));
+    const std::vector<double> r = system.residual(source.value, result.x);
+    result.history.push_back(source.relative(r));
     if (is_done(limits, iteration, result.history.back())) return result;
     for (std::size_t i = 0; i < r.size(); ++i) result.x[i] += r[i];
   }
 }
 
-IterationResult gauss_seidel(const PlainSystem& system, const IterationLimits& limits) {
-  IterationResult result{system.source, {}};
+IterationResult gauss_seidel(const PlainSystem& system, const PlainSource& source, const IterationLimits& limits) {
+  IterationResult result{source.value, {}};
   for (int iteration = 0;; ++iteration) {
     throw_if_interrupted();
-    result.history.push_back(system.relative(system.residual(system.source, result.x)));
+    result.history.push_back(source.relative(system.residual(source.value, result.x)));
     if (is_done(limits, iteration, result.history.back())) return result;
-    for (std::size_t i = 0; i < result.x.size(); ++i) result.x[i] = system.source[i] + system.gathered(i, result.x);
+    for (std::size_t i = 0; i < result.x.size(); ++i) result.x[i] = source.value[i] + system.gathered(i, result.x);
   }
 }
 
-IterationResult shooting(const PlainSystem& system, const IterationLimits& limits) {
+IterationResult shooting(const PlainSystem& system, const PlainSource& source, const IterationLimits& limits) {
   const Columns columns(system);
-  IterationResult result{system.source, {}};
-  std::vector<double> unshot = system.source;
+  IterationResult result{source.value, {}};
+  std::vector<double> unshot = source.value;
   for (int shot = 0;; ++shot) {
     if (shot % 64 == 0) throw_if_interrupted();
     std::size_t brightest = 0;
     double most = 0, residual = 0;
     for (std::size_t i = 0; i < unshot.size(); ++i) {
-      residual = std::max(residual, unshot[i] * system.per_source[i]);
+      residual = std::max(residual, unshot[i] * source.per_largest[i]);
       if (unshot[i] * system.area[i] > most) {
         most = unshot[i] * system.area[i];
         brightest = i;

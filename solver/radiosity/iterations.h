@@ -27,16 +27,16 @@ struct IterationResult {
 // x <- E + rho F x, from x = source. Each iteration is one more bounce of light. All three stop with Interrupted when
 // that was asked for.
 // COST of an iteration: one pass over the entries.
-IterationResult jacobi(const PlainSystem& system, const IterationLimits& limits);
+IterationResult jacobi(const PlainSystem& system, const PlainSource& source, const IterationLimits& limits);
 
 // The same, with each new value used at once, in the order of the elements. COST: two passes over the entries, one of
 // them for the residual.
-IterationResult gauss_seidel(const PlainSystem& system, const IterationLimits& limits);
+IterationResult gauss_seidel(const PlainSystem& system, const PlainSource& source, const IterationLimits& limits);
 
 // Progressive refinement (Cohen, Chen, Wallace, Greenberg 1988), without an ambient term: the element with the
 // most unshot power, in the unit of its component, shoots to all that it sees. The result is what was received,
 // the unshot light included.
 // COST of an iteration (one shot): one pass over the unknowns, and the column of the one that shoots.
-IterationResult shooting(const PlainSystem& system, const IterationLimits& limits);
+IterationResult shooting(const PlainSystem& system, const PlainSource& source, const IterationLimits& limits);
 
 }  // namespace hottel

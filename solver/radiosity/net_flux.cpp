@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "kernel/support/failure.h"
 #include "solver/radiosity/scaled_ball.h"
 
 namespace hottel {
@@ -44,7 +45,9 @@ std::vector<ScaledBall> flux_by_element(const ExchangeMatrix& matrix, const Chan
 }  // namespace
 
 std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolution& solution,
-                              const Spectrum& sky_emission, const std::function<std::string(const Element&)>& name_of) {
+                              const SourceSpectrum& sky_emission,
+                              const std::function<std::string(const Element&)>& name_of) {
+  for (const ChannelSolution& channel : solution.channels) HOTTEL_REQUIRE(channel.elements.size() == matrix.size());
   std::vector<char> is_listed(matrix.size() + 1, 0);
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
@@ -69,8 +72,9 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
     result[place[i]].area = area[place[i]].nearest();
   }
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
+    const RationalEnclosure& sky = sky_emission[static_cast<int>(c)];
     const std::vector<ScaledBall> flux =
-        flux_by_element(matrix, solution.channels[c], ScaledBall::of(sky_emission.value[c]));
+        flux_by_element(matrix, solution.channels[c], ScaledBall::around(sky.lower, sky.upper));
     std::vector<ScaledBall> total(result.size());
     for (std::uint32_t i = 0; i <= matrix.size(); ++i)
       if (is_listed[i]) total[place[i]] = sum(total[place[i]], flux[i]);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/material.h"
 #include "solver/radiosity/radiosity_solution.h"
+#include "solver/radiosity/radiosity_sources.h"
 
 namespace hottel {
 
@@ -30,9 +30,12 @@ struct NetFlux {
 //       bounds of the solution are about: the exact factors, all factors within their bounds, or, where some are
 //       estimated (RadiositySolution::guarantee), those that the matrix holds
 //   (3) the true fluxes of all names sum to 0 where rows sum to 1 and pairs are reciprocal: what is sent out arrives
-//       somewhere; so do the values, but for roundings, where iterations were stopped early too
-// REQUIRES a solution of this matrix with this sky. COST: one pass over the matrix a channel.
+//       somewhere; so do the values, but for roundings, where iterations were stopped early too. Light that arrives
+//       directly comes from none of them: with it they sum to minus its power
+// Throws ContractViolation where the solution has another number of elements. REQUIRES a solution of this matrix with
+// this sky. COST: one pass over the matrix a channel.
 std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolution& solution,
-                              const Spectrum& sky_emission, const std::function<std::string(const Element&)>& name_of);
+                              const SourceSpectrum& sky_emission,
+                              const std::function<std::string(const Element&)>& name_of);
 
 }  // namespace hottel

@@ -1,27 +1,18 @@
 #include "solver/radiosity/radiosity.h"
 
-#include <utility>
+#include <memory>
 
-#include "kernel/support/parallel.h"
-#include "solver/radiosity/enclosed_radiosity.h"
-#include "solver/radiosity/factors_as_given.h"
-#include "solver/radiosity/faint_radiosities.h"
+#include "solver/radiosity/radiosity_solver.h"
 
 namespace hottel {
 
 RadiositySolution solve_radiosity(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                                   const Spectrum& sky_emission, const RadiosityOptions& options) {
-  const DefaultFloatingPoint arithmetic;
-  const auto solve = [&](const ExchangeMatrix& of, const RadiosityOptions& with, bool is_whole) {
-    return solve_as_given(of, materials, sky_emission, with, !is_whole);
-  };
-  RadiositySolution solution = matrix.guarantee() == Guarantee::kEnclosed
-                                   ? solve_enclosed(matrix, sky_emission, options, solve)
-                                   : solve(matrix, options, true);
-  if (matrix.guarantee() == Guarantee::kEstimated)
-    solution.guarantee = Guarantee::kEstimated;
-  else  // the faint radiosities of estimates are what they are: estimates
-    for (std::string& note : notes_of_faint_radiosities(matrix, solution)) solution.notes.push_back(std::move(note));
+  const std::shared_ptr<const ExchangeMatrix> unowned(std::shared_ptr<const ExchangeMatrix>(), &matrix);
+  const RadiositySolver solver(unowned, reflectivities_of(materials), options);
+  RadiositySolution solution = solver.solve(sources_of(matrix, materials, sky_emission), options.progress);
+  if (const auto place = solution.seconds.find("radiosity"); place != solution.seconds.end())
+    place->second += solver.seconds();
   return solution;
 }
 

@@ -13,10 +13,10 @@ namespace hottel {
 
 // One element in one channel. Units: W/m in the plane, W/m² in space.
 struct ElementRadiosity {
-  double emission = 0, reflectivity = 0;  // correctly rounded
+  double emission = 0, reflectivity = 0;  // correctly rounded; of an enclosed emission its middle
   double radiosity = 0;
   double lower = 0, upper = 0;  // proven bounds of the radiosity; RadiositySolution::guarantee says of which system
-  double irradiance = 0;        // sum_j F_ij B_j of these radiosities, where there is no reflection too
+  double irradiance = 0;        // sum_j F_ij B_j of these radiosities, and D_i; where there is no reflection too
   double net_lower = 0, net_upper = 0;  // proven bounds of radiosity - irradiance, of that system
   double net_value = 0;                 // within them, without what cancels in the difference of two doubles
 
@@ -24,8 +24,8 @@ struct ElementRadiosity {
   double net() const { return radiosity - irradiance; }
 };
 
-// Power [W; W per metre of depth in the plane], sums over the rows of the matrix. What the sky sends in counts as
-// emitted. emitted = absorbed + to_sky + defect.
+// Power [W; W per metre of depth in the plane], sums over the rows of the matrix. What the sky sends in and what
+// arrives directly (RadiositySources) counts as emitted. emitted = absorbed + to_sky + defect.
 struct EnergyBalance {
   double emitted = 0, absorbed = 0, to_sky = 0, defect = 0;
 };

@@ -84,7 +84,7 @@ bool rows_may_be_closed(const ExchangeMatrix& matrix) {
 
 }  // namespace
 
-RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
+RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Rational>& reflectivities)
     : matrix_(&matrix), rows_are_closed_(rows_may_be_closed(matrix)), unknown_(matrix.size() + 1, -1) {
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     for (const FactorEntry& entry : matrix.row(i)) {
@@ -93,9 +93,10 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
                                        entry.factor.value));
       has_negative_factors_ |= entry.factor.value < 0;
     }
-  std::vector<DoubleDoubleBall> reflectivity(materials.size()), loss(materials.size());
-  for (std::size_t m = 0; m < materials.size(); ++m) {
-    const Rational& rho = materials[m].reflectivity.value[channel];
+  std::vector<DoubleDoubleBall> reflectivity(reflectivities.size()), loss(reflectivities.size());
+  for (std::size_t m = 0; m < reflectivities.size(); ++m) {
+    const Rational& rho = reflectivities[m];
+    HOTTEL_REQUIRE(rho >= 0 && rho <= 1);
     reflectivity[m] = DoubleDoubleBall::of(rho);
     absorptivity_.push_back(1 - rho);
     loss[m] = DoubleDoubleBall::of(absorptivity_.back());
@@ -103,8 +104,8 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
     const std::uint32_t m = *matrix.elements()[i].material;
-    HOTTEL_REQUIRE(m < materials.size());
-    if (materials[m].reflectivity.value[channel] == 0) continue;
+    HOTTEL_REQUIRE(m < reflectivities.size());
+    if (reflectivities[m] == 0) continue;
     unknown_[i] = static_cast<std::int32_t>(rows_.size());
     SystemRow row{i, 0, reflectivity[m], loss[m]};
     if (!rows_are_closed()) {
@@ -118,7 +119,7 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
   find_components();
   for (const SystemRow& row : rows_) {
     SystemComponent& component = components_[row.component];
-    component.loses |= materials[*matrix.elements()[row.element].material].reflectivity.value[channel] != 1;
+    component.loses |= absorptivity(row) != 0;
     for (const FactorEntry& entry : matrix.row(row.element)) component.loses |= unknown_[entry.to] < 0;
   }
 }
@@ -257,29 +258,27 @@ PlainSystem::PlainSystem(const RadiositySystem& system, const std::vector<char>&
   }
 }
 
-void PlainSystem::set_source(const RadiositySystem& system, const Sources& sources) {
-  source.assign(system.size(), 0);
+PlainSource::PlainSource(const RadiositySystem& system, const Sources& sources) : value(system.size(), 0) {
   for (std::size_t i = 0; i < system.size(); ++i) {
     const SystemRow& row = system.rows()[i];
     double from_known = 0;
     for (const FactorEntry& entry : system.matrix().row(row.element))
       if (system.unknown(entry.to) < 0)
         from_known += entry.factor.value * sources.emission_in(row.component, entry.to).hi;
-    source[i] = sources.emission_in(row.component, row.element).hi + row.reflectivity.hi * from_known;
+    value[i] = sources.emission_in(row.component, row.element).hi + row.reflectivity.hi * from_known;
   }
   std::vector<double> largest(system.components().size(), 0);
   for (std::size_t i = 0; i < system.size(); ++i) {
     double& most = largest[system.rows()[i].component];
-    most = std::max(most, std::abs(source[i]));
+    most = std::max(most, std::abs(value[i]));
   }
-  per_source.clear();
   for (const SystemRow& row : system.rows())
-    per_source.push_back(largest[row.component] > 0 ? 1 / largest[row.component] : 1);
+    per_largest.push_back(largest[row.component] > 0 ? 1 / largest[row.component] : 1);
 }
 
-double PlainSystem::relative(const std::vector<double>& r) const {
+double PlainSource::relative(const std::vector<double>& r) const {
   double result = 0;
-  for (std::size_t i = 0; i < r.size(); ++i) result = std::max(result, std::abs(r[i]) * per_source[i]);
+  for (std::size_t i = 0; i < r.size(); ++i) result = std::max(result, std::abs(r[i]) * per_largest[i]);
   return result;
 }
 

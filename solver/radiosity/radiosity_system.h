@@ -8,6 +8,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/material.h"
+#include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scaled_ball.h"
 
 namespace hottel {
@@ -21,9 +22,10 @@ struct SplitVector {
 
 // The sources of one channel. Components are independent of each other, so each has a unit of its own, 2^exponent: the
 // largest emission in it or seen from it is near 1, or less where radiosities may be so much larger that they would
-// leave the range of doubles. What shines elsewhere does not matter to it.
+// leave the range of doubles. What shines elsewhere does not matter to it. Light that arrives directly and is reflected
+// counts as emitted.
 struct Sources {
-  std::vector<ScaledBall> emission;  // by element, the sky last; 0 for black backs
+  std::vector<ScaledBall> emission;  // by element, the sky last: E + rho D; 0 for black backs
   std::vector<int> exponent;         // of the unit, by component
   std::vector<double> largest;       // by component: the largest emission in it or seen from it, in its unit
   std::vector<char> is_lit;          // by component: some light reaches it
@@ -54,17 +56,17 @@ struct ErrorTerms {
   bool roundings = true;  // and the residual itself is rounded
 };
 
-// B_i = E_i + rho_i sum_j F_ij B_j for the channels of one reflectivity vector, in row-defect form:
-//   (A x)_i = loss_i x_i + rho_i sum_j F_ij (x_i - x_j) = E_i,        loss_i = 1 - rho_i sum_j F_ij.
+// B_i = E_i + rho_i (sum_j F_ij B_j + D_i) for the channels of one reflectivity vector, in row-defect form:
+//   (A x)_i = loss_i x_i + rho_i sum_j F_ij (x_i - x_j) = E_i + rho_i D_i,        loss_i = 1 - rho_i sum_j F_ij.
 //
 //   (1) the unknowns are the rows with rho > 0, in the order of the matrix; all else is known: black backs are 0, the
 //       sky has its emission, and so have rows with rho = 0
 //   (2) where rows_are_closed(), rows sum to 1 exactly, so loss_i = 1 - rho_i, from the exact reflectivity; else
 //       loss_i comes from the row as it is
 //   (3) components come from the pattern of F alone: F_ij > 0 or F_ji > 0
-//   (4) Sources::range is that of E_j / (1 - rho_j), over the unknowns of a component, and of the emissions of all that
-//       is known and that they see: no extremum can be elsewhere. REQUIRES a component that loses light; [0, infinity]
-//       where an unknown with rho = 1 emits, and where rows are not closed
+//   (4) Sources::range is that of (E_j + rho_j D_j) / (1 - rho_j), over the unknowns of a component, and of the
+//       emissions of all that is known and that they see: no extremum can be elsewhere. REQUIRES a component that loses
+//       light; [0, infinity] where an unknown with rho = 1 emits, and where rows are not closed
 //   (5) F is the factors themselves: the double of an entry that is not exact; of one that is, the real number and its
 //       double alike: what is proven holds for both. Bounds of factors do not enter (enclosed_radiosity.h)
 // Throws RequestError where a factor is no number, ContractViolation where the matrix says that it is exact and a row
@@ -72,9 +74,11 @@ struct ErrorTerms {
 // COST: about 20 ns an entry of the matrix for a residual, over all threads.
 class RadiositySystem {
  public:
-  // channel: 0, 1 or 2 of the materials' spectra. REQUIRES that the matrix outlives this, and that the materials of its
-  // rows index into `materials`; throws ContractViolation otherwise.
-  RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel);
+  // `reflectivity`: by material; or channel 0, 1 or 2 of the materials' spectra. REQUIRES that the matrix outlives
+  // this, and that the materials of its rows index into these; throws ContractViolation otherwise.
+  RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Rational>& reflectivity);
+  RadiositySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
+      : RadiositySystem(matrix, in_channel(reflectivities_of(materials), channel)) {}
 
   const ExchangeMatrix& matrix() const { return *matrix_; }
   // True if the matrix is exact; also if no entry is estimated and factors within their bounds may sum to
@@ -93,9 +97,13 @@ class RadiositySystem {
   // Returns the unknown of an element (or of the sky), -1 when it is known.
   std::int32_t unknown(std::uint32_t element) const { return unknown_[element]; }
 
-  // The sources of one channel: emissions of the materials, and of the sky. REQUIRES the channel of this system, or one
-  // of the same reflectivities.
-  Sources sources(const std::vector<Material>& materials, const Spectrum& sky_emission, int channel) const;
+  // The sources of one channel; those of materials and the sky are what sources_of() makes of them. REQUIRES the
+  // channel of this system, or one of the same reflectivities, and as many emissions as there are elements; as many
+  // direct irradiances, or none (else ContractViolation).
+  Sources sources(const RadiositySources& sources, int channel) const;
+  Sources sources(const std::vector<Material>& materials, const Spectrum& sky_emission, int channel) const {
+    return sources(hottel::sources_of(*matrix_, materials, sky_emission), channel);
+  }
   // The sources when one element (or the sky) emits 1 and nothing else does.
   Sources unit_source(std::uint32_t element) const;
 
@@ -114,7 +122,7 @@ class RadiositySystem {
 
  private:
   void find_components();
-  Sources sources_of(const std::vector<const Rational*>& emission) const;  // by element, the sky last; null: 0
+  Sources in_units(const std::vector<const RationalEnclosure*>& emission) const;  // by element, the sky last; null: 0
 
   const ExchangeMatrix* matrix_;
   bool rows_are_closed_, has_negative_factors_ = false;
@@ -132,18 +140,21 @@ struct PlainSystem {
   std::vector<std::size_t> begin;  // by unknown, one more at the end
   std::vector<std::uint32_t> to;   // unknowns
   std::vector<double> scatter;     // rho_i F_ij
-  std::vector<double> source;      // E_i + rho_i sum of F_ij B_j over all that is known
   std::vector<double> area;
-  std::vector<double> per_source;  // 1 / the largest source of the component; 1 where there is none
 
-  PlainSystem() = default;
   PlainSystem(const RadiositySystem& system, const std::vector<char>& is_wanted);
-  // Sets `source` and `per_source` from the sources of one channel. relative() REQUIRES it.
-  void set_source(const RadiositySystem& system, const Sources& sources);
   // Returns the row of scatter times x.
   double gathered(std::size_t i, const std::vector<double>& x) const;
   // Returns of - (I - scatter) x, for any source `of`. COST: one pass over the entries, over all threads.
   std::vector<double> residual(const std::vector<double>& of, const std::vector<double>& x) const;
+};
+
+// The right side of a plain system: the sources of one channel.
+struct PlainSource {
+  std::vector<double> value;        // by unknown: E_i + rho_i (D_i + sum of F_ij B_j over all that is known)
+  std::vector<double> per_largest;  // by unknown: 1 / the largest source of the component; 1 where there is none
+
+  PlainSource(const RadiositySystem& system, const Sources& sources);
   // Returns max |r_i|, each relative to the largest source of its component.
   double relative(const std::vector<double>& r) const;
 };

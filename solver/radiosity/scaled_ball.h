@@ -22,6 +22,8 @@ struct ScaledBall {
 
   // From a number, exactly where a mantissa of two doubles holds it; 0 is 0. The exponents of doubles are no limit.
   static ScaledBall of(const Rational& value);
+  // Any number from lower to upper: of(lower) where they are equal. REQUIRES 0 <= lower <= upper.
+  static ScaledBall around(const Rational& lower, const Rational& upper);
   static ScaledBall of(const DoubleDoubleBall& value, int exponent = 0) {
     return ScaledBall{value, exponent}.near_one();
   }
@@ -76,6 +78,16 @@ inline ScaledBall ScaledBall::of(const Rational& value) {
   if (value == 0) return {};
   const int exponent = exponent_of(value);
   return {DoubleDoubleBall::of(scaled_by_power_of_two(value, -exponent)), exponent};
+}
+
+inline ScaledBall ScaledBall::around(const Rational& lower, const Rational& upper) {
+  if (lower == upper) return of(lower);
+  const int exponent = exponent_of(upper);
+  const Rational reach = scaled_by_power_of_two(upper - lower, -exponent - 1);
+  ScaledBall result{DoubleDoubleBall::of(Rational(scaled_by_power_of_two(lower, -exponent) + reach)), exponent};
+  const double reach_above = std::nextafter(to_double(reach), std::numeric_limits<double>::infinity());
+  result.mantissa.radius = (result.mantissa.radius + reach_above) * kOutward;
+  return result;
 }
 
 }  // namespace hottel

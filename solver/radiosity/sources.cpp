@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "kernel/support/failure.h"
 #include "solver/radiosity/radiosity_system.h"
 
 namespace hottel {
@@ -17,28 +18,35 @@ struct Extremes {
   bool are_known = true, is_any = false;
   Rational least, most;
 
-  void meet(const Rational& radiosity) {
-    if (!is_any || radiosity < least) least = radiosity;
-    if (!is_any || radiosity > most) most = radiosity;
+  void meet(const Rational& lower, const Rational& upper) {
+    if (!is_any || lower < least) least = lower;
+    if (!is_any || upper > most) most = upper;
     is_any = true;
   }
+  void meet(const RationalEnclosure& radiosity) { meet(radiosity.lower, radiosity.upper); }
 };
 
 // By component. At the brightest unknown nothing that it sees is brighter, so (1 - rho) B <= E there; unless it absorbs
 // and emits nothing, and then all that it sees is as bright. So for the darkest.
-std::vector<Extremes> extremes_of(const RadiositySystem& system, const std::vector<const Rational*>& emission) {
-  const Rational zero = 0;
-  const auto emitted = [&](std::uint32_t element) -> const Rational& {
+std::vector<Extremes> extremes_of(const RadiositySystem& system,
+                                  const std::vector<const RationalEnclosure*>& emission) {
+  const RationalEnclosure zero;
+  const auto emitted = [&](std::uint32_t element) -> const RationalEnclosure& {
     return emission[element] ? *emission[element] : zero;
   };
   std::vector<Extremes> result(system.components().size());
   for (const SystemRow& row : system.rows()) {
     Extremes& extremes = result[row.component];
-    const Rational &own = emitted(row.element), &taken = system.absorptivity(row);
-    if (taken > 0)
-      extremes.meet(own == 0 ? zero : Rational(own / taken));
-    else if (own > 0)
+    const RationalEnclosure& own = emitted(row.element);
+    const Rational& taken = system.absorptivity(row);
+    if (own.upper == 0) {
+      if (taken > 0) extremes.meet(zero);
+    } else if (taken > 0) {
+      const Rational most = own.upper / taken;
+      extremes.meet(own.is_exact() ? most : Rational(own.lower / taken), most);
+    } else {
       extremes.are_known = false;
+    }
     for (const FactorEntry& entry : system.matrix().row(row.element))
       if (system.unknown(entry.to) < 0) extremes.meet(emitted(entry.to));
   }
@@ -48,27 +56,39 @@ std::vector<Extremes> extremes_of(const RadiositySystem& system, const std::vect
 
 }  // namespace
 
-Sources RadiositySystem::sources(const std::vector<Material>& materials, const Spectrum& sky_emission,
-                                 int channel) const {
-  std::vector<const Rational*> emission(matrix_->size() + 1, nullptr);
+Sources RadiositySystem::sources(const RadiositySources& sources, int channel) const {
+  HOTTEL_REQUIRE(sources.emission.size() == matrix_->size());
+  HOTTEL_REQUIRE(sources.direct_irradiance.empty() || sources.direct_irradiance.size() == matrix_->size());
+  std::vector<const RationalEnclosure*> emission(matrix_->size() + 1, nullptr);
   for (std::uint32_t i = 0; i < matrix_->size(); ++i)
-    if (matrix_->has_row(i)) emission[i] = &materials[*matrix_->elements()[i].material].emission.value[channel];
-  emission[matrix_->sky()] = &sky_emission.value[channel];
-  return sources_of(emission);
+    if (matrix_->has_row(i)) emission[i] = &sources.emission[i][channel];
+  emission[matrix_->sky()] = &sources.sky[channel];
+  std::vector<RationalEnclosure> raised;  // by what is reflected of the light that arrives directly
+  raised.reserve(rows_.size());
+  if (!sources.direct_irradiance.empty())
+    for (const SystemRow& row : rows_) {
+      const RationalEnclosure& direct = sources.direct_irradiance[row.element][channel];
+      if (direct.upper == 0) continue;
+      const RationalEnclosure& own = *emission[row.element];
+      const Rational rho = 1 - absorptivity(row);
+      RationalEnclosure sum{own.lower + rho * direct.lower, own.upper + rho * direct.upper};
+      emission[row.element] = &raised.emplace_back(std::move(sum));
+    }
+  return in_units(emission);
 }
 
 Sources RadiositySystem::unit_source(std::uint32_t element) const {
-  const Rational one = 1;
-  std::vector<const Rational*> emission(matrix_->size() + 1, nullptr);
+  const RationalEnclosure one{1, 1};
+  std::vector<const RationalEnclosure*> emission(matrix_->size() + 1, nullptr);
   emission[element] = &one;
-  return sources_of(emission);
+  return in_units(emission);
 }
 
-Sources RadiositySystem::sources_of(const std::vector<const Rational*>& emission) const {
+Sources RadiositySystem::in_units(const std::vector<const RationalEnclosure*>& emission) const {
   Sources result;
-  std::map<const Rational*, ScaledBall> scaled;  // materials are few
-  for (const Rational* e : emission) {
-    if (e && !scaled.contains(e)) scaled[e] = ScaledBall::of(*e);
+  std::map<const RationalEnclosure*, ScaledBall> scaled;  // materials are few
+  for (const RationalEnclosure* e : emission) {
+    if (e && !scaled.contains(e)) scaled[e] = ScaledBall::around(e->lower, e->upper);
     result.emission.push_back(e ? scaled[e] : ScaledBall());
   }
   result.is_lit.assign(components_.size(), 0);

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
@@ -26,7 +27,7 @@ class Lu : public ApproximateInverse {
     lu_.compute(a);
   }
 
-  Correction solve(const std::vector<double>& r) override {
+  Correction solve(const std::vector<double>& r) const override {
     Correction x{std::vector<double>(components_, 0), std::vector<double>(r.size(), 0)};
     if (r.empty()) return x;
     const auto n = static_cast<Eigen::Index>(r.size());
@@ -54,10 +55,11 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 // van der Vorst 1992. The diagonal of I - rho F is 1 (or near it), so there is nothing to precondition with it.
 class Bicgstab : public ApproximateInverse {
  public:
-  Bicgstab(const PlainSystem& system, std::size_t components, CgLimits limits, std::vector<double>* history)
-      : system_(system), components_(components), limits_(limits), history_(history) {}
+  Bicgstab(std::shared_ptr<const PlainSystem> system, std::size_t components, CgLimits limits,
+           std::vector<double>* history)
+      : system_(std::move(system)), components_(components), limits_(limits), history_(history) {}
 
-  Correction solve(const std::vector<double>& b) override {
+  Correction solve(const std::vector<double>& b) const override {
     const std::size_t n = b.size();
     Correction result{std::vector<double>(components_, 0), std::vector<double>(n, 0)};
     std::vector<double>& x = result.rest;
@@ -95,18 +97,17 @@ class Bicgstab : public ApproximateInverse {
       rho = next;
       if (omega == 0) break;
     }
-    history_ = nullptr;
     return result;
   }
 
  private:
   std::vector<double> times(const std::vector<double>& x, const std::vector<double>& zero) const {
-    std::vector<double> result = system_.residual(zero, x);
+    std::vector<double> result = system_->residual(zero, x);
     for (double& value : result) value = -value;
     return result;
   }
 
-  const PlainSystem& system_;
+  std::shared_ptr<const PlainSystem> system_;
   std::size_t components_;
   CgLimits limits_;
   std::vector<double>* history_;
@@ -114,13 +115,14 @@ class Bicgstab : public ApproximateInverse {
 
 }  // namespace
 
-std::unique_ptr<ApproximateInverse> make_lu(const PlainSystem& system, std::size_t components) {
+std::unique_ptr<const ApproximateInverse> make_lu(const PlainSystem& system, std::size_t components) {
   return std::make_unique<Lu>(system, components);
 }
 
-std::unique_ptr<ApproximateInverse> make_bicgstab(const PlainSystem& system, std::size_t components, CgLimits limits,
-                                                  std::vector<double>* history) {
-  return std::make_unique<Bicgstab>(system, components, limits, history);
+std::unique_ptr<const ApproximateInverse> make_bicgstab(std::shared_ptr<const PlainSystem> system,
+                                                        std::size_t components, CgLimits limits,
+                                                        std::vector<double>* history) {
+  return std::make_unique<Bicgstab>(std::move(system), components, limits, history);
 }
 
 }  // namespace hottel

@@ -145,12 +145,10 @@ void check_light(const PreparedScene2& prepared, const ExchangeMatrix& matrix) {
     brightest = std::max(brightest, element.radiosity);
   }
   const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
-  const std::vector<double> by_element = radiosity_by_element_2(solution),
-                            sky = sky_by_channel_2(prepared.scene.sky_emission, 1);
-  const IlluminationGrid2 light = illuminate_points(prepared, grid_over(prepared.scene, 4, 4),
-                                                    FaceRadiosity2(prepared.arrangement, table, by_element, sky));
+  const IlluminationGrid2 light = illuminate_points(prepared, grid_over(prepared.scene, 4, 4), table,
+                                                    sent_out_2(table, solution, prepared.scene.sky_emission));
   for (const double value : light.values)
-    require(value >= 0 && value <= brightest * (1 + 1e-13), "light at a point exceeds the brightest face");
+    require(value >= 0 && value <= brightest, "light at a point exceeds the brightest face");
 }
 
 }  // namespace

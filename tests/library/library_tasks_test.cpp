@@ -68,6 +68,17 @@ TEST_F(LibraryTasks, LightAtAPoint) {
   EXPECT_EQ(printed(), "");
 }
 
+TEST_F(LibraryTasks, PolygonsOfManyPoints) {
+  // task
+  const Simulation2 simulation(read_scene_2("scenes/analytic/strip_obstructed.json"));
+  const std::vector<Point2> points = {{0, Rational(1, 2)}, {0, Rational(3, 2)}};
+  for (const RoundedPolygon2& polygon : visibility_polygons(*simulation.prepared(), points))
+    for (const auto& [x, y, after] : polygon.corners)
+      std::printf("%g %g %s\n", x, y, polygon_side_name(*simulation.prepared(), after).c_str());
+  // end
+  EXPECT_EQ(printed(), "");
+}
+
 // The blocks between "// task" and "// end" of this file, or the C++ blocks of a page, as they are indented there.
 std::vector<std::string> blocks(const std::string& file, const std::string& begin, const std::string& end) {
   std::ifstream text(file);
@@ -91,7 +102,7 @@ TEST(LibraryPage, ShowsTheTasksThatAreTestedHere) {
   const std::string root = HOTTEL_SOURCE_DIR;
   const auto tested = blocks(root + "/tests/library/library_tasks_test.cpp", "// task", "// end");
   const auto shown = blocks(root + "/docs/library.md", "```cpp", "```");
-  ASSERT_GE(tested.size(), 4u);
+  ASSERT_EQ(tested.size(), 5u);
   EXPECT_EQ(shown, tested);
   for (const std::string& task : tested) EXPECT_LE(std::count(task.begin(), task.end(), '\n'), 5) << task;
 }

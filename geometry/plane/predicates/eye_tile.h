@@ -36,6 +36,13 @@ class EyeTile2 {
   std::size_t rows() const { return eyes_.size() / columns_; }
   const Eye2& eye(std::size_t k) const { return eyes_[k / kSide * columns_ + k % kSide]; }
 
+  // All eyes of the tile.
+  Set all() const {
+    Set eyes = 0;
+    for (std::size_t row = 0; row < rows(); ++row) eyes |= (Set{0xff} >> (kSide - columns_)) << (kSide * row);
+    return eyes;
+  }
+
   // These eyes and a box that holds them, widened by the error of their coordinates.
   // REQUIRES: eyes of the tile, at least one.
   Group group(Set eyes) const;

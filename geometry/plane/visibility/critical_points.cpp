@@ -5,6 +5,7 @@
 
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/visible_lines.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
@@ -82,6 +83,7 @@ std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, con
 
 std::vector<CriticalPoint2> critical_points(const PreparedScene2& prepared, const Face& a,
                                             const std::optional<Face>& b) {
+  HOTTEL_REQUIRE(a.surface < prepared.scene.surfaces.size() && (!b || b->surface < prepared.scene.surfaces.size()));
   return critical_points(prepared.arrangement, prepared.scene, a, b);
 }
 

@@ -32,7 +32,7 @@ struct CriticalPoint2 {
 // COST: one sweep about every vertex.
 std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, const Scene2& scene, const Face& a,
                                             const std::optional<Face>& b);
-// The same of a prepared scene.
+// The same of a prepared scene. Throws ContractViolation where a face is none of it.
 std::vector<CriticalPoint2> critical_points(const PreparedScene2& prepared, const Face& a,
                                             const std::optional<Face>& b);
 

@@ -37,26 +37,44 @@ void TileViews2::look_around(const PointLocation2& location, const EyeTile2& til
   }
 }
 
-// Eyes on edges, at vertices and outside look around by themselves.
+// Eyes on edges, at vertices and outside look around by themselves. Where two in a row are in one triangle it is asked
+// which others are.
 void TileViews2::locate(const PointLocation2& location, const EyeTile2& tile) {
   homes_.clear();
+  const Triangulation2& triangulation = location.triangulation();
   TriangleId near = TriangleId::none();
+  Set placed = 0;
+  const auto place = [&](std::size_t k, const Location2& where) {
+    places_[k] = where;
+    views_[k].seen.clear();
+  };
   for (std::size_t row = 0; row < tile.rows(); ++row)
     for (std::size_t column = 0; column < tile.columns(); ++column) {
       const std::size_t k = EyeTile2::kSide * row + column;
-      places_[k] = location.locate(tile.eye(k), near);
-      if (places_[k].kind != Location2::Kind::kInTriangle) {
+      if ((placed >> k & 1) != 0) continue;
+      const TriangleId before = near;
+      const Location2 where = location.locate(tile.eye(k), near);
+      place(k, where);
+      if (where.kind != Location2::Kind::kInTriangle) {
         location.look_around(tile.eye(k), views_[k], near);
         continue;
       }
-      views_[k].seen.clear();
-      const TriangleId triangle = triangle_of(places_[k].half_edge);
+      const TriangleId triangle = triangle_of(where.half_edge);
+      Set eyes = Set{1} << k;
+      if (triangle == before) {
+        eyes = tile.all() & ~placed & ~(eyes - 1);  // not those before, which are elsewhere
+        for (const HalfEdgeId h : half_edges_of(triangle))
+          if (eyes != 0)
+            eyes = tile.seeing_left_turn(tile.group(eyes), triangulation.origin(h), triangulation.target(h));
+        for_each_eye(eyes, [&](std::size_t other) { place(other, where); });
+      }
+      placed |= eyes;
       const auto home =
           std::find_if(homes_.begin(), homes_.end(), [&](const Home& h) { return h.triangle == triangle; });
       if (home == homes_.end())
-        homes_.push_back({triangle, Set{1} << k});
+        homes_.push_back({triangle, eyes});
       else
-        home->eyes |= Set{1} << k;
+        home->eyes |= eyes;
     }
 }
 

@@ -87,4 +87,11 @@ bool is_foreign_2(const std::string& method) {
   return family == "file" || family == "run";
 }
 
+MethodCatalogue2 all_methods_2() {
+  MethodCatalogue2 methods = methods_2();
+  methods.add(file_family_2());
+  methods.add(run_family_2());
+  return methods;
+}
+
 }  // namespace hottel

@@ -1,6 +1,7 @@
 // The mean light in each cell of a grid.
 #pragma once
 
+#include "solver/plane/light/face_radiosity.h"
 #include "solver/plane/light/illumination_grid.h"
 
 namespace hottel {

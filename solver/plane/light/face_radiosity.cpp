@@ -35,17 +35,4 @@ FaceRadiosity2::FaceRadiosity2(const Arrangement2& arrangement, const ElementTab
   for (const PieceSideId side : arrangement.sides()) shade_[place_after_sky(side)] = of_label[table.of(side)];
 }
 
-std::vector<double> radiosity_by_element_2(const RadiositySolution& solution) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < solution.channels.front().elements.size(); ++i)
-    for (const ChannelSolution& channel : solution.channels) result.push_back(channel.elements[i].radiosity);
-  return result;
-}
-
-std::vector<double> sky_by_channel_2(const Spectrum& sky_emission, std::size_t channels) {
-  std::vector<double> result;
-  for (std::size_t c = 0; c < channels; ++c) result.push_back(to_double(sky_emission.value[c]));
-  return result;
-}
-
 }  // namespace hottel

@@ -1,4 +1,4 @@
-// What each side of each piece of a scene sends out, as one looks it up.
+// What each side of each piece of a scene sends out, as one looks it up; equal ones are one shade.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,6 @@
 
 #include "geometry/plane/arrangement/arrangement.h"
 #include "geometry/plane/exchange/element_table.h"
-#include "solver/radiosity/radiosity.h"
 
 namespace hottel {
 
@@ -38,10 +37,5 @@ class FaceRadiosity2 {
   std::vector<std::uint32_t> shade_;  // by place_after_sky
   std::vector<double> values_;        // by shade and channel
 };
-
-// What FaceRadiosity2 wants of a solution: radiosities element-major, channels inside; the sky's emission by channel,
-// as the nearest doubles. REQUIRES at least one channel, at most three.
-std::vector<double> radiosity_by_element_2(const RadiositySolution& solution);
-std::vector<double> sky_by_channel_2(const Spectrum& sky_emission, std::size_t channels);
 
 }  // namespace hottel

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "kernel/support/failure.h"
-#include "solver/plane/light/cell_views.h"
-#include "solver/plane/light/mean_irradiance.h"
+#include "kernel/support/parallel.h"
 
 namespace hottel {
 namespace {
@@ -64,15 +63,27 @@ Grid2 default_grid(const Scene2& scene, std::uint32_t longer) {
   return {box.min, {box.min.x + cell * nx, box.min.y + cell * ny}, nx, ny};
 }
 
-IlluminationGrid2 illuminate_points(const PreparedScene2& prepared, const Grid2& grid, const FaceRadiosity2& radiosity,
-                                    const std::function<void(double)>& progress) {
-  const std::uint32_t channels = radiosity.channels();
-  IlluminationGrid2 result = empty_grid(grid, channels);
-  const Vertices2& vertices = prepared.arrangement.vertices();
-  for_each_cell_view(
-      prepared, grid, progress, [&](std::size_t cell, const Eye2& eye, const Location2& location, const View2& view) {
-        mean_irradiance(vertices, radiosity, eye, location, view, {result.values.data() + cell * channels, channels});
-      });
+std::vector<IlluminationGrid2> illuminate_points(const PreparedScene2& prepared, const Grid2& grid,
+                                                 const ElementTable2& table, std::span<const SentOut2> solutions,
+                                                 const std::function<void(double)>& progress) {
+  std::vector<IlluminationGrid2> result;
+  for (const SentOut2& sent_out : solutions) result.push_back(empty_grid(grid, sent_out.channels()));
+  for_each_light_row(prepared, grid, table, Blacks2::kLeftOut, progress, [&](std::size_t cell, const LightRow2& row) {
+    for (std::size_t k = 0; k < solutions.size(); ++k) solutions[k].light(row, result[k].of_cell(cell));
+  });
+  return result;
+}
+
+IlluminationGrid2 illuminate_points(const PreparedScene2& prepared, const Grid2& grid, const ElementTable2& table,
+                                    const SentOut2& sent_out, const std::function<void(double)>& progress) {
+  return std::move(illuminate_points(prepared, grid, table, std::span(&sent_out, 1), progress).front());
+}
+
+IlluminationGrid2 illuminate_points(const LightRows2& rows, const Grid2& grid, const SentOut2& sent_out) {
+  IlluminationGrid2 result = empty_grid(grid, sent_out.channels());
+  HOTTEL_REQUIRE(rows.cells() == std::size_t{grid.nx} * grid.ny);
+  parallel_for(
+      rows.cells(), [&](std::size_t cell) { sent_out.light(rows.row(cell), result.of_cell(cell)); }, 256);
   return result;
 }
 

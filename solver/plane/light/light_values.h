@@ -1,9 +1,9 @@
-// Light in space as numbers: on a grid of cells, and at one point.
+// Light in space as numbers, on a grid of cells.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <span>
 #include <vector>
 
 #include "geometry/plane/scene/scene.h"
@@ -21,6 +21,8 @@ struct IlluminationGrid2 {
   double at(std::uint32_t ix, std::uint32_t iy, std::uint32_t channel = 0) const {
     return values[(std::size_t{iy} * grid.nx + ix) * channels + channel];
   }
+  // All channels of cell iy * nx + ix.
+  std::span<double> of_cell(std::size_t cell) { return {values.data() + cell * channels, channels}; }
 };
 
 // Returns the region that the scene takes as nx times ny cells: its own grid's, else its bounding box. A box without
@@ -36,13 +38,6 @@ struct SolvedLight2 {
   IlluminationGrid2 grid;
   std::optional<double> max_error{};
   double seconds = 0;  // what it took, as a simulation measures it
-};
-
-// The mean irradiance at a point once light has been reflected until it is absorbed.
-struct PointLight2 {
-  std::vector<std::string> channel_names;
-  std::vector<double> mean_irradiance;  // by channel
-  std::string why_none;                 // no solution, or none in doubles: the reason; else empty
 };
 
 }  // namespace hottel

@@ -1,14 +1,39 @@
 #include "solver/plane/simulation/questions.h"
 
 #include "geometry/name.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/visibility/point_location.h"
+#include "geometry/plane/visibility/visibility_polygon.h"
 #include "kernel/support/failure.h"
-#include "solver/plane/light/solved_light.h"
+#include "solver/plane/light/point_lights.h"
 #include "solver/plane/simulation/simulation.h"
 
 namespace hottel {
+namespace {
+
+template <class Look>
+PointLight2 light_or_reason(const Simulation2& simulation, const StageProgress& progress, const Look& look) {
+  try {
+    const PointLights2 lights = point_lights(simulation, progress);
+    return {lights.channel_names(), look(lights), ""};
+  } catch (const RequestError& error) {
+    return {{}, {}, error.what()};
+  }
+}
+
+}  // namespace
 
 Rounded view_factor(const Simulation2& simulation, const std::string& from, const std::string& to) {
   return simulation.factors()->matrix.factor(from, to);
+}
+
+ExactPair2 exact_pair(const Simulation2& simulation, const std::string& from, const std::string& to) {
+  const auto prepared = simulation.prepared();
+  const ExchangeMatrix columns(elements_of(*prepared, simulation.granularity()), Guarantee::kExact);
+  const std::uint32_t i = require_element(columns, from), j = require_element(columns, to);
+  if (i == columns.sky()) throw UsageError("there is no pair from the sky; ask for the one to it");
+  return exact_pair(*prepared, simulation.granularity(), i, j);
 }
 
 ElementRadiosity radiosity_of(const Simulation2& simulation, const std::string& element, std::size_t channel) {
@@ -21,16 +46,25 @@ ElementRadiosity radiosity_of(const Simulation2& simulation, const std::string& 
   return solution->channels[channel].elements[row];
 }
 
-PointLight2 light_at(const Simulation2& simulation, const Point2& point) {
-  try {
-    const auto solution = simulation.radiosities();
-    const auto prepared = simulation.prepared();
-    const Grid2 about{{point.x - 1, point.y - 1}, {point.x + 1, point.y + 1}, 1, 1};  // its one cell has that centre
-    SolvedLight2 light = illuminate("point", *prepared, about, simulation.granularity(), *solution);
-    return {solution->channel_names, std::move(light.grid.values), ""};
-  } catch (const RequestError& error) {
-    return {{}, {}, error.what()};
-  }
+PointLights2 point_lights(const Simulation2& simulation, const StageProgress& progress) {
+  const auto solution = simulation.radiosities(progress);
+  return {simulation.prepared(progress), simulation.granularity(), *solution};
+}
+
+PointLight2 light_at(const Simulation2& simulation, const Point2& point, const StageProgress& progress) {
+  return light_or_reason(simulation, progress, [&](const PointLights2& lights) {
+    const auto prepared = simulation.prepared(progress);
+    const PointLocation2 location(prepared->arrangement.vertices(), prepared->arrangement.triangulation());
+    return lights.at(location, point);
+  });
+}
+
+PointLight2 light_at(const Simulation2& simulation, const VisibilityPolygon2& seen, const StageProgress& progress) {
+  return light_or_reason(simulation, progress, [&](const PointLights2& lights) {
+    const auto prepared = simulation.prepared(progress);
+    const Vertices2& vertices = prepared->arrangement.vertices();
+    return lights.at(Eye2(vertices, vertices.from_scene(seen.eye)), seen.location, seen.view);
+  });
 }
 
 }  // namespace hottel

@@ -14,7 +14,7 @@
 #include "solver/plane/scene_plan.h"
 #include "solver/radiosity/a_priori_bounds.h"
 #include "solver/radiosity/matrix_checks.h"
-#include "solver/radiosity/radiosity.h"
+#include "solver/radiosity/radiosity_sources.h"
 
 namespace hottel {
 namespace {
@@ -64,12 +64,6 @@ struct Spectra {
   std::vector<Spectrum> values;
   friend bool operator==(const Spectra& a, const Spectra& b) { return std::ranges::equal(a.values, b.values, is_same); }
 };
-
-Spectra reflectivities_of(const Scene2& scene) {
-  Spectra spectra;
-  for (const Material& material : scene.materials) spectra.values.push_back(material.reflectivity);
-  return spectra;
-}
 
 Spectra emissions_of(const Scene2& scene) {
   Spectra spectra;
@@ -124,18 +118,24 @@ struct FactorsInput {
   friend bool operator==(const FactorsInput&, const FactorsInput&) = default;
 };
 
-struct RadiositiesInput {
+struct SystemInput {
   StagePtr<ComputedFactors2> factors;
-  MethodPtr method;                   // of the factors
-  StagePtr<PreparedScene2> prepared;  // of the version that it is made for; not compared: what matters of it follows
-  Spectra reflectivities, emissions;
+  Spectra reflectivities;
   Solver solver = Solver::kAuto;
   std::optional<int> iterations;
   std::optional<double> until;
+  friend bool operator==(const SystemInput&, const SystemInput&) = default;
+};
+
+struct RadiositiesInput {
+  StagePtr<RadiositySolver> system;
+  StagePtr<ComputedFactors2> factors;
+  MethodPtr method;                   // of the factors
+  StagePtr<PreparedScene2> prepared;  // of the version that it is made for; not compared: what matters of it follows
+  Spectra emissions;
   bool closed = false;
   friend bool operator==(const RadiositiesInput& a, const RadiositiesInput& b) {
-    return a.factors == b.factors && a.reflectivities == b.reflectivities && a.emissions == b.emissions &&
-           a.solver == b.solver && a.iterations == b.iterations && a.until == b.until && a.closed == b.closed;
+    return a.system == b.system && a.emissions == b.emissions && a.closed == b.closed;
   }
 };
 
@@ -189,6 +189,13 @@ ComputedFactors2 make_factors(const FactorsInput& input, const StageProgress& pr
                      .progress = telling("view factors", progress)});
 }
 
+RadiositySolver make_system(const SystemInput& input, const StageProgress& progress) {
+  const auto factors = input.factors->get(progress);
+  const std::shared_ptr<const ExchangeMatrix> matrix(factors, &factors->matrix);
+  return {matrix, input.reflectivities.values,
+          {.solver = input.solver, .iterations = input.iterations, .until = input.until}};
+}
+
 RadiositySolution make_radiosities(const RadiositiesInput& input, const StageProgress& progress) {
   const auto factors = input.factors->get(progress);
   const auto prepared = input.prepared->get(progress);
@@ -199,11 +206,11 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
   else
     require_not_negative(matrix, *prepared, *input.method);
   return naming(scene.file, [&] {
-    RadiositySolution solution = solve_radiosity(matrix, scene.materials, scene.sky_emission,
-                                                 {.solver = input.solver,
-                                                  .iterations = input.iterations,
-                                                  .until = input.until,
-                                                  .progress = telling("radiosity", progress)});
+    const auto system = input.system->get(progress);
+    RadiositySolution solution = system->solve(sources_of(matrix, scene.materials, scene.sky_emission),
+                                               telling("radiosity", progress));
+    if (const auto place = solution.seconds.find("radiosity"); place != solution.seconds.end())
+      place->second += system->seconds();
     require_doubles(matrix, scene.sky_emission, solution);
     std::vector<std::string> notes = factors->report.notes;
     if (matrix.guarantee() == Guarantee::kEnclosed) {
@@ -268,6 +275,7 @@ struct Simulation2::Version {
   Node<ArrangementInput, PreparedScene2> undivided, divided;  // the same one where no surface is divided
   Node<PreparedInput, PreparedScene2> prepared, whole;        // as rows are asked for, and undivided: with this scene
   Node<FactorsInput, ComputedFactors2> factors, exact_factors;
+  Node<SystemInput, RadiositySolver> system;
   Node<RadiositiesInput, RadiositySolution> radiosities;
   Node<LightInput, SolvedLight2> light;
   Node<PictureInput, LightPicture2> picture;
@@ -355,14 +363,15 @@ void Simulation2::Version::set_factors(const Version* before) {
 }
 
 void Simulation2::Version::set_light(const Version* before) {
-  const RadiositiesInput to_solve{.factors = factors.stage,
+  system = node_of("radiosity",
+                   SystemInput{factors.stage, Spectra{reflectivities_of(scene->materials)}, request.solver, request.iterations,
+                               request.until},
+                   old(before, &Version::system), make_system);
+  const RadiositiesInput to_solve{.system = system.stage,
+                                  .factors = factors.stage,
                                   .method = factors.input.method,
                                   .prepared = prepared.stage,
-                                  .reflectivities = reflectivities_of(*scene),
                                   .emissions = emissions_of(*scene),
-                                  .solver = request.solver,
-                                  .iterations = request.iterations,
-                                  .until = request.until,
                                   .closed = scene->closed};
   radiosities = node_of("radiosity", to_solve, old(before, &Version::radiosities), make_radiosities);
   light = node_of("illumination", LightInput{radiosities.stage, prepared.stage, granularity, grid, request.light},
@@ -410,6 +419,9 @@ std::shared_ptr<const PreparedScene2> Simulation2::prepared(const StageProgress&
 }
 std::shared_ptr<const ComputedFactors2> Simulation2::factors(const StageProgress& progress) const {
   return version_->factors.stage->get(progress);
+}
+std::shared_ptr<const RadiositySolver> Simulation2::system(const StageProgress& progress) const {
+  return version_->system.stage->get(progress);
 }
 std::shared_ptr<const RadiositySolution> Simulation2::radiosities(const StageProgress& progress) const {
   return version_->radiosities.stage->get(progress);

@@ -12,6 +12,7 @@
 #include "solver/plane/methods/computed_factors.h"
 #include "solver/plane/simulation/simulation_request.h"
 #include "solver/radiosity/radiosity_solution.h"
+#include "solver/radiosity/radiosity_solver.h"
 
 namespace hottel {
 
@@ -61,6 +62,7 @@ class Simulation2 {
   std::shared_ptr<const Plan> plan(const StageProgress& progress = {}) const;
   std::shared_ptr<const PreparedScene2> prepared(const StageProgress& progress = {}) const;  // with this scene
   std::shared_ptr<const ComputedFactors2> factors(const StageProgress& progress = {}) const;
+  std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;
   std::shared_ptr<const SolvedLight2> light(const StageProgress& progress = {}) const;
   // REQUIRES a painter in the request; throws ContractViolation otherwise.

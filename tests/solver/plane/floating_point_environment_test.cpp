@@ -44,11 +44,9 @@ Everything everything(const Scene2& scene) {
       for (const double value : {element.radiosity, element.lower, element.upper, element.irradiance})
         result.radiosities.push_back(value);
   const ElementTable2 table(scene, prepared.arrangement, prepared.division, Granularity::kFace);
-  const auto channels = static_cast<std::uint32_t>(solution.channels.size());
-  result.light = illuminate_points(prepared, default_grid(scene, 24),
-                                   FaceRadiosity2(prepared.arrangement, table, radiosity_by_element_2(solution),
-                                                  sky_by_channel_2(scene.sky_emission, channels)))
-                     .values;
+  result.light =
+      illuminate_points(prepared, default_grid(scene, 24), table, sent_out_2(table, solution, scene.sky_emission))
+          .values;
   // Nothing is seen in solids: NaN, which equals nothing.
   std::replace_if(
       result.light.begin(), result.light.end(), [](double value) { return std::isnan(value); }, -1.0);

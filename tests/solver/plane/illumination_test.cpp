@@ -234,11 +234,14 @@ TEST(IlluminationGrid2, ElementsSendOutWhatTheyHave) {
 TEST(IlluminationGrid2, ReportsProgressAndStops) {
   const Lit lit(pillar_room());
   std::vector<double> reports;
-  illuminate_points(lit.prepared, {{0, 0}, {1, 1}, 256, 256}, lit.faces(), [&](double f) { reports.push_back(f); });
+  illuminate_points(lit.prepared, {{0, 0}, {1, 1}, 256, 256}, lit.table, lit.sent_out(),
+                    [&](double f) { reports.push_back(f); });
   EXPECT_GE(reports.size(), 3u);
   EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
   EXPECT_EQ(reports.back(), 1.0);
-  EXPECT_THROW(illuminate_points(lit.prepared, {{0, 0}, {1, 1}, 256, 256}, lit.faces(), [](double) { throw 1; }), int);
+  EXPECT_THROW(
+      illuminate_points(lit.prepared, {{0, 0}, {1, 1}, 256, 256}, lit.table, lit.sent_out(), [](double) { throw 1; }),
+      int);
   request_interrupt();
   EXPECT_THROW(lit.grid({{0, 0}, {1, 1}, 8, 8}), Interrupted);
   interrupt_flag = false;

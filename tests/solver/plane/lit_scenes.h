@@ -6,6 +6,7 @@
 #include <random>
 
 #include "geometry/plane/visibility/visibility_polygon.h"
+#include "solver/plane/light/face_radiosity.h"
 #include "solver/plane/light/illumination_grid.h"
 
 namespace hottel {
@@ -65,7 +66,8 @@ struct Lit {
   }
 
   FaceRadiosity2 faces() const { return {prepared.arrangement, table, by_element, sky}; }
-  IlluminationGrid2 grid(const Grid2& cells) const { return illuminate_points(prepared, cells, faces()); }
+  SentOut2 sent_out() const { return {table, by_element, sky}; }
+  IlluminationGrid2 grid(const Grid2& cells) const { return illuminate_points(prepared, cells, table, sent_out()); }
   double radiosity(PieceSideId side, std::uint32_t channel = 0) const { return faces().of(side)[channel]; }
   double at(const Rational& x, const Rational& y) const {
     return grid({{x - 1, y - 1}, {x + 1, y + 1}, 1, 1}).values[0];

@@ -33,7 +33,8 @@ TEST(RadiosityBounds, HoldOnRandomScenesAndNeedTheirErrorTerms) {
     check.add(scene, scene.solve(), materials);
     if (seed % 4 != 1) continue;
     const auto solve_without = [&](const ErrorTerms& terms) {
-      return solve_as_given(scene.matrix(), materials, scene.scene().sky_emission, {}, false, terms);
+      return FactorsAsGiven(scene.matrix(), reflectivities_of(materials))
+          .solve(sources_of(scene.matrix(), materials, scene.scene().sky_emission), {}, false, terms);
     };
     without_factors.add(scene, solve_without({false, true}), materials);
     without_any.add(scene, solve_without({false, false}), materials);

@@ -44,13 +44,14 @@ FaceColouring2 face_errors(const MethodComparison2& comparison, const MethodResu
   return colouring;
 }
 
-IlluminationGrid2 light_of(const MethodComparison2& comparison, const RadiositySolution& solution) {
+// The light of both solutions, in one look.
+std::vector<IlluminationGrid2> light_of(const MethodComparison2& comparison, const RadiositySolution& found,
+                                        const RadiositySolution& exact) {
   const PreparedScene2& prepared = comparison.prepared();
-  const auto channels = static_cast<std::uint32_t>(solution.channels.size());
-  const ElementTable2 labels(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
-  const FaceRadiosity2 radiosity(prepared.arrangement, labels, radiosity_by_element_2(solution),
-                                 sky_by_channel_2(prepared.scene.sky_emission, channels));
-  return illuminate_points(prepared, default_grid(prepared.scene, kCells), radiosity);
+  const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
+  const SentOut2 both[] = {sent_out_2(table, found, prepared.scene.sky_emission),
+                           sent_out_2(table, exact, prepared.scene.sky_emission)};
+  return illuminate_points(prepared, default_grid(prepared.scene, kCells), table, both);
 }
 
 // By cell, C order (ny, nx).
@@ -58,7 +59,7 @@ std::vector<double> cell_errors(const IlluminationGrid2& found, const Illuminati
   std::vector<double> errors(exact.values.size() / exact.channels, 0);
   for (std::size_t k = 0; k < exact.values.size(); ++k) {
     double& error = errors[k / exact.channels];
-    error = std::max(error, std::abs(found.values[k] - exact.values[k]) / scale);
+    error = std::max(error, std::abs(found.values[k] - exact.values[k]) / scale);  // 0 in solids, where both are NaN
   }
   return errors;
 }
@@ -85,9 +86,8 @@ ScenePicture2 error_map_picture_2(const MethodComparison2& comparison, const Met
     return picture;
   }
   FaceColouring2 colouring = face_errors(comparison, result, scale);
-  const IlluminationGrid2 exact = light_of(comparison, *comparison.exact_solution()),
-                          found = light_of(comparison, *result.solution);
-  const std::vector<double> errors = cell_errors(found, exact, scale);
+  const std::vector<IlluminationGrid2> light = light_of(comparison, *result.solution, *comparison.exact_solution());
+  const std::vector<double> errors = cell_errors(light[0], light[1], scale);
   double largest = *std::max_element(errors.begin(), errors.end());
   for (const auto* faces : {&colouring.front, &colouring.back})
     for (const std::optional<double>& face : *faces) largest = std::max(largest, face.value_or(0));
@@ -95,7 +95,7 @@ ScenePicture2 error_map_picture_2(const MethodComparison2& comparison, const Met
   colouring.title = "|error| / largest radiosity: of radiosity on faces, of mean irradiance on floors";
   picture.sheet.subtitle =
       fmt::format("radiosities wrong by at most {:.2g} of the largest", *result.max_radiosity_error);
-  picture.pixels = std::make_shared<ScenePixels2>(pixels_of(exact.grid, errors, colouring.scale));
+  picture.pixels = std::make_shared<ScenePixels2>(pixels_of(light[1].grid, errors, colouring.scale));
   picture.colouring = std::move(colouring);
   return picture;
 }

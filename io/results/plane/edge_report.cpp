@@ -1,0 +1,116 @@
+#include "io/results/plane/edge_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "geometry/scene_names.h"
+#include "io/results/factor_files.h"
+#include "kernel/decimal.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Rational& value) { return {{"value", to_double(value)}, {"exact", to_string(value)}}; }
+
+Json json_of(const Point2& p) {
+  Json result{{"x", to_double(p.x)}, {"y", to_double(p.y)}};
+  result["exact"] = {to_string(p.x), to_string(p.y)};
+  return result;
+}
+
+Json json_of(const Edge2& edge, const Rational& t) {
+  Json result{{"t", json_of(t)}};
+  result["at"] = json_of(point_at(edge, t));
+  return result;
+}
+
+std::string along_name(const PreparedScene2& prepared, const CriticalLine2& line) {
+  if (line.along == kNoPiece) return "";
+  return prepared.scene.surfaces[prepared.arrangement.sources(piece_of(line.along)).front().surface].name;
+}
+
+std::string coordinate_text(const Rational& value, bool is_exact) {
+  if (is_exact) return to_string(value);
+  const double nearest = to_double(value);
+  if (!std::isfinite(nearest))
+    throw RequestError("a coordinate of a critical line is beyond the range of doubles; --exact writes it");
+  return shortest(nearest);
+}
+
+std::string point_text(const Point2& p, bool is_exact) {
+  return coordinate_text(p.x, is_exact) + "," + coordinate_text(p.y, is_exact);
+}
+
+}  // namespace
+
+std::string met_name(const PreparedScene2& prepared, PieceSideId side) {
+  if (side != kSky && prepared.arrangement.is_covered(side)) return "#solid";
+  return face_name(prepared.scene, prepared.arrangement, side);
+}
+
+VisibilityAnswer edge_answer(const PreparedScene2& prepared, const std::string& name, const EdgeSight2& sight) {
+  Json json;
+  json["edge"] = name;
+  json["sees_sky"] = sight.sees_sky;
+  json["faces"] = Json::array();
+  std::string text = fmt::format("what some point of '{}' sees\n", name);
+  for (const SeenFace2& seen : sight.faces) {
+    const Edge2& edge = prepared.scene.edges[seen.face.surface];
+    const std::string face = face_name(prepared.scene, seen.face);
+    Json entry{{"face", face}};
+    entry["share"] = json_of(seen.share);
+    entry["stretches"] = Json::array();
+    text += fmt::format("  {:<24} {}\n", face, decimal_text(seen.share));
+    for (const Stretch2& stretch : seen.stretches) {
+      Json ends;
+      ends["from"] = json_of(edge, stretch.begin);
+      ends["to"] = json_of(edge, stretch.end);
+      entry["stretches"].push_back(std::move(ends));
+      text += fmt::format("    t = {} to {}\n", to_string(stretch.begin), to_string(stretch.end));
+    }
+    json["faces"].push_back(std::move(entry));
+  }
+  text += sight.sees_sky ? "  sky\n" : "";
+  return {json.dump(2) + "\n", text};
+}
+
+void write_critical_lines_csv(const PreparedScene2& prepared, std::span<const CriticalLine2> lines, bool is_exact,
+                              const std::function<void(std::string_view)>& sink) {
+  sink("x0,y0,x1,y1,along,behind_x,behind_y,behind_left,behind_right,ahead_x,ahead_y,ahead_left,ahead_right\n");
+  for (const CriticalLine2& line : lines) {
+    std::string text = point_text(line.from, is_exact) + "," + point_text(line.to, is_exact) + "," +
+                       csv_field(along_name(prepared, line));
+    for (const LineReach2* reach : {&line.behind, &line.ahead}) {
+      text += "," + (reach->end ? point_text(*reach->end, is_exact) : ",");
+      for (const PieceSideId side : {reach->left, reach->right}) text += "," + csv_field(met_name(prepared, side));
+    }
+    sink(text + "\n");
+  }
+}
+
+std::string critical_lines_json(const PreparedScene2& prepared, std::span<const CriticalLine2> lines) {
+  Json json;
+  json["lines"] = Json::array();
+  for (const CriticalLine2& line : lines) {
+    Json entry;
+    entry["vertices"] = {json_of(line.from), json_of(line.to)};
+    const std::string along = along_name(prepared, line);
+    entry["along"] = along.empty() ? Json() : Json(along);
+    const auto add = [&](const char* key, const LineReach2& reach) {
+      entry[key]["end"] = reach.end ? json_of(*reach.end) : Json();
+      entry[key]["left"] = met_name(prepared, reach.left);
+      entry[key]["right"] = met_name(prepared, reach.right);
+    };
+    add("behind", line.behind);
+    add("ahead", line.ahead);
+    json["lines"].push_back(std::move(entry));
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace hottel

@@ -1,0 +1,137 @@
+#include "io/results/plane/polygon_npz.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/scene_names.h"
+#include "io/files/zip_file.h"
+#include "io/results/npy.h"
+#include "io/results/plane/polygon_names.h"
+
+namespace hottel {
+namespace {
+
+template <class Number>
+std::string array_of(const std::vector<Number>& values, std::span<const std::size_t> shape, std::string_view type) {
+  std::string bytes = npy_header(shape, type);
+  bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Number));
+  return bytes;
+}
+
+// Well-formed UTF-8 as code points.
+std::u32string code_points(std::string_view text) {
+  std::u32string result;
+  for (std::size_t k = 0; k < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[k]);
+    const std::size_t more = lead < 0x80 ? 0 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : 3;
+    char32_t code = more == 0 ? lead : lead & (0x3Fu >> more);
+    for (std::size_t i = 1; i <= more; ++i) code = code << 6 | (static_cast<unsigned char>(text[k + i]) & 0x3Fu);
+    result += code;
+    k += more + 1;
+  }
+  return result;
+}
+
+std::string array_of_texts(const std::vector<std::string>& texts) {
+  std::vector<std::u32string> lines;
+  std::size_t width = 1;
+  for (const std::string& text : texts) {
+    lines.push_back(code_points(text));
+    width = std::max(width, lines.back().size());
+  }
+  std::vector<char32_t> codes;
+  for (std::u32string& line : lines) {
+    line.resize(width, U'\0');
+    codes.insert(codes.end(), line.begin(), line.end());
+  }
+  const std::size_t shape[] = {texts.size()};
+  return array_of(codes, shape, "<U" + std::to_string(width));
+}
+
+class NpzWriter final : public PolygonWriter2 {
+ public:
+  NpzWriter(const PreparedScene2& prepared, std::size_t channels, std::function<void(std::string_view)> sink)
+      : prepared_(prepared), channels_(channels), sink_(std::move(sink)) {}
+
+  void add(const PolygonBatch2& batch) override {
+    for (const RoundedPolygon2& polygon : batch.polygons) {
+      for (const RoundedPolygon2::Corner& corner : polygon.corners) {
+        require_finite(corner, begin_.size() - 1);
+        xy_.push_back(corner.x);
+        xy_.push_back(corner.y);
+        side_.push_back(place_of(corner.after));
+      }
+      begin_.push_back(static_cast<std::int64_t>(side_.size()));
+      solid_.push_back(polygon.solid == Solids2::kNone ? -1 : place_of_solid(polygon.solid));
+    }
+    for (const auto& values : batch.irradiance) irradiance_.insert(irradiance_.end(), values.begin(), values.end());
+  }
+
+  void finish() override {
+    std::vector<std::string> names{"", "sky", "#range"};
+    for (auto& [key, place] : index_of_) {
+      place = static_cast<std::int32_t>(names.size());
+      names.push_back(key.first == Kind::kFace ? face_name(prepared_.scene, Face::of(key.second))
+                                               : "#in " + prepared_.scene.groups[key.second].name);
+    }
+    const auto indices = [&](const std::vector<std::int64_t>& places) {
+      std::vector<std::int32_t> result;
+      for (const std::int64_t place : places) result.push_back(index_of(place));
+      return result;
+    };
+    const std::size_t points = solid_.size(), corners = side_.size();
+    const std::size_t by_corner[] = {corners}, by_point[] = {points}, pairs[] = {corners, 2}, ends[] = {points + 1},
+                      light[] = {points, channels_};
+    ZipWriter zip(sink_);
+    zip.add("xy.npy", array_of(xy_, pairs, "<f8"));
+    zip.add("begin.npy", array_of(begin_, ends, "<i8"));
+    zip.add("face.npy", array_of(indices(side_), by_corner, "<i4"));
+    zip.add("names.npy", array_of_texts(names));
+    zip.add("solid.npy", array_of(indices(solid_), by_point, "<i4"));
+    if (channels_ > 0) zip.add("irradiance.npy", array_of(irradiance_, light, "<f8"));
+    zip.finish();
+  }
+
+ private:
+  // A face or a solid, by number, in the order of the scene.
+  enum class Kind { kFace, kSolid };
+  using Key = std::pair<Kind, std::uint32_t>;
+
+  // Until all are known a name is told by a number: -1 none, 0 a ray, 1 the sky, 2 an arc, then twice the number of a
+  // face, or of a solid and one more.
+  std::int64_t place_of(PieceSideId after) {
+    if (after == kNoPiece) return 0;
+    if (after == kSky) return 1;
+    if (after == kRange) return 2;
+    return place_of({Kind::kFace, prepared_.arrangement.owner(after).number()});
+  }
+  std::int64_t place_of_solid(std::uint32_t group) { return place_of({Kind::kSolid, group}); }
+  std::int64_t place_of(const Key& key) {
+    index_of_.try_emplace(key, 0);
+    return 3 + 2 * std::int64_t{key.second} + (key.first == Kind::kSolid ? 1 : 0);
+  }
+  std::int32_t index_of(std::int64_t place) const {
+    if (place < 3) return static_cast<std::int32_t>(place);
+    const Kind kind = (place - 3) % 2 == 0 ? Kind::kFace : Kind::kSolid;
+    return index_of_.at({kind, static_cast<std::uint32_t>((place - 3) / 2)});
+  }
+
+  const PreparedScene2& prepared_;
+  const std::size_t channels_;
+  const std::function<void(std::string_view)> sink_;
+  std::vector<double> xy_, irradiance_;
+  std::vector<std::int64_t> begin_{0}, side_, solid_;
+  std::map<Key, std::int32_t> index_of_;
+};
+
+}  // namespace
+
+std::unique_ptr<PolygonWriter2> polygon_npz_writer(const PreparedScene2& prepared, std::size_t channels,
+                                                   std::function<void(std::string_view)> sink) {
+  return std::make_unique<NpzWriter>(prepared, channels, std::move(sink));
+}
+
+}  // namespace hottel

@@ -1,0 +1,35 @@
+#include "solver/plane/light/point_lights.h"
+
+#include <utility>
+
+#include "solver/plane/light/mean_irradiance.h"
+
+namespace hottel {
+
+PointLights2::PointLights2(std::shared_ptr<const PreparedScene2> prepared, Granularity granularity,
+                           const RadiositySolution& solution)
+    : PointLights2(prepared, ElementTable2(prepared->scene, prepared->arrangement, prepared->division, granularity),
+                   solution) {}
+
+PointLights2::PointLights2(std::shared_ptr<const PreparedScene2> prepared, const ElementTable2& table,
+                           const RadiositySolution& solution)
+    : prepared_(std::move(prepared)),
+      channel_names_(solution.channel_names),
+      columns_(prepared_->arrangement, table),
+      sent_out_(sent_out_2(table, solution, prepared_->scene.sky_emission)) {}
+
+std::vector<double> PointLights2::at(const Eye2& eye, const Location2& location, const View2& view) const {
+  std::vector<double> result(sent_out_.channels());
+  mean_irradiance(prepared_->arrangement.vertices(), columns_, sent_out_, eye, location, view, result);
+  return result;
+}
+
+std::vector<double> PointLights2::at(const PointLocation2& location, const Point2& point) const {
+  const Vertices2& vertices = prepared_->arrangement.vertices();
+  const Eye2 eye(vertices, vertices.from_scene(point));
+  View2 view;
+  const Location2 place = location.look_around(eye, view);
+  return at(eye, place, view);
+}
+
+}  // namespace hottel

@@ -1,0 +1,64 @@
+#include "solver/radiosity/radiosity_solver.h"
+
+#include <string>
+#include <utility>
+
+#include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
+#include "kernel/support/stopwatch.h"
+#include "solver/radiosity/enclosed_radiosity.h"
+#include "solver/radiosity/faint_radiosities.h"
+#include "solver/radiosity/matrix_checks.h"
+
+namespace hottel {
+
+struct RadiositySolver::Parts {
+  std::shared_ptr<const ExchangeMatrix> matrix;
+  RadiosityOptions options;
+  EnclosedRadiosity radiosity;
+  double seconds;  // for the systems
+  double closure_defect, reciprocity_defect;
+
+  Parts(std::shared_ptr<const ExchangeMatrix> of, const std::vector<Spectrum>& reflectivity, RadiosityOptions with,
+        Stopwatch watch = {})
+      : matrix(std::move(of)),
+        options(std::move(with)),
+        radiosity(*matrix, reflectivity),
+        seconds(watch.lap()),
+        closure_defect(hottel::closure_defect(*matrix)),
+        reciprocity_defect(hottel::reciprocity_defect(*matrix)) {}
+};
+
+RadiositySolver::RadiositySolver(std::shared_ptr<const ExchangeMatrix> matrix,
+                                 const std::vector<Spectrum>& reflectivity, RadiosityOptions options) {
+  HOTTEL_REQUIRE(matrix != nullptr);
+  const DefaultFloatingPoint arithmetic;
+  parts_ = std::make_unique<const Parts>(std::move(matrix), reflectivity, std::move(options));
+}
+
+RadiositySolver::~RadiositySolver() = default;
+RadiositySolver::RadiositySolver(RadiositySolver&&) noexcept = default;
+RadiositySolver& RadiositySolver::operator=(RadiositySolver&&) noexcept = default;
+
+const ExchangeMatrix& RadiositySolver::matrix() const { return *parts_->matrix; }
+double RadiositySolver::seconds() const { return parts_->seconds; }
+
+RadiositySolution RadiositySolver::solve(const RadiositySources& sources,
+                                         const std::function<void(double)>& progress) const {
+  const DefaultFloatingPoint arithmetic;
+  const ExchangeMatrix& matrix = *parts_->matrix;
+  HOTTEL_REQUIRE(sources.emission.size() == matrix.size());
+  HOTTEL_REQUIRE(sources.direct_irradiance.empty() || sources.direct_irradiance.size() == matrix.size());
+  RadiosityOptions options = parts_->options;
+  options.progress = progress;
+  RadiositySolution solution = parts_->radiosity.solve(sources, options);
+  solution.closure_defect = parts_->closure_defect;
+  solution.reciprocity_defect = parts_->reciprocity_defect;
+  if (matrix.guarantee() == Guarantee::kEstimated)
+    solution.guarantee = Guarantee::kEstimated;
+  else  // the faint radiosities of estimates are what they are: estimates
+    for (std::string& note : notes_of_faint_radiosities(matrix, solution)) solution.notes.push_back(std::move(note));
+  return solution;
+}
+
+}  // namespace hottel

@@ -1,0 +1,74 @@
+// Radiosities of one scene for one light after another.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "geometry/exchange_matrix.h"
+#include "geometry/material.h"
+#include "solver/radiosity/radiosity_options.h"
+#include "solver/radiosity/radiosity_solution.h"
+#include "solver/radiosity/radiosity_sources.h"
+
+namespace hottel {
+
+// Solves B_i = E_i + rho_i (sum_j F_ij B_j + D_i) in every channel, for view factors F and reflectivities rho that stay
+// and for as many emissions E and direct irradiances D as one likes. What is factored is factored when it is first
+// needed, and kept.
+//
+//   (1) lower <= true B <= upper in every element, the true B being that of the exact reflectivities and factors and of
+//       any sources within their enclosures; where some factors are enclosed and none is estimated, of any factors
+//       within their bounds; where some are estimated, of the doubles that the matrix holds. The last says nothing of
+//       the scene: `guarantee` is then kEstimated, else kEnclosed
+//   (2) lower = upper = 0 = B where no light reaches; B = E within half an ulp where rho = 0 and E is exact; lower is
+//       never below the largest double that is not above E, net_upper never above the smallest that is not below it
+//       (unless a factor is negative)
+//   (3) widths of a few ulps after cholesky and cg, or up to 3 n ulps for n unknowns where doubles do not do
+//       (high_precision_elimination.h), for any distance of rho from 1 and for elements that next to no light reaches;
+//       where factors or sources are enclosed a few ulps more than the radiosities differ that they allow, and infinite
+//       where for some factors light need not die out (enclosed_radiosity.h)
+//   (4) each component is bounded on its own scale, whatever shines elsewhere; a note names faces that remain wide
+//       relative to themselves (faint_radiosities.h)
+//   (5) irradiance is that of the radiosities as given, and D, so net() is what they exchange less D; where iterations
+//       were stopped early B = E + rho H holds within the residual only, and a note says so
+//   (6) emission is E, the middle of an enclosure; in the energy D counts as emitted
+//   (7) D only matters to radiosities by rho D: they are those of the emissions E + rho D
+//   (8) a solution is the same bit for bit for any number of threads and whatever was solved before: it is a function
+//       of the matrix, the reflectivities, the options and the sources
+//   (9) solve() may be called by many threads at once
+//
+// There are three channels unless all reflectivities and all sources are scalars.
+class RadiositySolver {
+ public:
+  // `reflectivity`: by material, into which the elements' materials index. Of the options `progress` is not called.
+  // Throws ContractViolation where a material of a row is none of these or a reflectivity not from 0 to 1, RequestError
+  // where a factor is no number.
+  RadiositySolver(std::shared_ptr<const ExchangeMatrix> matrix, const std::vector<Spectrum>& reflectivity,
+                  RadiosityOptions options = {});
+  ~RadiositySolver();
+  RadiositySolver(RadiositySolver&&) noexcept;
+  RadiositySolver& operator=(RadiositySolver&&) noexcept;
+
+  const ExchangeMatrix& matrix() const;
+  // Seconds that the constructor took for the systems. Those of a solution are of its call alone.
+  double seconds() const;
+
+  // Throws RequestError when a component with reflectivity 1 throughout and no way out emits or is shone on directly
+  // (one that does not is 0, with a note), when an upper bound of an exact matrix is infinite (factors that underflow,
+  // or more light than doubles can tell), when rows do not sum to 1 and the spectral radius cannot be shown to be below
+  // 1, and when cholesky or cg are asked of such a matrix, which is not symmetric; ContractViolation where there are
+  // not as many emissions as elements, or neither as many direct irradiances nor none. `progress` gets the fraction
+  // done; it is called by this thread and may throw to stop.
+  // COST: the first time one factorization a distinct reflectivity vector, n^3 / 3 for a component of n unknowns, which
+  // keeps 8 n^2 bytes (conjugate gradients factor nothing); then a few passes over the matrix a channel. Three times
+  // the passes where some source is wider than a few ulps; and three times all of it where the weakest factor is
+  // enclosed.
+  RadiositySolution solve(const RadiositySources& sources, const std::function<void(double)>& progress = {}) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<const Parts> parts_;
+};
+
+}  // namespace hottel
