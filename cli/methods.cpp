@@ -13,12 +13,7 @@ constexpr std::string_view kFile = "file:";
 
 }  // namespace
 
-MethodCatalogue2 program_methods() {
-  MethodCatalogue2 methods = methods_2();
-  methods.add(file_family_2());
-  methods.add(run_family_2());
-  return methods;
-}
+MethodCatalogue2 program_methods() { return all_methods_2(); }
 
 std::string methods_text(const MethodCatalogue2& methods) {
   std::string text;

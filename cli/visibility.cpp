@@ -21,7 +21,9 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
-#include "solver/plane/simulation/light_at.h"
+#include "solver/plane/light/point_lights.h"
+#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/simulation.h"
 #include "viewer/picture/plane/drawable.h"
 #include "viewer/picture/plane/visibility_picture.h"
 

@@ -13,12 +13,11 @@ list(TRANSFORM layers PREPEND hottel_ OUTPUT_VARIABLE layer_targets)
 install(TARGETS ${layer_targets} hottel_library EXPORT hottel-targets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(TARGETS hottel RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 
-# kernel/kernels.h is for the .cpp files of the library: it names CGAL.
-foreach(layer IN LISTS layers)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${layer}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/hottel"
-          FILES_MATCHING PATTERN "*.h" PATTERN "kernels.h" EXCLUDE)
-endforeach()
-install(FILES "${PROJECT_SOURCE_DIR}/hottel.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/hottel")
+# Of the headers only hottel.h and what it includes. Which these are is found when they are installed.
+install(CODE "
+  set(hottel_root [[${PROJECT_SOURCE_DIR}]])
+  set(hottel_include [[${CMAKE_INSTALL_INCLUDEDIR}/hottel]])")
+install(SCRIPT "${PROJECT_SOURCE_DIR}/cmake/InstallHeaders.cmake")
 
 set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/hottel")
 install(EXPORT hottel-targets NAMESPACE hottel:: DESTINATION "${package_directory}")

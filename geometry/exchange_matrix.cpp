@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/name.h"
 #include "geometry/near_names.h"
 #include "kernel/support/failure.h"
 
@@ -90,8 +91,23 @@ Rounded ExchangeMatrix::factor(std::uint32_t from, std::uint32_t to) const {
   return place != entries.end() && place->to == to ? place->factor : Rounded{};
 }
 
+Rounded ExchangeMatrix::factor(const std::string& from, const std::string& to) const {
+  const std::uint32_t i = require_element(*this, from), j = require_element(*this, to);
+  if (i == sky()) throw UsageError("there are no view factors from the sky");
+  if (!has_row(i))
+    throw UsageError("there are no view factors from " + quoted_name(from) + ": it has " +
+                     (elements_[i].material ? "no area" : "no material"));
+  return factor(i, j);
+}
+
+const std::string& ExchangeMatrix::name(std::uint32_t column) const {
+  static const std::string kSky = "sky";
+  HOTTEL_REQUIRE(column <= sky());
+  return column == sky() ? kSky : elements_[column].name;
+}
+
 std::optional<std::uint32_t> ExchangeMatrix::find(const std::string& name) const {
-  if (name == "sky") return sky();
+  if (name == this->name(sky())) return sky();
   for (std::uint32_t i = 0; i < size(); ++i)
     if (elements_[i].name == name) return i;
   return std::nullopt;
@@ -101,7 +117,7 @@ std::uint32_t require_element(const ExchangeMatrix& matrix, const std::string& n
   if (const auto found = matrix.find(name)) return *found;
   std::vector<std::string> known;
   for (const Element& element : matrix.elements()) known.push_back(element.name);
-  known.emplace_back("sky");
+  known.push_back(matrix.name(matrix.sky()));
   throw UnknownName("there is no face called '" + name + "'", name, known);
 }
 

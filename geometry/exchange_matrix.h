@@ -40,6 +40,8 @@ class ExchangeMatrix {
       : elements_(std::move(elements)), begin_(elements_.size() + 1, 0), guarantee_(guarantee) {}
 
   const std::vector<Element>& elements() const { return elements_; }
+  // The name of an element, or of the sky: "sky". Throws ContractViolation for a number that is neither.
+  const std::string& name(std::uint32_t column) const;
   std::uint32_t size() const { return static_cast<std::uint32_t>(elements_.size()); }
   std::uint32_t sky() const { return size(); }
 
@@ -73,6 +75,8 @@ class ExchangeMatrix {
 
   // Returns F(from, to); 0 where there is no entry. COST: O(log n) for n entries of the row.
   Rounded factor(std::uint32_t from, std::uint32_t to) const;
+  // The same by name. Throws UnknownName where there is no such element, UsageError where the first one has no row.
+  Rounded factor(const std::string& from, const std::string& to) const;
   // Returns the index of the first element of that name; sky() for "sky"; nothing when there is none. COST: linear.
   std::optional<std::uint32_t> find(const std::string& name) const;
 

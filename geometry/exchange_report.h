@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "kernel/rounding.h"
+#include "kernel/tier.h"
 
 namespace hottel {
 

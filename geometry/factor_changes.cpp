@@ -15,7 +15,7 @@ class FaceTable {
   FaceTable(const ExchangeMatrix& before, const ExchangeMatrix& after, const FormerName& former_name) {
     for (const Element& element : before.elements()) of_before_.push_back(number_of(element.name));
     for (const Element& element : after.elements()) of_after_.push_back(number_of(former_name(element)));
-    for (auto* here : {&of_before_, &of_after_}) here->push_back(number_of("sky"));
+    for (auto* here : {&of_before_, &of_after_}) here->push_back(number_of(before.name(before.sky())));
     before_ = indices(of_before_);
     after_ = indices(of_after_);
   }

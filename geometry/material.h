@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 #include "kernel/rational.h"
 
@@ -21,8 +22,8 @@ struct Spectrum {
   friend bool operator==(const Spectrum& a, const Spectrum& b) { return a.value == b.value; }
 };
 
-// A diffuse material: 0 <= reflectivity <= 1 in every channel, emission >= 0 [W/m in 2D, W/m² in 3D]. The readers
-// check these ranges. Emissivity e and temperature T are read as reflectivity 1 - e and emission e sigma T⁴, exactly.
+// A diffuse material: 0 <= reflectivity <= 1 in every channel, emission >= 0 [W/m in 2D, W/m² in 3D]. validate_table()
+// checks these ranges. Emissivity e and temperature T are read as reflectivity 1 - e and emission e sigma T⁴, exactly.
 //
 //   (1) the default is black and emits nothing
 struct Material {
@@ -35,5 +36,16 @@ struct Material {
     return a.reflectivity == b.reflectivity && a.emission == b.emission;
   }
 };
+
+// Returns why a material may not be called so, as a sentence; empty when it may. It only has to print on one line.
+std::string material_name_problem(std::string_view name);
+
+// What a spectrum is for: fractions are from 0 to 1, other quantities not below 0.
+enum class SpectrumKind : bool { kFraction, kQuantity };
+// Returns what is wrong with a spectrum, as the end of a sentence ("must be from 0 to 1"); empty when nothing is.
+std::string_view spectrum_problem(const Spectrum& spectrum, SpectrumKind kind);
+
+// Makes a material a grey body: reflectivity 1 - e and emission e sigma T⁴, exactly, sigma = 5.670374419e-8 W/(m² K⁴).
+void set_grey_body(const Spectrum& emissivity, const Spectrum& temperature, Material& material);
 
 }  // namespace hottel

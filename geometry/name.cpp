@@ -45,6 +45,8 @@ std::string_view name_problem(std::string_view name) {
   return {};
 }
 
+std::string piece_name(const std::string& name, std::size_t k) { return name + "[" + std::to_string(k) + "]"; }
+
 bool has_control_character(std::string_view text) {
   while (!text.empty()) {
     const Character c = first_character(text);

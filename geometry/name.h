@@ -14,6 +14,9 @@ namespace hottel {
 //   (2) it is not "sky", has no '#' and does not end in ":back": those spell the sky, elements and backs of surfaces
 std::string_view name_problem(std::string_view name);
 
+// Returns the name of piece k of a polyline, or of face k of a mesh: "room[0]", "room[1]", ...
+std::string piece_name(const std::string& name, std::size_t k);
+
 // True iff `text` has a control character (name_problem (1)) or is not well-formed UTF-8.
 bool has_control_character(std::string_view text);
 

@@ -74,4 +74,26 @@ std::string solid_text(const SceneTable& scene, std::uint32_t group) {
   return "the solid " + quoted_name(scene.groups[group].name);
 }
 
+Material& material_called(SceneTable& scene, const std::string& name) {
+  std::vector<std::string> known;
+  for (Material& material : scene.materials) {
+    if (material.name == name) return material;
+    known.push_back(material.name);
+  }
+  throw UnknownName("there is no material called '" + name + "'", name, known);
+}
+
+std::vector<std::string> undefined_material_hints(const SceneTable& scene, std::string_view name) {
+  std::string defined = scene.materials.empty() ? "the scene defines no materials" : "defined are:";
+  constexpr std::size_t kMost = 10;
+  for (std::size_t i = 0; i < scene.materials.size() && i < kMost; ++i)
+    defined += (i > 0 ? ", " : " ") + quoted_name(scene.materials[i].name);
+  if (scene.materials.size() > kMost) defined += ", ...";
+  std::vector<std::string> names;
+  for (const Material& material : scene.materials) names.push_back(material.name);
+  std::vector<std::string> hints = near_name_hints(name, names);
+  hints.push_back(defined);
+  return hints;
+}
+
 }  // namespace hottel

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/face.h"
@@ -20,6 +21,12 @@ Face face_of(const SceneTable& scene, const std::string& name);
 
 // Returns the name of a face: "wall" or "wall:back". face_of(scene, face_name(scene, face)) == face.
 std::string face_name(const SceneTable& scene, const Face& face);
+
+// Returns the material of that name, to be changed. Throws UnknownName when there is none. COST: linear.
+Material& material_called(SceneTable& scene, const std::string& name);
+
+// Returns the hints of a message about a material that is not defined: names near to it, and those there are.
+std::vector<std::string> undefined_material_hints(const SceneTable& scene, std::string_view name);
 
 // Returns the names for a message, each quoted: "'a'", "'a' and 'b'", or "'a', 'b', 'c' and 4 more" where there are
 // more than four.

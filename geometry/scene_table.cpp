@@ -15,7 +15,35 @@ std::optional<std::uint32_t> SceneTable::find(const std::string& name) const {
   return std::nullopt;
 }
 
+namespace {
+
+// In its range, in lowest terms, and of one value where it says so.
+std::string_view problem_of(const Spectrum& spectrum, SpectrumKind kind) {
+  for (const Rational& value : spectrum.value)
+    if (value.get_den() != 1 && (value.get_den() <= 0 || gcd(value.get_num(), value.get_den()) != 1))
+      return "is not in lowest terms (mpq_class::canonicalize)";
+  if (spectrum.is_scalar && (spectrum.value[1] != spectrum.value[0] || spectrum.value[2] != spectrum.value[0]))
+    return "is a scalar of more than one value";
+  return spectrum_problem(spectrum, kind);
+}
+
+void validate_spectra(const SceneTable& table) {
+  const auto require = [&](const std::string& subject, const Spectrum& spectrum, SpectrumKind kind) {
+    if (const auto problem = problem_of(spectrum, kind); !problem.empty())
+      throw InputError({table.file, 0}, subject + " " + std::string(problem));
+  };
+  for (const Material& material : table.materials) {
+    const std::string owner = "material " + quoted_name(material.name) + ": ";
+    require(owner + "reflectivity", material.reflectivity, SpectrumKind::kFraction);
+    require(owner + "emission", material.emission, SpectrumKind::kQuantity);
+  }
+  require("sky: emission", table.sky_emission, SpectrumKind::kQuantity);
+}
+
+}  // namespace
+
 void validate_table(const SceneTable& table) {
+  validate_spectra(table);
   std::unordered_map<std::string_view, const Surface*> first;
   first.reserve(table.surfaces.size());
   for (const Surface& surface : table.surfaces) {
@@ -31,6 +59,9 @@ void validate_table(const SceneTable& table) {
       refuse("surface " + quoted_name(surface.name) + " has a material that is not defined");
     if (surface.group >= table.groups.size())
       refuse("surface " + quoted_name(surface.name) + " has a group that is not defined");
+    if (surface.elements < 1 || surface.elements > kMaxElements)
+      refuse("surface " + quoted_name(surface.name) + " has " + std::to_string(surface.elements) +
+             " elements; it may have 1 to " + std::to_string(kMaxElements));
   }
 }
 

@@ -12,6 +12,9 @@
 
 namespace hottel {
 
+// The most elements that one surface may be divided into.
+inline constexpr std::uint32_t kMaxElements = 1'000'000;
+
 // One edge (in the plane) or polygon (in space) of the input, but for its points. A back without a material is opaque
 // and black and makes no claim on an overlap.
 struct Surface {
@@ -75,8 +78,9 @@ struct SceneTable {
 };
 
 // Throws InputError naming file, line and surface unless the names of surfaces are allowed (name_problem) and unique,
-// and the indices of their materials and groups are valid. Where two surfaces share a name, the later one is refused
-// and the line of the first is told. COST: linear.
+// the indices of their materials and groups are valid and their elements from 1 to kMaxElements, and spectra are in
+// their ranges (Material), of one value where they are scalars. Where two surfaces share a name, the later one is
+// refused and the line of the first is told. COST: linear.
 void validate_table(const SceneTable& table);
 
 // Returns how many channels the spectra of a scene need: 1 when the sky and all materials are scalars, else 3.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "geometry/near_names.h"
+#include "solver/normalised_method.h"
 
 namespace hottel {
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "solver/exchange_method.h"
-#include "solver/normalised_method.h"
 
 namespace hottel {
 
@@ -39,6 +38,11 @@ SplitMethodName split_method_name(const std::string& name);
 [[noreturn]] void refuse_method(const std::string& name, const std::vector<std::string>& families,
                                 const std::vector<std::string>& patterns);
 
+// The same method with every row divided by its sum (normalised_method.h has the template: whoever defines a catalogue
+// of a dimension instantiates it).
+template <class Prepared>
+std::unique_ptr<ExchangeMethod<Prepared>> normalised_method(std::unique_ptr<ExchangeMethod<Prepared>> raw);
+
 // All methods by name. A name is a family, its variant, and at last perhaps ":normalised": the same method with every
 // row divided by its sum, the sky included (normalised_method.h).
 //
@@ -56,7 +60,7 @@ class MethodCatalogue {
   // when its variant makes no sense.
   std::unique_ptr<ExchangeMethod<Prepared>> make(const std::string& name) const {
     if (const SplitMethodName split = split_method_name(name); !split.normalised.empty())
-      return std::make_unique<NormalisedMethod<Prepared>>(make(split.raw));
+      return normalised_method(make(split.raw));
     const std::string family = family_of_method(name);
     std::vector<std::string> known, patterns;
     for (const MethodFamily<Prepared>& each : families_) {

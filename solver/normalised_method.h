@@ -68,4 +68,9 @@ class NormalisedMethod final : public ExchangeMethod<Prepared> {
   MethodInfo info_;
 };
 
+template <class Prepared>
+std::unique_ptr<ExchangeMethod<Prepared>> normalised_method(std::unique_ptr<ExchangeMethod<Prepared>> raw) {
+  return std::make_unique<NormalisedMethod<Prepared>>(std::move(raw));
+}
+
 }  // namespace hottel

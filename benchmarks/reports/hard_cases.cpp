@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "io/files/output_file.h"
 #include "io/scene/scene_json.h"

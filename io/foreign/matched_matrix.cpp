@@ -132,8 +132,7 @@ void compare_areas(const ForeignMatrix& foreign, const Places& places, const std
 void note_gaps(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& unused_rows,
                const WrittenFactors& written, MethodReport& report) {
   std::vector<std::string> names;
-  for (const std::uint32_t i : unused_rows)
-    names.push_back(i == matrix.sky() ? std::string("sky") : matrix.elements()[i].name);
+  for (const std::uint32_t i : unused_rows) names.push_back(matrix.name(i));
   if (!names.empty()) report.notes.push_back("rows of faces without a material are not used: " + listed_names(names));
   if (!written.has_column[matrix.sky()])
     report.notes.push_back("there is no column for the sky: what rows lack of 1 is not counted as going there");

@@ -54,13 +54,9 @@ class Buffer {
   std::string text_;
 };
 
-std::string name_of(const ExchangeMatrix& matrix, std::uint32_t label) {
-  return label == matrix.sky() ? "sky" : matrix.elements()[label].name;
-}
-
 std::vector<std::string> csv_names(const ExchangeMatrix& matrix) {
   std::vector<std::string> names;
-  for (std::uint32_t i = 0; i <= matrix.size(); ++i) names.push_back(csv_field(name_of(matrix, i)));
+  for (std::uint32_t i = 0; i <= matrix.size(); ++i) names.push_back(csv_field(matrix.name(i)));
   return names;
 }
 
@@ -73,7 +69,7 @@ void require_double(double value, const std::string& what) {
 }
 
 std::string area_of(const ExchangeMatrix& matrix, std::uint32_t label) {
-  return "the area of '" + name_of(matrix, label) + "'";
+  return "the area of '" + matrix.name(label) + "'";
 }
 
 // Calls visit(row as dense vector) for each of the size() + 1 rows; rows that do not exist are zeros.
@@ -225,7 +221,7 @@ std::string factors_sidecar(const FactorTable& table) {
     areas.push_back(std::isfinite(element.area.value) ? nlohmann::ordered_json(element.area.value)
                                                       : nlohmann::ordered_json());
   }
-  names.push_back("sky");
+  names.push_back(table.matrix.name(table.matrix.sky()));
   areas.push_back(nullptr);
   sidecar["names"] = std::move(names);
   sidecar["areas"] = std::move(areas);
@@ -283,8 +279,8 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
     for (std::uint32_t i = 0; i < matrix.size(); ++i)
       for (std::size_t k = 0; k < matrix.row(i).size(); ++k)
         if (!std::isfinite(measure(i, k)))
-          throw RequestError("the exchange measure of '" + name_of(matrix, i) + "' and '" +
-                             name_of(matrix, matrix.row(i)[k].to) +
+          throw RequestError("the exchange measure of '" + matrix.name(i) + "' and '" +
+                             matrix.name(matrix.row(i)[k].to) +
                              "' is beyond the range of doubles; --exact-form gives it");
   auto hidden = table.hidden.begin();
   for (std::uint32_t i = 0; i < names.size(); ++i) {
@@ -385,7 +381,7 @@ void write_exact_forms_csv(const FactorTable& table, const std::optional<Element
   out << "from,to,exchange,area\n";
   for (const ElementPair& row : exact_form_rows(table, only)) {
     const auto place = std::lower_bound(pairs.begin(), pairs.end(), smaller_first(row)) - pairs.begin();
-    out << csv_field(name_of(matrix, row.first)) << "," << csv_field(name_of(matrix, row.second)) << ","
+    out << csv_field(matrix.name(row.first)) << "," << csv_field(matrix.name(row.second)) << ","
         << measures[static_cast<std::size_t>(place)].to_string() << ","
         << (row.first == matrix.sky() ? "" : areas[row.first].to_string()) << "\n";
   }

@@ -4,11 +4,13 @@
 
 #include "geometry/scene_names.h"
 #include "io/results/factor_files.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 
 void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
                          const std::function<void(std::string_view)>& sink) {
+  for (const ChannelSolution& channel : solution.channels) HOTTEL_REQUIRE(channel.elements.size() == matrix.size());
   sink("face,element,channel,area,emission,reflectivity,radiosity,lower,upper,irradiance,net\n");
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;

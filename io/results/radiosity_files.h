@@ -8,7 +8,7 @@
 
 #include "geometry/scene_table.h"
 #include "solver/radiosity/net_flux.h"
-#include "solver/radiosity/radiosity.h"
+#include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
 
@@ -17,7 +17,8 @@ namespace hottel {
 // the difference of the two doubles printed, rounded once.
 //
 // Whatever the sink throws stops the writing.
-// REQUIRES the solution of this matrix, of this scene.
+// Throws ContractViolation where the solution has another number of elements. REQUIRES the solution of this matrix, of
+// this scene.
 void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
                          const std::function<void(std::string_view)>& sink);
 

@@ -128,7 +128,7 @@ std::string small_scene_text(const SceneTable& scene, const ExchangeMatrix& matr
   if (matrix.elements().size() > 2 * kFacesOnAScreen || scene.surfaces.size() > kFacesOnAScreen) return "";
   std::string text = fmt::format("\n{:<16}", "factor to");
   for (const Element& element : matrix.elements()) text += fmt::format("{:>14.14}", element.name);
-  text += fmt::format("{:>14}\n", "sky");
+  text += fmt::format("{:>14}\n", matrix.name(matrix.sky()));
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
     text += fmt::format("{:<16.16}", matrix.elements()[i].name);

@@ -1,6 +1,7 @@
 #include "io/scene/json_fields.h"
 
 #include "geometry/name.h"
+#include "geometry/number.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -24,16 +25,6 @@ const char* kind_name(JsonKind kind) {
       return "a key";
   }
   return "";
-}
-
-// True for a decimal that would be read if its exponent were smaller.
-bool has_large_exponent(std::string_view text) {
-  const std::size_t e = text.find_first_of("eE");
-  if (e == std::string_view::npos || text.find('/') != std::string_view::npos) return false;
-  const std::string_view digits = text.substr(e + 1);
-  if (digits.find_first_not_of("+-0123456789") != std::string_view::npos) return false;
-  const auto exponent = parse_rational(digits);
-  return parse_rational(text.substr(0, e)) && exponent && abs(*exponent) > kMaxNumberExponent;
 }
 
 [[noreturn]] void refuse_kind(const JsonValue& value, const std::string& expected, const Subject& subject) {
@@ -90,18 +81,11 @@ std::uint32_t read_count(const JsonValue& value, std::uint32_t most, const Subje
 Rational read_number(const JsonValue& value, const Subject& subject) {
   if (value.kind() != JsonKind::kNumber && value.kind() != JsonKind::kString)
     refuse_kind(value, "a number or a string that holds one", subject);
-  const std::string_view text = value.text();
-  if (text.size() > kMaxNumberLength)
-    refuse(value, subject.text() + " has " + std::to_string(text.size()) + " characters; a number may have " +
-                      std::to_string(kMaxNumberLength));
-  std::optional<Rational> number = parse_rational(text);
-  if (!number && has_large_exponent(text))
-    refuse(value, subject.text() + " is beyond the range in which numbers are read: " + quoted_name(text),
-           {"an exponent is at most " + std::to_string(kMaxNumberExponent) + " in absolute value"});
-  if (!number)
-    refuse(value, subject.text() + " is not a number: " + quoted_name(text),
-           {"numbers are written like 12, -0.1, 2.5e-3 or 4/3, with an exponent of at most " +
-            std::to_string(kMaxNumberExponent)});
+  std::optional<Rational> number = parse_rational(value.text());
+  if (!number) {
+    const auto [problem, hint] = number_problem(value.text());
+    refuse(value, subject.text() + " " + problem, hint.empty() ? std::vector<std::string>() : std::vector{hint});
+  }
   return *std::move(number);
 }
 

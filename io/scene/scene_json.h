@@ -10,10 +10,6 @@
 
 namespace hottel {
 
-// Limits beyond which a scene file is refused.
-inline constexpr std::uint32_t kMaxElements = 1'000'000;  // of one edge
-inline constexpr std::uint32_t kMaxGridCells = 16384;     // of a grid, along one axis
-
 // A scene of either dimension. In this version all are in the plane: files of dimension 3 are refused.
 using Scene = std::variant<Scene2>;
 

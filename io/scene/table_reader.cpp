@@ -1,42 +1,17 @@
 #include "io/scene/table_reader.h"
 
-#include <algorithm>
-
 #include "geometry/name.h"
-#include "geometry/near_names.h"
-#include "io/scene/scene_json.h"
+#include "geometry/scene_names.h"
 
 namespace hottel {
 namespace {
 
-// sigma in W/(m² K⁴).
-const Rational& stefan_boltzmann() {
-  static const Rational sigma = *parse_rational("5.670374419e-8");
-  return sigma;
-}
-
-bool in_range(const Spectrum& spectrum, bool at_most_one) {
-  return std::all_of(spectrum.value.begin(), spectrum.value.end(),
-                     [&](const Rational& v) { return sgn(v) >= 0 && (!at_most_one || v <= 1); });
-}
-
-// A spectrum that is not negative, and not above one where that is asked.
-Spectrum read_spectrum_in_range(const JsonValue& value, const Subject& subject, bool at_most_one) {
+// A spectrum that is not negative, and a fraction not above one.
+Spectrum read_spectrum_in_range(const JsonValue& value, const Subject& subject, SpectrumKind kind) {
   Spectrum result = read_spectrum(value, subject);
-  if (!in_range(result, at_most_one))
-    refuse(value, subject.text() + (at_most_one ? " must be from 0 to 1" : " must not be negative"));
+  if (const auto problem = spectrum_problem(result, kind); !problem.empty())
+    refuse(value, subject.text() + " " + std::string(problem));
   return result;
-}
-
-// Reflectivity 1 - e and emission e sigma T⁴.
-void set_grey_body(const Spectrum& emissivity, const Spectrum& temperature, Material& material) {
-  material.reflectivity.is_scalar = emissivity.is_scalar;
-  material.emission.is_scalar = emissivity.is_scalar && temperature.is_scalar;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const Rational& t = temperature.value[c];
-    material.reflectivity.value[c] = 1 - emissivity.value[c];
-    material.emission.value[c] = emissivity.value[c] * stefan_boltzmann() * t * t * t * t;
-  }
 }
 
 Material read_material(const JsonValue& key, const JsonValue& value) {
@@ -51,11 +26,13 @@ Material read_material(const JsonValue& key, const JsonValue& value) {
     refuse(value, owner + " has both reflectivity or emission and emissivity or temperature",
            {"give either reflectivity and emission, or emissivity and temperature"});
   if (temperature && !emissivity) refuse(value, owner + " has a temperature but no emissivity");
-  if (reflectivity) material.reflectivity = read_spectrum_in_range(reflectivity, {owner, "reflectivity"}, true);
-  if (emission) material.emission = read_spectrum_in_range(emission, {owner, "emission"}, false);
+  if (reflectivity)
+    material.reflectivity = read_spectrum_in_range(reflectivity, {owner, "reflectivity"}, SpectrumKind::kFraction);
+  if (emission) material.emission = read_spectrum_in_range(emission, {owner, "emission"}, SpectrumKind::kQuantity);
   if (emissivity) {
-    const Spectrum e = read_spectrum_in_range(emissivity, {owner, "emissivity"}, true);
-    const Spectrum t = temperature ? read_spectrum_in_range(temperature, {owner, "temperature"}, false) : Spectrum();
+    const Spectrum e = read_spectrum_in_range(emissivity, {owner, "emissivity"}, SpectrumKind::kFraction);
+    const Spectrum t =
+        temperature ? read_spectrum_in_range(temperature, {owner, "temperature"}, SpectrumKind::kQuantity) : Spectrum();
     set_grey_body(e, t, material);
   }
   return material;
@@ -79,10 +56,7 @@ std::string number_text(const JsonValue& value, const Subject& subject) {
 void TableReader::read_materials(const JsonValue& materials) {
   require_kind(materials, JsonKind::kObject, {"materials"});
   for (const auto [key, value] : materials.members()) {
-    // A material may be called as it likes; it only has to print on one line.
-    if (key.text().empty()) refuse(key, "the name of a material must not be empty");
-    if (has_control_character(key.text()))
-      refuse(key, "the name of material " + quoted_name(key.text()) + " must not contain a control character");
+    if (const auto problem = material_name_problem(key.text()); !problem.empty()) refuse(key, problem);
     material_index_.emplace(key.text(), static_cast<std::uint32_t>(table_.materials.size()));
     table_.materials.push_back(read_material(key, value));
   }
@@ -90,7 +64,7 @@ void TableReader::read_materials(const JsonValue& materials) {
 
 void TableReader::read_sky(const JsonValue& sky) {
   const auto [emission] = read_members(sky, {"sky"}, std::array<std::string_view, 1>{"emission"});
-  if (emission) table_.sky_emission = read_spectrum_in_range(emission, {"sky", "emission"}, false);
+  if (emission) table_.sky_emission = read_spectrum_in_range(emission, {"sky", "emission"}, SpectrumKind::kQuantity);
 }
 
 void TableReader::read_list(const JsonValue& list, std::string_view key, const std::string& noun,
@@ -150,16 +124,8 @@ void TableReader::read_expectations(const JsonValue& list) {
 std::uint32_t TableReader::material_of(const JsonValue& value, const Subject& subject) const {
   require_kind(value, JsonKind::kString, subject);
   if (const auto found = material_index_.find(value.text()); found != material_index_.end()) return found->second;
-  std::string defined = material_index_.empty() ? "the scene defines no materials" : "defined are:";
-  constexpr std::size_t kMost = 10;
-  for (std::size_t i = 0; i < table_.materials.size() && i < kMost; ++i)
-    defined += (i > 0 ? ", " : " ") + quoted_name(table_.materials[i].name);
-  if (table_.materials.size() > kMost) defined += ", ...";
-  std::vector<std::string> names;
-  for (const Material& material : table_.materials) names.push_back(material.name);
-  std::vector<std::string> hints = near_name_hints(value.text(), names);
-  hints.push_back(defined);
-  refuse(value, subject.text() + " " + quoted_name(value.text()) + " is not defined", std::move(hints));
+  refuse(value, subject.text() + " " + quoted_name(value.text()) + " is not defined",
+         undefined_material_hints(table_, value.text()));
 }
 
 void TableReader::read_expectation(const JsonValue& value, const std::string& owner) {

@@ -26,10 +26,6 @@ Hypothesis hypothesis(Fault fault, const JudgedPairs& judged, const Predict& pre
   return result;
 }
 
-std::string name(const JudgedPairs& judged, std::uint32_t i) {
-  return i == judged.exact().sky() ? "sky" : judged.exact().elements()[i].name;
-}
-
 // The ratio that fits these pairs best: of the products value * exact to the squares.
 double best_ratio(std::span<const JudgedPair> pairs, const std::vector<char>* wanted, const JudgedPairs& judged) {
   double products = 0, squares = 0;
@@ -175,7 +171,7 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> exchanged_areas(const Jud
 std::string row_factor_words(const JudgedPairs& judged, const std::vector<ScaledRow>& rows) {
   if (const auto pair = exchanged_areas(judged, rows))
     return fmt::format("the areas of {} and {} are exchanged: their rows are divided by each other's area",
-                       quoted_name(name(judged, pair->first)), quoted_name(name(judged, pair->second)));
+                       quoted_name(judged.exact().name(pair->first)), quoted_name(judged.exact().name(pair->second)));
   bool is_exchange = true, is_one = true;
   double least = rows[0].ratio, most = rows[0].ratio;
   for (const ScaledRow& row : rows) {

@@ -30,4 +30,10 @@ struct MethodReport {
   std::vector<std::string> notes;         // e.g. the seed
 };
 
+// Seconds of wall-clock time.
+struct Timing {
+  double median = 0, fastest = 0, slowest = 0;
+  int runs = 0;  // that were counted
+};
+
 }  // namespace hottel

@@ -8,7 +8,6 @@
 #include "geometry/exchange_matrix.h"
 #include "solver/compare/matrix_errors.h"
 #include "solver/compare/method_report.h"
-#include "solver/compare/timing.h"
 #include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {

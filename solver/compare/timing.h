@@ -4,13 +4,9 @@
 #include <functional>
 #include <optional>
 
-namespace hottel {
+#include "solver/compare/method_report.h"
 
-// Seconds of wall-clock time.
-struct Timing {
-  double median = 0, fastest = 0, slowest = 0;
-  int runs = 0;  // that were counted
-};
+namespace hottel {
 
 // Runs a computation again and again; `run` does it once and returns the seconds it took.
 //

@@ -97,7 +97,7 @@ void choose_findings(std::vector<Hypothesis> hypotheses, const JudgedPairs& judg
 }
 
 std::string pair_text(const JudgedPair& pair, const ExchangeMatrix& exact) {
-  const auto name = [&](std::uint32_t i) { return quoted_name(i == exact.sky() ? "sky" : exact.elements()[i].name); };
+  const auto name = [&](std::uint32_t i) { return quoted_name(exact.name(i)); };
   return fmt::format("{} to {}: {} instead of {:.6g}", name(pair.from), name(pair.to),
                      fmt::format("{:.6g}", pair.value), pair.exact);
 }

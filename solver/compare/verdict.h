@@ -8,10 +8,11 @@
 #include "geometry/exchange_matrix.h"
 #include "solver/compare/fault.h"
 #include "solver/compare/judged_pairs.h"
-#include "solver/compare/judged_scene.h"
 #include "solver/compare/written_factors.h"
 
 namespace hottel {
+
+class JudgedScene;
 
 // One fault, with its evidence.
 struct FoundFault {

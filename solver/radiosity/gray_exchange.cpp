@@ -115,6 +115,7 @@ ExchangeMatrix from_columns(const std::vector<Element>& elements,
 ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                              const GrayExchangeOptions& options) {
   HOTTEL_REQUIRE(matrix.guarantee() == Guarantee::kExact);
+  HOTTEL_REQUIRE(options.channel >= 0 && options.channel < 3);
   const GraySystem system(matrix, materials, options.channel);
   std::vector<std::vector<ColumnEntry>> columns(matrix.size() + 1);
   std::atomic<std::uint64_t> pairs{0};

@@ -42,12 +42,12 @@ struct GrayExchangeOptions {
 //       and the light would be reflected for ever
 //   (6) no entry iff the real number is 0; the same bit for bit for any number of threads
 //
-// REQUIRES view factors that are exact, and materials of the elements that index into `materials`.
-// Throws RequestError when factors are so small that no bounds can be given, and when the result takes more memory than
-// is allowed. COST: one elimination (n^3 / 3 for a component of n faces); for each column with e > 0 about ten passes
-// over the matrix and five back substitutions (n^2); 80 bytes a pair of the result, which is dense within each
-// component. SEE: Hottel and Sarofim, Radiative Transfer, 1967, chapter 3; Walton, NISTIR 6925, 2002 (View3D,
-// `emit=1`).
+// Throws ContractViolation unless the view factors are exact, the channel is one, and the materials of the elements
+// index into `materials`; RequestError when factors are so small that no bounds can be given, and when the result takes
+// more memory than is allowed. COST: one elimination (n^3 / 3 for a component of n faces); for each column with e > 0
+// about ten passes over the matrix and five back substitutions (n^2); 80 bytes a pair of the result, which is dense
+// within each component. SEE: Hottel and Sarofim, Radiative Transfer, 1967, chapter 3; Walton, NISTIR 6925, 2002
+// (View3D, `emit=1`).
 ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                              const GrayExchangeOptions& options = {});
 

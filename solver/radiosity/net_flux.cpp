@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "kernel/support/failure.h"
 #include "solver/radiosity/scaled_ball.h"
 
 namespace hottel {
@@ -46,6 +47,7 @@ std::vector<ScaledBall> flux_by_element(const ExchangeMatrix& matrix, const Chan
 std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolution& solution,
                               const SourceSpectrum& sky_emission,
                               const std::function<std::string(const Element&)>& name_of) {
+  for (const ChannelSolution& channel : solution.channels) HOTTEL_REQUIRE(channel.elements.size() == matrix.size());
   std::vector<char> is_listed(matrix.size() + 1, 0);
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
@@ -58,7 +60,7 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
   std::unordered_map<std::string, std::size_t> place_of;
   for (std::uint32_t i = 0; i <= matrix.size(); ++i) {
     if (!is_listed[i]) continue;
-    const std::string name = i == matrix.sky() ? "sky" : name_of(matrix.elements()[i]);
+    const std::string name = i == matrix.sky() ? matrix.name(i) : name_of(matrix.elements()[i]);
     const auto [known, is_new] = place_of.emplace(name, result.size());
     if (is_new) {
       result.push_back({name, {}, std::vector<NetFlux::Power>(solution.channels.size())});

@@ -32,7 +32,8 @@ struct NetFlux {
 //   (3) the true fluxes of all names sum to 0 where rows sum to 1 and pairs are reciprocal: what is sent out arrives
 //       somewhere; so do the values, but for roundings, where iterations were stopped early too. Light that arrives
 //       directly comes from none of them: with it they sum to minus its power
-// REQUIRES a solution of this matrix with this sky. COST: one pass over the matrix a channel.
+// Throws ContractViolation where the solution has another number of elements. REQUIRES a solution of this matrix with
+// this sky. COST: one pass over the matrix a channel.
 std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolution& solution,
                               const SourceSpectrum& sky_emission,
                               const std::function<std::string(const Element&)>& name_of);

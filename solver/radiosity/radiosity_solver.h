@@ -42,7 +42,8 @@ namespace hottel {
 class RadiositySolver {
  public:
   // `reflectivity`: by material, into which the elements' materials index. Of the options `progress` is not called.
-  // Throws ContractViolation where a material of a row is none of these, RequestError where a factor is no number.
+  // Throws ContractViolation where a material of a row is none of these or a reflectivity not from 0 to 1, RequestError
+  // where a factor is no number.
   RadiositySolver(std::shared_ptr<const ExchangeMatrix> matrix, const std::vector<Spectrum>& reflectivity,
                   RadiosityOptions options = {});
   ~RadiositySolver();

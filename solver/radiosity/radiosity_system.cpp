@@ -96,6 +96,7 @@ RadiositySystem::RadiositySystem(const ExchangeMatrix& matrix, const std::vector
   std::vector<DoubleDoubleBall> reflectivity(reflectivities.size()), loss(reflectivities.size());
   for (std::size_t m = 0; m < reflectivities.size(); ++m) {
     const Rational& rho = reflectivities[m];
+    HOTTEL_REQUIRE(rho >= 0 && rho <= 1);
     reflectivity[m] = DoubleDoubleBall::of(rho);
     absorptivity_.push_back(1 - rho);
     loss[m] = DoubleDoubleBall::of(absorptivity_.back());

@@ -143,5 +143,34 @@ TEST(MixedExchangeMatrix, RefusesEntriesThatBreakTheirOwnPromise) {
   EXPECT_THAT(assigned({kExact, kEstimated}, {{0, 1}, {-0.5, 1}}, 0.5), refuses("is 0.5 within [-0.5, 1]"));
 }
 
+TEST(ExchangeMatrix, NamesEveryColumn) {
+  const ExchangeMatrix matrix = two_faces(Guarantee::kEstimated);
+  for (std::uint32_t column = 0; column <= matrix.sky(); ++column) EXPECT_EQ(matrix.find(matrix.name(column)), column);
+  EXPECT_EQ(matrix.name(1), "wall");
+  EXPECT_EQ(matrix.name(matrix.sky()), "sky");
+  EXPECT_THROW(matrix.name(matrix.sky() + 1), ContractViolation);
+  EXPECT_EQ(ExchangeMatrix().name(0), "sky");
+}
+
+TEST(ExchangeMatrix, HasFactorsByName) {
+  std::vector<Element> elements(3);
+  elements[0] = {.name = "floor", .material = 0, .area = {1, 0}};
+  elements[1] = {.name = "wall", .material = 0, .area = {0, 0}};
+  elements[2] = {.name = "wall:back", .area = {1, 0}};
+  ExchangeMatrix matrix(elements, Guarantee::kEstimated);
+  matrix.assign({0, 2, 2, 2}, {{2, {0.25, 0}, 1}, {3, {0.75, 0}, 1}});
+  EXPECT_EQ(matrix.factor("floor", "wall:back").value, 0.25);
+  EXPECT_EQ(matrix.factor("floor", "sky").value, 0.75);
+  EXPECT_EQ(matrix.factor("floor", "wall").value, 0);
+  const auto asked = [&](const char* from, const char* to) { return [&matrix, from, to] { matrix.factor(from, to); }; };
+  EXPECT_THAT(asked("flor", "wall"), ThrowsMessage<UsageError>("there is no face called 'flor'"));
+  EXPECT_THAT(asked("floor", "ceiling"), ThrowsMessage<UsageError>("there is no face called 'ceiling'"));
+  EXPECT_THAT(asked("sky", "floor"), ThrowsMessage<UsageError>("there are no view factors from the sky"));
+  EXPECT_THAT(asked("wall", "floor"),
+              ThrowsMessage<UsageError>("there are no view factors from 'wall': it has no area"));
+  EXPECT_THAT(asked("wall:back", "floor"),
+              ThrowsMessage<UsageError>("there are no view factors from 'wall:back': it has no material"));
+}
+
 }  // namespace
 }  // namespace hottel

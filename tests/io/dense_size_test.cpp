@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "io/results/factor_files.h"
 #include "io/scene/scene_json.h"

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "tests/io/foreign_room.h"
 
 namespace hottel {

@@ -9,6 +9,7 @@
 #include <functional>
 #include <random>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"
 #include "geometry/plane/scene/division.h"

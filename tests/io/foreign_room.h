@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "io/files/output_file.h"
 #include "io/foreign/foreign_command.h"
 #include "io/foreign/plane/foreign_matrix.h"

@@ -9,17 +9,9 @@
 #include <string_view>
 
 #include "viewer/picture/canvas.h"
+#include "viewer/picture/picture_options.h"
 
 namespace hottel {
-
-// What a picture is written as: pixels, or shapes that stay sharp at any size.
-enum class PictureFormat : unsigned char { kPng, kSvg };
-
-// Returns the format that the ending of a file name asks for (".png", ".svg"), or nothing.
-std::optional<PictureFormat> picture_format(std::string_view file_name);
-
-// The largest width or height of a picture.
-inline constexpr std::uint32_t kMaxPictureSide = 16384;
 
 // Draws with Cairo: antialiased, sRGB, fonts of the system.
 //

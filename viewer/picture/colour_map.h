@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viewer/picture/canvas.h"
+#include "viewer/picture/picture_options.h"
 
 namespace hottel {
 
@@ -36,21 +37,6 @@ double lightness(const Colour& colour);
 //   (1) lightness(map_colour(t)) is linear in t and increases
 //   (2) readable for colour-blind eyes and in grey print, since (1) alone carries the order
 Colour map_colour(double position);
-
-// How values become positions.
-struct ColourScale {
-  double lower = 0, upper = 1;
-  bool logarithmic = false;
-
-  // Returns where the value lies between lower and upper, clamped to [0, 1]; the position of lower when they are equal.
-  // REQUIRES lower <= upper, both finite; logarithmic: lower > 0. A value <= 0 on a logarithmic scale has position 0.
-  double position(double value) const;
-
-  // Returns the values for labels: multiples of 1, 2 or 5 times a power of ten inside [lower, upper], ascending, at
-  // most limit of them; logarithmic: whole decades, every few of them when there are many, or the linear ones when
-  // there is less than one decade.
-  std::vector<double> ticks(int limit) const;
-};
 
 // Returns the values as labels with just the digits that tell them apart: "0", "0.05", "0.1", or "1e-06".
 std::vector<std::string> tick_labels(const std::vector<double>& ticks);

@@ -8,13 +8,9 @@
 #include <string_view>
 
 #include "viewer/picture/canvas.h"
+#include "viewer/picture/picture_options.h"
 
 namespace hottel {
-
-enum class Tone : unsigned char { kLinear, kReinhard, kLog, kMax };
-
-// "linear", "reinhard", "log", "max"; nothing for other names.
-std::optional<Tone> tone_of(std::string_view name);
 
 // A tone curve fitted to the light of a picture. Values are linear; the colours are sRGB (IEC 61966-2-1).
 //

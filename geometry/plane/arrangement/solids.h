@@ -35,7 +35,7 @@ struct BarePieces2 {
 // COST: linear in the sides of pieces, plus the solids around each room; nothing where no group can enclose anything.
 class Solids2 {
  public:
-  static constexpr std::uint32_t kNone = 0xffffffff;
+  static constexpr std::uint32_t kNone = kNoSolid;
 
   Solids2() = default;  // nothing is solid
 

@@ -66,7 +66,7 @@ class PolylineRestorer {
     }
     std::string first;  // that has another name
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-      const std::string now = name + "[" + std::to_string(k) + "]";
+      const std::string now = piece_name(name, k);
       if (std::string& own = pieces[k].surface.name; own != now) {
         if (first.empty()) first = fmt::format("{} is {} now", quoted_name(own), quoted_name(now));
         own = now;

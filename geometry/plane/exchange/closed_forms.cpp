@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "geometry/plane/exchange/exact_sums.h"
 #include "geometry/plane/exchange/pair_alone.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
@@ -30,6 +32,7 @@ ExactPair2 exact_pair(const PreparedScene2& prepared, Granularity granularity, s
 
 ExactPair2 exact_pair(const PreparedScene2& prepared, const ElementTable2& table, Granularity granularity,
                       std::uint32_t from, std::uint32_t to) {
+  HOTTEL_REQUIRE(from < table.count() && to <= table.sky());
   const Vertices2& vertices = prepared.arrangement.vertices();
   ExactPair2 result;
   result.exchange = scaled_sums(prepared, table, {{std::min(from, to), std::max(from, to)}}).front();
@@ -56,6 +59,7 @@ ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<Face>&
   const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
   const auto label_of = [&](const std::optional<Face>& face) {
     if (!face) return table.sky();
+    HOTTEL_REQUIRE(face->surface < prepared.scene.surfaces.size());
     const auto& elements = table.elements();
     return static_cast<std::uint32_t>(
         std::find_if(elements.begin(), elements.end(),

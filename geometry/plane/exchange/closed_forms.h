@@ -4,13 +4,14 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
-#include "geometry/plane/exchange/exact_sums.h"
-#include "geometry/scene_names.h"
+#include "geometry/element.h"
+#include "geometry/face.h"
 #include "kernel/root_sum.h"
 
 namespace hottel {
+
+class ElementTable2;
+struct PreparedScene2;
 
 // One pair in closed form, in scene units: S(i, j), S0(i, j), A_i, A_j as sums of square roots.
 //
@@ -19,8 +20,8 @@ namespace hottel {
 struct ExactPair2 {
   RootSum exchange, unobstructed, area_from, area_to;
 };
-// Returns the pair of two elements, or of an element and the sky; `from` is never the sky. Of the sky S0 = A_i, and
-// area_to is left 0.
+// Returns the pair of two elements, or of an element and the sky. Of the sky S0 = A_i, and area_to is left 0. Throws
+// ContractViolation where `from` is no element, or `to` neither an element nor the sky.
 // COST: a table of the elements; then one sweep about the vertices that may lie between the two (exact_sums.h).
 ExactPair2 exact_pair(const PreparedScene2& prepared, Granularity granularity, std::uint32_t from, std::uint32_t to);
 // The same for those who have the table of that granularity already.
@@ -28,6 +29,7 @@ ExactPair2 exact_pair(const PreparedScene2& prepared, const ElementTable2& table
                       std::uint32_t from, std::uint32_t to);
 
 // The same of two faces, of which one (nothing) may be the sky: its area is left 0, and S0 is the area of the other.
+// Throws ContractViolation where a face is none of the scene, or both are the sky.
 ExactPair2 exact_pair(const PreparedScene2& prepared, const std::optional<Face>& from, const std::optional<Face>& to);
 
 // Returns the closed forms of many exchange measures S(i, j) at once, in scene units, in the order of the pairs.

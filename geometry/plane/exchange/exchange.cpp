@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "geometry/plane/exchange/convex_sums.h"
+#include "geometry/plane/exchange/exact_sums.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/exchange/pair_alone.h"
 #include "geometry/plane/exchange/pair_rounding.h"

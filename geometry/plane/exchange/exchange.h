@@ -1,20 +1,15 @@
 // Exact view factors of a scene in the plane.
 #pragma once
 
-#include <map>
-#include <string>
+#include <vector>
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/exchange_report.h"
 #include "geometry/exchange_request.h"
-#include "geometry/plane/arrangement/arrangement.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
-#include "geometry/plane/exchange/exact_sums.h"
-#include "kernel/root_sum.h"
-#include "kernel/rounding.h"
 
 namespace hottel {
+
+struct PreparedScene2;
 
 // Returns the view factors of all pairs that exchange light, each correctly rounded.
 //

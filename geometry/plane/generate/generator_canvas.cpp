@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/plane/scene/scene_entries.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -145,29 +146,21 @@ void GeneratorCanvas2::add_edge(std::string name, const Dot2& from, const Dot2& 
   surface.material = paint;
   if (back) surface.back = *back;
   surface.group = static_cast<std::uint32_t>(scene_.groups.size() - 1);
-  scene_.add(std::move(surface), edge(from, to));
+  hottel::add_edge(scene_, std::move(surface), edge(from, to));
 }
 
 void GeneratorCanvas2::add_polygon(const std::string& name, const std::vector<Dot2>& corners, Paint paint) {
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    Surface surface;
-    surface.name = name + "[" + std::to_string(i) + "]";
-    surface.material = paint;
-    surface.group = static_cast<std::uint32_t>(polygon_names_.size());
-    polygon_pieces_.emplace_back(std::move(surface), edge(corners[i], corners[(i + 1) % corners.size()]));
-  }
-  polygon_names_.push_back(name);
+  Surface surface;
+  surface.material = paint;
+  surface.group = static_cast<std::uint32_t>(polygons_.groups.size());
+  std::vector<PolylinePoint2> points;
+  for (const Dot2& corner : corners) points.push_back({{coordinate(corner.x), coordinate(corner.y)}});
+  add_polyline(polygons_, surface, name, std::move(points), true);
+  polygons_.groups.push_back(name);
 }
 
 Scene2 GeneratorCanvas2::finish(bool closed) {
-  const auto groups_of_edges = static_cast<std::uint32_t>(scene_.groups.size());
-  for (auto& [surface, edge] : polygon_pieces_) {
-    surface.group += groups_of_edges;
-    scene_.add(std::move(surface), std::move(edge));
-  }
-  for (std::string& name : polygon_names_) scene_.groups.push_back(std::move(name));
-  polygon_pieces_.clear();
-  polygon_names_.clear();
+  append_polylines(scene_, std::exchange(polygons_, {}));
   drop_unused_materials(scene_);
   scene_.closed = closed;
   scene_.file = about_;

@@ -92,8 +92,7 @@ class GeneratorCanvas2 {
   std::int64_t added_digits_ = 1;  // 10^m for m digits below the unit
   Integer denominator_;
   Scene2 scene_;
-  std::vector<std::pair<Surface, Edge2>> polygon_pieces_;
-  std::vector<std::string> polygon_names_;
+  Scene2 polygons_;
 };
 
 }  // namespace hottel

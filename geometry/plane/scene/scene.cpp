@@ -4,14 +4,43 @@
 #include "kernel/support/failure.h"
 
 namespace hottel {
+namespace {
+
+// As arithmetic leaves it; mpq_class(2, 4) is not.
+bool is_in_lowest_terms(const Rational& value) {
+  const Integer &p = value.get_num(), &q = value.get_den();
+  return q == 1 || (q > 0 && gcd(p, q) == 1);
+}
+
+bool is_in_lowest_terms(const Point2& point) { return is_in_lowest_terms(point.x) && is_in_lowest_terms(point.y); }
+
+}  // namespace
+
+std::string grid_problem(const Grid2& grid) {
+  if (!is_in_lowest_terms(grid.min) || !is_in_lowest_terms(grid.max)) return "a coordinate is not in lowest terms";
+  if (grid.max.x <= grid.min.x || grid.max.y <= grid.min.y) return "max must be greater than min in both coordinates";
+  const auto is_count = [](std::uint32_t cells) { return cells >= 1 && cells <= kMaxGridCells; };
+  if (!is_count(grid.nx) || !is_count(grid.ny))
+    return "cells must be integers from 1 to " + std::to_string(kMaxGridCells);
+  return "";
+}
 
 void validate(const Scene2& scene) {
   HOTTEL_REQUIRE(scene.edges.size() == scene.surfaces.size());
   validate_table(scene);
-  for (std::size_t s = 0; s < scene.edges.size(); ++s)
-    if (scene.edges[s].from == scene.edges[s].to)
+  for (std::size_t s = 0; s < scene.edges.size(); ++s) {
+    const Edge2& edge = scene.edges[s];
+    const auto refuse = [&](const std::string& problem) {
       throw InputError({scene.file, scene.surfaces[s].line},
-                       "surface " + quoted_name(scene.surfaces[s].name) + " has length zero");
+                       "surface " + quoted_name(scene.surfaces[s].name) + " " + problem);
+    };
+    if (!is_in_lowest_terms(edge.from) || !is_in_lowest_terms(edge.to))
+      refuse("has a coordinate that is not in lowest terms (mpq_class::canonicalize)");
+    if (edge.from == edge.to) refuse("has length zero");
+  }
+  if (!scene.grid) return;
+  if (const std::string problem = grid_problem(*scene.grid); !problem.empty())
+    throw InputError({scene.file, 0}, "grid: " + problem);
 }
 
 void Scene2::keep(const std::vector<std::uint32_t>& which) {

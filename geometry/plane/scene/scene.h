@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/plane/point.h"
@@ -16,6 +17,9 @@ struct Edge2 {
   friend bool operator==(const Edge2&, const Edge2&) = default;
 };
 
+// The most cells of a grid along one axis.
+inline constexpr std::uint32_t kMaxGridCells = 16384;
+
 // A grid of nx times ny equal cells over the region from min to max, in scene coordinates: where light is asked for.
 struct Grid2 {
   Point2 min, max;
@@ -23,10 +27,14 @@ struct Grid2 {
   friend bool operator==(const Grid2&, const Grid2&) = default;
 };
 
+// Returns what is wrong with a grid, as the end of a sentence ("max must be greater than min in both coordinates");
+// empty when nothing is: max > min, and cells from 1 to kMaxGridCells.
+std::string grid_problem(const Grid2& grid);
+
 // The scene, in the order of the file: edges, then the pieces of polylines.
 //
 //   (1) edges[s] is where surfaces[s] of the table lies: as many of one as of the other
-//   (2) from != to for every edge
+//   (2) from != to for every edge; coordinates are in lowest terms
 //   (3) the table is valid (SceneTable)
 struct Scene2 : SceneTable {
   std::vector<Edge2> edges;
@@ -42,8 +50,8 @@ struct Scene2 : SceneTable {
   void keep(const std::vector<std::uint32_t>& which);
 };
 
-// Throws InputError naming file, line and surface unless (2) and (3) hold, ContractViolation unless (1)
-// does. COST: linear.
+// Throws InputError naming file, line and surface unless (2) and (3) hold and the grid is one (grid_problem),
+// ContractViolation unless (1) does. COST: linear.
 void validate(const Scene2& scene);
 
 // The point at t of the way from the first to the second point of an edge, exactly; t = 0 and t = 1 are its ends.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/visible_lines.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
@@ -77,6 +79,12 @@ std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, con
     for_each_gap(vertices, v, view, true, [&](const Gap2& gap) { collector.look_along(gap); });
   }
   return collector.take();
+}
+
+std::vector<CriticalPoint2> critical_points(const PreparedScene2& prepared, const Face& a,
+                                            const std::optional<Face>& b) {
+  HOTTEL_REQUIRE(a.surface < prepared.scene.surfaces.size() && (!b || b->surface < prepared.scene.surfaces.size()));
+  return critical_points(prepared.arrangement, prepared.scene, a, b);
 }
 
 }  // namespace hottel

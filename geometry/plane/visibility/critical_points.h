@@ -5,9 +5,13 @@
 #include <vector>
 
 #include "geometry/face.h"
-#include "geometry/plane/arrangement/arrangement.h"
+#include "geometry/plane/point.h"
 
 namespace hottel {
+
+class Arrangement2;
+struct PreparedScene2;
+struct Scene2;
 
 // A point of a face through which a line passes that touches two vertices and beyond which the other face appears,
 // disappears or changes its neighbour.
@@ -27,6 +31,9 @@ struct CriticalPoint2 {
 //
 // COST: one sweep about every vertex.
 std::vector<CriticalPoint2> critical_points(const Arrangement2& arrangement, const Scene2& scene, const Face& a,
+                                            const std::optional<Face>& b);
+// The same of a prepared scene. Throws ContractViolation where a face is none of it.
+std::vector<CriticalPoint2> critical_points(const PreparedScene2& prepared, const Face& a,
                                             const std::optional<Face>& b);
 
 }  // namespace hottel

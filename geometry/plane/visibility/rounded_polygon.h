@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/plane/arrangement/solids.h"
-#include "geometry/plane/arrangement/triangulation.h"
+#include "geometry/plane/arrangement/piece_side.h"
 #include "geometry/plane/point.h"
 
 namespace hottel {
@@ -32,7 +31,7 @@ struct RoundedPolygon2 {
   };
   std::vector<Corner> corners;
   std::vector<Point2> exact;
-  std::uint32_t solid = Solids2::kNone;
+  std::uint32_t solid = kNoSolid;
 
   bool sees_sky() const;
 };

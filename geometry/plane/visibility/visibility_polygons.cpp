@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "geometry/plane/visibility/point_sight.h"
 #include "geometry/plane/visibility/range_polygon.h"
 #include "geometry/plane/visibility/solid_around.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
@@ -68,6 +69,12 @@ std::optional<Rational> VisibilityPolygons2::area(const Point2& eye) const {
 std::vector<RoundedPolygon2> visibility_polygons(const PreparedScene2& prepared, std::span<const Point2> eyes,
                                                  const PolygonsOptions2& options) {
   return VisibilityPolygons2(prepared.arrangement).all(eyes, options);
+}
+
+std::string polygon_side_name(const PreparedScene2& prepared, PieceSideId after) {
+  if (after == kNoPiece) return "";
+  if (after == kRange) return "#range";
+  return face_name(prepared.scene, prepared.arrangement, after);
 }
 
 }  // namespace hottel

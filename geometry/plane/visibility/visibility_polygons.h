@@ -1,4 +1,4 @@
-// What many points see: the visibility polygon of each, corners as correctly rounded doubles.
+// How visibility polygons of many points are found.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,10 @@
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/corner_rounding.h"
 #include "geometry/plane/visibility/point_location.h"
+#include "geometry/plane/visibility/polygons_of_points.h"
 #include "geometry/plane/visibility/rounded_polygon.h"
 
 namespace hottel {
-
-// What is wanted, and who is told how far the work has come.
-struct PolygonsOptions2 {
-  bool wants_exact = false;                   // rational corners too: some µs each
-  std::optional<Rational> range = {};         // nothing beyond this distance (polygon_within); corners are rounded only
-  std::function<void(double)> progress = {};  // of the fraction done, from any thread; may throw to stop
-};
 
 // Finds visibility polygons in one scene: point location and the rounding of vertices are prepared once.
 //
@@ -52,9 +46,5 @@ class VisibilityPolygons2 {
   PointLocation2 location_;
   CornerRounding2 rounding_;
 };
-
-// The same for once: all() of the points, in scene coordinates.
-std::vector<RoundedPolygon2> visibility_polygons(const PreparedScene2& prepared, std::span<const Point2> eyes,
-                                                 const PolygonsOptions2& options = {});
 
 }  // namespace hottel

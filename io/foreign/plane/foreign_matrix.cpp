@@ -1,6 +1,7 @@
 #include "io/foreign/plane/foreign_matrix.h"
 
 #include "geometry/name.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "io/foreign/foreign_command.h"
 #include "io/foreign/matched_matrix.h"
 #include "kernel/support/failure.h"
@@ -84,6 +85,13 @@ MethodFamily2 run_family_2() {
 bool is_foreign_2(const std::string& method) {
   const std::string family = family_of_method(method);
   return family == "file" || family == "run";
+}
+
+MethodCatalogue2 all_methods_2() {
+  MethodCatalogue2 methods = methods_2();
+  methods.add(file_family_2());
+  methods.add(run_family_2());
+  return methods;
 }
 
 }  // namespace hottel

@@ -15,4 +15,7 @@ MethodFamily2 run_family_2();
 // Returns true for a name of these two families: their rows are as others made them, whatever elements are asked for.
 bool is_foreign_2(const std::string& method);
 
+// The methods of the library (methods_2), and these two families.
+MethodCatalogue2 all_methods_2();
+
 }  // namespace hottel

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/plane/arrangement/solids.h"
+
 namespace hottel {
 namespace {
 

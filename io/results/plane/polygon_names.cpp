@@ -2,16 +2,9 @@
 
 #include <cmath>
 
-#include "geometry/plane/visibility/point_sight.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
-
-std::string polygon_side_name(const PreparedScene2& prepared, PieceSideId after) {
-  if (after == kNoPiece) return "";
-  if (after == kRange) return "#range";
-  return face_name(prepared.scene, prepared.arrangement, after);
-}
 
 std::string no_polygon_name(const PreparedScene2& prepared, const RoundedPolygon2& polygon) {
   return polygon.solid == Solids2::kNone ? "sky" : "#in " + prepared.scene.groups[polygon.solid].name;

@@ -1,16 +1,12 @@
-// What the sides of visibility polygons are called in files.
+// What is told of visibility polygons in files, beside the names of their sides (polygons_of_points.h).
 #pragma once
 
 #include <string>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/visibility/rounded_polygon.h"
+#include "geometry/plane/visibility/polygons_of_points.h"
 
 namespace hottel {
-
-// Returns the name of what is seen after a corner: that of the face, "sky", "#range" along an arc, "" along a ray from
-// the point or an edge at it. No face can be called like the last three: names have no '#'.
-std::string polygon_side_name(const PreparedScene2& prepared, PieceSideId after);
 
 // Returns what is told of a point without corners: "#in NAME" in a solid, else "sky".
 std::string no_polygon_name(const PreparedScene2& prepared, const RoundedPolygon2& polygon);

@@ -8,7 +8,7 @@
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/visibility/critical_points.h"
 #include "geometry/plane/visibility/point_sight.h"
-#include "solver/plane/simulation/light_at.h"
+#include "solver/plane/simulation/questions.h"
 
 namespace hottel {
 

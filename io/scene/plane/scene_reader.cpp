@@ -1,10 +1,8 @@
 #include "io/scene/plane/scene_reader.h"
 
-#include <unordered_map>
-
 #include "geometry/name.h"
+#include "geometry/plane/scene/scene_entries.h"
 #include "io/scene/json_fields.h"
-#include "io/scene/scene_json.h"
 #include "io/scene/table_reader.h"
 #include "kernel/support/failure.h"
 
@@ -29,7 +27,7 @@ class PlaneReader {
     if (lights) TableReader::refuse_lights(lights);
     if (expect) table_.read_expectations(expect);
     validate(scene_);
-    refuse_duplicate_groups();
+    refuse_names_of_edges(scene_, polyline_line_);
     return std::move(scene_);
   }
 
@@ -58,8 +56,7 @@ class PlaneReader {
       *point = read_point(item, {entry.owner, "point"});
       point = &edge.to;
     }
-    if (edge.from == edge.to) refuse(value, entry.owner + " has length zero");
-    scene_.add(std::move(entry.surface), std::move(edge));
+    add_edge(scene_, std::move(entry.surface), std::move(edge));
   }
 
   void read_polyline(const JsonValue& value, const std::string& default_name) {
@@ -68,45 +65,11 @@ class PlaneReader {
     polyline_line_.emplace_back(value.line());
     const bool closed = entry.more[0] && read_boolean(entry.more[0], {entry.owner, "closed"});
     if (entry.points.size() < 2) refuse(entry.points, entry.owner + " has fewer than two points");
-    Point2 first, previous;
-    JsonValue at;
-    std::size_t k = 0;
-    const auto add = [&](const Point2& to, bool closes) {
-      const std::string name = entry.name + "[" + std::to_string(k - 1) + "]";
-      if (previous == to)
-        refuse(at, entry.owner + ": its piece " + quoted_name(name) + " has length zero",
-               {closes ? "\"closed\" joins the last point to the first: leave the repeated point out"
-                       : "a point stands twice in a row"});
-      Surface surface = entry.surface;
-      surface.name = name;
-      surface.line = at.line();
-      scene_.add(std::move(surface), {previous, to});
-    };
-    for (const JsonValue item : entry.points.items()) {
-      Point2 point = read_point(item, {entry.owner, "point"});
-      if (k == 0)
-        first = point;
-      else
-        add(point, false);
-      previous = std::move(point);
-      at = item;
-      ++k;
-    }
-    if (closed) add(first, true);
-  }
-
-  // Edges differ from each other already; a polyline has to differ from edges and other polylines.
-  void refuse_duplicate_groups() const {
-    const std::size_t edges = scene_.groups.size() - polyline_line_.size();
-    std::unordered_map<std::string_view, int> polylines;
-    for (std::size_t i = 0; i < polyline_line_.size(); ++i)
-      polylines.emplace(scene_.groups[edges + i].name, polyline_line_[i]);
-    if (polylines.empty()) return;
-    for (std::size_t i = 0; i < edges; ++i)
-      if (const auto found = polylines.find(scene_.groups[i].name); found != polylines.end())
-        throw InputError({scene_.file, found->second}, "polyline " + quoted_name(found->first) +
-                                                           " has the name of an edge, the one in line " +
-                                                           std::to_string(scene_.surfaces[i].line));
+    std::vector<PolylinePoint2> points;
+    points.reserve(entry.points.size());
+    for (const JsonValue item : entry.points.items())
+      points.push_back({read_point(item, {entry.owner, "point"}), item.line()});
+    add_polyline(scene_, entry.surface, entry.name, std::move(points), closed);
   }
 
   Point2 read_point(const JsonValue& value, const Subject& subject) const {
@@ -140,8 +103,6 @@ class PlaneReader {
     Grid2 result;
     result.min = read_point(min, {"grid", "min"});
     result.max = read_point(max, {"grid", "max"});
-    if (result.max.x <= result.min.x || result.max.y <= result.min.y)
-      refuse(max, "grid: max must be greater than min in both coordinates");
     require_kind(cells, JsonKind::kArray, {"grid", "cells"});
     if (cells.size() != 2) refuse(cells, "grid: cells must be two numbers, along x and along y");
     std::uint32_t* count = &result.nx;
@@ -149,6 +110,7 @@ class PlaneReader {
       *count = read_count(item, kMaxGridCells, {"grid", "cells"});
       count = &result.ny;
     }
+    if (const std::string problem = grid_problem(result); !problem.empty()) refuse(max, "grid: " + problem);
     scene_.grid = std::move(result);
   }
 

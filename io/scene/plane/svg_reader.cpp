@@ -296,7 +296,7 @@ class SvgReader {
     scene_.groups.push_back(name);
     for (std::size_t i = 0; i + 1 < p.size(); ++i) {
       if (p[i] == p[i + 1]) refuse(node, "has two equal points in a row (piece " + std::to_string(i) + ")");
-      surface.name = is_edge ? name : name + "[" + std::to_string(i) + "]";
+      surface.name = is_edge ? name : piece_name(name, i);
       scene_.add(surface, {p[i], p[i + 1]});
     }
   }

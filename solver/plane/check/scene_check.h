@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/check/finding.h"
 
 namespace hottel {
+
+struct PreparedScene2;
 
 // What was found, and the view factors that it took.
 //

@@ -5,8 +5,10 @@
 #include <iterator>
 #include <limits>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/compare/timing.h"
 #include "solver/plane/compare/verdict.h"
 #include "solver/radiosity/radiosity.h"
 

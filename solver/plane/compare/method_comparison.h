@@ -6,7 +6,6 @@
 #include <string>
 
 #include "geometry/exchange_matrix.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "solver/compare/method_result.h"
 #include "solver/plane/methods/exchange_method.h"
 #include "solver/plane/simulation/simulation.h"

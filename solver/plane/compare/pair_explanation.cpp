@@ -85,12 +85,9 @@ PairExplanation PairExplainer2::explain(const PairError& pair) const {
 
 std::vector<ExplainedPair> explained_worst_pairs(const PairExplainer2& explainer, const ExchangeMatrix& exact,
                                                  const MethodResult& result, std::size_t count) {
-  const auto name = [&](std::uint32_t element) {
-    return element == exact.sky() ? "sky" : exact.elements()[element].name;
-  };
   std::vector<ExplainedPair> explained;
   for (const PairError& pair : worst_pairs(result.matrix, exact, count))
-    explained.push_back({result.info.name, name(pair.from), name(pair.to), pair, explainer.explain(pair)});
+    explained.push_back({result.info.name, exact.name(pair.from), exact.name(pair.to), pair, explainer.explain(pair)});
   return explained;
 }
 

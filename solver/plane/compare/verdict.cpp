@@ -10,6 +10,7 @@
 #include "geometry/plane/exchange/pair_alone.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "solver/compare/judged_scene.h"
 
 namespace hottel {
 namespace {

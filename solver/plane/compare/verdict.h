@@ -1,10 +1,11 @@
 // What is wrong with a matrix of view factors of a scene in the plane.
 #pragma once
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "solver/compare/verdict.h"
 
 namespace hottel {
+
+struct PreparedScene2;
 
 // As judge() of solver/compare/verdict.h, of a scene in the plane.
 //

@@ -2,21 +2,15 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string_view>
 
-#include "geometry/plane/exchange/element_table.h"
-#include "solver/plane/light/illumination_grid.h"
-#include "solver/radiosity/radiosity.h"
+#include "geometry/element.h"
+#include "solver/plane/light/light_values.h"
 
 namespace hottel {
 
-// Light on a grid, and the proven bound on its values where there is one: for "average" alone, of these radiosities.
-struct SolvedLight2 {
-  IlluminationGrid2 grid;
-  std::optional<double> max_error{};
-  double seconds = 0;  // what it took, as a simulation measures it
-};
+struct PreparedScene2;
+struct RadiositySolution;
 
 // Returns the light of a solution on a grid. way: "point" (illuminate_points), "average" (illuminate_averages, with its
 // bound) or "inverse-square" (illuminate_inverse_square); these say what is thrown. Another word: ContractViolation.

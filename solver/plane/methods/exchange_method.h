@@ -1,11 +1,11 @@
 // Methods to compute view factors in the plane.
 #pragma once
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/exchange/element_table.h"
 #include "solver/exchange_method.h"
 
 namespace hottel {
+
+struct PreparedScene2;
 
 using ExchangeMethod2 = ExchangeMethod<PreparedScene2>;
 

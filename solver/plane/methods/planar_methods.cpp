@@ -1,6 +1,10 @@
+#include "geometry/plane/exchange/element_table.h"
+#include "solver/normalised_method.h"
 #include "solver/plane/methods/method_catalogue.h"
 
 namespace hottel {
+
+template std::unique_ptr<ExchangeMethod2> normalised_method(std::unique_ptr<ExchangeMethod2> raw);
 
 // One line a method; each is a file of its own.
 MethodFamily2 exact_family_2();

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/generate/generators.h"

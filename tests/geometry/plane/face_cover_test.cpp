@@ -11,6 +11,7 @@
 
 #include "geometry/plane/check/behind_remedies.h"
 #include "geometry/plane/check/contact_findings.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
 namespace hottel {

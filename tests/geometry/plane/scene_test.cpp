@@ -123,5 +123,41 @@ TEST(Name, IsQuotedOnOneLine) {
   EXPECT_EQ(quoted_name(long_name), "'" + std::string(40, 'a') + "..." + std::string(16, 'b') + "'");
 }
 
+TEST(ValidateScene2, RefusesMaterialsOutOfRange) {
+  Scene2 scene = two_edges();
+  scene.materials[0].name = "m";
+  scene.materials[0].reflectivity = Spectrum::scalar(Rational(11, 10));
+  EXPECT_EQ(refusal(scene), "memory: material 'm': reflectivity must be from 0 to 1");
+  scene.materials[0].reflectivity = {{0, 1, 0}, true};
+  EXPECT_EQ(refusal(scene), "memory: material 'm': reflectivity is a scalar of more than one value");
+  scene.materials[0].reflectivity = {};
+  scene.materials[0].emission = Spectrum::scalar(-1);
+  EXPECT_EQ(refusal(scene), "memory: material 'm': emission must not be negative");
+  scene.materials[0].emission = {};
+  scene.sky_emission = Spectrum::scalar(-1);
+  EXPECT_EQ(refusal(scene), "memory: sky: emission must not be negative");
+}
+
+TEST(ValidateScene2, RefusesNumbersThatAreNotInLowestTerms) {
+  Scene2 scene = two_edges();
+  scene.edges[1].to.x = Rational(2, 4);  // as mpq_class leaves it
+  EXPECT_EQ(refusal(scene),
+            "memory:6: surface 'b' has a coordinate that is not in lowest terms (mpq_class::canonicalize)");
+  scene.edges[1].to.x = 1;
+  scene.sky_emission.value.fill(Rational(2, 4));
+  EXPECT_EQ(refusal(scene), "memory: sky: emission is not in lowest terms (mpq_class::canonicalize)");
+}
+
+TEST(ValidateScene2, RefusesElementsAndGridsOutOfRange) {
+  Scene2 scene = two_edges();
+  scene.surfaces[0].elements = 0;
+  EXPECT_EQ(refusal(scene), "memory:5: surface 'a' has 0 elements; it may have 1 to 1000000");
+  scene.surfaces[0].elements = 1;
+  scene.grid = Grid2{{0, 0}, {1, 1}, 0, 1};
+  EXPECT_EQ(refusal(scene), "memory: grid: cells must be integers from 1 to 16384");
+  scene.grid = Grid2{{0, 0}, {1, 0}, 1, 1};
+  EXPECT_EQ(refusal(scene), "memory: grid: max must be greater than min in both coordinates");
+}
+
 }  // namespace
 }  // namespace hottel

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"

@@ -3,10 +3,10 @@
 #include <iostream>
 
 int main(int, char** argv) {
-  const hottel::PreparedScene2 scene = hottel::prepare(hottel::read_scene_2(argv[1]));
-  const hottel::ExchangeMatrix factors = hottel::exact_exchange(scene);
-  for (std::uint32_t from = 0; from < factors.size(); ++from)
-    for (const hottel::FactorEntry& entry : factors.row(from))
-      std::cout << factors.elements()[from].name << " -> " << factors.elements().at(entry.to).name << " "
-                << entry.factor.value << "\n";
+  const hottel::Simulation2 simulation(hottel::read_scene_2(argv[1]));
+  const auto factors = simulation.factors();
+  const hottel::ExchangeMatrix& matrix = factors->matrix;
+  for (std::uint32_t from = 0; from < matrix.size(); ++from)
+    for (const hottel::FactorEntry& entry : matrix.row(from))
+      std::cout << matrix.name(from) << " -> " << matrix.name(entry.to) << " " << entry.factor.value << "\n";
 }

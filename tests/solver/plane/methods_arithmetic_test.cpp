@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/generate/generators.h"
 #include "geometry/plane/visibility/view.h"
 #include "io/scene/scene_json.h"

@@ -11,6 +11,7 @@
 #include <memory>
 #include <set>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/parallel.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"

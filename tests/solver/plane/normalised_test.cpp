@@ -1,6 +1,7 @@
 // Methods with ":normalised" at the end of their names.
 #include <gtest/gtest.h>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/generate/generators.h"
 #include "kernel/rational.h"
 #include "solver/plane/methods/method_catalogue.h"

@@ -8,6 +8,7 @@
 #include <functional>
 #include <numbers>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "io/scene/scene_json.h"
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/check/repair.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "solver/radiosity/radiosity.h"

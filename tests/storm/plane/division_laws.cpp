@@ -9,6 +9,7 @@
 
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/exchange.h"
+#include "geometry/scene_names.h"
 #include "tests/comparison/plane/engine_comparison.h"
 #include "tests/storm/plane/long_map.h"
 

@@ -1,10 +1,13 @@
 // The map of errors: what it colours, and by what.
+
 #include "viewer/picture/plane/error_map.h"
 
 #include <gtest/gtest.h>
 
 #include "io/scene/scene_json.h"
 #include "solver/plane/methods/method_catalogue.h"
+#include "viewer/picture/colour_map.h"
+#include "viewer/picture/plane/scene_painter.h"
 
 namespace hottel {
 namespace {

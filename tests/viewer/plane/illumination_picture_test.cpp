@@ -1,5 +1,3 @@
-#include "viewer/picture/plane/illumination_picture.h"
-
 #include <gmock/gmock.h>
 
 #include <array>
@@ -11,6 +9,8 @@
 #include "tests/viewer/plane/drawn_scenes.h"
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
+#include "viewer/picture/plane/illumination_painter.h"
+#include "viewer/picture/plane/light_pixels.h"
 
 namespace hottel {
 namespace {

@@ -1,5 +1,3 @@
-#include "viewer/picture/plane/scene_picture.h"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -7,7 +5,10 @@
 
 #include "kernel/support/failure.h"
 #include "tests/viewer/plane/drawn_scenes.h"
+#include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
+#include "viewer/picture/plane/scene_painter.h"
+#include "viewer/picture/plane/scene_sheet.h"
 
 namespace hottel {
 namespace {
@@ -139,7 +140,7 @@ TEST(ScenePicture2, PlainPlansShowWhatEmits) {
 
 TEST(ScenePicture2, PixelsLieOverTheFloorAndUnderTheFurniture) {
   ScenePicture2 picture;
-  picture.pixels = ScenePixels2{{1, 1, {{1, 1, 0}}}, {0, 0}, {4, 3}, false};
+  picture.pixels = std::make_shared<ScenePixels2>(ScenePixels2{{1, 1, {{1, 1, 0}}}, {0, 0}, {4, 3}, false});
   const RecordingCanvas canvas = drawn(furnished_room(), picture);
   std::vector<Mark> order;
   for (const auto& call : canvas.calls())

@@ -1,8 +1,8 @@
-#include "viewer/picture/plane/visibility_picture.h"
-
 #include <gmock/gmock.h>
 
 #include "tests/viewer/plane/drawn_scenes.h"
+#include "viewer/picture/plane/scene_sheet.h"
+#include "viewer/picture/plane/visibility_painter.h"
 
 namespace hottel {
 namespace {

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "solver/plane/light/illumination_grid.h"
+#include "viewer/picture/colour_map.h"
+#include "viewer/picture/plane/scene_painter.h"
 
 namespace hottel {
 namespace {
@@ -93,7 +95,7 @@ ScenePicture2 error_map_picture_2(const MethodComparison2& comparison, const Met
   colouring.title = "|error| / largest radiosity: of radiosity on faces, of mean irradiance on floors";
   picture.sheet.subtitle =
       fmt::format("radiosities wrong by at most {:.2g} of the largest", *result.max_radiosity_error);
-  picture.pixels = pixels_of(light[1].grid, errors, colouring.scale);
+  picture.pixels = std::make_shared<ScenePixels2>(pixels_of(light[1].grid, errors, colouring.scale));
   picture.colouring = std::move(colouring);
   return picture;
 }

@@ -1,21 +1,25 @@
 // A scene in the plane as an architect's plan, plain or with a value on each face.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "viewer/picture/cairo_canvas.h"
-#include "viewer/picture/canvas.h"
-#include "viewer/picture/colour_map.h"
-#include "viewer/picture/plane/corners.h"
-#include "viewer/picture/plane/scene_sheet.h"
-#include "viewer/picture/plane/stripes.h"
+#include "viewer/picture/picture_options.h"
 
 namespace hottel {
+
+struct PreparedScene2;
+struct ScenePixels2;
+
+// What stands on the sheet beside the drawing. A text that is empty takes no room.
+struct SheetText2 {
+  std::uint32_t width = 1600;  // of the picture in pixels
+  std::string title{};         // large, may be empty
+  std::string subtitle{};      // beneath it, may be empty
+};
 
 // A value for each face that has one.
 struct FaceColouring2 {
@@ -24,53 +28,13 @@ struct FaceColouring2 {
   std::string title{};  // of the legend, e.g. "fraction of the window seen"
 };
 
-// Pixels beneath the drawing, over the floors: rows from the largest y down.
-struct ScenePixels2 {
-  PixelImage image{};
-  std::array<double, 2> min{}, max{};  // the region they cover, in scene coordinates
-  bool smooth = true;
-};
-
 // A plan as data: what is drawn beside floors, solids and walls.
 struct ScenePicture2 {
   SheetText2 sheet{};
   std::vector<std::uint32_t> targets{};  // surfaces to highlight, e.g. the windows
   std::string target_label{};            // for the key, e.g. "window"; empty: no key
   std::optional<FaceColouring2> colouring{};
-  std::optional<ScenePixels2> pixels{};
-};
-
-// Draws the plan. Without colouring each emitting face has a bright stripe on its side.
-//
-//   (1) one stripe for each straight part of a face with a value, on its own side of the edge (front = right of from ->
-//       to), with the colour of the value; NaN is no value; a back without a material has no stripe, nor has what looks
-//       into a solid or belongs to another surface
-//   (2) each edge is drawn once, over the stripes: highlighted when it is a target
-//   (3) nothing leaves the picture
-//   (4) a legend iff there is colouring
-//   (5) a key is left out where the footer has no room for it
-// Degenerate: a scene without surfaces is an empty sheet.
-// Throws UsageError for a width out of range, ContractViolation for a target that is no surface. COST: O(n log n).
-class ScenePicturePainter2 {
- public:
-  // REQUIRES that prepared and picture outlive this.
-  ScenePicturePainter2(const PreparedScene2& prepared, const ScenePicture2& picture);
-
-  std::uint32_t width() const { return sheet_.width(); }
-  std::uint32_t height() const { return sheet_.height(); }
-  void draw(PictureCanvas& canvas) const;
-
- private:
-  void draw_pixels(PictureCanvas& canvas) const;
-  void draw_targets(PictureCanvas& canvas) const;
-  void draw_footer(PictureCanvas& canvas) const;
-  std::optional<Colour> colour(const Face& face) const;
-
-  const Scene2& scene_;
-  const ScenePicture2& picture_;
-  SceneSheet2 sheet_;
-  FaceRuns2 runs_;
-  std::vector<std::optional<Colour>> colours_;  // of the stripes, per run
+  std::shared_ptr<const ScenePixels2> pixels{};  // beneath the drawing; null: none (scene_painter.h)
 };
 
 // Returns the bytes of the picture file.

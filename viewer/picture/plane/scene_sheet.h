@@ -13,17 +13,9 @@
 #include "viewer/picture/plane/corners.h"
 #include "viewer/picture/plane/frame.h"
 #include "viewer/picture/plane/outlines.h"
+#include "viewer/picture/plane/scene_picture.h"
 
 namespace hottel {
-
-// What stands on the sheet beside the drawing. A text that is empty takes no room.
-struct SheetText2 {
-  std::uint32_t width = 1600;  // of the picture in pixels
-  std::string title{};         // large, may be empty
-  std::string subtitle{};      // beneath it, may be empty
-};
-
-inline constexpr std::uint32_t kMinPictureWidth = 200;
 
 // A scene laid out on paper. Sizes grow with the picture: a unit is a pixel of a picture 1600 pixels wide, and never
 // below 0.6 pixels, so that letters stay readable.

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "geometry/face.h"
-#include "geometry/plane/arrangement/prepared_scene.h"
-#include "geometry/plane/visibility/visibility_polygon.h"
-#include "io/results/plane/visibility_report.h"
-#include "viewer/picture/cairo_canvas.h"
-#include "viewer/picture/canvas.h"
-#include "viewer/picture/plane/scene_sheet.h"
+#include "viewer/picture/picture_options.h"
+#include "viewer/picture/plane/scene_picture.h"
 
 namespace hottel {
+
+struct PairSight2;
+struct PreparedScene2;
+struct VisibilityPolygon2;
 
 // What a point sees, to be drawn. All points in scene coordinates, finite; they are rounded, being for the eye only.
 struct VisibilityDrawing2 {
@@ -38,42 +38,6 @@ struct PairDrawing2 {
 // beyond the picture; from within a solid only the eye. The sky is not drawn: its place is taken by the face, under it.
 VisibilityDrawing2 drawing_of(const VisibilityPolygon2& polygon);
 PairDrawing2 drawing_of(const PairSight2& sight);
-
-// The size of the drawing on a sheet, and the drawing on a canvas of that size.
-//
-//   (1) the light lies over the floors and beneath the walls, translucent and warm
-//   (2) the eye and all critical points are shown, outside the scene too; what reaches out of the picture is cut off
-// Throws UsageError for a width out of range. REQUIRES that the drawing outlives this.
-class VisibilityPainter2 {
- public:
-  VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing2& drawing);
-  std::uint32_t width() const { return sheet_.width(); }
-  std::uint32_t height() const { return sheet_.height(); }
-  void draw(PictureCanvas& canvas) const;
-
- private:
-  const VisibilityDrawing2& drawing_;
-  SceneSheet2 sheet_;
-};
-
-// The same of two edges.
-//
-//   (1) each of the two edges is drawn in a colour of its own, with its label on the side that is meant
-//   (2) one small circle for each critical point
-// REQUIRES faces of the scene; throws ContractViolation otherwise. The drawing outlives this.
-class PairPainter2 {
- public:
-  PairPainter2(const PreparedScene2& prepared, const PairDrawing2& drawing);
-  std::uint32_t width() const { return sheet_.width(); }
-  std::uint32_t height() const { return sheet_.height(); }
-  void draw(PictureCanvas& canvas) const;
-
- private:
-  void draw_edge(PictureCanvas& canvas, const Face& face, const std::string& label, const Colour& colour) const;
-
-  const PairDrawing2& drawing_;
-  SceneSheet2 sheet_;
-};
 
 // Return the bytes of the picture file. The sheet is as the drawing asks for.
 std::string visibility_picture_2(const PreparedScene2& prepared, const VisibilityDrawing2& drawing,

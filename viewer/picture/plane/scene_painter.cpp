@@ -1,9 +1,11 @@
-#include "viewer/picture/plane/scene_picture.h"
+#include "viewer/picture/plane/scene_painter.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "kernel/support/failure.h"
+#include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/plane/stripes.h"
 

@@ -1,10 +1,12 @@
-#include "viewer/picture/plane/visibility_picture.h"
+#include "viewer/picture/plane/visibility_painter.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "io/results/plane/visibility_report.h"
 #include "kernel/support/failure.h"
+#include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
 
 namespace hottel {

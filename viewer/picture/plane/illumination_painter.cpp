@@ -1,4 +1,4 @@
-#include "viewer/picture/plane/illumination_picture.h"
+#include "viewer/picture/plane/illumination_painter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
 #include "viewer/picture/plane/solid_polygons.h"
 

@@ -1,0 +1,42 @@
+#include "geometry/material.h"
+
+#include <algorithm>
+
+#include "geometry/name.h"
+
+namespace hottel {
+namespace {
+
+// sigma in W/(m² K⁴).
+const Rational& stefan_boltzmann() {
+  static const Rational sigma = *parse_rational("5.670374419e-8");
+  return sigma;
+}
+
+}  // namespace
+
+std::string material_name_problem(std::string_view name) {
+  if (name.empty()) return "the name of a material must not be empty";
+  if (has_control_character(name))
+    return "the name of material " + quoted_name(name) + " must not contain a control character";
+  return "";
+}
+
+std::string_view spectrum_problem(const Spectrum& spectrum, SpectrumKind kind) {
+  const bool is_fraction = kind == SpectrumKind::kFraction;
+  const bool is_in_range = std::all_of(spectrum.value.begin(), spectrum.value.end(),
+                                       [&](const Rational& v) { return sgn(v) >= 0 && (!is_fraction || v <= 1); });
+  return is_in_range ? "" : is_fraction ? "must be from 0 to 1" : "must not be negative";
+}
+
+void set_grey_body(const Spectrum& emissivity, const Spectrum& temperature, Material& material) {
+  material.reflectivity.is_scalar = emissivity.is_scalar;
+  material.emission.is_scalar = emissivity.is_scalar && temperature.is_scalar;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Rational& t = temperature.value[c];
+    material.reflectivity.value[c] = 1 - emissivity.value[c];
+    material.emission.value[c] = emissivity.value[c] * stefan_boltzmann() * t * t * t * t;
+  }
+}
+
+}  // namespace hottel

@@ -1,0 +1,180 @@
+#include "geometry/plane/scene/scene_builder.h"
+
+#include <utility>
+
+#include "geometry/name.h"
+#include "geometry/plane/scene/scene_entries.h"
+#include "geometry/scene_names.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+// Refuses on behalf of one scene.
+class Reader {
+ public:
+  explicit Reader(const std::string& file) : file_(file) {}
+
+  [[noreturn]] void refuse(const std::string& text, std::vector<std::string> hints = {}) const {
+    throw InputError({file_, 0}, text, std::move(hints));
+  }
+
+  const Rational& number(const std::string& subject, const Number& number) const {
+    const auto& [problem, hint] = number.problem();
+    if (!problem.empty())
+      refuse(subject + " " + problem, hint.empty() ? std::vector<std::string>() : std::vector{hint});
+    return number.value();
+  }
+
+  Point2 point(const std::string& subject, const TypedPoint2& typed) const {
+    return {number(subject, typed.x), number(subject, typed.y)};
+  }
+
+  Spectrum spectrum(const std::string& subject, const TypedSpectrum& typed, SpectrumKind kind) const {
+    Spectrum result;
+    if (typed.numbers.size() == 1) result = Spectrum::scalar(number(subject, typed.numbers[0]));
+    if (typed.numbers.size() == 3) {
+      result.is_scalar = false;
+      for (std::size_t c = 0; c < 3; ++c) result.value[c] = number(subject, typed.numbers[c]);
+    }
+    if (const auto problem = spectrum_problem(result, kind); !problem.empty())
+      refuse(subject + " " + std::string(problem));
+    return result;
+  }
+
+ private:
+  const std::string& file_;
+};
+
+// The name that is meant, once it is found to be one.
+std::string name_or_default(const Reader& reader, const std::string& name, const char* noun, std::size_t count) {
+  const std::string by_place = piece_name(noun, count);
+  if (name.empty()) return by_place;
+  if (const auto problem = name_problem(name); !problem.empty())
+    reader.refuse(by_place + ": the name " + quoted_name(name) + " " + std::string(problem));
+  return name;
+}
+
+}  // namespace
+
+SceneBuilder2::SceneBuilder2(std::string title) {
+  scene_.file = std::move(title);
+  polylines_.file = scene_.file;
+}
+
+SceneBuilder2& SceneBuilder2::add_material(const std::string& name, const MaterialOptions& options) {
+  const Reader reader(scene_.file);
+  if (const auto problem = material_name_problem(name); !problem.empty()) reader.refuse(problem);
+  const std::string owner = "material " + quoted_name(name);
+  if (material_index_.contains(name)) reader.refuse(owner + " is there already");
+  const auto is_given = [](const TypedSpectrum& spectrum) { return !spectrum.numbers.empty(); };
+  if ((is_given(options.reflectivity) || is_given(options.emission)) &&
+      (is_given(options.emissivity) || is_given(options.temperature)))
+    reader.refuse(owner + " has both reflectivity or emission and emissivity or temperature",
+                  {"give either reflectivity and emission, or emissivity and temperature"});
+  if (is_given(options.temperature) && !is_given(options.emissivity))
+    reader.refuse(owner + " has a temperature but no emissivity");
+  Material material;
+  material.name = name;
+  const auto read = [&](const char* part, const TypedSpectrum& spectrum, SpectrumKind kind) {
+    return reader.spectrum(owner + ": " + part, spectrum, kind);
+  };
+  if (is_given(options.emissivity)) {
+    set_grey_body(read("emissivity", options.emissivity, SpectrumKind::kFraction),
+                  read("temperature", options.temperature, SpectrumKind::kQuantity), material);
+  } else {
+    material.reflectivity = read("reflectivity", options.reflectivity, SpectrumKind::kFraction);
+    material.emission = read("emission", options.emission, SpectrumKind::kQuantity);
+  }
+  material_index_.emplace(name, static_cast<std::uint32_t>(scene_.materials.size()));
+  scene_.materials.push_back(std::move(material));
+  return *this;
+}
+
+SceneBuilder2& SceneBuilder2::add_edge(const std::string& name, const TypedPoint2& from, const TypedPoint2& to,
+                                       const std::string& material, const EdgeOptions2& options) {
+  const Reader reader(scene_.file);
+  const std::string own = name_or_default(reader, name, "edge", scene_.groups.size());
+  const std::string owner = "edge " + quoted_name(own);
+  Surface surface = surface_of(owner, material, options.back, options.elements);
+  surface.name = own;
+  surface.group = static_cast<std::uint32_t>(scene_.groups.size());
+  const std::string coordinate = owner + ": coordinate";
+  hottel::add_edge(scene_, std::move(surface), {reader.point(coordinate, from), reader.point(coordinate, to)});
+  scene_.groups.emplace_back(own, options.behind);
+  return *this;
+}
+
+SceneBuilder2& SceneBuilder2::add_polyline(const std::string& name, const std::vector<TypedPoint2>& points,
+                                           const std::string& material, const PolylineOptions2& options) {
+  const Reader reader(scene_.file);
+  const std::string own = name_or_default(reader, name, "polyline", polylines_.groups.size());
+  const std::string owner = "polyline " + quoted_name(own);
+  Surface surface = surface_of(owner, material, options.back, options.elements);
+  surface.group = static_cast<std::uint32_t>(polylines_.groups.size());
+  if (points.size() < 2) reader.refuse(owner + " has fewer than two points");
+  std::vector<PolylinePoint2> read;
+  for (const TypedPoint2& point : points) read.push_back({reader.point(owner + ": coordinate", point)});
+  const std::size_t before = polylines_.surfaces.size();
+  try {
+    hottel::add_polyline(polylines_, surface, own, std::move(read), options.closed);
+  } catch (const InputError&) {
+    polylines_.surfaces.resize(before);
+    polylines_.edges.resize(before);
+    throw;
+  }
+  polylines_.groups.emplace_back(own, options.behind);
+  return *this;
+}
+
+SceneBuilder2& SceneBuilder2::set_sky(const TypedSpectrum& emission) {
+  scene_.sky_emission = Reader(scene_.file).spectrum("sky: emission", emission, SpectrumKind::kQuantity);
+  return *this;
+}
+
+SceneBuilder2& SceneBuilder2::set_grid(const TypedPoint2& min, const TypedPoint2& max, std::uint32_t nx,
+                                       std::uint32_t ny) {
+  const Reader reader(scene_.file);
+  Grid2 grid{reader.point("grid: min", min), reader.point("grid: max", max), nx, ny};
+  if (const std::string problem = grid_problem(grid); !problem.empty()) reader.refuse("grid: " + problem);
+  scene_.grid = std::move(grid);
+  return *this;
+}
+
+SceneBuilder2& SceneBuilder2::set_closed(bool closed) {
+  scene_.closed = closed;
+  return *this;
+}
+
+SceneBuilder2& SceneBuilder2::set_about(std::string about) {
+  scene_.about = std::move(about);
+  return *this;
+}
+
+Scene2 SceneBuilder2::build() const {
+  Scene2 scene = scene_;
+  append_polylines(scene, polylines_);
+  validate(scene);
+  refuse_names_of_edges(scene, std::vector<int>(polylines_.groups.size()));
+  return scene;
+}
+
+std::uint32_t SceneBuilder2::material_of(const std::string& owner, const char* part, const std::string& name) const {
+  if (const auto found = material_index_.find(name); found != material_index_.end()) return found->second;
+  Reader(scene_.file)
+      .refuse(owner + ": " + part + " " + quoted_name(name) + " is not defined",
+              undefined_material_hints(scene_, name));
+}
+
+Surface SceneBuilder2::surface_of(const std::string& owner, const std::string& material, const std::string& back,
+                                  std::uint32_t elements) const {
+  Surface surface;
+  surface.material = material_of(owner, "material", material);
+  if (!back.empty()) surface.back = material_of(owner, "back", back);
+  if (elements < 1 || elements > kMaxElements)
+    Reader(scene_.file).refuse(owner + ": elements must be an integer from 1 to " + std::to_string(kMaxElements));
+  surface.elements = elements;
+  return surface;
+}
+
+}  // namespace hottel

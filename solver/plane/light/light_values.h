@@ -1,0 +1,43 @@
+// Light in space as numbers, on a grid of cells.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/plane/scene/scene.h"
+
+namespace hottel {
+
+// A value for each cell and channel, in C order (ny, nx, channels): index 0 is the lowest y, the lowest x. NaN in all
+// channels: the cell lies in a solid.
+struct IlluminationGrid2 {
+  Grid2 grid;
+  std::uint32_t channels = 1;
+  std::vector<double> values;
+
+  // REQUIRES ix < grid.nx, iy < grid.ny, channel < channels.
+  double at(std::uint32_t ix, std::uint32_t iy, std::uint32_t channel = 0) const {
+    return values[(std::size_t{iy} * grid.nx + ix) * channels + channel];
+  }
+  // All channels of cell iy * nx + ix.
+  std::span<double> of_cell(std::size_t cell) { return {values.data() + cell * channels, channels}; }
+};
+
+// Returns the region that the scene takes as nx times ny cells: its own grid's, else its bounding box. A box without
+// width or height is widened to that of one cell, or to 1 where both are missing.
+Grid2 grid_over(const Scene2& scene, std::uint32_t nx, std::uint32_t ny);
+
+// Returns the scene's own grid if it has one, else square cells over its bounding box: `longer` of them along its
+// longer side, from its lower left corner; in the other direction as many as cover it.
+Grid2 default_grid(const Scene2& scene, std::uint32_t longer = 256);
+
+// Light on a grid, and the proven bound on its values where there is one: for "average" alone, of these radiosities.
+struct SolvedLight2 {
+  IlluminationGrid2 grid;
+  std::optional<double> max_error{};
+  double seconds = 0;  // what it took, as a simulation measures it
+};
+
+}  // namespace hottel

@@ -1,0 +1,50 @@
+// Common questions to a simulation in the plane: of faces by name, and of points.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "geometry/plane/exchange/closed_forms.h"
+#include "geometry/plane/point.h"
+#include "kernel/enclosure.h"
+#include "kernel/support/stage.h"
+#include "solver/radiosity/radiosity_solution.h"
+
+namespace hottel {
+
+class PointLights2;
+class Simulation2;
+struct VisibilityPolygon2;
+
+// Each makes the stages that it needs, and throws what they throw (simulation.h), unless it says otherwise. Names are
+// those of the rows: "wall", "wall:back", or "wall#2" where they are elements; UnknownName where there is none.
+
+// Returns F(from, to), `to` may be "sky"; as ExchangeMatrix::factor.
+Rounded view_factor(const Simulation2& simulation, const std::string& from, const std::string& to);
+
+// Returns the same pair in closed form, with S0 and the areas; exact whatever the method of the simulation. Throws
+// UsageError where `from` is the sky.
+ExactPair2 exact_pair(const Simulation2& simulation, const std::string& from, const std::string& to);
+
+// Returns the radiosity of an element in a channel, with its bounds, and what goes with it. Throws UsageError where the
+// element has no row. REQUIRES a channel of the solution.
+ElementRadiosity radiosity_of(const Simulation2& simulation, const std::string& element, std::size_t channel = 0);
+
+// The mean irradiance at a point once light has been reflected until it is absorbed.       [unit: that of radiosity]
+struct PointLight2 {
+  std::vector<std::string> channel_names;
+  std::vector<double> mean_irradiance;  // by channel; NaN in a solid
+  std::string why_none;                 // no solution, or none in doubles: the reason; else empty
+};
+
+// Returns the light at a point in scene coordinates. Does not throw RequestError: where there is no solution why_none
+// says why, and the lists are empty. COST: the radiosities, where they are not there, and point location.
+PointLight2 light_at(const Simulation2& simulation, const Point2& point, const StageProgress& progress = {});
+// The same where it is known what the point sees.
+PointLight2 light_at(const Simulation2& simulation, const VisibilityPolygon2& seen, const StageProgress& progress = {});
+
+// The same for many points: PointLights2 of this simulation. Throws RequestError where there is no solution.
+PointLights2 point_lights(const Simulation2& simulation, const StageProgress& progress = {});
+
+}  // namespace hottel

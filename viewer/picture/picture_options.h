@@ -1,0 +1,42 @@
+// What is asked of a picture: format, size, how light becomes colours, and which values have which colours.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace hottel {
+
+// What a picture is written as: pixels, or shapes that stay sharp at any size.
+enum class PictureFormat : unsigned char { kPng, kSvg };
+
+// Returns the format that the ending of a file name asks for (".png", ".svg"), or nothing.
+std::optional<PictureFormat> picture_format(std::string_view file_name);
+
+// The largest width or height of a picture, and the least width of a drawing.
+inline constexpr std::uint32_t kMaxPictureSide = 16384;
+inline constexpr std::uint32_t kMinPictureWidth = 200;
+
+// How light becomes colours (tone_curve.h).
+enum class Tone : unsigned char { kLinear, kReinhard, kLog, kMax };
+
+// "linear", "reinhard", "log", "max"; nothing for other names.
+std::optional<Tone> tone_of(std::string_view name);
+
+// How values become positions.
+struct ColourScale {
+  double lower = 0, upper = 1;
+  bool logarithmic = false;
+
+  // Returns where the value lies between lower and upper, clamped to [0, 1]; the position of lower when they are equal.
+  // REQUIRES lower <= upper, both finite; logarithmic: lower > 0. A value <= 0 on a logarithmic scale has position 0.
+  double position(double value) const;
+
+  // Returns the values for labels: multiples of 1, 2 or 5 times a power of ten inside [lower, upper], ascending, at
+  // most limit of them; logarithmic: whole decades, every few of them when there are many, or the linear ones when
+  // there is less than one decade.
+  std::vector<double> ticks(int limit) const;
+};
+
+}  // namespace hottel

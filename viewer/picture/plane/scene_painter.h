@@ -1,0 +1,57 @@
+// How a scene in the plane is drawn.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "viewer/picture/canvas.h"
+#include "viewer/picture/plane/scene_picture.h"
+#include "viewer/picture/plane/scene_sheet.h"
+#include "viewer/picture/plane/stripes.h"
+
+namespace hottel {
+
+// Pixels beneath the drawing, over the floors: rows from the largest y down.
+struct ScenePixels2 {
+  PixelImage image{};
+  std::array<double, 2> min{}, max{};  // the region they cover, in scene coordinates
+  bool smooth = true;
+};
+
+// Draws the plan. Without colouring each emitting face has a bright stripe on its side.
+//
+//   (1) one stripe for each straight part of a face with a value, on its own side of the edge (front = right of from ->
+//       to), with the colour of the value; NaN is no value; a back without a material has no stripe, nor has what looks
+//       into a solid or belongs to another surface
+//   (2) each edge is drawn once, over the stripes: highlighted when it is a target
+//   (3) nothing leaves the picture
+//   (4) a legend iff there is colouring
+//   (5) a key is left out where the footer has no room for it
+// Degenerate: a scene without surfaces is an empty sheet.
+// Throws UsageError for a width out of range, ContractViolation for a target that is no surface. COST: O(n log n).
+class ScenePicturePainter2 {
+ public:
+  // REQUIRES that prepared and picture outlive this.
+  ScenePicturePainter2(const PreparedScene2& prepared, const ScenePicture2& picture);
+
+  std::uint32_t width() const { return sheet_.width(); }
+  std::uint32_t height() const { return sheet_.height(); }
+  void draw(PictureCanvas& canvas) const;
+
+ private:
+  void draw_pixels(PictureCanvas& canvas) const;
+  void draw_targets(PictureCanvas& canvas) const;
+  void draw_footer(PictureCanvas& canvas) const;
+  std::optional<Colour> colour(const Face& face) const;
+
+  const Scene2& scene_;
+  const ScenePicture2& picture_;
+  SceneSheet2 sheet_;
+  FaceRuns2 runs_;
+  std::vector<std::optional<Colour>> colours_;  // of the stripes, per run
+};
+
+}  // namespace hottel
