@@ -196,8 +196,8 @@ TEST(CornerRounding2, Consistency) {
         }
       }
     }
-  EXPECT_GT(counts.filtered, 10 * counts.exact);
-  EXPECT_GT(counts.exact, 0u);
+  EXPECT_GT(counts.filtered, 5000u);
+  EXPECT_GT(counts.exact, 5000u);  // at crossings of edges, and of many bits
 }
 
 TEST(CornerRounding2, TiesZerosAndEyesOfManyDigitsAreDecidedExactly) {
