@@ -196,8 +196,8 @@ TEST(CornerRounding2, Consistency) {
         }
       }
     }
-  EXPECT_GT(counts.filtered, 5000u);
-  EXPECT_GT(counts.exact, 5000u);  // at crossings of edges, and of many bits
+  EXPECT_GT(counts.filtered, 5 * counts.exact);
+  EXPECT_GT(counts.exact, 0u);
 }
 
 TEST(CornerRounding2, TiesZerosAndEyesOfManyDigitsAreDecidedExactly) {
