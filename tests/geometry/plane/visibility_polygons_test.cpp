@@ -196,7 +196,7 @@ TEST(CornerRounding2, Consistency) {
         }
       }
     }
-  EXPECT_GT(counts.filtered, 10 * counts.exact);
+  EXPECT_GT(counts.filtered, 5 * counts.exact);
   EXPECT_GT(counts.exact, 0u);
 }
 
