@@ -135,7 +135,7 @@ struct Ours {
     scene.materials.push_back({"black", {}, {}});
     for (const Ring& ring : map.rings) {
       const auto group = static_cast<std::uint32_t>(scene.groups.size());
-      scene.groups.push_back({"ring" + std::to_string(group), Behind::kOpen});  // walls: nothing is solid
+      scene.groups.emplace_back("ring" + std::to_string(group), Behind::kOpen);  // walls: nothing is solid
       for (std::size_t k = 0; k < ring.size(); ++k) {
         const Spot &a = ring[k], &b = ring[(k + 1) % ring.size()];
         Surface surface;

@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
+#include "cli/views.h"
 #include "geometry/near_names.h"
 #include "io/files/disk_space.h"
 #include "io/files/output_file.h"
@@ -27,7 +28,7 @@ struct SolveOptions {
   std::string method = "exact", solver = "auto", simulate = "auto";
   std::optional<int> iterations;
   std::optional<double> until;
-  std::string grid, illumination = "point", tone = "log";
+  std::string grid, illumination = "point", tone = "log", views;
   double exposure = 1;
   std::uint32_t size = 0;
   bool no_picture = false, no_illumination = false;
@@ -88,6 +89,7 @@ Request request_of(const SolveOptions& options) {
     throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
   if (options.no_illumination && asked.everything)
     throw UsageError("--simulate everything and --no-illumination exclude each other");
+  if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
   asked.wants_light = !options.no_illumination;
   request.wants_picture = asked.wants_light && !options.no_picture;
   if (request.wants_picture)
@@ -102,8 +104,9 @@ struct Outputs {
   OutputFolder folder;
   OutputFile csv, flux, json;
   std::optional<OutputFile> npy, sidecar, png;
+  std::optional<ViewsOutput> views;
 
-  explicit Outputs(const Request& request)
+  Outputs(const SolveOptions& options, const Request& request)
       : folder(request.directory),
         csv(request.directory / "radiosity.csv"),
         flux(request.directory / "flux.csv"),
@@ -113,6 +116,7 @@ struct Outputs {
       sidecar.emplace(request.directory / "illumination.npy.json");
     }
     if (request.wants_picture) png.emplace(request.directory / "illumination.png");
+    if (!options.views.empty()) views.emplace(options.views);
   }
 
   // In the order in which they take their names.
@@ -120,6 +124,7 @@ struct Outputs {
     std::vector<OutputFile*> files{&csv, &flux};
     for (std::optional<OutputFile>* file : {&sidecar, &npy, &png})
       if (*file) files.push_back(&**file);
+    if (views) files.insert(files.end(), {&views->faces, &views->mtx});
     files.push_back(&json);
     return files;
   }
@@ -175,7 +180,7 @@ GridRegion region_of(const Grid2& grid) {
 }
 
 void write_results(const SolveOptions& options, const Simulation2& simulation, const Results& results,
-                   const NetFluxes& fluxes, Outputs& outputs) {
+                   const NetFluxes& fluxes, const Streams& streams, Outputs& outputs) {
   const RadiositySolution& solution = *results.solution;
   write_radiosity_csv(simulation.scene(), results.factors->matrix, solution,
                       [&outputs](std::string_view text) { outputs.csv.write(text); });
@@ -187,6 +192,10 @@ void write_results(const SolveOptions& options, const Simulation2& simulation, c
     outputs.sidecar->write(illumination_sidecar(region_of(light.grid), solution.channel_names, options.illumination));
   }
   if (outputs.png) outputs.png->write(results.picture->bytes);
+  if (outputs.views)
+    write_views_2(*simulation.prepared(), simulation.grid(),
+                  {simulation.scene(), results.factors->matrix, simulation.granularity(), {}, {}},
+                  options.memory.value_or(0), streams, *outputs.views);
 }
 
 ExitCode solve(const SolveOptions& options, Streams& streams) {
@@ -196,12 +205,12 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   const double seconds_to_read = watch.lap();
   const std::shared_ptr<const Plan> plan = simulation.plan();
   streams.note(plan_text(*plan));
-  Outputs outputs(request);
+  Outputs outputs(options, request);
   const Results results = results_of(simulation, request, streams);
   const ExchangeMatrix& matrix = results.factors->matrix;
   const NetFluxes fluxes(simulation.scene(), matrix, *results.solution);
   watch.lap();
-  write_results(options, simulation, results, fluxes, outputs);
+  write_results(options, simulation, results, fluxes, streams, outputs);
 
   std::map<std::string, double> seconds = seconds_of(results);
   seconds["read"] = seconds_to_read;
@@ -222,7 +231,8 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   if (options.json) streams.write("", solve_json(report));
   for (OutputFile* file : files) file->commit();
   streams.note(solve_text(report) + small_scene_text(simulation.scene(), matrix, *results.solution) + "\nin " +
-               request.directory.string() + ":" + outputs.names());
+               request.directory.string() + ":" + outputs.names() +
+               (outputs.views ? "\nwhat the cells see: " + options.views : ""));
   return ExitCode::kDone;
 }
 
@@ -250,7 +260,13 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
                                                   "no light in space: neither illumination.npy nor illumination.png");
   for (const char* of_picture : {"--size", "--tone", "--exposure"})
     for (CLI::Option* none : {no_picture, no_illumination}) none->excludes(command.get_option(of_picture));
-  for (const char* of_light : {"--grid", "--illumination"}) no_illumination->excludes(command.get_option(of_light));
+  command
+      .add_option("--views", options.views,
+                  "write what the cells see: a matrix whose product with the radiosities is the light, columns "
+                  "named in FILE.mtx.faces.csv")
+      ->type_name("FILE.mtx");
+  for (const char* of_light : {"--grid", "--illumination", "--views"})
+    no_illumination->excludes(command.get_option(of_light));
 }
 
 }  // namespace
@@ -262,6 +278,7 @@ void add_solve(Commands& commands) {
       {"hottel solve scenes/showcase/apartment.json -o /tmp/apartment",
        "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --grid 64x64 --tone max --size 320",
        "hottel solve scenes/showcase/museum.json -o /tmp/museum --no-illumination",
+       "hottel solve scenes/showcase/apartment.json -o /tmp/apartment --grid 32x32 --views /tmp/views.mtx",
        "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --solver jacobi --iterations 20 --json"},
       [options](Streams& streams) { return solve(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();

@@ -71,7 +71,8 @@ Sources RadiositySystem::sources(const RadiositySources& sources, int channel) c
       if (direct.upper == 0) continue;
       const RationalEnclosure& own = *emission[row.element];
       const Rational rho = 1 - absorptivity(row);
-      RationalEnclosure sum{own.lower + rho * direct.lower, own.upper + rho * direct.upper};
+      RationalEnclosure sum{own.lower + rho * direct.lower, own.upper};
+      sum.upper = own.is_exact() && direct.is_exact() ? sum.lower : Rational(own.upper + rho * direct.upper);
       emission[row.element] = &raised.emplace_back(std::move(sum));
     }
   return in_units(emission);

@@ -3,6 +3,7 @@
 // The golden files are in tests/contract/; tests/contract/regenerate makes them anew.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -157,6 +158,43 @@ TEST(GoldenFiles, NumPyHoldsTheFactorsOfTheCsv) {
   EXPECT_EQ(header.back(), '\n');
   ASSERT_EQ(bytes.size(), 10 + length + 8 * n * n);
   EXPECT_EQ(nonzero(numbers_from<double>(bytes, 10 + length), n), entries_of_csv());
+}
+
+// The light is what the cells see, times radiosities and the sky's emission, which is 0 here.
+TEST(GoldenFiles, ViewsTimesRadiositiesIsTheLight) {
+  const std::string bytes = golden("illumination.npy");
+  const std::size_t length = static_cast<unsigned char>(bytes[8]) + 256u * static_cast<unsigned char>(bytes[9]);
+  const std::vector<double> light = numbers_from<double>(bytes, 10 + length);
+  std::map<std::pair<std::string, std::string>, std::vector<double>> radiosity;  // by face and element, the channels
+  for (const auto& row : read_csv(golden("radiosity.csv")))
+    if (row[0] != "face") radiosity[{row[0], row[1]}].push_back(std::stod(row[6]));
+  const std::size_t channels = radiosity.begin()->second.size();
+  const auto faces = read_csv(golden("views.mtx.faces.csv"));
+  const auto lines = lines_of(golden("views.mtx"));
+  ASSERT_EQ(lines.at(0), "%%MatrixMarket matrix coordinate real general");
+  std::size_t k = 1;
+  while (lines.at(k).starts_with("%")) ++k;
+  std::size_t rows = 0, columns = 0, count = 0;
+  std::istringstream(lines.at(k++)) >> rows >> columns >> count;
+  EXPECT_EQ(rows * channels, light.size());
+  EXPECT_EQ(columns, faces.size() - 1);
+  EXPECT_EQ(count, lines.size() - k);
+  std::vector<double> product(light.size(), 0), sum(rows, 0);
+  for (; k < lines.size(); ++k) {
+    std::size_t row = 0, column = 0;
+    double fraction = 0;
+    std::istringstream(lines[k]) >> row >> column >> fraction;
+    sum.at(row - 1) += fraction;
+    const auto found = radiosity.find({faces.at(column).at(1), faces.at(column).at(2)});
+    if (found == radiosity.end()) continue;
+    for (std::size_t c = 0; c < channels; ++c) product[(row - 1) * channels + c] += fraction * found->second[c];
+  }
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    EXPECT_NEAR(sum[i / channels], std::isnan(light[i]) ? 0 : 1, 1e-15);
+    if (!std::isnan(light[i])) {
+      EXPECT_NEAR(product[i], light[i], 1e-14 * (1 + light[i])) << i;
+    }
+  }
 }
 
 // A View3D result: areas, factors and emittances of the faces that radiate, as one list of numbers.

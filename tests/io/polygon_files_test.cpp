@@ -143,6 +143,7 @@ TEST(PolygonFiles, AnNpzHoldsCornersBeginsFacesAndNames) {
 TEST(PolygonFiles, EndingsAreThoseOfTheFormats) {
   EXPECT_EQ(polygon_format_2("a/b.csv"), PolygonFormat2::kCsv);
   EXPECT_EQ(polygon_format_2("b.geojson"), PolygonFormat2::kGeoJson);
+  EXPECT_EQ(polygon_format_2("b.json"), PolygonFormat2::kGeoJson);
   EXPECT_EQ(polygon_format_2("b.wkt"), PolygonFormat2::kWkt);
   EXPECT_EQ(polygon_format_2("b.npz"), PolygonFormat2::kNpz);
   EXPECT_EQ(polygon_format_2("b.svg"), std::nullopt);

@@ -13,12 +13,11 @@ namespace {
 
 using Kind = ViewCorner2::Kind;
 
+// Vertices are below this power of two in integer form.
+constexpr int kPlaceBits = 60;
+
 // Integers below 2^62 have differences and, times those of vertices, cross products that 128 bits hold.
 constexpr int kEyeBits = 61;
-
-// |m - d| < 2^12 units for the first guess m of a distance d (EyeRounding2::filtered), so that the remainder of the
-// division by a determinant below this is below 2^126.
-constexpr Int128 kLargestDeterminant = static_cast<Int128>(1) << 114;
 
 DoubleDouble split(const Rational& value) {
   const double hi = to_double(value);
@@ -68,28 +67,53 @@ std::optional<double> moved(const DoubleDouble& origin, double distance, double 
 }  // namespace
 
 CornerRounding2::CornerRounding2(const Arrangement2& arrangement)
-    : arrangement_(arrangement), places_(arrangement.vertices().size()) {
+    : arrangement_(arrangement), places_(arrangement.vertices().size()), lines_(arrangement.pieces()) {
   const Vertices2& vertices = arrangement.vertices();
-  const bool is_small = vertices.is_small();
+  if (places_.empty()) return;
+  constexpr std::size_t kGrain = 256;
+  const auto place = [&](std::size_t k) { places_[k] = place_of(VertexId(k)); };
+  parallel_for(places_.size(), place, kGrain);
   parallel_for(
-      places_.size(),
-      [&](std::size_t k) {
-        const Point2 p = vertices.exact(VertexId(k)), there = vertices.to_scene(p);
-        places_[k] = {is_small ? p.x.get_num().get_si() : 0, is_small ? p.y.get_num().get_si() : 0, split(there.x),
-                      split(there.y)};
-      },
-      256);
-  if (!is_small || places_.empty()) return;
+      lines_.size(), [&](std::size_t k) { lines_[k] = line_of(k); }, kGrain);
   // In the unit, distances between points of the scene, which are below 2^(exponent + 1), have up to 61 bits.
   const int exponent = std::max(vertices.exponent(), 1);
   unit_bits_ = std::max(0, 55 - exponent);
-  const Rational unit = scaled_by_power_of_two(vertices.scale(), -unit_bits_);
-  unit_in_scene_ = split(unit);
+  unit_in_scene_ = split(scaled_by_power_of_two(vertices.scale(), -unit_bits_));
   double extent = std::ldexp(to_double(vertices.scale()), exponent + 1);
-  for (const Place& place : places_)
-    extent = std::max({extent, std::fabs(place.scene_x.hi), std::fabs(place.scene_y.hi)});
-  has_filter_ = extent < 0x1p800 && unit_in_scene_.hi > 0x1p-800;
+  for (const Place& p : places_) extent = std::max({extent, std::fabs(p.scene_x.hi), std::fabs(p.scene_y.hi)});
+  has_filter_ = exponent <= kPlaceBits && extent < 0x1p800 && unit_in_scene_.hi > 0x1p-800;
   error_ = extent * 0x1p-95;
+}
+
+CornerRounding2::Place CornerRounding2::place_of(VertexId v) const {
+  const Vertices2& vertices = arrangement_.vertices();
+  const Point2 p = vertices.exact(v), there = vertices.to_scene(p);
+  Place place{0, 0, false, split(there.x), split(there.y)};
+  place.is_integer =
+      p.x.get_den() == 1 && p.y.get_den() == 1 && p.x.get_num().fits_slong_p() && p.y.get_num().fits_slong_p();
+  if (place.is_integer) {
+    place.x = p.x.get_num().get_si();
+    place.y = p.y.get_num().get_si();
+  }
+  return place;
+}
+
+// The piece, or a surface that it is a part of: where surfaces cross, the ends of pieces are no integers, but those of
+// surfaces are.
+Segment2 CornerRounding2::line_of(std::size_t piece) const {
+  const Vertices2& vertices = arrangement_.vertices();
+  const Segment2& whole = arrangement_.pieces()[piece];
+  const auto has_integers = [this](const Segment2& line) {
+    return places_[line.a.index()].is_integer && places_[line.b.index()].is_integer;
+  };
+  if (has_integers(whole)) return whole;
+  for (const PieceSource2& source : arrangement_.sources(piece)) {
+    const Segment2& line = arrangement_.segment(source.surface);
+    if (has_integers(line) && vertices.orientation(line.a, line.b, whole.a) == 0 &&
+        vertices.orientation(line.a, line.b, whole.b) == 0)
+      return line;
+  }
+  return whole;
 }
 
 EyeRounding2::EyeRounding2(const CornerRounding2& scene, const Point2& at, const Point2& point)
@@ -124,19 +148,20 @@ RoundedPoint2 EyeRounding2::operator()(const ViewCorner2& corner, RoundingCounts
   return {to_double(p.x), to_double(p.y)};
 }
 
-// With r = vertex - eye, w along the piece and a from the vertex to it, the corner is vertex + r N / D, where
+// With r = vertex - eye, w along the piece and a from the vertex to its line, the corner is vertex + r N / D, where
 // N = a x w and D = r x w are integers (r times the denominator of the eye). A first guess m of a coordinate of r N / D
 // in units of 2^-k comes from doubles: the roundings of N, D and r, one quotient and two products put it off by less
-// than 2^-49 of itself, which is below 2^61, and by one for the fraction that is dropped: by less than 2^12 + 1. The
-// remainder r N 2^k - m D is below 2^12 D <= 2^126, so it is exact though its terms are known modulo 2^128 only.
-// Divided by D, by which puts it off by 2^-49 of itself at the most, it is the rest of the coordinate. The rest is
-// below 2^-49 of the extent and 2 units, so that it is off by 2^-97 of the extent at the most: an extent has 2^56 units
-// and more. The way to the scene adds a few times 2^-106 of the extent.
+// than 2^-49 of itself, and the fraction that is dropped by one. The remainder r N 2^k - m D is below
+// (2^-49 |m| + 2) D; where that is below 2^126 it is exact, though its terms are known modulo 2^128 only. Divided by D,
+// which puts it off by 2^-49 of itself at the most, it is the rest of the coordinate. The rest is below 2^-49 of the
+// extent and 2 units, so that it is off by 2^-97 of the extent at the most: an extent has 2^56 units and more. The way
+// to the scene adds a few times 2^-106 of the extent.
 std::optional<RoundedPoint2> EyeRounding2::filtered(const ViewCorner2& corner) const {
   if (denominator_ == 0) return std::nullopt;
-  const Segment2& piece = scene_.arrangement_.piece(corner.on);
-  const auto &v = scene_.places_[corner.vertex.index()], &a = scene_.places_[piece.a.index()],
-             &b = scene_.places_[piece.b.index()];
+  const Segment2& line = scene_.lines_[piece_of(corner.on)];
+  const auto &v = scene_.places_[corner.vertex.index()], &a = scene_.places_[line.a.index()],
+             &b = scene_.places_[line.b.index()];
+  if (!v.is_integer || !a.is_integer || !b.is_integer) return std::nullopt;
   const std::int64_t wx = b.x - a.x, wy = b.y - a.y;
   const std::int64_t rx = denominator_ * v.x - x_, ry = denominator_ * v.y - y_;
   Int128 n = static_cast<Int128>(a.x - v.x) * wy - static_cast<Int128>(a.y - v.y) * wx;
@@ -145,14 +170,16 @@ std::optional<RoundedPoint2> EyeRounding2::filtered(const ViewCorner2& corner) c
     d = -d;
     n = -n;
   }
-  if (d == 0 || d >= kLargestDeterminant) return std::nullopt;
-  const double inverse = 1 / near(d), quotient = near(n) * inverse;
+  if (d == 0) return std::nullopt;
+  const double divisor = near(d), inverse = 1 / divisor, quotient = near(n) * inverse;
   const double unit = static_cast<double>(std::int64_t{1} << scene_.unit_bits_);
-  const auto coordinate = [&](std::int64_t r, const DoubleDouble& origin) {
+  const auto coordinate = [&](std::int64_t r, const DoubleDouble& origin) -> std::optional<double> {
     const auto guess = static_cast<std::int64_t>(static_cast<double>(r) * quotient * unit);
+    const auto distance = static_cast<double>(guess);
+    if (!((std::fabs(distance) * 0x1p-49 + 2) * divisor < 0x1p125)) return std::nullopt;
     const Int128 whole = static_cast<Int128>(static_cast<UInt128>(wrapped_product(n, r)) << scene_.unit_bits_);
     const double rest = near(wrapped_difference(whole, wrapped_product(d, guess))) * inverse;
-    return moved(origin, static_cast<double>(guess), rest, scene_.unit_in_scene_, scene_.error_);
+    return moved(origin, distance, rest, scene_.unit_in_scene_, scene_.error_);
   };
   // Along an axis a coordinate is that of the piece, or of the vertex.
   const auto x = wx == 0   ? std::optional(a.scene_x.hi)

@@ -39,16 +39,20 @@ class CornerRounding2 {
  private:
   friend class EyeRounding2;
   struct Place {
-    std::int64_t x = 0, y = 0;  // integer form, where it is small
+    std::int64_t x = 0, y = 0;  // integer form, where it is integers
+    bool is_integer = false;
     DoubleDouble scene_x, scene_y;
   };
+  Place place_of(VertexId v) const;
+  Segment2 line_of(std::size_t piece) const;
 
   const Arrangement2& arrangement_;
-  std::vector<Place> places_;   // by vertex
-  bool has_filter_ = false;     // the integer form is small, and no number comes near the ends of the range of doubles
-  int unit_bits_ = 0;           // distances are divided into units of 2^-this, in integer form
-  DoubleDouble unit_in_scene_;  // scale / 2^unit_bits_
-  double error_ = 0;            // of a coordinate before it is rounded
+  std::vector<Place> places_;    // by vertex
+  std::vector<Segment2> lines_;  // by piece: two vertices of the line that carries it
+  bool has_filter_ = false;      // 128 bits suffice, and no number comes near the ends of the range of doubles
+  int unit_bits_ = 0;            // distances are divided into units of 2^-this, in integer form
+  DoubleDouble unit_in_scene_;   // scale / 2^unit_bits_
+  double error_ = 0;             // of a coordinate before it is rounded
 };
 
 // Rounds corners of what one eye sees.

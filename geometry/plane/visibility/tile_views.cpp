@@ -9,6 +9,9 @@ namespace {
 using Set = EyeTile2::Set;
 using Group = EyeTile2::Group;
 
+// Where there are at most so many eyes in a triangle on average, they have too little in common to go together.
+constexpr std::size_t kFew = 2;
+
 // Calls visit(k) for each eye of the set.
 template <class Visit>
 void for_each_eye(Set eyes, const Visit& visit) {
@@ -26,6 +29,10 @@ void TileViews2::look_around(const PointLocation2& location, const EyeTile2& til
   locate(location, tile);
   while (!homes_.empty()) {
     join_homes(triangulation);
+    if (are_few_in_joined_homes()) {
+      look_around_alone(location, tile);
+      continue;
+    }
     leave_homes(triangulation, tile);
     for (const HalfEdgeId border : borders_) {
       open(border);
@@ -101,6 +108,20 @@ void TileViews2::join_homes(const Triangulation2& triangulation) {
     borders_[k] = previous_half_edge(entry);
     borders_.insert(borders_.begin() + static_cast<std::ptrdiff_t>(k), next_half_edge(entry));
   }
+}
+
+bool TileViews2::are_few_in_joined_homes() const {
+  std::size_t eyes = 0;
+  for (const Home& home : joined_) eyes += static_cast<std::size_t>(std::popcount(home.eyes));
+  return eyes <= kFew * joined_.size();
+}
+
+void TileViews2::look_around_alone(const PointLocation2& location, const EyeTile2& tile) {
+  for (const Home& home : joined_)
+    for_each_eye(home.eyes, [&](std::size_t k) {
+      TriangleId near = home.triangle;
+      location.look_around(tile.eye(k), views_[k], near);
+    });
 }
 
 // Looks from each of the joined homes up to their borders. Beyond, their eyes go together.

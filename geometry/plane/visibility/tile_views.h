@@ -16,7 +16,8 @@ namespace hottel {
 // Neighbours see nearly the same, so they look around together: by triangular expansion (view.h), but with cones that
 // many eyes share. Where a line through two vertices passes between the eyes of a cone it is divided; cones between
 // the same two vertices are united again.
-// Eyes on an edge, at a vertex or outside the convex hull look around by themselves.
+// Eyes on an edge, at a vertex or outside the convex hull look around by themselves, and so do those that are few in
+// their triangles.
 //
 // REQUIRES: the tile and the location have the same vertices.
 // COST: that of the view from one eye, of what changes between the eyes, and about 3 ns for each vertex an eye sees.
@@ -54,6 +55,8 @@ class TileViews2 {
 
   void locate(const PointLocation2& location, const EyeTile2& tile);
   void join_homes(const Triangulation2& triangulation);
+  bool are_few_in_joined_homes() const;
+  void look_around_alone(const PointLocation2& location, const EyeTile2& tile);
   void leave_homes(const Triangulation2& triangulation, const EyeTile2& tile);
   void expand(const Triangulation2& triangulation, const EyeTile2& tile);
   void enter(const Triangulation2& triangulation, const EyeTile2& tile, HalfEdgeId entry);

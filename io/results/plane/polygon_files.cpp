@@ -165,7 +165,7 @@ class WktWriter final : public TextWriter {
 std::optional<PolygonFormat2> polygon_format_2(const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
   if (ending == ".csv") return PolygonFormat2::kCsv;
-  if (ending == ".geojson") return PolygonFormat2::kGeoJson;
+  if (ending == ".geojson" || ending == ".json") return PolygonFormat2::kGeoJson;
   if (ending == ".wkt") return PolygonFormat2::kWkt;
   if (ending == ".npz") return PolygonFormat2::kNpz;
   return std::nullopt;

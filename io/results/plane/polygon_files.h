@@ -14,7 +14,7 @@ namespace hottel {
 
 enum class PolygonFormat2 { kCsv, kGeoJson, kWkt, kNpz };
 
-// The format of a file by its ending: .csv, .geojson, .wkt, .npz; nothing for another one.
+// The format of a file by its ending: .csv, .geojson (or .json), .wkt, .npz; nothing for another one.
 std::optional<PolygonFormat2> polygon_format_2(const std::filesystem::path& file);
 
 // Returns a writer through a sink. REQUIRES that the scene outlives it, and exact corners for csv and GeoJSON only.

@@ -155,6 +155,7 @@ void LightRowFinder2::add_arcs(const Panorama& around, std::size_t first) {
 }
 
 void LightRowFinder2::measure() {
+  if (count_ == 0) return;
   std::fill_n(&cosines_[count_], kBlock, 1.0);
   std::fill_n(&sines_[count_], kBlock, 0.0);
   for (std::size_t begin = 0; begin < count_; begin += kBlock) {

@@ -139,12 +139,21 @@ struct RadiositiesInput {
   }
 };
 
+struct RowsInput {
+  StagePtr<PreparedScene2> arrangement;
+  Granularity granularity = Granularity::kFace;
+  Grid2 grid;
+  std::uint64_t memory = 0;
+  friend bool operator==(const RowsInput&, const RowsInput&) = default;
+};
+
 struct LightInput {
   StagePtr<RadiositySolution> radiosities;
   StagePtr<PreparedScene2> prepared;  // not compared, as before
   Granularity granularity = Granularity::kFace;
   Grid2 grid;
   LightKind2 kind = LightKind2::kPoint;
+  StagePtr<LightRows2> rows;  // null: not kept. Not compared: light is the same, bit for bit
   friend bool operator==(const LightInput& a, const LightInput& b) {
     return a.radiosities == b.radiosities && a.granularity == b.granularity && a.grid == b.grid && a.kind == b.kind;
   }
@@ -226,11 +235,31 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
   });
 }
 
+ElementTable2 table_of(const PreparedScene2& prepared, Granularity granularity) {
+  return {prepared.scene, prepared.arrangement, prepared.division, granularity};
+}
+
+LightRows2 make_rows(const RowsInput& input, const StageProgress& progress) {
+  const auto prepared = input.arrangement->get(progress);
+  return naming(prepared->scene.file, [&] {
+    return LightRows2(*prepared, input.grid, table_of(*prepared, input.granularity), Blacks2::kLeftOut,
+                      memory_allowed(input.memory), telling("illumination", progress));
+  });
+}
+
+IlluminationGrid2 light_of_rows(const LightInput& input, const PreparedScene2& prepared,
+                                const RadiositySolution& solution, const StageProgress& progress) {
+  const ElementTable2 table = table_of(prepared, input.granularity);
+  return illuminate_points(*input.rows->get(progress), input.grid,
+                           sent_out_2(table, solution, prepared.scene.sky_emission));
+}
+
 SolvedLight2 make_light(const LightInput& input, const StageProgress& progress) {
   const auto radiosities = input.radiosities->get(progress);
   const auto prepared = input.prepared->get(progress);
   Stopwatch watch;
-  SolvedLight2 light = naming(prepared->scene.file, [&] {
+  SolvedLight2 light = naming(prepared->scene.file, [&]() -> SolvedLight2 {
+    if (input.rows) return {light_of_rows(input, *prepared, *radiosities, progress)};
     return illuminate(to_string(input.kind), *prepared, input.grid, input.granularity, *radiosities,
                       telling("illumination", progress));
   });
@@ -277,6 +306,7 @@ struct Simulation2::Version {
   Node<FactorsInput, ComputedFactors2> factors, exact_factors;
   Node<SystemInput, RadiositySolver> system;
   Node<RadiositiesInput, RadiositySolution> radiosities;
+  Node<RowsInput, LightRows2> rows;
   Node<LightInput, SolvedLight2> light;
   Node<PictureInput, LightPicture2> picture;
   Node<LostLightInput, Findings2> lost_light;
@@ -374,7 +404,12 @@ void Simulation2::Version::set_light(const Version* before) {
                                   .emissions = emissions_of(*scene),
                                   .closed = scene->closed};
   radiosities = node_of("radiosity", to_solve, old(before, &Version::radiosities), make_radiosities);
-  light = node_of("illumination", LightInput{radiosities.stage, prepared.stage, granularity, grid, request.light},
+  rows = node_of("illumination", RowsInput{arrangement().stage, granularity, grid, request.memory},
+                 old(before, &Version::rows), make_rows);
+  const bool takes_rows = request.keeps_rows && request.light == LightKind2::kPoint;
+  light = node_of("illumination",
+                  LightInput{radiosities.stage, prepared.stage, granularity, grid, request.light,
+                             takes_rows ? rows.stage : nullptr},
                   old(before, &Version::light), make_light);
   picture = node_of("picture", PictureInput{light.stage, prepared.stage, request.painter},
                     old(before, &Version::picture), make_picture);
@@ -425,6 +460,9 @@ std::shared_ptr<const RadiositySolver> Simulation2::system(const StageProgress& 
 }
 std::shared_ptr<const RadiositySolution> Simulation2::radiosities(const StageProgress& progress) const {
   return version_->radiosities.stage->get(progress);
+}
+std::shared_ptr<const LightRows2> Simulation2::rows(const StageProgress& progress) const {
+  return version_->rows.stage->get(progress);
 }
 std::shared_ptr<const SolvedLight2> Simulation2::light(const StageProgress& progress) const {
   return version_->light.stage->get(progress);

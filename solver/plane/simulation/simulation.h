@@ -8,6 +8,7 @@
 #include "kernel/support/stage.h"
 #include "solver/plan.h"
 #include "solver/plane/check/scene_check.h"
+#include "solver/plane/light/light_rows.h"
 #include "solver/plane/light/solved_light.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "solver/plane/simulation/simulation_request.h"
@@ -29,7 +30,8 @@ namespace hottel {
 //         factors       method, granularity, visibilities and measures, `everything`, memory
 //         system        reflectivities; solver, iterations, until
 //         radiosities   emissions, that of the sky, the promise `closed`
-//         light         grid, kind of light
+//         rows          grid, memory: what the cells see (light_rows.h), after the arrangement
+//         light         grid, kind of light. Made from rows where they are kept: the same bits
 //         picture       painter
 //         plan, lost_light, check    anything in the scene, and what they look at: the grid, factors
 //   (2) every value is a function of scene and request: bit for bit that of a new simulation of the same scene, also
@@ -37,7 +39,7 @@ namespace hottel {
 //       (`seconds` in reports are what was measured)
 //   (3) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
 //       kernel/support/stage.h says. What a stage throws is thrown again until an edit drops it
-//   (4) memory is checked when factors are made (ExchangeRequest::memory)
+//   (4) memory is kept to by factors and by rows, each by itself (ExchangeRequest::memory, LightRows2)
 //
 // RequestErrors name the scene's file. Stages throw what their functions throw: InputError where claims conflict or a
 // "behind" cannot be obeyed (prepare); RequestError where the memory does not suffice, where a method cannot be run,
@@ -64,6 +66,7 @@ class Simulation2 {
   std::shared_ptr<const ComputedFactors2> factors(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;
+  std::shared_ptr<const LightRows2> rows(const StageProgress& progress = {}) const;
   std::shared_ptr<const SolvedLight2> light(const StageProgress& progress = {}) const;
   // REQUIRES a painter in the request; throws ContractViolation otherwise.
   std::shared_ptr<const LightPicture2> picture(const StageProgress& progress = {}) const;

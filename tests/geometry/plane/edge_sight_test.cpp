@@ -81,8 +81,8 @@ void expect_second_way(const PreparedScene2& prepared, const Face& from) {
       EXPECT_EQ(is_in(seen, t), is_seen) << name << " sees " << face_name(prepared.scene, face) << " at " << t;
     }
   }
-  for (int k = 0; k < 997 && !sees_sky; ++k)
-    for (const FaceFactor2& f : point_factors_by_face(prepared, from, Rational(2 * k + 1, 2 * 997)))
+  for (int k = 1; k < 997 && !sees_sky; ++k)
+    for (const FaceFactor2& f : point_factors_by_face(prepared, from, Rational(k, 997)))
       sees_sky = sees_sky || f.to == "sky";
   EXPECT_TRUE(sight.sees_sky || !sees_sky) << name;
 }

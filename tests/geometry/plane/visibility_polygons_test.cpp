@@ -28,6 +28,12 @@ Scene2 generated(const std::string& kind, std::uint64_t n, int digits = 0) {
   return generate_2(request);
 }
 
+Rational fraction(std::uint64_t p, long q) {
+  Rational value(static_cast<long>(p), q);
+  value.canonicalize();
+  return value;
+}
+
 // Points of a scene: its vertices, points on its edges, and points between and around its vertices, of several kinds.
 std::vector<Point2> points_of(const Scene2& scene, std::size_t count) {
   std::mt19937_64 chance(7);
@@ -39,7 +45,7 @@ std::vector<Point2> points_of(const Scene2& scene, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
     const Point2 &p = any_end(), &q = any_end(), &r = any_end();
     const Edge2& edge = scene.edges[chance() % scene.edges.size()];
-    const Rational s(static_cast<long>(chance() % 7), 6), t(static_cast<long>(chance() % 97), 89);
+    const Rational s = fraction(chance() % 7, 6), t = fraction(chance() % 97, 89);
     switch (k % 5) {
       case 0:
         points.push_back({p.x + (q.x - p.x) / 2 + (r.x - p.x) / 4, p.y + (q.y - p.y) / 2 + (r.y - p.y) / 4});
@@ -150,6 +156,50 @@ TEST(CornerRounding2, FilterDecidesOrdinaryCornersAndExactOnesOnWallsAlongAnAxis
   EXPECT_EQ(upright.look({Rational(-1, 3), Rational(1, 7)}).exact, 0u);
 }
 
+// A few edges with coordinates of up to so many bits, over some denominator, far from the origin or near it.
+Scene2 edges_of_bits(std::mt19937_64& chance, int bits) {
+  Scene2 scene;
+  scene.materials.push_back({"black", {}, {}});
+  const long denominators[] = {1, 3, 10, 1000, 1 << 20, 7 * 11 * 13};
+  const long denominator = denominators[chance() % 6];
+  const Rational far = fraction(chance() % 1000, 7) * static_cast<long>(chance() % 3) * 1000;
+  const auto coordinate = [&] { return Rational(far + fraction(chance() >> (64 - bits), denominator)); };
+  for (std::uint32_t k = 0; k < 8; ++k) {
+    Surface surface;
+    surface.name = "edge" + std::to_string(k);
+    surface.group = k;
+    const Point2 from{coordinate(), coordinate()}, to{coordinate(), coordinate()};
+    if (from == to) continue;
+    scene.groups.push_back(surface.name);
+    surface.group = static_cast<std::uint32_t>(scene.groups.size() - 1);
+    scene.add(std::move(surface), {from, to});
+  }
+  return scene;
+}
+
+TEST(CornerRounding2, Consistency) {
+  std::mt19937_64 chance(3);
+  RoundingCounts2 counts;
+  for (int bits = 2; bits <= 62; ++bits)
+    for (int round = 0; round < 6; ++round) {
+      Scene2 scene = edges_of_bits(chance, bits);
+      if (scene.edges.empty()) continue;
+      const std::vector<Point2> points = points_of(scene, 12);
+      const PreparedScene2 prepared = prepare(std::move(scene));
+      const VisibilityPolygons2 polygons(prepared.arrangement);
+      RoundedPolygon2 polygon;
+      for (const Point2& point : points) {
+        polygons.look(point, true, polygon, counts);
+        for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+          ASSERT_EQ(polygon.corners[k].x, to_double(polygon.exact[k].x)) << bits << " bits";
+          ASSERT_EQ(polygon.corners[k].y, to_double(polygon.exact[k].y)) << bits << " bits";
+        }
+      }
+    }
+  EXPECT_GT(counts.filtered, 10 * counts.exact);
+  EXPECT_GT(counts.exact, 0u);
+}
+
 TEST(CornerRounding2, TiesZerosAndEyesOfManyDigitsAreDecidedExactly) {
   // Through the tip (0, 1) from (-1, y) the wall x = 1 is met at 2 - y: half-way between two doubles for this y.
   Wall upright("[[1, 700], [1, -7]]");
@@ -161,6 +211,38 @@ TEST(CornerRounding2, TiesZerosAndEyesOfManyDigitsAreDecidedExactly) {
   Rational fine(1, 3);
   for (int k = 0; k < 6; ++k) fine *= fine;
   EXPECT_EQ(slanted.look({-3, fine}).exact, 1u);
+}
+
+// Edges at random that cross each other: most vertices are quotients, and the scene has no small integer form.
+Scene2 crossing_edges(std::size_t count) {
+  std::mt19937_64 chance(11);
+  Scene2 scene;
+  scene.materials.push_back({"black", {}, {}});
+  const auto coordinate = [&] { return fraction(chance() % 1000003, 1000); };
+  for (std::size_t k = 0; k < count; ++k) {
+    Surface surface;
+    surface.name = "edge" + std::to_string(k);
+    surface.group = static_cast<std::uint32_t>(k);
+    scene.groups.push_back(surface.name);
+    const Point2 from{coordinate(), coordinate()};
+    scene.add(std::move(surface), {from, {from.x + coordinate() / 3, from.y + coordinate() / 5 - 80}});
+  }
+  return scene;
+}
+
+TEST(VisibilityPolygons2, AreThoseOfScenesInWhichEdgesCross) { expect_oracle_everywhere(crossing_edges(40), 60); }
+
+TEST(CornerRounding2, MostCornersAmongCrossingEdgesNeedNoRationals) {
+  Scene2 scene = crossing_edges(40);
+  const std::vector<Point2> points = points_of(scene, 60);
+  const PreparedScene2 prepared = prepare(std::move(scene));
+  ASSERT_FALSE(prepared.arrangement.vertices().is_small());
+  const VisibilityPolygons2 polygons(prepared.arrangement);
+  RoundingCounts2 counts;
+  RoundedPolygon2 polygon;
+  for (const Point2& point : points) polygons.look(point, false, polygon, counts);
+  EXPECT_GT(counts.filtered, 100u);
+  EXPECT_LT(counts.exact, counts.filtered);
 }
 
 TEST(VisibilityPolygons2, HaveTheSameBitsForAnyNumberOfThreads) {

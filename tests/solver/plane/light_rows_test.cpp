@@ -180,6 +180,22 @@ TEST(LightRow, SumsToOneInAClosedRoom) {
   }
 }
 
+TEST(LightRow, OfAGridWithinASolidIsEmptyEverywhere) {
+  const ThreadLimit limit(1);
+  BoxRoom room("box");
+  room.box({1, 1, 2, 2});
+  const Lit lit(room.scene);
+  const Grid2 cells{{1, 1}, {2, 2}, 3, 3};
+  const LightRows2 rows = rows_of(lit, cells);
+  for (std::size_t cell = 0; cell < 9; ++cell) EXPECT_TRUE(rows.row(cell).is_in_solid);
+  LightRowFinder2 finder;  // that has found nothing before
+  finder.begin(lit.prepared.arrangement.vertices(), LightColumns2(lit.prepared.arrangement, lit.table),
+               Blacks2::kListed);
+  finder.measure();
+  EXPECT_EQ(finder.size(), 0u);
+  for (const double value : lit.grid(cells).values) EXPECT_TRUE(std::isnan(value));
+}
+
 TEST(LightRow, WithoutWhatIsBlackHasTheSameOtherEntries) {
   std::size_t blacks = 0;
   for (const Scene2& scene : scenes()) {

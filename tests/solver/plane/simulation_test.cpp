@@ -89,6 +89,26 @@ TEST(Simulation, DropsExactlyTheStagesWhoseInputChanged) {
   EXPECT_EQ(with_request([](SimulationRequest2&) {}), "afrlpowc");
 }
 
+TEST(Simulation, KeepsRowsThroughEditsOfMaterialsAndMakesTheSameLightOfThem) {
+  const Simulation2 looking = simulated_room();
+  SimulationRequest2 request = looking.request();
+  request.keeps_rows = true;
+  const Simulation2 keeping(looking.scene(), request);
+  EXPECT_EQ(traces_of(keeping), traces_of(looking));
+  Scene2 scene = keeping.scene();
+  scene.materials[2].emission = Spectrum::scalar(5);
+  scene.materials[0].reflectivity = Spectrum::scalar(Rational(1, 3));
+  const Simulation2 edited = keeping.with_scene(scene);
+  EXPECT_EQ(edited.rows(), keeping.rows());
+  EXPECT_EQ(traces_of(edited), traces_of(looking.with_scene(scene)));
+  scene.edges[3].to.x += 1;
+  EXPECT_NE(keeping.with_scene(scene).rows(), keeping.rows());
+  request.memory = 40'000;  // enough for the factors
+  request.grid = grid_over(scene, 400, 400);
+  EXPECT_NO_THROW(keeping.with_request(request).factors());
+  EXPECT_THROW(keeping.with_request(request).rows(), RequestError);
+}
+
 // Undo is the older version, with all that it had made.
 TEST(Simulation, AnOlderVersionKeepsItsStages) {
   const Simulation2 before = simulated_room();
