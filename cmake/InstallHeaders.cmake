@@ -1,5 +1,6 @@
 # Installs hottel.h and the headers of the project that it includes, directly or not: those are public, and no others.
 # hottel_root: where the sources are. hottel_include: where headers go, from the prefix or absolute.
+cmake_policy(VERSION 3.25)
 
 # Sets `result` to the headers that are reached from `first`, which is one of them, as paths from the root.
 function(hottel_headers_reached_from first result)

@@ -43,7 +43,7 @@ TEST_F(LibraryTasks, ASceneMadeInCode) {
   const Scene2 written = parse_scene_2(write_scene_2(scene.build()), "written");
   EXPECT_EQ(written.edges, scene.build().edges);
   EXPECT_EQ(written.edges[0].to, (Point2{Rational(4, 3), Rational(29, 10)}));
-  EXPECT_EQ(printed(), "");
+  EXPECT_EQ(printed(), "F = 0.535653882522\n");
 }
 
 TEST_F(LibraryTasks, RadiositiesAndAnEdit) {
@@ -65,7 +65,7 @@ TEST_F(LibraryTasks, LightAtAPoint) {
   for (std::size_t c = 0; c < light.mean_irradiance.size(); ++c)
     std::printf("%s: %.12g\n", light.channel_names[c].c_str(), light.mean_irradiance[c]);
   // end
-  EXPECT_EQ(printed(), "");
+  EXPECT_EQ(printed(), "all: 0.552870134543\n");
 }
 
 TEST_F(LibraryTasks, PolygonsOfManyPoints) {
@@ -76,7 +76,9 @@ TEST_F(LibraryTasks, PolygonsOfManyPoints) {
     for (const auto& [x, y, after] : polygon.corners)
       std::printf("%g %g %s\n", x, y, polygon_side_name(*simulation.prepared(), after).c_str());
   // end
-  EXPECT_EQ(printed(), "");
+  EXPECT_EQ(printed(),
+            "1 0 sky\n0.5 1 obstruction\n-0.5 1 sky\n-1 0 bottom\n"
+            "1 2 top\n-1 2 sky\n-0.5 1 obstruction:back\n0.5 1 sky\n");
 }
 
 // The blocks between "// task" and "// end" of this file, or the C++ blocks of a page, as they are indented there.

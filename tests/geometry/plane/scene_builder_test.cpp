@@ -76,7 +76,8 @@ TEST(Number, IsNoTruthValueAndNoCharacter) {
 
 // What a scene is but for lines and the file's name.
 void expect_same(Scene2 built, Scene2 read) {
-  for (Surface& surface : read.surfaces) surface.line = 0;
+  for (Scene2* scene : {&built, &read})
+    for (Surface& surface : scene->surfaces) surface.line = 0;
   EXPECT_EQ(built.surfaces, read.surfaces);
   EXPECT_EQ(built.edges, read.edges);
   EXPECT_EQ(built.groups, read.groups);
@@ -118,6 +119,7 @@ TEST(SceneBuilder2, GivesTheSceneOfAFileOfTheSameEntries) {
   builder.add_edge("", Point2{2, 1}, {3, 1}, "steel", {.behind = Behind::kOpen});
   builder.set_sky({1, 2, "1/3"}).set_closed().set_grid({0, 0}, {4, 3}, 400, 300).set_about("a room");
   expect_same(builder.build(), read);
+  for (const Surface& surface : builder.build().surfaces) EXPECT_EQ(surface.line, 0);
   EXPECT_EQ(builder.build().file, "scene made in code");
   expect_same(parse_scene_2(write_scene_2(builder.build()), "written"), read);
 }
