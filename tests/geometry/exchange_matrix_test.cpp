@@ -154,9 +154,11 @@ TEST(ExchangeMatrix, NamesEveryColumn) {
 
 TEST(ExchangeMatrix, HasFactorsByName) {
   std::vector<Element> elements(3);
-  elements[0] = {.name = "floor", .material = 0, .area = {1, 0}};
-  elements[1] = {.name = "wall", .material = 0, .area = {0, 0}};
-  elements[2] = {.name = "wall:back", .material = {}, .area = {1, 0}};
+  elements[0].name = "floor";
+  elements[1].name = "wall";
+  elements[2].name = "wall:back";
+  elements[0].material = elements[1].material = 0;
+  elements[0].area = elements[2].area = {1, 0};
   ExchangeMatrix matrix(elements, Guarantee::kEstimated);
   matrix.assign({0, 2, 2, 2}, {{2, {0.25, 0}, 1}, {3, {0.75, 0}, 1}});
   EXPECT_EQ(matrix.factor("floor", "wall:back").value, 0.25);
