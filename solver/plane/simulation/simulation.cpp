@@ -10,6 +10,10 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/plane/light/illumination_grid.h"
+#include "solver/plane/light/light_rows.h"
+#include "solver/plane/light/sent_out.h"
+#include "solver/plane/light/solved_light.h"
 #include "solver/plane/methods/method_catalogue.h"
 #include "solver/plane/scene_plan.h"
 #include "solver/radiosity/a_priori_bounds.h"
@@ -343,6 +347,8 @@ Node<PreparedInput, PreparedScene2> with_values(const Node<ArrangementInput, Pre
 
 Simulation2::Version::Version(ScenePtr its_scene, SimulationRequest2 its_request, const Version* before)
     : scene(std::move(its_scene)), request(std::move(its_request)) {
+  if (const std::string problem = request.grid ? grid_problem(*request.grid) : ""; !problem.empty())
+    throw UsageError("the grid of a request: " + problem);
   const bool keeps_grid = before != nullptr && before->scene == scene && !before->request.grid;
   grid = request.grid ? *request.grid : keeps_grid ? before->grid : default_grid(*scene);
   granularity = request.granularity.value_or(is_divided(*scene) || request.everything ? Granularity::kElement

@@ -3,19 +3,20 @@
 
 #include <memory>
 
-#include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/scene/scene.h"
 #include "kernel/support/stage.h"
 #include "solver/plan.h"
 #include "solver/plane/check/scene_check.h"
-#include "solver/plane/light/light_rows.h"
-#include "solver/plane/light/solved_light.h"
+#include "solver/plane/light/light_values.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "solver/plane/simulation/simulation_request.h"
 #include "solver/radiosity/radiosity_solution.h"
 #include "solver/radiosity/radiosity_solver.h"
 
 namespace hottel {
+
+class LightRows2;
+struct PreparedScene2;
 
 // One version of a scene and what is asked of it, with all that follows, in stages:
 //
@@ -47,7 +48,8 @@ namespace hottel {
 // doubles.
 class Simulation2 {
  public:
-  // Throws InputError naming file, line and surface unless the scene is valid (validate).
+  // Throws InputError naming file, line and surface unless the scene is valid (validate), UsageError where the request's
+  // grid is none (grid_problem).
   explicit Simulation2(Scene2 scene, SimulationRequest2 request = {});
 
   // The version after an edit. COST: linear in the scene, which is compared with that of this version.

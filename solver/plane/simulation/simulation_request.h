@@ -7,11 +7,12 @@
 #include <string>
 
 #include "geometry/plane/scene/scene.h"
-#include "solver/plane/light/illumination_grid.h"
 #include "solver/plane/methods/exchange_method.h"
 #include "solver/radiosity/radiosity_options.h"
 
 namespace hottel {
+
+struct IlluminationGrid2;
 
 // A picture of light, as a painter makes it: the bytes of a file, or whatever its painter says.
 struct LightPicture2 {

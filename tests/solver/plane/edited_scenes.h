@@ -31,7 +31,7 @@ inline Scene2 room_to_edit() {
                        "edited.json");
 }
 
-// Edits at random: geometry, materials, sky, promises, elements, grid, the kind of light, the method.
+// Edits at random: geometry, materials, sky, the promise `closed`, elements, grid, kind of light, every effect.
 class RandomEdits {
  public:
   explicit RandomEdits(std::uint64_t seed) : random_(seed) {}
@@ -41,22 +41,22 @@ class RandomEdits {
     SimulationRequest2 request = simulation.request();
     const auto surface = below(scene.surfaces.size());
     Material& material = scene.materials[below(scene.materials.size())];
-    switch (below(12)) {
+    switch (below(13)) {
       case 0:
       case 1:
         move_point(scene, surface);
         break;
       case 2:
-        material.emission = Spectrum::scalar(Rational(static_cast<int>(below(4))));
+        material.emission = Spectrum::scalar(draw(4));
         break;
       case 3:
-        material.reflectivity = Spectrum::scalar(Rational(static_cast<int>(below(10)), 10));
+        material.reflectivity = Spectrum::scalar(draw(10) / 10);
         break;
       case 4:
-        material.reflectivity = {{Rational(1, 2), Rational(static_cast<int>(below(10)), 10), 0}, false};
+        material.reflectivity = {{Rational(1, 2), draw(10) / 10, 0}, false};
         break;
       case 5:
-        scene.sky_emission = Spectrum::scalar(Rational(static_cast<int>(below(3))));
+        scene.sky_emission = Spectrum::scalar(draw(3));
         break;
       case 6:
         scene.surfaces[surface].elements = static_cast<std::uint32_t>(1 + below(3));
@@ -71,6 +71,9 @@ class RandomEdits {
         request.light = static_cast<LightKind2>(below(3));
         return simulation.with_request(request);
       case 10:
+        scene.closed = !scene.closed;
+        break;
+      case 11:
         request.everything = !request.everything;
         return simulation.with_request(request);
       default:
@@ -78,12 +81,13 @@ class RandomEdits {
     }
     return simulation.with_scene(saved(scene));
   }
+  Rational draw(std::size_t n) { return Rational(static_cast<int>(below(n))); }
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
 
  private:
   // Moves an end to a place on a coarse lattice, and all ends that lie where it lay.
   void move_point(Scene2& scene, std::size_t surface) {
-    const Point2 place{Rational(static_cast<int>(below(17)), 2), Rational(static_cast<int>(below(17)), 2)};
+    const Point2 place{draw(17) / 2, draw(17) / 2};
     const Point2 before = below(2) == 0 ? scene.edges[surface].from : scene.edges[surface].to;
     Scene2 moved = scene;
     for (Edge2& edge : moved.edges) {

@@ -1,4 +1,6 @@
 // Light at many points from one solution.
+#include "solver/plane/light/point_lights.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,27 +8,34 @@
 
 #include "geometry/plane/visibility/visibility_polygon.h"
 #include "io/scene/scene_json.h"
-#include "solver/plane/light/solved_light.h"
+#include "solver/plane/simulation/questions.h"
+#include "solver/plane/simulation/simulation.h"
 
 namespace hottel {
 namespace {
 
+Simulation2 apartment() { return Simulation2(read_scene_2(HOTTEL_SOURCE_DIR "/scenes/showcase/apartment.json")); }
+
+// (1)
 TEST(PointLights2, SayOfEachPointWhatLightAtSays) {
-  const PreparedScene2 prepared = prepare(read_scene_2(HOTTEL_SOURCE_DIR "/scenes/showcase/apartment.json"));
-  const Arrangement2& arrangement = prepared.arrangement;
+  const Simulation2 simulation = apartment();
+  const auto prepared = simulation.prepared();
+  const Arrangement2& arrangement = prepared->arrangement;
   const PointLocation2 location(arrangement.vertices(), arrangement.triangulation());
-  const PointLights2 lights(prepared);
-  for (const Point2& eye : std::vector<Point2>{{4, 3}, {3, 1}, prepared.scene.edges[5].from, {Rational(1, 3), 100}}) {
-    const PointLight2 alone = light_at(prepared, visibility_polygon(arrangement, location, eye));
+  const PointLights2 lights = point_lights(simulation);
+  for (const Point2& eye : std::vector<Point2>{{4, 3}, {3, 1}, prepared->scene.edges[5].from, {Rational(1, 3), 100}}) {
+    const PointLight2 alone = light_at(simulation, visibility_polygon(arrangement, location, eye));
     EXPECT_EQ(lights.at(location, eye), alone.mean_irradiance);
+    EXPECT_EQ(lights.at(location, eye), light_at(simulation, eye).mean_irradiance);
     EXPECT_EQ(lights.channel_names(), alone.channel_names);
   }
 }
 
+// (2)
 TEST(PointLights2, AreNanInSolids) {
-  const PreparedScene2 prepared = prepare(read_scene_2(HOTTEL_SOURCE_DIR "/scenes/showcase/apartment.json"));
-  const PointLocation2 location(prepared.arrangement.vertices(), prepared.arrangement.triangulation());
-  for (const double value : PointLights2(prepared).at(location, {6, 3})) EXPECT_TRUE(std::isnan(value));  // wardrobe
+  const PointLight2 light = light_at(apartment(), Point2{6, 3});  // in a wardrobe
+  ASSERT_FALSE(light.mean_irradiance.empty());
+  for (const double value : light.mean_irradiance) EXPECT_TRUE(std::isnan(value));
 }
 
 }  // namespace

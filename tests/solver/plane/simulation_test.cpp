@@ -209,11 +209,12 @@ TEST(Simulation, KeepsToItsMemory) {
 }
 
 TEST(Simulation, NamesItsFile) {
-  Scene2 scene = room_to_edit();
-  for (Material& material : scene.materials) material.reflectivity = Spectrum::scalar(1);
-  scene.sky_emission = {};
+  const Scene2 mirrors = parse_scene_2(R"({"hottel": 1, "dimension": 2,
+    "materials": {"mirror": {"reflectivity": 1, "emission": 1}},
+    "polylines": [{"name": "room", "points": [[0,0],[0,1],[1,1],[1,0]], "closed": true, "material": "mirror"}]})",
+                                       "edited.json");
   try {
-    Simulation2(scene).radiosities();
+    Simulation2(mirrors).radiosities();
     FAIL();
   } catch (const RequestError& error) {
     EXPECT_THAT(error.what(), HasSubstr("edited.json: "));
@@ -226,6 +227,7 @@ TEST(Simulation, RefusesAnInvalidScene) {
   scene.edges[0].to = scene.edges[0].from;
   EXPECT_THROW(Simulation2{scene}, InputError);
   EXPECT_THROW(simulated_room().with_scene(scene), InputError);
+  EXPECT_THROW(simulated_room().with_request({.grid = Grid2{{0, 0}, {0, 1}, 2, 2}}), UsageError);
 }
 
 TEST(Simulation, HasAPictureOnlyWithAPainter) {
