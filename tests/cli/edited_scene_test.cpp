@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "io/results/factor_files.h"
 #include "io/results/npy.h"
 #include "io/results/radiosity_files.h"
-#include "io/results/factor_files.h"
 #include "tests/cli/program.h"
 #include "tests/solver/plane/edited_scenes.h"
 
@@ -53,7 +53,8 @@ TEST(EditedScene, IsThatOfAFreshProcess) {
     files_of(simulation);  // some stages are made, others will be shared
     place.write("edited.json", write_scene_2(simulation.scene()));
     const std::string line = "hottel solve edited.json --quiet --no-picture -o out --grid 6x6 --illumination " +
-                             std::string(to_string(request.light)) + (request.everything ? " --simulate everything" : "");
+                             std::string(to_string(request.light)) +
+                             (request.everything ? " --simulate everything" : "");
     const Outcome outcome = place.run(line);
     const std::string expected = files_of(simulation);
     if (outcome.code == 0) {

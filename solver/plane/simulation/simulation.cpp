@@ -205,7 +205,8 @@ ComputedFactors2 make_factors(const FactorsInput& input, const StageProgress& pr
 RadiositySolver make_system(const SystemInput& input, const StageProgress& progress) {
   const auto factors = input.factors->get(progress);
   const std::shared_ptr<const ExchangeMatrix> matrix(factors, &factors->matrix);
-  return {matrix, input.reflectivities.values,
+  return {matrix,
+          input.reflectivities.values,
           {.solver = input.solver, .iterations = input.iterations, .until = input.until}};
 }
 
@@ -220,8 +221,8 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
     require_not_negative(matrix, *prepared, *input.method);
   return naming(scene.file, [&] {
     const auto system = input.system->get(progress);
-    RadiositySolution solution = system->solve(sources_of(matrix, scene.materials, scene.sky_emission),
-                                               telling("radiosity", progress));
+    RadiositySolution solution =
+        system->solve(sources_of(matrix, scene.materials, scene.sky_emission), telling("radiosity", progress));
     if (const auto place = solution.seconds.find("radiosity"); place != solution.seconds.end())
       place->second += system->seconds();
     require_doubles(matrix, scene.sky_emission, solution);
@@ -400,8 +401,8 @@ void Simulation2::Version::set_factors(const Version* before) {
 
 void Simulation2::Version::set_light(const Version* before) {
   system = node_of("radiosity",
-                   SystemInput{factors.stage, Spectra{reflectivities_of(scene->materials)}, request.solver, request.iterations,
-                               request.until},
+                   SystemInput{factors.stage, Spectra{reflectivities_of(scene->materials)}, request.solver,
+                               request.iterations, request.until},
                    old(before, &Version::system), make_system);
   const RadiositiesInput to_solve{.system = system.stage,
                                   .factors = factors.stage,

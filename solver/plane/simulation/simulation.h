@@ -48,8 +48,8 @@ struct PreparedScene2;
 // doubles.
 class Simulation2 {
  public:
-  // Throws InputError naming file, line and surface unless the scene is valid (validate), UsageError where the request's
-  // grid is none (grid_problem).
+  // Throws InputError naming file, line and surface unless the scene is valid (validate), UsageError where the
+  // request's grid is none (grid_problem).
   explicit Simulation2(Scene2 scene, SimulationRequest2 request = {});
 
   // The version after an edit. COST: linear in the scene, which is compared with that of this version.

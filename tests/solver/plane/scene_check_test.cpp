@@ -316,7 +316,7 @@ TEST(SceneCheck2, LooksAtScenesFullOfCoincidencesWithoutFailing) {
     const SceneCheck2 check = *Simulation2(scene).check();
     errors += has_error(check.findings);
     EXPECT_EQ(check.factors != nullptr, !std::any_of(check.findings.begin(), check.findings.end(),
-                                                      [](auto& f) { return f.kind == "conflicting-claims"; }));
+                                                     [](auto& f) { return f.kind == "conflicting-claims"; }));
   }
   EXPECT_LT(errors, 20u);
 }
