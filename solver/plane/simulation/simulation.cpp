@@ -1,6 +1,8 @@
 #include "solver/plane/simulation/simulation.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -76,17 +78,21 @@ Spectra emissions_of(const Scene2& scene) {
   return spectra;
 }
 
+// For each material the first that acts as it does.
+std::vector<std::size_t> first_alike(const std::vector<Material>& materials) {
+  std::map<std::pair<std::array<Rational, 3>, std::array<Rational, 3>>, std::size_t> first;
+  std::vector<std::size_t> result;
+  for (const Material& material : materials)
+    result.push_back(
+        first.try_emplace({material.reflectivity.value, material.emission.value}, result.size()).first->second);
+  return result;
+}
+
 // All of a scene that its arrangement, and factors, come from: its shape, its names, and which materials act alike.
 bool is_same_shape(const Scene2& a, const Scene2& b) {
-  if (a.file != b.file || a.edges != b.edges || a.surfaces != b.surfaces || a.groups != b.groups) return false;
-  if (a.materials.size() != b.materials.size()) return false;
-  const std::vector<Material>&m = a.materials, &n = b.materials;
-  for (std::size_t i = 0; i < m.size(); ++i) {
-    if (m[i].name != n[i].name) return false;
-    for (std::size_t j = 0; j < i; ++j)
-      if ((m[i] == m[j]) != (n[i] == n[j])) return false;
-  }
-  return true;
+  return a.file == b.file && a.edges == b.edges && a.surfaces == b.surfaces && a.groups == b.groups &&
+         std::ranges::equal(a.materials, b.materials, {}, &Material::name, &Material::name) &&
+         first_alike(a.materials) == first_alike(b.materials);
 }
 
 struct ArrangementInput {
@@ -128,6 +134,7 @@ struct SystemInput {
   Solver solver = Solver::kAuto;
   std::optional<int> iterations;
   std::optional<double> until;
+  std::string file;  // of the scene, for messages
   friend bool operator==(const SystemInput&, const SystemInput&) = default;
 };
 
@@ -205,9 +212,10 @@ ComputedFactors2 make_factors(const FactorsInput& input, const StageProgress& pr
 RadiositySolver make_system(const SystemInput& input, const StageProgress& progress) {
   const auto factors = input.factors->get(progress);
   const std::shared_ptr<const ExchangeMatrix> matrix(factors, &factors->matrix);
-  return {matrix,
-          input.reflectivities.values,
-          {.solver = input.solver, .iterations = input.iterations, .until = input.until}};
+  return naming(input.file, [&] {
+    return RadiositySolver(matrix, input.reflectivities.values,
+                           {.solver = input.solver, .iterations = input.iterations, .until = input.until});
+  });
 }
 
 RadiositySolution make_radiosities(const RadiositiesInput& input, const StageProgress& progress) {
@@ -219,8 +227,8 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
     require_closed(scene, matrix);
   else
     require_not_negative(matrix, *prepared, *input.method);
+  const auto system = input.system->get(progress);
   return naming(scene.file, [&] {
-    const auto system = input.system->get(progress);
     RadiositySolution solution =
         system->solve(sources_of(matrix, scene.materials, scene.sky_emission), telling("radiosity", progress));
     if (const auto place = solution.seconds.find("radiosity"); place != solution.seconds.end())
@@ -252,19 +260,19 @@ LightRows2 make_rows(const RowsInput& input, const StageProgress& progress) {
   });
 }
 
-IlluminationGrid2 light_of_rows(const LightInput& input, const PreparedScene2& prepared,
-                                const RadiositySolution& solution, const StageProgress& progress) {
+IlluminationGrid2 light_of_rows(const LightRows2& rows, const LightInput& input, const PreparedScene2& prepared,
+                                const RadiositySolution& solution) {
   const ElementTable2 table = table_of(prepared, input.granularity);
-  return illuminate_points(*input.rows->get(progress), input.grid,
-                           sent_out_2(table, solution, prepared.scene.sky_emission));
+  return illuminate_points(rows, input.grid, sent_out_2(table, solution, prepared.scene.sky_emission));
 }
 
 SolvedLight2 make_light(const LightInput& input, const StageProgress& progress) {
   const auto radiosities = input.radiosities->get(progress);
   const auto prepared = input.prepared->get(progress);
+  const auto rows = input.rows ? input.rows->get(progress) : nullptr;
   Stopwatch watch;
   SolvedLight2 light = naming(prepared->scene.file, [&]() -> SolvedLight2 {
-    if (input.rows) return {light_of_rows(input, *prepared, *radiosities, progress)};
+    if (rows) return {light_of_rows(*rows, input, *prepared, *radiosities)};
     return illuminate(to_string(input.kind), *prepared, input.grid, input.granularity, *radiosities,
                       telling("illumination", progress));
   });
@@ -402,7 +410,7 @@ void Simulation2::Version::set_factors(const Version* before) {
 void Simulation2::Version::set_light(const Version* before) {
   system = node_of("radiosity",
                    SystemInput{factors.stage, Spectra{reflectivities_of(scene->materials)}, request.solver,
-                               request.iterations, request.until},
+                               request.iterations, request.until, scene->file},
                    old(before, &Version::system), make_system);
   const RadiositiesInput to_solve{.system = system.stage,
                                   .factors = factors.stage,
