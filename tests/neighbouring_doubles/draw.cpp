@@ -24,14 +24,15 @@ const Colour& colour_of(int sign) { return sign > 0 ? kLeft : sign < 0 ? kRight 
 // One panel with the number of wrong signs in its title.
 void draw_panel(PictureCanvas& canvas, const Grid& grid, double left, const char* title,
                 const std::function<int(const Double2&)>& side) {
-  PixelImage image{kSide, kSide, {}};
+  Raster image(kSide, kSide);
+  auto pixel = image.pixels.begin();
   int wrong = 0;
   for (int j = kSide - 1; j >= 0; --j)
     for (int i = 0; i < kSide; ++i) {
       const Double2 p = grid.at(i, j);
       const int sign = side(p);
       wrong += sign != exact_orientation(exact(p), exact(grid.q), exact(grid.r));
-      image.pixels.push_back(colour_of(sign));
+      *pixel++ = pixel_of(colour_of(sign));
     }
   canvas.image(Mark::kPaper, {left, kTitle}, {left + kPanel, kTitle + kPanel}, image, false);
   canvas.text(Mark::kTitle, {left, 28}, title, {20, palette::kInk, TextAnchor::kLeft, TextWeight::kBold});

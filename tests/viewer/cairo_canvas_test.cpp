@@ -21,7 +21,9 @@ std::string drawn(PictureFormat format) {
   canvas.fill_rectangle(Mark::kPaper, {0, 0}, {120, 80}, {1, 1, 1});
   canvas.stroke(Mark::kEdge, {10, 10}, {110, 70}, {0, 0, 0}, 3);
   canvas.text(Mark::kTitle, {60, 40}, "a \xc3\xa9 \xff\x80 \xe2\x82", {.size = 12, .anchor = TextAnchor::kCentre});
-  canvas.image(Mark::kLight, {20, 20}, {60, 60}, {2, 1, {{1, 0, 0}, {0, 0, 1, 0.5}}}, true);
+  Raster red_and_blue(2, 1);
+  red_and_blue.pixels = {pixel_of({1, 0, 0}), pixel_of({0, 0, 1, 0.5})};
+  canvas.image(Mark::kLight, {20, 20}, {60, 60}, red_and_blue, true);
   return canvas.finish();
 }
 

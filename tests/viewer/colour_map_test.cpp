@@ -91,8 +91,11 @@ TEST(Legend, ShowsTitleLabelsAndAllColours) {
   for (const char* text : {"fraction seen", "0", "0.4", "1"}) EXPECT_TRUE(canvas.wrote(text)) << text;
   const auto bar = canvas.calls(Mark::kLegend, RecordingCanvas::Kind::kImage);
   ASSERT_EQ(bar.size(), 1u);
-  EXPECT_NEAR(lightness(bar[0].image.pixels.front()), lightness(map_colour(0)), 0.01);
-  EXPECT_NEAR(lightness(bar[0].image.pixels.back()), lightness(map_colour(1)), 0.01);
+  const auto colour = [](std::uint32_t pixel) {
+    return Colour{(pixel >> 16 & 255) / 255.0, (pixel >> 8 & 255) / 255.0, (pixel & 255) / 255.0};
+  };
+  EXPECT_NEAR(lightness(colour(bar[0].image.pixels.front())), lightness(map_colour(0)), 0.01);
+  EXPECT_NEAR(lightness(colour(bar[0].image.pixels.back())), lightness(map_colour(1)), 0.01);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "kernel/support/failure.h"
-#include "kernel/support/parallel.h"
 #include "viewer/picture/png_file.h"
 
 namespace hottel {
@@ -56,15 +55,6 @@ std::string printable(std::string_view text) {
     }
   }
   return result;
-}
-
-std::uint32_t premultiplied(const Colour& c) {
-  const auto level = [](double v) {  // rounded, halves up
-    const double scaled = 255 * std::clamp(v, 0.0, 1.0);
-    const auto whole = static_cast<std::uint32_t>(scaled);
-    return whole + (scaled - whole >= 0.5 ? 1 : 0);
-  };
-  return level(c.a) << 24 | level(c.r * c.a) << 16 | level(c.g * c.a) << 8 | level(c.b * c.a);
 }
 
 }  // namespace
@@ -174,38 +164,30 @@ void CairoCanvas::text(Mark, Pixel at, std::string_view text, const TextStyle& s
   cairo_new_path(state_->context);
 }
 
-void CairoCanvas::image(Mark, Pixel top_left, Pixel bottom_right, const PixelImage& image, bool smooth) {
-  HOTTEL_REQUIRE(image.pixels.size() == static_cast<std::size_t>(image.width) * image.height);
-  if (image.pixels.empty()) return;
-  cairo_surface_t* source =
-      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, static_cast<int>(image.width), static_cast<int>(image.height));
+void CairoCanvas::image(Mark, Pixel top_left, Pixel bottom_right, const Raster& raster, bool smooth) {
+  HOTTEL_REQUIRE(raster.pixels.size() == static_cast<std::size_t>(raster.width) * raster.height);
+  if (raster.pixels.empty()) return;
+  // Cairo reads these pixels, and never writes them: they are a source only.
+  cairo_surface_t* source = cairo_image_surface_create_for_data(
+      reinterpret_cast<unsigned char*>(const_cast<std::uint32_t*>(raster.pixels.data())), CAIRO_FORMAT_ARGB32,
+      static_cast<int>(raster.width), static_cast<int>(raster.height), static_cast<int>(4 * raster.width));
   if (cairo_surface_status(source) != CAIRO_STATUS_SUCCESS) {
     const cairo_status_t status = cairo_surface_status(source);
     cairo_surface_destroy(source);
     check(status);
   }
-  unsigned char* rows = cairo_image_surface_get_data(source);
-  const int stride = cairo_image_surface_get_stride(source);
-  constexpr std::size_t kRowsAtOnce = 64;
-  parallel_for(
-      image.height,
-      [&](std::size_t y) {
-        auto* row = reinterpret_cast<std::uint32_t*>(rows + static_cast<std::ptrdiff_t>(y) * stride);
-        for (std::uint32_t x = 0; x < image.width; ++x) row[x] = premultiplied(image.pixels[y * image.width + x]);
-      },
-      kRowsAtOnce);
-  cairo_surface_mark_dirty(source);
   cairo_t* context = state_->context;
   cairo_save(context);
   cairo_rectangle(context, top_left.x, top_left.y, bottom_right.x - top_left.x, bottom_right.y - top_left.y);
   cairo_clip(context);
   cairo_translate(context, top_left.x, top_left.y);
-  cairo_scale(context, (bottom_right.x - top_left.x) / image.width, (bottom_right.y - top_left.y) / image.height);
+  cairo_scale(context, (bottom_right.x - top_left.x) / raster.width, (bottom_right.y - top_left.y) / raster.height);
   cairo_set_source_surface(context, source, 0, 0);
   cairo_pattern_set_filter(cairo_get_source(context), smooth ? CAIRO_FILTER_BILINEAR : CAIRO_FILTER_NEAREST);
   cairo_pattern_set_extend(cairo_get_source(context), CAIRO_EXTEND_PAD);
   cairo_paint(context);
   cairo_restore(context);
+  cairo_surface_finish(source);  // an SVG has copied them by now
   cairo_surface_destroy(source);
 }
 

@@ -32,7 +32,7 @@ class CairoCanvas : public PictureCanvas {
   void disc(Mark mark, Pixel centre, double radius, Colour colour) override;
   void circle(Mark mark, Pixel centre, double radius, Colour colour, double line_width) override;
   void text(Mark mark, Pixel at, std::string_view text, const TextStyle& style) override;
-  void image(Mark mark, Pixel top_left, Pixel bottom_right, const PixelImage& image, bool smooth) override;
+  void image(Mark mark, Pixel top_left, Pixel bottom_right, const Raster& raster, bool smooth) override;
   void clip(std::span<const Pixel> polygon) override;
   void unclip() override;
   double text_width(std::string_view text, const TextStyle& style) const override;

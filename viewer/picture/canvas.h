@@ -1,10 +1,12 @@
 // What drawings are drawn on: a picture of pixels, y downwards, later calls over earlier ones.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string_view>
-#include <vector>
+
+#include "viewer/picture/raster.h"
 
 namespace hottel {
 
@@ -21,6 +23,16 @@ struct Colour {
   constexpr Colour with_alpha(double alpha) const { return {r, g, b, alpha}; }
   friend bool operator==(const Colour&, const Colour&) = default;
 };
+
+// Returns a colour as a pixel of a raster: each of its levels rounded, halves up.
+inline std::uint32_t pixel_of(const Colour& c) {
+  const auto level = [](double v) {
+    const double scaled = 255 * std::clamp(v, 0.0, 1.0);
+    const auto whole = static_cast<std::uint32_t>(scaled);
+    return whole + (scaled - whole >= 0.5 ? 1 : 0);
+  };
+  return level(c.a) << 24 | level(c.r * c.a) << 16 | level(c.g * c.a) << 8 | level(c.b * c.a);
+}
 
 // What a stroke or a fill stands for. A canvas for the eye ignores it; a recording canvas counts by it.
 enum class Mark : unsigned char {
@@ -56,12 +68,6 @@ struct TextStyle {
   TextWeight weight = TextWeight::kRegular;
 };
 
-// Pixels that are drawn as they are: rows from top to bottom.
-struct PixelImage {
-  std::uint32_t width = 0, height = 0;
-  std::vector<Colour> pixels;  // width * height
-};
-
 // A sheet of width() by height() pixels. What lies outside of it is not seen, and is no error.
 //
 //   (1) later marks cover earlier ones; colours with a < 1 let them shine through
@@ -84,9 +90,9 @@ class PictureCanvas {
   virtual void circle(Mark mark, Pixel centre, double radius, Colour colour, double line_width) = 0;
   // One line. at: the anchor on the base line. Bytes that are not UTF-8 are shown as question marks.
   virtual void text(Mark mark, Pixel at, std::string_view text, const TextStyle& style) = 0;
-  // Stretched over the rectangle; smooth: blended between pixels, else each pixel a rectangle of its own. REQUIRES an
-  // image of width * height pixels.
-  virtual void image(Mark mark, Pixel top_left, Pixel bottom_right, const PixelImage& image, bool smooth) = 0;
+  // Stretched over the rectangle; smooth: blended between pixels, else each pixel a rectangle of its own. REQUIRES a
+  // raster of width * height pixels.
+  virtual void image(Mark mark, Pixel top_left, Pixel bottom_right, const Raster& raster, bool smooth) = 0;
 
   // Until unclip() nothing is drawn outside the polygon. One clip at a time.
   virtual void clip(std::span<const Pixel> polygon) = 0;

@@ -166,8 +166,8 @@ double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::s
   canvas.text(Mark::kLegend, {corner.x, corner.y + 13 * unit}, title, heading);
 
   constexpr std::uint32_t kShades = 256;
-  PixelImage shades{kShades, 1, {}};
-  for (std::uint32_t k = 0; k < kShades; ++k) shades.pixels.push_back(map_colour((k + 0.5) / kShades));
+  Raster shades(kShades, 1);
+  for (std::uint32_t k = 0; k < kShades; ++k) shades.pixels[k] = pixel_of(map_colour((k + 0.5) / kShades));
   canvas.image(Mark::kLegend, {corner.x, bar_top}, {corner.x + bar_width, bar_top + bar_height}, shades, true);
 
   double wide = std::max(bar_width, canvas.text_width(title, heading));

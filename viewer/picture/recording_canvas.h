@@ -26,7 +26,7 @@ class RecordingCanvas : public PictureCanvas {
     Colour colour{};
     double size = 0;  // width of a line, radius, size of a font
     std::string text{};
-    PixelImage image{};
+    Raster image{};
     std::vector<Pixel> clip{};  // empty: none
   };
 
@@ -60,7 +60,7 @@ class RecordingCanvas : public PictureCanvas {
             style.size,
             std::string(text)});
   }
-  void image(Mark mark, Pixel top_left, Pixel bottom_right, const PixelImage& image, bool) override {
+  void image(Mark mark, Pixel top_left, Pixel bottom_right, const Raster& image, bool) override {
     record({Kind::kImage, mark, {top_left, bottom_right}, {}, 0, {}, image});
   }
   void clip(std::span<const Pixel> polygon) override { clip_.assign(polygon.begin(), polygon.end()); }

@@ -48,7 +48,7 @@ TEST(ErrorMap, OfTheExactMethodIsZeroEverywhere) {
   const PreparedScene2 prepared = lit_square("4");
   const MethodComparison2 comparison{Simulation2(prepared.scene)};
   const ScenePicture2 picture = error_map_picture_2(comparison, comparison.run(*methods_2().make("exact"), 1));
-  for (const Colour& pixel : picture.pixels->image.pixels) EXPECT_EQ(pixel, map_colour(0));
+  for (const std::uint32_t pixel : picture.pixels->image.pixels) EXPECT_EQ(pixel, pixel_of(map_colour(0)));
 }
 
 TEST(ErrorMap, IsThePlanWhereThereIsNoLight) {

@@ -208,11 +208,11 @@ TEST(IlluminationPicture2, HasTheLargestYOnTop) {
   const RecordingCanvas canvas = drawn(far.scene, grid, {.tone = Tone::kMax, .wanted_side = 2});
   const auto images = canvas.calls(Mark::kLight);
   ASSERT_EQ(images.size(), 1u);
-  const PixelImage& image = images[0].image;
+  const Raster& image = images[0].image;
   ASSERT_EQ(image.width, 2u);
   ASSERT_EQ(image.height, 2u);
   const std::array light{0.75, 1.0, 0.25, 0.5};
-  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(image.pixels[k].r, srgb_level(light[k]) / 255.0) << k;
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(image.pixels[k], 0xFF000000u | srgb_level(light[k]) * 0x010101u) << k;
 }
 
 TEST(IlluminationPicture2, HasWholePixelsForEachCell) {
@@ -285,11 +285,11 @@ TEST(IlluminationPicture2, PlacesWithoutAValueAreGreyAndDoNotCount) {
   const IlluminationGrid2 lit = grid_of({{0, 0}, {1, 1}, 1, 1}, {1});
   for (const Tone tone : {Tone::kLinear, Tone::kMax, Tone::kReinhard, Tone::kLog}) {
     const RecordingCanvas canvas = drawn(Scene2{}, grid, {.tone = tone, .wanted_side = 3});
-    const PixelImage image = canvas.calls(Mark::kLight)[0].image;
+    const Raster image = canvas.calls(Mark::kLight)[0].image;
     ASSERT_EQ(image.pixels.size(), 3u);
     EXPECT_EQ(image.pixels[0],
               drawn(Scene2{}, lit, {.tone = tone, .wanted_side = 1}).calls(Mark::kLight)[0].image.pixels[0]);
-    EXPECT_EQ(image.pixels[2], palette::kUnlitSolid);
+    EXPECT_EQ(image.pixels[2], pixel_of(palette::kUnlitSolid));
   }
 }
 

@@ -66,10 +66,11 @@ std::vector<double> cell_errors(const IlluminationGrid2& found, const Illuminati
 
 ScenePixels2 pixels_of(const Grid2& grid, const std::vector<double>& errors, const ColourScale& scale) {
   ScenePixels2 pixels;
-  pixels.image = {grid.nx, grid.ny, {}};
+  pixels.image = Raster(grid.nx, grid.ny);
+  auto pixel = pixels.image.pixels.begin();
   for (std::uint32_t row = grid.ny; row-- > 0;)
     for (std::uint32_t x = 0; x < grid.nx; ++x)
-      pixels.image.pixels.push_back(map_colour(scale.position(errors[std::size_t{row} * grid.nx + x])));
+      *pixel++ = pixel_of(map_colour(scale.position(errors[std::size_t{row} * grid.nx + x])));
   pixels.min = {to_double(grid.min.x), to_double(grid.min.y)};
   pixels.max = {to_double(grid.max.x), to_double(grid.max.y)};
   return pixels;

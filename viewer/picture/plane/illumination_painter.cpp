@@ -40,56 +40,27 @@ LightPixels2 light_pixels(const Scene2& scene, const IlluminationGrid2& grid, co
 
 }  // namespace
 
-IlluminationPainter2::IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
-                                           const IlluminationPicture2& picture)
+LitPlan2::LitPlan2(const PreparedScene2& prepared, const Frame2& frame, double unit)
     : scene_(prepared.scene),
-      grid_(grid),
-      pixels_(light_pixels(prepared.scene, grid, picture)),
-      tone_(picture.tone, picture.exposure, grid.values, grid.channels),
-      frame_(grid.grid.min, grid.grid.max, pixels_.width(), pixels_.height()),
-      corners_(prepared.scene, frame_),
-      runs_(prepared, frame_),
-      solids_(solid_polygons(prepared.arrangement, frame_)),
-      unit_(std::max(pixels_.width(), pixels_.height()) / 1600.0),
+      corners_(prepared.scene, frame),
+      runs_(prepared, frame),
+      solids_(solid_polygons(prepared.arrangement, frame)),
+      unit_(unit),
       wall_width_(std::max(2.2 * unit_, 1.0)) {}
 
-PixelImage IlluminationPainter2::light() const {
-  PixelImage image{width(), height(), {}};
-  image.pixels.resize(std::size_t{image.width} * image.height);
-  const std::uint32_t up = image.height / grid_.grid.ny, channels = grid_.channels;
-  parallel_for(grid_.grid.ny, [&](std::size_t iy) {
-    const std::vector<double> row = pixels_.row_of_cells(static_cast<std::uint32_t>(iy));
-    for (std::uint32_t j = 0; j < up; ++j)
-      for (std::uint32_t x = 0; x < image.width; ++x) {
-        const auto value = std::span(row).subspan((std::size_t{j} * image.width + x) * channels, channels);
-        Colour& pixel = image.pixels[std::size_t{image.height - 1 - (iy * up + j)} * image.width + x];
-        if (std::isnan(value[0])) {
-          pixel = palette::kUnlitSolid;
-          continue;
-        }
-        const auto [r, g, b] = tone_.levels(value);
-        pixel = {r / 255.0, g / 255.0, b / 255.0};
-      }
-  });
-  return image;
-}
-
-void IlluminationPainter2::draw(PictureCanvas& canvas) const {
-  canvas.image(Mark::kLight, {0, 0}, {frame_.width(), frame_.height()}, light(), false);
+void LitPlan2::draw(PictureCanvas& canvas, const ToneCurve& tone) const {
   for (const std::vector<Pixel>& solid : solids_) {
     canvas.fill(Mark::kSolid, solid, palette::kUnlitSolid);
     draw_hatch_2(canvas, solid, 12 * unit_, 0.8 * unit_, palette::kUnlitHatch);
   }
-  draw_walls(canvas);
+  for (std::uint32_t s = 0; s < corners_.surfaces(); ++s)
+    canvas.stroke(Mark::kEdge, corners_.at[corners_.from[s]], corners_.at[corners_.to[s]], palette::kInk, wall_width_);
+  draw_emitters(canvas, tone);
 }
 
-void IlluminationPainter2::draw_walls(PictureCanvas& canvas) const {
-  const auto stroke = [&](const Corners2& corners, std::uint32_t k, Mark mark, const Colour& colour,
-                          double line_width) {
-    canvas.stroke(mark, corners.at[corners.from[k]], corners.at[corners.to[k]], colour, line_width);
-  };
-  for (std::uint32_t s = 0; s < corners_.surfaces(); ++s) stroke(corners_, s, Mark::kEdge, palette::kInk, wall_width_);
-  for (std::uint32_t run = 0; run < runs_.corners().surfaces(); ++run) {
+void LitPlan2::draw_emitters(PictureCanvas& canvas, const ToneCurve& tone) const {
+  const Corners2& ends = runs_.corners();
+  for (std::uint32_t run = 0; run < ends.surfaces(); ++run) {
     const Surface& surface = scene_.surfaces[runs_.face(run).surface];
     const std::optional<std::uint32_t> own = runs_.face(run).is_back ? surface.back : surface.material;
     if (!own || scene_.materials[*own].emission.is_zero()) continue;
@@ -97,8 +68,39 @@ void IlluminationPainter2::draw_walls(PictureCanvas& canvas) const {
     for (const std::uint32_t material : {surface.material, surface.back.value_or(surface.material)})
       for (std::size_t c = 0; c < 3; ++c)
         emission[c] = std::max(emission[c], to_double(scene_.materials[material].emission.value[c]));
-    stroke(runs_.corners(), run, Mark::kEmitter, tone_(emission), 1.3 * wall_width_);
+    canvas.stroke(Mark::kEmitter, ends.at[ends.from[run]], ends.at[ends.to[run]], tone(emission), 1.3 * wall_width_);
   }
+}
+
+Raster toned_pixels_2(const IlluminationGrid2& grid, const LightPixels2& pixels, const ToneCurve& tone) {
+  Raster raster(pixels.width(), pixels.height());
+  const std::uint32_t up = raster.height / grid.grid.ny, channels = grid.channels;
+  const std::uint32_t unlit = pixel_of(palette::kUnlitSolid);
+  parallel_for(grid.grid.ny, [&](std::size_t iy) {
+    const std::vector<double> row = pixels.row_of_cells(static_cast<std::uint32_t>(iy));
+    for (std::uint32_t j = 0; j < up; ++j) {
+      std::uint32_t* pixel = raster.pixels.data() + std::size_t{raster.height - 1 - (iy * up + j)} * raster.width;
+      for (std::uint32_t x = 0; x < raster.width; ++x) {
+        const auto value = std::span(row).subspan((std::size_t{j} * raster.width + x) * channels, channels);
+        const std::array<std::uint8_t, 3> level = tone.levels(value);
+        pixel[x] = std::isnan(value[0]) ? unlit : 0xFF000000u | level[0] << 16 | level[1] << 8 | level[2];
+      }
+    }
+  });
+  return raster;
+}
+
+IlluminationPainter2::IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
+                                           const IlluminationPicture2& picture)
+    : grid_(grid),
+      pixels_(light_pixels(prepared.scene, grid, picture)),
+      tone_(picture.tone, picture.exposure, grid.values, grid.channels),
+      plan_(prepared, Frame2(grid.grid.min, grid.grid.max, pixels_.width(), pixels_.height()),
+            std::max(pixels_.width(), pixels_.height()) / 1600.0) {}
+
+void IlluminationPainter2::draw(PictureCanvas& canvas) const {
+  canvas.image(Mark::kLight, {0, 0}, {canvas.width(), canvas.height()}, toned_pixels_2(grid_, pixels_, tone_), false);
+  plan_.draw(canvas, tone_);
 }
 
 LightPicture2 illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid2& grid,

@@ -22,10 +22,11 @@ std::optional<double> value_of(const std::vector<std::optional<double>>& values,
 }  // namespace
 
 ScenePicturePainter2::ScenePicturePainter2(const PreparedScene2& prepared, const ScenePicture2& picture)
-    : scene_(prepared.scene),
-      picture_(picture),
-      sheet_(prepared, picture.sheet, kFooter),
-      runs_(prepared, sheet_.frame()) {
+    : ScenePicturePainter2(prepared, picture, SceneSheet2(prepared, picture.sheet, kFooter)) {}
+
+ScenePicturePainter2::ScenePicturePainter2(const PreparedScene2& prepared, const ScenePicture2& picture,
+                                           SceneSheet2 sheet)
+    : scene_(prepared.scene), picture_(picture), sheet_(std::move(sheet)), runs_(prepared, sheet_.frame()) {
   for (const std::uint32_t target : picture.targets) HOTTEL_REQUIRE(target < scene_.surfaces.size());
   for (std::uint32_t run = 0; run < runs_.corners().surfaces(); ++run) colours_.push_back(colour(runs_.face(run)));
 }
@@ -77,8 +78,8 @@ void ScenePicturePainter2::draw_targets(PictureCanvas& canvas) const {
 }
 
 void ScenePicturePainter2::draw_footer(PictureCanvas& canvas) const {
-  const double unit = sheet_.unit(), left = sheet_.frame().top_left().x, top = sheet_.footer_top();
-  const double room = sheet_.frame().bottom_right().x - left;
+  const double unit = sheet_.unit(), left = sheet_.footer_left(), top = sheet_.footer_top();
+  const double room = sheet_.footer_right() - left;
   sheet_.draw_scale_bar(canvas);
   double x = left;
   if (picture_.colouring)

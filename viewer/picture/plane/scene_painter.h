@@ -16,7 +16,7 @@ namespace hottel {
 
 // Pixels beneath the drawing, over the floors: rows from the largest y down.
 struct ScenePixels2 {
-  PixelImage image{};
+  Raster image{};
   std::array<double, 2> min{}, max{};  // the region they cover, in scene coordinates
   bool smooth = true;
 };
@@ -36,6 +36,8 @@ class ScenePicturePainter2 {
  public:
   // REQUIRES that prepared and picture outlive this.
   ScenePicturePainter2(const PreparedScene2& prepared, const ScenePicture2& picture);
+  // The same on a sheet of this scene that is given.
+  ScenePicturePainter2(const PreparedScene2& prepared, const ScenePicture2& picture, SceneSheet2 sheet);
 
   std::uint32_t width() const { return sheet_.width(); }
   std::uint32_t height() const { return sheet_.height(); }

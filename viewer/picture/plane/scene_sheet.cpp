@@ -16,6 +16,7 @@ namespace hottel {
 namespace {
 
 constexpr double kMargin = 64, kTitleHeight = 40, kSubtitleHeight = 34, kHeadingGap = 22;
+constexpr double kFooterSide = 24;  // of a footer over the drawing
 
 double unit_of(std::uint32_t width) {
   if (width < kMinPictureWidth || width > kMaxPictureSide)
@@ -68,13 +69,30 @@ SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const SheetText2& text,
       frame_(prepared.scene, extra_points, text.width, margins(text, unit_, footer)),
       corners_(prepared.scene, frame_),
       outlines_(prepared.scene, corners_),
-      solids_(solid_polygons(prepared.arrangement, frame_)) {
+      solids_(solid_polygons(prepared.arrangement, frame_)),
+      footer_top_(frame_.bottom_right().y + 34 * unit_),
+      footer_left_(frame_.top_left().x),
+      footer_right_(frame_.bottom_right().x) {
+  set_widths();
+}
+
+SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const Frame2& frame, double unit, double footer)
+    : unit_(unit),
+      frame_(frame),
+      corners_(prepared.scene, frame_),
+      outlines_(prepared.scene, corners_),
+      solids_(solid_polygons(prepared.arrangement, frame_)),
+      footer_top_(frame_.height() - footer * unit_),
+      footer_left_(kFooterSide * unit_),
+      footer_right_(frame_.width() - kFooterSide * unit_) {
+  set_widths();
+}
+
+void SceneSheet2::set_widths() {
   const double length = typical_length(corners_);
   wall_width_ = std::clamp(0.03 * length, 0.6 * unit_, 3.0 * unit_);
   stripe_depth_ = std::clamp(0.07 * length, 2.0 * unit_, 7.5 * unit_);
 }
-
-double SceneSheet2::footer_top() const { return frame_.bottom_right().y + 34 * unit_; }
 
 void SceneSheet2::draw_ground(PictureCanvas& canvas, const Ground& ground) const {
   canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame_.width(), frame_.height()}, palette::kPaper);
@@ -139,7 +157,7 @@ void SceneSheet2::draw_walls(PictureCanvas& canvas, const std::vector<bool>& hid
 }
 
 void SceneSheet2::draw_scale_bar(PictureCanvas& canvas) const {
-  const double right = frame_.bottom_right().x, room = right - frame_.top_left().x;
+  const double right = footer_right_, room = right - footer_left_;
   const double limit = std::min(190 * unit_, room / 4) / frame_.pixels_per_length();
   if (!std::isfinite(limit) || !(limit > 1e-300)) return;
   const double length = round_length(limit), pixels = length * frame_.pixels_per_length();

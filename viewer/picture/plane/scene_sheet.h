@@ -30,6 +30,10 @@ class SceneSheet2 {
   SceneSheet2(const PreparedScene2& prepared, const SheetText2& text, double footer,
               const std::vector<std::array<double, 2>>& extra_points = {});
 
+  // The same in a frame that is given, as a window has it: no heading, sizes by `unit` in pixels, and the footer of
+  // that many units over the drawing, at its lower border.
+  SceneSheet2(const PreparedScene2& prepared, const Frame2& frame, double unit, double footer);
+
   const Frame2& frame() const { return frame_; }
   const Corners2& corners() const { return corners_; }
   std::uint32_t width() const { return static_cast<std::uint32_t>(frame_.width()); }
@@ -55,10 +59,13 @@ class SceneSheet2 {
   // A bar of a round length (1, 2 or 5 times a power of ten, in metres) at the right of the footer; at most a quarter
   // of the drawing's width.
   void draw_scale_bar(PictureCanvas& canvas) const;
-  // The top of the footer's content.
-  double footer_top() const;
+  // The top of the footer's content, and its ends.
+  double footer_top() const { return footer_top_; }
+  double footer_left() const { return footer_left_; }
+  double footer_right() const { return footer_right_; }
 
  private:
+  void set_widths();
   void draw_heading(PictureCanvas& canvas) const;
   void draw_level(PictureCanvas& canvas, std::size_t level, const Ground& ground) const;
   void draw_outside_faces(PictureCanvas& canvas, std::size_t level, const Ground& ground) const;
@@ -70,7 +77,8 @@ class SceneSheet2 {
   Corners2 corners_;
   Outlines2 outlines_;
   std::vector<std::vector<Pixel>> solids_;
-  double wall_width_, stripe_depth_;
+  double wall_width_ = 0, stripe_depth_ = 0;
+  double footer_top_, footer_left_, footer_right_;
 };
 
 }  // namespace hottel

@@ -119,7 +119,10 @@ PairDrawing2 drawing_of(const PairSight2& sight) {
 }
 
 VisibilityPainter2::VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing2& drawing)
-    : drawing_(drawing), sheet_(prepared, drawing.sheet, kFooter, {drawing.eye}) {}
+    : VisibilityPainter2(drawing, SceneSheet2(prepared, drawing.sheet, kFooter, {drawing.eye})) {}
+
+VisibilityPainter2::VisibilityPainter2(const VisibilityDrawing2& drawing, SceneSheet2 sheet)
+    : drawing_(drawing), sheet_(std::move(sheet)) {}
 
 void VisibilityPainter2::draw(PictureCanvas& canvas) const {
   sheet_.draw_ground(canvas, {});
@@ -142,9 +145,12 @@ void VisibilityPainter2::draw(PictureCanvas& canvas) const {
 }
 
 PairPainter2::PairPainter2(const PreparedScene2& prepared, const PairDrawing2& drawing)
-    : drawing_(drawing), sheet_(prepared, drawing.sheet, kFooter, drawing.critical_on_a) {
-  HOTTEL_REQUIRE(drawing.a.surface < prepared.scene.surfaces.size() &&
-                 drawing.b.surface < prepared.scene.surfaces.size());
+    : PairPainter2(drawing, SceneSheet2(prepared, drawing.sheet, kFooter, drawing.critical_on_a)) {}
+
+PairPainter2::PairPainter2(const PairDrawing2& drawing, SceneSheet2 sheet)
+    : drawing_(drawing), sheet_(std::move(sheet)) {
+  const std::size_t surfaces = sheet_.corners().surfaces();
+  HOTTEL_REQUIRE(drawing_.a.surface < surfaces && drawing_.b.surface < surfaces);
 }
 
 void PairPainter2::draw(PictureCanvas& canvas) const {

@@ -20,6 +20,8 @@ namespace hottel {
 class VisibilityPainter2 {
  public:
   VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing2& drawing);
+  // The same on a sheet of this scene that is given.
+  VisibilityPainter2(const VisibilityDrawing2& drawing, SceneSheet2 sheet);
   std::uint32_t width() const { return sheet_.width(); }
   std::uint32_t height() const { return sheet_.height(); }
   void draw(PictureCanvas& canvas) const;
@@ -37,6 +39,8 @@ class VisibilityPainter2 {
 class PairPainter2 {
  public:
   PairPainter2(const PreparedScene2& prepared, const PairDrawing2& drawing);
+  // The same on a sheet of this scene that is given.
+  PairPainter2(const PairDrawing2& drawing, SceneSheet2 sheet);
   std::uint32_t width() const { return sheet_.width(); }
   std::uint32_t height() const { return sheet_.height(); }
   void draw(PictureCanvas& canvas) const;
