@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "geometry/plane/exchange/element_table.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 
@@ -36,12 +37,13 @@ Corners2::Corners2(const Scene2& scene, const Frame2& frame) {
   }
 }
 
-FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame) {
+FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame, Granularity granularity) {
+  HOTTEL_REQUIRE(granularity != Granularity::kGroup);
   const Vertices2& vertices = prepared.arrangement.vertices();
   for (const VertexId v : vertices.ids()) {
     corners_.at.push_back(frame.at(vertices.to_scene(vertices.exact(v))));
   }
-  const ElementTable2 labels(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
+  const ElementTable2 labels(prepared.scene, prepared.arrangement, prepared.division, granularity);
   begin_.assign(prepared.scene.surfaces.size() + 1, 0);
   for (std::uint32_t label = 0; label < labels.count(); ++label) {
     const Element& element = labels.elements()[label];
@@ -49,6 +51,7 @@ FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame) {
       corners_.from.push_back(static_cast<std::uint32_t>(run.a.index()));
       corners_.to.push_back(static_cast<std::uint32_t>(run.b.index()));
       face_.push_back({element.surface, element.is_back});
+      element_.push_back(label);
     }
     begin_[element.surface + 1] = static_cast<std::uint32_t>(face_.size());
   }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/element.h"
 #include "geometry/face.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/scene/scene.h"
@@ -28,24 +29,27 @@ struct Corners2 {
   std::size_t surfaces() const { return from.size(); }
 };
 
-// The straight parts of faces that exchange light: a part that looks into a solid, or that another
+// The straight parts of faces, or of elements, that exchange light: a part that looks into a solid, or that another
 // surface owns, is missing.
 //
 //   (1) the runs of a surface, those of its front before those of its back, are begin(surface) to end(surface) - 1
 //   (2) edge k of corners() is run k, the face on its right
 class FaceRuns2 {
  public:
-  FaceRuns2(const PreparedScene2& prepared, const Frame2& frame);
+  // REQUIRES a granularity that is not kGroup; a scene prepared by elements where it is kElement.
+  FaceRuns2(const PreparedScene2& prepared, const Frame2& frame, Granularity granularity = Granularity::kFace);
 
   const Corners2& corners() const { return corners_; }
   std::uint32_t begin(std::uint32_t surface) const { return begin_[surface]; }
   std::uint32_t end(std::uint32_t surface) const { return begin_[surface + 1]; }
   const Face& face(std::uint32_t run) const { return face_[run]; }
+  std::uint32_t element(std::uint32_t run) const { return element_[run]; }  // as ElementTable2 counts them
 
  private:
   Corners2 corners_;
   std::vector<std::uint32_t> begin_;  // by surface
   std::vector<Face> face_;            // by run
+  std::vector<std::uint32_t> element_;
 };
 
 }  // namespace hottel

@@ -14,10 +14,12 @@ namespace {
 
 constexpr double kFooter = 62;
 
-std::optional<double> value_of(const std::vector<std::optional<double>>& values, std::uint32_t surface) {
-  if (surface >= values.size() || !values[surface] || std::isnan(*values[surface])) return std::nullopt;
-  return values[surface];
+std::optional<double> value_of(const std::vector<std::optional<double>>& values, std::uint32_t place) {
+  if (place >= values.size() || !values[place] || std::isnan(*values[place])) return std::nullopt;
+  return values[place];
 }
+
+bool by_elements(const ScenePicture2& picture) { return picture.colouring && !picture.colouring->elements.empty(); }
 
 }  // namespace
 
@@ -26,18 +28,23 @@ ScenePicturePainter2::ScenePicturePainter2(const PreparedScene2& prepared, const
 
 ScenePicturePainter2::ScenePicturePainter2(const PreparedScene2& prepared, const ScenePicture2& picture,
                                            SceneSheet2 sheet)
-    : scene_(prepared.scene), picture_(picture), sheet_(std::move(sheet)), runs_(prepared, sheet_.frame()) {
+    : scene_(prepared.scene),
+      picture_(picture),
+      sheet_(std::move(sheet)),
+      runs_(prepared, sheet_.frame(), by_elements(picture) ? Granularity::kElement : Granularity::kFace) {
   for (const std::uint32_t target : picture.targets) HOTTEL_REQUIRE(target < scene_.surfaces.size());
-  for (std::uint32_t run = 0; run < runs_.corners().surfaces(); ++run) colours_.push_back(colour(runs_.face(run)));
+  for (std::uint32_t run = 0; run < runs_.corners().surfaces(); ++run) colours_.push_back(colour(run));
 }
 
-// Of the stripe of a face, if it has one: its value, or in a plain plan that it emits.
-std::optional<Colour> ScenePicturePainter2::colour(const Face& face) const {
+// Of the stripe of a run, if it has one: its value, or in a plain plan that it emits.
+std::optional<Colour> ScenePicturePainter2::colour(std::uint32_t run) const {
+  const Face& face = runs_.face(run);
   const Surface& s = scene_.surfaces[face.surface];
   if (face.is_back && !s.back) return std::nullopt;
   if (picture_.colouring) {
     const FaceColouring2& colouring = *picture_.colouring;
-    const auto value = value_of(face.is_back ? colouring.back : colouring.front, face.surface);
+    const auto value = by_elements(picture_) ? value_of(colouring.elements, runs_.element(run))
+                                             : value_of(face.is_back ? colouring.back : colouring.front, face.surface);
     return value ? std::optional(map_colour(colouring.scale.position(*value))) : std::nullopt;
   }
   const Material& material = scene_.materials[face.is_back ? *s.back : s.material];

@@ -47,7 +47,7 @@ class ScenePicturePainter2 {
   void draw_pixels(PictureCanvas& canvas) const;
   void draw_targets(PictureCanvas& canvas) const;
   void draw_footer(PictureCanvas& canvas) const;
-  std::optional<Colour> colour(const Face& face) const;
+  std::optional<Colour> colour(std::uint32_t run) const;
 
   const Scene2& scene_;
   const ScenePicture2& picture_;

@@ -21,9 +21,10 @@ struct SheetText2 {
   std::string subtitle{};      // beneath it, may be empty
 };
 
-// A value for each face that has one.
+// A value for each face that has one, or for each element.
 struct FaceColouring2 {
   std::vector<std::optional<double>> front{}, back{};  // per surface; shorter: the rest has none
+  std::vector<std::optional<double>> elements{};       // as ElementTable2 counts them; instead, where not empty
   ColourScale scale{};
   std::string title{};  // of the legend, e.g. "fraction of the window seen"
 };

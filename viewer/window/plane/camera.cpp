@@ -1,0 +1,65 @@
+#include "viewer/window/plane/camera.h"
+
+#include <algorithm>
+
+namespace hottel {
+namespace {
+
+constexpr double kMostZoom = 1e4;
+
+}  // namespace
+
+void Camera2::fit(const Scene2& scene, FrameSize size, double left_right, double top, double bottom) {
+  std::array<double, 2> low{0, 0}, high{1, 1};
+  bool is_first = true;
+  const auto add = [&](const Point2& p) {
+    const std::array<double, 2> at{to_double(p.x), to_double(p.y)};
+    for (std::size_t k = 0; k < 2; ++k) {
+      low[k] = is_first ? at[k] : std::min(low[k], at[k]);
+      high[k] = is_first ? at[k] : std::max(high[k], at[k]);
+    }
+    is_first = false;
+  };
+  for (const Edge2& edge : scene.edges) {
+    add(edge.from);
+    add(edge.to);
+  }
+  if (scene.grid) {
+    add(scene.grid->min);
+    add(scene.grid->max);
+  }
+  const double wide = high[0] - low[0], tall = high[1] - low[1];
+  const double room_x = std::max(1.0, size.width - 2 * left_right), room_y = std::max(1.0, size.height - top - bottom);
+  const double extent = std::max(wide, tall) > 0 ? std::max(wide, tall) : 1;
+  scale_ = fitted_ = std::min(room_x / std::max(wide, 1e-3 * extent), room_y / std::max(tall, 1e-3 * extent));
+  middle_ = {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2 + (top - bottom) / 2 / scale_};
+}
+
+void Camera2::pan(double dx, double dy) {
+  middle_[0] -= dx / scale_;
+  middle_[1] += dy / scale_;
+}
+
+void Camera2::zoom(Pixel fixed, FrameSize size, double factor) {
+  const std::array<double, 2> before = place_of(fixed, size);
+  scale_ = std::clamp(scale_ * factor, fitted_ / kMostZoom, fitted_ * kMostZoom);
+  const std::array<double, 2> after = place_of(fixed, size);
+  for (std::size_t k = 0; k < 2; ++k) middle_[k] += before[k] - after[k];
+}
+
+std::array<double, 2> Camera2::place_of(Pixel pixel, FrameSize size) const {
+  return {middle_[0] + (pixel.x - size.width / 2.0) / scale_, middle_[1] - (pixel.y - size.height / 2.0) / scale_};
+}
+
+Pixel Camera2::at(const std::array<double, 2>& place, FrameSize size) const {
+  return {size.width / 2.0 + (place[0] - middle_[0]) * scale_, size.height / 2.0 - (place[1] - middle_[1]) * scale_};
+}
+
+Frame2 Camera2::frame(FrameSize size) const {
+  const double half_x = size.width / 2.0 / scale_, half_y = size.height / 2.0 / scale_;
+  const Point2 min{Rational(middle_[0]) - Rational(half_x), Rational(middle_[1]) - Rational(half_y)};
+  const Point2 max{Rational(middle_[0]) + Rational(half_x), Rational(middle_[1]) + Rational(half_y)};
+  return {min, max, static_cast<double>(size.width), static_cast<double>(size.height)};
+}
+
+}  // namespace hottel

@@ -1,0 +1,238 @@
+#include "viewer/window/plane/look.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <sstream>
+#include <thread>
+
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/closed_forms.h"
+#include "geometry/plane/visibility/critical_points.h"
+#include "geometry/plane/visibility/point_sight.h"
+#include "geometry/scene_names.h"
+#include "io/results/plane/check_report.h"
+#include "io/results/plane/visibility_report.h"
+#include "io/results/solve_report.h"
+#include "kernel/decimal.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/interrupt.h"
+#include "solver/plane/compare/method_comparison.h"
+#include "solver/plane/methods/computed_factors.h"
+#include "solver/plane/methods/method_catalogue.h"
+#include "solver/plane/simulation/questions.h"
+#include "viewer/picture/plane/error_map.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::array<const char*, kLooks2> kWords{"light", "floor",  "bands", "visibility", "factors",
+                                                  "pair",  "errors", "check", "plan",       "sweeps"};
+constexpr auto kBetweenSweeps = std::chrono::milliseconds(100);
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string text_of(const Point2& p) { return fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y)); }
+
+std::string text_of(const PointLight2& light) {
+  std::string text;
+  for (const double value : light.mean_irradiance) text += (text.empty() ? "" : " ") + shortest(value);
+  return text;
+}
+
+// The light at the mouse, and where the drawing is wanted what the mouse sees.
+void add_sight(const LiveState2& state, LookResult2& result, const StageProgress& progress) {
+  if (!result.request.mouse || !state.prepared) return;
+  const Point2& eye = *result.request.mouse;
+  const PointSight2 sight = point_sight(*state.prepared, eye);
+  if (result.request.look == Look2::kVisibility) {
+    result.sight = drawing_of(sight.polygon);
+    result.lines = {"from " + text_of(eye)};
+    if (sight.polygon.area)
+      result.lines.push_back(
+          fmt::format("area {} = {}", decimal_text(*sight.polygon.area), to_string(*sight.polygon.area)));
+    for (const SeenFrom2& seen : sight.faces)
+      result.lines.push_back(fmt::format("{}  {}", shortest(seen.fraction.value), seen.name));
+    for (const SeenFrom2& solid : sight.solids)
+      result.lines.push_back(fmt::format("{}  in the solid {}", shortest(solid.fraction.value), solid.name));
+  }
+  if (!state.radiosities) return;
+  const PointLight2 light = light_at(*state.simulation, sight.polygon, progress);
+  result.number = text_of(light);
+  if (result.request.look == Look2::kVisibility && !result.number.empty())
+    result.lines.insert(result.lines.begin() + 1, "mean irradiance " + result.number);
+}
+
+// A line of a pair's answer without its closed form.
+std::string without_form(const std::string& line) {
+  const auto form = line.find(" = ");
+  return line.starts_with("  ") && form != std::string::npos && line.find("S / S0") == std::string::npos
+             ? line.substr(0, line.find_last_not_of(' ', form) + 1)
+             : line;
+}
+
+void add_pair(const LiveState2& state, LookResult2& result) {
+  const LookRequest2& request = result.request;
+  if (!request.face) {
+    result.lines = {request.look == Look2::kPair ? "click a face, then another" : "click a face"};
+    return;
+  }
+  if (!state.prepared) return;
+  const Scene2& scene = state.prepared->scene;
+  if (request.face->surface >= scene.surfaces.size()) return;
+  if (!request.other || request.other->surface >= scene.surfaces.size()) {
+    result.lines = {"from " + face_name(scene, *request.face)};
+    return;
+  }
+  PairSight2 sight{.from = face_name(scene, *request.face),
+                   .to = face_name(scene, *request.other),
+                   .face_from = request.face,
+                   .face_to = request.other,
+                   .pair = exact_pair(*state.prepared, request.face, request.other),
+                   .critical = {}};
+  if (request.look == Look2::kPair) {
+    sight.critical = critical_points(*state.prepared, *request.face, request.other);
+    result.pair = drawing_of(sight);
+  }
+  for (const std::string& line : lines_of(pair_answer(sight).text)) {
+    if (request.look != Look2::kPair && line.starts_with("critical")) break;
+    result.lines.push_back(request.wants_closed_form ? line : without_form(line));
+    if (line.starts_with("  F from") && result.number.empty()) {
+      const std::string number = without_form(line);
+      result.number = number.substr(number.find_last_of(' ', number.find_last_not_of(' ')) + 1);
+      result.number.erase(result.number.find_last_not_of(' ') + 1);
+    }
+  }
+}
+
+double seconds_of(const ComputedFactors2& factors) {
+  double sum = 0;
+  for (const auto& [stage, seconds] : factors.report.counts.seconds)
+    if (stage != "prepare") sum += seconds;
+  return sum;
+}
+
+void add_errors(const LiveState2& state, LookResult2& result, const StageProgress& progress) {
+  if (!state.simulation || !state.factors) return;
+  const MethodComparison2 comparison(*state.simulation, progress);
+  progress("comparison", 0.5);
+  const MethodResult found = comparison.run(*methods_2().make(result.request.method), 1);
+  result.plan = error_map_picture_2(comparison, found);
+  result.plan->sheet = {};
+  result.times = fmt::format("exact {:.3g} ms   {} {:.3g} ms", 1e3 * seconds_of(*state.factors), found.info.name,
+                             1e3 * found.timing.median);
+  result.lines = {found.info.name, fmt::format("largest error of a view factor {:.3g}", found.errors.max)};
+  if (found.max_radiosity_error)
+    result.lines.push_back(fmt::format("of a radiosity {:.3g} of the largest", *found.max_radiosity_error));
+  result.lines.push_back(result.times);
+  result.number = shortest(found.errors.max);
+}
+
+void add_check(const LiveState2& state, LookResult2& result, const StageProgress& progress) {
+  if (!state.simulation) return;
+  const auto check = state.simulation->check(progress);
+  for (std::size_t k = 0; k < check->findings.size(); ++k) {
+    const Finding2& finding = check->findings[k];
+    if (finding.at) result.findings.push_back({*finding.at, finding.severity, k + 1});
+    result.lines.push_back(
+        fmt::format("{}  {}: {}: {}", k + 1, to_string(finding.severity), finding.kind, finding.message));
+    if (!finding.suggestion.empty()) result.lines.push_back("    " + finding.suggestion);
+  }
+  if (result.lines.empty()) result.lines = {"nothing to tell"};
+}
+
+// One solver after 0, 1, 2, ... sweeps: each a simulation of its own that shares the factors, and what the cells see.
+void add_sweeps(const LiveState2& state, LookResult2& result, const StageProgress& progress,
+                const std::function<void(LookResult2)>& tell) {
+  if (!state.simulation || !state.factors) return;
+  SimulationRequest2 request = state.simulation->request();
+  request.solver = result.request.solver;
+  request.grid = coarse_grid_2(state.simulation->grid(), kCoarseCells);
+  request.keeps_rows = true;
+  Simulation2 simulation = *state.simulation;
+  for (int k = 0; k <= kMostSweeps; ++k) {
+    request.iterations = k;
+    simulation = simulation.with_request(request);
+    const auto radiosities = simulation.radiosities(progress);
+    result.light = simulation.light(progress);
+    double residual = 0;
+    for (const ChannelSolution& channel : radiosities->channels)
+      if (!channel.residual_history.empty()) residual = std::max(residual, channel.residual_history.back());
+    result.lines = {fmt::format("{}, {} {}", to_string(result.request.solver), k,
+                                result.request.solver == Solver::kShooting ? "shots" : "sweeps"),
+                    fmt::format("residual {:.3g} of the largest source", residual),
+                    fmt::format("bounds of the radiosities {:.3g} wide, relative", radiosities->max_relative_width)};
+    result.number = shortest(residual);
+    result.is_done = k == kMostSweeps;
+    if (result.is_done) return;
+    if (tell) tell(result);
+    for (auto waited = std::chrono::milliseconds(0); tell && waited < kBetweenSweeps; waited += kBetweenSweeps / 10) {
+      std::this_thread::sleep_for(kBetweenSweeps / 10);
+      throw_if_interrupted();
+    }
+  }
+}
+
+}  // namespace
+
+const char* to_string(Look2 look) { return kWords[static_cast<std::size_t>(look)]; }
+
+std::optional<Look2> look_2(std::string_view word) {
+  for (std::size_t k = 0; k < kWords.size(); ++k)
+    if (word == kWords[k]) return static_cast<Look2>(k);
+  return std::nullopt;
+}
+
+bool needs_work(const LookRequest2& request) {
+  switch (request.look) {
+    case Look2::kLight:
+    case Look2::kFloor:
+    case Look2::kBands:
+    case Look2::kVisibility:
+      return request.mouse.has_value();
+    default:
+      return true;
+  }
+}
+
+LookResult2 look_at(const LiveState2& state, const LookRequest2& request, const StageProgress& progress,
+                    const std::function<void(LookResult2)>& tell) {
+  LookResult2 result{.version = state.version, .request = request};
+  try {
+    switch (request.look) {
+      case Look2::kLight:
+      case Look2::kFloor:
+      case Look2::kBands:
+      case Look2::kVisibility:
+        add_sight(state, result, progress);
+        break;
+      case Look2::kFactors:
+      case Look2::kPair:
+        add_pair(state, result);
+        break;
+      case Look2::kErrors:
+        add_errors(state, result, progress);
+        break;
+      case Look2::kCheck:
+        add_check(state, result, progress);
+        break;
+      case Look2::kPlan:
+        if (state.simulation) result.lines = lines_of(plan_text(*state.simulation->plan(progress)));
+        break;
+      case Look2::kSweeps:
+        add_sweeps(state, result, progress, tell);
+        break;
+    }
+  } catch (const std::runtime_error& error) {  // what cannot be had; Interrupted is none
+    result.lines = {error.what()};
+  }
+  return result;
+}
+
+}  // namespace hottel

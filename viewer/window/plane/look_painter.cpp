@@ -1,0 +1,216 @@
+#include "viewer/window/plane/look_painter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/scene_names.h"
+#include "solver/plane/methods/computed_factors.h"
+#include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/colour_map.h"
+#include "viewer/picture/palette.h"
+#include "viewer/picture/plane/illumination_painter.h"
+#include "viewer/picture/plane/light_pixels.h"
+#include "viewer/picture/plane/scene_painter.h"
+#include "viewer/picture/plane/visibility_painter.h"
+#include "viewer/picture/tone_curve.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kFooter = 92;
+constexpr Colour kOutside{0.105, 0.108, 0.125};  // around light
+
+ToneCurve curve_of(const IlluminationGrid2& light, const LightTone2& tone) {
+  return {tone.tone, tone.exposure, light.values, light.channels};
+}
+
+Raster texture_of(const IlluminationGrid2& light, const Scene2* walls, const LightTone2& tone, std::uint32_t pixels) {
+  return toned_pixels_2(light, LightPixels2(light, pixels, pixels, walls), curve_of(light, tone));
+}
+
+// The pixel of each level of a channel, once the floor has coloured it.
+Raster floor_texture(const IlluminationGrid2& light, double exposure) {
+  Raster texture = texture_of(light, nullptr, {Tone::kMax, exposure}, 1);
+  const std::array<double, 3> floor{palette::kFloor.r, palette::kFloor.g, palette::kFloor.b};
+  std::array<std::array<std::uint32_t, 256>, 3> shade{};
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t level = 0; level < 256; ++level)
+      shade[c][level] = srgb_level(linear_from_srgb(static_cast<double>(level) / 255) * linear_from_srgb(floor[c]))
+                        << (16 - 8 * c);
+  const std::uint32_t solid = pixel_of(palette::kUnlitSolid);
+  for (std::uint32_t& pixel : texture.pixels)
+    if (pixel != solid)
+      pixel = 0xFF000000u | shade[0][pixel >> 16 & 255] | shade[1][pixel >> 8 & 255] | shade[2][pixel & 255];
+  return texture;
+}
+
+void draw_texture(PictureCanvas& canvas, const Frame2& frame, const Grid2& grid, const Raster& texture, bool smooth) {
+  canvas.image(Mark::kLight, frame.at(Point2{grid.min.x, grid.max.y}), frame.at(Point2{grid.max.x, grid.min.y}),
+               texture, smooth);
+}
+
+void draw_light(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing,
+                const SolvedLight2& light) {
+  const LiveState2& state = *drawing.state;
+  canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame.width(), frame.height()}, kOutside);
+  LightTone2 tone = drawing.tone;
+  const bool is_floor = drawing.request->look == Look2::kFloor;
+  if (is_floor) {
+    tone.tone = Tone::kMax;
+    draw_texture(canvas, frame, light.grid.grid, floor_texture(light.grid, tone.exposure), false);
+  } else if (drawing.texture != nullptr && &light == state.light.get()) {
+    draw_texture(canvas, frame, light.grid.grid, *drawing.texture, true);
+  } else {
+    draw_texture(canvas, frame, light.grid.grid, texture_of(light.grid, nullptr, tone, 1), true);
+  }
+  LitPlan2(*state.prepared, frame, unit).draw(canvas, curve_of(light.grid, tone));
+}
+
+double brightest(const RadiositySolution& solution) {
+  double value = 0;
+  for (const ChannelSolution& channel : solution.channels)
+    for (const ElementRadiosity& element : channel.elements) value = std::max(value, element.radiosity);
+  return value;
+}
+
+// Radiosities as bands: those of the channels averaged.
+ScenePicture2 bands_of(const LiveState2& state) {
+  ScenePicture2 picture;
+  const RadiositySolution& solution = *state.radiosities;
+  const ExchangeMatrix& matrix = state.factors->matrix;
+  FaceColouring2 colouring;
+  colouring.elements.resize(matrix.size());
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    double sum = 0;
+    for (const ChannelSolution& channel : solution.channels) sum += channel.elements[i].radiosity;
+    colouring.elements[i] = sum / static_cast<double>(solution.channels.size());
+  }
+  const double most = brightest(solution);
+  colouring.scale = most > 0 ? ColourScale{1e-3 * most, most, true} : ColourScale{0, 1, false};
+  colouring.title = solution.channels.size() > 1 ? "radiosity, mean of r, g, b [W/m]" : "radiosity [W/m]";
+  picture.colouring = std::move(colouring);
+  return picture;
+}
+
+// The factors from one face to all others. Where the matrix is by elements: the mean of its elements by area.
+ScenePicture2 factors_of(const LiveState2& state, const Face& face) {
+  const ExchangeMatrix& matrix = state.factors->matrix;
+  ScenePicture2 picture;
+  picture.targets = {face.surface};
+  picture.target_label = face_name(state.prepared->scene, face);
+  FaceColouring2 colouring;
+  colouring.front.resize(state.prepared->scene.surfaces.size());
+  colouring.back.resize(colouring.front.size());
+  double area = 0, largest = 0;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    const Element& from = matrix.elements()[i];
+    if (from.surface != face.surface || from.is_back != face.is_back || !matrix.has_row(i)) continue;
+    area += from.area.value;
+    for (const FactorEntry& entry : matrix.row(i)) {
+      if (entry.to == matrix.sky()) continue;
+      const Element& to = matrix.elements()[entry.to];
+      std::optional<double>& value = (to.is_back ? colouring.back : colouring.front)[to.surface];
+      value = value.value_or(0) + from.area.value * entry.factor.value;
+    }
+  }
+  for (auto* side : {&colouring.front, &colouring.back})
+    for (std::optional<double>& value : *side)
+      if (value) largest = std::max(largest, *value /= area);
+  colouring.scale = {1e-4, std::max(largest, 2e-4), true};
+  colouring.title = "view factor from " + picture.target_label;
+  picture.colouring = std::move(colouring);
+  return picture;
+}
+
+void draw_plan(PictureCanvas& canvas, const Frame2& frame, double unit, const LiveState2& state,
+               const ScenePicture2& picture) {
+  ScenePicturePainter2(*state.prepared, picture, SceneSheet2(*state.prepared, frame, unit, kFooter)).draw(canvas);
+}
+
+// Light at the left of the bar, errors at its right.
+void draw_split(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing) {
+  draw_light(canvas, frame, unit, drawing, *drawing.state->light);
+  const double x = std::clamp(drawing.split, 0.0, 1.0) * frame.width();
+  if (!drawing.result || !drawing.result->plan) return;
+  // The errors go onto a raster of their own: the plan clips by itself.
+  Raster errors(static_cast<std::uint32_t>(frame.width()), static_cast<std::uint32_t>(frame.height()));
+  CairoCanvas beside(errors);
+  draw_plan(beside, frame, unit, *drawing.state, *drawing.result->plan);
+  beside.finish();
+  const auto from = static_cast<std::uint32_t>(x);
+  if (from >= errors.width) return;
+  Raster right(errors.width - from, errors.height);
+  for (std::uint32_t y = 0; y < errors.height; ++y)
+    std::copy_n(errors.pixels.data() + std::size_t{y} * errors.width + from, right.width,
+                right.pixels.data() + std::size_t{y} * right.width);
+  canvas.image(Mark::kLight, {static_cast<double>(from), 0}, {frame.width(), frame.height()}, right, false);
+  canvas.stroke(Mark::kAxis, {x, 0}, {x, frame.height()}, palette::kPaper, 3 * unit);
+  canvas.stroke(Mark::kAxis, {x, 0}, {x, frame.height()}, palette::kInk, 1.2 * unit);
+  canvas.disc(Mark::kAxis, {x, frame.height() / 2}, 9 * unit, palette::kPaper);
+  canvas.circle(Mark::kAxis, {x, frame.height() / 2}, 9 * unit, palette::kInk, 1.5 * unit);
+}
+
+Colour colour_of(Severity severity) {
+  return severity == Severity::kError     ? palette::kSecond
+         : severity == Severity::kWarning ? palette::kEmitter
+                                          : palette::kFirst;
+}
+
+void draw_findings(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing) {
+  draw_plan(canvas, frame, unit, *drawing.state, {});
+  if (!drawing.result) return;
+  for (const FindingPlace2& finding : drawing.result->findings) {
+    const Pixel at = frame.at(finding.at);
+    canvas.circle(Mark::kCritical, at, 10 * unit, colour_of(finding.severity), 3 * unit);
+    canvas.text(Mark::kLabel, {at.x + 14 * unit, at.y - 8 * unit}, std::to_string(finding.number),
+                {.size = 16 * unit, .colour = colour_of(finding.severity), .weight = TextWeight::kBold});
+  }
+}
+
+}  // namespace
+
+Raster light_texture_2(const LiveState2& state, const LightTone2& tone, std::uint32_t pixels_per_cell) {
+  return texture_of(state.light->grid, pixels_per_cell > 1 ? state.scene.get() : nullptr, tone, pixels_per_cell);
+}
+
+void draw_edges(PictureCanvas& canvas, const Frame2& frame, const Scene2& scene, const Colour& colour,
+                double line_width) {
+  for (const Edge2& edge : scene.edges)
+    canvas.stroke(Mark::kEdge, frame.at(edge.from), frame.at(edge.to), colour, line_width);
+}
+
+void draw_look(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing) {
+  const LiveState2& state = *drawing.state;
+  const LookRequest2& request = *drawing.request;
+  const LookResult2* result = drawing.result;
+  if (!state.prepared) {
+    canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame.width(), frame.height()}, palette::kPaper);
+    draw_edges(canvas, frame, *state.scene, palette::kInk, 2 * unit);
+    return;
+  }
+  const auto sheet = [&] { return SceneSheet2(*state.prepared, frame, unit, kFooter); };
+  const bool is_lit = request.look == Look2::kLight || request.look == Look2::kFloor ||
+                      request.look == Look2::kErrors || request.look == Look2::kSweeps;
+  if (is_lit && state.light) {
+    if (request.look == Look2::kErrors) return draw_split(canvas, frame, unit, drawing);
+    const bool has_own = request.look == Look2::kSweeps && result && result->light;
+    return draw_light(canvas, frame, unit, drawing, has_own ? *result->light : *state.light);
+  }
+  if (request.look == Look2::kBands && state.radiosities) return draw_plan(canvas, frame, unit, state, bands_of(state));
+  if (request.look == Look2::kVisibility && result && result->sight)
+    return VisibilityPainter2(*result->sight, sheet()).draw(canvas);
+  if (request.look == Look2::kFactors && request.face && state.factors &&
+      request.face->surface < state.scene->surfaces.size())
+    return draw_plan(canvas, frame, unit, state, factors_of(state, *request.face));
+  if (request.look == Look2::kPair && result && result->pair && result->version == state.version)
+    return PairPainter2(*result->pair, sheet()).draw(canvas);
+  if (request.look == Look2::kCheck) return draw_findings(canvas, frame, unit, drawing);
+  draw_plan(canvas, frame, unit, state, {});
+}
+
+}  // namespace hottel

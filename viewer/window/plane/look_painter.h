@@ -1,0 +1,51 @@
+// How what is looked at is drawn.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "viewer/picture/canvas.h"
+#include "viewer/picture/picture_options.h"
+#include "viewer/picture/plane/frame.h"
+#include "viewer/window/plane/look.h"
+
+namespace hottel {
+
+class ToneCurve;
+
+// How light becomes colours in a window.
+struct LightTone2 {
+  Tone tone = Tone::kLog;
+  double exposure = 1;
+  friend bool operator==(const LightTone2&, const LightTone2&) = default;
+};
+
+// The light of a state as pixels: one a cell, or `pixels_per_cell` across and up, blended without leaking through the
+// scene's edges. The tone curve is fitted as `solve` fits it. REQUIRES a state with light, pixels_per_cell >= 1.
+Raster light_texture_2(const LiveState2& state, const LightTone2& tone, std::uint32_t pixels_per_cell = 1);
+
+// Everything that a drawing of a look depends on.
+struct LookDrawing2 {
+  const LiveState2* state;
+  const LookRequest2* request;
+  const LookResult2* result = nullptr;  // null: there is none yet
+  LightTone2 tone{};
+  const Raster* texture = nullptr;  // of the state's light, where it is drawn: light_texture_2
+  double split = 0.5;               // of kErrors: where the bar is, a fraction of the width
+};
+
+// Draws a look over the whole canvas, without any text about it: paper, light, solids, edges; legends at the bottom.
+//
+//   (1) the marks are those of the pictures of viewer/picture/plane in the same frame
+//   (2) without a prepared scene only its edges are drawn; without light, the plan
+//   (3) kFloor: each cell a rectangle of one colour, floor colour times light, so that the brightest is the floor's own
+//       colour at exposure 1
+// REQUIRES a state with a scene; frame and canvas of one size. unit: as SceneSheet2 takes it.
+void draw_look(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing);
+
+// Draws the edges of a scene alone, which need not be valid.
+void draw_edges(PictureCanvas& canvas, const Frame2& frame, const Scene2& scene, const Colour& colour,
+                double line_width);
+
+}  // namespace hottel
