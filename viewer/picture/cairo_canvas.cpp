@@ -4,8 +4,9 @@
 #include <cairo.h>
 
 #include <algorithm>
-#include <cmath>
+#include <new>
 #include <numbers>
+#include <utility>
 
 #include "kernel/support/failure.h"
 #include "viewer/picture/png_file.h"
@@ -57,6 +58,11 @@ std::string printable(std::string_view text) {
   return result;
 }
 
+void check_sides(std::uint32_t width, std::uint32_t height) {
+  if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide)
+    throw UsageError("picture: a side must be between 1 and " + std::to_string(kMaxPictureSide) + " pixels");
+}
+
 }  // namespace
 
 std::optional<PictureFormat> picture_format(std::string_view file_name) {
@@ -66,13 +72,14 @@ std::optional<PictureFormat> picture_format(std::string_view file_name) {
 }
 
 struct CairoCanvas::State {
-  PictureFormat format;
+  std::optional<PictureFormat> format{};  // none: a raster of the caller
   double width, height;
+  Raster own{};  // of a PNG
   std::string bytes{};
   cairo_surface_t* surface = nullptr;
   cairo_t* context = nullptr;
 
-  State(PictureFormat f, double w, double h) : format(f), width(w), height(h) {}
+  State(double w, double h) : width(w), height(h) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   ~State() {
@@ -80,6 +87,8 @@ struct CairoCanvas::State {
     if (surface) cairo_surface_destroy(surface);
   }
 
+  void draw_on(cairo_surface_t* target);
+  void draw_on(Raster& raster);
   void ink(const Colour& c) const { cairo_set_source_rgba(context, c.r, c.g, c.b, c.a); }
   void font(const TextStyle& style) const {
     cairo_select_font_face(context, kTypeface, CAIRO_FONT_SLANT_NORMAL,
@@ -93,28 +102,50 @@ struct CairoCanvas::State {
   }
 };
 
-CairoCanvas::CairoCanvas(PictureFormat format, std::uint32_t width, std::uint32_t height) {
-  if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide)
-    throw UsageError("picture: a side must be between 1 and " + std::to_string(kMaxPictureSide) + " pixels");
-  state_ = std::make_unique<State>(format, width, height);
-  if (format == PictureFormat::kSvg) {
-    state_->surface = cairo_svg_surface_create_for_stream(append, &state_->bytes, width, height);
-    cairo_svg_surface_set_document_unit(state_->surface, CAIRO_SVG_UNIT_PX);
-  } else {
-    state_->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height));
-  }
-  check(cairo_surface_status(state_->surface));
-  state_->context = cairo_create(state_->surface);
-  check(cairo_status(state_->context));
-  cairo_set_line_cap(state_->context, CAIRO_LINE_CAP_ROUND);
-  cairo_set_line_join(state_->context, CAIRO_LINE_JOIN_ROUND);
-  // Letters keep their shape and spacing at every size, in both formats.
+void CairoCanvas::State::draw_on(cairo_surface_t* target) {
+  surface = target;
+  check(cairo_surface_status(surface));
+  context = cairo_create(surface);
+  check(cairo_status(context));
+  cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
+  // Letters keep their shape and spacing at every size, on every surface.
   cairo_font_options_t* options = cairo_font_options_create();
   cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
   cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
   cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
-  cairo_set_font_options(state_->context, options);
+  cairo_set_font_options(context, options);
   cairo_font_options_destroy(options);
+}
+
+void CairoCanvas::State::draw_on(Raster& raster) {
+  draw_on(cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(raster.pixels.data()),
+                                              CAIRO_FORMAT_ARGB32, static_cast<int>(raster.width),
+                                              static_cast<int>(raster.height), static_cast<int>(4 * raster.width)));
+}
+
+CairoCanvas::CairoCanvas(PictureFormat format, std::uint32_t width, std::uint32_t height) {
+  check_sides(width, height);
+  state_ = std::make_unique<State>(width, height);
+  state_->format = format;
+  if (format == PictureFormat::kSvg) {
+    state_->draw_on(cairo_svg_surface_create_for_stream(append, &state_->bytes, width, height));
+    cairo_svg_surface_set_document_unit(state_->surface, CAIRO_SVG_UNIT_PX);
+    return;
+  }
+  try {
+    state_->own = Raster(width, height);
+  } catch (const std::bad_alloc&) {
+    check(CAIRO_STATUS_NO_MEMORY);
+  }
+  state_->draw_on(state_->own);
+}
+
+CairoCanvas::CairoCanvas(Raster& raster) {
+  check_sides(raster.width, raster.height);
+  HOTTEL_REQUIRE(raster.pixels.size() == std::size_t{raster.width} * raster.height);
+  state_ = std::make_unique<State>(raster.width, raster.height);
+  state_->draw_on(raster);
 }
 
 CairoCanvas::~CairoCanvas() = default;
@@ -206,15 +237,9 @@ double CairoCanvas::text_width(std::string_view text, const TextStyle& style) co
 
 std::string CairoCanvas::finish() {
   check(cairo_status(state_->context));
-  if (state_->format == PictureFormat::kPng) {
-    cairo_surface_flush(state_->surface);
-    state_->bytes = png_file(reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(state_->surface)),
-                             static_cast<std::uint32_t>(cairo_image_surface_get_width(state_->surface)),
-                             static_cast<std::uint32_t>(cairo_image_surface_get_height(state_->surface)),
-                             static_cast<std::size_t>(cairo_image_surface_get_stride(state_->surface)) / 4);
-  }
   cairo_surface_finish(state_->surface);
   check(cairo_surface_status(state_->surface));
+  if (state_->format == PictureFormat::kPng) return png_file(state_->own);
   return std::move(state_->bytes);
 }
 

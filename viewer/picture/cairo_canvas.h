@@ -1,4 +1,4 @@
-// A canvas that becomes the bytes of a PNG or an SVG file.
+// A canvas that draws into pixels, or becomes the bytes of a PNG or an SVG file.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/picture_options.h"
+#include "viewer/picture/raster.h"
 
 namespace hottel {
 
@@ -18,11 +19,18 @@ namespace hottel {
 //   (1) the same calls give the same bytes on one machine; fonts may differ on others
 //   (2) an SVG holds shapes and texts, its images as PNG data; its size in pixels is that of the canvas
 //   (3) a polygon of fewer than three corners and an image without pixels draw nothing
+//   (4) a PNG holds what the same calls draw into an opaque black raster
+//
 // image() throws ContractViolation unless there are width * height pixels.
+// COST: a text of ten letters about 2 us, which cairo remembers by size and weight; the first of a process 10 ms.
 class CairoCanvas : public PictureCanvas {
  public:
   // Throws UsageError unless both sides are in [1, kMaxPictureSide], RequestError when memory does not suffice.
   CairoCanvas(PictureFormat format, std::uint32_t width, std::uint32_t height);
+  // Draws onto what is in the raster, where all of it is seen after finish(), or when the canvas is gone.
+  // Throws as above, and ContractViolation unless there are width * height pixels.
+  // REQUIRES: the raster outlives the canvas, and nothing else writes it meanwhile.
+  explicit CairoCanvas(Raster& raster);
   ~CairoCanvas() override;
 
   double width() const override;
@@ -37,7 +45,8 @@ class CairoCanvas : public PictureCanvas {
   void unclip() override;
   double text_width(std::string_view text, const TextStyle& style) const override;
 
-  // Returns the bytes of the file. Nothing can be drawn or finished afterwards. Throws RequestError when cairo failed.
+  // Returns the bytes of the file, none for a raster. Nothing can be drawn or finished afterwards. Throws RequestError
+  // when cairo failed.
   std::string finish();
 
  private:

@@ -9,6 +9,7 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "viewer/picture/raster.h"
 
 namespace hottel {
 namespace {
@@ -94,6 +95,11 @@ std::string png_file(const std::uint32_t* pixels, std::uint32_t width, std::uint
     add_chunk(file, "IDAT", std::string_view(data).substr(done, kMostAtOnce));
   add_chunk(file, "IEND", "");
   return file;
+}
+
+std::string png_file(const Raster& raster) {
+  HOTTEL_REQUIRE(raster.pixels.size() == std::size_t{raster.width} * raster.height);
+  return png_file(raster.pixels.data(), raster.width, raster.height, raster.width);
 }
 
 }  // namespace hottel
