@@ -1,0 +1,331 @@
+#include "viewer/edit/plane/scene_editor.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+#include "geometry/scene_names.h"
+#include "viewer/edit/plane/scene_edits.h"
+
+namespace hottel {
+namespace {
+
+bool is_before(const Point2& a, const Point2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+std::string counted(std::size_t n) { return n == 1 ? "an edge" : std::to_string(n) + " edges"; }
+
+Place2 rounded(const Point2& p) { return {to_double(p.x), to_double(p.y)}; }
+
+}  // namespace
+
+SceneEditor2::SceneEditor2(Scene2 scene) : history_(std::move(scene)) { changed(); }
+
+void SceneEditor2::replace(Scene2 scene) {
+  history_ = EditHistory2(std::move(scene));
+  select_none();
+  changed();
+}
+
+void SceneEditor2::changed() {
+  ++version_;
+  if (picked_ == scene()) return;
+  picked_ = scene();
+  picker_ = std::make_unique<ScenePick2>(*picked_);
+}
+
+void SceneEditor2::set(Scene2 next, const std::string& what) {
+  const std::shared_ptr<const Scene2> before = scene();
+  history_.set(std::move(next), what);
+  set_selected_names(*before, selected_);
+  changed();
+}
+
+// Selects the surfaces that are called as those of another scene.
+void SceneEditor2::set_selected_names(const Scene2& before, const std::vector<std::uint32_t>& surfaces) {
+  std::set<std::string> names;
+  for (const std::uint32_t s : surfaces) names.insert(before.surfaces[s].name);
+  selected_.clear();
+  for (std::uint32_t s = 0; !names.empty() && s < scene()->surfaces.size(); ++s)
+    if (names.contains(scene()->surfaces[s].name)) selected_.push_back(s);
+}
+
+Pick2 SceneEditor2::pick(const Pointer2& pointer) const { return picker_->at(pointer.place, pointer.reach); }
+
+Snap2 SceneEditor2::snap(const Pointer2& pointer) const {
+  return snapped(*scene(), pointer.place, {.decimals = pointer.decimals, .reach = pointer.reach});
+}
+
+void SceneEditor2::select(std::vector<std::uint32_t> surfaces) {
+  std::sort(surfaces.begin(), surfaces.end());
+  surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+  selected_ = std::move(surfaces);
+  vertex_.reset();
+}
+
+void SceneEditor2::select_all() {
+  std::vector<std::uint32_t> all(scene()->surfaces.size());
+  for (std::uint32_t s = 0; s < all.size(); ++s) all[s] = s;
+  select(std::move(all));
+}
+
+void SceneEditor2::select_none() { select({}); }
+
+void SceneEditor2::select_groups() {
+  std::set<std::uint32_t> groups;
+  for (const std::uint32_t s : selected_) groups.insert(scene()->surfaces[s].group);
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t s = 0; s < scene()->surfaces.size(); ++s)
+    if (groups.contains(scene()->surfaces[s].group)) all.push_back(s);
+  select(std::move(all));
+}
+
+void SceneEditor2::select_in(const Place2& corner, const Place2& opposite, bool adds) {
+  std::vector<std::uint32_t> inside = picker_->in_rectangle(corner, opposite);
+  if (adds) inside.insert(inside.end(), selected_.begin(), selected_.end());
+  select(std::move(inside));
+}
+
+// Takes what was touched into the selection, or out of it.
+void SceneEditor2::toggle(const Pick2& pick, bool is_whole) {
+  const std::vector<std::uint32_t> before = selected_;
+  select({*pick.surface});
+  if (is_whole) select_groups();
+  std::vector<std::uint32_t> all = before;
+  const bool was_there = std::ranges::binary_search(before, *pick.surface);
+  if (was_there)
+    std::erase_if(all, [&](std::uint32_t s) { return std::ranges::binary_search(selected_, s); });
+  else
+    all.insert(all.end(), selected_.begin(), selected_.end());
+  select(std::move(all));
+}
+
+bool SceneEditor2::press(const Pointer2& pointer) {
+  const Pick2 found = pick(pointer);
+  held_.reset();
+  if (!found.surface) return false;
+  if (pointer.adds) {
+    toggle(found, pointer.is_whole);
+    return true;
+  }
+  const bool is_vertex = found.vertex && !pointer.is_whole;
+  if (!std::ranges::binary_search(selected_, *found.surface) || pointer.is_whole || is_vertex) {
+    select({*found.surface});
+    if (pointer.is_whole) select_groups();
+  }
+  const Edge2 edge = scene()->edges[*found.surface];
+  Held held{.edge = edge, .surface = *found.surface, .is_last = found.is_last, .is_vertex = is_vertex, .anchor = {}};
+  held.anchor = is_vertex ? *found.vertex : found.is_last ? edge.to : edge.from;
+  held.is_last = is_vertex && edge.from != edge.to ? held.anchor == edge.to : found.is_last;
+  held.moves_alone = pointer.alone || (!is_vertex && is_of_whole_groups());
+  const Place2 anchor = rounded(held.anchor);
+  held.offset = {anchor[0] - pointer.place[0], anchor[1] - pointer.place[1]};
+  if (is_vertex) {
+    selected_.clear();
+    vertex_ = held.anchor;
+  }
+  held_ = held;
+  return true;
+}
+
+// Whether the selection is furniture: groups of several surfaces, each as a whole.
+bool SceneEditor2::is_of_whole_groups() const {
+  const Scene2& now = *scene();
+  std::unordered_map<std::uint32_t, std::size_t> wanted, there;
+  for (const std::uint32_t s : selected_) ++wanted[now.surfaces[s].group];
+  for (const Surface& surface : now.surfaces)
+    if (wanted.contains(surface.group)) ++there[surface.group];
+  return !wanted.empty() && std::ranges::all_of(wanted, [&](const auto& group) {
+    return group.second > 1 && there[group.first] == group.second;
+  });
+}
+
+std::vector<PointMove2> SceneEditor2::moves_of_selection(const Scene2& from, const Rational& dx,
+                                                         const Rational& dy) const {
+  std::vector<Point2> ends;
+  for (const std::uint32_t s : selected_) {
+    ends.push_back(from.edges[s].from);
+    ends.push_back(from.edges[s].to);
+  }
+  std::sort(ends.begin(), ends.end(), is_before);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  std::vector<PointMove2> moves;
+  for (const Point2& end : ends) moves.push_back({end, {end.x + dx, end.y + dy}});
+  return moves;
+}
+
+// The surfaces that a drag moves, and that it does not snap to.
+std::vector<std::uint32_t> SceneEditor2::surfaces_that_move(const Scene2& from, const Held& held) const {
+  if (held.moves_alone) return held.is_vertex ? std::vector<std::uint32_t>{held.surface} : selected_;
+  std::vector<PointMove2> moves = held.is_vertex ? std::vector<PointMove2>{{held.anchor, held.anchor}}
+                                                 : moves_of_selection(from, Rational(0), Rational(0));
+  const auto is_moved = [&](const Point2& p) {
+    return std::ranges::any_of(moves, [&](const PointMove2& move) { return move.from == p; });
+  };
+  std::vector<std::uint32_t> surfaces;
+  for (std::uint32_t s = 0; s < from.edges.size(); ++s)
+    if (is_moved(from.edges[s].from) || is_moved(from.edges[s].to)) surfaces.push_back(s);
+  return surfaces;
+}
+
+Scene2 SceneEditor2::moved(const Scene2& from, const Held& held, const Point2& to) const {
+  const Rational dx = to.x - held.anchor.x, dy = to.y - held.anchor.y;
+  if (held.is_vertex)
+    return held.moves_alone ? move_end(from, held.surface, held.is_last, to)
+                            : move_points(from, std::vector<PointMove2>{{held.anchor, to}});
+  return held.moves_alone ? move_surfaces(from, selected_, dx, dy)
+                          : move_points(from, moves_of_selection(from, dx, dy));
+}
+
+void SceneEditor2::drag(const Pointer2& pointer) {
+  if (!held_) return;
+  if (!is_dragging()) {
+    history_.begin(held_->is_vertex ? "move a vertex" : "move " + counted(selected_.size()));
+    snapper_ = std::make_unique<Snapper2>(*history_.scene_before_drag());
+    selected_before_ = selected_;
+    moving_ = surfaces_that_move(*history_.scene_before_drag(), *held_);
+  }
+  const Scene2& before = *history_.scene_before_drag();
+  const Place2 place{pointer.place[0] + held_->offset[0], pointer.place[1] + held_->offset[1]};
+  const Snap2 target = snapper_->at(place, {.decimals = pointer.decimals, .reach = pointer.reach, .moved = moving_});
+  selected_ = selected_before_;
+  history_.preview(moved(before, *held_, target.at));
+  set_selected_names(before, selected_before_);
+  if (held_->is_vertex) vertex_ = target.at;
+  changed();
+}
+
+void SceneEditor2::release() {
+  if (is_dragging()) {
+    if (scene()->edges == history_.scene_before_drag()->edges) return cancel();
+    history_.commit();
+  }
+  held_.reset();
+}
+
+void SceneEditor2::cancel() {
+  if (is_dragging()) {
+    history_.cancel();
+    selected_ = selected_before_;
+    if (held_ && held_->is_vertex) vertex_ = held_->anchor;
+    changed();
+  }
+  held_.reset();
+}
+
+std::string SceneEditor2::undo() {
+  if (is_dragging()) {
+    cancel();
+    return "drag dropped";
+  }
+  const std::shared_ptr<const Scene2> before = scene();
+  const std::string what = history_.what_undo();
+  if (!history_.undo()) return "";
+  set_selected_names(*before, selected_);
+  vertex_.reset();
+  changed();
+  return "undone: " + what;
+}
+
+std::string SceneEditor2::redo() {
+  const std::shared_ptr<const Scene2> before = scene();
+  const std::string what = history_.what_redo();
+  if (!history_.redo()) return "";
+  set_selected_names(*before, selected_);
+  vertex_.reset();
+  changed();
+  return "done again: " + what;
+}
+
+std::string SceneEditor2::move_by(const Rational& dx, const Rational& dy) {
+  if (is_dragging() || (dx == 0 && dy == 0)) return "";
+  if (vertex_) {
+    const Point2 to{vertex_->x + dx, vertex_->y + dy};
+    set(move_points(*scene(), std::vector<PointMove2>{{*vertex_, to}}), "move a vertex");
+    vertex_ = to;
+    return "moved a vertex";
+  }
+  if (selected_.empty()) return "";
+  set(is_of_whole_groups() ? move_surfaces(*scene(), selected_, dx, dy)
+                           : move_points(*scene(), moves_of_selection(*scene(), dx, dy)),
+      "move " + counted(selected_.size()));
+  return "moved " + counted(selected_.size());
+}
+
+std::string SceneEditor2::move_to(const Point2& place) {
+  if (!vertex_ && selected_.empty()) return "";
+  const Point2 from = vertex_ ? *vertex_ : scene()->edges[selected_.front()].from;
+  return move_by(place.x - from.x, place.y - from.y);
+}
+
+std::string SceneEditor2::rotate(const Rational& degrees, int decimals) {
+  if (is_dragging() || selected_.empty()) return "";
+  const Edge2& first = scene()->edges[selected_.front()];
+  Point2 low = first.from, high = first.from;
+  for (const std::uint32_t s : selected_)
+    for (const Point2* p : {&scene()->edges[s].from, &scene()->edges[s].to}) {
+      low = {std::min(low.x, p->x), std::min(low.y, p->y)};
+      high = {std::max(high.x, p->x), std::max(high.y, p->y)};
+    }
+  const Point2 centre{(low.x + high.x) / 2, (low.y + high.y) / 2};
+  set(rotate_surfaces(*scene(), selected_, centre, degrees, decimals), "turn " + counted(selected_.size()));
+  return "turned " + counted(selected_.size());
+}
+
+std::string SceneEditor2::duplicate(const Rational& dx, const Rational& dy) {
+  if (is_dragging() || selected_.empty()) return "";
+  AddedSurfaces2 added = duplicate_surfaces(*scene(), selected_, dx, dy);
+  set(std::move(added.scene), "copy " + counted(selected_.size()));
+  select(std::move(added.surfaces));
+  return "copied " + counted(selected_.size());
+}
+
+std::string SceneEditor2::erase() {
+  if (is_dragging() || selected_.empty()) return "";
+  const std::size_t count = selected_.size();
+  set(erase_surfaces(*scene(), selected_), "delete " + counted(count));
+  select_none();
+  return "deleted " + counted(count);
+}
+
+std::string SceneEditor2::reverse() {
+  if (is_dragging() || selected_.empty()) return "";
+  set(reverse_surfaces(*scene(), selected_), "reverse " + counted(selected_.size()));
+  return "reversed " + counted(selected_.size());
+}
+
+std::string SceneEditor2::add_line(const std::vector<Point2>& points, bool closed, std::uint32_t material) {
+  if (is_dragging() || points.size() < 2) return "";
+  AddedSurfaces2 added = points.size() == 2 && !closed ? hottel::add_edge(*scene(), {points[0], points[1]}, material)
+                                                       : hottel::add_polyline(*scene(), points, closed, material);
+  set(std::move(added.scene), "add " + counted(added.surfaces.size()));
+  select(std::move(added.surfaces));
+  return "added " + scene()->groups[scene()->surfaces[selected_.front()].group].name;
+}
+
+std::string SceneEditor2::add_lamp(const Point2& centre, const Rational& half_size) {
+  if (is_dragging()) return "";
+  AddedSurfaces2 added = hottel::add_lamp(*scene(), centre, half_size);
+  set(std::move(added.scene), "add a lamp");
+  select(std::move(added.surfaces));
+  return "added " + scene()->groups[scene()->surfaces[selected_.front()].group].name;
+}
+
+std::string SceneEditor2::change_material(const Face& face, bool copies_first,
+                                          const std::function<void(Material&)>& change) {
+  if (is_dragging()) return "";
+  std::optional<std::uint32_t> material = material_of(*scene(), face);
+  if (!material) return "";
+  Scene2 next = *scene();
+  if (copies_first) {
+    AddedMaterial2 copy = *copy_material(next, face);
+    next = std::move(copy.scene);
+    material = copy.material;
+  }
+  Material values = next.materials[*material];
+  change(values);
+  if (!copies_first && values == next.materials[*material]) return "";
+  set(set_material(next, *material, values), "change " + values.name);
+  return values.name;
+}
+
+}  // namespace hottel
