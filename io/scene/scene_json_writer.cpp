@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <unordered_set>
 
-#include "geometry/name.h"
+#include "geometry/plane/scene/polyline_runs.h"
 #include "io/scene/scene_json.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
@@ -145,35 +145,11 @@ class SceneWriter {
     block.end();
   }
 
-  // The index after the run of surfaces that begins at `first` and is one polyline; `first` itself if it is none.
-  std::size_t end_of_polyline(std::size_t first) const {
-    const std::vector<Surface>& s = scene_.surfaces;
-    const std::vector<Edge2>& e = scene_.edges;
-    const std::string& group = scene_.groups[s[first].group].name;
-    if (!name_problem(group).empty()) return first;
-    std::size_t i = first;
-    while (i < s.size() && s[i].group == s[first].group) {
-      if (s[i].name != group + "[" + std::to_string(i - first) + "]") return first;
-      if (i > first && (e[i].from != e[i - 1].to || s[i].material != s[first].material || s[i].back != s[first].back ||
-                        s[i].elements != s[first].elements))
-        return first;
-      ++i;
-    }
-    return i;
-  }
-
   // Writes the surfaces before the final polylines as edges; returns where those begin.
   std::size_t write_edges() {
     const std::vector<Surface>& s = scene_.surfaces;
     const std::vector<Edge2>& e = scene_.edges;
-    std::size_t first_polyline = 0;
-    std::vector<bool> is_written(scene_.groups.size());
-    for (std::size_t i = 0; i < s.size();) {
-      const std::size_t end = is_written[s[i].group] ? i : end_of_polyline(i);
-      is_written[s[i].group] = true;
-      if (end == i) first_polyline = i + 1;
-      i = std::max(end, i + 1);
-    }
+    const std::size_t first_polyline = first_of_polylines(scene_);
     if (first_polyline == 0) return 0;
     Block block(out_, "edges", '[', ']');
     for (std::size_t i = 0; i < first_polyline; ++i)
@@ -188,7 +164,7 @@ class SceneWriter {
     if (first == s.size()) return;
     Block block(out_, "polylines", '[', ']');
     while (first < s.size()) {
-      const std::size_t end = end_of_polyline(first);
+      const std::size_t end = end_of_polyline(scene_, first);
       const bool closed = end - first > 1 && e[end - 1].to == e[first].from;
       std::string points = fmt::format("[{}", point(e[first].from));
       for (std::size_t i = first; i + (closed ? 1 : 0) < end; ++i) points += fmt::format(", {}", point(e[i].to));
