@@ -11,10 +11,13 @@ function(hottel_compile_options target)
   target_compile_options(${target} PRIVATE -ffp-contract=off)
 endfunction()
 
-# hottel_layer(NAME PUBLIC libs... PRIVATE libs...): the folder NAME/ as the library hottel_NAME.
+# hottel_layer(NAME PUBLIC libs... PRIVATE libs... EXCEPT sources...): the folder NAME/, but for these sources, as the
+# library hottel_NAME.
 function(hottel_layer name)
-  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE;EXCEPT" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${name}/*.cpp")
+  list(TRANSFORM arg_EXCEPT PREPEND "${PROJECT_SOURCE_DIR}/")
+  list(REMOVE_ITEM sources ${arg_EXCEPT})
   if(sources)
     add_library(hottel_${name} STATIC ${sources})
     hottel_compile_options(hottel_${name})

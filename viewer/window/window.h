@@ -58,7 +58,8 @@ class Window {
 
   // The size that the next frame should have; at least one pixel.
   virtual FrameSize size() const = 0;
-  // Returns the next event, waiting for it as many seconds at most; nothing where none came.
+  // Returns the next event, waiting for it as many seconds at most; nothing where none came. Throws Interrupted within
+  // a tenth of a second where a stop was asked for (kernel/support/interrupt.h).
   virtual std::optional<WindowEvent> next(double seconds) = 0;
   // Makes next() return a kWake soon, now or when it is called; several calls may give one. Any thread may call it.
   virtual void wake() = 0;
