@@ -5,7 +5,6 @@
 #include <unordered_map>
 
 #include "geometry/scene_names.h"
-#include "viewer/edit/plane/scene_edits.h"
 
 namespace hottel {
 namespace {

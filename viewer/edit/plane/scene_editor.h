@@ -12,6 +12,7 @@
 #include "geometry/plane/scene/scene.h"
 #include "viewer/edit/plane/edit_history.h"
 #include "viewer/edit/plane/pick.h"
+#include "viewer/edit/plane/scene_edits.h"
 #include "viewer/edit/plane/snapping.h"
 
 namespace hottel {

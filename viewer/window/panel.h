@@ -1,0 +1,33 @@
+// Boxes of text over a drawing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viewer/picture/canvas.h"
+
+namespace hottel {
+
+// A box of lines of text.
+struct Panel {
+  std::vector<std::string> lines;
+  bool is_head_bold = true;  // the first line
+  bool is_warning = false;
+};
+
+// Where a box is put: the corner of it that stays, and the room there is.
+struct PanelPlace {
+  Pixel corner;
+  bool is_right = false, is_bottom = false;  // which of its corners that is
+  double width = 400, height = 400;          // at most
+};
+
+// Draws the box. Lines that are too long go on in the next line; where there is no room for all, the last one says how
+// many are missing. unit: of sizes, in pixels. Returns the box's height; nothing is drawn for no lines.
+double draw_panel(PictureCanvas& canvas, const Panel& panel, const PanelPlace& place, double unit);
+
+// Returns the text cut into lines no wider than that, at blanks where there are some.
+std::vector<std::string> wrapped(const PictureCanvas& canvas, const std::string& text, const TextStyle& style,
+                                 double width);
+
+}  // namespace hottel

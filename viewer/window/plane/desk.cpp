@@ -1,0 +1,165 @@
+#include "viewer/window/plane/desk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/files/output_file.h"
+#include "kernel/support/failure.h"
+#include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/plane/drawable.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kSecondsBetweenFileChecks = 1;
+constexpr std::uint32_t kMostPixelsPerCell = 8;
+constexpr std::size_t kEventsPerFrame = 200;
+constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 112;  // units around the scene
+
+}  // namespace
+
+Desk2::Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale)
+    : window_(window),
+      unit_(scale),
+      file_(file),
+      editor_(file_.read()),
+      looks_(std::move(request), [&window] { window.wake(); }),
+      size_(window.size()) {
+  require_drawable(*editor_.scene());
+  fit();
+  scene_changed();
+}
+
+void Desk2::fit() {
+  camera_.fit(*editor_.scene(), size_, kFreeSides * unit_, kFreeTop * unit_, kFreeBottom * unit_);
+  needs_base_ = true;
+  looks_.set_tone(tone_, texture_pixels());
+}
+
+// As fine as the screen shows a cell.
+std::uint32_t Desk2::texture_pixels() const {
+  const auto& lit = looks_.lit();
+  if (!lit) return 1;
+  const Grid2& grid = lit->light->grid.grid;
+  const double cell = to_double((grid.max.x - grid.min.x) / grid.nx) * camera_.pixels_per_length();
+  return static_cast<std::uint32_t>(std::clamp(std::ceil(cell), 1.0, double{kMostPixelsPerCell}));
+}
+
+void Desk2::scene_changed() {
+  needs_frame_ = true;
+  if (shown_version_ == editor_.version()) return;
+  shown_version_ = editor_.version();
+  looks_.set_scene(editor_.scene(), editor_.is_dragging() ? LiveDepth2::kCoarse : LiveDepth2::kFull);
+  const auto is_gone = [&](const std::optional<Face>& face) {
+    return face && face->surface >= editor_.scene()->surfaces.size();
+  };
+  if (is_gone(request_.face)) request_.face.reset();
+  if (is_gone(request_.other)) request_.other.reset();
+}
+
+// What is looked at follows the mouse, and what lies under it.
+void Desk2::request_changed() {
+  const bool is_free = has_mouse_ && drag_ == Drag::kNone;
+  request_.mouse = is_free || request_.look == Look2::kVisibility ? std::optional(exact_mouse()) : std::nullopt;
+  if (!has_mouse_) request_.mouse.reset();
+  if (request_.look == Look2::kFactors)
+    request_.other = hover_.surface && is_free ? std::optional(hover_.face) : std::nullopt;
+  if (request_.look != Look2::kFactors && request_.look != Look2::kPair) request_.other.reset();
+  looks_.set_request(request_);
+  needs_frame_ = true;
+}
+
+bool Desk2::update() {
+  if (looks_.collect()) {
+    needs_base_ = true;
+    looks_.set_tone(tone_, texture_pixels());
+  }
+  watch_file();
+  if (!needs_base_ && !needs_frame_) return false;
+  draw();
+  window_.show(frame_);
+  return true;
+}
+
+void Desk2::settle(double seconds) {
+  update();
+  if (!looks_.wait(seconds))
+    throw RequestError(fmt::format("{}: the light is not there after {} s", file_.path().string(), seconds));
+  update();
+  looks_.wait(seconds);  // what the light at rest asks for: a finer texture
+  update();
+}
+
+void Desk2::run() {
+  while (!wants_quit_) {
+    for (std::size_t k = 0; k < kEventsPerFrame; ++k) {
+      const std::optional<WindowEvent> event = window_.next(k == 0 ? kSecondsBetweenFileChecks : 0);
+      if (!event) break;
+      handle(*event);
+    }
+    update();
+  }
+}
+
+// Offers a file that someone else has written.
+void Desk2::watch_file() {
+  until_watch_ -= since_watch_.lap();
+  if (until_watch_ > 0 || prompt_) return;
+  until_watch_ = kSecondsBetweenFileChecks;
+  if (!file_.has_changed()) return;
+  const std::string lost = editor_.history().is_changed() ? " (your changes are lost)" : "";
+  prompt_ = Prompt{.question = file_.path().filename().string() + " has changed on disk:  r  read it" + lost +
+                               "   escape  keep what is here",
+                   .keys = {{"r", [this] { read_again(); }}}};
+  needs_frame_ = true;
+}
+
+void Desk2::read_again() {
+  try {
+    editor_.replace(file_.read());
+    message_ = "read again";
+  } catch (const InputError& error) {
+    message_ = error.what();
+  }
+  scene_changed();
+}
+
+std::string Desk2::save() {
+  try {
+    file_.write(*editor_.scene());
+    editor_.mark_saved();
+    message_ = "saved " + file_.path().string();
+    return "";
+  } catch (const std::runtime_error& error) {
+    message_ = std::string("not saved: ") + error.what();
+    return message_;
+  }
+}
+
+void Desk2::save_as(const std::filesystem::path& file) {
+  file_.write_as(file, *editor_.scene());
+  editor_.mark_saved();
+  message_ = "saved " + file.string();
+  needs_frame_ = true;
+}
+
+void Desk2::quit() {
+  if (!editor_.history().is_changed()) {
+    wants_quit_ = true;
+    return;
+  }
+  prompt_ = Prompt{.question = "unsaved changes:  s  save and quit   d  drop them and quit   escape  stay",
+                   .keys = {{"s", [this] { wants_quit_ = save().empty(); }}, {"d", [this] { wants_quit_ = true; }}}};
+}
+
+void Desk2::save_picture(const std::filesystem::path& file) const {
+  const auto format = picture_format(file.string());
+  if (!format) throw UsageError("a picture ends in .png or .svg, not '" + file.string() + "'");
+  CairoCanvas canvas(*format, size_.width, size_.height);
+  draw_marks(canvas);
+  write_output_file(file, canvas.finish());
+}
+
+}  // namespace hottel

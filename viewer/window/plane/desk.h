@@ -1,0 +1,161 @@
+// The window in which a scene is edited: events in, frames out.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/support/stopwatch.h"
+#include "solver/plane/simulation/simulation_request.h"
+#include "viewer/edit/plane/scene_editor.h"
+#include "viewer/window/panel.h"
+#include "viewer/window/plane/camera.h"
+#include "viewer/window/plane/scene_file.h"
+#include "viewer/window/plane/scene_looks.h"
+#include "viewer/window/window.h"
+
+namespace hottel {
+
+// A question in the window, and what is typed.
+struct Prompt {
+  std::string question;
+  std::string text{};
+  std::string problem{};  // of what was typed last
+  // What to do with the text: returns what is wrong with it, or nothing.
+  std::function<std::string(const std::string&)> answer{};
+  // Instead of a text: single keys, and what each does.
+  std::vector<std::pair<std::string, std::function<void()>>> keys{};
+};
+
+// A scene on a desk: all that a window does, without a screen.
+//
+//   (1) what is shown is always one state of the scene: its edges and its light belong together. What is being edited
+//       is drawn over it at once, in another colour, until its light is there
+//   (2) a scene whose light cannot be had is drawn over the last light, dimmed, with the message of `check`
+//   (3) while something is dragged, light is on a coarse grid, and the window says so; at rest, state() is that of
+//       SceneLooks2 (1)
+//   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes
+// Its functions are for the thread of the window.
+class Desk2 {
+ public:
+  // Reads the file. Throws InputError. scale: of letters and lines. REQUIRES: the window outlives it.
+  Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale);
+
+  // Takes one event.
+  void handle(const WindowEvent& event);
+  // Does what a key of that name does (commands.h), at the mouse. Throws UsageError for other names.
+  void command(std::string_view name);
+  // Takes what has come in the background, and draws and shows a frame where something has changed. Returns whether it
+  // has.
+  bool update();
+  // Waits until all that is shown is of the scene as it is now, and updates. Throws RequestError after so many seconds.
+  void settle(double seconds);
+  bool wants_quit() const { return wants_quit_; }
+
+  // Takes events and updates until it wants to quit.
+  void run();
+
+  const SceneEditor2& editor() const { return editor_; }
+  const SceneLooks2& looks() const { return looks_; }
+  const Raster& frame() const { return frame_; }
+  const std::string& message() const { return message_; }
+  const std::optional<Prompt>& prompt() const { return prompt_; }
+  Pixel pixel_of(const Place2& place) const { return camera_.at(place, size_); }
+
+  // Writes what is seen without any text about it to a file that ends in .png or .svg. Throws UsageError for another
+  // ending, OutputError.
+  void save_picture(const std::filesystem::path& file) const;
+  void save_as(const std::filesystem::path& file);  // throws as SceneFile2::write
+
+ private:
+  enum class Drag : unsigned char { kNone, kEdit, kPan, kBar, kRectangle };
+  struct Tool {
+    std::vector<Point2> points;
+    bool is_edge = true;
+    std::uint32_t material = 0;
+  };
+
+  // Events.
+  void press(const WindowEvent& event);
+  void move(const WindowEvent& event);
+  void release(const WindowEvent& event);
+  void click();
+  void key(const WindowEvent& event);
+  void prompt_key(const WindowEvent& event);
+  Pointer2 pointer(const HeldKeys& held = {}) const;
+  Place2 place() const { return camera_.place_of(mouse_, size_); }
+  Point2 exact_mouse() const;
+
+  // Commands.
+  bool look_command(std::string_view name);
+  bool edit_command(std::string_view name);
+  bool material_command(std::string_view name);
+  bool file_command(std::string_view name);
+  void next_choice(int step);
+  void next_tone();
+  void nudge(std::string_view name);
+  void begin_tool(bool is_edge);
+  void add_tool_point();
+  void end_tool(bool closed);
+  void change_material(std::string_view name, bool copies_first);
+  void ask_for_material(bool copies_first);
+  void ask_for_coordinates();
+  void ask_for_file(const std::string& question, const std::string& text,
+                    const std::function<void(const std::string&)>& use);
+  std::string save();
+  void read_again();
+  void quit();
+  void watch_file();
+
+  // What is shown.
+  void scene_changed();
+  void request_changed();
+  void fit();
+  std::uint32_t texture_pixels() const;
+  void draw_base();
+  void draw_marks(PictureCanvas& canvas) const;
+  void draw_selection(PictureCanvas& canvas) const;
+  void draw_tool(PictureCanvas& canvas) const;
+  void draw_problem(PictureCanvas& canvas) const;
+  void draw_texts(PictureCanvas& canvas) const;
+  void draw_help(PictureCanvas& canvas) const;
+  LookDrawing2 drawing() const;
+  std::string head() const;
+  std::string status() const;
+  void draw();
+
+  Window& window_;
+  double unit_;
+  SceneFile2 file_;
+  SceneEditor2 editor_;
+  SceneLooks2 looks_;
+  FrameSize size_;
+  Camera2 camera_;
+  LookRequest2 request_;
+  LightTone2 tone_;
+  double split_ = 0.5;
+  bool shows_help_ = false, wants_quit_ = false;
+
+  Pixel mouse_{}, pressed_{};
+  HeldKeys held_;
+  bool has_mouse_ = false;
+  Drag drag_ = Drag::kNone;
+  bool has_moved_ = false;
+  bool drops_text_ = false;  // that of the key which opened a prompt
+  std::optional<Tool> tool_;
+  std::optional<Prompt> prompt_;
+  std::string message_;
+  Pick2 hover_;
+
+  std::uint64_t shown_version_ = 0;
+  bool needs_base_ = true, needs_frame_ = true;
+  Raster base_, frame_;
+  Stopwatch since_watch_;
+  double until_watch_ = 0;
+};
+
+}  // namespace hottel

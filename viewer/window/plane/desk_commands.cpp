@@ -1,0 +1,348 @@
+// The commands of a desk.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "kernel/decimal.h"
+#include "kernel/support/failure.h"
+#include "solver/plane/methods/method_catalogue.h"
+#include "viewer/edit/decimals.h"
+#include "viewer/edit/plane/scene_edits.h"
+#include "viewer/edit/plane/typed_point.h"
+#include "viewer/edit/typed_numbers.h"
+#include "viewer/window/plane/desk.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::array kTones{Tone::kLog, Tone::kReinhard, Tone::kLinear, Tone::kMax};
+constexpr std::array kSolvers{Solver::kGaussSeidel, Solver::kJacobi, Solver::kShooting, Solver::kCg, Solver::kBicgstab};
+constexpr double kExposureStep = 1.2;
+constexpr int kLampPixels = 8;  // units, half the side of a lamp
+
+// Paints, at a lightness near that of plaster.
+const std::array<Spectrum, 6>& paints() {
+  const auto colour = [](int r, int g, int b) {
+    return Spectrum{{Rational(r) / 100, Rational(g) / 100, Rational(b) / 100}, false};
+  };
+  static const std::array<Spectrum, 6> kPaints{Spectrum::scalar(Rational(4) / 5),
+                                               colour(80, 36, 24),
+                                               colour(82, 70, 34),
+                                               colour(42, 64, 40),
+                                               colour(34, 50, 76),
+                                               colour(58, 38, 64)};
+  return kPaints;
+}
+
+// The next paint after the one a material has; a material that emits emits in that colour, as strongly.
+void next_colour(Material& material) {
+  const auto& all = paints();
+  const auto found = std::ranges::find(all, material.reflectivity);
+  const Spectrum& paint = found == all.end() || found + 1 == all.end() ? all[0] : *(found + 1);
+  if (!material.emission.is_zero()) {
+    const Rational most = *std::ranges::max_element(material.emission.value);
+    const Rational lightest = *std::ranges::max_element(paint.value);
+    for (std::size_t c = 0; c < 3; ++c) material.emission.value[c] = most * paint.value[c] / lightest;
+    material.emission.is_scalar = paint.is_scalar;
+  }
+  material.reflectivity = paint;
+}
+
+void step_reflectivity(Material& material, int sign) {
+  for (Rational& value : material.reflectivity.value)
+    value = std::clamp<Rational>(value + Rational(sign) / 20, Rational(0), Rational(1));
+}
+
+// A quarter more or less, to two significant digits; from nothing to 1, and below a thousandth to nothing.
+void step_emission(Material& material, int sign) {
+  if (material.emission.is_zero()) {
+    if (sign > 0) material.emission = Spectrum::scalar(Rational(1));
+    return;
+  }
+  for (Rational& value : material.emission.value) {
+    if (value == 0) continue;
+    value = sign > 0 ? value * 5 / 4 : value * 4 / 5;
+    value = rounded_decimal(value, 2 - decades(value));
+    if (value < Rational(1) / 1000) value = 0;
+  }
+}
+
+std::string text_of(const Spectrum& spectrum) {
+  if (spectrum.is_scalar) return short_text(spectrum.value[0]);
+  return fmt::format("{} {} {}", short_text(spectrum.value[0]), short_text(spectrum.value[1]),
+                     short_text(spectrum.value[2]));
+}
+
+// Reads "reflectivity 0.5; emission 1 0.9 0.8" into a material; returns what is wrong with it.
+std::string read_material(const std::string& text, Material& material) {
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(';', begin), text.size());
+    std::string part = text.substr(begin, end - begin);
+    begin = end + 1;
+    part.erase(0, std::min(part.find_first_not_of(' '), part.size()));
+    if (part.empty()) continue;
+    const std::size_t blank = std::min(part.find(' '), part.size());
+    const std::string word = part.substr(0, blank);
+    const bool is_emission = word == "emission";
+    if (!is_emission && word != "reflectivity") return "say 'reflectivity' or 'emission', not '" + word + "'";
+    const Typed<Spectrum> typed =
+        typed_spectrum(part.substr(blank), is_emission ? SpectrumKind::kQuantity : SpectrumKind::kFraction);
+    if (!typed.value) return word + ": " + typed.problem;
+    (is_emission ? material.emission : material.reflectivity) = *typed.value;
+  }
+  return "";
+}
+
+template <class Choices, class T>
+T next_of(const Choices& choices, const T& now, int step) {
+  const auto n = static_cast<int>(std::size(choices));
+  const auto found = static_cast<int>(std::find(std::begin(choices), std::end(choices), now) - std::begin(choices));
+  return choices[static_cast<std::size_t>(((found == n ? 0 : found + step) + n) % n)];
+}
+
+// The approximate methods: of each family the first of its sweep.
+std::vector<std::string> approximate_methods() {
+  std::vector<std::string> names;
+  const MethodCatalogue2 catalogue = methods_2();
+  for (const MethodFamily2& family : catalogue.families())
+    if (family.name != "exact" && !family.sweep.empty()) names.push_back(family.sweep[family.sweep.size() / 2]);
+  return names;
+}
+
+}  // namespace
+
+void Desk2::command(std::string_view name) {
+  needs_frame_ = true;
+  message_.clear();
+  if (!look_command(name) && !edit_command(name) && !material_command(name) && !file_command(name))
+    throw UsageError("there is no command called '" + std::string(name) + "'");
+  scene_changed();
+  hover_ = editor_.pick(pointer());
+  request_changed();
+}
+
+bool Desk2::look_command(std::string_view name) {
+  if (name.starts_with("look ")) {
+    const auto look = look_2(name.substr(5));
+    if (!look) return false;
+    request_.look = *look;
+    request_.other.reset();
+    needs_base_ = true;
+  } else if (name == "next" || name == "previous") {
+    next_choice(name == "next" ? 1 : -1);
+  } else if (name == "again") {
+    looks_.look_again();
+  } else if (name == "closed form") {
+    request_.wants_closed_form = !request_.wants_closed_form;
+  } else if (name == "tone") {
+    tone_.tone = next_of(kTones, tone_.tone, 1);
+  } else if (name == "darker" || name == "brighter") {
+    tone_.exposure *= name == "brighter" ? kExposureStep : 1 / kExposureStep;
+  } else if (name == "fit") {
+    fit();
+  } else if (name == "help") {
+    shows_help_ = !shows_help_;
+  } else {
+    return false;
+  }
+  looks_.set_tone(tone_, texture_pixels());
+  needs_base_ = true;
+  return true;
+}
+
+void Desk2::next_choice(int step) {
+  if (request_.look == Look2::kSweeps) {
+    request_.solver = next_of(kSolvers, request_.solver, step);
+    message_ = std::string("solver ") + to_string(request_.solver);
+  } else {
+    request_.method = next_of(approximate_methods(), request_.method, step);
+    message_ = "method " + request_.method;
+  }
+}
+
+void Desk2::nudge(std::string_view name) {
+  const bool is_far = name.starts_with("far ");
+  if (is_far) name.remove_prefix(4);
+  Rational step = 1;
+  const int decimals = decimals_at(camera_.pixels_per_length());
+  for (int k = 0; k < decimals; ++k) step /= 10;
+  for (int k = 0; k > decimals; --k) step *= 10;
+  if (is_far) step *= 10;
+  const int x = name == "right" ? 1 : name == "left" ? -1 : 0, y = name == "up" ? 1 : name == "down" ? -1 : 0;
+  message_ = editor_.move_by(x * step, y * step);
+}
+
+bool Desk2::edit_command(std::string_view name) {
+  const int decimals = decimals_at(camera_.pixels_per_length());
+  if (name == "undo") {
+    message_ = editor_.undo();
+  } else if (name == "redo") {
+    message_ = editor_.redo();
+  } else if (name.ends_with("left") || name.ends_with("right") || name.ends_with("up") || name.ends_with("down")) {
+    nudge(name);
+  } else if (name == "coordinates") {
+    if (tool_)
+      end_tool(false);
+    else
+      ask_for_coordinates();
+  } else if (name == "turn" || name == "turn back" || name == "turn square") {
+    message_ = editor_.rotate(Rational(name == "turn" ? 15 : name == "turn back" ? -15 : 90), decimals + 2);
+  } else if (name == "copy") {
+    const Rational aside = rounded_decimal(24 * unit_ / camera_.pixels_per_length(), decimals);
+    message_ = editor_.duplicate(aside, -aside);
+  } else if (name == "delete") {
+    message_ = editor_.erase();
+  } else if (name == "reverse") {
+    message_ = editor_.reverse();
+  } else if (name == "edge" || name == "polyline") {
+    begin_tool(name == "edge");
+  } else if (name == "lamp") {
+    const Rational half = rounded_decimal(kLampPixels * unit_ / camera_.pixels_per_length(), decimals + 1);
+    message_ = editor_.add_lamp(editor_.snap(pointer()).at, half);
+  } else if (name == "groups") {
+    editor_.select_groups();
+  } else if (name == "all") {
+    editor_.select_all();
+  } else if (name == "escape") {
+    if (tool_)
+      tool_.reset();
+    else if (editor_.is_dragging())
+      editor_.cancel();
+    else
+      editor_.select_none();
+    drag_ = Drag::kNone;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void Desk2::begin_tool(bool is_edge) {
+  const auto material = hover_.surface ? material_of(*editor_.scene(), hover_.face) : std::nullopt;
+  if (editor_.scene()->materials.empty()) {
+    message_ = "there is no material to draw with: add a lamp first";
+    return;
+  }
+  tool_ = Tool{{}, is_edge, material.value_or(0)};
+  message_ = fmt::format("click {} of '{}'", is_edge ? "two points" : "points",
+                         editor_.scene()->materials[tool_->material].name);
+}
+
+void Desk2::add_tool_point() {
+  const Point2 at = editor_.snap(pointer()).at;
+  if (!tool_->points.empty() && tool_->points.back() == at) return;
+  if (tool_->points.size() > 1 && tool_->points.front() == at) return end_tool(true);
+  tool_->points.push_back(at);
+  if (tool_->is_edge && tool_->points.size() == 2) end_tool(false);
+}
+
+void Desk2::end_tool(bool closed) {
+  message_ = editor_.add_line(tool_->points, closed && tool_->points.size() > 2, tool_->material);
+  tool_.reset();
+  scene_changed();
+}
+
+bool Desk2::material_command(std::string_view name) {
+  const bool copies_first = name.starts_with("own ");
+  if (copies_first) name.remove_prefix(4);
+  if (name != "less reflectivity" && name != "more reflectivity" && name != "less emission" &&
+      name != "more emission" && name != "colour" && name != "material")
+    return false;
+  if (!hover_.surface || !material_of(*editor_.scene(), hover_.face))
+    message_ = "no material lies under the mouse";
+  else if (name == "material")
+    ask_for_material(copies_first);
+  else
+    change_material(name, copies_first);
+  return true;
+}
+
+void Desk2::change_material(std::string_view name, bool copies_first) {
+  const std::string changed = editor_.change_material(hover_.face, copies_first, [name](Material& material) {
+    if (name == "colour") return next_colour(material);
+    const int sign = name.starts_with("more") ? 1 : -1;
+    name.ends_with("emission") ? step_emission(material, sign) : step_reflectivity(material, sign);
+  });
+  if (changed.empty()) return;
+  const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), hover_.face)];
+  message_ = fmt::format("{}: reflectivity {}, emission {}", changed, text_of(now.reflectivity), text_of(now.emission));
+}
+
+void Desk2::ask_for_material(bool copies_first) {
+  const Face face = hover_.face;
+  const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), face)];
+  prompt_ =
+      Prompt{.question = now.name + (copies_first ? ", for this group alone" : ""),
+             .text = fmt::format("reflectivity {}; emission {}", text_of(now.reflectivity), text_of(now.emission)),
+             .answer = [this, face, copies_first](const std::string& text) {
+               Material values;
+               const std::string problem = read_material(text, values);
+               if (!problem.empty()) return problem;
+               editor_.change_material(face, copies_first, [&text](Material& m) { read_material(text, m); });
+               scene_changed();
+               return std::string();
+             }};
+}
+
+void Desk2::ask_for_coordinates() {
+  if (!editor_.selected_vertex() && editor_.selected().empty()) {
+    message_ = "select what is to go there first";
+    return;
+  }
+  const Point2 from =
+      editor_.selected_vertex() ? *editor_.selected_vertex() : editor_.scene()->edges[editor_.selected().front()].from;
+  prompt_ = Prompt{.question = "goes to",
+                   .text = fmt::format("{}, {}", short_text(from.x), short_text(from.y)),
+                   .answer = [this](const std::string& text) {
+                     const Typed<Point2> typed = typed_point_2(text);
+                     if (!typed.value) return typed.problem;
+                     message_ = editor_.move_to(*typed.value);
+                     scene_changed();
+                     return std::string();
+                   }};
+}
+
+void Desk2::ask_for_file(const std::string& question, const std::string& text,
+                         const std::function<void(const std::string&)>& use) {
+  prompt_ = Prompt{.question = question, .text = text, .answer = [use](const std::string& name) -> std::string {
+                     if (name.empty()) return "a name, please";
+                     try {
+                       use(name);
+                       return "";
+                     } catch (const std::runtime_error& error) {
+                       return error.what();
+                     }
+                   }};
+}
+
+bool Desk2::file_command(std::string_view name) {
+  if (name == "save") {
+    save();
+  } else if (name == "save as") {
+    ask_for_file("save as", file_.path().string(), [this](const std::string& file) { save_as(file); });
+  } else if (name == "picture") {
+    ask_for_file("picture", file_.path().stem().string() + ".png", [this](const std::string& file) {
+      save_picture(file);
+      message_ = "saved " + file;
+    });
+  } else if (name == "copy number") {
+    const std::string number = looks_.result() ? looks_.result()->number : "";
+    if (!number.empty()) window_.set_clipboard(number);
+    message_ = number.empty() ? "there is no number to copy" : "copied " + number;
+  } else if (name == "reload") {
+    if (editor_.history().is_changed())
+      prompt_ = Prompt{.question = "unsaved changes:  r  read the file again and drop them   escape  keep them",
+                       .keys = {{"r", [this] { read_again(); }}}};
+    else
+      read_again();
+  } else if (name == "quit") {
+    quit();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace hottel

@@ -1,0 +1,187 @@
+// The events of a desk.
+#include <cmath>
+
+#include "viewer/edit/decimals.h"
+#include "viewer/window/commands.h"
+#include "viewer/window/plane/desk.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kReach = 9;       // units that count as touching
+constexpr double kStill = 3;       // units that a click may wander
+constexpr double kPerNotch = 1.2;  // of the wheel
+
+double distance(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+}  // namespace
+
+Pointer2 Desk2::pointer(const HeldKeys& held) const {
+  return {.place = place(),
+          .reach = kReach * unit_ / camera_.pixels_per_length(),
+          .decimals = decimals_at(camera_.pixels_per_length()),
+          .adds = held.shift,
+          .alone = held.alt,
+          .is_whole = held.ctrl};
+}
+
+// The place of the mouse as a short decimal, finer than a pixel.
+Point2 Desk2::exact_mouse() const {
+  const int decimals = decimals_at(camera_.pixels_per_length()) + 1;
+  const Place2 at = place();
+  return {rounded_decimal(at[0], decimals), rounded_decimal(at[1], decimals)};
+}
+
+void Desk2::handle(const WindowEvent& event) {
+  using Kind = WindowEvent::Kind;
+  needs_frame_ = needs_frame_ || event.kind != Kind::kWake;
+  switch (event.kind) {
+    case Kind::kQuit:
+      return quit();
+    case Kind::kResize:
+      size_ = window_.size();
+      needs_base_ = true;
+      return;
+    case Kind::kMove:
+      return move(event);
+    case Kind::kLeave:
+      has_mouse_ = false;
+      return request_changed();
+    case Kind::kPress:
+      mouse_ = {event.x, event.y};
+      return press(event);
+    case Kind::kRelease:
+      mouse_ = {event.x, event.y};
+      return release(event);
+    case Kind::kWheel:
+      camera_.zoom({event.x, event.y}, size_, std::pow(kPerNotch, event.wheel));
+      looks_.set_tone(tone_, texture_pixels());
+      needs_base_ = true;
+      return;
+    case Kind::kKey:
+      drops_text_ = !prompt_;
+      return prompt_ ? prompt_key(event) : key(event);
+    case Kind::kText:
+      if (prompt_ && !drops_text_ && prompt_->keys.empty()) prompt_->text += event.text;
+      return;
+    case Kind::kFocus:
+      until_watch_ = 0;
+      return;
+    case Kind::kWake:
+      return;
+  }
+}
+
+void Desk2::press(const WindowEvent& event) {
+  if (prompt_ || drag_ != Drag::kNone) return;
+  pressed_ = mouse_;
+  held_ = event.held;
+  has_moved_ = false;
+  if (event.button != MouseButton::kLeft) {
+    drag_ = Drag::kPan;
+    return;
+  }
+  if (tool_) return add_tool_point();
+  if (request_.look == Look2::kErrors && std::abs(mouse_.x - split_ * size_.width) < kReach * unit_) {
+    drag_ = Drag::kBar;
+    return;
+  }
+  drag_ = editor_.press(pointer(event.held)) ? Drag::kEdit : event.held.shift ? Drag::kRectangle : Drag::kPan;
+}
+
+void Desk2::move(const WindowEvent& event) {
+  const Pixel before = mouse_;
+  mouse_ = {event.x, event.y};
+  has_mouse_ = true;
+  has_moved_ = has_moved_ || distance(mouse_, pressed_) > kStill * unit_;
+  switch (drag_) {
+    case Drag::kNone:
+      hover_ = editor_.pick(pointer());
+      break;
+    case Drag::kEdit:
+      if (has_moved_ && !held_.shift) {
+        editor_.drag(pointer(held_));
+        scene_changed();
+      }
+      break;
+    case Drag::kPan:
+      camera_.pan(mouse_.x - before.x, mouse_.y - before.y);
+      needs_base_ = true;
+      break;
+    case Drag::kBar:
+      split_ = mouse_.x / size_.width;
+      needs_base_ = true;
+      break;
+    case Drag::kRectangle:
+      break;
+  }
+  request_changed();
+}
+
+void Desk2::release(const WindowEvent& event) {
+  const Drag ended = std::exchange(drag_, Drag::kNone);
+  if (ended == Drag::kEdit) {
+    if (editor_.is_dragging()) {
+      editor_.release();
+      shown_version_ = 0;  // the same scene, at rest now
+      scene_changed();
+    } else {
+      editor_.release();
+      if (event.button == MouseButton::kLeft) click();
+    }
+  }
+  if (ended == Drag::kRectangle) editor_.select_in(camera_.place_of(pressed_, size_), place(), held_.ctrl);
+  if (ended == Drag::kPan && !has_moved_ && event.button == MouseButton::kLeft && !held_.shift) editor_.select_none();
+  hover_ = editor_.pick(pointer());
+  request_changed();
+}
+
+// A click on an edge picks its face where faces are looked at.
+void Desk2::click() {
+  const Pick2 found = editor_.pick(pointer());
+  if (!found.surface) return;
+  if (request_.look == Look2::kFactors || (request_.look == Look2::kPair && (!request_.face || request_.other))) {
+    request_.face = found.face;
+    request_.other.reset();
+  } else if (request_.look == Look2::kPair) {
+    request_.other = found.face;
+  }
+  needs_base_ = true;
+}
+
+void Desk2::key(const WindowEvent& event) {
+  const std::string_view name = command_of_key(key_text(event));
+  if (!name.empty()) command(name);
+}
+
+void Desk2::prompt_key(const WindowEvent& event) {
+  if (event.key == "escape") {
+    prompt_.reset();
+    return;
+  }
+  if (!prompt_->keys.empty()) {
+    for (const auto& [key, action] : prompt_->keys)
+      if (key == event.key) {
+        const std::function<void()> act = action;
+        prompt_.reset();
+        return act();
+      }
+    return;
+  }
+  if (event.key == "backspace") {
+    std::string& text = prompt_->text;
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+    if (!text.empty()) text.pop_back();
+  } else if (event.key == "u" && event.held.ctrl) {
+    prompt_->text.clear();
+  } else if (event.key == "enter") {
+    const Prompt asked = *prompt_;
+    prompt_.reset();
+    const std::string problem = asked.answer(asked.text);
+    if (problem.empty()) return;
+    prompt_ = asked;
+    prompt_->problem = problem;
+  }
+}
+
+}  // namespace hottel

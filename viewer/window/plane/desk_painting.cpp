@@ -1,0 +1,252 @@
+// The frames of a desk.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/scene_names.h"
+#include "kernel/decimal.h"
+#include "solver/plane/methods/computed_factors.h"
+#include "viewer/edit/decimals.h"
+#include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/palette.h"
+#include "viewer/window/commands.h"
+#include "viewer/window/plane/desk.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kGap = 12;  // units between boxes and the border
+constexpr Colour kSelected = palette::kTarget, kTouched{0.02, 0.62, 0.83, 0.55}, kDimmed{0.992, 0.988, 0.980, 0.62};
+constexpr Colour kChanged{0.98, 0.72, 0.10, 0.9};  // edges whose light is not there yet
+
+const char* to_string(Tone tone) {
+  switch (tone) {
+    case Tone::kLinear:
+      return "linear";
+    case Tone::kReinhard:
+      return "reinhard";
+    case Tone::kLog:
+      return "log";
+    case Tone::kMax:
+      return "max";
+  }
+  return "";
+}
+
+}  // namespace
+
+LookDrawing2 Desk2::drawing() const {
+  const bool is_lit = !looks_.state().problem.empty() && looks_.lit();
+  return {.state = is_lit ? looks_.lit().get() : &looks_.state(),
+          .request = &looks_.request(),
+          .result = looks_.result(),
+          .tone = tone_,
+          .texture = looks_.texture(),
+          .split = split_};
+}
+
+// Everything but what is said about it.
+void Desk2::draw_marks(PictureCanvas& canvas) const {
+  const Frame2 frame = camera_.frame(size_);
+  const LiveState2& state = looks_.state();
+  if (!state.scene) {
+    canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame.width(), frame.height()}, palette::kPaper);
+    draw_edges(canvas, frame, *editor_.scene(), palette::kInk, 2 * unit_);
+    return;
+  }
+  draw_look(canvas, frame, unit_, drawing());
+  if (state.problem.empty()) return;
+  canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame.width(), frame.height()}, kDimmed);
+  draw_edges(canvas, frame, *state.scene, palette::kInk, 2 * unit_);
+}
+
+void Desk2::draw_base() {
+  base_ = Raster(size_.width, size_.height);
+  CairoCanvas canvas(base_);
+  draw_marks(canvas);
+  canvas.finish();
+  needs_base_ = false;
+}
+
+void Desk2::draw_selection(PictureCanvas& canvas) const {
+  const Frame2 frame = camera_.frame(size_);
+  const Scene2& scene = *editor_.scene();
+  const auto stroke = [&](std::uint32_t s, const Colour& colour, double width) {
+    canvas.stroke(Mark::kTarget, frame.at(scene.edges[s].from), frame.at(scene.edges[s].to), colour, width * unit_);
+  };
+  // What was changed since the state that is shown.
+  const Scene2* shown = looks_.state().scene.get();
+  if (shown != nullptr && shown != &scene)
+    for (std::uint32_t s = 0; s < scene.edges.size(); ++s)
+      if (s >= shown->edges.size() || scene.edges[s] != shown->edges[s]) stroke(s, kChanged, 2);
+  if (drag_ == Drag::kNone && !tool_ && hover_.surface && *hover_.surface < scene.edges.size())
+    stroke(*hover_.surface, kTouched, 5);
+  for (const std::uint32_t s : editor_.selected()) stroke(s, kSelected, 3.5);
+  for (const std::uint32_t s : editor_.selected())
+    for (const Point2* end : {&scene.edges[s].from, &scene.edges[s].to})
+      canvas.disc(Mark::kTarget, frame.at(*end), 3.5 * unit_, kSelected);
+  const auto ring = [&](const Point2& at) {
+    canvas.disc(Mark::kTarget, frame.at(at), 6 * unit_, palette::kPaper);
+    canvas.circle(Mark::kTarget, frame.at(at), 6 * unit_, kSelected, 2.5 * unit_);
+  };
+  if (drag_ == Drag::kNone && !tool_ && hover_.vertex) ring(*hover_.vertex);
+  if (editor_.selected_vertex()) ring(*editor_.selected_vertex());
+  if (request_.look == Look2::kFactors || request_.look == Look2::kPair)
+    for (const auto& [face, colour] : {std::pair(request_.face, palette::kFirst), {request_.other, palette::kSecond}})
+      if (face && face->surface < scene.edges.size()) stroke(face->surface, colour, 4);
+}
+
+void Desk2::draw_tool(PictureCanvas& canvas) const {
+  const Frame2 frame = camera_.frame(size_);
+  if (drag_ == Drag::kRectangle) {
+    const Pixel corners[] = {pressed_, {mouse_.x, pressed_.y}, mouse_, {pressed_.x, mouse_.y}};
+    canvas.fill(Mark::kTarget, corners, kSelected.with_alpha(0.15));
+    for (std::size_t k = 0; k < 4; ++k)
+      canvas.stroke(Mark::kTarget, corners[k], corners[(k + 1) % 4], kSelected, unit_);
+  }
+  if (!tool_) return;
+  const Snap2 next = editor_.snap(pointer());
+  std::vector<Point2> points = tool_->points;
+  points.push_back(next.at);
+  for (std::size_t k = 1; k < points.size(); ++k)
+    canvas.stroke(Mark::kTarget, frame.at(points[k - 1]), frame.at(points[k]), kSelected, 3 * unit_);
+  for (const Point2& point : points) canvas.disc(Mark::kTarget, frame.at(point), 4 * unit_, kSelected);
+}
+
+// Where the scene has no light, and what `check` says of it.
+void Desk2::draw_problem(PictureCanvas& canvas) const {
+  const LiveState2& state = looks_.state();
+  if (state.problem.empty()) return;
+  const Frame2 frame = camera_.frame(size_);
+  Panel panel{.lines = {"no light"}, .is_warning = true};
+  const auto mark = [&](const Pixel& at) {
+    canvas.circle(Mark::kCritical, at, 12 * unit_, palette::kSecond, 3.5 * unit_);
+  };
+  for (const Finding2& error : state.errors) {
+    panel.lines.push_back(error.message);
+    if (!error.suggestion.empty()) panel.lines.push_back(error.suggestion);
+    if (error.at) mark(frame.at(*error.at));
+    for (const std::uint32_t s : error.surfaces)
+      if (s < state.scene->edges.size())
+        canvas.stroke(Mark::kCritical, frame.at(state.scene->edges[s].from), frame.at(state.scene->edges[s].to),
+                      palette::kSecond, 4 * unit_);
+  }
+  for (const Edge2& edge : state.scene->edges)
+    if (edge.from == edge.to) mark(frame.at(edge.from));
+  if (state.errors.empty()) panel.lines.push_back(state.problem);
+  draw_panel(canvas, panel,
+             {.corner = {kGap * unit_, 52 * unit_}, .width = 0.45 * size_.width, .height = 0.7 * size_.height}, unit_);
+}
+
+std::string Desk2::head() const {
+  const LiveState2& state = looks_.state();
+  std::string text = file_.path().filename().string() + (editor_.history().is_changed() ? " *" : "") + "   " +
+                     hottel::to_string(request_.look);
+  if (request_.look == Look2::kLight) text += fmt::format(", tone {} x {:.3g}", to_string(tone_.tone), tone_.exposure);
+  if (request_.look == Look2::kFloor) text += fmt::format(" x {:.3g}", tone_.exposure);
+  if (request_.look == Look2::kErrors) text += ": " + request_.method;
+  if (!state.light) return text;
+  const bool is_behind = state.scene != editor_.scene();
+  if (state.depth == LiveDepth2::kCoarse || is_behind)
+    text += fmt::format("   coarse: {} x {} cells, {:.0f} ms", state.light->grid.grid.nx, state.light->grid.grid.ny,
+                        1e3 * state.seconds);
+  else
+    text += fmt::format("   exact, {:.0f} ms", 1e3 * state.seconds);
+  return text;
+}
+
+// Where the mouse is, what lies there, and the number that can be copied.
+std::string Desk2::status() const {
+  if (!has_mouse_) return "";
+  const Point2 at = exact_mouse();
+  std::string text = fmt::format("({}, {})", short_text(at.x), short_text(at.y));
+  const Scene2& scene = *editor_.scene();
+  if (hover_.surface && *hover_.surface < scene.surfaces.size()) {
+    text += "   " + face_name(scene, hover_.face);
+    const Surface& surface = scene.surfaces[*hover_.surface];
+    const auto material = hover_.face.is_back ? surface.back : std::optional(surface.material);
+    text += material ? " of " + scene.materials[*material].name : ", opaque and black";
+  }
+  const LookResult2* result = looks_.result();
+  if (result == nullptr || result->number.empty()) return text;
+  const bool is_light = request_.look == Look2::kLight || request_.look == Look2::kFloor ||
+                        request_.look == Look2::kBands || request_.look == Look2::kVisibility;
+  return text + (is_light ? "   mean irradiance " : "   ") + result->number;
+}
+
+void Desk2::draw_texts(PictureCanvas& canvas) const {
+  const double gap = kGap * unit_, width = size_.width, height = size_.height;
+  draw_panel(canvas, {.lines = {head()}}, {.corner = {gap, gap}, .width = 0.7 * width}, unit_);
+  draw_panel(canvas, {.lines = {"h  help"}, .is_head_bold = false},
+             {.corner = {width - gap, gap}, .is_right = true, .width = 200 * unit_}, unit_);
+  const bool has_panel = request_.look != Look2::kLight && request_.look != Look2::kFloor &&
+                         request_.look != Look2::kBands && looks_.result() != nullptr;
+  if (has_panel)
+    draw_panel(
+        canvas, {.lines = looks_.result()->lines},
+        {.corner = {width - gap, 52 * unit_}, .is_right = true, .width = 0.36 * width, .height = height - 180 * unit_},
+        unit_);
+  if (prompt_) {
+    Panel panel{.lines = {prompt_->question}};
+    if (prompt_->keys.empty()) panel.lines.push_back(prompt_->text + "|");
+    if (!prompt_->problem.empty()) panel.lines.push_back(prompt_->problem);
+    draw_panel(canvas, panel, {.corner = {0.2 * width, 0.4 * height}, .width = 0.6 * width}, unit_);
+  }
+  const std::string line = message_.empty() ? status() : message_;
+  if (line.empty()) return;
+  draw_panel(canvas, {.lines = {line}, .is_head_bold = false},
+             {.corner = {gap, height - gap}, .is_bottom = true, .width = 0.8 * width}, unit_);
+}
+
+void Desk2::draw_help(PictureCanvas& canvas) const {
+  canvas.fill_rectangle(Mark::kPaper, {0, 0}, {canvas.width(), canvas.height()}, palette::kPaper.with_alpha(0.95));
+  const double unit = std::min(unit_, std::min(canvas.width() / 1100, canvas.height() / 640));
+  const TextStyle bold{.size = 15 * unit, .colour = palette::kInk, .weight = TextWeight::kBold};
+  const TextStyle key{.size = 14 * unit, .colour = palette::kTarget, .weight = TextWeight::kBold};
+  const TextStyle plain{.size = 14 * unit, .colour = palette::kInk};
+  double x = 40 * unit, y = 40 * unit;
+  const auto line = [&](std::string_view left, double indent, std::string_view right) {
+    canvas.text(Mark::kLegend, {x, y}, left, key);
+    canvas.text(Mark::kLegend, {x + indent * unit, y}, right, plain);
+    y += 20 * unit;
+  };
+  std::string_view topic;
+  for (const Command& command : commands()) {
+    if (command.help.empty()) continue;
+    if (command.topic != topic) {
+      topic = command.topic;
+      const bool is_column = topic == "edit" || topic.starts_with("material");
+      if (is_column) x += 350 * unit;
+      y = is_column ? 40 * unit : y + (topic == "look" ? 0 : 16 * unit);
+      canvas.text(Mark::kLegend, {x, y}, topic, bold);
+      y += 24 * unit;
+    }
+    line(command.key, 100, command.help);
+  }
+  y += 16 * unit;
+  canvas.text(Mark::kLegend, {x, y}, "mouse", bold);
+  y += 24 * unit;
+  for (const Gesture& gesture : gestures()) {
+    canvas.text(Mark::kLegend, {x, y}, gesture.gesture, key);
+    canvas.text(Mark::kLegend, {x + 16 * unit, y + 17 * unit}, gesture.help, plain);
+    y += 37 * unit;
+  }
+}
+
+void Desk2::draw() {
+  if (needs_base_ || base_.width != size_.width || base_.height != size_.height) draw_base();
+  frame_ = base_;
+  CairoCanvas canvas(frame_);
+  draw_selection(canvas);
+  draw_tool(canvas);
+  draw_problem(canvas);
+  draw_texts(canvas);
+  if (shows_help_) draw_help(canvas);
+  canvas.finish();
+  window_.set_title(file_.path().filename().string() + (editor_.history().is_changed() ? " *" : "") + " - hottel");
+  needs_frame_ = false;
+}
+
+}  // namespace hottel

@@ -1,0 +1,61 @@
+// What is shown of a scene while it is edited: its light, and what is looked at, made in the background.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "viewer/picture/raster.h"
+#include "viewer/window/background.h"
+#include "viewer/window/plane/live_scene.h"
+#include "viewer/window/plane/look.h"
+#include "viewer/window/plane/look_painter.h"
+
+namespace hottel {
+
+// Keeps what is to be drawn up to date. All functions are for one thread, that of the window; what they ask for is made
+// on others, and is there after a later collect().
+//
+//   (1) at rest, all that can be asked of it is of the last scene and the last request
+//   (2) texture() is that of state() and tone; one pixel a cell at first, finer ones follow at rest
+class SceneLooks2 {
+ public:
+  // changed: called on other threads when there is something to collect; must be quick.
+  SceneLooks2(SimulationRequest2 request, const std::function<void()>& changed);
+
+  void set_scene(std::shared_ptr<const Scene2> scene, LiveDepth2 depth);
+  void set_request(const LookRequest2& request);
+  // pixels_per_cell: how fine the texture should be at rest.
+  void set_tone(const LightTone2& tone, std::uint32_t pixels_per_cell);
+  void look_again();  // begins anew what is looked at
+
+  // Takes what has come. True where something that is drawn has changed.
+  bool collect();
+  bool is_at_rest() const;
+  // Collects until all is at rest, so many seconds at most. Returns whether it is.
+  bool wait(double seconds);
+
+  const LiveState2& state() const { return *state_; }                    // the last that came
+  const std::shared_ptr<const LiveState2>& lit() const { return lit_; }  // the last with light; may be null
+  const LookRequest2& request() const { return request_; }
+  const LightTone2& tone() const { return tone_; }
+  const LookResult2* result() const { return result_ ? &*result_ : nullptr; }  // of the look asked for, or null
+  const Raster* texture() const { return texture_.get(); }                     // of lit(); may be null
+
+ private:
+  void ask();
+  void ask_for_fine_texture();
+
+  std::shared_ptr<const LiveState2> state_ = std::make_shared<const LiveState2>(), lit_;
+  LookRequest2 request_;
+  LightTone2 tone_;
+  std::uint32_t pixels_per_cell_ = 1, texture_pixels_ = 0;  // wanted, and had
+  std::optional<LookResult2> result_;
+  std::shared_ptr<const Raster> texture_;
+  bool is_changed_ = false;
+  LiveScene2 live_;
+  Background looking_, toning_;
+};
+
+}  // namespace hottel
