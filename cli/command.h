@@ -86,5 +86,6 @@ void add_compare(Commands& commands);
 void add_reference(Commands& commands);
 void add_generate(Commands& commands);
 void add_convert(Commands& commands);
+void add_view(Commands& commands);
 
 }  // namespace hottel

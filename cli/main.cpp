@@ -12,5 +12,6 @@ int main(int argc, char** argv) {
   hottel::add_reference(commands);
   hottel::add_generate(commands);
   hottel::add_convert(commands);
+  hottel::add_view(commands);
   return commands.run(argc, argv);
 }

@@ -35,18 +35,24 @@ std::filesystem::path output_folder(const std::string& option, const std::string
   return option.empty() ? std::filesystem::path(scene).stem().string() + "-hottel" : option;
 }
 
-Grid2 grid_of(const Scene2& scene, const std::string& option) {
-  if (option.empty()) return default_grid(scene);
-  const auto x = option.find('x');
-  const auto number = [](const std::string& digits) -> std::uint32_t {
+std::array<std::uint32_t, 2> two_numbers(const std::string& option, const std::string& pattern, const std::string& text,
+                                         std::uint32_t most) {
+  const auto x = text.find('x');
+  const auto number = [most](const std::string& digits) -> std::uint32_t {
     const auto value = parse_rational(digits);
-    if (!value || value->get_den() != 1 || *value < 1 || *value > kMaxGridCells) return 0;
+    if (!value || value->get_den() != 1 || *value < 1 || *value > most) return 0;
     return static_cast<std::uint32_t>(value->get_num().get_ui());
   };
-  const std::uint32_t nx = x == std::string::npos ? 0 : number(option.substr(0, x));
-  const std::uint32_t ny = x == std::string::npos ? 0 : number(option.substr(x + 1));
-  if (nx == 0 || ny == 0)
-    throw UsageError(fmt::format("--grid takes NXxNY with numbers from 1 to {}, not '{}'", kMaxGridCells, option));
+  const std::uint32_t first = x == std::string::npos ? 0 : number(text.substr(0, x));
+  const std::uint32_t second = x == std::string::npos ? 0 : number(text.substr(x + 1));
+  if (first == 0 || second == 0)
+    throw UsageError(fmt::format("{} takes {} with numbers from 1 to {}, not '{}'", option, pattern, most, text));
+  return {first, second};
+}
+
+Grid2 grid_of(const Scene2& scene, const std::string& option) {
+  if (option.empty()) return default_grid(scene);
+  const auto [nx, ny] = two_numbers("--grid", "NXxNY", option, kMaxGridCells);
   return grid_over(scene, nx, ny);
 }
 

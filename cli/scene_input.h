@@ -2,6 +2,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -39,6 +41,11 @@ auto naming_file(const std::string& file, const Work& work) {
     throw RequestError(file + ": " + error.what());
   }
 }
+
+// Two numbers from 1 to `most` with an x between them, "400x300". Throws UsageError, naming the option and its
+// pattern, for anything else.
+std::array<std::uint32_t, 2> two_numbers(const std::string& option, const std::string& pattern, const std::string& text,
+                                         std::uint32_t most);
 
 // The grid of an option --grid, "400x300" cells over the region of the scene's own grid or else of its surfaces;
 // without the option that of default_grid. Throws UsageError for anything but two numbers from 1 to kMaxGridCells.

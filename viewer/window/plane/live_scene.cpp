@@ -49,9 +49,9 @@ std::shared_ptr<const LiveState2> LiveScene2::state() const {
   return state_;
 }
 
-bool LiveScene2::is_at_rest() const {
+bool LiveScene2::is_done() const {
   const std::lock_guard lock(mutex_);
-  return done_ == set_ && state_->depth == LiveDepth2::kFull;
+  return done_ == set_;
 }
 
 bool LiveScene2::wait(double seconds) const {

@@ -46,8 +46,9 @@ Grid2 coarse_grid_2(const Grid2& grid, std::uint32_t most);
 
 // Makes the light of the version that was set last, on a thread of its own.
 //
-//   (1) at rest, when is_at_rest(): state() is that of the last version, kFull, and its values are bit for bit those of
-//       a new simulation of the same scene and request
+//   (1) once is_done(), state() is that of the last version, as far as it was asked for; where that is kFull, its
+//   values
+//       are bit for bit those of a new simulation of the same scene and request
 //   (2) a version is shown coarse first. One that is set meanwhile does not stop that, so that something new is shown
 //       however fast versions follow; it stops what is done beyond
 //   (3) only the last of the versions that wait is made
@@ -69,7 +70,7 @@ class LiveScene2 {
 
   // The state that came last; before the first one, of version 0 without a scene.
   std::shared_ptr<const LiveState2> state() const;
-  bool is_at_rest() const;
+  bool is_done() const;
   // Waits until the version that was set last has come as far as it was asked to, so many seconds at most. Returns
   // whether it has.
   bool wait(double seconds) const;

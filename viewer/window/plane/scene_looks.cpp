@@ -98,7 +98,7 @@ bool SceneLooks2::collect() {
 }
 
 bool SceneLooks2::is_at_rest() const {
-  return live_.is_at_rest() && live_.state() == state_ && !looking_.is_busy() && !toning_.is_busy();
+  return live_.is_done() && live_.state() == state_ && !looking_.is_busy() && !toning_.is_busy();
 }
 
 bool SceneLooks2::wait(double seconds) {

@@ -1,0 +1,122 @@
+// hottel view: a window in which a scene is edited, and light follows.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/command.h"
+#include "cli/scene_input.h"
+#include "geometry/near_names.h"
+#include "io/files/output_file.h"
+#include "io/files/text_file.h"
+#include "kernel/support/failure.h"
+#include "viewer/picture/png_file.h"
+#include "viewer/window/plane/desk.h"
+#include "viewer/window/plane/desk_script.h"
+#include "viewer/window/recording_window.h"
+#include "viewer/window/sdl_window.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::uint32_t kWidth = 1280, kHeight = 800;
+constexpr double kMostScale = 8;
+
+struct ViewOptions {
+  std::string scene, screenshot, script, record, look = "light";
+  std::string size;
+  double scale = 1;
+  std::optional<std::uint64_t> memory;
+};
+
+FrameSize size_of(const ViewOptions& options) {
+  if (options.size.empty())
+    return {static_cast<std::uint32_t>(kWidth * options.scale), static_cast<std::uint32_t>(kHeight * options.scale)};
+  const auto [width, height] = two_numbers("--size", "WxH", options.size, kMaxPictureSide);
+  return {width, height};
+}
+
+// The frames of a recording, as numbered files.
+class FrameFiles {
+ public:
+  explicit FrameFiles(const std::string& folder) : path_(folder), folder_(folder) {}
+  void write(const Raster& frame) {
+    write_output_file(path_ / fmt::format("frame-{:05}.png", ++count_), png_file(frame));
+  }
+  int count() const { return count_; }
+
+ private:
+  std::filesystem::path path_;
+  OutputFolder folder_;
+  int count_ = 0;
+};
+
+// Without a screen: plays the script, if there is one, and writes what is asked for.
+ExitCode play(const ViewOptions& options, const SimulationRequest2& request, Streams& streams) {
+  const std::string text = options.script.empty()  ? ""
+                           : options.script == "-" ? read_standard_input()
+                                                   : read_text_file(options.script);
+  const std::vector<ScriptStep> steps = parse_script(text, options.script);
+  RecordingWindow window(size_of(options));
+  Desk2 desk(options.scene, window, request, options.scale);
+  desk.command("look " + options.look);
+  std::optional<FrameFiles> frames;
+  ScriptOutputs outputs{.print = [&streams](const std::string& line) { streams.write("", line + "\n"); }};
+  if (!options.record.empty()) {
+    frames.emplace(options.record);
+    outputs.frame = [&frames](const Raster& frame) { frames->write(frame); };
+  }
+  play_script_2(steps, options.script, desk, window, outputs);
+  if (!options.screenshot.empty()) write_output_file(options.screenshot, png_file(window.frame()));
+  if (frames)
+    streams.note(fmt::format("{} frames, {} a second, in {}", frames->count(), kFramesPerSecond, options.record));
+  return ExitCode::kDone;
+}
+
+ExitCode view(const ViewOptions& options, Streams& streams) {
+  if (!look_2(options.look)) {
+    std::vector<std::string> known;
+    for (int k = 0; k < kLooks2; ++k) known.push_back(to_string(static_cast<Look2>(k)));
+    throw UnknownName("there is nothing to look at called '" + options.look + "'", options.look, known);
+  }
+  const SimulationRequest2 request{.memory = options.memory.value_or(0)};
+  if (!options.script.empty() || !options.screenshot.empty() || !options.record.empty())
+    return play(options, request, streams);
+  const std::unique_ptr<Window> window = open_window("hottel", size_of(options));
+  Desk2 desk(options.scene, *window, request, options.scale);
+  desk.command("look " + options.look);
+  desk.run();
+  return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_view(Commands& commands) {
+  const auto options = std::make_shared<ViewOptions>();
+  CLI::App& command = commands.add(
+      "view",
+      "A window: move walls, furniture and lamps, and exact light follows\n\n"
+      "Press h in the window for all keys. With --screenshot, --script or --record there is no window, and no display\n"
+      "is needed; docs/window.md has the steps of a script.",
+      {"hottel view scenes/showcase/apartment.json --screenshot /tmp/apartment.png",
+       "hottel view scenes/showcase/museum.json --look factors --size 800x600 --screenshot /tmp/museum.png"},
+      [options](Streams& streams) { return view(*options, streams); });
+  command.add_option("SCENE", options->scene, "the scene file")->required();
+  command
+      .add_option("--look", options->look,
+                  "what to show at first: light floor bands visibility factors pair errors check plan sweeps")
+      ->type_name("LOOK")
+      ->capture_default_str();
+  command.add_option("--scale", options->scale, "letters and lines S times as large")
+      ->type_name("S")
+      ->check(CLI::Range(0.25, kMostScale))
+      ->capture_default_str();
+  command.add_option("--size", options->size, "pixels of the window; without it 1280x800 times S")->type_name("WxH");
+  command.add_option("--screenshot", options->screenshot, "write what is seen at last (.png)")->type_name("FILE");
+  command.add_option("--script", options->script, "do these steps, a line each")->type_name("FILE");
+  command.add_option("--record", options->record, "write every frame as a PNG file into this folder")->type_name("DIR");
+  command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
+      ->type_name("BYTES")
+      ->transform(whole_number(1));
+}
+
+}  // namespace hottel

@@ -1,0 +1,48 @@
+// Scripts for a window: what a hand would do, a line each.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viewer/window/plane/desk.h"
+#include "viewer/window/recording_window.h"
+
+namespace hottel {
+
+// A step of a script: a word, what follows it, and where it stands.
+struct ScriptStep {
+  std::string word;
+  std::vector<std::string> arguments;
+  std::string rest;  // the text after the word, as it stands
+  int line = 0;
+};
+
+// Returns the steps of a script; docs/window.md lists them. Empty lines and those that begin with '#' are none.
+// Throws InputError naming the line for words that are unknown, and for a wrong number of arguments.
+std::vector<ScriptStep> parse_script(std::string_view text, const std::string& name);
+
+// Where the results of a script go.
+struct ScriptOutputs {
+  std::function<void(const std::string&)> print;  // a line of text
+  std::function<void(const Raster&)> frame = {};  // each frame of a recording; empty: nothing is recorded
+};
+
+// Frames a second of a recording.
+inline constexpr int kFramesPerSecond = 20;
+
+// Does the steps, one after the other; ends early where the window is closed.
+//
+//   (1) after each step all that the desk shows is waited for: a script does the same on every machine
+//   (2) a recording has a frame for every event, and kFramesPerSecond for a second of "pause", in which what runs in
+//       the background goes on as it does
+// REQUIRES: the desk is that of the window. Throws InputError naming the line for what makes no sense, OutputError.
+void play_script_2(const std::vector<ScriptStep>& steps, const std::string& name, Desk2& desk, RecordingWindow& window,
+                   const ScriptOutputs& outputs);
+
+// Returns a line with the SHA-256 of each file that a fresh process would write of the scene as it is: factors.csv
+// (`hottel factors`), radiosity.csv and illumination.npy (`hottel solve`); "-" for each where there is no light.
+std::string result_hashes(const LiveState2& state);
+
+}  // namespace hottel
