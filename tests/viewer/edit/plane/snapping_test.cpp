@@ -78,7 +78,7 @@ TEST(Snapper2, TakesAShortDecimalOfTheWayAlongASlantedEdge) {
 
 TEST(Snapper2, PutsPointsExactlyOnEdges) {
   std::mt19937_64 random(3);
-  const auto number = [&] {
+  const auto number = [&]() -> Rational {
     return (Rational(static_cast<long>(random() % 20'000)) - 10'000) / (random() % 2 ? 1000 : 7);
   };
   SceneBuilder2 builder;
