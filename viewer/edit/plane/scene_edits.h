@@ -72,8 +72,8 @@ AddedSurfaces2 add_edge(const Scene2& scene, const Edge2& edge, std::uint32_t ma
 // first. REQUIRES: at least two points.
 AddedSurfaces2 add_polyline(const Scene2& scene, std::span<const Point2> points, bool closed, std::uint32_t material);
 
-// Adds a square with fronts outward, called "lamp 1", "lamp 2", .... Its material is the first of those called "lamp",
-// "lamp 2", ... that emits; one that is missing is made, with reflectivity 0 and emission 1. REQUIRES: half_size > 0.
+// Adds a square with fronts outward, called "lamp 1", "lamp 2", .... Its material is the first of "lamp", "lamp 2", ...
+// that emits or is not there yet; then it is made, with reflectivity 0 and emission 1. REQUIRES: half_size > 0.
 AddedSurfaces2 add_lamp(const Scene2& scene, const Point2& centre, const Rational& half_size);
 
 // Returns the material of a face, nothing for a back without one.

@@ -23,6 +23,8 @@ struct Nearest {
   }
 };
 
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
 Rational clamped(const Rational& value, const Rational& a, const Rational& b) {
   return std::clamp(value, std::min(a, b), std::max(a, b));
 }
@@ -41,8 +43,8 @@ Snap2 Snapper2::at(const Place2& place, const SnapRequest2& request) const {
     if (is_moved[s]) continue;
     const LocalEdge2& e = local_.edges()[s];
     if (request.to_vertices) {
-      vertex.offer(std::hypot(e.from_x - local[0], e.from_y - local[1]), s, false);
-      vertex.offer(std::hypot(e.to_x - local[0], e.to_y - local[1]), s, true);
+      vertex.offer(length(e.from_x - local[0], e.from_y - local[1]), s, false);
+      vertex.offer(length(e.to_x - local[0], e.to_y - local[1]), s, true);
     }
     if (request.to_edges) edge.offer(local_foot(e, local).distance, s);
   }
