@@ -264,7 +264,7 @@ class ScreenWindow : public Window {
       case SDL_KEYUP:
         return of_key(event.key);
       case SDL_TEXTINPUT:
-        if (is_shortcut_) return std::nullopt;
+        if (held_.ctrl || held_.alt) return std::nullopt;
         return WindowEvent{.kind = Kind::kText, .text = event.text.text, .held = held_};
       default:
         return std::nullopt;
@@ -295,10 +295,9 @@ class ScreenWindow : public Window {
   }
 
   std::optional<WindowEvent> of_key(const SDL_KeyboardEvent& event) {
-    // Held keys are those of the queue's time, not of the keyboard's.
+    // Held keys are those of the queue's time, not of the keyboard's. On many keyboards the right Alt types letters.
     const auto holds = [&](int keys) { return (event.keysym.mod & keys) != 0; };
-    held_ = {.shift = holds(KMOD_SHIFT), .ctrl = holds(KMOD_CTRL), .alt = holds(KMOD_ALT)};
-    is_shortcut_ = holds(KMOD_CTRL | KMOD_LALT);  // on many keyboards the right Alt types letters
+    held_ = {.shift = holds(KMOD_SHIFT), .ctrl = holds(KMOD_CTRL), .alt = holds(KMOD_LALT)};
     std::string name = event.type == SDL_KEYDOWN ? key_name(event.keysym) : "";
     if (name.empty()) return std::nullopt;
     return WindowEvent{.kind = Kind::kKey, .x = mouse_x_, .y = mouse_y_, .key = std::move(name), .held = held_};
@@ -313,7 +312,6 @@ class ScreenWindow : public Window {
   std::atomic<bool> is_woken_{false};  // a kWake is on its way
   double mouse_x_ = 0, mouse_y_ = 0;
   HeldKeys held_;
-  bool is_shortcut_ = false;  // what is held makes keys no text
 };
 
 }  // namespace
