@@ -319,6 +319,7 @@ TEST_F(SdlWindow, StopsWaitingWhenAStopIsAskedFor) {
 volatile std::sig_atomic_t interrupts = 0;
 
 TEST_F(SdlWindow, LeavesSignalsToTheProgram) {
+  interrupts = 0;
   const auto before = std::signal(SIGINT, [](int) { interrupts = interrupts + 1; });
   std::raise(SIGINT);
   EXPECT_EQ(interrupts, 1);
