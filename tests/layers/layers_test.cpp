@@ -252,6 +252,16 @@ TEST(Layers, FewUnitsOfTheProductCompileCgal) {
   EXPECT_LE(units.size(), kMostCgalUnits) << ::testing::PrintToString(units);
 }
 
+bool is_of_sdl(const Include& include) { return fs::path(include.path).filename().string().starts_with("SDL"); }
+
+TEST(Layers, OneFileKnowsSdl) {
+  // The library does without; so do pictures, scripts and tests without a screen.
+  std::set<std::string> files;
+  for (const Source& source : product_sources())
+    if (std::any_of(source.includes.begin(), source.includes.end(), is_of_sdl)) files.insert(source.path.string());
+  EXPECT_THAT(files, testing::ElementsAre("viewer/window/sdl_window.cpp"));
+}
+
 TEST(Layers, TheOracleKnowsNothingOfTheKernel) {
   // The brute force is a second opinion: it may share plain structs and nothing that computes.
   const fs::path folder = fs::path(HOTTEL_SOURCE_DIR) / "tests/oracle";
@@ -282,6 +292,9 @@ TEST(Layers, TheCheckSeesWhatItForbids) {
   EXPECT_EQ(problem("solver/plan.h", {"geometry/plane/scene/scene.h", true}), "has no dimension and knows the plane");
   EXPECT_EQ(problem("viewer/picture/plane/a.h", {"geometry/plane/scene/scene.h", true}), "");
   EXPECT_EQ(problem("cli/plan.cpp", {"geometry/plane/scene/scene.h", true}), "");
+  for (const char* header : {"SDL.h", "SDL2/SDL.h", "SDL2/SDL_events.h", "SDL_events.h"})
+    EXPECT_TRUE(is_of_sdl({header, false})) << header;
+  EXPECT_FALSE(is_of_sdl({"viewer/window/sdl_window.h", true}));
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST(DrawPixels, DrawsTheNearestWhereCentresLieInTheRectangle) {
       for_drawn(before, target, r.a, r.b, source, [&](std::uint32_t pixel, double u, double v) {
         ++drawn;
         // Where a centre lies on a border of two pixels of the source, rounding decides.
-        const double e = 1e-9 * width;
+        const double e = 1e-9 * source.width;
         const std::array<std::uint32_t, 4> allowed{
             nearest(source, std::max(u - e, 0.0), std::max(v - e, 0.0)), nearest(source, u + e, v + e),
             nearest(source, std::max(u - e, 0.0), v + e), nearest(source, u + e, std::max(v - e, 0.0))};

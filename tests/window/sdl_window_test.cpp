@@ -6,14 +6,12 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <functional>
 #include <thread>
 
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "tests/window/xvfb.h"
-#include "viewer/picture/png_file.h"
 
 namespace hottel {
 namespace {
@@ -100,7 +98,7 @@ TEST_F(SdlWindow, HasTheSizeAndTitleAskedFor) {
   EXPECT_EQ(window_->size(), kSize);
   EXPECT_EQ(session_.xdotool("getwindowname " + id_), "hottel test");
   window_->set_title("a \xc3\xa9");
-  EXPECT_EQ(session_.window("^a \xc3\xa9$"), id_);
+  EXPECT_EQ(session_.xdotool("getwindowname " + id_), "a \xc3\xa9");
 }
 
 TEST_F(SdlWindow, ShowsWhatItIsGiven) {
@@ -108,9 +106,7 @@ TEST_F(SdlWindow, ShowsWhatItIsGiven) {
   window_->show(frame);
   settle();
   window_->show(frame);
-  const Raster seen = session_.grab(id_);
-  EXPECT_TRUE(seen == frame);
-  if (seen != frame) std::ofstream("seen.png", std::ios::binary) << png_file(seen);
+  EXPECT_TRUE(session_.grab(id_) == frame);
   // Another size is stretched.
   window_->show(Raster(7, 5, 0xFF204060));
   EXPECT_TRUE(session_.grab(id_) == Raster(kSize.width, kSize.height, 0xFF204060));
@@ -205,6 +201,7 @@ TEST_F(SdlWindow, NamesKeysByWhatTheyTypeAlone) {
   EXPECT_THAT(typed("key space"), ElementsAre("key space", "text  "));
   EXPECT_THAT(typed("key ctrl+z"), ElementsAre("key ctrl+z"));
   EXPECT_THAT(typed("key ctrl+shift+z"), ElementsAre("key shift+ctrl+z"));
+  EXPECT_THAT(typed("key ctrl+1 key alt+x"), ElementsAre("key ctrl+1", "key alt+x"));
   EXPECT_THAT(typed("key ctrl+plus"), ElementsAre("key shift+ctrl+="));
 }
 
@@ -223,9 +220,22 @@ TEST_F(SdlWindow, NamesKeysThatTypeNothing) {
 
 TEST_F(SdlWindow, TextComesAsTyped) {
   std::string text;
-  for (const std::string& event : typed("type --delay 20 'Wall 2,5 \xc3\xa9!'"))
+  for (const std::string& event : typed("type --delay 20 'Wall 2,5 [a-Z]!'"))
     if (event.starts_with("text ")) text += event.substr(5);
-  EXPECT_EQ(text, "Wall 2,5 \xc3\xa9!");
+  EXPECT_EQ(text, "Wall 2,5 [a-Z]!");
+}
+
+TEST_F(SdlWindow, KeysAreThoseOfTheLayout) {
+  session_.set_keyboard("fr");
+  settle();
+  EXPECT_THAT(typed("key a key shift+a"), ElementsAre("key a", "text a", "key shift+a", "text A"));
+  // Digits are digits, also where they need Shift.
+  EXPECT_THAT(typed("key eacute key 2"), ElementsAre("key 2", "text \xc3\xa9", "key shift+2", "text 2"));
+  session_.set_keyboard("de");
+  settle();
+  EXPECT_THAT(typed("key udiaeresis key y"), ElementsAre("key \xc3\xbc", "text \xc3\xbc", "key y", "text y"));
+  // With AltGr, which is no Alt.
+  EXPECT_THAT(typed("key bracketleft"), ElementsAre("key 8", "text ["));
 }
 
 TEST_F(SdlWindow, AResizeGivesAnEventAndTheNewSize) {
@@ -309,6 +319,7 @@ TEST_F(SdlWindow, StopsWaitingWhenAStopIsAskedFor) {
 volatile std::sig_atomic_t interrupts = 0;
 
 TEST_F(SdlWindow, LeavesSignalsToTheProgram) {
+  interrupts = 0;
   const auto before = std::signal(SIGINT, [](int) { interrupts = interrupts + 1; });
   std::raise(SIGINT);
   EXPECT_EQ(interrupts, 1);

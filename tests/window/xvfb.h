@@ -91,6 +91,7 @@ class XvfbSession {
     need("xdotool", "xdotool");
     need("xwd", "x11-apps");
     need("xprop", "x11-utils");
+    need("setxkbmap", "x11-xkb-utils");
     start_screen(width, height);
     start_window_manager();
   }
@@ -108,17 +109,23 @@ class XvfbSession {
 
   // Runs xdotool with the words of a shell line, and returns what it prints, without the last line end.
   std::string xdotool(const std::string& words) const {
-    std::string text = output("xdotool " + words);
+    std::string text = output("LC_ALL=C.UTF-8 timeout 20 xdotool " + words);
     if (text.ends_with('\n')) text.pop_back();
     return text;
   }
 
+  // Gives the keyboard a layout: "us", "fr".
+  void set_keyboard(const std::string& layout) const { output("setxkbmap " + layout); }
+
   // The id of the visible window whose title matches a pattern, once there is one, for xdotool.
   std::string window(const std::string& pattern) const {
-    std::istringstream ids(xdotool("search --sync --onlyvisible --name '" + pattern + "'"));
     std::string id;
-    ids >> id;
-    return id;
+    for (int tries = 0; tries < 200; ++tries) {
+      std::istringstream ids(output("xdotool search --onlyvisible --name '" + pattern + "' || true"));
+      if (ids >> id) return id;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    throw std::runtime_error("no window is called " + pattern);
   }
 
   // What the whole screen shows, or the inside of a window; opaque.

@@ -14,7 +14,8 @@ namespace hottel {
 //   (1) of moves, and of kResize, that wait one after the other, next() gives the last
 //   (2) x and y of an event are in pixels of a frame of size(), and lie outside of it while a button that went down in
 //       the window is held outside
-//   (3) no signal handler is installed, and Ctrl-C is the program's own
+//   (3) keys with Ctrl or Alt held type no text; the right Alt is none, since it types letters on many keyboards
+//   (4) no signal handler is installed, and Ctrl-C is the program's own
 //
 // Throws RequestError where there is no display, or no window could be had: what() says what was tried and what needs
 // no display; and where the program was built without a window (HOTTEL_WINDOW). show() throws RequestError where the
