@@ -4,6 +4,7 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <sstream>
 #include <thread>
 
@@ -124,12 +125,14 @@ void add_errors(const LiveState2& state, LookResult2& result, const StageProgres
   progress("comparison", 0.5);
   const MethodResult found = comparison.run(*methods_2().make(result.request.method), 1);
   result.plan = error_map_picture_2(comparison, found);
-  result.plan->sheet = {};
+  if (!result.plan->colouring) result.plan.reset();
   result.times = fmt::format("exact {:.3g} ms   {} {:.3g} ms", 1e3 * seconds_of(*state.factors), found.info.name,
                              1e3 * found.timing.median);
   result.lines = {found.info.name, fmt::format("largest error of a view factor {:.3g}", found.errors.max)};
-  if (found.max_radiosity_error)
+  if (found.max_radiosity_error && std::isfinite(*found.max_radiosity_error))
     result.lines.push_back(fmt::format("of a radiosity {:.3g} of the largest", *found.max_radiosity_error));
+  else
+    result.lines.push_back("its radiosities cannot be had: there is no error to draw");
   result.lines.push_back(result.times);
   result.number = shortest(found.errors.max);
 }

@@ -44,7 +44,7 @@ struct LookRequest2 {
   std::optional<Point2> mouse = {};      // where it is, for kVisibility, and for the value of kLight
   std::optional<Face> face = {};         // picked
   std::optional<Face> other = {};        // picked second, or under the mouse
-  std::string method = "center-vis";     // of kErrors
+  std::string method = "rays:1000";      // of kErrors
   Solver solver = Solver::kGaussSeidel;  // of kSweeps
   bool wants_closed_form = false;        // of kFactors and kPair
   friend bool operator==(const LookRequest2&, const LookRequest2&) = default;

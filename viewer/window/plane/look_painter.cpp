@@ -22,7 +22,8 @@ namespace hottel {
 namespace {
 
 constexpr double kFooter = 92;
-constexpr Colour kOutside{0.105, 0.108, 0.125};  // around light
+constexpr std::uint32_t kCoarsePixels = 4;       // of a cell of a coarse grid
+constexpr Colour kOutside{0.36, 0.365, 0.385};  // around light
 
 ToneCurve curve_of(const IlluminationGrid2& light, const LightTone2& tone) {
   return {tone.tone, tone.exposure, light.values, light.channels};
@@ -65,7 +66,7 @@ void draw_light(PictureCanvas& canvas, const Frame2& frame, double unit, const L
   } else if (drawing.texture != nullptr && &light == state.light.get()) {
     draw_texture(canvas, frame, light.grid.grid, *drawing.texture, true);
   } else {
-    draw_texture(canvas, frame, light.grid.grid, texture_of(light.grid, nullptr, tone, 1), true);
+    draw_texture(canvas, frame, light.grid.grid, texture_of(light.grid, state.scene.get(), tone, kCoarsePixels), true);
   }
   LitPlan2(*state.prepared, frame, unit).draw(canvas, curve_of(light.grid, tone));
 }
@@ -176,6 +177,10 @@ void draw_findings(PictureCanvas& canvas, const Frame2& frame, double unit, cons
 
 Raster light_texture_2(const LiveState2& state, const LightTone2& tone, std::uint32_t pixels_per_cell) {
   return texture_of(state.light->grid, pixels_per_cell > 1 ? state.scene.get() : nullptr, tone, pixels_per_cell);
+}
+
+Raster first_texture_2(const LiveState2& state, const LightTone2& tone) {
+  return light_texture_2(state, tone, state.depth == LiveDepth2::kCoarse ? kCoarsePixels : 1);
 }
 
 void draw_edges(PictureCanvas& canvas, const Frame2& frame, const Scene2& scene, const Colour& colour,

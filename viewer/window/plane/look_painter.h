@@ -25,6 +25,9 @@ struct LightTone2 {
 // scene's edges. The tone curve is fitted as `solve` fits it. REQUIRES a state with light, pixels_per_cell >= 1.
 Raster light_texture_2(const LiveState2& state, const LightTone2& tone, std::uint32_t pixels_per_cell = 1);
 
+// The same as fast as it can be had: one pixel a cell, a few where cells are coarse.
+Raster first_texture_2(const LiveState2& state, const LightTone2& tone);
+
 // Everything that a drawing of a look depends on.
 struct LookDrawing2 {
   const LiveState2* state;

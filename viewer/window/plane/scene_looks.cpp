@@ -34,7 +34,7 @@ void SceneLooks2::set_tone(const LightTone2& tone, std::uint32_t pixels_per_cell
   tone_ = tone;
   pixels_per_cell_ = pixels_per_cell;
   if (is_other_tone && lit_) {
-    texture_ = std::make_shared<const Raster>(light_texture_2(*lit_, tone_));
+    texture_ = std::make_shared<const Raster>(first_texture_2(*lit_, tone_));
     texture_pixels_ = 1;
     is_changed_ = true;
   }
@@ -87,7 +87,7 @@ bool SceneLooks2::collect() {
     state_ = state;
     if (state_->light) {
       lit_ = state_;
-      texture_ = std::make_shared<const Raster>(light_texture_2(*lit_, tone_));
+      texture_ = std::make_shared<const Raster>(first_texture_2(*lit_, tone_));
       texture_pixels_ = 1;
     }
     is_changed_ = true;

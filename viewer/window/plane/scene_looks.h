@@ -18,7 +18,7 @@ namespace hottel {
 // on others, and is there after a later collect().
 //
 //   (1) at rest, all that can be asked of it is of the last scene and the last request
-//   (2) texture() is that of state() and tone; one pixel a cell at first, finer ones follow at rest
+//   (2) texture() is that of lit() and tone; a few pixels a cell at first, finer ones follow at rest
 class SceneLooks2 {
  public:
   // changed: called on other threads when there is something to collect; must be quick.
