@@ -141,6 +141,7 @@ void VisibilityPainter2::draw(PictureCanvas& canvas) const {
   const Pixel eye = sheet_.frame().at(drawing_.eye);
   canvas.disc(Mark::kEye, eye, 15 * unit, palette::kEmitter.with_alpha(0.45));
   draw_ring(canvas, Mark::kEye, eye, 7 * unit, palette::kEmitter, 2 * unit);
+  sheet_.draw_footer_paper(canvas);
   sheet_.draw_scale_bar(canvas);
 }
 
@@ -164,6 +165,7 @@ void PairPainter2::draw(PictureCanvas& canvas) const {
   const double unit = sheet_.unit();
   for (const auto& point : drawing_.critical_on_a)
     draw_ring(canvas, Mark::kCritical, sheet_.frame().at(point), 6 * unit, palette::kPaper, 2 * unit);
+  sheet_.draw_footer_paper(canvas);
   sheet_.draw_scale_bar(canvas);
 }
 
