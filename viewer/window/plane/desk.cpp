@@ -16,7 +16,7 @@ namespace {
 constexpr double kSecondsBetweenFileChecks = 1;
 constexpr std::uint32_t kMostPixelsPerCell = 8;
 constexpr std::size_t kEventsPerFrame = 200;
-constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 112;  // units around the scene
+constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 144;  // units around the scene
 
 }  // namespace
 
@@ -65,7 +65,7 @@ void Desk2::request_changed() {
   request_.mouse = is_free || request_.look == Look2::kVisibility ? std::optional(exact_mouse()) : std::nullopt;
   if (!has_mouse_) request_.mouse.reset();
   if (request_.look == Look2::kFactors)
-    request_.other = hover_.surface && is_free ? std::optional(hover_.face) : std::nullopt;
+    request_.other = hover_.surface && is_free ? std::optional(asked_face(hover_)) : std::nullopt;
   if (request_.look != Look2::kFactors && request_.look != Look2::kPair) request_.other.reset();
   looks_.set_request(request_);
   needs_frame_ = true;

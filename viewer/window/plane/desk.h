@@ -84,6 +84,7 @@ class Desk2 {
   void move(const WindowEvent& event);
   void release(const WindowEvent& event);
   void click();
+  Face asked_face(const Pick2& pick) const;
   void key(const WindowEvent& event);
   void prompt_key(const WindowEvent& event);
   Pointer2 pointer(const HeldKeys& held = {}) const;

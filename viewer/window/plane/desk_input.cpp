@@ -136,15 +136,22 @@ void Desk2::release(const WindowEvent& event) {
   request_changed();
 }
 
+// The face that is meant by pointing at an edge: its front where the back is black and exchanges nothing.
+Face Desk2::asked_face(const Pick2& pick) const {
+  const bool has_back = pick.face.is_back && editor_.scene()->surfaces[pick.face.surface].back;
+  return {pick.face.surface, has_back};
+}
+
 // A click on an edge picks its face where faces are looked at.
 void Desk2::click() {
   const Pick2 found = editor_.pick(pointer());
   if (!found.surface) return;
+  const Face face = asked_face(found);
   if (request_.look == Look2::kFactors || (request_.look == Look2::kPair && (!request_.face || request_.other))) {
-    request_.face = found.face;
+    request_.face = face;
     request_.other.reset();
   } else if (request_.look == Look2::kPair) {
-    request_.other = found.face;
+    request_.other = face;
   }
   needs_base_ = true;
 }

@@ -39,6 +39,21 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+// Columns that were set apart by blanks, as for letters of one width, set apart by tabs. Blanks before the first stay.
+std::string with_tabs(const std::string& line) {
+  std::string text;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const std::size_t end = std::min(line.find_first_not_of(' ', k), line.size());
+    if (end > k + 1 && !text.empty()) {
+      if (end < line.size()) text += '\t';
+      k = end - 1;
+    } else if (end <= k || !text.empty()) {
+      text += line[k];
+    }
+  }
+  return text;
+}
+
 std::string text_of(const Point2& p) { return fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y)); }
 
 std::string text_of(const PointLight2& light) {
@@ -103,7 +118,7 @@ void add_pair(const LiveState2& state, LookResult2& result) {
   }
   for (const std::string& line : lines_of(pair_answer(sight).text)) {
     if (request.look != Look2::kPair && line.starts_with("critical")) break;
-    result.lines.push_back(request.wants_closed_form ? line : without_form(line));
+    result.lines.push_back(with_tabs(request.wants_closed_form ? line : without_form(line)));
     if (line.starts_with("  F from") && result.number.empty()) {
       const std::string number = without_form(line);
       result.number = number.substr(number.find_last_of(' ', number.find_last_not_of(' ')) + 1);
@@ -226,7 +241,9 @@ LookResult2 look_at(const LiveState2& state, const LookRequest2& request, const 
         add_check(state, result, progress);
         break;
       case Look2::kPlan:
-        if (state.simulation) result.lines = lines_of(plan_text(*state.simulation->plan(progress)));
+        if (!state.simulation) break;
+        for (const std::string& line : lines_of(plan_text(*state.simulation->plan(progress))))
+          result.lines.push_back(with_tabs(line));
         break;
       case Look2::kSweeps:
         add_sweeps(state, result, progress, tell);
