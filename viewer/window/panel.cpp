@@ -105,6 +105,9 @@ double draw_panel(PictureCanvas& canvas, const Panel& panel, const PanelPlace& p
   const Pixel low{place.is_right ? place.corner.x - width : place.corner.x,
                   place.is_bottom ? place.corner.y - height : place.corner.y};
   canvas.fill_rectangle(Mark::kLegend, low, {low.x + width, low.y + height}, panel.is_warning ? kWarningBox : kBox);
+  const Pixel corners[] = {low, {low.x + width, low.y}, {low.x + width, low.y + height}, {low.x, low.y + height}};
+  for (std::size_t k = 0; k < 4; ++k)
+    canvas.stroke(Mark::kLegend, corners[k], corners[(k + 1) % 4], palette::kSoftInk.with_alpha(0.35), unit);
   double base_line = low.y + padding + 0.78 * line_height;
   for (const Line& line : lines) {
     for (const auto& [left, text] : line.texts)

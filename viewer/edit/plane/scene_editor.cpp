@@ -106,8 +106,9 @@ bool SceneEditor2::press(const Pointer2& pointer) {
     toggle(found, pointer.is_whole);
     return true;
   }
-  const bool is_vertex = found.vertex && !pointer.is_whole;
-  if (!std::ranges::binary_search(selected_, *found.surface) || pointer.is_whole || is_vertex) {
+  const bool is_selected = std::ranges::binary_search(selected_, *found.surface);
+  const bool is_vertex = found.vertex && !pointer.is_whole && !(is_selected && is_of_whole_groups());
+  if (!is_selected || pointer.is_whole || is_vertex) {
     select({*found.surface});
     if (pointer.is_whole) select_groups();
   }
