@@ -58,7 +58,10 @@ std::string text_of(const Point2& p) { return fmt::format("({}, {})", decimal_te
 
 std::string text_of(const PointLight2& light) {
   std::string text;
-  for (const double value : light.mean_irradiance) text += (text.empty() ? "" : " ") + shortest(value);
+  for (const double value : light.mean_irradiance) {
+    if (std::isnan(value)) return "";  // in a solid
+    text += (text.empty() ? "" : " ") + shortest(value);
+  }
   return text;
 }
 
