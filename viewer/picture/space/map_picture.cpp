@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 
 #include "kernel/support/failure.h"
@@ -89,7 +90,7 @@ void add_outline(const PieceSide& side, const std::vector<PieceSide>& others, st
     if (dot(both, both) > kOneCircle * kOneCircle) continue;
     const Direction3 across = cross(side.normal, side.from);
     const double end = std::atan2(dot(other.from, across), dot(other.from, side.from));  // it runs the other way
-    covered.emplace_back(end - other.angle, end);
+    for (const double turn : {0.0, 2 * std::numbers::pi}) covered.emplace_back(end + turn - other.angle, end + turn);
   }
   std::sort(covered.begin(), covered.end());
   double reached = 0;
