@@ -21,6 +21,7 @@ SceneEditor2::SceneEditor2(Scene2 scene) : history_(std::move(scene)) { changed(
 
 void SceneEditor2::replace(Scene2 scene) {
   history_ = EditHistory2(std::move(scene));
+  held_.reset();
   select_none();
   changed();
 }
@@ -35,6 +36,7 @@ void SceneEditor2::changed() {
 void SceneEditor2::set(Scene2 next, const std::string& what) {
   const std::shared_ptr<const Scene2> before = scene();
   history_.set(std::move(next), what);
+  held_.reset();
   set_selected_names(*before, selected_);
   changed();
 }
@@ -220,6 +222,7 @@ std::string SceneEditor2::undo() {
   const std::shared_ptr<const Scene2> before = scene();
   const std::string what = history_.what_undo();
   if (!history_.undo()) return "";
+  held_.reset();
   set_selected_names(*before, selected_);
   vertex_.reset();
   changed();
@@ -230,6 +233,7 @@ std::string SceneEditor2::redo() {
   const std::shared_ptr<const Scene2> before = scene();
   const std::string what = history_.what_redo();
   if (!history_.redo()) return "";
+  held_.reset();
   set_selected_names(*before, selected_);
   vertex_.reset();
   changed();

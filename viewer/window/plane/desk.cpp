@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "io/files/output_file.h"
 #include "kernel/support/failure.h"
@@ -17,6 +18,14 @@ constexpr double kSecondsBetweenFileChecks = 1;
 constexpr std::uint32_t kMostPixelsPerCell = 8;
 constexpr std::size_t kEventsPerFrame = 200;
 constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 144;  // units around the scene
+
+// The face of that name in another scene: an edit may count surfaces anew.
+std::optional<Face> same_face(const std::optional<Face>& face, const Scene2& before, const Scene2& now) {
+  if (!face) return std::nullopt;
+  const auto found = std::ranges::find(now.surfaces, before.surfaces[face->surface].name, &Surface::name);
+  if (found == now.surfaces.end()) return std::nullopt;
+  return Face{static_cast<std::uint32_t>(found - now.surfaces.begin()), face->is_back};
+}
 
 }  // namespace
 
@@ -52,11 +61,13 @@ void Desk2::scene_changed() {
   if (shown_version_ == editor_.version()) return;
   shown_version_ = editor_.version();
   looks_.set_scene(editor_.scene(), editor_.is_dragging() ? LiveDepth2::kCoarse : LiveDepth2::kFull);
-  const auto is_gone = [&](const std::optional<Face>& face) {
-    return face && face->surface >= editor_.scene()->surfaces.size();
-  };
-  if (is_gone(request_.face)) request_.face.reset();
-  if (is_gone(request_.other)) request_.other.reset();
+  const std::shared_ptr<const Scene2> before = std::exchange(shown_, editor_.scene());
+  if (before) {
+    request_.face = same_face(request_.face, *before, *shown_);
+    request_.other = same_face(request_.other, *before, *shown_);
+  }
+  if (tool_ && tool_->material >= shown_->materials.size()) tool_.reset();
+  if (drag_ != Drag::kEdit) touch();
 }
 
 // What is looked at follows the mouse, and what lies under it.
@@ -118,9 +129,11 @@ void Desk2::watch_file() {
 
 void Desk2::read_again() {
   try {
-    editor_.replace(file_.read());
+    Scene2 scene = file_.read();
+    require_drawable(scene);
+    editor_.replace(std::move(scene));
     message_ = "read again";
-  } catch (const InputError& error) {
+  } catch (const std::runtime_error& error) {
     message_ = error.what();
   }
   scene_changed();

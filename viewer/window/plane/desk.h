@@ -39,6 +39,7 @@ struct Prompt {
 //   (3) while something is dragged, light is on a coarse grid, and the window says so; at rest, state() is that of
 //       SceneLooks2 (1)
 //   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes
+//   (5) a command that can do nothing says why in message(): what a key does is seen
 // Its functions are for the thread of the window.
 class Desk2 {
  public:
@@ -87,6 +88,7 @@ class Desk2 {
   Face asked_face(const Pick2& pick) const;
   void key(const WindowEvent& event);
   void prompt_key(const WindowEvent& event);
+  void touch();
   Pointer2 pointer(const HeldKeys& held = {}) const;
   Place2 place() const { return camera_.place_of(mouse_, size_); }
   Point2 exact_mouse() const;
@@ -96,9 +98,9 @@ class Desk2 {
   bool edit_command(std::string_view name);
   bool material_command(std::string_view name);
   bool file_command(std::string_view name);
+  std::string why_nothing(std::string_view name) const;
   void next_choice(int step);
-  void next_tone();
-  void nudge(std::string_view name);
+  bool nudge(std::string_view name);
   void begin_tool(bool is_edge);
   void add_tool_point();
   void end_tool(bool closed);
@@ -145,6 +147,7 @@ class Desk2 {
   HeldKeys held_;
   bool has_mouse_ = false;
   Drag drag_ = Drag::kNone;
+  MouseButton button_ = MouseButton::kNone;  // that drags
   bool has_moved_ = false;
   bool drops_text_ = false;  // that of the key which opened a prompt
   std::optional<Tool> tool_;
@@ -152,6 +155,7 @@ class Desk2 {
   std::string message_;
   Pick2 hover_;
 
+  std::shared_ptr<const Scene2> shown_;  // what the rest has been told of
   std::uint64_t shown_version_ = 0;
   bool needs_base_ = true, needs_frame_ = true;
   Raster base_, frame_;

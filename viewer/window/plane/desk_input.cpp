@@ -1,5 +1,6 @@
 // The events of a desk.
 #include <cmath>
+#include <utility>
 
 #include "viewer/edit/decimals.h"
 #include "viewer/window/commands.h"
@@ -25,6 +26,9 @@ Pointer2 Desk2::pointer(const HeldKeys& held) const {
           .is_whole = held.ctrl};
 }
 
+// Finds what lies under the mouse.
+void Desk2::touch() { hover_ = has_mouse_ ? editor_.pick(pointer()) : Pick2(); }
+
 // The place of the mouse as a short decimal, finer than a pixel.
 Point2 Desk2::exact_mouse() const {
   const int decimals = decimals_at(camera_.pixels_per_length()) + 1;
@@ -46,9 +50,11 @@ void Desk2::handle(const WindowEvent& event) {
       return move(event);
     case Kind::kLeave:
       has_mouse_ = false;
+      touch();
       return request_changed();
     case Kind::kPress:
       mouse_ = {event.x, event.y};
+      has_mouse_ = true;
       return press(event);
     case Kind::kRelease:
       mouse_ = {event.x, event.y};
@@ -59,10 +65,15 @@ void Desk2::handle(const WindowEvent& event) {
       needs_base_ = true;
       return;
     case Kind::kKey:
-      drops_text_ = !prompt_;
-      return prompt_ ? prompt_key(event) : key(event);
+      if (prompt_) {
+        drops_text_ = false;
+        return prompt_key(event);
+      }
+      key(event);
+      drops_text_ = prompt_ && event.key.size() == 1 && !event.held.ctrl && !event.held.alt;
+      return;
     case Kind::kText:
-      if (prompt_ && !drops_text_ && prompt_->keys.empty()) prompt_->text += event.text;
+      if (!std::exchange(drops_text_, false) && prompt_ && prompt_->keys.empty()) prompt_->text += event.text;
       return;
     case Kind::kFocus:
       until_watch_ = 0;
@@ -75,6 +86,7 @@ void Desk2::handle(const WindowEvent& event) {
 void Desk2::press(const WindowEvent& event) {
   if (prompt_ || drag_ != Drag::kNone) return;
   pressed_ = mouse_;
+  button_ = event.button;
   held_ = event.held;
   has_moved_ = false;
   if (event.button != MouseButton::kLeft) {
@@ -96,7 +108,7 @@ void Desk2::move(const WindowEvent& event) {
   has_moved_ = has_moved_ || distance(mouse_, pressed_) > kStill * unit_;
   switch (drag_) {
     case Drag::kNone:
-      hover_ = editor_.pick(pointer());
+      touch();
       break;
     case Drag::kEdit:
       if (has_moved_ && !held_.shift) {
@@ -119,6 +131,7 @@ void Desk2::move(const WindowEvent& event) {
 }
 
 void Desk2::release(const WindowEvent& event) {
+  if (event.button != button_) return;
   const Drag ended = std::exchange(drag_, Drag::kNone);
   if (ended == Drag::kEdit) {
     if (editor_.is_dragging()) {
@@ -132,7 +145,7 @@ void Desk2::release(const WindowEvent& event) {
   }
   if (ended == Drag::kRectangle) editor_.select_in(camera_.place_of(pressed_, size_), place(), held_.ctrl);
   if (ended == Drag::kPan && !has_moved_ && event.button == MouseButton::kLeft && !held_.shift) editor_.select_none();
-  hover_ = editor_.pick(pointer());
+  touch();
   request_changed();
 }
 
