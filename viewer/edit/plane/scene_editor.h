@@ -66,7 +66,8 @@ class SceneEditor2 {
 
   // A button goes down: selects what is there. False where nothing is.
   bool press(const Pointer2& pointer);
-  // The pointer moves with the button down, after press() found something.
+  // The pointer moves with the button down, after press() found something. Does nothing where the scene was changed
+  // otherwise since.
   void drag(const Pointer2& pointer);
   void release();
   void cancel();

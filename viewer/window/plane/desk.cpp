@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "io/files/output_file.h"
 #include "kernel/support/failure.h"
@@ -16,7 +17,7 @@ namespace {
 constexpr double kSecondsBetweenFileChecks = 1;
 constexpr std::uint32_t kMostPixelsPerCell = 8;
 constexpr std::size_t kEventsPerFrame = 200;
-constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 112;  // units around the scene
+constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 134;  // units around the scene
 
 }  // namespace
 
@@ -33,9 +34,20 @@ Desk2::Desk2(const std::filesystem::path& file, Window& window, SimulationReques
 }
 
 void Desk2::fit() {
-  camera_.fit(*editor_.scene(), size_, kFreeSides * unit_, kFreeTop * unit_, kFreeBottom * unit_);
+  const double beside = panel_width();
+  const FrameSize room{static_cast<std::uint32_t>(std::max(1.0, size_.width - beside)), size_.height};
+  camera_.fit(*editor_.scene(), room, kFreeSides * unit_, kFreeTop * unit_, kFreeBottom * unit_);
+  camera_.pan(-beside / 2, 0);
+  is_fitted_ = true;
   needs_base_ = true;
   looks_.set_tone(tone_, texture_pixels());
+}
+
+// The room that long texts take at the right.
+double Desk2::panel_width() const {
+  const bool has_panel = request_.look == Look2::kVisibility || request_.look == Look2::kPair ||
+                         request_.look == Look2::kCheck || request_.look == Look2::kPlan;
+  return has_panel ? kPanelWidth * size_.width : 0;
 }
 
 // As fine as the screen shows a cell.
@@ -52,11 +64,27 @@ void Desk2::scene_changed() {
   if (shown_version_ == editor_.version()) return;
   shown_version_ = editor_.version();
   looks_.set_scene(editor_.scene(), editor_.is_dragging() ? LiveDepth2::kCoarse : LiveDepth2::kFull);
-  const auto is_gone = [&](const std::optional<Face>& face) {
-    return face && face->surface >= editor_.scene()->surfaces.size();
-  };
-  if (is_gone(request_.face)) request_.face.reset();
-  if (is_gone(request_.other)) request_.other.reset();
+  keep_faces();
+  hover_ = has_mouse_ ? editor_.pick(pointer()) : Pick2();
+  if (tool_ && tool_->material >= editor_.scene()->materials.size()) tool_.reset();
+}
+
+// Picked faces are those of the same names, whatever number these have now.
+void Desk2::keep_faces() {
+  const auto before = std::exchange(shown_scene_, editor_.scene());
+  if (!before || before == shown_scene_ || (!request_.face && !request_.other)) return;
+  const std::vector<Surface>& surfaces = shown_scene_->surfaces;
+  for (std::optional<Face>* face : {&request_.face, &request_.other}) {
+    if (!*face) continue;
+    const std::string& name = before->surfaces.at((*face)->surface).name;
+    if ((*face)->surface < surfaces.size() && surfaces[(*face)->surface].name == name) continue;
+    const auto found = std::ranges::find(surfaces, name, &Surface::name);
+    if (found == surfaces.end())
+      face->reset();
+    else
+      (*face)->surface = static_cast<std::uint32_t>(found - surfaces.begin());
+  }
+  looks_.set_request(request_);
 }
 
 // What is looked at follows the mouse, and what lies under it.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@
 #include "viewer/window/window.h"
 
 namespace hottel {
+
+// Of texts about what is looked at, at the right: a fraction of the window's width at most.
+inline constexpr double kPanelWidth = 0.36;
 
 // A question in the window, and what is typed.
 struct Prompt {
@@ -80,6 +84,7 @@ class Desk2 {
   };
 
   // Events.
+  void resize();
   void press(const WindowEvent& event);
   void move(const WindowEvent& event);
   void release(const WindowEvent& event);
@@ -114,7 +119,9 @@ class Desk2 {
   // What is shown.
   void scene_changed();
   void request_changed();
+  void keep_faces();
   void fit();
+  double panel_width() const;
   std::uint32_t texture_pixels() const;
   void draw_base();
   void draw_marks(PictureCanvas& canvas) const;
@@ -122,6 +129,7 @@ class Desk2 {
   void draw_tool(PictureCanvas& canvas) const;
   void draw_problem(PictureCanvas& canvas) const;
   void draw_texts(PictureCanvas& canvas) const;
+  void draw_prompt(PictureCanvas& canvas) const;
   void draw_help(PictureCanvas& canvas) const;
   LookDrawing2 drawing() const;
   std::string head() const;
@@ -139,11 +147,13 @@ class Desk2 {
   LightTone2 tone_;
   double split_ = 0.5;
   bool shows_help_ = false, wants_quit_ = false;
+  bool is_fitted_ = true;  // until the view is moved by hand
 
   Pixel mouse_{}, pressed_{};
   HeldKeys held_;
   bool has_mouse_ = false;
   Drag drag_ = Drag::kNone;
+  MouseButton button_ = MouseButton::kNone;  // that began it
   bool has_moved_ = false;
   bool drops_text_ = false;  // that of the key which opened a prompt
   std::optional<Tool> tool_;
@@ -152,6 +162,7 @@ class Desk2 {
   Pick2 hover_;
 
   std::uint64_t shown_version_ = 0;
+  std::shared_ptr<const Scene2> shown_scene_;  // what the faces of request_ are of
   bool needs_base_ = true, needs_frame_ = true;
   Raster base_, frame_;
   Stopwatch since_watch_;

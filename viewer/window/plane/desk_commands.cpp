@@ -119,7 +119,7 @@ void Desk2::command(std::string_view name) {
   if (!look_command(name) && !edit_command(name) && !material_command(name) && !file_command(name))
     throw UsageError("there is no command called '" + std::string(name) + "'");
   scene_changed();
-  hover_ = editor_.pick(pointer());
+  hover_ = has_mouse_ ? editor_.pick(pointer()) : Pick2();
   request_changed();
 }
 
@@ -129,6 +129,7 @@ bool Desk2::look_command(std::string_view name) {
     if (!look) return false;
     request_.look = *look;
     request_.other.reset();
+    if (is_fitted_) fit();
     needs_base_ = true;
   } else if (name == "next" || name == "previous") {
     next_choice(name == "next" ? 1 : -1);
@@ -177,6 +178,7 @@ void Desk2::nudge(std::string_view name) {
 bool Desk2::edit_command(std::string_view name) {
   const int decimals = decimals_at(camera_.pixels_per_length());
   if (name == "undo") {
+    if (editor_.is_dragging()) drag_ = Drag::kNone;
     message_ = editor_.undo();
   } else if (name == "redo") {
     message_ = editor_.redo();
@@ -206,7 +208,9 @@ bool Desk2::edit_command(std::string_view name) {
   } else if (name == "all") {
     editor_.select_all();
   } else if (name == "escape") {
-    if (tool_)
+    if (shows_help_)
+      shows_help_ = false;
+    else if (tool_)
       tool_.reset();
     else if (editor_.is_dragging())
       editor_.cancel();

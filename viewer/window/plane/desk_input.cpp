@@ -1,5 +1,6 @@
 // The events of a desk.
 #include <cmath>
+#include <utility>
 
 #include "viewer/edit/decimals.h"
 #include "viewer/window/commands.h"
@@ -39,13 +40,12 @@ void Desk2::handle(const WindowEvent& event) {
     case Kind::kQuit:
       return quit();
     case Kind::kResize:
-      size_ = window_.size();
-      needs_base_ = true;
-      return;
+      return resize();
     case Kind::kMove:
       return move(event);
     case Kind::kLeave:
       has_mouse_ = false;
+      hover_ = {};
       return request_changed();
     case Kind::kPress:
       mouse_ = {event.x, event.y};
@@ -55,6 +55,7 @@ void Desk2::handle(const WindowEvent& event) {
       return release(event);
     case Kind::kWheel:
       camera_.zoom({event.x, event.y}, size_, std::pow(kPerNotch, event.wheel));
+      is_fitted_ = false;
       looks_.set_tone(tone_, texture_pixels());
       needs_base_ = true;
       return;
@@ -72,10 +73,20 @@ void Desk2::handle(const WindowEvent& event) {
   }
 }
 
+// The whole scene stays in sight, unless the view was moved by hand.
+void Desk2::resize() {
+  const FrameSize before = size_;
+  size_ = window_.size();
+  needs_base_ = true;
+  if (is_fitted_ && size_ != before) fit();
+}
+
 void Desk2::press(const WindowEvent& event) {
   if (prompt_ || drag_ != Drag::kNone) return;
   pressed_ = mouse_;
+  button_ = event.button;
   held_ = event.held;
+  if (!tool_) message_.clear();
   has_moved_ = false;
   if (event.button != MouseButton::kLeft) {
     drag_ = Drag::kPan;
@@ -106,6 +117,7 @@ void Desk2::move(const WindowEvent& event) {
       break;
     case Drag::kPan:
       camera_.pan(mouse_.x - before.x, mouse_.y - before.y);
+      is_fitted_ = false;
       needs_base_ = true;
       break;
     case Drag::kBar:
@@ -119,6 +131,7 @@ void Desk2::move(const WindowEvent& event) {
 }
 
 void Desk2::release(const WindowEvent& event) {
+  if (event.button != button_) return;
   const Drag ended = std::exchange(drag_, Drag::kNone);
   if (ended == Drag::kEdit) {
     if (editor_.is_dragging()) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -41,8 +42,10 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::string text_of(const Point2& p) { return fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y)); }
 
+// Nothing inside solids and on edges.
 std::string text_of(const PointLight2& light) {
   std::string text;
+  if (std::ranges::any_of(light.mean_irradiance, [](double value) { return std::isnan(value); })) return text;
   for (const double value : light.mean_irradiance) text += (text.empty() ? "" : " ") + shortest(value);
   return text;
 }
@@ -56,8 +59,8 @@ void add_sight(const LiveState2& state, LookResult2& result, const StageProgress
     result.sight = drawing_of(sight.polygon);
     result.lines = {"from " + text_of(eye)};
     if (sight.polygon.area)
-      result.lines.push_back(
-          fmt::format("area {} = {}", decimal_text(*sight.polygon.area), to_string(*sight.polygon.area)));
+      result.lines.push_back("area " + decimal_text(*sight.polygon.area) +
+                             (result.request.wants_closed_form ? " = " + to_string(*sight.polygon.area) : ""));
     for (const SeenFrom2& seen : sight.faces)
       result.lines.push_back(fmt::format("{}  {}", shortest(seen.fraction.value), seen.name));
     for (const SeenFrom2& solid : sight.solids)
@@ -68,6 +71,15 @@ void add_sight(const LiveState2& state, LookResult2& result, const StageProgress
   result.number = text_of(light);
   if (result.request.look == Look2::kVisibility && !result.number.empty())
     result.lines.insert(result.lines.begin() + 1, "mean irradiance " + result.number);
+}
+
+// A line of a table as letters of different widths want it: columns two blanks apart.
+std::string without_columns(const std::string& line) {
+  const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+  std::string text;
+  for (const char c : line.substr(begin))
+    if (c != ' ' || !text.ends_with("  ")) text += c;
+  return text;
 }
 
 // A line of a pair's answer without its closed form.
@@ -88,7 +100,8 @@ void add_pair(const LiveState2& state, LookResult2& result) {
   const Scene2& scene = state.prepared->scene;
   if (request.face->surface >= scene.surfaces.size()) return;
   if (!request.other || request.other->surface >= scene.surfaces.size()) {
-    result.lines = {"from " + face_name(scene, *request.face)};
+    result.lines = {"from " + face_name(scene, *request.face),
+                    request.look == Look2::kPair ? "click another face" : "the factor to the face under the mouse"};
     return;
   }
   PairSight2 sight{.from = face_name(scene, *request.face),
@@ -103,7 +116,7 @@ void add_pair(const LiveState2& state, LookResult2& result) {
   }
   for (const std::string& line : lines_of(pair_answer(sight).text)) {
     if (request.look != Look2::kPair && line.starts_with("critical")) break;
-    result.lines.push_back(request.wants_closed_form ? line : without_form(line));
+    result.lines.push_back(without_columns(request.wants_closed_form ? line : without_form(line)));
     if (line.starts_with("  F from") && result.number.empty()) {
       const std::string number = without_form(line);
       result.number = number.substr(number.find_last_of(' ', number.find_last_not_of(' ')) + 1);
@@ -226,7 +239,9 @@ LookResult2 look_at(const LiveState2& state, const LookRequest2& request, const 
         add_check(state, result, progress);
         break;
       case Look2::kPlan:
-        if (state.simulation) result.lines = lines_of(plan_text(*state.simulation->plan(progress)));
+        if (!state.simulation) break;
+        for (const std::string& line : lines_of(plan_text(*state.simulation->plan(progress))))
+          result.lines.push_back(without_columns(line));
         break;
       case Look2::kSweeps:
         add_sweeps(state, result, progress, tell);

@@ -21,8 +21,8 @@
 namespace hottel {
 namespace {
 
-constexpr double kFooter = 92;
-constexpr std::uint32_t kCoarsePixels = 4;       // of a cell of a coarse grid
+constexpr double kFooter = 118;                 // its content ends above the line at the bottom
+constexpr std::uint32_t kCoarsePixels = 4;      // of a cell of a coarse grid
 constexpr Colour kOutside{0.36, 0.365, 0.385};  // around light
 
 ToneCurve curve_of(const IlluminationGrid2& light, const LightTone2& tone) {
