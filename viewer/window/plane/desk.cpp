@@ -87,11 +87,13 @@ void Desk2::keep_faces() {
   looks_.set_request(request_);
 }
 
-// What is looked at follows the mouse, and what lies under it.
+// What is looked at follows the mouse, where it depends on it, and what lies under it.
 void Desk2::request_changed() {
   const bool is_free = has_mouse_ && drag_ == Drag::kNone;
-  request_.mouse = is_free || request_.look == Look2::kVisibility ? std::optional(exact_mouse()) : std::nullopt;
-  if (!has_mouse_) request_.mouse.reset();
+  const bool has_number =
+      request_.look == Look2::kLight || request_.look == Look2::kFloor || request_.look == Look2::kBands;
+  const bool follows = has_mouse_ && request_.look == Look2::kVisibility;
+  request_.mouse = (is_free && has_number) || follows ? std::optional(exact_mouse()) : std::nullopt;
   if (request_.look == Look2::kFactors)
     request_.other = hover_.surface && is_free ? std::optional(hover_.face) : std::nullopt;
   if (request_.look != Look2::kFactors && request_.look != Look2::kPair) request_.other.reset();
