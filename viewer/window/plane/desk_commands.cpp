@@ -146,6 +146,7 @@ bool Desk2::look_command(std::string_view name) {
     if (!look) return false;
     request_.look = *look;
     request_.other.reset();
+    if (is_fitted_) fit();
     needs_base_ = true;
   } else if (name == "next" || name == "previous") {
     next_choice(name == "next" ? 1 : -1);
@@ -196,6 +197,7 @@ bool Desk2::nudge(std::string_view name) {
 bool Desk2::edit_command(std::string_view name) {
   const int decimals = decimals_at(camera_.pixels_per_length());
   if (name == "undo") {
+    if (editor_.is_dragging()) drag_ = Drag::kNone;
     message_ = editor_.undo();
   } else if (name == "redo") {
     message_ = editor_.redo();
@@ -223,7 +225,9 @@ bool Desk2::edit_command(std::string_view name) {
   } else if (name == "all") {
     editor_.select_all();
   } else if (name == "escape") {
-    if (tool_)
+    if (shows_help_)
+      shows_help_ = false;
+    else if (tool_)
       tool_.reset();
     else if (editor_.is_dragging())
       editor_.cancel();
