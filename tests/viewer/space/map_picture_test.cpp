@@ -74,7 +74,7 @@ TEST(MapPicture3, EqualSolidAnglesAreEqualAreasOnTheDiscs) {
 TEST(MapPicture3, NothingLeavesThePicture) {
   MapDrawing3 drawing = square(1, 3);
   for (MapPiece3 piece : square(1, 3).pieces) {  // behind
-    for (Direction3& at : piece.corners) at = {-at[0], -at[1], at[2]};
+    for (Direction3& at : piece.corners) at = {-at.x, -at.y, at.z};
     drawing.pieces.push_back(piece);
   }
   const RecordingCanvas canvas = drawn(drawing);

@@ -6,8 +6,11 @@
 #include <numbers>
 #include <optional>
 
+#include "geometry/space/scene/scene.h"
+#include "geometry/space/visibility/point_map.h"
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
 
 namespace hottel {
@@ -16,15 +19,15 @@ namespace {
 constexpr double kHeight = 1010, kTitle = 76;  // units of the whole, and of the heading
 constexpr Colour kSky{0.80, 0.88, 0.95};
 
-double dot(const Direction3& a, const Direction3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const Direction3& a, const Direction3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 Direction3 cross(const Direction3& a, const Direction3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-Direction3 scaled(const Direction3& a, double s) { return {s * a[0], s * a[1], s * a[2]}; }
+Direction3 scaled(const Direction3& a, double s) { return {s * a.x, s * a.y, s * a.z}; }
 
-Direction3 sum(const Direction3& a, const Direction3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Direction3 sum(const Direction3& a, const Direction3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
 Direction3 unit(const Direction3& a) { return scaled(a, 1 / std::sqrt(dot(a, a))); }
 
@@ -123,6 +126,25 @@ void add_arc(const Direction3& a, const Direction3& b, double step, std::vector<
     const double right = angle > 1e-9 ? std::sin(t * angle) / std::sin(angle) : t;
     points.push_back(unit(sum(scaled(a, left), scaled(b, right))));
   }
+}
+
+// A face in the colour of its material, lit from above and from one side so that faces are told apart; black backs are
+// dark.
+Colour colour_of(const Scene3& scene, const Face& face) {
+  const Surface& surface = scene.surfaces[face.surface];
+  const std::optional<std::uint32_t> material = face.is_back ? surface.back : std::optional(surface.material);
+  if (!material) return palette::kUnlitSolid;
+  const Spectrum& paint = scene.materials[*material].reflectivity;
+  const bool emits = !scene.materials[*material].emission.is_zero();
+  const Vector3 area = doubled_area(scene.polygons[face.surface]);
+  Direction3 normal = unit({to_double(area.x), to_double(area.y), to_double(area.z)});
+  if (face.is_back) normal = scaled(normal, -1);
+  const double shade = emits ? 1 : 0.62 + 0.38 * dot(normal, unit({0.35, 0.5, 0.8}));
+  const auto level = [&](std::size_t c) {
+    const double value = emits ? 1 : 0.08 + 0.92 * to_double(paint.value[c]);
+    return srgb_from_linear(std::clamp(shade * value, 0.0, 1.0));
+  };
+  return {level(0), level(1), emits ? 0.6 : level(2)};
 }
 
 }  // namespace
@@ -244,6 +266,22 @@ void MapPainter3::draw(PictureCanvas& canvas) const {
   name(sides_[5], half_side_, "in front, with what is above and below");
   name(discs_[0], radius_, "in front");
   name(discs_[1], radius_, "behind");
+}
+
+MapDrawing3 drawing_of(const Scene3& scene, const Look3& look, const PointMap3& map) {
+  MapDrawing3 drawing;
+  if (look.normal) {
+    drawing.forward = unit({to_double(look.normal->x), to_double(look.normal->y), to_double(look.normal->z)});
+    if (std::abs(drawing.forward.z) > 0.99) drawing.up = {0, 1, 0};
+  }
+  for (const PointMap3::Fragment& fragment : map.fragments) {
+    MapPiece3 piece{{}, fragment.face.number()};
+    for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) piece.corners.push_back(map.corners[c].direction);
+    drawing.pieces.push_back(std::move(piece));
+  }
+  drawing.colours.resize(2 * scene.surfaces.size());
+  for (const PointMap3::Share& share : map.shares) drawing.colours[share.face.number()] = colour_of(scene, share.face);
+  return drawing;
 }
 
 std::string map_picture_3(const MapDrawing3& drawing, PictureFormat format) {

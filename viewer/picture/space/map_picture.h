@@ -1,19 +1,20 @@
 // What a point in space sees, as drawings of the sphere of directions.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "geometry/space/visibility/direction.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/picture_options.h"
 
 namespace hottel {
 
-// A direction, of length 1.
-using Direction3 = std::array<double, 3>;
+struct Look3;
+struct PointMap3;
+struct Scene3;
 
 // A part of the sphere between arcs of great circles: convex, smaller than a hemisphere; its corners in order.
 struct MapPiece3 {
@@ -70,6 +71,10 @@ class MapPainter3 {
   std::vector<Side> sides_, discs_;
   std::vector<std::pair<Direction3, Direction3>> lines_;  // arcs where something ends
 };
+
+// What is drawn of a map: each face in the colour of its material, darker the flatter it is seen. Forward is where the
+// normal of the look points, else along y; up is z, or y where forward is along z.
+MapDrawing3 drawing_of(const Scene3& scene, const Look3& look, const PointMap3& map);
 
 // Returns the bytes of the picture file.
 std::string map_picture_3(const MapDrawing3& drawing, PictureFormat format);
