@@ -20,6 +20,7 @@
 #include "io/results/plane/visibility_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/naming_file.h"
 #include "kernel/support/parallel.h"
 #include "solver/plane/light/point_lights.h"
 #include "solver/plane/simulation/questions.h"

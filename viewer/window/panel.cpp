@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kLetters = 14, kLine = 19, kPadding = 10, kBetween = 16;
 constexpr Colour kBox{0.992, 0.988, 0.980, 0.93}, kWarningBox{1.0, 0.93, 0.90, 0.96};
+constexpr Colour kBorder{0.16, 0.17, 0.20, 0.35};
 
 // The longest beginning of a text that is no wider than that, one character at least.
 std::size_t fitting(const PictureCanvas& canvas, std::string_view text, const TextStyle& style, double width) {
@@ -105,16 +106,16 @@ double draw_panel(PictureCanvas& canvas, const Panel& panel, const PanelPlace& p
     for (const auto& [left, text] : line.texts)
       wide = std::max(wide, left + canvas.text_width(text, style(line.is_head)));
   const double width = wide + 2 * padding, height = static_cast<double>(lines.size()) * line_height + 2 * padding;
-  const Pixel low{place.is_right ? place.corner.x - width : place.corner.x,
-                  place.is_bottom ? place.corner.y - height : place.corner.y};
+  const double left = place.is_right ? width : place.is_centred ? width / 2 : 0;
+  const Pixel low{place.corner.x - left, place.is_bottom ? place.corner.y - height : place.corner.y};
   canvas.fill_rectangle(Mark::kLegend, low, {low.x + width, low.y + height}, panel.is_warning ? kWarningBox : kBox);
   const Pixel corners[] = {low, {low.x + width, low.y}, {low.x + width, low.y + height}, {low.x, low.y + height}};
   for (std::size_t k = 0; k < 4; ++k)
-    canvas.stroke(Mark::kLegend, corners[k], corners[(k + 1) % 4], palette::kSoftInk.with_alpha(0.35), unit);
+    canvas.stroke(Mark::kLegend, corners[k], corners[(k + 1) % 4], kBorder, std::max(1.0, unit));
   double base_line = low.y + padding + 0.78 * line_height;
   for (const Line& line : lines) {
-    for (const auto& [left, text] : line.texts)
-      canvas.text(Mark::kLegend, {low.x + padding + left, base_line}, text, style(line.is_head));
+    for (const auto& [from, text] : line.texts)
+      canvas.text(Mark::kLegend, {low.x + padding + from, base_line}, text, style(line.is_head));
     base_line += line_height;
   }
   return height;

@@ -20,6 +20,7 @@ Place2 rounded(const Point2& p) { return {to_double(p.x), to_double(p.y)}; }
 SceneEditor2::SceneEditor2(Scene2 scene) : history_(std::move(scene)) { changed(); }
 
 void SceneEditor2::replace(Scene2 scene) {
+  held_.reset();
   history_ = EditHistory2(std::move(scene));
   held_.reset();
   select_none();
@@ -33,7 +34,9 @@ void SceneEditor2::changed() {
   picker_ = std::make_unique<ScenePick2>(*picked_);
 }
 
+// What is held is of the scene before.
 void SceneEditor2::set(Scene2 next, const std::string& what) {
+  held_.reset();
   const std::shared_ptr<const Scene2> before = scene();
   history_.set(std::move(next), what);
   held_.reset();

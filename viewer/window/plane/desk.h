@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@
 #include "viewer/window/window.h"
 
 namespace hottel {
+
+// Of texts about what is looked at, at the right: a fraction of the window's width at most.
+inline constexpr double kPanelWidth = 0.36;
 
 // A question in the window, and what is typed.
 struct Prompt {
@@ -81,6 +85,7 @@ class Desk2 {
   };
 
   // Events.
+  void resize();
   void press(const WindowEvent& event);
   void move(const WindowEvent& event);
   void release(const WindowEvent& event);
@@ -118,6 +123,7 @@ class Desk2 {
   void scene_changed();
   void request_changed();
   void fit();
+  double panel_width() const;
   std::uint32_t texture_pixels() const;
   void draw_base();
   void draw_marks(PictureCanvas& canvas) const;
@@ -125,6 +131,7 @@ class Desk2 {
   void draw_tool(PictureCanvas& canvas) const;
   void draw_problem(PictureCanvas& canvas) const;
   void draw_texts(PictureCanvas& canvas) const;
+  void draw_prompt(PictureCanvas& canvas) const;
   void draw_help(PictureCanvas& canvas) const;
   LookDrawing2 drawing() const;
   std::string head() const;
@@ -142,6 +149,7 @@ class Desk2 {
   LightTone2 tone_;
   double split_ = 0.5;
   bool shows_help_ = false, wants_quit_ = false;
+  bool is_fitted_ = true;  // until the view is moved by hand
 
   Pixel mouse_{}, pressed_{};
   HeldKeys held_;

@@ -146,6 +146,7 @@ bool Desk2::look_command(std::string_view name) {
     if (!look) return false;
     request_.look = *look;
     request_.other.reset();
+    if (is_fitted_) fit();
     needs_base_ = true;
   } else if (name == "next" || name == "previous") {
     next_choice(name == "next" ? 1 : -1);
@@ -196,6 +197,7 @@ bool Desk2::nudge(std::string_view name) {
 bool Desk2::edit_command(std::string_view name) {
   const int decimals = decimals_at(camera_.pixels_per_length());
   if (name == "undo") {
+    if (editor_.is_dragging()) drag_ = Drag::kNone;
     message_ = editor_.undo();
   } else if (name == "redo") {
     message_ = editor_.redo();
@@ -223,7 +225,9 @@ bool Desk2::edit_command(std::string_view name) {
   } else if (name == "all") {
     editor_.select_all();
   } else if (name == "escape") {
-    if (tool_)
+    if (shows_help_)
+      shows_help_ = false;
+    else if (tool_)
       tool_.reset();
     else if (editor_.is_dragging())
       editor_.cancel();
@@ -237,7 +241,7 @@ bool Desk2::edit_command(std::string_view name) {
 }
 
 void Desk2::begin_tool(bool is_edge) {
-  const auto material = hover_.surface ? material_of(*editor_.scene(), hover_.face) : std::nullopt;
+  const auto material = hover_.surface ? material_of(*editor_.scene(), asked_face(hover_)) : std::nullopt;
   if (editor_.scene()->materials.empty()) {
     message_ = "there is no material to draw with: add a lamp first";
     return;
@@ -268,8 +272,8 @@ bool Desk2::material_command(std::string_view name) {
   if (name != "less reflectivity" && name != "more reflectivity" && name != "less emission" &&
       name != "more emission" && name != "colour" && name != "material")
     return false;
-  if (!hover_.surface || !material_of(*editor_.scene(), hover_.face))
-    message_ = "no material lies under the mouse";
+  if (!hover_.surface)
+    message_ = "no edge lies under the mouse";
   else if (name == "material")
     ask_for_material(copies_first);
   else
@@ -278,18 +282,19 @@ bool Desk2::material_command(std::string_view name) {
 }
 
 void Desk2::change_material(std::string_view name, bool copies_first) {
-  const std::string changed = editor_.change_material(hover_.face, copies_first, [name](Material& material) {
+  const Face face = asked_face(hover_);
+  const std::string changed = editor_.change_material(face, copies_first, [name](Material& material) {
     if (name == "colour") return next_colour(material);
     const int sign = name.starts_with("more") ? 1 : -1;
     name.ends_with("emission") ? step_emission(material, sign) : step_reflectivity(material, sign);
   });
   if (changed.empty()) return;
-  const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), hover_.face)];
+  const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), face)];
   message_ = fmt::format("{}: reflectivity {}, emission {}", changed, text_of(now.reflectivity), text_of(now.emission));
 }
 
 void Desk2::ask_for_material(bool copies_first) {
-  const Face face = hover_.face;
+  const Face face = asked_face(hover_);
   const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), face)];
   prompt_ =
       Prompt{.question = now.name + (copies_first ? ", for this group alone" : ""),

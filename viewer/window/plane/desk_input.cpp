@@ -43,9 +43,7 @@ void Desk2::handle(const WindowEvent& event) {
     case Kind::kQuit:
       return quit();
     case Kind::kResize:
-      size_ = window_.size();
-      needs_base_ = true;
-      return;
+      return resize();
     case Kind::kMove:
       return move(event);
     case Kind::kLeave:
@@ -61,6 +59,7 @@ void Desk2::handle(const WindowEvent& event) {
       return release(event);
     case Kind::kWheel:
       camera_.zoom({event.x, event.y}, size_, std::pow(kPerNotch, event.wheel));
+      is_fitted_ = false;
       looks_.set_tone(tone_, texture_pixels());
       needs_base_ = true;
       return;
@@ -83,11 +82,20 @@ void Desk2::handle(const WindowEvent& event) {
   }
 }
 
+// The whole scene stays in sight, unless the view was moved by hand.
+void Desk2::resize() {
+  const FrameSize before = size_;
+  size_ = window_.size();
+  needs_base_ = true;
+  if (is_fitted_ && size_ != before) fit();
+}
+
 void Desk2::press(const WindowEvent& event) {
   if (prompt_ || drag_ != Drag::kNone) return;
   pressed_ = mouse_;
   button_ = event.button;
   held_ = event.held;
+  if (!tool_) message_.clear();
   has_moved_ = false;
   if (event.button != MouseButton::kLeft) {
     drag_ = Drag::kPan;
@@ -118,6 +126,7 @@ void Desk2::move(const WindowEvent& event) {
       break;
     case Drag::kPan:
       camera_.pan(mouse_.x - before.x, mouse_.y - before.y);
+      is_fitted_ = false;
       needs_base_ = true;
       break;
     case Drag::kBar:

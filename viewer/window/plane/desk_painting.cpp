@@ -184,24 +184,30 @@ void Desk2::draw_texts(PictureCanvas& canvas) const {
   const bool has_panel = request_.look != Look2::kLight && request_.look != Look2::kFloor &&
                          request_.look != Look2::kBands && looks_.result() != nullptr;
   if (has_panel)
-    draw_panel(
-        canvas, {.lines = looks_.result()->lines},
-        {.corner = {width - gap, 52 * unit_}, .is_right = true, .width = 0.36 * width, .height = height - 180 * unit_},
-        unit_);
-  if (prompt_) {
-    Panel panel{.lines = {prompt_->question}};
-    if (prompt_->keys.empty()) panel.lines.push_back(prompt_->text + "|");
-    if (!prompt_->problem.empty()) panel.lines.push_back(prompt_->problem);
-    draw_panel(canvas, panel, {.corner = {0.2 * width, 0.4 * height}, .width = 0.6 * width}, unit_);
-  }
-  const std::string line = message_.empty() ? status() : message_;
+    draw_panel(canvas, {.lines = looks_.result()->lines},
+               {.corner = {width - gap, 52 * unit_},
+                .is_right = true,
+                .width = kPanelWidth * width,
+                .height = height - 190 * unit_},
+               unit_);
+  std::string line = message_;
+  if (const std::string now = status(); !now.empty()) line += (line.empty() ? "" : "   ") + now;
   if (line.empty()) return;
   draw_panel(canvas, {.lines = {line}, .is_head_bold = false},
              {.corner = {gap, height - gap}, .is_bottom = true, .width = 0.8 * width}, unit_);
 }
 
+void Desk2::draw_prompt(PictureCanvas& canvas) const {
+  if (!prompt_) return;
+  Panel panel{.lines = {prompt_->question}};
+  if (prompt_->keys.empty()) panel.lines.push_back(prompt_->text + "|");
+  if (!prompt_->problem.empty()) panel.lines.push_back(prompt_->problem);
+  const double width = size_.width, height = size_.height;
+  draw_panel(canvas, panel, {.corner = {width / 2, 0.4 * height}, .is_centred = true, .width = 0.8 * width}, unit_);
+}
+
 void Desk2::draw_help(PictureCanvas& canvas) const {
-  canvas.fill_rectangle(Mark::kPaper, {0, 0}, {canvas.width(), canvas.height()}, palette::kPaper.with_alpha(0.95));
+  canvas.fill_rectangle(Mark::kPaper, {0, 0}, {canvas.width(), canvas.height()}, palette::kPaper.with_alpha(0.97));
   const double unit = std::min(unit_, std::min(canvas.width() / 1100, canvas.height() / 640));
   const TextStyle bold{.size = 15 * unit, .colour = palette::kInk, .weight = TextWeight::kBold};
   const TextStyle key{.size = 14 * unit, .colour = palette::kTarget, .weight = TextWeight::kBold};
@@ -242,8 +248,8 @@ void Desk2::draw() {
   draw_selection(canvas);
   draw_tool(canvas);
   draw_problem(canvas);
-  draw_texts(canvas);
-  if (shows_help_) draw_help(canvas);
+  shows_help_ ? draw_help(canvas) : draw_texts(canvas);
+  draw_prompt(canvas);
   canvas.finish();
   window_.set_title(file_.path().filename().string() + (editor_.history().is_changed() ? " *" : "") + " - hottel");
   needs_frame_ = false;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -56,8 +57,10 @@ std::string with_tabs(const std::string& line) {
 
 std::string text_of(const Point2& p) { return fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y)); }
 
+// Nothing inside solids and on edges.
 std::string text_of(const PointLight2& light) {
   std::string text;
+  if (std::ranges::any_of(light.mean_irradiance, [](double value) { return std::isnan(value); })) return text;
   for (const double value : light.mean_irradiance) text += (text.empty() ? "" : " ") + shortest(value);
   return text;
 }
@@ -71,8 +74,8 @@ void add_sight(const LiveState2& state, LookResult2& result, const StageProgress
     result.sight = drawing_of(sight.polygon);
     result.lines = {"from " + text_of(eye)};
     if (sight.polygon.area)
-      result.lines.push_back(
-          fmt::format("area {} = {}", decimal_text(*sight.polygon.area), to_string(*sight.polygon.area)));
+      result.lines.push_back("area " + decimal_text(*sight.polygon.area) +
+                             (result.request.wants_closed_form ? " = " + to_string(*sight.polygon.area) : ""));
     for (const SeenFrom2& seen : sight.faces)
       result.lines.push_back(fmt::format("{}  {}", shortest(seen.fraction.value), seen.name));
     for (const SeenFrom2& solid : sight.solids)
@@ -103,7 +106,8 @@ void add_pair(const LiveState2& state, LookResult2& result) {
   const Scene2& scene = state.prepared->scene;
   if (request.face->surface >= scene.surfaces.size()) return;
   if (!request.other || request.other->surface >= scene.surfaces.size()) {
-    result.lines = {"from " + face_name(scene, *request.face)};
+    result.lines = {"from " + face_name(scene, *request.face),
+                    request.look == Look2::kPair ? "click another face" : "the factor to the face under the mouse"};
     return;
   }
   PairSight2 sight{.from = face_name(scene, *request.face),

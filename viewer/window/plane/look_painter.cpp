@@ -21,7 +21,7 @@
 namespace hottel {
 namespace {
 
-constexpr double kFooter = 124;
+constexpr double kFooter = 118;                 // its content ends above the line at the bottom
 constexpr std::uint32_t kCoarsePixels = 4;      // of a cell of a coarse grid
 constexpr Colour kOutside{0.36, 0.365, 0.385};  // around light
 
