@@ -50,12 +50,15 @@ std::vector<std::string> wrapped(const PictureCanvas& canvas, const std::string&
   std::string_view rest = text;
   while (!rest.empty() && canvas.text_width(rest, style) > width) {
     std::size_t end = fitting(canvas, rest, style, width);
-    if (const std::size_t blank = rest.rfind(' ', end); blank != std::string_view::npos && blank > end / 2) end = blank;
+    // At the last blank that has something before it.
+    if (const std::size_t blank = rest.rfind(' ', end);
+        blank != std::string_view::npos && rest.find_first_not_of(' ') < blank)
+      end = blank;
     lines.emplace_back(rest.substr(0, end));
     rest.remove_prefix(end);
     rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
   }
-  lines.emplace_back(rest);
+  if (!rest.empty() || lines.empty()) lines.emplace_back(rest);
   return lines;
 }
 

@@ -21,7 +21,9 @@ TEST(Commands, HaveUniqueKeysAndOneHelpEach) {
   for (const Command& command : commands()) {
     EXPECT_NE(command.name, "");
     EXPECT_NE(command.topic, "");
-    if (!command.key.empty()) EXPECT_TRUE(keys.insert(command.key).second) << command.key;
+    if (!command.key.empty()) {
+      EXPECT_TRUE(keys.insert(command.key).second) << command.key;
+    }
     if (rows[command.name]++ > 0) {
       EXPECT_EQ(command.help, "") << command.name;
       EXPECT_NE(command.key, "") << command.name;
@@ -45,7 +47,9 @@ TEST(Commands, OfATopicStandTogether) {
 
 TEST(Commands, AreFoundByTheirKeys) {
   for (const Command& command : commands())
-    if (!command.key.empty()) EXPECT_EQ(command_of_key(command.key), command.name);
+    if (!command.key.empty()) {
+      EXPECT_EQ(command_of_key(command.key), command.name);
+    }
   EXPECT_EQ(command_of_key(""), "");
   EXPECT_EQ(command_of_key("ctrl+f12"), "");
   EXPECT_EQ(command_of_key("ctrl+Z"), "");

@@ -56,7 +56,7 @@ Grid2 coarse_grid_2(const Grid2& grid, std::uint32_t most);
 //   (5) after light is full, what the cells see is kept (SimulationRequest2::keeps_rows): light after an edit of
 //       materials needs no further look. Left out where memory does not suffice
 //   (6) the destructor stops what runs, and waits for that
-// changed: called on that thread after each new state; must be quick, and must not call this. All functions may be
+// changed: called on that thread after each new state; must be quick, and may ask state() alone. All functions may be
 // called by any thread.
 class LiveScene2 {
  public:
