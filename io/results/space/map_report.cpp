@@ -75,9 +75,8 @@ VisibilityAnswer map_answer(const Scene3& scene, const Look3& look, const PointM
   json["faces"] = faces_of(scene, map, has_factors);
   json["sky"] = {{"fraction", map.sky_fraction}, {"solid_angle", solid_angle(map.sky_fraction)}};
   if (has_factors) json["sky"]["factor"] = map.sky_factor;
-  json["tiers"] = {{"filter", map.signs.by_tier[0]},
-                   {"combinatorial", map.signs.by_tier[1]},
-                   {"exact", map.signs.by_tier[2]}};
+  json["tiers"] = {
+      {"filter", map.signs.by_tier[0]}, {"combinatorial", map.signs.by_tier[1]}, {"exact", map.signs.by_tier[2]}};
   return {json.dump(2) + "\n", text_of(scene, map, what, has_factors)};
 }
 
