@@ -61,7 +61,7 @@ Look3 look_from(const Scene3& scene, const SpaceSightOptions& options) {
   if (dot(normal, eye - polygon.points.front()) != 0 || !contains(polygon, normal, eye))
     throw UsageError("--at " + options.at + " is no point of '" + options.on + "'");
   if (face.is_back) normal = {-normal.x, -normal.y, -normal.z};
-  return {.eye = std::move(eye), .normal = std::move(normal)};
+  return {.eye = std::move(eye), .normal = Point3{normal.x, normal.y, normal.z}};
 }
 
 }  // namespace
