@@ -16,7 +16,7 @@
 namespace hottel {
 namespace {
 
-constexpr double kHeight = 1010, kTitle = 76;  // units of the whole, and of the heading
+constexpr double kHeight = 1024, kTitle = 76;  // units of the whole, and of the heading
 constexpr Colour kSky{0.80, 0.88, 0.95};
 
 double dot(const Direction3& a, const Direction3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -128,6 +128,13 @@ void add_arc(const Direction3& a, const Direction3& b, double step, std::vector<
   }
 }
 
+// With its border, so that no paper is seen between two pieces.
+void fill_piece(PictureCanvas& canvas, const std::vector<Pixel>& polygon, const Colour& colour) {
+  canvas.fill(Mark::kStripe, polygon, colour);
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    canvas.stroke(Mark::kStripe, polygon[k], polygon[(k + 1) % polygon.size()], colour, 0.7);
+}
+
 // A face in the colour of its material, lit from above and from one side so that faces are told apart; black backs are
 // dark.
 Colour colour_of(const Scene3& scene, const Face& face) {
@@ -208,7 +215,7 @@ void MapPainter3::draw_cube_side(PictureCanvas& canvas, const Side& side) const 
     if (corners.size() < 3) continue;
     std::vector<Pixel> polygon;
     for (const Direction3& corner : corners) polygon.push_back(cube_pixel(side, corner));
-    canvas.fill(Mark::kStripe, polygon, drawing_.colours[piece.face]);
+    fill_piece(canvas, polygon, drawing_.colours[piece.face]);
   }
   for (const Arc& line : lines_) {
     std::optional<Arc> part = line;
@@ -233,7 +240,7 @@ void MapPainter3::draw_disc(PictureCanvas& canvas, const Side& disc) const {
       add_arc(corners[k], corners[(k + 1) % corners.size()], step, border);
     std::vector<Pixel> polygon;
     for (const Direction3& at : border) polygon.push_back(disc_pixel(disc, at));
-    canvas.fill(Mark::kStripe, polygon, drawing_.colours[piece.face]);
+    fill_piece(canvas, polygon, drawing_.colours[piece.face]);
   }
   for (const Arc& line : lines_) {
     const std::optional<Arc> part = cut(std::optional(line), disc.axes.out);
