@@ -3,37 +3,17 @@
 // Each iteration runs the program anew, with the default grid, and takes the seconds of its report. The time reported
 // is their sum; `share_STAGE` is the percentage of a stage: read (the scene), prepare (overlay and triangulation),
 // factors, radiosity, certificate, irradiance, illumination, picture (with its encoding), write (the other files).
-#include <unistd.h>
-
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "benchmarks/clutter.h"
+#include "benchmarks/folder.h"
 #include "io/scene/scene_json.h"
 
 namespace hottel::benchmarks {
 namespace {
-
-namespace fs = std::filesystem;
-
-// A directory of this process, removed at the end.
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("hottel-stages-" + std::to_string(::getpid()))) {
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 std::string stage_of(const std::string& name) {
   for (const char* part : {"label", "sweep", "strings", "round", "exact", "matrix"})
@@ -68,7 +48,7 @@ void stages(benchmark::State& state, const std::string& scene, const Folder& fol
 
 int main(int argc, char** argv) {
   using namespace hottel::benchmarks;
-  const Folder folder;
+  const Folder folder("stages");
   const auto add = [&](const std::string& name, const std::string& file) {
     add_case("stages/" + name, [=, &folder](benchmark::State& state) { stages(state, file, folder); });
   };

@@ -1,7 +1,8 @@
 #include "kernel/rational.h"
 
 #include <charconv>
-#include <cmath>
+
+#include "kernel/rounded_share.h"
 
 namespace hottel {
 namespace {
@@ -84,37 +85,7 @@ std::optional<Rational> parse_rational(std::string_view text) {
 
 std::string to_string(const Rational& value) { return value.get_str(); }
 
-double to_double(const Rational& value) {
-  const int sign = sgn(value);
-  if (sign == 0) return 0.0;
-  const Integer p = abs(value.get_num());
-  const Integer& q = value.get_den();
-  // Scale so that the integer quotient has at least 64 bits, then let the sticky bit stand for the remainder.
-  const long bits =
-      static_cast<long>(mpz_sizeinbase(p.get_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(q.get_mpz_t(), 2));
-  const long shift = 66 - bits;
-  Integer scaled = p, divisor = q, quotient, remainder;
-  if (shift >= 0)
-    scaled <<= static_cast<unsigned long>(shift);
-  else
-    divisor <<= static_cast<unsigned long>(-shift);
-  mpz_tdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), scaled.get_mpz_t(), divisor.get_mpz_t());
-  // value = quotient * 2^-shift (+ sticky). Keep 53 bits, or fewer where the result is subnormal.
-  long size = static_cast<long>(mpz_sizeinbase(quotient.get_mpz_t(), 2));
-  const long top = size - shift;  // value is in [2^(top-1), 2^top)
-  long keep = 53;
-  if (top - 53 < -1074) keep = top + 1074;
-  if (keep < 0) return sign * 0.0;
-  const long drop = size - keep;
-  Integer kept = quotient >> static_cast<unsigned long>(drop);
-  const Integer rest = quotient - (kept << static_cast<unsigned long>(drop));
-  const Integer half = Integer(1) << static_cast<unsigned long>(drop - 1);
-  const int order = cmp(rest, half);
-  if (order > 0 || (order == 0 && (remainder != 0 || mpz_odd_p(kept.get_mpz_t())))) ++kept;
-  const long exponent = drop - shift;
-  if (exponent > 2000) return sign * HUGE_VAL;
-  return sign * std::ldexp(kept.get_d(), static_cast<int>(exponent));
-}
+double to_double(const Rational& value) { return nearest_double(value.get_num(), value.get_den()); }
 
 Rational scaled_by_power_of_two(const Rational& value, long shift) {
   Rational result = value;

@@ -76,10 +76,10 @@ class ScreenLevels {
   }
 
  private:
-  static constexpr int kShift = 52 - 6;  // 64 intervals between a number and its double
+  static constexpr int kShift = 52 - 8;  // 256 intervals between a number and its double
   static constexpr std::uint64_t kFirstBits = std::bit_cast<std::uint64_t>(0x1p-13) >> kShift;  // below level 1
   std::array<double, 257> begin_;
-  std::array<std::uint8_t, 13 * 64> first_;
+  std::array<std::uint8_t, 13 * 256> first_;
 };
 
 }  // namespace

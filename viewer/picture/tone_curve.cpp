@@ -90,7 +90,8 @@ Colour ToneCurve::operator()(std::span<const double> value) const {
 
 std::array<std::uint8_t, 3> ToneCurve::levels(std::span<const double> value) const {
   const std::array<double, 3> c = linear(value);
-  return {srgb_level(c[0]), srgb_level(c[1]), srgb_level(c[2])};
+  const std::uint8_t red = srgb_level(c[0]);
+  return {red, c[1] == c[0] ? red : srgb_level(c[1]), c[2] == c[0] ? red : srgb_level(c[2])};
 }
 
 }  // namespace hottel

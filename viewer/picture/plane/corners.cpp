@@ -22,9 +22,9 @@ Corners2::Corners2(const Scene2& scene, const Frame2& frame) {
   // Rounding keeps the order, so exact comparisons are needed only where pixels are equal.
   const auto before = [&](std::uint32_t a, std::uint32_t b) {
     if (pixels[a].x != pixels[b].x) return pixels[a].x < pixels[b].x;
-    if (const int c = cmp(point(a).x, point(b).x); c != 0) return c < 0;
+    if (point(a).x != point(b).x) return point(a).x < point(b).x;  // far fewer multiplications than cmp() where equal
     if (pixels[a].y != pixels[b].y) return pixels[a].y > pixels[b].y;
-    return cmp(point(a).y, point(b).y) < 0;
+    return point(a).y != point(b).y && point(a).y < point(b).y;
   };
   std::vector<std::uint32_t> order(2 * n);
   std::iota(order.begin(), order.end(), 0u);

@@ -46,15 +46,11 @@ Frame2::Frame2(const Scene2& scene, const std::vector<std::array<double, 2>>& ex
     box.add(Rational(x), Rational(y));
   }
   const Rational wide = box.max_x - box.min_x, high = box.max_y - box.min_y;
-  extent_ = std::max(wide, high);
-  if (extent_ == 0) extent_ = 1;
-  min_x_ = box.min_x;
-  min_y_ = box.min_y;
-  min_x_double_ = to_double(min_x_);
-  min_y_double_ = to_double(min_y_);
-  extent_double_ = to_double(extent_);
+  Rational extent = std::max(wide, high);
+  if (extent == 0) extent = 1;
+  set_region({box.min_x, box.min_y}, extent);
 
-  const double share_x = to_double(wide / extent_), share_y = to_double(high / extent_);
+  const double share_x = to_double(wide / extent), share_y = to_double(high / extent);
   const double room_x = width - margins.left - margins.right;
   const double most_y = std::min(kHighest * width, double{kMaxPictureSide}) - margins.top - margins.bottom;
   HOTTEL_REQUIRE(most_y > 0);
@@ -68,22 +64,27 @@ Frame2::Frame2(const Scene2& scene, const std::vector<std::array<double, 2>>& ex
   origin_ = {top_left_.x + (room_x - drawn_x) / 2, bottom_right_.y - (bottom_right_.y - top_left_.y - drawn_y) / 2};
 }
 
-Frame2::Frame2(const Point2& min, const Point2& max, double width, double height)
-    : min_x_(min.x), min_y_(min.y), width_(width), height_(height) {
+Frame2::Frame2(const Point2& min, const Point2& max, double width, double height) : width_(width), height_(height) {
   HOTTEL_REQUIRE(min.x < max.x && min.y < max.y && width > 0 && height > 0);
-  extent_ = std::max<Rational>(max.x - min.x, max.y - min.y);
-  min_x_double_ = to_double(min_x_);
-  min_y_double_ = to_double(min_y_);
-  extent_double_ = to_double(extent_);
-  pixels_per_extent_x_ = width / to_double((max.x - min.x) / extent_);
-  pixels_per_extent_y_ = height / to_double((max.y - min.y) / extent_);
+  const Rational extent = std::max<Rational>(max.x - min.x, max.y - min.y);
+  set_region(min, extent);
+  pixels_per_extent_x_ = width / to_double((max.x - min.x) / extent);
+  pixels_per_extent_y_ = height / to_double((max.y - min.y) / extent);
   origin_ = {0, height};
   bottom_right_ = {width, height};
 }
 
+void Frame2::set_region(const Point2& min, const Rational& extent) {
+  share_x_ = RoundedShare(min.x, extent);
+  share_y_ = RoundedShare(min.y, extent);
+  min_x_double_ = to_double(min.x);
+  min_y_double_ = to_double(min.y);
+  extent_double_ = to_double(extent);
+}
+
 Pixel Frame2::at(const Point2& point) const {
-  return {origin_.x + pixels_per_extent_x_ * to_double((point.x - min_x_) / extent_),
-          origin_.y - pixels_per_extent_y_ * to_double((point.y - min_y_) / extent_)};
+  return {origin_.x + pixels_per_extent_x_ * share_x_.of(point.x),
+          origin_.y - pixels_per_extent_y_ * share_y_.of(point.y)};
 }
 
 Pixel Frame2::at(const std::array<double, 2>& point) const {

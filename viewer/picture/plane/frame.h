@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/plane/scene/scene.h"
+#include "kernel/rounded_share.h"
 #include "viewer/picture/canvas.h"
 
 namespace hottel {
@@ -45,7 +46,10 @@ class Frame2 {
   Pixel at(const std::array<double, 2>& point) const;
 
  private:
-  Rational min_x_, min_y_, extent_;  // extent: the longer side, 1 for a scene that is a single point
+  // extent: the longer side, 1 for a scene that is a single point.
+  void set_region(const Point2& min, const Rational& extent);
+
+  RoundedShare share_x_, share_y_;  // of the extent
   double min_x_double_, min_y_double_, extent_double_;
   double width_, height_;
   double pixels_per_extent_x_, pixels_per_extent_y_;

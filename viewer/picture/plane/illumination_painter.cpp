@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernel/support/failure.h"
+#include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
@@ -77,6 +78,7 @@ Raster toned_pixels_2(const IlluminationGrid2& grid, const LightPixels2& pixels,
   const std::uint32_t up = raster.height / grid.grid.ny, channels = grid.channels;
   const std::uint32_t unlit = pixel_of(palette::kUnlitSolid);
   parallel_for(grid.grid.ny, [&](std::size_t iy) {
+    throw_if_interrupted();
     const std::vector<double> row = pixels.row_of_cells(static_cast<std::uint32_t>(iy));
     for (std::uint32_t j = 0; j < up; ++j) {
       std::uint32_t* pixel = raster.pixels.data() + std::size_t{raster.height - 1 - (iy * up + j)} * raster.width;

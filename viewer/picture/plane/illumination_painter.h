@@ -35,7 +35,8 @@ class LitPlan2 {
 };
 
 // Returns the pixels of light after the tone curve, the largest y on top; without a value: grey. The grid is that of
-// the pixels. COST: about 20 ns a pixel on one core, on all threads by rows of cells.
+// the pixels. Throws Interrupted when asked to stop. COST: about 20 ns a pixel on one core, on all threads by rows of
+// cells.
 Raster toned_pixels_2(const IlluminationGrid2& grid, const LightPixels2& pixels, const ToneCurve& tone);
 
 // Draws the light of a grid, and over it the plan (LitPlan2).

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/rational.h"
+#include "kernel/rounded_share.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -26,8 +26,9 @@ LightPixels2::LightPixels2(const IlluminationGrid2& grid, std::uint32_t across, 
   if (!walls) return;
   const Grid2& cells = grid.grid;
   const Rational wide = cells.max.x - cells.min.x, high = cells.max.y - cells.min.y;
-  const auto x = [&](const Point2& p) { return to_double((p.x - cells.min.x) / wide) * cells.nx; };
-  const auto y = [&](const Point2& p) { return to_double((p.y - cells.min.y) / high) * cells.ny; };
+  const RoundedShare share_x(cells.min.x, wide), share_y(cells.min.y, high);
+  const auto x = [&](const Point2& p) { return share_x.of(p.x) * cells.nx; };
+  const auto y = [&](const Point2& p) { return share_y.of(p.y) * cells.ny; };
   for (const auto& [from, to] : walls->edges) {
     const double ax = x(from), ay = y(from), bx = x(to), by = y(to);
     walls_.push_back({ax, ay, bx, by, kOnWall * std::hypot(bx - ax, by - ay)});
@@ -140,9 +141,16 @@ std::vector<double> LightPixels2::row_of_cells(std::uint32_t iy) const {
   const std::uint32_t channels = grid_.channels, nx = grid_.grid.nx;
   const std::size_t width = std::size_t{nx} * across_;
   std::vector<double> pixels(up_ * width * channels);
+  const bool is_cells = across_ == 1 && up_ == 1 && near_.empty();
+  const double* const values = grid_.values.data() + iy * width * channels;
+  if (is_cells && !has_gaps_) return {values, values + width * channels};
   std::vector<std::uint8_t> barred(std::size_t{up_} * across_);
   const Places y = places(iy, up_);
   for (std::uint32_t ix = 0; ix < nx; ++ix) {
+    if (is_cells && !std::isnan(values[ix * channels])) {  // its centre is the pixel
+      std::copy_n(values + ix * channels, channels, pixels.data() + ix * channels);
+      continue;
+    }
     const Places x = places(ix, across_);
     mark_cell(ix, iy, x, y, barred.data());
     for (std::size_t j = 0; j < up_; ++j)

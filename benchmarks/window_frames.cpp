@@ -1,0 +1,52 @@
+// What a frame of the window of `hottel view` costs, at 1280 x 800 pixels, for each look: everything is there, and is
+// drawn anew.
+//
+// Counters, in ms: marks (what is drawn anew only where light, look or view change: the time but for what lies over
+// it), overlay (what is drawn in each frame: the selection, texts, and the hand-over to the window).
+#include "benchmarks/window_hands.h"
+#include "viewer/window/plane/look.h"
+
+namespace hottel::benchmarks {
+namespace {
+
+void frame(benchmark::State& state, const Room& room, Look2 look) {
+  Hands hands(room);
+  Desk2& desk = hands.desk();
+  hands.mouse(WindowEvent::Kind::kMove, {640, 400});
+  hands.take_events();
+  desk.command(std::string("look ") + to_string(look));
+  desk.settle(kPatience);
+  Stopwatch watch;
+  double whole = 0, overlay = 0;
+  for (auto _ : state) {
+    desk.handle({.kind = WindowEvent::Kind::kFocus});
+    watch.lap();
+    desk.update();
+    overlay += watch.lap();
+    desk.handle({.kind = WindowEvent::Kind::kResize});
+    watch.lap();
+    desk.update();
+    const double seconds = watch.lap();
+    whole += seconds;
+    state.SetIterationTime(seconds);
+  }
+  const double runs = static_cast<double>(state.iterations());
+  state.counters["overlay"] = 1e3 * overlay / runs;
+  state.counters["marks"] = 1e3 * (whole - overlay) / runs;
+}
+
+}  // namespace
+}  // namespace hottel::benchmarks
+
+int main(int argc, char** argv) {
+  using namespace hottel::benchmarks;
+  using hottel::Look2;
+  const Folder folder("window-frames");
+  std::vector<Room> rooms{apartment()};
+  for (const std::uint64_t edges : {200, 2000}) rooms.push_back(room_of("room", furnished(edges), folder));
+  for (const Room& room : rooms)
+    for (const Look2 look :
+         {Look2::kLight, Look2::kFloor, Look2::kBands, Look2::kVisibility, Look2::kErrors, Look2::kCheck, Look2::kPlan})
+      add_case(room.name + "/" + to_string(look), [=](benchmark::State& state) { frame(state, room, look); });
+  return run(argc, argv);
+}
