@@ -150,6 +150,7 @@ void Desk2::read_again() {
   try {
     editor_.replace(file_.read());
     message_ = "read again";
+    if (is_fitted_) fit();
   } catch (const InputError& error) {
     message_ = error.what();
   }
