@@ -8,6 +8,7 @@
 #include "io/scene/plane/svg_reader.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/naming_file.h"
 
 namespace hottel {
 namespace {

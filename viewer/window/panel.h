@@ -8,7 +8,7 @@
 
 namespace hottel {
 
-// A box of lines of text.
+// A box of lines of text. Tabs part a line into columns, which are as wide as the widest of them.
 struct Panel {
   std::vector<std::string> lines;
   bool is_head_bold = true;  // the first line

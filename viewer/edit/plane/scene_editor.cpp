@@ -22,6 +22,7 @@ SceneEditor2::SceneEditor2(Scene2 scene) : history_(std::move(scene)) { changed(
 void SceneEditor2::replace(Scene2 scene) {
   held_.reset();
   history_ = EditHistory2(std::move(scene));
+  held_.reset();
   select_none();
   changed();
 }
@@ -38,6 +39,7 @@ void SceneEditor2::set(Scene2 next, const std::string& what) {
   held_.reset();
   const std::shared_ptr<const Scene2> before = scene();
   history_.set(std::move(next), what);
+  held_.reset();
   set_selected_names(*before, selected_);
   changed();
 }
@@ -109,8 +111,9 @@ bool SceneEditor2::press(const Pointer2& pointer) {
     toggle(found, pointer.is_whole);
     return true;
   }
-  const bool is_vertex = found.vertex && !pointer.is_whole;
-  if (!std::ranges::binary_search(selected_, *found.surface) || pointer.is_whole || is_vertex) {
+  const bool is_selected = std::ranges::binary_search(selected_, *found.surface);
+  const bool is_vertex = found.vertex && !pointer.is_whole && !(is_selected && is_of_whole_groups());
+  if (!is_selected || pointer.is_whole || is_vertex) {
     select({*found.surface});
     if (pointer.is_whole) select_groups();
   }

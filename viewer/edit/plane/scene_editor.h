@@ -32,8 +32,8 @@ struct Pointer2 {
 //   (1) every edit is one step of the history; a drag is one, from press() to release(). What changes nothing is none
 //   (2) a vertex that is dragged takes along every end that lies exactly there; `alone`, the nearest end by itself
 //   (3) an edge that is dragged takes along what coincides with its ends. A selection of whole groups of several
-//       surfaces moves by itself: furniture parts from the wall it stands at; so does everything that is dragged
-//       `alone`
+//       surfaces moves by itself, at whichever vertex or edge it is held: furniture parts from the wall it stands at.
+//       So does everything that is dragged `alone`
 //   (4) a dragged thing is placed so that the vertex, or the edge's nearer end, at which it is held comes to lie on a
 //       snapped place (Snapper2), of the scene in which the drag began
 //   (5) the selection is kept by names: after undo, too, it is what is still there
@@ -66,8 +66,8 @@ class SceneEditor2 {
 
   // A button goes down: selects what is there. False where nothing is.
   bool press(const Pointer2& pointer);
-  // The pointer moves with the button down, after press() found something. Does nothing where the scene was changed
-  // otherwise since.
+  // The pointer moves with the button down, after press() found something. Nothing is held any more once anything else
+  // has changed the scene.
   void drag(const Pointer2& pointer);
   void release();
   void cancel();

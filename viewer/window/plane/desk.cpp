@@ -19,6 +19,14 @@ constexpr std::uint32_t kMostPixelsPerCell = 8;
 constexpr std::size_t kEventsPerFrame = 200;
 constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 134;  // units around the scene
 
+// The face of that name in another scene: an edit may count surfaces anew.
+std::optional<Face> same_face(const std::optional<Face>& face, const Scene2& before, const Scene2& now) {
+  if (!face) return std::nullopt;
+  const auto found = std::ranges::find(now.surfaces, before.surfaces[face->surface].name, &Surface::name);
+  if (found == now.surfaces.end()) return std::nullopt;
+  return Face{static_cast<std::uint32_t>(found - now.surfaces.begin()), face->is_back};
+}
+
 }  // namespace
 
 Desk2::Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale)
@@ -64,27 +72,13 @@ void Desk2::scene_changed() {
   if (shown_version_ == editor_.version()) return;
   shown_version_ = editor_.version();
   looks_.set_scene(editor_.scene(), editor_.is_dragging() ? LiveDepth2::kCoarse : LiveDepth2::kFull);
-  keep_faces();
-  hover_ = has_mouse_ ? editor_.pick(pointer()) : Pick2();
-  if (tool_ && tool_->material >= editor_.scene()->materials.size()) tool_.reset();
-}
-
-// Picked faces are those of the same names, whatever number these have now.
-void Desk2::keep_faces() {
-  const auto before = std::exchange(shown_scene_, editor_.scene());
-  if (!before || before == shown_scene_ || (!request_.face && !request_.other)) return;
-  const std::vector<Surface>& surfaces = shown_scene_->surfaces;
-  for (std::optional<Face>* face : {&request_.face, &request_.other}) {
-    if (!*face) continue;
-    const std::string& name = before->surfaces.at((*face)->surface).name;
-    if ((*face)->surface < surfaces.size() && surfaces[(*face)->surface].name == name) continue;
-    const auto found = std::ranges::find(surfaces, name, &Surface::name);
-    if (found == surfaces.end())
-      face->reset();
-    else
-      (*face)->surface = static_cast<std::uint32_t>(found - surfaces.begin());
+  const std::shared_ptr<const Scene2> before = std::exchange(shown_, editor_.scene());
+  if (before) {
+    request_.face = same_face(request_.face, *before, *shown_);
+    request_.other = same_face(request_.other, *before, *shown_);
   }
-  looks_.set_request(request_);
+  if (tool_ && tool_->material >= shown_->materials.size()) tool_.reset();
+  if (drag_ != Drag::kEdit) touch();
 }
 
 // What is looked at follows the mouse, where it depends on it, and what lies under it.
@@ -95,7 +89,7 @@ void Desk2::request_changed() {
   const bool follows = has_mouse_ && request_.look == Look2::kVisibility;
   request_.mouse = (is_free && has_number) || follows ? std::optional(exact_mouse()) : std::nullopt;
   if (request_.look == Look2::kFactors)
-    request_.other = hover_.surface && is_free ? std::optional(hover_.face) : std::nullopt;
+    request_.other = hover_.surface && is_free ? std::optional(asked_face(hover_)) : std::nullopt;
   if (request_.look != Look2::kFactors && request_.look != Look2::kPair) request_.other.reset();
   looks_.set_request(request_);
   needs_frame_ = true;
@@ -148,10 +142,12 @@ void Desk2::watch_file() {
 
 void Desk2::read_again() {
   try {
-    editor_.replace(file_.read());
+    Scene2 scene = file_.read();
+    require_drawable(scene);
+    editor_.replace(std::move(scene));
     message_ = "read again";
     if (is_fitted_) fit();
-  } catch (const InputError& error) {
+  } catch (const std::runtime_error& error) {
     message_ = error.what();
   }
   scene_changed();

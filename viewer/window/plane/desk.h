@@ -43,6 +43,7 @@ struct Prompt {
 //   (3) while something is dragged, light is on a coarse grid, and the window says so; at rest, state() is that of
 //       SceneLooks2 (1)
 //   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes
+//   (5) a command that can do nothing says why in message(): what a key does is seen
 // Its functions are for the thread of the window.
 class Desk2 {
  public:
@@ -89,8 +90,10 @@ class Desk2 {
   void move(const WindowEvent& event);
   void release(const WindowEvent& event);
   void click();
+  Face asked_face(const Pick2& pick) const;
   void key(const WindowEvent& event);
   void prompt_key(const WindowEvent& event);
+  void touch();
   Pointer2 pointer(const HeldKeys& held = {}) const;
   Place2 place() const { return camera_.place_of(mouse_, size_); }
   Point2 exact_mouse() const;
@@ -100,9 +103,9 @@ class Desk2 {
   bool edit_command(std::string_view name);
   bool material_command(std::string_view name);
   bool file_command(std::string_view name);
+  std::string why_nothing(std::string_view name) const;
   void next_choice(int step);
-  void next_tone();
-  void nudge(std::string_view name);
+  bool nudge(std::string_view name);
   void begin_tool(bool is_edge);
   void add_tool_point();
   void end_tool(bool closed);
@@ -119,7 +122,6 @@ class Desk2 {
   // What is shown.
   void scene_changed();
   void request_changed();
-  void keep_faces();
   void fit();
   double panel_width() const;
   std::uint32_t texture_pixels() const;
@@ -153,7 +155,7 @@ class Desk2 {
   HeldKeys held_;
   bool has_mouse_ = false;
   Drag drag_ = Drag::kNone;
-  MouseButton button_ = MouseButton::kNone;  // that began it
+  MouseButton button_ = MouseButton::kNone;  // that drags
   bool has_moved_ = false;
   bool drops_text_ = false;  // that of the key which opened a prompt
   std::optional<Tool> tool_;
@@ -161,8 +163,8 @@ class Desk2 {
   std::string message_;
   Pick2 hover_;
 
+  std::shared_ptr<const Scene2> shown_;  // what the rest has been told of
   std::uint64_t shown_version_ = 0;
-  std::shared_ptr<const Scene2> shown_scene_;  // what the faces of request_ are of
   bool needs_base_ = true, needs_frame_ = true;
   Raster base_, frame_;
   Stopwatch since_watch_;

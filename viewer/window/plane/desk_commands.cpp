@@ -11,6 +11,8 @@
 #include "viewer/edit/plane/scene_edits.h"
 #include "viewer/edit/plane/typed_point.h"
 #include "viewer/edit/typed_numbers.h"
+#include "viewer/picture/plane/drawable.h"
+#include "viewer/window/commands.h"
 #include "viewer/window/plane/desk.h"
 
 namespace hottel {
@@ -116,11 +118,26 @@ std::vector<std::string> approximate_methods() {
 void Desk2::command(std::string_view name) {
   needs_frame_ = true;
   message_.clear();
+  const std::uint64_t before = editor_.version();
   if (!look_command(name) && !edit_command(name) && !material_command(name) && !file_command(name))
     throw UsageError("there is no command called '" + std::string(name) + "'");
+  if (message_.empty() && !prompt_ && editor_.version() == before) message_ = why_nothing(name);
   scene_changed();
-  hover_ = has_mouse_ ? editor_.pick(pointer()) : Pick2();
+  touch();
   request_changed();
+}
+
+// Why a command changed nothing; empty for those that do not change the scene.
+std::string Desk2::why_nothing(std::string_view name) const {
+  const auto found = std::ranges::find(commands(), name, &Command::name);
+  const bool is_edit = found != commands().end() && found->topic != "look" && found->topic != "file";
+  if (!is_edit || name == "all" || name == "escape") return "";
+  if (editor_.is_dragging()) return "not while something is dragged";
+  if (name == "undo") return "there is nothing to undo";
+  if (name == "redo") return "there is nothing to do again";
+  if (found->topic != "edit") return "it goes no further";
+  if (editor_.selected_vertex()) return "a vertex is selected: that is for edges";
+  return editor_.selected().empty() ? "nothing is selected" : "";
 }
 
 bool Desk2::look_command(std::string_view name) {
@@ -163,16 +180,18 @@ void Desk2::next_choice(int step) {
   }
 }
 
-void Desk2::nudge(std::string_view name) {
+bool Desk2::nudge(std::string_view name) {
   const bool is_far = name.starts_with("far ");
   if (is_far) name.remove_prefix(4);
+  const int x = name == "right" ? 1 : name == "left" ? -1 : 0, y = name == "up" ? 1 : name == "down" ? -1 : 0;
+  if (x == 0 && y == 0) return false;
   Rational step = 1;
   const int decimals = decimals_at(camera_.pixels_per_length());
   for (int k = 0; k < decimals; ++k) step /= 10;
   for (int k = 0; k > decimals; --k) step *= 10;
   if (is_far) step *= 10;
-  const int x = name == "right" ? 1 : name == "left" ? -1 : 0, y = name == "up" ? 1 : name == "down" ? -1 : 0;
   message_ = editor_.move_by(x * step, y * step);
+  return true;
 }
 
 bool Desk2::edit_command(std::string_view name) {
@@ -182,8 +201,6 @@ bool Desk2::edit_command(std::string_view name) {
     message_ = editor_.undo();
   } else if (name == "redo") {
     message_ = editor_.redo();
-  } else if (name.ends_with("left") || name.ends_with("right") || name.ends_with("up") || name.ends_with("down")) {
-    nudge(name);
   } else if (name == "coordinates") {
     if (tool_)
       end_tool(false);
@@ -218,7 +235,7 @@ bool Desk2::edit_command(std::string_view name) {
       editor_.select_none();
     drag_ = Drag::kNone;
   } else {
-    return false;
+    return nudge(name);
   }
   return true;
 }
@@ -230,7 +247,7 @@ void Desk2::begin_tool(bool is_edge) {
     message_ = "there is no material to draw with: add a lamp first";
     return;
   }
-  const auto touched = hover_.surface ? material_of(*editor_.scene(), hover_.face) : std::nullopt;
+  const auto touched = hover_.surface ? material_of(*editor_.scene(), asked_face(hover_)) : std::nullopt;
   const auto dark = std::ranges::find_if(materials, [](const Material& m) { return m.emission.is_zero(); });
   const auto first = dark == materials.end() ? 0 : static_cast<std::uint32_t>(dark - materials.begin());
   tool_ = Tool{{}, is_edge, touched.value_or(first)};
@@ -247,6 +264,7 @@ void Desk2::add_tool_point() {
 
 void Desk2::end_tool(bool closed) {
   message_ = editor_.add_line(tool_->points, closed && tool_->points.size() > 2, tool_->material);
+  if (message_.empty()) message_ = "a line has two points at least";
   tool_.reset();
   scene_changed();
 }
@@ -257,8 +275,8 @@ bool Desk2::material_command(std::string_view name) {
   if (name != "less reflectivity" && name != "more reflectivity" && name != "less emission" &&
       name != "more emission" && name != "colour" && name != "material")
     return false;
-  if (!hover_.surface || !material_of(*editor_.scene(), hover_.face))
-    message_ = "no material lies under the mouse";
+  if (!hover_.surface)
+    message_ = "no edge lies under the mouse";
   else if (name == "material")
     ask_for_material(copies_first);
   else
@@ -267,18 +285,19 @@ bool Desk2::material_command(std::string_view name) {
 }
 
 void Desk2::change_material(std::string_view name, bool copies_first) {
-  const std::string changed = editor_.change_material(hover_.face, copies_first, [name](Material& material) {
+  const Face face = asked_face(hover_);
+  const std::string changed = editor_.change_material(face, copies_first, [name](Material& material) {
     if (name == "colour") return next_colour(material);
     const int sign = name.starts_with("more") ? 1 : -1;
     name.ends_with("emission") ? step_emission(material, sign) : step_reflectivity(material, sign);
   });
   if (changed.empty()) return;
-  const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), hover_.face)];
+  const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), face)];
   message_ = fmt::format("{}: reflectivity {}, emission {}", changed, text_of(now.reflectivity), text_of(now.emission));
 }
 
 void Desk2::ask_for_material(bool copies_first) {
-  const Face face = hover_.face;
+  const Face face = asked_face(hover_);
   const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), face)];
   prompt_ =
       Prompt{.question = now.name + (copies_first ? ", for this group alone" : ""),
@@ -305,6 +324,11 @@ void Desk2::ask_for_coordinates() {
                    .answer = [this](const std::string& text) {
                      const Typed<Point2> typed = typed_point_2(text);
                      if (!typed.value) return typed.problem;
+                     try {
+                       require_drawable(*editor_.scene(), *typed.value, text);
+                     } catch (const RequestError&) {
+                       return std::string("this is too far away to be drawn");
+                     }
                      message_ = editor_.move_to(*typed.value);
                      scene_changed();
                      return std::string();

@@ -26,6 +26,9 @@ Pointer2 Desk2::pointer(const HeldKeys& held) const {
           .is_whole = held.ctrl};
 }
 
+// Finds what lies under the mouse.
+void Desk2::touch() { hover_ = has_mouse_ ? editor_.pick(pointer()) : Pick2(); }
+
 // The place of the mouse as a short decimal, finer than a pixel.
 Point2 Desk2::exact_mouse() const {
   const int decimals = decimals_at(camera_.pixels_per_length()) + 1;
@@ -45,10 +48,11 @@ void Desk2::handle(const WindowEvent& event) {
       return move(event);
     case Kind::kLeave:
       has_mouse_ = false;
-      hover_ = {};
+      touch();
       return request_changed();
     case Kind::kPress:
       mouse_ = {event.x, event.y};
+      has_mouse_ = true;
       return press(event);
     case Kind::kRelease:
       mouse_ = {event.x, event.y};
@@ -60,10 +64,15 @@ void Desk2::handle(const WindowEvent& event) {
       needs_base_ = true;
       return;
     case Kind::kKey:
-      drops_text_ = !prompt_;
-      return prompt_ ? prompt_key(event) : key(event);
+      if (prompt_) {
+        drops_text_ = false;
+        return prompt_key(event);
+      }
+      key(event);
+      drops_text_ = prompt_ && event.key.size() == 1 && !event.held.ctrl && !event.held.alt;
+      return;
     case Kind::kText:
-      if (prompt_ && !drops_text_ && prompt_->keys.empty()) prompt_->text += event.text;
+      if (!std::exchange(drops_text_, false) && prompt_ && prompt_->keys.empty()) prompt_->text += event.text;
       return;
     case Kind::kFocus:
       until_watch_ = 0;
@@ -107,7 +116,7 @@ void Desk2::move(const WindowEvent& event) {
   has_moved_ = has_moved_ || distance(mouse_, pressed_) > kStill * unit_;
   switch (drag_) {
     case Drag::kNone:
-      hover_ = editor_.pick(pointer());
+      touch();
       break;
     case Drag::kEdit:
       if (has_moved_ && !held_.shift) {
@@ -145,19 +154,26 @@ void Desk2::release(const WindowEvent& event) {
   }
   if (ended == Drag::kRectangle) editor_.select_in(camera_.place_of(pressed_, size_), place(), held_.ctrl);
   if (ended == Drag::kPan && !has_moved_ && event.button == MouseButton::kLeft && !held_.shift) editor_.select_none();
-  hover_ = editor_.pick(pointer());
+  touch();
   request_changed();
+}
+
+// The face that is meant by pointing at an edge: its front where the back is black and exchanges nothing.
+Face Desk2::asked_face(const Pick2& pick) const {
+  const bool has_back = pick.face.is_back && editor_.scene()->surfaces[pick.face.surface].back;
+  return {pick.face.surface, has_back};
 }
 
 // A click on an edge picks its face where faces are looked at.
 void Desk2::click() {
   const Pick2 found = editor_.pick(pointer());
   if (!found.surface) return;
+  const Face face = asked_face(found);
   if (request_.look == Look2::kFactors || (request_.look == Look2::kPair && (!request_.face || request_.other))) {
-    request_.face = found.face;
+    request_.face = face;
     request_.other.reset();
   } else if (request_.look == Look2::kPair) {
-    request_.other = found.face;
+    request_.other = face;
   }
   needs_base_ = true;
 }

@@ -1,6 +1,7 @@
 // Scripts for a window: what a hand would do, a line each.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -41,8 +42,12 @@ inline constexpr int kFramesPerSecond = 20;
 void play_script_2(const std::vector<ScriptStep>& steps, const std::string& name, Desk2& desk, RecordingWindow& window,
                    const ScriptOutputs& outputs);
 
+// Writes a frame as a PNG file. Throws UsageError unless the file ends in .png, OutputError.
+void save_screenshot_2(const Raster& frame, const std::filesystem::path& file);
+
 // Returns a line with the SHA-256 of each file that a fresh process would write of the scene as it is: factors.csv
-// (`hottel factors`), radiosity.csv and illumination.npy (`hottel solve`); "-" for each where there is no light.
+// (`hottel factors`), radiosity.csv and illumination.npy (`hottel solve`); "-" for each where there is no light, or, as
+// while something is dragged, a coarse one.
 std::string result_hashes(const LiveState2& state);
 
 }  // namespace hottel

@@ -40,6 +40,21 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+// Columns that were set apart by blanks, as for letters of one width, set apart by tabs. Blanks before the first stay.
+std::string with_tabs(const std::string& line) {
+  std::string text;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const std::size_t end = std::min(line.find_first_not_of(' ', k), line.size());
+    if (end > k + 1 && !text.empty()) {
+      if (end < line.size()) text += '\t';
+      k = end - 1;
+    } else if (end <= k || !text.empty()) {
+      text += line[k];
+    }
+  }
+  return text;
+}
+
 std::string text_of(const Point2& p) { return fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y)); }
 
 // Nothing inside solids and on edges.
@@ -71,15 +86,6 @@ void add_sight(const LiveState2& state, LookResult2& result, const StageProgress
   result.number = text_of(light);
   if (result.request.look == Look2::kVisibility && !result.number.empty())
     result.lines.insert(result.lines.begin() + 1, "mean irradiance " + result.number);
-}
-
-// A line of a table as letters of different widths want it: columns two blanks apart.
-std::string without_columns(const std::string& line) {
-  const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
-  std::string text;
-  for (const char c : line.substr(begin))
-    if (c != ' ' || !text.ends_with("  ")) text += c;
-  return text;
 }
 
 // A line of a pair's answer without its closed form.
@@ -116,7 +122,7 @@ void add_pair(const LiveState2& state, LookResult2& result) {
   }
   for (const std::string& line : lines_of(pair_answer(sight).text)) {
     if (request.look != Look2::kPair && line.starts_with("critical")) break;
-    result.lines.push_back(without_columns(request.wants_closed_form ? line : without_form(line)));
+    result.lines.push_back(with_tabs(request.wants_closed_form ? line : without_form(line)));
     if (line.starts_with("  F from") && result.number.empty()) {
       const std::string number = without_form(line);
       result.number = number.substr(number.find_last_of(' ', number.find_last_not_of(' ')) + 1);
@@ -241,7 +247,7 @@ LookResult2 look_at(const LiveState2& state, const LookRequest2& request, const 
       case Look2::kPlan:
         if (!state.simulation) break;
         for (const std::string& line : lines_of(plan_text(*state.simulation->plan(progress))))
-          result.lines.push_back(without_columns(line));
+          result.lines.push_back(with_tabs(line));
         break;
       case Look2::kSweeps:
         add_sweeps(state, result, progress, tell);

@@ -1,0 +1,71 @@
+// Convex cones of directions, cut by planes through the eye. Internal to geometry/space/visibility.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "geometry/space/visibility/eye_planes.h"
+
+namespace hottel {
+
+// A convex cone with inner points, less than a half space: its corners in order, the inside on the positive side of
+// every corner's plane. The edge on the plane of a corner ends at the next corner, which is where its plane meets that
+// of the next corner.
+using ConeFragment3 = std::vector<ConeCorner3>;
+
+// Fragments in a row, whose memory is used again.
+class FragmentList3 {
+ public:
+  std::size_t size() const { return size_; }
+  const ConeFragment3& operator[](std::size_t k) const { return kept_[k]; }
+  void clear() { size_ = 0; }
+  // Appends a fragment without corners; it stays where it is when others are added.
+  ConeFragment3& add() {
+    if (size_ == kept_.size()) kept_.emplace_back();
+    kept_[size_].clear();
+    return kept_[size_++];
+  }
+
+ private:
+  std::deque<ConeFragment3> kept_;
+  std::size_t size_ = 0;
+};
+
+// Sets `result` to the sides of planes that bound the cone of a polygon, in order. REQUIRES facing(s) != 0.
+void cone_sides(const EyePlanes3& planes, std::size_t s, std::vector<PlaneSide3>& result);
+
+// Sets `result` to the cone of a polygon. REQUIRES facing(s) != 0.
+void cone_of_polygon(const EyePlanes3& planes, std::size_t s, ConeFragment3& result);
+
+// Takes cones away from fragments. It keeps working memory: one for each thread.
+class ConeCutter3 {
+ public:
+  explicit ConeCutter3(EyePlanes3& planes) : planes_(planes) {}
+
+  // Sets `inside` to what is on the positive side; false where that has no inner point.
+  bool clip(const ConeFragment3& fragment, PlaneSide3 side, ConeFragment3& inside);
+
+  // Appends to `rest` what is left of the fragment when the intersection of these sides is taken away. The corners of
+  // polygon `s` are in the closed cone of its own sides; more sides may be among those given.
+  //
+  //   (1) exact, on open sets: what only touches is left as it is, in one piece
+  //   (2) the pieces are convex and have no common inner point
+  void subtract(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides, FragmentList3& rest);
+
+ private:
+  struct Extremes {
+    bool has_positive = false, has_negative = false;
+  };
+  Extremes find_signs(const ConeFragment3& fragment, PlaneSide3 side);
+  bool is_apart(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides);
+  void split(const ConeFragment3& fragment, PlaneSide3 side, ConeFragment3* inside, ConeFragment3* outside);
+
+  EyePlanes3& planes_;
+  std::vector<signed char> signs_;    // of the corners at hand
+  std::vector<PlaneSide3> crossing_;  // sides that cut the fragment at hand
+  ConeFragment3 current_, next_;
+};
+
+}  // namespace hottel
