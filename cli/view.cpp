@@ -82,6 +82,8 @@ ExitCode view(const ViewOptions& options, Streams& streams) {
     throw UnknownName("there is nothing to look at called '" + options.look + "'", options.look, known);
   }
   const SimulationRequest2 request{.memory = options.memory.value_or(0)};
+  if (options.record == "-")
+    throw UsageError("a recording is many files: --record takes a folder, not standard output");
   if (!options.script.empty() || !options.screenshot.empty() || !options.record.empty())
     return play(options, request, streams);
   const std::unique_ptr<Window> window = open_window("hottel", size_of(options));
@@ -111,6 +113,7 @@ void add_view(Commands& commands) {
       ->capture_default_str();
   command.add_option("--scale", options->scale, "letters and lines S times as large")
       ->type_name("S")
+      ->check(positive_number())
       ->check(CLI::Range(0.25, kMostScale))
       ->capture_default_str();
   command.add_option("--size", options->size, "pixels of the window; without it 1280x800 times S")->type_name("WxH");

@@ -57,7 +57,7 @@ Scene read(const std::filesystem::path& file, std::optional<int> wanted) {
                        {"scenes are .json files; meshes are .obj files"});
   if (ending != ".obj" && ending != ".OBJ") return parse(read_text_file(file), name, read_text_file, wanted);
   if (wanted == 2) throw InputError({name, 0}, kInThePlaneOnly, {kDoneInSpace});
-  return read_obj_3(file);
+  return read_obj_3(file).scene;
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ constexpr Command kCommands[] = {
     {"edit", "undo", "ctrl+z", "undo"},
     {"edit", "redo", "ctrl+y", "do again"},
     {"edit", "redo", "ctrl+shift+z", ""},
-    {"edit", "left", "left", "nudge, like the other arrows; shift: ten steps"},
+    {"edit", "left", "left", "nudge, as all arrows; shift: ten"},
     {"edit", "right", "right", ""},
     {"edit", "up", "up", ""},
     {"edit", "down", "down", ""},

@@ -87,11 +87,11 @@ bool ConeCutter3::clip(const ConeFragment3& fragment, PlaneSide3 side, ConeFragm
 
 // Two convex cones have no common inner point iff the plane of an edge of one of them separates them.
 bool ConeCutter3::is_apart(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides) {
-  crossing_.clear();
+  cutting_.clear();
   for (const PlaneSide3 side : sides) {
     const Extremes extremes = find_signs(fragment, side);
     if (!extremes.has_positive) return true;
-    if (extremes.has_negative) crossing_.push_back(side);
+    if (extremes.has_negative) cutting_.push_back(side);
   }
   const auto corners = planes_.blockers().outline(s);
   return std::any_of(fragment.begin(), fragment.end(), [this, &corners](const ConeCorner3& corner) {
@@ -100,14 +100,17 @@ bool ConeCutter3::is_apart(const ConeFragment3& fragment, std::size_t s, std::sp
   });
 }
 
-void ConeCutter3::subtract(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides,
-                           FragmentList3& rest) {
-  if (is_apart(fragment, s, sides)) {
-    rest.add() = fragment;
-    return;
+void ConeCutter3::subtract(const ConeFragment3& fragment, std::optional<PlaneSide3> one_more, FragmentList3& rest) {
+  if (one_more) {
+    const Extremes extremes = find_signs(fragment, *one_more);
+    if (!extremes.has_positive) {
+      rest.add() = fragment;
+      return;
+    }
+    if (extremes.has_negative) cutting_.push_back(*one_more);
   }
   current_ = fragment;
-  for (const PlaneSide3 side : crossing_) {
+  for (const PlaneSide3 side : cutting_) {
     const Extremes extremes = find_signs(current_, side);
     if (!extremes.has_negative) continue;
     if (!extremes.has_positive) {

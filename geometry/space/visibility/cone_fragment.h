@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,7 +20,7 @@ using ConeFragment3 = std::vector<ConeCorner3>;
 class FragmentList3 {
  public:
   std::size_t size() const { return size_; }
-  const ConeFragment3& operator[](std::size_t k) const { return kept_[k]; }
+  ConeFragment3& operator[](std::size_t k) { return kept_[k]; }
   void clear() { size_ = 0; }
   // Appends a fragment without corners; it stays where it is when others are added.
   ConeFragment3& add() {
@@ -47,24 +48,28 @@ class ConeCutter3 {
   // Sets `inside` to what is on the positive side; false where that has no inner point.
   bool clip(const ConeFragment3& fragment, PlaneSide3 side, ConeFragment3& inside);
 
-  // Appends to `rest` what is left of the fragment when the intersection of these sides is taken away. The corners of
-  // polygon `s` are in the closed cone of its own sides; more sides may be among those given.
+  // True iff the fragment and the cone of polygon s have no common inner direction; `sides` are those of that cone.
+  // Exact, on open sets: what only touches is apart.
+  bool is_apart(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides);
+
+  // Appends to `rest` what is left of the fragment when the cone that is_apart() was asked about is taken away, or that
+  // part of it that is on one more side.
   //
-  //   (1) exact, on open sets: what only touches is left as it is, in one piece
-  //   (2) the pieces are convex and have no common inner point
-  void subtract(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides, FragmentList3& rest);
+  //   (1) exact, on open sets; the pieces are convex and have no common inner direction
+  //
+  // REQUIRES that the last call was is_apart() of the same fragment, and was false.
+  void subtract(const ConeFragment3& fragment, std::optional<PlaneSide3> one_more, FragmentList3& rest);
 
  private:
   struct Extremes {
     bool has_positive = false, has_negative = false;
   };
   Extremes find_signs(const ConeFragment3& fragment, PlaneSide3 side);
-  bool is_apart(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides);
   void split(const ConeFragment3& fragment, PlaneSide3 side, ConeFragment3* inside, ConeFragment3* outside);
 
   EyePlanes3& planes_;
-  std::vector<signed char> signs_;    // of the corners at hand
-  std::vector<PlaneSide3> crossing_;  // sides that cut the fragment at hand
+  std::vector<signed char> signs_;   // of the corners at hand
+  std::vector<PlaneSide3> cutting_;  // sides of the cone at hand that cut the fragment at hand
   ConeFragment3 current_, next_;
 };
 

@@ -77,39 +77,25 @@ VertexId3 EyePlanes3::shared_vertex(PlaneId3 a, PlaneId3 b) const {
   return VertexId3::none();
 }
 
-int EyePlanes3::sign(VertexId3 v, PlaneSide3 side) {
-  int result = always_exact_ ? kUndecided : filtered_sign(eye_.toward(v), normals_[side.plane.index()]);
-  SignTier tier = SignTier::kFilter;
-  if (result == kUndecided) {
-    tier = SignTier::kCombinatorial;
-    result = 0;
-    if (always_exact_ || !passes_through(side.plane, v)) {
-      tier = SignTier::kExact;
-      result = sgn(dot(exact_normal(side.plane), eye_.exact_toward(v)));
-    }
+int EyePlanes3::settled_sign(VertexId3 v, PlaneId3 plane) {
+  if (!always_exact_ && passes_through(plane, v)) {
+    counts_.count(SignTier::kCombinatorial);
+    return 0;
   }
-  counts_.count(tier);
-  return side.is_opposite ? -result : result;
+  counts_.count(SignTier::kExact);
+  return sgn(dot(exact_normal(plane), eye_.exact_toward(v)));
 }
 
-int EyePlanes3::sign(const ConeCorner3& corner, PlaneSide3 side) {
+int EyePlanes3::settled_sign(const ConeCorner3& corner, PlaneId3 plane) {
   if (!corner.vertex.is_none()) {
-    const int result = sign(corner.vertex, side);
-    return corner.is_antipode ? -result : result;
+    const int sign = settled_sign(corner.vertex, plane);
+    return corner.is_antipode ? -sign : sign;
   }
-  int result = always_exact_ ? kUndecided : filtered_sign(corner.direction, normals_[side.plane.index()]);
-  SignTier tier = SignTier::kFilter;
-  if (result == kUndecided) {
-    const bool is_own =
-        side.plane == corner.first.plane || side.plane == corner.second.plane || side.plane == corner.plane.plane;
-    tier = is_own && !always_exact_ ? SignTier::kCombinatorial : SignTier::kExact;
-    result = tier == SignTier::kExact ? exact_sign(corner, side.plane) : 0;
+  if (!always_exact_ && (plane == corner.first.plane || plane == corner.second.plane || plane == corner.plane.plane)) {
+    counts_.count(SignTier::kCombinatorial);
+    return 0;
   }
-  counts_.count(tier);
-  return side.is_opposite ? -result : result;
-}
-
-int EyePlanes3::exact_sign(const ConeCorner3& corner, PlaneId3 plane) {
+  counts_.count(SignTier::kExact);
   return sgn(dot(exact_cross(corner.first, corner.second), exact_normal(plane)));
 }
 

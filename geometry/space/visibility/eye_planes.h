@@ -56,8 +56,14 @@ class EyePlanes3 {
   PlaneSide3 add_horizon(const IntegerVector& normal);
 
   // The sign of m . w for the direction w to a vertex, or to a corner.
-  int sign(VertexId3 v, PlaneSide3 side);
-  int sign(const ConeCorner3& corner, PlaneSide3 side);
+  int sign(VertexId3 v, PlaneSide3 side) {
+    const int result = filtered(eye_.toward(v), side.plane);
+    return turned(result == kUndecided ? settled_sign(v, side.plane) : result, side);
+  }
+  int sign(const ConeCorner3& corner, PlaneSide3 side) {
+    const int result = filtered(corner.direction, side.plane);
+    return turned(result == kUndecided ? settled_sign(corner, side.plane) : result, side);
+  }
 
   // The corner where the edge on plane `first` ends and that on `second` begins.
   // REQUIRES that the planes differ; the direction is m of first x m of second.
@@ -67,6 +73,8 @@ class EyePlanes3 {
   IntegerVector exact_direction(const ConeCorner3& corner);
 
   const std::vector<PlaneDefinition3>& definitions() const { return definitions_; }
+  // A positive multiple of m.
+  const BoundedVector& normal(PlaneId3 plane) const { return normals_[plane.index()]; }
   const IntegerVector& exact_normal(PlaneId3 plane);
   const SignCounts& counts() const { return counts_; }
 
@@ -75,7 +83,15 @@ class EyePlanes3 {
   PlaneSide3 add(const PlaneDefinition3& definition, IntegerVector normal);
   VertexId3 shared_vertex(PlaneId3 a, PlaneId3 b) const;
   bool passes_through(PlaneId3 plane, VertexId3 v) const;
-  int exact_sign(const ConeCorner3& corner, PlaneId3 plane);
+  int filtered(const BoundedVector& w, PlaneId3 plane) {
+    const int result = always_exact_ ? kUndecided : filtered_sign(w, normals_[plane.index()]);
+    if (result != kUndecided) counts_.count(SignTier::kFilter);
+    return result;
+  }
+  static int turned(int sign, PlaneSide3 side) { return side.is_opposite ? -sign : sign; }
+  // What the filter leaves open.
+  int settled_sign(VertexId3 v, PlaneId3 plane);
+  int settled_sign(const ConeCorner3& corner, PlaneId3 plane);
   IntegerVector exact_cross(PlaneSide3 first, PlaneSide3 second);
 
   const Blockers3& blockers_;

@@ -64,10 +64,14 @@ class MapMaker {
   }
 
  private:
-  // A polygon that may hide a part of the target, and how promising it is to begin with: the smaller the better.
+  // A polygon that may hide a part of the target, and how promising it is to begin with: the smaller the better;
+  // the best one is the largest.
   struct Blocker {
     std::uint32_t surface;
     double promise;
+    bool operator<(const Blocker& other) const {
+      return promise != other.promise ? promise > other.promise : surface > other.surface;
+    }
   };
   enum class Hides { kNever, kWhole, kWhereNearer };
 
@@ -92,39 +96,52 @@ class MapMaker {
     return {before, beyond};
   }
 
+  // Sets blockers_ to a heap: the most promising first.
   void find_blockers(std::uint32_t target) {
     const SightCone3& cone = cones_.polygon(target);
     blockers_.clear();
     for (const std::uint32_t k : around_) {
       const SightCone3& other = cones_.polygon(k);
-      if (k == target || !may_hide(other, cone)) continue;
-      const double apart = std::hypot(other.x - cone.x, other.y - cone.y, other.z - cone.z);
-      blockers_.push_back({k, other.is_wide() ? -2 : apart - other.sine});
+      if (k == target || !may_hide(other, cone) || !cones_.may_overlap(k, target)) continue;
+      const double x = other.x - cone.x, y = other.y - cone.y, z = other.z - cone.z;
+      blockers_.push_back({k, other.is_wide() ? -2 : std::sqrt(x * x + y * y + z * z) - other.sine});
     }
-    std::sort(blockers_.begin(), blockers_.end(), [](const Blocker& a, const Blocker& b) {
-      return std::pair(a.promise, a.surface) < std::pair(b.promise, b.surface);
-    });
+    std::make_heap(blockers_.begin(), blockers_.end());
   }
 
-  // Sets pieces_ to what is seen of a polygon.
+  // Takes away from pieces_ what a polygon hides.
+  void take_away(std::uint32_t blocker, std::uint32_t target) {
+    cone_sides(planes_, blocker, sides_);
+    std::size_t first = 0;
+    while (first < pieces_.size() && cutter_.is_apart(pieces_[first], blocker, sides_)) ++first;
+    if (first == pieces_.size()) return;
+    const Hides part = hides(blocker, target);
+    if (part == Hides::kNever) return;
+    std::optional<PlaneSide3> nearer;
+    if (part == Hides::kWhereNearer) nearer = planes_.add_crossing(blocker, target);
+    rest_.clear();
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      const bool is_apart = p != first && (p < first || cutter_.is_apart(pieces_[p], blocker, sides_));
+      if (is_apart)
+        std::swap(rest_.add(), pieces_[p]);
+      else
+        cutter_.subtract(pieces_[p], nearer, rest_);
+    }
+    std::swap(pieces_, rest_);
+  }
+
+  // Adds what is seen of a polygon.
   void see(std::uint32_t target) {
     pieces_.clear();
     cone_of_polygon(planes_, target, whole_);
-    if (horizon_) {
-      if (!cutter_.clip(whole_, *horizon_, pieces_.add())) return;
-    } else {
+    if (!horizon_)
       pieces_.add() = whole_;
-    }
+    else if (!cutter_.clip(whole_, *horizon_, pieces_.add()))
+      return;
     find_blockers(target);
-    for (const Blocker& blocker : blockers_) {
-      const Hides part = hides(blocker.surface, target);
-      if (part == Hides::kNever) continue;
-      cone_sides(planes_, blocker.surface, sides_);
-      if (part == Hides::kWhereNearer) sides_.push_back(planes_.add_crossing(blocker.surface, target));
-      rest_.clear();
-      for (std::size_t p = 0; p < pieces_.size(); ++p) cutter_.subtract(pieces_[p], blocker.surface, sides_, rest_);
-      std::swap(pieces_, rest_);
-      if (pieces_.size() == 0) return;
+    for (auto end = blockers_.end(); end != blockers_.begin() && pieces_.size() > 0; --end) {
+      std::pop_heap(blockers_.begin(), end);
+      take_away((end - 1)->surface, target);
     }
     for (std::size_t p = 0; p < pieces_.size(); ++p) add_fragment(target, pieces_[p]);
   }

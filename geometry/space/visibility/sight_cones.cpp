@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/space/visibility/cone_fragment.h"
+
 namespace hottel {
 namespace {
 
@@ -112,6 +114,22 @@ SightCones3::SightCones3(const EyePlanes3& planes) : blockers_(planes.blockers()
       }
     }
     nodes_[n] = cone_around(boxes[n]);
+  }
+  add_normals(planes);
+}
+
+void SightCones3::add_normals(const EyePlanes3& planes) {
+  std::vector<PlaneSide3> sides;
+  for (std::size_t s = 0; s < blockers_.size(); ++s) {
+    cone_sides(planes, s, sides);
+    for (const PlaneSide3 side : sides) {
+      const BoundedVector& m = planes.normal(side.plane);
+      const double size = length(m.x, m.y, m.z);
+      const bool is_known = is_plain(size) && m.error < 1e-10 * size;
+      const double factor = !is_known ? 0 : side.is_opposite ? -1 / size : 1 / size;
+      normals_.push_back({factor * m.x, factor * m.y, factor * m.z});
+    }
+    first_.push_back(normals_.size());
   }
 }
 

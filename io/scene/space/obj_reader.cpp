@@ -220,6 +220,7 @@ std::uint32_t MeshAdder3::material_of(const ObjMesh3& mesh, const ObjName3& name
   if (invents) {
     if (const auto problem = material_name_problem(name.name); !problem.empty())
       throw InputError({mesh.file, name.line}, problem);
+    if (!added_.contains(name.name)) invented_.push_back(name.name);
     return added_material(mesh, name.line, {name.name, Spectrum::scalar(kObjReflectivity), {}});
   }
   SceneTable known;
@@ -240,18 +241,22 @@ std::uint32_t MeshAdder3::added_material(const ObjMesh3& mesh, int line, Materia
   return entry->second;
 }
 
-Scene3 read_obj_3(const std::filesystem::path& file) { return parse_obj_scene_3(read_text_file(file), file.string()); }
+ObjScene3 read_obj_3(const std::filesystem::path& file) {
+  return parse_obj_scene_3(read_text_file(file), file.string());
+}
 
-Scene3 parse_obj_scene_3(std::string_view text, const std::string& file, const TextSource& files) {
-  Scene3 scene;
-  scene.file = file;
+ObjScene3 parse_obj_scene_3(std::string_view text, const std::string& file, const TextSource& files) {
+  ObjScene3 result;
+  result.scene.file = file;
   MeshEntry3 entry;
   entry.name = std::filesystem::path(file).stem().string();
   if (!name_problem(entry.name).empty()) entry.name = "mesh";
   entry.invents_materials = true;
-  MeshAdder3(scene).add(parse_obj_3(text, file, files), entry);
-  validate(scene);
-  return scene;
+  MeshAdder3 adder(result.scene);
+  adder.add(parse_obj_3(text, file, files), entry);
+  validate(result.scene);
+  result.invented = adder.invented();
+  return result;
 }
 
 }  // namespace hottel

@@ -78,12 +78,22 @@ class MeshAdder3 {
   // defined or is another one in another mesh. COST: linear.
   void add(const ObjMesh3& mesh, const MeshEntry3& entry);
 
+  // The names of materials that no file defines, in the order in which faces had them.
+  const std::vector<std::string>& invented() const { return invented_; }
+
  private:
   std::uint32_t material_of(const ObjMesh3& mesh, const ObjName3& name, bool invents);
   std::uint32_t added_material(const ObjMesh3& mesh, int line, Material material);
 
   Scene3& scene_;
   std::unordered_map<std::string, std::uint32_t> own_, added_;  // materials
+  std::vector<std::string> invented_;
+};
+
+// An OBJ file as a scene, and the names of its materials that no file defines.
+struct ObjScene3 {
+  Scene3 scene;
+  std::vector<std::string> invented;
 };
 
 // Returns the scene that an OBJ file is by itself, valid.
@@ -94,7 +104,7 @@ class MeshAdder3 {
 //       be a name
 //
 // Throws InputError as parse_obj_3, MeshAdder3 and validate do.
-Scene3 read_obj_3(const std::filesystem::path& file);
-Scene3 parse_obj_scene_3(std::string_view text, const std::string& file, const TextSource& files = read_text_file);
+ObjScene3 read_obj_3(const std::filesystem::path& file);
+ObjScene3 parse_obj_scene_3(std::string_view text, const std::string& file, const TextSource& files = read_text_file);
 
 }  // namespace hottel

@@ -95,7 +95,7 @@ std::string dart_disagreement(const std::vector<SpacePolygon>& polygons, const L
     if (look.normal) {
       const int above = sgn(dot(to_space(*look.normal), d));
       if (above == 0) met.is_plain = false;
-      if (above < 0) met.polygon.reset();
+      if (above < 0) met.polygon = NearestPolygon::kNoPolygon;
     }
     std::vector<int> signs;
     for (const SpacePoint& normal : normals) signs.push_back(sgn(dot(normal, d)));
@@ -116,14 +116,14 @@ std::string dart_disagreement(const std::vector<SpacePolygon>& polygons, const L
     }
     ++counts.darts;
     std::vector<Face> expected;
-    if (met.polygon) {
-      const bool is_back = sgn(dot(normal_of(polygons[*met.polygon]), eye - polygons[*met.polygon][0])) < 0;
-      expected.push_back({static_cast<std::uint32_t>(*met.polygon), is_back});
+    if (met.polygon >= 0) {
+      const SpacePolygon& polygon = polygons[static_cast<std::size_t>(met.polygon)];
+      const bool is_back = sgn(dot(normal_of(polygon), eye - polygon[0])) < 0;
+      expected.push_back({static_cast<std::uint32_t>(met.polygon), is_back});
     }
     if (faces != expected)
       return fmt::format("dart {}: in {} fragments, {} expected; polygon {} where {} is met", n, faces.size(),
-                         expected.size(), faces.empty() ? -1 : static_cast<int>(faces[0].surface),
-                         expected.empty() ? -1 : static_cast<int>(expected[0].surface));
+                         expected.size(), faces.empty() ? -1 : static_cast<int>(faces[0].surface), met.polygon);
   }
   return "";
 }

@@ -5,7 +5,7 @@ namespace hottel::oracle {
 RayCaster::RayCaster(const std::vector<SpacePolygon>& polygons, const SpacePoint& eye) {
   for (std::size_t s = 0; s < polygons.size(); ++s) {
     const SpacePolygon& polygon = polygons[s];
-    Target target{s, normal_of(polygon), dot(normal_of(polygon), polygon[0] - eye), {}};
+    Target target{static_cast<int>(s), normal_of(polygon), dot(normal_of(polygon), polygon[0] - eye), {}};
     if (target.height == 0) continue;
     for (std::size_t k = 0; k < polygon.size(); ++k)
       target.sides.push_back(cross(polygon[k] - eye, polygon[(k + 1) % polygon.size()] - eye));
@@ -26,10 +26,10 @@ NearestPolygon RayCaster::operator()(const SpacePoint& direction) const {
       if (positive > 0 && negative > 0) break;
     }
     if (positive > 0 && negative > 0) continue;
-    if (zero > 0) return {false, {}};
+    if (zero > 0) return {false};
     const mpq_class distance = target.height / slope;
-    if (result.polygon && distance == nearest) return {false, {}};
-    if (!result.polygon || distance < nearest) {
+    if (result.polygon >= 0 && distance == nearest) return {false};
+    if (result.polygon < 0 || distance < nearest) {
       nearest = distance;
       result.polygon = target.number;
     }

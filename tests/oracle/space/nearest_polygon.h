@@ -1,19 +1,18 @@
 // What a ray meets first, by brute force.
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "tests/oracle/space/space_polygon.h"
 
 namespace hottel::oracle {
 
-// The polygon that a ray meets first, if any. Where the ray meets the boundary of a polygon, or two polygons in one
-// point, it is not plain, and the polygon is not told.
+// The number of the polygon that a ray meets first, if any. Where the ray meets the boundary of a polygon, or two
+// polygons in one point, it is not plain, and the polygon is not told.
 struct NearestPolygon {
+  static constexpr int kNoPolygon = -1;
   bool is_plain = true;
-  std::optional<std::size_t> polygon;
+  int polygon = kNoPolygon;
 };
 
 // Follows rays from one eye, in rationals. A polygon whose plane contains the eye is left out.
@@ -24,7 +23,7 @@ class RayCaster {
 
  private:
   struct Target {
-    std::size_t number;
+    int number;
     SpacePoint normal;
     mpq_class height;               // normal . (a point of the polygon - eye), not 0
     std::vector<SpacePoint> sides;  // inside the polygon: all side . direction > 0, or all < 0

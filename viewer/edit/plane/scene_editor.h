@@ -102,6 +102,7 @@ class SceneEditor2 {
   void changed();
   void set(Scene2 scene, const std::string& what);
   void set_selected_names(const Scene2& before, const std::vector<std::uint32_t>& surfaces);
+  std::uint32_t surface_at(const Point2& vertex, std::uint32_t surface) const;
   bool is_of_whole_groups() const;
   Scene2 moved(const Scene2& scene, const Held& held, const Point2& to) const;
   std::vector<PointMove2> moves_of_selection(const Scene2& scene, const Rational& dx, const Rational& dy) const;

@@ -89,10 +89,12 @@ std::string read_material(const std::string& text, Material& material) {
     const std::string word = part.substr(0, blank);
     const bool is_emission = word == "emission";
     if (!is_emission && word != "reflectivity") return "say 'reflectivity' or 'emission', not '" + word + "'";
+    Spectrum& spectrum = is_emission ? material.emission : material.reflectivity;
+    if (part == word + " " + text_of(spectrum)) continue;  // as it was shown, with all the digits that it has
     const Typed<Spectrum> typed =
         typed_spectrum(part.substr(blank), is_emission ? SpectrumKind::kQuantity : SpectrumKind::kFraction);
     if (!typed.value) return word + ": " + typed.problem;
-    (is_emission ? material.emission : material.reflectivity) = *typed.value;
+    spectrum = *typed.value;
   }
   return "";
 }
@@ -319,11 +321,14 @@ void Desk2::ask_for_coordinates() {
   }
   const Point2 from =
       editor_.selected_vertex() ? *editor_.selected_vertex() : editor_.scene()->edges[editor_.selected().front()].from;
-  prompt_ = Prompt{.question = "goes to",
-                   .text = fmt::format("{}, {}", short_text(from.x), short_text(from.y)),
-                   .answer = [this](const std::string& text) {
-                     const Typed<Point2> typed = typed_point_2(text);
+  const std::string shown = fmt::format("{}, {}", short_text(from.x), short_text(from.y));
+  prompt_ = Prompt{.question = "goes to", .text = shown, .answer = [this, from, shown](const std::string& text) {
+                     Typed<Point2> typed = typed_point_2(text);
                      if (!typed.value) return typed.problem;
+                     // A coordinate as it was shown stays, with all the digits that it has.
+                     const Point2 rounded = *typed_point_2(shown).value;
+                     if (typed.value->x == rounded.x) typed.value->x = from.x;
+                     if (typed.value->y == rounded.y) typed.value->y = from.y;
                      try {
                        require_drawable(*editor_.scene(), *typed.value, text);
                      } catch (const RequestError&) {

@@ -170,6 +170,17 @@ TEST(SceneEditor2, AloneAVertexIsOneEnd) {
   EXPECT_EQ(moved, 1);
 }
 
+// (2): the end of one edge that touches the middle of another one, which is nearer.
+TEST(SceneEditor2, AloneAVertexIsAnEndThatLiesThere) {
+  const Scene2 touching = move_end(small_room(), kScreen, false, {1, 0});
+  SceneEditor2 editor(touching);
+  Pointer2 pointer = at(1.04, 0.01);
+  pointer.alone = true;
+  ASSERT_NE(editor.pick(pointer).surface, kScreen);
+  drag(editor, pointer, {{1.54, 0.51}});
+  EXPECT_EQ(difference(*editor.scene(), move_end(touching, kScreen, false, {Rational(3) / 2, Rational(1) / 2})), "");
+}
+
 // (3)
 TEST(SceneEditor2, AnEdgeTakesAlongTheEndsOfItsNeighbours) {
   SceneEditor2 editor(small_room());
@@ -241,8 +252,9 @@ TEST(SceneEditor2, WhatIsDraggedComesToLieOnASnappedPlace) {
     const Point2 anchor = is_vertex ? *found.vertex : found.is_last ? edge.to : edge.from;
     pointer.place = {draw(4), draw(3)};
     editor.drag(pointer);
-    const Place2 target{to_double(anchor.x) + pointer.place[0] - hold[0],
-                        to_double(anchor.y) + pointer.place[1] - hold[1]};
+    // In the order of the editor: rounding decides where two decimals are equally near.
+    const Place2 target{pointer.place[0] + (to_double(anchor.x) - hold[0]),
+                        pointer.place[1] + (to_double(anchor.y) - hold[1])};
     std::vector<std::uint32_t> moved;
     if (pointer.alone) {
       moved = {*found.surface};
@@ -254,7 +266,7 @@ TEST(SceneEditor2, WhatIsDraggedComesToLieOnASnappedPlace) {
     if (is_vertex && pointer.alone) continue;  // which of two ends: above
     const Point2 expected = snapped(before, target, {.decimals = 2, .reach = 0.1, .moved = moved}).at;
     bool is_there = false;
-    for (const Edge2& edge : editor.scene()->edges) is_there = is_there || edge.from == expected || edge.to == expected;
+    for (const Edge2& now : editor.scene()->edges) is_there = is_there || now.from == expected || now.to == expected;
     EXPECT_TRUE(is_there) << k << " " << to_double(expected.x) << " " << to_double(expected.y);
     if (is_vertex) {
       EXPECT_EQ(editor.selected_vertex(), expected);

@@ -40,6 +40,7 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
   ~Folder() { fs::remove_all(path_); }
+  const fs::path& path() const { return path_; }
   fs::path operator/(const std::string& name) const { return path_ / name; }
 
  private:
@@ -49,7 +50,7 @@ class Folder {
 // A desk with the small room on it, or another scene: the screen is 0, the room 1..4, the step 5, 6, the table 7..10.
 class Hand {
  public:
-  explicit Hand(const Scene2& scene = small_room(), FrameSize size = {800, 600}) : window(size) {
+  explicit Hand(const Scene2& scene = small_room()) : window({800, 600}) {
     std::ofstream(file()) << write_scene_2(scene);
     desk.emplace(file(), window, SimulationRequest2{}, 1.0);
     desk->settle(kPatience);
@@ -86,6 +87,9 @@ class Hand {
                        std::to_string(desk->looks().tone().exposure) + (desk->wants_quit() ? " quits" : "");
     for (const std::string& name : selected()) text += " " + name;
     const Pixel corner = desk->pixel_of({0, 0});
+    const std::string here = folder.path().string();
+    for (auto at = text.find(here); at != std::string::npos; at = text.find(here))
+      text.replace(at, here.size(), "HERE");
     return text + " " + std::to_string(corner.x) + " " + std::to_string(corner.y);
   }
 
@@ -108,7 +112,7 @@ class Hand {
 // Commands.
 
 // Something is selected, under the mouse, and was changed and undone: so every command has something to do.
-constexpr const char* kReady = "click 2.5,1\nkey right\nkey up\nkey ctrl+z\nmove 2.5,1.1";
+constexpr const char* kReady = "click 2.5,1\nkey right\nkey up\nkey ctrl+z\nmove 2.5,1.1\nkey h\nkey h";
 
 TEST(Desk2, DoesEachCommandByKeyAndByNameAlike) {
   for (const Command& command : commands()) {
@@ -150,7 +154,7 @@ TEST(Desk2, SaysWhyACommandDoesNothing) {
                                                         {"turn", "nothing is selected"},
                                                         {"left", "nothing is selected"},
                                                         {"coordinates", "select what is to go there first"},
-                                                        {"colour", "no material lies under the mouse"},
+                                                        {"colour", "no edge lies under the mouse"},
                                                         {"copy number", "there is no number to copy"}}) {
     hand.play("do " + command);
     EXPECT_EQ(hand.desk->message(), message) << command;
@@ -186,7 +190,7 @@ TEST(Desk2, NudgesByAStepThatIsSeen) {
   EXPECT_EQ(hand.scene().edges[7], (Edge2{{Rational(21) / 10, 1}, {Rational(31) / 10, 1}}));
   hand.play("key shift+up");
   EXPECT_EQ(hand.scene().edges[7], (Edge2{{Rational(21) / 10, 2}, {Rational(31) / 10, 2}}));
-  hand.play("key left\nkey shift+down");
+  hand.play("key shift+down\nkey left");
   EXPECT_EQ(hand.changes(), "");
 }
 
@@ -228,13 +232,13 @@ TEST(Desk2, ChangesTheMaterialUnderTheMouse) {
   EXPECT_NE(hand.scene().surfaces[1].material, hand.scene().surfaces[0].material);
   hand.play("move 3.5,1.8");
   hand.play("key k");
-  EXPECT_EQ(hand.desk->message(), "no material lies under the mouse");
+  EXPECT_EQ(hand.desk->message(), "no edge lies under the mouse");
 }
 
 TEST(Desk2, NoMaterialLiesUnderAMouseThatHasLeft) {
   Hand hand;
   hand.play("move 2,2.95\nleave\nkey ]");
-  EXPECT_EQ(hand.desk->message(), "no material lies under the mouse");
+  EXPECT_EQ(hand.desk->message(), "no edge lies under the mouse");
   EXPECT_EQ(hand.changes(), "");
 }
 
@@ -254,7 +258,7 @@ TEST(Desk2, DragsVerticesEdgesAndGroups) {
   EXPECT_FALSE(hand.desk->editor().is_dragging());
   hand.play("key ctrl+z");
   EXPECT_EQ(hand.changes(), "");
-  hand.play("drag 2.5,1 2.5,0.5 alt");
+  hand.play("key escape\ndrag 2.5,1 2.5,0.5 alt");
   EXPECT_EQ(hand.selected().size(), 1u);
   EXPECT_NE(hand.changes(), "");
 }
@@ -411,7 +415,8 @@ TEST(Desk2, PickedFacesAreKeptByName) {
   hand.play("key 5\nclick 2.5,1");
   ASSERT_TRUE(hand.request().face);
   EXPECT_EQ(hand.scene().surfaces[hand.request().face->surface].name, "table[0]");
-  hand.play("key escape\nclick 1,1.5 shift\nkey delete");
+  hand.play("drag 0.8,2.2 1.2,0.8 shift\nkey delete");  // the screen, which stands before it in the list
+  EXPECT_EQ(hand.scene().surfaces.size(), 10u);
   ASSERT_TRUE(hand.request().face);
   EXPECT_EQ(hand.scene().surfaces[hand.request().face->surface].name, "table[0]");
   hand.play("key ctrl+z");
@@ -606,7 +611,7 @@ TEST(Desk2, AsksBeforeItQuitsWithUnsavedChanges) {
   Hand hand;
   hand.play("close");
   EXPECT_TRUE(hand.desk->wants_quit());
-  for (const std::string& way : {"close", "key ctrl+q"}) {
+  for (const std::string way : {"close", "key ctrl+q"}) {
     Hand changed;
     changed.play("click 2.5,1\nkey right\n" + way);
     EXPECT_FALSE(changed.desk->wants_quit());
@@ -873,7 +878,8 @@ TEST(Script, HashesAreOfTheStateAtRest) {
   fresh.set(std::make_shared<const Scene2>(saved_and_read(hand.scene())), LiveDepth2::kFull);
   ASSERT_TRUE(fresh.wait(Hand::kPatience));
   EXPECT_EQ(hand.play("hash"), result_hashes(*fresh.state()) + "\n");
-  EXPECT_NE(hand.play("hash"), hand.play("key ctrl+z\nhash"));
+  const std::string before = hand.play("hash");
+  EXPECT_NE(hand.play("key ctrl+z\nhash"), before);
 }
 
 // A window on its own thread of events.

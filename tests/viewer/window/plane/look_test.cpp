@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <sstream>
@@ -194,7 +195,7 @@ TEST(LookAt2, AsksForFacesThatAreMissing) {
   EXPECT_THAT(look_at(room(), {.look = Look2::kPair}, kNoProgress).lines, ElementsAre(HasSubstr("then another")));
   EXPECT_THAT(look_at(room(), {.look = Look2::kFactors}, kNoProgress).lines, ElementsAre("click a face"));
   EXPECT_THAT(look_at(room(), {.look = Look2::kFactors, .face = Face{4, false}}, kNoProgress).lines,
-              ElementsAre("from room[3]"));
+              ElementsAre("from room[3]", HasSubstr("under the mouse")));
   // Faces of another version of the scene.
   EXPECT_TRUE(look_at(room(), {.look = Look2::kPair, .face = Face{99, false}}, kNoProgress).lines.empty());
   EXPECT_FALSE(
@@ -285,19 +286,22 @@ TEST(LookAt2, SweepsAreThoseOfSolveWithSoManyIterations) {
   }
 }
 
+// Work that waits is asked about every 20 ms, and ends where its own stop is asked for.
 TEST(LookAt2, StopsWhereItIsStopped) {
-  const StageProgress stop = [](std::string_view, double) { throw Interrupted(); };
+  const std::atomic<bool> is_stopped = true;
+  const StopScope scope(&is_stopped);
+  const StageProgress progress = [](std::string_view, double) { throw_if_interrupted(); };
   LiveState2 fresh;
   fresh.simulation = Simulation2(small_room());
   fresh.factors = room().factors;
   for (const Look2 look : {Look2::kErrors, Look2::kCheck, Look2::kSweeps})
-    EXPECT_THROW(look_at(fresh, {.look = look}, stop), Interrupted) << to_string(look);
+    EXPECT_THROW(look_at(fresh, {.look = look}, progress), Interrupted) << to_string(look);
 }
 
 // How it is drawn.
 
 constexpr FrameSize kSize{640, 480};
-constexpr double kUnit = 1, kFooter = 124;
+constexpr double kUnit = 1, kFooter = 118;
 
 Frame2 frame_of(const Scene2& scene) {
   Camera2 camera;
@@ -447,7 +451,12 @@ TEST(DrawLook2, LightLiesBeneathThePlan) {
   const RecordingCanvas canvas = drawn(room(), {});
   const auto light = canvas.calls(Mark::kLight, Kind::kImage);
   ASSERT_EQ(light.size(), 1u);
-  EXPECT_EQ(light[0].image, first_texture_2(room(), {}));
+  EXPECT_EQ(light[0].image, light_texture_2(room(), {}, light[0].image.width / room().light->grid.grid.nx));
+  const Raster texture = light_texture_2(room(), {}, 3);
+  const LookRequest2 request;
+  RecordingCanvas given(kSize.width, kSize.height);
+  draw_look(given, frame_of(*room().scene), kUnit, {.state = &room(), .request = &request, .texture = &texture});
+  EXPECT_EQ(given.calls(Mark::kLight, Kind::kImage)[0].image, texture);
   const Frame2 frame = frame_of(*room().scene);
   const Grid2& grid = room().light->grid.grid;
   EXPECT_EQ(light[0].points[0], frame.at(Point2{grid.min.x, grid.max.y}));
@@ -488,22 +497,19 @@ TEST(DrawLook2, FloorsShowTheirColourTimesTheLight) {
   for (const double value : values.values)
     if (value > most) most = value;
   const double floor[3] = {palette::kFloor.r, palette::kFloor.g, palette::kFloor.b};
-  std::uint32_t solids = 0;
+  std::uint32_t cells = 0;
   for (std::uint32_t y = 0; y < image.height; ++y)
     for (std::uint32_t x = 0; x < image.width; ++x) {
       const std::uint32_t pixel = image.pixels[std::size_t{image.height - 1 - y} * image.width + x];
-      if (std::isnan(values.at(x, y))) {
-        EXPECT_EQ(pixel, pixel_of(palette::kUnlitSolid));
-        ++solids;
-        continue;
-      }
+      if (std::isnan(values.at(x, y))) continue;  // a solid lies over it
+      ++cells;
       for (std::uint32_t c = 0; c < 3; ++c) {
         const double linear = values.at(x, y, std::min(c, values.channels - 1)) / most;
         const double expected = 255 * srgb_from_linear(linear * linear_from_srgb(floor[c]));
         EXPECT_NEAR(pixel >> (16 - 8 * c) & 255, expected, 3) << x << " " << y;
       }
     }
-  EXPECT_GT(solids, 0u);
+  EXPECT_GT(cells, 20u);
   // The brightest is the floor's own colour; where light is brighter than that it stays.
   const RecordingCanvas brighter = drawn(room(), {.look = Look2::kFloor}, nullptr, {Tone::kLog, 1e9});
   std::uint32_t full = 0;
