@@ -146,6 +146,7 @@ void Desk2::read_again() {
     require_drawable(scene);
     editor_.replace(std::move(scene));
     message_ = "read again";
+    if (is_fitted_) fit();
   } catch (const std::runtime_error& error) {
     message_ = error.what();
   }

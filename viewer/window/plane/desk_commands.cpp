@@ -242,15 +242,18 @@ bool Desk2::edit_command(std::string_view name) {
   return true;
 }
 
+// What is drawn has the material under the mouse, else the first one that does not shine.
 void Desk2::begin_tool(bool is_edge) {
-  const auto material = hover_.surface ? material_of(*editor_.scene(), asked_face(hover_)) : std::nullopt;
-  if (editor_.scene()->materials.empty()) {
+  const std::vector<Material>& materials = editor_.scene()->materials;
+  if (materials.empty()) {
     message_ = "there is no material to draw with: add a lamp first";
     return;
   }
-  tool_ = Tool{{}, is_edge, material.value_or(0)};
-  message_ = fmt::format("click {} of '{}'", is_edge ? "two points" : "points",
-                         editor_.scene()->materials[tool_->material].name);
+  const auto touched = hover_.surface ? material_of(*editor_.scene(), asked_face(hover_)) : std::nullopt;
+  const auto dark = std::ranges::find_if(materials, [](const Material& m) { return m.emission.is_zero(); });
+  const auto first = dark == materials.end() ? 0 : static_cast<std::uint32_t>(dark - materials.begin());
+  tool_ = Tool{{}, is_edge, touched.value_or(first)};
+  message_ = fmt::format("click {} of '{}'", is_edge ? "two points" : "points", materials[tool_->material].name);
 }
 
 void Desk2::add_tool_point() {

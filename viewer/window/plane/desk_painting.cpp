@@ -7,6 +7,7 @@
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/scene_names.h"
 #include "kernel/decimal.h"
+#include "kernel/support/failure.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "viewer/edit/decimals.h"
 #include "viewer/picture/cairo_canvas.h"
@@ -20,6 +21,7 @@ namespace {
 constexpr double kGap = 12;  // units between boxes and the border
 constexpr Colour kSelected = palette::kTarget, kTouched{0.02, 0.62, 0.83, 0.55}, kDimmed{0.992, 0.988, 0.980, 0.62};
 constexpr Colour kChanged{0.98, 0.72, 0.10, 0.9};  // edges whose light is not there yet
+constexpr std::uint32_t kBlank = 0xFFFDFCFA;       // where nothing can be drawn
 
 const char* to_string(Tone tone) {
   switch (tone) {
@@ -64,10 +66,15 @@ void Desk2::draw_marks(PictureCanvas& canvas) const {
 
 void Desk2::draw_base() {
   base_ = Raster(size_.width, size_.height);
-  CairoCanvas canvas(base_);
-  draw_marks(canvas);
-  canvas.finish();
   needs_base_ = false;
+  try {
+    CairoCanvas canvas(base_);
+    draw_marks(canvas);
+    canvas.finish();
+  } catch (const RequestError& error) {  // places too far apart for a drawing: nothing that was edited is lost
+    base_ = Raster(size_.width, size_.height, kBlank);
+    message_ = error.what();
+  }
 }
 
 void Desk2::draw_selection(PictureCanvas& canvas) const {
