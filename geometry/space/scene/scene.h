@@ -46,7 +46,7 @@ struct Scene3 : SceneTable {
 };
 
 // Throws InputError naming file, line and surface unless (2) to (4) hold, both surfaces where (3) does not;
-// ContractViolation unless (1) does. COST: 10^4 polygons take about 0.1 s, see first_overlap.
+// ContractViolation unless (1) does. COST: 10^4 polygons take about 0.3 s, see first_overlap.
 void validate(const Scene3& scene);
 
 }  // namespace hottel
