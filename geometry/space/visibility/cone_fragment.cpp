@@ -85,6 +85,13 @@ bool ConeCutter3::clip(const ConeFragment3& fragment, PlaneSide3 side, ConeFragm
   return true;
 }
 
+bool ConeCutter3::is_inside(const ConeFragment3& fragment, std::span<const PlaneSide3> sides) {
+  return std::all_of(sides.begin(), sides.end(), [this, &fragment](PlaneSide3 side) {
+    return std::none_of(fragment.begin(), fragment.end(),
+                        [this, side](const ConeCorner3& corner) { return planes_.sign(corner, side) < 0; });
+  });
+}
+
 // Two convex cones have no common inner point iff the plane of an edge of one of them separates them.
 bool ConeCutter3::is_apart(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides) {
   cutting_.clear();

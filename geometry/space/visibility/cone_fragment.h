@@ -48,6 +48,9 @@ class ConeCutter3 {
   // Sets `inside` to what is on the positive side; false where that has no inner point.
   bool clip(const ConeFragment3& fragment, PlaneSide3 side, ConeFragment3& inside);
 
+  // True iff the fragment is on the positive side of all of these.
+  bool is_inside(const ConeFragment3& fragment, std::span<const PlaneSide3> sides);
+
   // True iff the fragment and the cone of polygon s have no common inner direction; `sides` are those of that cone.
   // Exact, on open sets: what only touches is apart.
   bool is_apart(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides);
