@@ -119,15 +119,16 @@ class MapMaker {
     if (first == pieces_.size()) return;
     const Hides part = hides(blocker, target);
     if (part == Hides::kNever) return;
-    std::optional<PlaneSide3> nearer;
-    if (part == Hides::kWhereNearer) nearer = planes_.add_crossing(blocker, target);
+    part_sides_ = sides_;
+    // First, so that a piece that is nearer stays whole.
+    if (part == Hides::kWhereNearer) part_sides_.insert(part_sides_.begin(), planes_.add_crossing(blocker, target));
     rest_.clear();
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
       const bool is_apart = p != first && (p < first || cutter_.is_apart(pieces_[p], blocker, sides_));
       if (is_apart)
         std::swap(rest_.add(), pieces_[p]);
       else
-        cutter_.subtract(pieces_[p], nearer, rest_);
+        cutter_.subtract(pieces_[p], part_sides_, rest_);
     }
     std::swap(pieces_, rest_);
   }
@@ -246,9 +247,9 @@ class MapMaker {
   Direction3 normal_;
   std::vector<std::uint32_t> around_;  // what may hide something of the leaf at hand, where that is known
   bool is_around_known_ = false;
-  std::optional<std::uint32_t> latest_;  // the polygon that hid the rest of another one last
-  std::vector<Blocker> blockers_;        // what may hide something of the target at hand
-  std::vector<PlaneSide3> sides_;
+  std::optional<std::uint32_t> latest_;         // the polygon that hid the rest of another one last
+  std::vector<Blocker> blockers_;               // what may hide something of the target at hand
+  std::vector<PlaneSide3> sides_, part_sides_;  // of the polygon that hides, and of the part of it that does
   ConeFragment3 whole_;
   FragmentList3 pieces_, rest_;
   PointMap3 map_;
