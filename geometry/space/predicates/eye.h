@@ -14,7 +14,7 @@ namespace hottel {
 //   (2) in doubles: those integers times 2^-shift(), one shift for all, each off by at most 2^-52 of its size
 //
 // Not for several threads at once: what is exact is made when it is asked for, and kept.
-// COST: about 10 ns a vertex where 128 bits suffice, else that of three products of big integers.
+// COST: three products of 128 bits a vertex where those suffice, else of big integers.
 class Eye3 {
  public:
   // The point is given in scene coordinates. REQUIRES: the vertices outlive the eye.

@@ -85,14 +85,20 @@ bool ConeCutter3::clip(const ConeFragment3& fragment, PlaneSide3 side, ConeFragm
   return true;
 }
 
+bool ConeCutter3::is_inside(const ConeFragment3& fragment, std::span<const PlaneSide3> sides) {
+  return std::all_of(sides.begin(), sides.end(), [this, &fragment](PlaneSide3 side) {
+    return std::none_of(fragment.begin(), fragment.end(),
+                        [this, side](const ConeCorner3& corner) { return planes_.sign(corner, side) < 0; });
+  });
+}
+
 // Two convex cones have no common inner point iff the plane of an edge of one of them separates them.
 bool ConeCutter3::is_apart(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides) {
-  cutting_.clear();
-  for (const PlaneSide3 side : sides) {
-    const Extremes extremes = find_signs(fragment, side);
-    if (!extremes.has_positive) return true;
-    if (extremes.has_negative) cutting_.push_back(side);
-  }
+  const auto is_outside = [this, &fragment](PlaneSide3 side) {
+    return std::none_of(fragment.begin(), fragment.end(),
+                        [this, side](const ConeCorner3& corner) { return planes_.sign(corner, side) > 0; });
+  };
+  if (std::any_of(sides.begin(), sides.end(), is_outside)) return true;
   const auto corners = planes_.blockers().outline(s);
   return std::any_of(fragment.begin(), fragment.end(), [this, &corners](const ConeCorner3& corner) {
     return std::none_of(corners.begin(), corners.end(),
@@ -100,17 +106,9 @@ bool ConeCutter3::is_apart(const ConeFragment3& fragment, std::size_t s, std::sp
   });
 }
 
-void ConeCutter3::subtract(const ConeFragment3& fragment, std::optional<PlaneSide3> one_more, FragmentList3& rest) {
-  if (one_more) {
-    const Extremes extremes = find_signs(fragment, *one_more);
-    if (!extremes.has_positive) {
-      rest.add() = fragment;
-      return;
-    }
-    if (extremes.has_negative) cutting_.push_back(*one_more);
-  }
+void ConeCutter3::subtract(const ConeFragment3& fragment, std::span<const PlaneSide3> sides, FragmentList3& rest) {
   current_ = fragment;
-  for (const PlaneSide3 side : cutting_) {
+  for (const PlaneSide3 side : sides) {
     const Extremes extremes = find_signs(current_, side);
     if (!extremes.has_negative) continue;
     if (!extremes.has_positive) {

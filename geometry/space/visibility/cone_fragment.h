@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <deque>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,17 +47,16 @@ class ConeCutter3 {
   // Sets `inside` to what is on the positive side; false where that has no inner point.
   bool clip(const ConeFragment3& fragment, PlaneSide3 side, ConeFragment3& inside);
 
+  // True iff the fragment is on the positive side of all of these.
+  bool is_inside(const ConeFragment3& fragment, std::span<const PlaneSide3> sides);
+
   // True iff the fragment and the cone of polygon s have no common inner direction; `sides` are those of that cone.
   // Exact, on open sets: what only touches is apart.
   bool is_apart(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides);
 
-  // Appends to `rest` what is left of the fragment when the cone that is_apart() was asked about is taken away, or that
-  // part of it that is on one more side.
-  //
-  //   (1) exact, on open sets; the pieces are convex and have no common inner direction
-  //
-  // REQUIRES that the last call was is_apart() of the same fragment, and was false.
-  void subtract(const ConeFragment3& fragment, std::optional<PlaneSide3> one_more, FragmentList3& rest);
+  // Appends to `rest` what is left of the fragment when all that is on the positive side of every one of these is taken
+  // away: the pieces are convex and have no common inner direction.
+  void subtract(const ConeFragment3& fragment, std::span<const PlaneSide3> sides, FragmentList3& rest);
 
  private:
   struct Extremes {
@@ -68,8 +66,7 @@ class ConeCutter3 {
   void split(const ConeFragment3& fragment, PlaneSide3 side, ConeFragment3* inside, ConeFragment3* outside);
 
   EyePlanes3& planes_;
-  std::vector<signed char> signs_;   // of the corners at hand
-  std::vector<PlaneSide3> cutting_;  // sides of the cone at hand that cut the fragment at hand
+  std::vector<signed char> signs_;  // of the corners at hand
   ConeFragment3 current_, next_;
 };
 

@@ -24,11 +24,10 @@ struct ConeCorner3 {
 // Signs of directions beside planes through an eye, and of polygons beside it.
 //
 //   (1) every sign is exact
-//   (2) counts() says which tier settled them; with always_exact, all but side_of() come from integers
+//   (2) counts() says which tier settled them; with always_exact, sign() always asks integers
 //
 // For one thread: exact normals are made when they are asked for, and kept. The edges of the scene have the planes
 // 0 .. edge_count() - 1; others are added.
-// COST: about 10 ns an edge; a sign is 2 ns by the filter, a microsecond by integers.
 class EyePlanes3 {
  public:
   // The eye is given in scene coordinates. REQUIRES that the blockers outlive this.

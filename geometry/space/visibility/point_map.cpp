@@ -52,9 +52,9 @@ class MapMaker {
     for (std::size_t n = 0; n < blockers.nodes().size(); ++n) {
       const Blockers3::Node& node = blockers.nodes()[n];
       if (node.left != 0 || cones_.node(n).is_empty()) continue;
-      cones_.find_blockers(cones_.node(n), around_);
+      is_around_known_ = false;
       for (std::uint32_t k = node.begin; k < node.end; ++k)
-        if (planes_.facing(blockers.order()[k]) != 0) see(blockers.order()[k]);
+        if (planes_.facing(blockers.order()[k]) != 0) see(blockers.order()[k], n);
     }
     sort_by_face();
     keep_planes();
@@ -97,7 +97,9 @@ class MapMaker {
   }
 
   // Sets blockers_ to a heap: the most promising first.
-  void find_blockers(std::uint32_t target) {
+  void find_blockers(std::uint32_t target, std::size_t leaf) {
+    if (!is_around_known_) cones_.find_blockers(cones_.node(leaf), around_);
+    is_around_known_ = true;
     const SightCone3& cone = cones_.polygon(target);
     blockers_.clear();
     for (const std::uint32_t k : around_) {
@@ -117,31 +119,41 @@ class MapMaker {
     if (first == pieces_.size()) return;
     const Hides part = hides(blocker, target);
     if (part == Hides::kNever) return;
-    std::optional<PlaneSide3> nearer;
-    if (part == Hides::kWhereNearer) nearer = planes_.add_crossing(blocker, target);
+    part_sides_ = sides_;
+    // First, so that a piece that is nearer stays whole.
+    if (part == Hides::kWhereNearer) part_sides_.insert(part_sides_.begin(), planes_.add_crossing(blocker, target));
     rest_.clear();
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
       const bool is_apart = p != first && (p < first || cutter_.is_apart(pieces_[p], blocker, sides_));
       if (is_apart)
         std::swap(rest_.add(), pieces_[p]);
       else
-        cutter_.subtract(pieces_[p], nearer, rest_);
+        cutter_.subtract(pieces_[p], part_sides_, rest_);
     }
     std::swap(pieces_, rest_);
   }
 
-  // Adds what is seen of a polygon.
-  void see(std::uint32_t target) {
+  // Whether the polygon that hid the rest of another one hides all of this one: neighbours often share their fate.
+  bool is_hidden_as_before(std::uint32_t target) {
+    if (!latest_ || *latest_ == target) return false;
+    cone_sides(planes_, *latest_, sides_);
+    return cutter_.is_inside(pieces_[0], sides_) && hides(*latest_, target) == Hides::kWhole;
+  }
+
+  // Adds what is seen of a polygon, which is in this leaf of the tree.
+  void see(std::uint32_t target, std::size_t leaf) {
     pieces_.clear();
     cone_of_polygon(planes_, target, whole_);
     if (!horizon_)
       pieces_.add() = whole_;
     else if (!cutter_.clip(whole_, *horizon_, pieces_.add()))
       return;
-    find_blockers(target);
+    if (is_hidden_as_before(target)) return;
+    find_blockers(target, leaf);
     for (auto end = blockers_.end(); end != blockers_.begin() && pieces_.size() > 0; --end) {
       std::pop_heap(blockers_.begin(), end);
       take_away((end - 1)->surface, target);
+      if (pieces_.size() == 0) latest_ = (end - 1)->surface;
     }
     for (std::size_t p = 0; p < pieces_.size(); ++p) add_fragment(target, pieces_[p]);
   }
@@ -233,9 +245,11 @@ class MapMaker {
   Direction3 eye_;
   std::optional<PlaneSide3> horizon_;
   Direction3 normal_;
-  std::vector<std::uint32_t> around_;  // what may hide something of the leaf at hand
-  std::vector<Blocker> blockers_;      // what may hide something of the target at hand
-  std::vector<PlaneSide3> sides_;
+  std::vector<std::uint32_t> around_;  // what may hide something of the leaf at hand, where that is known
+  bool is_around_known_ = false;
+  std::optional<std::uint32_t> latest_;         // the polygon that hid the rest of another one last
+  std::vector<Blocker> blockers_;               // what may hide something of the target at hand
+  std::vector<PlaneSide3> sides_, part_sides_;  // of the polygon that hides, and of the part of it that does
   ConeFragment3 whole_;
   FragmentList3 pieces_, rest_;
   PointMap3 map_;

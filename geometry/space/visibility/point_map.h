@@ -64,9 +64,8 @@ struct PointMap3 {
 // Returns the map of what is seen from a point.
 //
 // Throws ContractViolation where the normal is zero.
-// COST: n log n for n polygons, and some microseconds for each face that is not hidden by the nearest one: see
-// docs/design/space/point_map.md for the figures. For several threads at once.
-// SEE: the same page, for the method and its predicates.
+// COST: about 3 microseconds a polygon in rooms with boxes, 8 where triangles pierce each other. For several threads at
+// once. SEE: the same page, for the method and its predicates.
 PointMap3 map_from(const Blockers3& blockers, const Look3& look);
 
 }  // namespace hottel

@@ -133,7 +133,7 @@ void SightCones3::add_normals(const EyePlanes3& planes) {
   }
 }
 
-void SightCones3::find_blockers(const SightCone3& target, std::vector<std::uint32_t>& found) const {
+void SightCones3::find_blockers(const SightCone3& target, std::vector<std::uint32_t>& found) {
   found.clear();
   if (nodes_.empty()) return;
   waiting_.assign(1, 0);

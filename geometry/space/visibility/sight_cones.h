@@ -32,7 +32,7 @@ inline bool may_hide(const SightCone3& blocker, const SightCone3& target) {
 //
 //   (1) everything in a polygon is within its cone and between its distances, and so for nodes
 //
-// COST: about 100 ns a polygon.
+// One for each thread: it keeps working memory. COST: linear in the corners of polygons.
 class SightCones3 {
  public:
   // REQUIRES: the planes outlive this.
@@ -45,8 +45,9 @@ class SightCones3 {
   // the other.
   bool may_overlap(std::size_t s, std::size_t t) const { return may_cross(s, t) && may_cross(t, s); }
 
-  // Sets `found` to the polygons that may hide something in the target. COST: logarithmic, and 10 ns for each found.
-  void find_blockers(const SightCone3& target, std::vector<std::uint32_t>& found) const;
+  // Sets `found` to the polygons that may hide something in the target. COST: that of the nodes whose cones meet that
+  // of the target.
+  void find_blockers(const SightCone3& target, std::vector<std::uint32_t>& found);
 
  private:
   struct UnitNormal {
@@ -66,7 +67,7 @@ class SightCones3 {
   std::vector<SightCone3> polygons_, nodes_;
   std::vector<std::size_t> first_{0};  // of the planes of a polygon in normals_
   std::vector<UnitNormal> normals_;    // inward; zero where doubles do not tell it well
-  mutable std::vector<std::uint32_t> waiting_;
+  std::vector<std::uint32_t> waiting_;
 };
 
 }  // namespace hottel
