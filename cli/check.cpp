@@ -6,6 +6,7 @@
 #include "io/results/plane/check_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/naming_file.h"
 #include "solver/plane/simulation/simulation.h"
 
 namespace hottel {

@@ -18,6 +18,7 @@
 #include "io/results/comparison_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/naming_file.h"
 #include "solver/compare/work_precision.h"
 #include "solver/plane/compare/method_comparison.h"
 #include "solver/plane/compare/pair_explanation.h"
@@ -149,7 +150,7 @@ Outcome run_all(const MethodComparison2& comparison, const Methods& methods, con
 }
 
 ExitCode compare(CompareOptions options, Streams& streams) {
-  const MethodCatalogue2 methods_there_are = program_methods();
+  const MethodCatalogue2 methods_there_are = all_methods_2();
   options.methods = method_names(options.methods, methods_there_are);
   const std::vector<std::string> radiosity_files = take_radiosity_files(options.methods);
   if (!radiosity_files.empty() && options.methods.empty()) options.methods.push_back("exact");
@@ -212,7 +213,7 @@ ExitCode compare(CompareOptions options, Streams& streams) {
 
 void add_compare(Commands& commands) {
   const auto options = std::make_shared<CompareOptions>();
-  const MethodCatalogue2 methods = program_methods();
+  const MethodCatalogue2 methods = all_methods_2();
   CLI::App& command =
       commands.add("compare", "Methods side by side: how wrong their view factors are, and how long they take",
                    {"hottel compare scenes/analytic/square_radiosity.json --elements 4 -o /tmp/square",

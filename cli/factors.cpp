@@ -12,12 +12,14 @@
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/scene/division.h"
 #include "io/files/disk_space.h"
+#include "io/foreign/plane/foreign_matrix.h"
 #include "io/results/factor_files.h"
 #include "io/results/factors_report.h"
 #include "io/results/npy.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
+#include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plane/simulation/simulation.h"
 #include "solver/radiosity/gray_exchange.h"
@@ -207,7 +209,7 @@ void require_room_for(const FactorsOptions& options, const Scene2& scene, Format
 }
 
 SimulationRequest2 request_of(const FactorsOptions& options) {
-  return {.method = program_methods().make(options.method),
+  return {.method = all_methods_2().make(options.method),
           .granularity = per_of(options.granularity),
           .wants_visibility = is_exact(options) && (options.matrix.empty() || options.matrix == "visibility"),
           .wants_measures = options.matrix == "exchange",
@@ -325,7 +327,7 @@ void add_factors(Commands& commands) {
       ->type_name("FILE");
   command
       .add_option("--method", options->method,
-                  "how to compute, each also as METHOD:normalised" + methods_text(program_methods()))
+                  "how to compute, each also as METHOD:normalised" + methods_text(all_methods_2()))
       ->type_name("METHOD")
       ->capture_default_str();
   command

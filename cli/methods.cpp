@@ -13,8 +13,6 @@ constexpr std::string_view kFile = "file:";
 
 }  // namespace
 
-MethodCatalogue2 program_methods() { return all_methods_2(); }
-
 std::string methods_text(const MethodCatalogue2& methods) {
   std::string text;
   for (const MethodFamily2& family : methods.families()) text += "\n  " + family.pattern + ": " + family.what;

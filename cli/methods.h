@@ -8,9 +8,6 @@
 
 namespace hottel {
 
-// Those of the library, and file: and run:.
-MethodCatalogue2 program_methods();
-
 // The families for --help, a line each: pattern and what it is. Each line begins with a newline.
 std::string methods_text(const MethodCatalogue2& methods);
 

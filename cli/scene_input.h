@@ -31,17 +31,6 @@ struct ElementOptions {
 // UsageError for "-": results of several files do not go to standard output.
 std::filesystem::path output_folder(const std::string& option, const std::string& scene);
 
-// Returns what `work` returns. A RequestError of it, which knows no files, is told with the scene's file before it.
-// Other exceptions pass as they are.
-template <class Work>
-auto naming_file(const std::string& file, const Work& work) {
-  try {
-    return work();
-  } catch (const RequestError& error) {
-    throw RequestError(file + ": " + error.what());
-  }
-}
-
 // Two numbers from 1 to `most` with an x between them, "400x300". Throws UsageError, naming the option and its
 // pattern, for anything else.
 std::array<std::uint32_t, 2> two_numbers(const std::string& option, const std::string& pattern, const std::string& text,

@@ -10,6 +10,7 @@
 #include "geometry/near_names.h"
 #include "io/files/disk_space.h"
 #include "io/files/output_file.h"
+#include "io/foreign/plane/foreign_matrix.h"
 #include "io/results/npy.h"
 #include "io/results/plane/check_report.h"
 #include "io/results/solve_report.h"
@@ -74,7 +75,7 @@ struct Request {
 Request request_of(const SolveOptions& options) {
   Request request;
   SimulationRequest2& asked = request.simulation;
-  asked.method = program_methods().make(options.method);
+  asked.method = all_methods_2().make(options.method);
   asked.solver = solver_of(options);
   asked.iterations = options.iterations;
   asked.until = options.until;
@@ -286,7 +287,7 @@ void add_solve(Commands& commands) {
       ->type_name("DIR");
   command
       .add_option("--method", options->method,
-                  "how to compute the factors, each also as METHOD:normalised" + methods_text(program_methods()))
+                  "how to compute the factors, each also as METHOD:normalised" + methods_text(all_methods_2()))
       ->type_name("METHOD")
       ->capture_default_str();
   command.add_option("--solver", options->solver, "auto cholesky cg lu bicgstab jacobi gauss-seidel shooting")

@@ -55,7 +55,8 @@ ExitCode play(const ViewOptions& options, const SimulationRequest2& request, Str
   const std::string text = options.script.empty()  ? ""
                            : options.script == "-" ? read_standard_input()
                                                    : read_text_file(options.script);
-  const std::vector<ScriptStep> steps = parse_script(text, options.script);
+  const std::string name = options.script == "-" ? "standard input" : options.script;
+  const std::vector<ScriptStep> steps = parse_script(text, name);
   RecordingWindow window(size_of(options));
   Desk2 desk(options.scene, window, request, options.scale);
   desk.command("look " + options.look);
@@ -65,20 +66,24 @@ ExitCode play(const ViewOptions& options, const SimulationRequest2& request, Str
     frames.emplace(options.record);
     outputs.frame = [&frames](const Raster& frame) { frames->write(frame); };
   }
-  play_script_2(steps, options.script, desk, window, outputs);
-  if (!options.screenshot.empty()) write_output_file(options.screenshot, png_file(window.frame()));
+  play_script_2(steps, name, desk, window, outputs);
+  if (!options.screenshot.empty()) save_screenshot_2(window.frame(), options.screenshot);
   if (frames)
     streams.note(fmt::format("{} frames, {} a second, in {}", frames->count(), kFramesPerSecond, options.record));
   return ExitCode::kDone;
 }
 
 ExitCode view(const ViewOptions& options, Streams& streams) {
+  if (!options.screenshot.empty() && picture_format(options.screenshot) != PictureFormat::kPng)
+    throw UsageError("--screenshot writes a .png file, not '" + options.screenshot + "'");
   if (!look_2(options.look)) {
     std::vector<std::string> known;
     for (int k = 0; k < kLooks2; ++k) known.push_back(to_string(static_cast<Look2>(k)));
     throw UnknownName("there is nothing to look at called '" + options.look + "'", options.look, known);
   }
   const SimulationRequest2 request{.memory = options.memory.value_or(0)};
+  if (options.record == "-")
+    throw UsageError("a recording is many files: --record takes a folder, not standard output");
   if (!options.script.empty() || !options.screenshot.empty() || !options.record.empty())
     return play(options, request, streams);
   const std::unique_ptr<Window> window = open_window("hottel", size_of(options));
@@ -108,6 +113,7 @@ void add_view(Commands& commands) {
       ->capture_default_str();
   command.add_option("--scale", options->scale, "letters and lines S times as large")
       ->type_name("S")
+      ->check(positive_number())
       ->check(CLI::Range(0.25, kMostScale))
       ->capture_default_str();
   command.add_option("--size", options->size, "pixels of the window; without it 1280x800 times S")->type_name("WxH");

@@ -10,6 +10,7 @@
 #include "io/files/disk_space.h"
 #include "io/results/plane/light_matrix.h"
 #include "kernel/support/memory.h"
+#include "kernel/support/naming_file.h"
 
 namespace hottel {
 

@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
+#include "cli/visibility_in_space.h"
 #include "geometry/plane/check/face_cover.h"
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/visibility/critical_lines.h"
@@ -20,6 +21,7 @@
 #include "io/results/plane/visibility_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/naming_file.h"
 #include "kernel/support/parallel.h"
 #include "solver/plane/light/point_lights.h"
 #include "solver/plane/simulation/questions.h"
@@ -51,9 +53,8 @@ Point2 point(const std::string& text) {
 }
 
 // Whole faces: nothing here is asked of their elements.
-Simulation2 simulation_of(const VisibilityOptions& options) {
-  return Simulation2(read_scene_2(options.scene), {.granularity = Granularity::kFace});
-}
+Simulation2 simulation_of(Scene2 scene) { return Simulation2(std::move(scene), {.granularity = Granularity::kFace}); }
+Simulation2 simulation_of(const VisibilityOptions& options) { return simulation_of(read_scene_2(options.scene)); }
 
 // What is answered, and a drawing of it on demand.
 struct Shown {
@@ -267,13 +268,18 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   const bool is_drawn = is_file(options.out);
   const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
   if (is_drawn && !format) throw UsageError("a drawing is written as .svg or .png, not '" + options.out + "'");
+  Scene scene = read_scene(options.scene);
+  if (const Scene3* const there = std::get_if<Scene3>(&scene))
+    return naming_file(options.scene, [&] {
+      return visibility_in_space(*there, {options.at, options.on, options.out, options.json}, streams);
+    });
   const std::optional<Point2> eye =
       options.is_pair() || !options.on.empty() ? std::nullopt : std::optional(point(options.at));
   const Rational t = options.on.empty() ? Rational(0) : number(options.at, "--at with --on");
 
-  const Simulation2 simulation = simulation_of(options);
-  const auto there = simulation.prepared(streams.stages());
-  const PreparedScene2& prepared = *there;
+  const Simulation2 simulation = simulation_of(std::get<Scene2>(std::move(scene)));
+  const auto made = simulation.prepared(streams.stages());
+  const PreparedScene2& prepared = *made;
   if (format) require_drawable(prepared.scene);
   if (format && eye) require_drawable(prepared.scene, *eye, options.at);
   const Shown shown = options.is_pair()     ? between_faces(prepared, options.from, options.to)
@@ -306,12 +312,14 @@ void add_visibility(Commands& commands) {
        "hottel visibility scenes/analytic/strip_obstructed.json --from bottom --to top --json",
        "hottel visibility scenes/showcase/apartment.json --at 4,3 -o /tmp/seen.png",
        "echo 4,3 | hottel visibility scenes/showcase/apartment.json --points - --range 5 -o /tmp/seen.geojson",
+       "hottel visibility scenes/space/two_boxes.json --at 1,1,1 -o /tmp/map.png",
        "hottel visibility scenes/analytic/strip_obstructed.json --edge bottom",
        "hottel visibility scenes/analytic/strip_obstructed.json --events"},
       [options](Streams& streams) { return visibility(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   CLI::Option* at = command.add_option("--at", options->at,
-                                       "a point X,Y, or with --on a position T from 0 to 1 (numbers may be p/q)");
+                                       "a point X,Y, or with --on a position T from 0 to 1 (numbers may be p/q); in "
+                                       "space X,Y,Z, or with --on S,T along the first and the last side");
   CLI::Option* on = command.add_option("--on", options->on, "a face: view factors from its point --at T");
   on->type_name("NAME");
   CLI::Option* from = command.add_option("--from", options->from,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,9 @@ inline constexpr std::size_t kMaxTextFileBytes = 0x7fffffff;
 // Returns the bytes of a file. Throws InputError naming the file when it is missing, a directory, not readable, or
 // larger than kMaxTextFileBytes.
 std::string read_text_file(const std::filesystem::path& file);
+
+// Where readers get the files that a file names: read_text_file, or texts in memory.
+using TextSource = std::function<std::string(const std::filesystem::path&)>;
 
 // Returns all that is on standard input. Throws InputError naming it when it cannot be read or is larger.
 std::string read_standard_input();

@@ -1,48 +1,83 @@
+#include <optional>
+
 #include "geometry/name.h"
-#include "io/files/text_file.h"
 #include "io/scene/exact_json.h"
 #include "io/scene/json_fields.h"
 #include "io/scene/plane/scene_reader.h"
 #include "io/scene/scene_json.h"
+#include "io/scene/space/obj_reader.h"
+#include "io/scene/space/scene_reader.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
 
-// Returns the dimension. Refuses other versions and dimensions.
-void require_versions(const JsonValue& root) {
-  const auto require = [&](std::string_view key, std::initializer_list<const char*> allowed) {
-    for (const auto [k, value] : root.members()) {
-      if (k.text() != key) continue;
-      require_kind(value, JsonKind::kNumber, {key});
-      const Rational number = read_number(value, {key});
-      for (const char* a : allowed)
-        if (number == Rational(a)) return number;
-      refuse(value, std::string(key) + " is " + quoted_name(value.text()) + "; this version reads " + *allowed.begin());
+constexpr const char* kInThePlaneOnly = "the scene is in space (dimension 3); this command works in the plane";
+constexpr const char* kInSpaceOnly = "the scene is in the plane (dimension 2); this command works in space";
+// What this version does with scenes in space.
+constexpr const char* kDoneInSpace =
+    "scenes in space are read and rewritten by `hottel convert`, so far by nothing else";
+
+// The value of a member of the scene, one of those allowed.
+JsonValue version(const JsonValue& root, std::string_view key, std::initializer_list<const char*> allowed) {
+  for (const auto [k, value] : root.members()) {
+    if (k.text() != key) continue;
+    require_kind(value, JsonKind::kNumber, {key});
+    const Rational number = read_number(value, {key});
+    std::string known;
+    for (const char* a : allowed) {
+      if (number == Rational(a)) return value;
+      known += (known.empty() ? "" : " and ") + std::string(a);
     }
-    refuse(root, "the scene has no \"" + std::string(key) + "\"",
-           {"a scene begins { \"hottel\": 1, \"dimension\": 2,"});
-  };
-  require("hottel", {"1"});
-  if (require("dimension", {"2", "3"}) == 3)
-    for (const auto [key, value] : root.members())
-      if (key.text() == "dimension") refuse(value, "dimension 3 is not supported by this version");
+    refuse(value, std::string(key) + " is " + quoted_name(value.text()) + "; this version reads " + known);
+  }
+  refuse(root, "the scene has no \"" + std::string(key) + "\"", {"a scene begins { \"hottel\": 1, \"dimension\": 2,"});
+}
+
+// Returns the scene of a text. Refuses one of another dimension than `wanted`, if there is one.
+Scene parse(std::string_view text, const std::string& name, const TextSource& files, std::optional<int> wanted) {
+  const JsonDocument document(text, name);
+  const JsonValue root = document.root();
+  require_kind(root, JsonKind::kObject, {"the scene"});
+  version(root, "hottel", {"1"});
+  const JsonValue dimension = version(root, "dimension", {"2", "3"});
+  if (read_number(dimension, {"dimension"}) == 2) {
+    if (wanted == 3) refuse(dimension, kInSpaceOnly);
+    return read_document_2(root, name);
+  }
+  if (wanted == 2) refuse(dimension, kInThePlaneOnly, {kDoneInSpace});
+  return read_document_3(root, name, files);
+}
+
+Scene read(const std::filesystem::path& file, std::optional<int> wanted) {
+  const std::string ending = file.extension().string(), name = file.string();
+  for (const char* unread : {".ply", ".off", ".stl", ".vs3"})
+    if (ending == unread)
+      throw InputError({name, 0}, "files that end in " + ending + " are not read by this version",
+                       {"scenes are .json files; meshes are .obj files"});
+  if (ending != ".obj" && ending != ".OBJ") return parse(read_text_file(file), name, read_text_file, wanted);
+  if (wanted == 2) throw InputError({name, 0}, kInThePlaneOnly, {kDoneInSpace});
+  return read_obj_3(file).scene;
 }
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, const std::string& name_for_messages) {
-  const JsonDocument document(text, name_for_messages);
-  require_kind(document.root(), JsonKind::kObject, {"the scene"});
-  require_versions(document.root());
-  return read_document_2(document.root(), name_for_messages);
+Scene parse_scene(std::string_view text, const std::string& name_for_messages, const TextSource& files) {
+  return parse(text, name_for_messages, files, std::nullopt);
 }
 
-Scene read_scene(const std::filesystem::path& file) { return parse_scene(read_text_file(file), file.string()); }
+Scene read_scene(const std::filesystem::path& file) { return read(file, std::nullopt); }
 
-Scene2 read_scene_2(const std::filesystem::path& file) { return std::get<Scene2>(read_scene(file)); }
+Scene2 read_scene_2(const std::filesystem::path& file) { return std::get<Scene2>(read(file, 2)); }
 
 Scene2 parse_scene_2(std::string_view text, const std::string& name_for_messages) {
-  return std::get<Scene2>(parse_scene(text, name_for_messages));
+  return std::get<Scene2>(parse(text, name_for_messages, read_text_file, 2));
+}
+
+Scene3 read_scene_3(const std::filesystem::path& file) { return std::get<Scene3>(read(file, 3)); }
+
+Scene3 parse_scene_3(std::string_view text, const std::string& name_for_messages, const TextSource& files) {
+  return std::get<Scene3>(parse(text, name_for_messages, files, 3));
 }
 
 }  // namespace hottel

@@ -1,220 +1,104 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <unordered_set>
+#include <vector>
 
 #include "geometry/plane/scene/polyline_runs.h"
 #include "io/scene/scene_json.h"
-#include "kernel/decimal.h"
+#include "io/scene/table_writer.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
 
-// A number with more characters than this is written as a string.
-constexpr std::size_t kMaxBareNumber = 24;
+std::string point(const Point2& p) { return fmt::format("[{}, {}]", json_number(p.x), json_number(p.y)); }
 
-std::string json_string(const std::string& text) {
-  const bool is_plain =
-      std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; });
-  return is_plain ? fmt::format("\"{}\"", text) : nlohmann::json(text).dump();
+std::string triple(const Rational& x, const Rational& y, const Rational& z) {
+  return fmt::format("[{}, {}, {}]", json_number(x), json_number(y), json_number(z));
 }
 
-// value = digits * 10^exponent with digits not divisible by 10, where there is such a form.
-struct Decimal {
-  Integer digits;
-  long exponent = 0;
-};
-
-std::optional<Decimal> decimal(const Rational& value) {
-  if (value == 0) return Decimal{0, 0};
-  const Integer two = 2, five = 5, ten = 10;
-  Integer rest;
-  const auto twos = mpz_remove(rest.get_mpz_t(), value.get_den_mpz_t(), two.get_mpz_t());
-  const auto fives = mpz_remove(rest.get_mpz_t(), rest.get_mpz_t(), five.get_mpz_t());
-  if (rest != 1) return std::nullopt;
-  Decimal result{value.get_num(), -static_cast<long>(std::max(twos, fives))};
-  if (twos != fives) {
-    mpz_pow_ui(rest.get_mpz_t(), (twos < fives ? two : five).get_mpz_t(),
-               std::max(twos, fives) - std::min(twos, fives));
-    result.digits *= rest;
-  }
-  if (result.exponent == 0)
-    result.exponent =
-        static_cast<long>(mpz_remove(result.digits.get_mpz_t(), result.digits.get_mpz_t(), ten.get_mpz_t()));
-  return result;
+std::string entry(const Scene2& scene, const std::string& name, const std::string& points, bool closed,
+                  const Surface& surface) {
+  return fmt::format("{{\"name\": {}, \"points\": {}{}, {}}}", json_string(name), points,
+                     closed ? ", \"closed\": true" : "", surface_members(scene, surface));
 }
 
-// The decimal without an exponent, or nothing when it is longer than kMaxBareNumber.
-std::optional<std::string> bare_number(const Decimal& d) {
-  const std::size_t places = static_cast<std::size_t>(std::labs(d.exponent));
-  if (places > kMaxBareNumber || mpz_sizeinbase(d.digits.get_mpz_t(), 10) > kMaxBareNumber + 1) return std::nullopt;
-  std::string text = Integer(abs(d.digits)).get_str();
-  if (d.exponent >= 0) {
-    text.append(places, '0');
-  } else {
-    if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
-    text.insert(text.size() - places, 1, '.');
-  }
-  if (sgn(d.digits) < 0) text.insert(0, 1, '-');
-  if (text.size() > kMaxBareNumber) return std::nullopt;
-  return text;
+// Writes the surfaces before the final polylines as edges; returns where those begin.
+std::size_t write_edges(const Scene2& scene, std::string& out) {
+  const std::vector<Surface>& s = scene.surfaces;
+  const std::vector<Edge2>& e = scene.edges;
+  const std::size_t first_polyline = first_of_polylines(scene);
+  if (first_polyline == 0) return 0;
+  JsonBlock block(out, "edges", '[', ']');
+  for (std::size_t i = 0; i < first_polyline; ++i)
+    block.add(entry(scene, s[i].name, fmt::format("[{}, {}]", point(e[i].from), point(e[i].to)), false, s[i]));
+  block.end();
+  return first_polyline;
 }
 
-std::string number(const Rational& value) {
-  if (value.get_den() == 1 && value.get_num().fits_slong_p()) return std::to_string(value.get_num().get_si());
-  std::string text = "";
-  if (const auto d = decimal(value)) {
-    if (auto bare = bare_number(*d)) return *std::move(bare);
-    if (std::labs(d->exponent) <= kMaxNumberExponent) text = fmt::format("{}e{}", d->digits.get_str(), d->exponent);
+void write_polylines(const Scene2& scene, std::size_t first, std::string& out) {
+  const std::vector<Surface>& s = scene.surfaces;
+  const std::vector<Edge2>& e = scene.edges;
+  if (first == s.size()) return;
+  JsonBlock block(out, "polylines", '[', ']');
+  while (first < s.size()) {
+    const std::size_t end = end_of_polyline(scene, first);
+    const bool closed = end - first > 1 && e[end - 1].to == e[first].from;
+    std::string points = fmt::format("[{}", point(e[first].from));
+    for (std::size_t i = first; i + (closed ? 1 : 0) < end; ++i) points += fmt::format(", {}", point(e[i].to));
+    block.add(entry(scene, scene.groups[s[first].group].name, points + "]", closed, s[first]));
+    first = end;
   }
-  const std::string fraction = to_string(value);
-  if (text.empty() || text.size() > fraction.size()) text = fraction;
-  if (text.size() > kMaxNumberLength)
-    throw RequestError(
-        fmt::format("a number of {} characters, about {}, does not fit into a scene file: at most {} are allowed",
-                    text.size(), decimal_text(value), kMaxNumberLength));
-  return fmt::format("\"{}\"", text);
+  block.end();
 }
 
-std::string point(const Point2& p) { return fmt::format("[{}, {}]", number(p.x), number(p.y)); }
-
-std::string spectrum(const Spectrum& s) {
-  if (s.is_scalar) return number(s.value[0]);
-  return fmt::format("[{}, {}, {}]", number(s.value[0]), number(s.value[1]), number(s.value[2]));
+void write_polygons(const Scene3& scene, std::string& out) {
+  if (scene.polygons.empty()) return;
+  std::vector<std::size_t> members(scene.groups.size());
+  for (const Surface& surface : scene.surfaces) ++members[surface.group];
+  JsonBlock block(out, "polygons", '[', ']');
+  for (std::size_t s = 0; s < scene.polygons.size(); ++s) {
+    const Surface& surface = scene.surfaces[s];
+    const Group& group = scene.groups[surface.group];
+    HOTTEL_REQUIRE(group.behind == Behind::kByOutline);
+    std::string points;
+    for (const Point3& p : scene.polygons[s].points) points += (points.empty() ? "" : ", ") + triple(p.x, p.y, p.z);
+    const bool is_alone = members[surface.group] == 1 && group.name == surface.name;
+    block.add(fmt::format("{{\"name\": {}, {}\"points\": [{}], {}}}", json_string(surface.name),
+                          is_alone ? "" : fmt::format("\"group\": {}, ", json_string(group.name)), points,
+                          surface_members(scene, surface)));
+  }
+  block.end();
 }
 
-// The lines of a list or object: "[", one entry a line, "]".
-class Block {
- public:
-  Block(std::string& out, const std::string& key, char open, char close) : out_(out), close_(close) {
-    out_ += fmt::format(",\n  \"{}\": {}", key, open);
-  }
-  void add(const std::string& entry) {
-    out_ += is_empty_ ? "\n    " : ",\n    ";
-    out_ += entry;
-    is_empty_ = false;
-  }
-  void end() {
-    if (!is_empty_) out_ += "\n  ";
-    out_ += close_;
-  }
-
- private:
-  std::string& out_;
-  char close_;
-  bool is_empty_ = true;
-};
-
-class SceneWriter {
- public:
-  explicit SceneWriter(const Scene2& scene) : scene_(scene) {}
-
-  std::string write() {
-    out_ = "{\n  \"hottel\": 1,\n  \"dimension\": 2";
-    if (!scene_.about.empty()) out_ += fmt::format(",\n  \"about\": {}", json_string(scene_.about));
-    write_materials();
-    const std::size_t first_polyline = write_edges();
-    write_polylines(first_polyline);
-    if (!scene_.sky_emission.is_zero() || !scene_.sky_emission.is_scalar)
-      out_ += fmt::format(",\n  \"sky\": {{\"emission\": {}}}", spectrum(scene_.sky_emission));
-    if (scene_.closed) out_ += ",\n  \"closed\": true";
-    if (scene_.grid) write_grid(*scene_.grid);
-    write_expectations();
-    return std::move(out_) + "\n}\n";
-  }
-
- private:
-  void write_materials() {
-    if (scene_.materials.empty()) return;
-    std::unordered_set<std::string> names;
-    Block block(out_, "materials", '{', '}');
-    for (const Material& m : scene_.materials) {
-      HOTTEL_REQUIRE(!m.name.empty() && names.insert(m.name).second);
-      std::string members;
-      const auto add = [&](const char* key, const Spectrum& value) {
-        if (value.is_zero() && value.is_scalar) return;
-        members += fmt::format("{}\"{}\": {}", members.empty() ? "" : ", ", key, spectrum(value));
-      };
-      add("reflectivity", m.reflectivity);
-      add("emission", m.emission);
-      block.add(fmt::format("{}: {{{}}}", json_string(m.name), members));
-    }
-    block.end();
-  }
-
-  // Writes the surfaces before the final polylines as edges; returns where those begin.
-  std::size_t write_edges() {
-    const std::vector<Surface>& s = scene_.surfaces;
-    const std::vector<Edge2>& e = scene_.edges;
-    const std::size_t first_polyline = first_of_polylines(scene_);
-    if (first_polyline == 0) return 0;
-    Block block(out_, "edges", '[', ']');
-    for (std::size_t i = 0; i < first_polyline; ++i)
-      block.add(entry(s[i].name, fmt::format("[{}, {}]", point(e[i].from), point(e[i].to)), false, s[i]));
-    block.end();
-    return first_polyline;
-  }
-
-  void write_polylines(std::size_t first) {
-    const std::vector<Surface>& s = scene_.surfaces;
-    const std::vector<Edge2>& e = scene_.edges;
-    if (first == s.size()) return;
-    Block block(out_, "polylines", '[', ']');
-    while (first < s.size()) {
-      const std::size_t end = end_of_polyline(scene_, first);
-      const bool closed = end - first > 1 && e[end - 1].to == e[first].from;
-      std::string points = fmt::format("[{}", point(e[first].from));
-      for (std::size_t i = first; i + (closed ? 1 : 0) < end; ++i) points += fmt::format(", {}", point(e[i].to));
-      block.add(entry(scene_.groups[s[first].group].name, points + "]", closed, s[first]));
-      first = end;
-    }
-    block.end();
-  }
-
-  std::string entry(const std::string& name, const std::string& points, bool closed, const Surface& surface) const {
-    std::string text =
-        fmt::format("{{\"name\": {}, \"points\": {}{}, \"material\": {}", json_string(name), points,
-                    closed ? ", \"closed\": true" : "", json_string(scene_.materials[surface.material].name));
-    if (surface.back) text += fmt::format(", \"back\": {}", json_string(scene_.materials[*surface.back].name));
-    if (const Behind behind = scene_.groups[surface.group].behind; behind != Behind::kByOutline)
-      text += behind == Behind::kSolid ? ", \"behind\": \"solid\"" : ", \"behind\": \"open\"";
-    if (surface.elements != 1) text += fmt::format(", \"elements\": {}", surface.elements);
-    return text + "}";
-  }
-
-  void write_grid(const Grid2& grid) {
-    out_ += fmt::format(",\n  \"grid\": {{\"min\": {}, \"max\": {}, \"cells\": [{}, {}]}}", point(grid.min),
-                        point(grid.max), grid.nx, grid.ny);
-  }
-
-  void write_expectations() {
-    if (scene_.expect.empty()) return;
-    Block block(out_, "expect", '[', ']');
-    for (const Expectation& e : scene_.expect) {
-      std::string text = "{";
-      if (!e.name.empty()) text += fmt::format("\"name\": {}, ", json_string(e.name));
-      text += fmt::format("\"kind\": {}, \"quantity\": {}", json_string(e.kind), json_string(e.quantity));
-      for (std::size_t k = 0; k < e.of.size(); ++k)
-        text += fmt::format("{}{}", k == 0 ? ", \"of\": [" : ", ", json_string(e.of[k]));
-      if (!e.of.empty()) text += "]";
-      if (!e.at.empty()) text += fmt::format(", \"at\": {}", json_string(e.at));
-      text += fmt::format(", \"value\": {}", json_string(e.value));
-      if (!e.form.empty()) text += fmt::format(", \"form\": {}", json_string(e.form));
-      if (!e.derivation.empty()) text += fmt::format(", \"derivation\": {}", json_string(e.derivation));
-      block.add(text + "}");
-    }
-    block.end();
-  }
-
-  const Scene2& scene_;
-  std::string out_;
-};
+void write_camera(const Camera3& camera, std::string& out) {
+  out += fmt::format(
+      ",\n  \"camera\": {{\"eye\": {}, \"target\": {}, \"up\": {}, \"field_of_view\": {}, \"pixels\": [{}, {}]}}",
+      triple(camera.eye.x, camera.eye.y, camera.eye.z), triple(camera.target.x, camera.target.y, camera.target.z),
+      triple(camera.up.x, camera.up.y, camera.up.z), json_number(camera.field_of_view), camera.width, camera.height);
+}
 
 }  // namespace
 
-std::string write_scene_2(const Scene2& scene) { return SceneWriter(scene).write(); }
+std::string write_scene_2(const Scene2& scene) {
+  std::string out;
+  write_head(scene, 2, out);
+  write_polylines(scene, write_edges(scene, out), out);
+  write_sky(scene, out);
+  if (const auto& grid = scene.grid)
+    out += fmt::format(",\n  \"grid\": {{\"min\": {}, \"max\": {}, \"cells\": [{}, {}]}}", point(grid->min),
+                       point(grid->max), grid->nx, grid->ny);
+  write_expectations(scene, out);
+  return out + "\n}\n";
+}
+
+std::string write_scene_3(const Scene3& scene) {
+  std::string out;
+  write_head(scene, 3, out);
+  write_polygons(scene, out);
+  write_sky(scene, out);
+  if (scene.camera) write_camera(*scene.camera, out);
+  write_expectations(scene, out);
+  return out + "\n}\n";
+}
 
 }  // namespace hottel

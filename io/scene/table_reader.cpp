@@ -94,9 +94,9 @@ SceneEntry TableReader::read_entry(const JsonValue& value, const std::string& de
   keys.insert(keys.end(), more.begin(), more.end());
   std::vector<JsonValue> members(keys.size());
   read_members(value, {entry.owner}, keys, members);
-  const JsonValue material = members[2], back = members[3], elements = members[4], about = members[5],
-                  behind = members[6];
+  const JsonValue material = members[2], back = members[3], elements = members[4], about = members[5];
   entry.points = members[1];
+  entry.behind = members[6];
   entry.more.assign(members.begin() + kCommon.size(), members.end());
   require_member(entry.points, "points", value, {entry.owner});
   require_member(material, "material", value, {entry.owner});
@@ -107,7 +107,8 @@ SceneEntry TableReader::read_entry(const JsonValue& value, const std::string& de
   if (about) read_string(about, {entry.owner, "about"});
 
   entry.surface.group = static_cast<std::uint32_t>(table_.groups.size());
-  table_.groups.emplace_back(entry.name, behind ? read_behind(behind, {entry.owner, "behind"}) : Behind::kByOutline);
+  table_.groups.emplace_back(entry.name,
+                             entry.behind ? read_behind(entry.behind, {entry.owner, "behind"}) : Behind::kByOutline);
   return entry;
 }
 

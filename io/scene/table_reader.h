@@ -22,7 +22,7 @@ inline constexpr std::array<std::string_view, 14> kSceneKeys{"hottel",    "dimen
 
 // One item of "edges", "polylines" or "polygons", but for its points.
 struct SceneEntry {
-  JsonValue value, points;
+  JsonValue value, points, behind;
   std::string name;
   std::string owner;            // for messages: "edge 'lamp'"
   std::vector<JsonValue> more;  // members beyond those that all have, in the order of the keys asked for
@@ -54,6 +54,9 @@ class TableReader {
   void read_list(const JsonValue& list, std::string_view key, const std::string& noun,
                  const std::function<void(const JsonValue&, const std::string&)>& read_item);
 
+  // Returns the index of the material of that name; refuses one that is not defined.
+  std::uint32_t material_of(const JsonValue& value, const Subject& subject) const;
+
   // Reads an item and makes a group of its name. Keys beyond name, points, material, back, elements, about and behind
   // are those of `more`.
   //
@@ -68,7 +71,6 @@ class TableReader {
   static void refuse_lights(const JsonValue& lights);
 
  private:
-  std::uint32_t material_of(const JsonValue& value, const Subject& subject) const;
   void read_expectation(const JsonValue& value, const std::string& owner);
 
   SceneTable& table_;

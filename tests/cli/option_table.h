@@ -29,7 +29,7 @@ struct OptionEntry {
 inline void PrintTo(const OptionCommand& command, std::ostream* out) { *out << command.name; }
 inline void PrintTo(const OptionEntry& entry, std::ostream* out) { *out << entry.command << " " << entry.option; }
 
-// Scenes of the table by file name, and the shell variables that name others.
+// Files of the table by name, and the shell variables that name scenes of the repository.
 const std::vector<std::pair<const char*, const char*>>& option_scenes();
 inline constexpr const char* kOptionVariables =
     "S=scenes/analytic/strip_obstructed.json; Q=scenes/analytic/square_radiosity.json";

@@ -1,4 +1,5 @@
-// Any bytes as a scene file: refused with InputError, or read; what is read is written and reads back the same.
+// Any bytes as a scene file, in the plane or in space: refused with InputError, or read; what is read is written and
+// reads back the same.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
@@ -23,10 +24,30 @@ bool same_surfaces(const hottel::Scene2& a, const hottel::Scene2& b) {
   return true;
 }
 
+void read_and_write_3(std::string_view text) {
+  const auto mesh = [](const std::filesystem::path&) { return std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"); };
+  hottel::Scene3 scene;
+  try {
+    scene = hottel::parse_scene_3(text, "fuzz.json", mesh);
+  } catch (const hottel::InputError&) {
+    return;
+  }
+  std::string written;
+  try {
+    written = hottel::write_scene_3(scene);
+  } catch (const hottel::RequestError&) {
+    return;
+  }
+  const hottel::Scene3 again = hottel::parse_scene_3(written, "written.json", mesh);
+  require(again.polygons == scene.polygons && again.groups == scene.groups && again.camera == scene.camera);
+  require(again.materials == scene.materials && again.sky_emission == scene.sky_emission);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
+  read_and_write_3(text);
   hottel::Scene2 scene;
   try {
     scene = hottel::parse_scene_2(text, "fuzz.json");

@@ -6,8 +6,10 @@
 #include <sstream>
 #include <string>
 
+#include "io/scene/mtl_reader.h"
 #include "io/scene/plane/svg_reader.h"
 #include "io/scene/scene_json.h"
+#include "io/scene/space/obj_reader.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -65,6 +67,35 @@ TEST(DamagedFiles, ADrawing) {
   const Counts counts = damage([](const std::string& t, const std::string& name) { parse_svg_2(t, name); }, text);
   EXPECT_GT(counts.read, 0);
   EXPECT_GT(counts.refused, static_cast<int>(text.size()));
+}
+
+TEST(DamagedFiles, ASceneInSpace) {
+  const std::string text = text_of("scenes/space/cube.json");
+  const Counts counts = damage([](const std::string& t, const std::string& name) { parse_scene_3(t, name); }, text);
+  EXPECT_GT(counts.read, 0);
+  EXPECT_GT(counts.refused, static_cast<int>(text.size()));
+}
+
+TEST(DamagedFiles, AMesh) {
+  // The file that it names may be called anything.
+  const std::string library = text_of("scenes/space/room_boxes.mtl");
+  const TextSource files = [&](const std::filesystem::path&) { return library; };
+  const std::string text = text_of("scenes/space/room_boxes.obj");
+  const auto read = [&](const std::string& t, const std::string& name) { parse_obj_scene_3(t, name, files); };
+  const Counts counts = damage(read, text);
+  EXPECT_GT(counts.read, 0);
+  EXPECT_GT(counts.refused, static_cast<int>(text.size()));
+}
+
+TEST(DamagedFiles, MaterialsOfAMesh) {
+  const std::string mesh = text_of("scenes/space/room_boxes.obj");
+  const auto read = [&](const std::string& t, const std::string& name) {
+    parse_mtl(t, name);
+    parse_obj_scene_3(mesh, name, [&](const std::filesystem::path&) { return t; });
+  };
+  const Counts counts = damage(read, text_of("scenes/space/room_boxes.mtl"));
+  EXPECT_GT(counts.read, 0);
+  EXPECT_GT(counts.refused, 0);
 }
 
 }  // namespace

@@ -7,7 +7,12 @@
 #include <chrono>
 #include <csignal>
 #include <functional>
+#include <map>
+#include <sstream>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
@@ -114,6 +119,24 @@ TEST_F(SdlWindow, ShowsWhatItIsGiven) {
   broken.pixels.pop_back();
   EXPECT_THROW(window_->show(broken), ContractViolation);
   EXPECT_THROW(window_->show(Raster()), ContractViolation);
+}
+
+TEST_F(SdlWindow, IsSeenOnTheScreen) {
+  const Raster frame = chart(kSize);
+  window_->show(frame);
+  const Raster screen = session_.screen();
+  // "X=380", and so on.
+  std::map<std::string, std::uint32_t> place;
+  std::istringstream lines(session_.xdotool("mousemove --window " + id_ + " 0 0 getmouselocation --shell"));
+  for (std::string line; std::getline(lines, line);)
+    place[line.substr(0, line.find('='))] = static_cast<std::uint32_t>(std::stoul(line.substr(line.find('=') + 1)));
+  ASSERT_LE(place.at("X") + kSize.width, screen.width);
+  ASSERT_LE(place.at("Y") + kSize.height, screen.height);
+  for (std::uint32_t y = 0; y < kSize.height; ++y)
+    for (std::uint32_t x = 0; x < kSize.width; ++x)
+      ASSERT_EQ(screen.pixels[std::size_t{place["Y"] + y} * screen.width + place["X"] + x],
+                frame.pixels[std::size_t{y} * kSize.width + x])
+          << x << " " << y;
 }
 
 TEST_F(SdlWindow, TellsWhereTheMouseIs) {

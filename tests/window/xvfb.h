@@ -185,23 +185,24 @@ class XvfbSession {
     throw std::runtime_error("openbox has not started");
   }
 
-  // The format of xwd: 25 big-endian numbers, a name, colours of 12 bytes each, rows.
+  // The format of xwd: 25 big-endian numbers, a name, colours of 12 bytes each, rows. Of a screen with windows of
+  // several visuals it says that pixels have 24 bits, and writes 32.
   static Raster parsed(const std::string& dump) {
     const auto number = [&](std::size_t k) {
       std::uint32_t value = 0;
       for (std::size_t b = 0; b < 4; ++b) value = value << 8 | static_cast<unsigned char>(dump.at(4 * k + b));
       return value;
     };
-    constexpr std::uint32_t kVersion = 7, kLowByteFirst = 0, kBitsAPixel = 32;
-    if (number(1) != kVersion || number(7) != kLowByteFirst || number(11) != kBitsAPixel)
+    constexpr std::uint32_t kVersion = 7, kLowByteFirst = 0;
+    if (number(1) != kVersion || number(7) != kLowByteFirst || (number(11) != 24 && number(11) != 32))
       throw std::runtime_error("xwd: not what this test reads");
     Raster raster(number(4), number(5));
-    const std::size_t begin = number(0) + 12 * std::size_t{number(19)}, row = number(12);
+    const std::size_t begin = number(0) + 12 * std::size_t{number(19)}, row = number(12), pixel = number(11) / 8;
     for (std::uint32_t y = 0; y < raster.height; ++y)
       for (std::uint32_t x = 0; x < raster.width; ++x)
         for (std::size_t b = 0; b < 3; ++b)
           raster.pixels[std::size_t{y} * raster.width + x] |=
-              std::uint32_t{static_cast<unsigned char>(dump.at(begin + y * row + 4 * x + b))} << (8 * b);
+              std::uint32_t{static_cast<unsigned char>(dump.at(begin + y * row + pixel * x + b))} << (8 * b);
     return raster;
   }
 

@@ -15,6 +15,7 @@ namespace hottel {
 namespace {
 
 constexpr const char* kTypeface = "DejaVu Sans Condensed";  // another sans serif stands in where it is missing
+constexpr double kLeastImage = 1e-3;                        // pixels; matrices of smaller ones may have no inverse
 
 cairo_status_t append(void* target, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(target)->append(reinterpret_cast<const char*>(data), length);
@@ -197,7 +198,8 @@ void CairoCanvas::text(Mark, Pixel at, std::string_view text, const TextStyle& s
 
 void CairoCanvas::image(Mark, Pixel top_left, Pixel bottom_right, const Raster& raster, bool smooth) {
   HOTTEL_REQUIRE(raster.pixels.size() == static_cast<std::size_t>(raster.width) * raster.height);
-  if (raster.pixels.empty()) return;
+  const double across = bottom_right.x - top_left.x, down = bottom_right.y - top_left.y;
+  if (raster.pixels.empty() || across < kLeastImage || down < kLeastImage) return;
   // Cairo reads these pixels, and never writes them: they are a source only.
   cairo_surface_t* source = cairo_image_surface_create_for_data(
       reinterpret_cast<unsigned char*>(const_cast<std::uint32_t*>(raster.pixels.data())), CAIRO_FORMAT_ARGB32,
@@ -209,10 +211,10 @@ void CairoCanvas::image(Mark, Pixel top_left, Pixel bottom_right, const Raster& 
   }
   cairo_t* context = state_->context;
   cairo_save(context);
-  cairo_rectangle(context, top_left.x, top_left.y, bottom_right.x - top_left.x, bottom_right.y - top_left.y);
+  cairo_rectangle(context, top_left.x, top_left.y, across, down);
   cairo_clip(context);
   cairo_translate(context, top_left.x, top_left.y);
-  cairo_scale(context, (bottom_right.x - top_left.x) / raster.width, (bottom_right.y - top_left.y) / raster.height);
+  cairo_scale(context, across / raster.width, down / raster.height);
   cairo_set_source_surface(context, source, 0, 0);
   cairo_pattern_set_filter(cairo_get_source(context), smooth ? CAIRO_FILTER_BILINEAR : CAIRO_FILTER_NEAREST);
   cairo_pattern_set_extend(cairo_get_source(context), CAIRO_EXTEND_PAD);

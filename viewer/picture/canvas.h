@@ -90,8 +90,8 @@ class PictureCanvas {
   virtual void circle(Mark mark, Pixel centre, double radius, Colour colour, double line_width) = 0;
   // One line. at: the anchor on the base line. Bytes that are not UTF-8 are shown as question marks.
   virtual void text(Mark mark, Pixel at, std::string_view text, const TextStyle& style) = 0;
-  // Stretched over the rectangle; smooth: blended between pixels, else each pixel a rectangle of its own. REQUIRES a
-  // raster of width * height pixels.
+  // Stretched over the rectangle; smooth: blended between pixels, else each pixel a rectangle of its own; nothing
+  // that is smaller than a thousandth of a pixel. REQUIRES a raster of width * height pixels.
   virtual void image(Mark mark, Pixel top_left, Pixel bottom_right, const Raster& raster, bool smooth) = 0;
 
   // Until unclip() nothing is drawn outside the polygon. One clip at a time.

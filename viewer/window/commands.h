@@ -11,15 +11,15 @@ namespace hottel {
 
 // One thing to be told.
 //
-//   (1) names and keys are unique
+//   (1) keys are unique; a name stands once with a help, and once more for each other key that it has
 struct Command {
   std::string_view topic;  // of the help
   std::string_view name;   // as scripts have it: "undo", "look light"
   std::string_view key;    // as key_text() gives it; "" where there is none
-  std::string_view help;   // a few words
+  std::string_view help;   // a few words; "" where the line above says it too
 };
 
-// All commands, in the order of the help.
+// All commands and their keys, in the order of the help.
 std::span<const Command> commands();
 
 // What the mouse does, for the help: the gesture and a few words.

@@ -7,8 +7,9 @@
 namespace hottel {
 namespace {
 
-constexpr double kLetters = 14, kLine = 19, kPadding = 10;
+constexpr double kLetters = 14, kLine = 19, kPadding = 10, kBetween = 16;
 constexpr Colour kBox{0.992, 0.988, 0.980, 0.93}, kWarningBox{1.0, 0.93, 0.90, 0.96};
+constexpr Colour kBorder{0.16, 0.17, 0.20, 0.35};
 
 // The longest beginning of a text that is no wider than that, one character at least.
 std::size_t fitting(const PictureCanvas& canvas, std::string_view text, const TextStyle& style, double width) {
@@ -24,6 +25,23 @@ std::size_t fitting(const PictureCanvas& canvas, std::string_view text, const Te
   return low;
 }
 
+std::vector<std::string> parted(const std::string& line) {
+  std::vector<std::string> cells{""};
+  for (const char c : line) {
+    if (c == '\t')
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  }
+  return cells;
+}
+
+// A line as it is drawn: texts, and how far from the left of the box each begins.
+struct Line {
+  std::vector<std::pair<double, std::string>> texts{};
+  bool is_head = false;
+};
+
 }  // namespace
 
 std::vector<std::string> wrapped(const PictureCanvas& canvas, const std::string& text, const TextStyle& style,
@@ -32,12 +50,15 @@ std::vector<std::string> wrapped(const PictureCanvas& canvas, const std::string&
   std::string_view rest = text;
   while (!rest.empty() && canvas.text_width(rest, style) > width) {
     std::size_t end = fitting(canvas, rest, style, width);
-    if (const std::size_t blank = rest.rfind(' ', end); blank != std::string_view::npos && blank > end / 2) end = blank;
+    // At the last blank that has something before it.
+    if (const std::size_t blank = rest.rfind(' ', end);
+        blank != std::string_view::npos && rest.find_first_not_of(' ') < blank)
+      end = blank;
     lines.emplace_back(rest.substr(0, end));
     rest.remove_prefix(end);
     rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
   }
-  lines.emplace_back(rest);
+  if (!rest.empty() || lines.empty()) lines.emplace_back(rest);
   return lines;
 }
 
@@ -49,25 +70,52 @@ double draw_panel(PictureCanvas& canvas, const Panel& panel, const PanelPlace& p
   bold.weight = TextWeight::kBold;
   const auto style = [&](bool is_head) { return is_head && panel.is_head_bold ? bold : regular; };
 
-  std::vector<std::pair<std::string, bool>> lines;
-  for (std::size_t k = 0; k < panel.lines.size(); ++k)
-    for (std::string& line : wrapped(canvas, panel.lines[k], style(k == 0), place.width - 2 * padding))
-      lines.emplace_back(std::move(line), k == 0);
+  // The columns but the last of each line, and where they begin.
+  std::vector<std::vector<std::string>> cells;
+  std::vector<double> begin{0};
+  for (std::size_t k = 0; k < panel.lines.size(); ++k) {
+    cells.push_back(parted(panel.lines[k]));
+    for (std::size_t column = 0; column + 1 < cells[k].size(); ++column) {
+      if (begin.size() < column + 2) begin.push_back(begin[column]);
+      const double end = begin[column] + canvas.text_width(cells[k][column], style(k == 0)) + kBetween * unit;
+      const double more = end - begin[column + 1];
+      for (std::size_t next = column + 1; more > 0 && next < begin.size(); ++next) begin[next] += more;
+    }
+  }
+  std::vector<Line> lines;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const double left = begin[cells[k].size() - 1];
+    const double room = std::max(place.width - 2 * padding - left, 8 * kLetters * unit);
+    std::vector<std::string> parts = wrapped(canvas, cells[k].back(), style(k == 0), room);
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      Line line{.is_head = k == 0};
+      for (std::size_t column = 0; part == 0 && column + 1 < cells[k].size(); ++column)
+        line.texts.emplace_back(begin[column], cells[k][column]);
+      line.texts.emplace_back(left, std::move(parts[part]));
+      lines.push_back(std::move(line));
+    }
+  }
   const auto room = static_cast<std::size_t>(std::max(1.0, (place.height - 2 * padding) / line_height));
   if (lines.size() > room) {
     const std::size_t missing = lines.size() - room + 1;
     lines.resize(room);
-    lines.back() = {"... and " + std::to_string(missing) + " lines more", false};
+    lines.back() = {{{0, "... and " + std::to_string(missing) + " lines more"}}, false};
   }
   double wide = 0;
-  for (const auto& [line, is_head] : lines) wide = std::max(wide, canvas.text_width(line, style(is_head)));
+  for (const Line& line : lines)
+    for (const auto& [left, text] : line.texts)
+      wide = std::max(wide, left + canvas.text_width(text, style(line.is_head)));
   const double width = wide + 2 * padding, height = static_cast<double>(lines.size()) * line_height + 2 * padding;
-  const Pixel low{place.is_right ? place.corner.x - width : place.corner.x,
-                  place.is_bottom ? place.corner.y - height : place.corner.y};
+  const double left = place.is_right ? width : place.is_centred ? width / 2 : 0;
+  const Pixel low{place.corner.x - left, place.is_bottom ? place.corner.y - height : place.corner.y};
   canvas.fill_rectangle(Mark::kLegend, low, {low.x + width, low.y + height}, panel.is_warning ? kWarningBox : kBox);
+  const Pixel corners[] = {low, {low.x + width, low.y}, {low.x + width, low.y + height}, {low.x, low.y + height}};
+  for (std::size_t k = 0; k < 4; ++k)
+    canvas.stroke(Mark::kLegend, corners[k], corners[(k + 1) % 4], kBorder, std::max(1.0, unit));
   double base_line = low.y + padding + 0.78 * line_height;
-  for (const auto& [line, is_head] : lines) {
-    canvas.text(Mark::kLegend, {low.x + padding, base_line}, line, style(is_head));
+  for (const Line& line : lines) {
+    for (const auto& [from, text] : line.texts)
+      canvas.text(Mark::kLegend, {low.x + padding + from, base_line}, text, style(line.is_head));
     base_line += line_height;
   }
   return height;

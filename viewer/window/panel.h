@@ -8,7 +8,7 @@
 
 namespace hottel {
 
-// A box of lines of text.
+// A box of lines of text. Tabs part a line into columns, which are as wide as the widest of them.
 struct Panel {
   std::vector<std::string> lines;
   bool is_head_bold = true;  // the first line
@@ -19,11 +19,12 @@ struct Panel {
 struct PanelPlace {
   Pixel corner;
   bool is_right = false, is_bottom = false;  // which of its corners that is
+  bool is_centred = false;                   // the corner is the middle of its upper side
   double width = 400, height = 400;          // at most
 };
 
-// Draws the box. Lines that are too long go on in the next line; where there is no room for all, the last one says how
-// many are missing. unit: of sizes, in pixels. Returns the box's height; nothing is drawn for no lines.
+// Draws the box. Lines that are too long go on in the next line, indented; where there is no room for all, the last one
+// says how many are missing. unit: of sizes, in pixels. Returns the box's height; nothing is drawn for no lines.
 double draw_panel(PictureCanvas& canvas, const Panel& panel, const PanelPlace& place, double unit);
 
 // Returns the text cut into lines no wider than that, at blanks where there are some.

@@ -8,17 +8,10 @@
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/visibility/critical_points.h"
 #include "geometry/plane/visibility/point_sight.h"
+#include "io/results/visibility_answer.h"
 #include "solver/plane/simulation/questions.h"
 
 namespace hottel {
-
-// One answer in two forms: a JSON object, and lines. Both end in a newline.
-//
-//   (1) a coordinate stands as the nearest double and exactly, a measure as the nearest double and in closed form
-//   (2) a quotient stands as a double with bounds at most one ulp apart; null where the denominator is 0
-struct VisibilityAnswer {
-  std::string json, text;
-};
 
 // What a point sees: the visibility polygon, the angles, and the mean irradiance. In a solid: which, and nothing else;
 // on the border of solids the directions into them are told apart, as fractions of the full turn.

@@ -4,11 +4,20 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "geometry/plane/scene/scene.h"
 
 namespace hottel {
+
+// How light is spread onto the grid.
+enum class LightKind2 : unsigned char { kPoint, kAverage, kInverseSquare };
+
+// The word for it: "point", "average", "inverse-square".
+const char* to_string(LightKind2 kind);
+// The kind of a word; nothing for other words.
+std::optional<LightKind2> light_kind_2(std::string_view word);
 
 // A value for each cell and channel, in C order (ny, nx, channels): index 0 is the lowest y, the lowest x. NaN in all
 // channels: the cell lies in a solid.

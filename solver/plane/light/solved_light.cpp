@@ -1,21 +1,37 @@
 #include "solver/plane/light/solved_light.h"
 
-#include "kernel/support/failure.h"
+#include <array>
+
 #include "solver/plane/light/average_illumination.h"
 
 namespace hottel {
+namespace {
 
-SolvedLight2 illuminate(std::string_view way, const PreparedScene2& prepared, const Grid2& grid,
-                        Granularity granularity, const RadiositySolution& solution,
-                        const std::function<void(double)>& progress) {
+constexpr std::array kKinds{LightKind2::kPoint, LightKind2::kAverage, LightKind2::kInverseSquare};
+
+}  // namespace
+
+const char* to_string(LightKind2 kind) {
+  constexpr std::array words{"point", "average", "inverse-square"};
+  return words[static_cast<std::size_t>(kind)];
+}
+
+std::optional<LightKind2> light_kind_2(std::string_view word) {
+  for (const LightKind2 kind : kKinds)
+    if (word == to_string(kind)) return kind;
+  return std::nullopt;
+}
+
+SolvedLight2 illuminate(LightKind2 kind, const PreparedScene2& prepared, const Grid2& grid, Granularity granularity,
+                        const RadiositySolution& solution, const std::function<void(double)>& progress) {
   const auto channels = static_cast<std::uint32_t>(solution.channels.size());
   const std::vector<double> by_element = radiosity_by_element_2(solution);
   const std::vector<double> sky = sky_by_channel_2(prepared.scene.sky_emission, channels);
   const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, granularity);
-  if (way == "inverse-square")
+  if (kind == LightKind2::kInverseSquare)
     return {illuminate_inverse_square(prepared, grid, table, by_element, channels, progress)};
-  if (way == "point") return {illuminate_points(prepared, grid, table, SentOut2(table, by_element, sky), progress)};
-  HOTTEL_REQUIRE(way == "average");
+  if (kind == LightKind2::kPoint)
+    return {illuminate_points(prepared, grid, table, SentOut2(table, by_element, sky), progress)};
   const FaceRadiosity2 faces(prepared.arrangement, table, by_element, sky);
   AverageIllumination2 averages = illuminate_averages(prepared, grid, faces, progress);
   return {std::move(averages.grid), averages.max_error};

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <string_view>
 
 #include "geometry/element.h"
 #include "solver/plane/light/light_values.h"
@@ -12,11 +11,10 @@ namespace hottel {
 struct PreparedScene2;
 struct RadiositySolution;
 
-// Returns the light of a solution on a grid. way: "point" (illuminate_points), "average" (illuminate_averages, with its
-// bound) or "inverse-square" (illuminate_inverse_square); these say what is thrown. Another word: ContractViolation.
-// REQUIRES the solution of a matrix of the scene of that granularity.
-SolvedLight2 illuminate(std::string_view way, const PreparedScene2& prepared, const Grid2& grid,
-                        Granularity granularity, const RadiositySolution& solution,
-                        const std::function<void(double)>& progress = {});
+// Returns the light of a solution on a grid. By illuminate_points, illuminate_averages (with its bound) or
+// illuminate_inverse_square; these say what is thrown. REQUIRES the solution of a matrix of the scene of that
+// granularity.
+SolvedLight2 illuminate(LightKind2 kind, const PreparedScene2& prepared, const Grid2& grid, Granularity granularity,
+                        const RadiositySolution& solution, const std::function<void(double)>& progress = {});
 
 }  // namespace hottel

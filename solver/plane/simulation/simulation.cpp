@@ -11,6 +11,7 @@
 #include "geometry/plane/exchange/exchange.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
+#include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plane/light/illumination_grid.h"
 #include "solver/plane/light/light_rows.h"
@@ -51,16 +52,6 @@ auto node_of(const char* name, Input input, const auto* before, Make make) {
 // Progress of one function, told as that of a stage.
 std::function<void(double)> telling(const char* stage, const StageProgress& progress) {
   return [stage, progress](double fraction) { progress(stage, fraction); };
-}
-
-// Whatever `work` throws that knows no files names this one.
-template <class Work>
-auto naming(const std::string& file, const Work& work) {
-  try {
-    return work();
-  } catch (const RequestError& error) {
-    throw RequestError(file.empty() ? error.what() : file + ": " + error.what());
-  }
 }
 
 // Spectra that say the same and were given alike: whether one is a scalar decides how many channels there are.
@@ -212,7 +203,7 @@ ComputedFactors2 make_factors(const FactorsInput& input, const StageProgress& pr
 RadiositySolver make_system(const SystemInput& input, const StageProgress& progress) {
   const auto factors = input.factors->get(progress);
   const std::shared_ptr<const ExchangeMatrix> matrix(factors, &factors->matrix);
-  return naming(input.file, [&] {
+  return naming_file(input.file, [&] {
     return RadiositySolver(matrix, input.reflectivities.values,
                            {.solver = input.solver, .iterations = input.iterations, .until = input.until});
   });
@@ -228,7 +219,7 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
   else
     require_not_negative(matrix, *prepared, *input.method);
   const auto system = input.system->get(progress);
-  return naming(scene.file, [&] {
+  return naming_file(scene.file, [&] {
     RadiositySolution solution =
         system->solve(sources_of(matrix, scene.materials, scene.sky_emission), telling("radiosity", progress));
     if (const auto place = solution.seconds.find("radiosity"); place != solution.seconds.end())
@@ -254,7 +245,7 @@ ElementTable2 table_of(const PreparedScene2& prepared, Granularity granularity) 
 
 LightRows2 make_rows(const RowsInput& input, const StageProgress& progress) {
   const auto prepared = input.arrangement->get(progress);
-  return naming(prepared->scene.file, [&] {
+  return naming_file(prepared->scene.file, [&] {
     return LightRows2(*prepared, input.grid, table_of(*prepared, input.granularity), Blacks2::kLeftOut,
                       memory_allowed(input.memory), telling("illumination", progress));
   });
@@ -271,9 +262,9 @@ SolvedLight2 make_light(const LightInput& input, const StageProgress& progress) 
   const auto prepared = input.prepared->get(progress);
   const auto rows = input.rows ? input.rows->get(progress) : nullptr;
   Stopwatch watch;
-  SolvedLight2 light = naming(prepared->scene.file, [&]() -> SolvedLight2 {
+  SolvedLight2 light = naming_file(prepared->scene.file, [&]() -> SolvedLight2 {
     if (rows) return {light_of_rows(*rows, input, *prepared, *radiosities)};
-    return illuminate(to_string(input.kind), *prepared, input.grid, input.granularity, *radiosities,
+    return illuminate(input.kind, *prepared, input.grid, input.granularity, *radiosities,
                       telling("illumination", progress));
   });
   light.seconds = watch.lap();

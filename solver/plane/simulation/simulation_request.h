@@ -7,12 +7,11 @@
 #include <string>
 
 #include "geometry/plane/scene/scene.h"
+#include "solver/plane/light/light_values.h"
 #include "solver/plane/methods/exchange_method.h"
 #include "solver/radiosity/radiosity_options.h"
 
 namespace hottel {
-
-struct IlluminationGrid2;
 
 // A picture of light, as a painter makes it: the bytes of a file, or whatever its painter says.
 struct LightPicture2 {
@@ -29,14 +28,6 @@ class LightPainter2 {
   // Threads may share one.
   virtual LightPicture2 paint(const PreparedScene2& prepared, const IlluminationGrid2& light) const = 0;
 };
-
-// How light is spread onto the grid (solved_light.h).
-enum class LightKind2 : unsigned char { kPoint, kAverage, kInverseSquare };
-
-// The word for it: "point", "average", "inverse-square".
-const char* to_string(LightKind2 kind);
-// The kind of a word; nothing for other words.
-std::optional<LightKind2> light_kind_2(std::string_view word);
 
 // What is asked, with what is taken where nothing is said.
 //

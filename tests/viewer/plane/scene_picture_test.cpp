@@ -140,7 +140,7 @@ TEST(ScenePicture2, PlainPlansShowWhatEmits) {
 
 TEST(ScenePicture2, PixelsLieOverTheFloorAndUnderTheFurniture) {
   ScenePicture2 picture;
-  picture.pixels = std::make_shared<ScenePixels2>(ScenePixels2{{1, 1, {{1, 1, 0}}}, {0, 0}, {4, 3}, false});
+  picture.pixels = std::make_shared<ScenePixels2>(ScenePixels2{Raster(1, 1, 0xFFFFFF00), {0, 0}, {4, 3}, false});
   const RecordingCanvas canvas = drawn(furnished_room(), picture);
   std::vector<Mark> order;
   for (const auto& call : canvas.calls())

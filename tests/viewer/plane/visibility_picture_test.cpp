@@ -1,5 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <array>
+#include <vector>
+
+#include "geometry/plane/visibility/point_sight.h"
 #include "tests/viewer/plane/drawn_scenes.h"
 #include "viewer/picture/plane/scene_sheet.h"
 #include "viewer/picture/plane/visibility_painter.h"
@@ -41,6 +45,31 @@ TEST(VisibilityPicture2, CutsWhatReachesOutOfThePicture) {
   EXPECT_TRUE(inside(canvas));
   EXPECT_EQ(canvas.count(Mark::kRay), 2u);
   EXPECT_EQ(canvas.calls(Mark::kCritical, Kind::kCircle).size(), 1u);
+}
+
+// Whether a polygon has a place inside, by the crossings of a ray to the right.
+bool contains(const std::vector<std::array<double, 2>>& polygon, double x, double y) {
+  bool is_inside = false;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const auto &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+    if ((p[1] > y) != (q[1] > y) && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])) is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
+TEST(VisibilityDrawing2, ReachesAllAroundTowardsTheSky) {
+  const PreparedScene2 scene = prepare(furnished_room());
+  for (const Point2& eye : {Point2{9, 1}, {-5, 2}, {2, 9}, {2, -7}, {Rational(1) / 2, Rational(1000001) / -1000000}}) {
+    const VisibilityDrawing2 drawing = drawing_of(point_sight(scene, eye).polygon);
+    const double x = to_double(eye.x), y = to_double(eye.y);
+    const double away_x = x > 4 ? 1 : x < 0 ? -1 : 0, away_y = y > 4 ? 1 : y < 0 ? -1 : 0;
+    for (const double far : {1e-3, 1.0, 100.0})
+      EXPECT_TRUE(contains(drawing.polygon, x + far * away_x, y + far * away_y));
+    EXPECT_TRUE(contains(drawing.polygon, x + 50 * away_y, y + 50 * away_x));
+    EXPECT_TRUE(contains(drawing.polygon, x - 50 * away_y, y - 50 * away_x));
+    EXPECT_FALSE(contains(drawing.polygon, 0.1, 0.1));
+    EXPECT_FALSE(contains(drawing.polygon, x - 50 * away_x, y - 50 * away_y));
+  }
 }
 
 TEST(PairPicture2, HighlightsBothEdgesAndTheCriticalPoints) {

@@ -20,6 +20,7 @@ Place2 rounded(const Point2& p) { return {to_double(p.x), to_double(p.y)}; }
 SceneEditor2::SceneEditor2(Scene2 scene) : history_(std::move(scene)) { changed(); }
 
 void SceneEditor2::replace(Scene2 scene) {
+  held_.reset();
   history_ = EditHistory2(std::move(scene));
   select_none();
   changed();
@@ -32,7 +33,9 @@ void SceneEditor2::changed() {
   picker_ = std::make_unique<ScenePick2>(*picked_);
 }
 
+// What is held is of the scene before.
 void SceneEditor2::set(Scene2 next, const std::string& what) {
+  held_.reset();
   const std::shared_ptr<const Scene2> before = scene();
   history_.set(std::move(next), what);
   set_selected_names(*before, selected_);
@@ -106,13 +109,15 @@ bool SceneEditor2::press(const Pointer2& pointer) {
     toggle(found, pointer.is_whole);
     return true;
   }
-  const bool is_vertex = found.vertex && !pointer.is_whole;
-  if (!std::ranges::binary_search(selected_, *found.surface) || pointer.is_whole || is_vertex) {
+  const bool is_selected = std::ranges::binary_search(selected_, *found.surface);
+  const bool is_vertex = found.vertex && !pointer.is_whole && !(is_selected && is_of_whole_groups());
+  if (!is_selected || pointer.is_whole || is_vertex) {
     select({*found.surface});
     if (pointer.is_whole) select_groups();
   }
-  const Edge2 edge = scene()->edges[*found.surface];
-  Held held{.edge = edge, .surface = *found.surface, .is_last = found.is_last, .is_vertex = is_vertex, .anchor = {}};
+  const std::uint32_t surface = is_vertex ? surface_at(*found.vertex, *found.surface) : *found.surface;
+  const Edge2 edge = scene()->edges[surface];
+  Held held{.edge = edge, .surface = surface, .is_last = found.is_last, .is_vertex = is_vertex, .anchor = {}};
   held.anchor = is_vertex ? *found.vertex : found.is_last ? edge.to : edge.from;
   held.is_last = is_vertex && edge.from != edge.to ? held.anchor == edge.to : found.is_last;
   held.moves_alone = pointer.alone || (!is_vertex && is_of_whole_groups());
@@ -124,6 +129,14 @@ bool SceneEditor2::press(const Pointer2& pointer) {
   }
   held_ = held;
   return true;
+}
+
+// A surface with an end at a vertex: this one where it has, else the first.
+std::uint32_t SceneEditor2::surface_at(const Point2& vertex, std::uint32_t surface) const {
+  const auto ends_there = [&](const Edge2& edge) { return edge.from == vertex || edge.to == vertex; };
+  const std::vector<Edge2>& edges = scene()->edges;
+  if (ends_there(edges[surface])) return surface;
+  return static_cast<std::uint32_t>(std::ranges::find_if(edges, ends_there) - edges.begin());
 }
 
 // Whether the selection is furniture: groups of several surfaces, each as a whole.
@@ -219,6 +232,7 @@ std::string SceneEditor2::undo() {
   const std::shared_ptr<const Scene2> before = scene();
   const std::string what = history_.what_undo();
   if (!history_.undo()) return "";
+  held_.reset();
   set_selected_names(*before, selected_);
   vertex_.reset();
   changed();
@@ -229,6 +243,7 @@ std::string SceneEditor2::redo() {
   const std::shared_ptr<const Scene2> before = scene();
   const std::string what = history_.what_redo();
   if (!history_.redo()) return "";
+  held_.reset();
   set_selected_names(*before, selected_);
   vertex_.reset();
   changed();

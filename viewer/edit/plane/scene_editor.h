@@ -32,8 +32,8 @@ struct Pointer2 {
 //   (1) every edit is one step of the history; a drag is one, from press() to release(). What changes nothing is none
 //   (2) a vertex that is dragged takes along every end that lies exactly there; `alone`, the nearest end by itself
 //   (3) an edge that is dragged takes along what coincides with its ends. A selection of whole groups of several
-//       surfaces moves by itself: furniture parts from the wall it stands at; so does everything that is dragged
-//       `alone`
+//       surfaces moves by itself, at whichever vertex or edge it is held: furniture parts from the wall it stands at.
+//       So does everything that is dragged `alone`
 //   (4) a dragged thing is placed so that the vertex, or the edge's nearer end, at which it is held comes to lie on a
 //       snapped place (Snapper2), of the scene in which the drag began
 //   (5) the selection is kept by names: after undo, too, it is what is still there
@@ -66,7 +66,8 @@ class SceneEditor2 {
 
   // A button goes down: selects what is there. False where nothing is.
   bool press(const Pointer2& pointer);
-  // The pointer moves with the button down, after press() found something.
+  // The pointer moves with the button down, after press() found something. Nothing is held any more once anything else
+  // has changed the scene.
   void drag(const Pointer2& pointer);
   void release();
   void cancel();
@@ -101,6 +102,7 @@ class SceneEditor2 {
   void changed();
   void set(Scene2 scene, const std::string& what);
   void set_selected_names(const Scene2& before, const std::vector<std::uint32_t>& surfaces);
+  std::uint32_t surface_at(const Point2& vertex, std::uint32_t surface) const;
   bool is_of_whole_groups() const;
   Scene2 moved(const Scene2& scene, const Held& held, const Point2& to) const;
   std::vector<PointMove2> moves_of_selection(const Scene2& scene, const Rational& dx, const Rational& dy) const;

@@ -60,8 +60,9 @@ struct AddedSurfaces2 {
   std::vector<std::uint32_t> surfaces;
 };
 
-// Copies these surfaces to another place. A polyline that is listed as a whole comes out as one, and says the same of
-// its backs; any other surface is copied as an edge. They are called "NAME copy", "NAME copy 2", ... (FreeNames).
+// Copies these surfaces to another place. A polyline that is listed as a whole comes out as one, any other surface as
+// an edge. They are called "NAME copy", "NAME copy 2", ... (FreeNames), and say the same of what is behind their backs;
+// a piece of a polyline says nothing of that.
 AddedSurfaces2 duplicate_surfaces(const Scene2& scene, std::span<const std::uint32_t> surfaces, const Rational& dx,
                                   const Rational& dy);
 

@@ -87,6 +87,7 @@ void ScenePicturePainter2::draw_targets(PictureCanvas& canvas) const {
 void ScenePicturePainter2::draw_footer(PictureCanvas& canvas) const {
   const double unit = sheet_.unit(), left = sheet_.footer_left(), top = sheet_.footer_top();
   const double room = sheet_.footer_right() - left;
+  sheet_.draw_footer_paper(canvas);
   sheet_.draw_scale_bar(canvas);
   double x = left;
   if (picture_.colouring)

@@ -82,6 +82,7 @@ SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const Frame2& frame, do
       corners_(prepared.scene, frame_),
       outlines_(prepared.scene, corners_),
       solids_(solid_polygons(prepared.arrangement, frame_)),
+      has_footer_over_drawing_(true),
       footer_top_(frame_.height() - footer * unit_),
       footer_left_(kFooterSide * unit_),
       footer_right_(frame_.width() - kFooterSide * unit_) {
@@ -154,6 +155,12 @@ void SceneSheet2::draw_text(PictureCanvas& canvas, const std::string& text, doub
 void SceneSheet2::draw_walls(PictureCanvas& canvas, const std::vector<bool>& hidden) const {
   for (std::uint32_t s = 0; s < corners_.surfaces(); ++s)
     if (hidden.empty() || !hidden[s]) canvas.stroke(Mark::kEdge, from(s), to(s), palette::kInk, wall_width_);
+}
+
+void SceneSheet2::draw_footer_paper(PictureCanvas& canvas) const {
+  if (!has_footer_over_drawing_) return;
+  canvas.fill_rectangle(Mark::kPaper, {0, footer_top_ - 8 * unit_}, {frame_.width(), frame_.height()},
+                        palette::kPaper.with_alpha(0.85));
 }
 
 void SceneSheet2::draw_scale_bar(PictureCanvas& canvas) const {

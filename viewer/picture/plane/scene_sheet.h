@@ -56,6 +56,8 @@ class SceneSheet2 {
   void draw_ground(PictureCanvas& canvas, const Ground& ground) const;
   // One dark line for each edge that is not hidden. hidden: one entry per surface, or none at all.
   void draw_walls(PictureCanvas& canvas, const std::vector<bool>& hidden = {}) const;
+  // Paper behind a footer that lies over the drawing, translucent; nothing where there is room kept free for it.
+  void draw_footer_paper(PictureCanvas& canvas) const;
   // A bar of a round length (1, 2 or 5 times a power of ten, in metres) at the right of the footer; at most a quarter
   // of the drawing's width.
   void draw_scale_bar(PictureCanvas& canvas) const;
@@ -78,6 +80,7 @@ class SceneSheet2 {
   Outlines2 outlines_;
   std::vector<std::vector<Pixel>> solids_;
   double wall_width_ = 0, stripe_depth_ = 0;
+  bool has_footer_over_drawing_ = false;
   double footer_top_, footer_left_, footer_right_;
 };
 

@@ -34,6 +34,8 @@ void draw_hatch_2(PictureCanvas& canvas, std::span<const Pixel> outline, double 
     lowest = std::min(lowest, p.x + p.y);
     highest = std::max(highest, p.x + p.y);
   }
+  lowest = std::max(lowest, -spacing);
+  highest = std::min(highest, canvas.width() + canvas.height() + spacing);
   std::vector<double> crossings;
   for (double level = (std::floor(lowest / spacing) + 0.5) * spacing; level < highest; level += spacing) {
     crossings.clear();
@@ -43,9 +45,12 @@ void draw_hatch_2(PictureCanvas& canvas, std::span<const Pixel> outline, double 
       if ((above_a < 0) != (above_b < 0)) crossings.push_back(std::lerp(a.x, b.x, above_a / (above_a - above_b)));
     }
     std::sort(crossings.begin(), crossings.end());
-    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
-      canvas.stroke(Mark::kHatch, {crossings[k], level - crossings[k]}, {crossings[k + 1], level - crossings[k + 1]},
-                    colour, line_width);
+    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
+      const double left = std::max({crossings[k], -spacing, level - canvas.height() - spacing});
+      const double right = std::min({crossings[k + 1], canvas.width() + spacing, level + spacing});
+      if (left >= right) continue;
+      canvas.stroke(Mark::kHatch, {left, level - left}, {right, level - right}, colour, line_width);
+    }
   }
 }
 

@@ -15,7 +15,8 @@ namespace hottel {
 std::vector<std::vector<Pixel>> solid_polygons(const Arrangement2& arrangement, const Frame2& frame);
 
 // Draws lines that rise to the right inside a polygon, `spacing` apart along the axes. Lines of neighbouring polygons
-// meet. Inside by the even-odd rule; nothing is drawn for an empty polygon. REQUIRES spacing > 0.
+// meet. Inside by the even-odd rule; nothing is drawn for an empty polygon, nor far outside the
+// canvas. REQUIRES spacing > 0. COST: that of what is on the canvas, however large the polygon.
 void draw_hatch_2(PictureCanvas& canvas, std::span<const Pixel> outline, double spacing, double line_width,
                   Colour colour);
 

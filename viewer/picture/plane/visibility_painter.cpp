@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "io/results/plane/visibility_report.h"
@@ -13,6 +14,7 @@ namespace hottel {
 namespace {
 
 constexpr double kFooter = 44;
+constexpr double kFar = 1e4;  // times as far as anything that is seen
 
 struct Rectangle {
   Pixel low, high;
@@ -79,27 +81,46 @@ void draw_ring(PictureCanvas& canvas, Mark mark, Pixel at, double radius, const 
 
 std::array<double, 2> rounded(const Point2& p) { return {to_double(p.x), to_double(p.y)}; }
 
+// The angle from one direction counter-clockwise to another, above 0 and at most a whole turn; the side is exact.
+double turn(const Point2& eye, const Point2& from, const Point2& to) {
+  const Rational ax = from.x - eye.x, ay = from.y - eye.y, bx = to.x - eye.x, by = to.y - eye.y;
+  const Rational cross = ax * by - ay * bx, dot = ax * bx + ay * by;
+  const double angle = std::atan2(std::abs(to_double(cross)), to_double(dot));
+  return cross > 0 || (cross == 0 && dot < 0) ? angle : 2 * std::numbers::pi - angle;
+}
+
+// Adds points in so great a distance between two directions, near enough for straight lines between them to be far,
+// too.
+void add_sky(const Point2& eye, const Point2& from, const Point2& to, double distance,
+             std::vector<std::array<double, 2>>& polygon) {
+  const auto [x, y] = rounded(eye);
+  const auto [from_x, from_y] = rounded(from);
+  const double whole = turn(eye, from, to), begin = std::atan2(from_y - y, from_x - x);
+  const int steps = 1 + static_cast<int>(whole / (std::numbers::pi / 3));
+  for (int k = 0; k <= steps; ++k) {
+    const double angle = begin + whole * k / steps;
+    polygon.push_back({x + distance * std::cos(angle), y + distance * std::sin(angle)});
+  }
+}
+
 }  // namespace
 
 VisibilityDrawing2 drawing_of(const VisibilityPolygon2& polygon) {
   VisibilityDrawing2 drawing;
   drawing.eye = rounded(polygon.eye);
   if (polygon.solid != Solids2::kNone) return drawing;
+  double reach = 0;
+  for (const auto& part : polygon.parts)
+    for (const Point2* p : {&part.from, &part.to})
+      reach = std::max(reach, std::hypot(rounded(*p)[0] - drawing.eye[0], rounded(*p)[1] - drawing.eye[1]));
   for (const auto& part : polygon.parts) {
     if (part.solid != Solids2::kNone) {
       drawing.polygon.push_back(drawing.eye);
       continue;
     }
-    const auto far = [&](const Point2& p) {
-      const auto [x, y] = rounded(p);
-      return std::array<double, 2>{drawing.eye[0] + 1e4 * (x - drawing.eye[0]),
-                                   drawing.eye[1] + 1e4 * (y - drawing.eye[1])};
-    };
     drawing.polygon.push_back(rounded(part.from));
-    if (part.side == kSky) {
-      drawing.polygon.push_back(far(part.from));
-      drawing.polygon.push_back(far(part.to));
-    }
+    if (part.side == kSky && part.from != polygon.eye && part.to != polygon.eye)
+      add_sky(polygon.eye, part.from, part.to, kFar * reach, drawing.polygon);
     drawing.polygon.push_back(rounded(part.to));
   }
   return drawing;
@@ -141,6 +162,7 @@ void VisibilityPainter2::draw(PictureCanvas& canvas) const {
   const Pixel eye = sheet_.frame().at(drawing_.eye);
   canvas.disc(Mark::kEye, eye, 15 * unit, palette::kEmitter.with_alpha(0.45));
   draw_ring(canvas, Mark::kEye, eye, 7 * unit, palette::kEmitter, 2 * unit);
+  sheet_.draw_footer_paper(canvas);
   sheet_.draw_scale_bar(canvas);
 }
 
@@ -164,6 +186,7 @@ void PairPainter2::draw(PictureCanvas& canvas) const {
   const double unit = sheet_.unit();
   for (const auto& point : drawing_.critical_on_a)
     draw_ring(canvas, Mark::kCritical, sheet_.frame().at(point), 6 * unit, palette::kPaper, 2 * unit);
+  sheet_.draw_footer_paper(canvas);
   sheet_.draw_scale_bar(canvas);
 }
 

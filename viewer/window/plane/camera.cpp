@@ -28,10 +28,11 @@ void Camera2::fit(const Scene2& scene, FrameSize size, double left_right, double
     add(scene.grid->min);
     add(scene.grid->max);
   }
-  const double wide = high[0] - low[0], tall = high[1] - low[1];
+  const double extent = std::max(high[0] - low[0], high[1] - low[1]);
+  const double wide = extent > 0 ? std::max(high[0] - low[0], 1e-3 * extent) : 1;
+  const double tall = extent > 0 ? std::max(high[1] - low[1], 1e-3 * extent) : 1;
   const double room_x = std::max(1.0, size.width - 2 * left_right), room_y = std::max(1.0, size.height - top - bottom);
-  const double extent = std::max(wide, tall) > 0 ? std::max(wide, tall) : 1;
-  scale_ = fitted_ = std::min(room_x / std::max(wide, 1e-3 * extent), room_y / std::max(tall, 1e-3 * extent));
+  scale_ = fitted_ = std::min(room_x / wide, room_y / tall);
   middle_ = {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2 + (top - bottom) / 2 / scale_};
 }
 

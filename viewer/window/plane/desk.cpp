@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "io/files/output_file.h"
 #include "kernel/support/failure.h"
@@ -16,7 +17,15 @@ namespace {
 constexpr double kSecondsBetweenFileChecks = 1;
 constexpr std::uint32_t kMostPixelsPerCell = 8;
 constexpr std::size_t kEventsPerFrame = 200;
-constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 112;  // units around the scene
+constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 134;  // units around the scene
+
+// The face of that name in another scene: an edit may count surfaces anew.
+std::optional<Face> same_face(const std::optional<Face>& face, const Scene2& before, const Scene2& now) {
+  if (!face) return std::nullopt;
+  const auto found = std::ranges::find(now.surfaces, before.surfaces[face->surface].name, &Surface::name);
+  if (found == now.surfaces.end()) return std::nullopt;
+  return Face{static_cast<std::uint32_t>(found - now.surfaces.begin()), face->is_back};
+}
 
 }  // namespace
 
@@ -33,9 +42,20 @@ Desk2::Desk2(const std::filesystem::path& file, Window& window, SimulationReques
 }
 
 void Desk2::fit() {
-  camera_.fit(*editor_.scene(), size_, kFreeSides * unit_, kFreeTop * unit_, kFreeBottom * unit_);
+  const double beside = panel_width();
+  const FrameSize room{static_cast<std::uint32_t>(std::max(1.0, size_.width - beside)), size_.height};
+  camera_.fit(*editor_.scene(), room, kFreeSides * unit_, kFreeTop * unit_, kFreeBottom * unit_);
+  camera_.pan(-beside / 2, 0);
+  is_fitted_ = true;
   needs_base_ = true;
   looks_.set_tone(tone_, texture_pixels());
+}
+
+// The room that long texts take at the right.
+double Desk2::panel_width() const {
+  const bool has_panel = request_.look == Look2::kVisibility || request_.look == Look2::kPair ||
+                         request_.look == Look2::kCheck || request_.look == Look2::kPlan;
+  return has_panel ? kPanelWidth * size_.width : 0;
 }
 
 // As fine as the screen shows a cell.
@@ -52,20 +72,24 @@ void Desk2::scene_changed() {
   if (shown_version_ == editor_.version()) return;
   shown_version_ = editor_.version();
   looks_.set_scene(editor_.scene(), editor_.is_dragging() ? LiveDepth2::kCoarse : LiveDepth2::kFull);
-  const auto is_gone = [&](const std::optional<Face>& face) {
-    return face && face->surface >= editor_.scene()->surfaces.size();
-  };
-  if (is_gone(request_.face)) request_.face.reset();
-  if (is_gone(request_.other)) request_.other.reset();
+  const std::shared_ptr<const Scene2> before = std::exchange(shown_, editor_.scene());
+  if (before) {
+    request_.face = same_face(request_.face, *before, *shown_);
+    request_.other = same_face(request_.other, *before, *shown_);
+  }
+  if (tool_ && tool_->material >= shown_->materials.size()) tool_.reset();
+  if (drag_ != Drag::kEdit) touch();
 }
 
-// What is looked at follows the mouse, and what lies under it.
+// What is looked at follows the mouse, where it depends on it, and what lies under it.
 void Desk2::request_changed() {
   const bool is_free = has_mouse_ && drag_ == Drag::kNone;
-  request_.mouse = is_free || request_.look == Look2::kVisibility ? std::optional(exact_mouse()) : std::nullopt;
-  if (!has_mouse_) request_.mouse.reset();
+  const bool has_number =
+      request_.look == Look2::kLight || request_.look == Look2::kFloor || request_.look == Look2::kBands;
+  const bool follows = has_mouse_ && request_.look == Look2::kVisibility;
+  request_.mouse = (is_free && has_number) || follows ? std::optional(exact_mouse()) : std::nullopt;
   if (request_.look == Look2::kFactors)
-    request_.other = hover_.surface && is_free ? std::optional(hover_.face) : std::nullopt;
+    request_.other = hover_.surface && is_free ? std::optional(asked_face(hover_)) : std::nullopt;
   if (request_.look != Look2::kFactors && request_.look != Look2::kPair) request_.other.reset();
   looks_.set_request(request_);
   needs_frame_ = true;
@@ -118,9 +142,12 @@ void Desk2::watch_file() {
 
 void Desk2::read_again() {
   try {
-    editor_.replace(file_.read());
+    Scene2 scene = file_.read();
+    require_drawable(scene);
+    editor_.replace(std::move(scene));
     message_ = "read again";
-  } catch (const InputError& error) {
+    if (is_fitted_) fit();
+  } catch (const std::runtime_error& error) {
     message_ = error.what();
   }
   scene_changed();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@
 #include "viewer/window/window.h"
 
 namespace hottel {
+
+// Of texts about what is looked at, at the right: a fraction of the window's width at most.
+inline constexpr double kPanelWidth = 0.36;
 
 // A question in the window, and what is typed.
 struct Prompt {
@@ -39,6 +43,7 @@ struct Prompt {
 //   (3) while something is dragged, light is on a coarse grid, and the window says so; at rest, state() is that of
 //       SceneLooks2 (1)
 //   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes
+//   (5) a command that can do nothing says why in message(): what a key does is seen
 // Its functions are for the thread of the window.
 class Desk2 {
  public:
@@ -80,12 +85,15 @@ class Desk2 {
   };
 
   // Events.
+  void resize();
   void press(const WindowEvent& event);
   void move(const WindowEvent& event);
   void release(const WindowEvent& event);
   void click();
+  Face asked_face(const Pick2& pick) const;
   void key(const WindowEvent& event);
   void prompt_key(const WindowEvent& event);
+  void touch();
   Pointer2 pointer(const HeldKeys& held = {}) const;
   Place2 place() const { return camera_.place_of(mouse_, size_); }
   Point2 exact_mouse() const;
@@ -95,9 +103,9 @@ class Desk2 {
   bool edit_command(std::string_view name);
   bool material_command(std::string_view name);
   bool file_command(std::string_view name);
+  std::string why_nothing(std::string_view name) const;
   void next_choice(int step);
-  void next_tone();
-  void nudge(std::string_view name);
+  bool nudge(std::string_view name);
   void begin_tool(bool is_edge);
   void add_tool_point();
   void end_tool(bool closed);
@@ -115,6 +123,7 @@ class Desk2 {
   void scene_changed();
   void request_changed();
   void fit();
+  double panel_width() const;
   std::uint32_t texture_pixels() const;
   void draw_base();
   void draw_marks(PictureCanvas& canvas) const;
@@ -122,6 +131,7 @@ class Desk2 {
   void draw_tool(PictureCanvas& canvas) const;
   void draw_problem(PictureCanvas& canvas) const;
   void draw_texts(PictureCanvas& canvas) const;
+  void draw_prompt(PictureCanvas& canvas) const;
   void draw_help(PictureCanvas& canvas) const;
   LookDrawing2 drawing() const;
   std::string head() const;
@@ -139,11 +149,13 @@ class Desk2 {
   LightTone2 tone_;
   double split_ = 0.5;
   bool shows_help_ = false, wants_quit_ = false;
+  bool is_fitted_ = true;  // until the view is moved by hand
 
   Pixel mouse_{}, pressed_{};
   HeldKeys held_;
   bool has_mouse_ = false;
   Drag drag_ = Drag::kNone;
+  MouseButton button_ = MouseButton::kNone;  // that drags
   bool has_moved_ = false;
   bool drops_text_ = false;  // that of the key which opened a prompt
   std::optional<Tool> tool_;
@@ -151,6 +163,7 @@ class Desk2 {
   std::string message_;
   Pick2 hover_;
 
+  std::shared_ptr<const Scene2> shown_;  // what the rest has been told of
   std::uint64_t shown_version_ = 0;
   bool needs_base_ = true, needs_frame_ = true;
   Raster base_, frame_;

@@ -11,6 +11,8 @@
 #include "viewer/edit/plane/scene_edits.h"
 #include "viewer/edit/plane/typed_point.h"
 #include "viewer/edit/typed_numbers.h"
+#include "viewer/picture/plane/drawable.h"
+#include "viewer/window/commands.h"
 #include "viewer/window/plane/desk.h"
 
 namespace hottel {
@@ -87,10 +89,12 @@ std::string read_material(const std::string& text, Material& material) {
     const std::string word = part.substr(0, blank);
     const bool is_emission = word == "emission";
     if (!is_emission && word != "reflectivity") return "say 'reflectivity' or 'emission', not '" + word + "'";
+    Spectrum& spectrum = is_emission ? material.emission : material.reflectivity;
+    if (part == word + " " + text_of(spectrum)) continue;  // as it was shown, with all the digits that it has
     const Typed<Spectrum> typed =
         typed_spectrum(part.substr(blank), is_emission ? SpectrumKind::kQuantity : SpectrumKind::kFraction);
     if (!typed.value) return word + ": " + typed.problem;
-    (is_emission ? material.emission : material.reflectivity) = *typed.value;
+    spectrum = *typed.value;
   }
   return "";
 }
@@ -116,11 +120,26 @@ std::vector<std::string> approximate_methods() {
 void Desk2::command(std::string_view name) {
   needs_frame_ = true;
   message_.clear();
+  const std::uint64_t before = editor_.version();
   if (!look_command(name) && !edit_command(name) && !material_command(name) && !file_command(name))
     throw UsageError("there is no command called '" + std::string(name) + "'");
+  if (message_.empty() && !prompt_ && editor_.version() == before) message_ = why_nothing(name);
   scene_changed();
-  hover_ = editor_.pick(pointer());
+  touch();
   request_changed();
+}
+
+// Why a command changed nothing; empty for those that do not change the scene.
+std::string Desk2::why_nothing(std::string_view name) const {
+  const auto found = std::ranges::find(commands(), name, &Command::name);
+  const bool is_edit = found != commands().end() && found->topic != "look" && found->topic != "file";
+  if (!is_edit || name == "all" || name == "escape") return "";
+  if (editor_.is_dragging()) return "not while something is dragged";
+  if (name == "undo") return "there is nothing to undo";
+  if (name == "redo") return "there is nothing to do again";
+  if (found->topic != "edit") return "it goes no further";
+  if (editor_.selected_vertex()) return "a vertex is selected: that is for edges";
+  return editor_.selected().empty() ? "nothing is selected" : "";
 }
 
 bool Desk2::look_command(std::string_view name) {
@@ -129,6 +148,7 @@ bool Desk2::look_command(std::string_view name) {
     if (!look) return false;
     request_.look = *look;
     request_.other.reset();
+    if (is_fitted_) fit();
     needs_base_ = true;
   } else if (name == "next" || name == "previous") {
     next_choice(name == "next" ? 1 : -1);
@@ -162,26 +182,27 @@ void Desk2::next_choice(int step) {
   }
 }
 
-void Desk2::nudge(std::string_view name) {
+bool Desk2::nudge(std::string_view name) {
   const bool is_far = name.starts_with("far ");
   if (is_far) name.remove_prefix(4);
+  const int x = name == "right" ? 1 : name == "left" ? -1 : 0, y = name == "up" ? 1 : name == "down" ? -1 : 0;
+  if (x == 0 && y == 0) return false;
   Rational step = 1;
   const int decimals = decimals_at(camera_.pixels_per_length());
   for (int k = 0; k < decimals; ++k) step /= 10;
   for (int k = 0; k > decimals; --k) step *= 10;
   if (is_far) step *= 10;
-  const int x = name == "right" ? 1 : name == "left" ? -1 : 0, y = name == "up" ? 1 : name == "down" ? -1 : 0;
   message_ = editor_.move_by(x * step, y * step);
+  return true;
 }
 
 bool Desk2::edit_command(std::string_view name) {
   const int decimals = decimals_at(camera_.pixels_per_length());
   if (name == "undo") {
+    if (editor_.is_dragging()) drag_ = Drag::kNone;
     message_ = editor_.undo();
   } else if (name == "redo") {
     message_ = editor_.redo();
-  } else if (name.ends_with("left") || name.ends_with("right") || name.ends_with("up") || name.ends_with("down")) {
-    nudge(name);
   } else if (name == "coordinates") {
     if (tool_)
       end_tool(false);
@@ -206,7 +227,9 @@ bool Desk2::edit_command(std::string_view name) {
   } else if (name == "all") {
     editor_.select_all();
   } else if (name == "escape") {
-    if (tool_)
+    if (shows_help_)
+      shows_help_ = false;
+    else if (tool_)
       tool_.reset();
     else if (editor_.is_dragging())
       editor_.cancel();
@@ -214,20 +237,23 @@ bool Desk2::edit_command(std::string_view name) {
       editor_.select_none();
     drag_ = Drag::kNone;
   } else {
-    return false;
+    return nudge(name);
   }
   return true;
 }
 
+// What is drawn has the material under the mouse, else the first one that does not shine.
 void Desk2::begin_tool(bool is_edge) {
-  const auto material = hover_.surface ? material_of(*editor_.scene(), hover_.face) : std::nullopt;
-  if (editor_.scene()->materials.empty()) {
+  const std::vector<Material>& materials = editor_.scene()->materials;
+  if (materials.empty()) {
     message_ = "there is no material to draw with: add a lamp first";
     return;
   }
-  tool_ = Tool{{}, is_edge, material.value_or(0)};
-  message_ = fmt::format("click {} of '{}'", is_edge ? "two points" : "points",
-                         editor_.scene()->materials[tool_->material].name);
+  const auto touched = hover_.surface ? material_of(*editor_.scene(), asked_face(hover_)) : std::nullopt;
+  const auto dark = std::ranges::find_if(materials, [](const Material& m) { return m.emission.is_zero(); });
+  const auto first = dark == materials.end() ? 0 : static_cast<std::uint32_t>(dark - materials.begin());
+  tool_ = Tool{{}, is_edge, touched.value_or(first)};
+  message_ = fmt::format("click {} of '{}'", is_edge ? "two points" : "points", materials[tool_->material].name);
 }
 
 void Desk2::add_tool_point() {
@@ -240,6 +266,7 @@ void Desk2::add_tool_point() {
 
 void Desk2::end_tool(bool closed) {
   message_ = editor_.add_line(tool_->points, closed && tool_->points.size() > 2, tool_->material);
+  if (message_.empty()) message_ = "a line has two points at least";
   tool_.reset();
   scene_changed();
 }
@@ -250,8 +277,8 @@ bool Desk2::material_command(std::string_view name) {
   if (name != "less reflectivity" && name != "more reflectivity" && name != "less emission" &&
       name != "more emission" && name != "colour" && name != "material")
     return false;
-  if (!hover_.surface || !material_of(*editor_.scene(), hover_.face))
-    message_ = "no material lies under the mouse";
+  if (!hover_.surface)
+    message_ = "no edge lies under the mouse";
   else if (name == "material")
     ask_for_material(copies_first);
   else
@@ -260,18 +287,19 @@ bool Desk2::material_command(std::string_view name) {
 }
 
 void Desk2::change_material(std::string_view name, bool copies_first) {
-  const std::string changed = editor_.change_material(hover_.face, copies_first, [name](Material& material) {
+  const Face face = asked_face(hover_);
+  const std::string changed = editor_.change_material(face, copies_first, [name](Material& material) {
     if (name == "colour") return next_colour(material);
     const int sign = name.starts_with("more") ? 1 : -1;
     name.ends_with("emission") ? step_emission(material, sign) : step_reflectivity(material, sign);
   });
   if (changed.empty()) return;
-  const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), hover_.face)];
+  const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), face)];
   message_ = fmt::format("{}: reflectivity {}, emission {}", changed, text_of(now.reflectivity), text_of(now.emission));
 }
 
 void Desk2::ask_for_material(bool copies_first) {
-  const Face face = hover_.face;
+  const Face face = asked_face(hover_);
   const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), face)];
   prompt_ =
       Prompt{.question = now.name + (copies_first ? ", for this group alone" : ""),
@@ -293,11 +321,19 @@ void Desk2::ask_for_coordinates() {
   }
   const Point2 from =
       editor_.selected_vertex() ? *editor_.selected_vertex() : editor_.scene()->edges[editor_.selected().front()].from;
-  prompt_ = Prompt{.question = "goes to",
-                   .text = fmt::format("{}, {}", short_text(from.x), short_text(from.y)),
-                   .answer = [this](const std::string& text) {
-                     const Typed<Point2> typed = typed_point_2(text);
+  const std::string shown = fmt::format("{}, {}", short_text(from.x), short_text(from.y));
+  prompt_ = Prompt{.question = "goes to", .text = shown, .answer = [this, from, shown](const std::string& text) {
+                     Typed<Point2> typed = typed_point_2(text);
                      if (!typed.value) return typed.problem;
+                     // A coordinate as it was shown stays, with all the digits that it has.
+                     const Point2 rounded = *typed_point_2(shown).value;
+                     if (typed.value->x == rounded.x) typed.value->x = from.x;
+                     if (typed.value->y == rounded.y) typed.value->y = from.y;
+                     try {
+                       require_drawable(*editor_.scene(), *typed.value, text);
+                     } catch (const RequestError&) {
+                       return std::string("this is too far away to be drawn");
+                     }
                      message_ = editor_.move_to(*typed.value);
                      scene_changed();
                      return std::string();

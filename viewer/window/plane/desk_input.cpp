@@ -1,5 +1,6 @@
 // The events of a desk.
 #include <cmath>
+#include <utility>
 
 #include "viewer/edit/decimals.h"
 #include "viewer/window/commands.h"
@@ -25,6 +26,9 @@ Pointer2 Desk2::pointer(const HeldKeys& held) const {
           .is_whole = held.ctrl};
 }
 
+// Finds what lies under the mouse.
+void Desk2::touch() { hover_ = has_mouse_ ? editor_.pick(pointer()) : Pick2(); }
+
 // The place of the mouse as a short decimal, finer than a pixel.
 Point2 Desk2::exact_mouse() const {
   const int decimals = decimals_at(camera_.pixels_per_length()) + 1;
@@ -39,30 +43,36 @@ void Desk2::handle(const WindowEvent& event) {
     case Kind::kQuit:
       return quit();
     case Kind::kResize:
-      size_ = window_.size();
-      needs_base_ = true;
-      return;
+      return resize();
     case Kind::kMove:
       return move(event);
     case Kind::kLeave:
       has_mouse_ = false;
+      touch();
       return request_changed();
     case Kind::kPress:
       mouse_ = {event.x, event.y};
+      has_mouse_ = true;
       return press(event);
     case Kind::kRelease:
       mouse_ = {event.x, event.y};
       return release(event);
     case Kind::kWheel:
       camera_.zoom({event.x, event.y}, size_, std::pow(kPerNotch, event.wheel));
+      is_fitted_ = false;
       looks_.set_tone(tone_, texture_pixels());
       needs_base_ = true;
       return;
     case Kind::kKey:
-      drops_text_ = !prompt_;
-      return prompt_ ? prompt_key(event) : key(event);
+      if (prompt_) {
+        drops_text_ = false;
+        return prompt_key(event);
+      }
+      key(event);
+      drops_text_ = prompt_ && event.key.size() == 1 && !event.held.ctrl && !event.held.alt;
+      return;
     case Kind::kText:
-      if (prompt_ && !drops_text_ && prompt_->keys.empty()) prompt_->text += event.text;
+      if (!std::exchange(drops_text_, false) && prompt_ && prompt_->keys.empty()) prompt_->text += event.text;
       return;
     case Kind::kFocus:
       until_watch_ = 0;
@@ -72,10 +82,20 @@ void Desk2::handle(const WindowEvent& event) {
   }
 }
 
+// The whole scene stays in sight, unless the view was moved by hand.
+void Desk2::resize() {
+  const FrameSize before = size_;
+  size_ = window_.size();
+  needs_base_ = true;
+  if (is_fitted_ && size_ != before) fit();
+}
+
 void Desk2::press(const WindowEvent& event) {
   if (prompt_ || drag_ != Drag::kNone) return;
   pressed_ = mouse_;
+  button_ = event.button;
   held_ = event.held;
+  if (!tool_) message_.clear();
   has_moved_ = false;
   if (event.button != MouseButton::kLeft) {
     drag_ = Drag::kPan;
@@ -96,7 +116,7 @@ void Desk2::move(const WindowEvent& event) {
   has_moved_ = has_moved_ || distance(mouse_, pressed_) > kStill * unit_;
   switch (drag_) {
     case Drag::kNone:
-      hover_ = editor_.pick(pointer());
+      touch();
       break;
     case Drag::kEdit:
       if (has_moved_ && !held_.shift) {
@@ -106,6 +126,7 @@ void Desk2::move(const WindowEvent& event) {
       break;
     case Drag::kPan:
       camera_.pan(mouse_.x - before.x, mouse_.y - before.y);
+      is_fitted_ = false;
       needs_base_ = true;
       break;
     case Drag::kBar:
@@ -119,6 +140,7 @@ void Desk2::move(const WindowEvent& event) {
 }
 
 void Desk2::release(const WindowEvent& event) {
+  if (event.button != button_) return;
   const Drag ended = std::exchange(drag_, Drag::kNone);
   if (ended == Drag::kEdit) {
     if (editor_.is_dragging()) {
@@ -132,19 +154,26 @@ void Desk2::release(const WindowEvent& event) {
   }
   if (ended == Drag::kRectangle) editor_.select_in(camera_.place_of(pressed_, size_), place(), held_.ctrl);
   if (ended == Drag::kPan && !has_moved_ && event.button == MouseButton::kLeft && !held_.shift) editor_.select_none();
-  hover_ = editor_.pick(pointer());
+  touch();
   request_changed();
+}
+
+// The face that is meant by pointing at an edge: its front where the back is black and exchanges nothing.
+Face Desk2::asked_face(const Pick2& pick) const {
+  const bool has_back = pick.face.is_back && editor_.scene()->surfaces[pick.face.surface].back;
+  return {pick.face.surface, has_back};
 }
 
 // A click on an edge picks its face where faces are looked at.
 void Desk2::click() {
   const Pick2 found = editor_.pick(pointer());
   if (!found.surface) return;
+  const Face face = asked_face(found);
   if (request_.look == Look2::kFactors || (request_.look == Look2::kPair && (!request_.face || request_.other))) {
-    request_.face = found.face;
+    request_.face = face;
     request_.other.reset();
   } else if (request_.look == Look2::kPair) {
-    request_.other = found.face;
+    request_.other = face;
   }
   needs_base_ = true;
 }

@@ -7,6 +7,7 @@
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/scene_names.h"
 #include "kernel/decimal.h"
+#include "kernel/support/failure.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "viewer/edit/decimals.h"
 #include "viewer/picture/cairo_canvas.h"
@@ -20,6 +21,7 @@ namespace {
 constexpr double kGap = 12;  // units between boxes and the border
 constexpr Colour kSelected = palette::kTarget, kTouched{0.02, 0.62, 0.83, 0.55}, kDimmed{0.992, 0.988, 0.980, 0.62};
 constexpr Colour kChanged{0.98, 0.72, 0.10, 0.9};  // edges whose light is not there yet
+constexpr std::uint32_t kBlank = 0xFFFDFCFA;       // where nothing can be drawn
 
 const char* to_string(Tone tone) {
   switch (tone) {
@@ -64,10 +66,15 @@ void Desk2::draw_marks(PictureCanvas& canvas) const {
 
 void Desk2::draw_base() {
   base_ = Raster(size_.width, size_.height);
-  CairoCanvas canvas(base_);
-  draw_marks(canvas);
-  canvas.finish();
   needs_base_ = false;
+  try {
+    CairoCanvas canvas(base_);
+    draw_marks(canvas);
+    canvas.finish();
+  } catch (const RequestError& error) {  // places too far apart for a drawing: nothing that was edited is lost
+    base_ = Raster(size_.width, size_.height, kBlank);
+    message_ = error.what();
+  }
 }
 
 void Desk2::draw_selection(PictureCanvas& canvas) const {
@@ -184,24 +191,30 @@ void Desk2::draw_texts(PictureCanvas& canvas) const {
   const bool has_panel = request_.look != Look2::kLight && request_.look != Look2::kFloor &&
                          request_.look != Look2::kBands && looks_.result() != nullptr;
   if (has_panel)
-    draw_panel(
-        canvas, {.lines = looks_.result()->lines},
-        {.corner = {width - gap, 52 * unit_}, .is_right = true, .width = 0.36 * width, .height = height - 180 * unit_},
-        unit_);
-  if (prompt_) {
-    Panel panel{.lines = {prompt_->question}};
-    if (prompt_->keys.empty()) panel.lines.push_back(prompt_->text + "|");
-    if (!prompt_->problem.empty()) panel.lines.push_back(prompt_->problem);
-    draw_panel(canvas, panel, {.corner = {0.2 * width, 0.4 * height}, .width = 0.6 * width}, unit_);
-  }
-  const std::string line = message_.empty() ? status() : message_;
+    draw_panel(canvas, {.lines = looks_.result()->lines},
+               {.corner = {width - gap, 52 * unit_},
+                .is_right = true,
+                .width = kPanelWidth * width,
+                .height = height - 190 * unit_},
+               unit_);
+  std::string line = message_;
+  if (const std::string now = status(); !now.empty()) line += (line.empty() ? "" : "   ") + now;
   if (line.empty()) return;
   draw_panel(canvas, {.lines = {line}, .is_head_bold = false},
              {.corner = {gap, height - gap}, .is_bottom = true, .width = 0.8 * width}, unit_);
 }
 
+void Desk2::draw_prompt(PictureCanvas& canvas) const {
+  if (!prompt_) return;
+  Panel panel{.lines = {prompt_->question}};
+  if (prompt_->keys.empty()) panel.lines.push_back(prompt_->text + "|");
+  if (!prompt_->problem.empty()) panel.lines.push_back(prompt_->problem);
+  const double width = size_.width, height = size_.height;
+  draw_panel(canvas, panel, {.corner = {width / 2, 0.4 * height}, .is_centred = true, .width = 0.8 * width}, unit_);
+}
+
 void Desk2::draw_help(PictureCanvas& canvas) const {
-  canvas.fill_rectangle(Mark::kPaper, {0, 0}, {canvas.width(), canvas.height()}, palette::kPaper.with_alpha(0.95));
+  canvas.fill_rectangle(Mark::kPaper, {0, 0}, {canvas.width(), canvas.height()}, palette::kPaper.with_alpha(0.97));
   const double unit = std::min(unit_, std::min(canvas.width() / 1100, canvas.height() / 640));
   const TextStyle bold{.size = 15 * unit, .colour = palette::kInk, .weight = TextWeight::kBold};
   const TextStyle key{.size = 14 * unit, .colour = palette::kTarget, .weight = TextWeight::kBold};
@@ -242,8 +255,8 @@ void Desk2::draw() {
   draw_selection(canvas);
   draw_tool(canvas);
   draw_problem(canvas);
-  draw_texts(canvas);
-  if (shows_help_) draw_help(canvas);
+  shows_help_ ? draw_help(canvas) : draw_texts(canvas);
+  draw_prompt(canvas);
   canvas.finish();
   window_.set_title(file_.path().filename().string() + (editor_.history().is_changed() ? " *" : "") + " - hottel");
   needs_frame_ = false;

@@ -1,12 +1,12 @@
 #include "viewer/window/plane/desk_script.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <map>
-#include <sstream>
+#include <cmath>
 #include <thread>
 
 #include "io/files/output_file.h"
@@ -16,6 +16,7 @@
 #include "io/results/radiosity_files.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/computed_factors.h"
+#include "viewer/picture/picture_options.h"
 #include "viewer/picture/png_file.h"
 #include "viewer/window/commands.h"
 
@@ -24,17 +25,6 @@ namespace {
 
 constexpr double kPatience = 600;  // seconds that a step may take
 constexpr int kStepsOfADrag = 12;
-
-// How many arguments a word takes: at least, at most.
-const std::map<std::string, std::pair<std::size_t, std::size_t>>& words() {
-  constexpr std::size_t kMany = 1000;
-  static const std::map<std::string, std::pair<std::size_t, std::size_t>> kWords{
-      {"move", {1, 1}},  {"press", {1, 3}}, {"release", {1, 2}},  {"click", {1, 3}},      {"drag", {2, kMany}},
-      {"wheel", {2, 2}}, {"key", {1, 1}},   {"type", {1, kMany}}, {"do", {1, kMany}},     {"size", {1, 1}},
-      {"wait", {0, 0}},  {"pause", {1, 1}}, {"save", {1, 1}},     {"screenshot", {1, 1}}, {"picture", {1, 1}},
-      {"hash", {0, 0}},  {"leave", {0, 0}}, {"close", {0, 0}}};
-  return kWords;
-}
 
 bool read(std::string_view text, double& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -49,15 +39,27 @@ class Player {
 
   void play(const ScriptStep& step) {
     step_ = &step;
-    const std::string& word = step.word;
+    try {
+      do_step();
+    } catch (const UsageError& error) {
+      refuse(error.what());
+    }
+    record();
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& text) const { throw InputError({name_, step_->line}, text); }
+
+  void do_step() {
+    const std::string& word = step_->word;
     if (word == "move" || word == "press" || word == "release" || word == "click" || word == "drag" || word == "wheel")
       mouse();
     else if (word == "key")
-      type_key(step.arguments[0]);
+      type_key(step_->arguments[0]);
     else if (word == "type")
-      send({.kind = WindowEvent::Kind::kText, .text = step.rest});
+      send({.kind = WindowEvent::Kind::kText, .text = step_->rest});
     else if (word == "do")
-      do_command();
+      desk_.command(fmt::format("{}", fmt::join(step_->arguments, " ")));
     else if (word == "leave" || word == "close")
       send({.kind = word == "leave" ? WindowEvent::Kind::kLeave : WindowEvent::Kind::kQuit});
     else if (word == "size")
@@ -66,11 +68,7 @@ class Player {
       pause();
     else
       write();
-    record();
   }
-
- private:
-  [[noreturn]] void refuse(const std::string& text) const { throw InputError({name_, step_->line}, text); }
 
   void record() {
     desk_.settle(kPatience);
@@ -168,20 +166,13 @@ class Player {
       send({.kind = WindowEvent::Kind::kText, .text = event.key});
   }
 
-  void do_command() {
-    try {
-      desk_.command(step_->rest);
-    } catch (const UsageError& error) {
-      refuse(error.what());
-    }
-  }
-
   void resize() {
     const std::string& text = step_->arguments[0];
     const auto x = text.find('x');
     double width = 0, height = 0;
     if (x == std::string::npos || !read(text.substr(0, x), width) || !read(text.substr(x + 1), height) || width < 1 ||
-        height < 1 || width > kMaxPictureSide || height > kMaxPictureSide)
+        height < 1 || width > kMaxPictureSide || height > kMaxPictureSide || width != std::floor(width) ||
+        height != std::floor(height))
       refuse("a size is WIDTHxHEIGHT in pixels, not '" + text + "'");
     window_.resize({static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)});
     while (const auto event = window_.next(0)) send(*event);
@@ -200,9 +191,9 @@ class Player {
   void write() {
     desk_.settle(kPatience);
     const std::string& word = step_->word;
-    if (word == "save") desk_.save_as(step_->rest);
-    if (word == "screenshot") write_output_file(step_->rest, png_file(window_.frame()));
-    if (word == "picture") desk_.save_picture(step_->rest);
+    if (word == "save") desk_.save_as(step_->arguments[0]);
+    if (word == "screenshot") save_screenshot_2(window_.frame(), step_->arguments[0]);
+    if (word == "picture") desk_.save_picture(step_->arguments[0]);
     if (word == "hash") outputs_.print(result_hashes(desk_.looks().state()));
   }
 
@@ -222,37 +213,14 @@ std::string hash_of(const Write& write) {
 
 }  // namespace
 
-std::vector<ScriptStep> parse_script(std::string_view text, const std::string& name) {
-  std::vector<ScriptStep> steps;
-  std::istringstream stream{std::string(text)};
-  int number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++number;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    ScriptStep step;
-    step.line = number;
-    std::istringstream parts(line);
-    if (!(parts >> step.word) || step.word.starts_with('#')) continue;
-    std::getline(parts >> std::ws, step.rest);
-    std::istringstream rest(step.rest);
-    for (std::string argument; rest >> argument;) step.arguments.push_back(argument);
-    const auto found = words().find(step.word);
-    if (found == words().end()) {
-      std::string known;
-      for (const auto& [word, arguments] : words()) known += (known.empty() ? "" : ", ") + word;
-      throw InputError({name, number}, "a step begins with one of " + known + ", not with '" + step.word + "'");
-    }
-    const auto [least, most] = found->second;
-    if (step.arguments.size() < least || step.arguments.size() > most)
-      throw InputError({name, number}, fmt::format("'{}' takes {} argument{}{}", step.word, least,
-                                                   least == 1 ? "" : "s", most == least ? "" : " or more"));
-    steps.push_back(std::move(step));
-  }
-  return steps;
+void save_screenshot_2(const Raster& frame, const std::filesystem::path& file) {
+  if (picture_format(file.string()) != PictureFormat::kPng)
+    throw UsageError("a screenshot ends in .png, not '" + file.string() + "'");
+  write_output_file(file, png_file(frame));
 }
 
 std::string result_hashes(const LiveState2& state) {
-  if (!state.light) return "factors.csv - radiosity.csv - illumination.npy -";
+  if (!state.light || state.depth != LiveDepth2::kFull) return "factors.csv - radiosity.csv - illumination.npy -";
   SimulationRequest2 request = state.simulation->request();
   request.granularity = Granularity::kFace;
   request.wants_visibility = true;

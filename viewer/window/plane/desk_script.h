@@ -1,27 +1,16 @@
-// Scripts for a window: what a hand would do, a line each.
+// Scripts played on a desk.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "viewer/window/plane/desk.h"
 #include "viewer/window/recording_window.h"
+#include "viewer/window/script.h"
 
 namespace hottel {
-
-// A step of a script: a word, what follows it, and where it stands.
-struct ScriptStep {
-  std::string word;
-  std::vector<std::string> arguments;
-  std::string rest;  // the text after the word, as it stands
-  int line = 0;
-};
-
-// Returns the steps of a script; docs/window.md lists them. Empty lines and those that begin with '#' are none.
-// Throws InputError naming the line for words that are unknown, and for a wrong number of arguments.
-std::vector<ScriptStep> parse_script(std::string_view text, const std::string& name);
 
 // Where the results of a script go.
 struct ScriptOutputs {
@@ -41,8 +30,12 @@ inline constexpr int kFramesPerSecond = 20;
 void play_script_2(const std::vector<ScriptStep>& steps, const std::string& name, Desk2& desk, RecordingWindow& window,
                    const ScriptOutputs& outputs);
 
+// Writes a frame as a PNG file. Throws UsageError unless the file ends in .png, OutputError.
+void save_screenshot_2(const Raster& frame, const std::filesystem::path& file);
+
 // Returns a line with the SHA-256 of each file that a fresh process would write of the scene as it is: factors.csv
-// (`hottel factors`), radiosity.csv and illumination.npy (`hottel solve`); "-" for each where there is no light.
+// (`hottel factors`), radiosity.csv and illumination.npy (`hottel solve`); "-" for each where there is no light, or, as
+// while something is dragged, a coarse one.
 std::string result_hashes(const LiveState2& state);
 
 }  // namespace hottel

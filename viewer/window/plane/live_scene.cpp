@@ -105,12 +105,13 @@ void LiveScene2::make(const Task& task) {
   const bool is_full = coarse.keeps_rows || coarse.grid == simulation->grid();
   const Simulation2 shown = is_full ? *simulation : simulation->with_request(coarse);
   last_ = *simulation;
-  const bool has_light = make_light(shown, is_full ? task.depth : LiveDepth2::kCoarse, state);
-  if (!has_light) state.depth = task.depth;
+  const bool has_light = make_light(shown, until_stopped(), state);
+  state.depth = is_full || !has_light ? task.depth : LiveDepth2::kCoarse;
   const bool is_more_wanted = state.depth != task.depth;
   publish(state, task);
   if (!is_more_wanted) return;
-  make_light(*simulation, LiveDepth2::kFull, state);
+  make_light(*simulation, until_next_version(), state);
+  state.depth = LiveDepth2::kFull;
   publish(std::move(state), task);
 }
 
@@ -130,10 +131,9 @@ std::optional<Simulation2> LiveScene2::simulation_of(const Task& task, LiveState
 }
 
 // Fills the state stage by stage. False, and the problem told, where some stage failed.
-bool LiveScene2::make_light(const Simulation2& simulation, LiveDepth2 depth, LiveState2& state) const {
-  const StageProgress progress = depth == LiveDepth2::kFull ? until_next_version() : until_stopped();
+bool LiveScene2::make_light(const Simulation2& simulation, const StageProgress& progress, LiveState2& state) const {
   state.simulation = simulation;
-  state.depth = depth;
+  state.light = nullptr;
   try {
     state.prepared = simulation.prepared(progress);
     state.factors = simulation.factors(progress);
@@ -144,13 +144,13 @@ bool LiveScene2::make_light(const Simulation2& simulation, LiveDepth2 depth, Liv
     if (dynamic_cast<const Interrupted*>(&error) != nullptr) throw;
     state.problem = error.what();
   }
-  explain(simulation, state);
+  explain(simulation, progress, state);
   return false;
 }
 
-void LiveScene2::explain(const Simulation2& simulation, LiveState2& state) const {
+void LiveScene2::explain(const Simulation2& simulation, const StageProgress& progress, LiveState2& state) const {
   try {
-    const auto check = simulation.check(until_next_version());
+    const auto check = simulation.check(progress);
     for (const Finding2& finding : check->findings)
       if (finding.severity == Severity::kError) state.errors.push_back(finding);
   } catch (const std::exception& error) {

@@ -13,6 +13,7 @@
 
 #include "geometry/plane/check/finding.h"
 #include "geometry/plane/scene/scene.h"
+#include "kernel/support/stage.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plane/simulation/simulation.h"
 
@@ -47,8 +48,7 @@ Grid2 coarse_grid_2(const Grid2& grid, std::uint32_t most);
 // Makes the light of the version that was set last, on a thread of its own.
 //
 //   (1) once is_done(), state() is that of the last version, as far as it was asked for; where that is kFull, its
-//   values
-//       are bit for bit those of a new simulation of the same scene and request
+//       values are bit for bit those of a new simulation of the same scene and request
 //   (2) a version is shown coarse first. One that is set meanwhile does not stop that, so that something new is shown
 //       however fast versions follow; it stops what is done beyond
 //   (3) only the last of the versions that wait is made
@@ -56,7 +56,7 @@ Grid2 coarse_grid_2(const Grid2& grid, std::uint32_t most);
 //   (5) after light is full, what the cells see is kept (SimulationRequest2::keeps_rows): light after an edit of
 //       materials needs no further look. Left out where memory does not suffice
 //   (6) the destructor stops what runs, and waits for that
-// changed: called on that thread after each new state; must be quick, and must not call this. All functions may be
+// changed: called on that thread after each new state; must be quick, and may ask state() alone. All functions may be
 // called by any thread.
 class LiveScene2 {
  public:
@@ -86,8 +86,8 @@ class LiveScene2 {
   void run();
   void make(const Task& task);
   std::optional<Simulation2> simulation_of(const Task& task, LiveState2& state) const;
-  bool make_light(const Simulation2& simulation, LiveDepth2 depth, LiveState2& state) const;
-  void explain(const Simulation2& simulation, LiveState2& state) const;
+  bool make_light(const Simulation2& simulation, const StageProgress& progress, LiveState2& state) const;
+  void explain(const Simulation2& simulation, const StageProgress& progress, LiveState2& state) const;
   void keep_rows();
   void publish(LiveState2 state, const Task& task);
   StageProgress until_stopped() const;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -39,10 +40,27 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+// Columns that were set apart by blanks, as for letters of one width, set apart by tabs. Blanks before the first stay.
+std::string with_tabs(const std::string& line) {
+  std::string text;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const std::size_t end = std::min(line.find_first_not_of(' ', k), line.size());
+    if (end > k + 1 && !text.empty()) {
+      if (end < line.size()) text += '\t';
+      k = end - 1;
+    } else if (end <= k || !text.empty()) {
+      text += line[k];
+    }
+  }
+  return text;
+}
+
 std::string text_of(const Point2& p) { return fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y)); }
 
+// Nothing inside solids and on edges.
 std::string text_of(const PointLight2& light) {
   std::string text;
+  if (std::ranges::any_of(light.mean_irradiance, [](double value) { return std::isnan(value); })) return text;
   for (const double value : light.mean_irradiance) text += (text.empty() ? "" : " ") + shortest(value);
   return text;
 }
@@ -56,8 +74,8 @@ void add_sight(const LiveState2& state, LookResult2& result, const StageProgress
     result.sight = drawing_of(sight.polygon);
     result.lines = {"from " + text_of(eye)};
     if (sight.polygon.area)
-      result.lines.push_back(
-          fmt::format("area {} = {}", decimal_text(*sight.polygon.area), to_string(*sight.polygon.area)));
+      result.lines.push_back("area " + decimal_text(*sight.polygon.area) +
+                             (result.request.wants_closed_form ? " = " + to_string(*sight.polygon.area) : ""));
     for (const SeenFrom2& seen : sight.faces)
       result.lines.push_back(fmt::format("{}  {}", shortest(seen.fraction.value), seen.name));
     for (const SeenFrom2& solid : sight.solids)
@@ -88,7 +106,8 @@ void add_pair(const LiveState2& state, LookResult2& result) {
   const Scene2& scene = state.prepared->scene;
   if (request.face->surface >= scene.surfaces.size()) return;
   if (!request.other || request.other->surface >= scene.surfaces.size()) {
-    result.lines = {"from " + face_name(scene, *request.face)};
+    result.lines = {"from " + face_name(scene, *request.face),
+                    request.look == Look2::kPair ? "click another face" : "the factor to the face under the mouse"};
     return;
   }
   PairSight2 sight{.from = face_name(scene, *request.face),
@@ -103,7 +122,7 @@ void add_pair(const LiveState2& state, LookResult2& result) {
   }
   for (const std::string& line : lines_of(pair_answer(sight).text)) {
     if (request.look != Look2::kPair && line.starts_with("critical")) break;
-    result.lines.push_back(request.wants_closed_form ? line : without_form(line));
+    result.lines.push_back(with_tabs(request.wants_closed_form ? line : without_form(line)));
     if (line.starts_with("  F from") && result.number.empty()) {
       const std::string number = without_form(line);
       result.number = number.substr(number.find_last_of(' ', number.find_last_not_of(' ')) + 1);
@@ -226,7 +245,9 @@ LookResult2 look_at(const LiveState2& state, const LookRequest2& request, const 
         add_check(state, result, progress);
         break;
       case Look2::kPlan:
-        if (state.simulation) result.lines = lines_of(plan_text(*state.simulation->plan(progress)));
+        if (!state.simulation) break;
+        for (const std::string& line : lines_of(plan_text(*state.simulation->plan(progress))))
+          result.lines.push_back(with_tabs(line));
         break;
       case Look2::kSweeps:
         add_sweeps(state, result, progress, tell);

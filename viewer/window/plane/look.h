@@ -46,7 +46,7 @@ struct LookRequest2 {
   std::optional<Face> other = {};        // picked second, or under the mouse
   std::string method = "rays:1000";      // of kErrors
   Solver solver = Solver::kGaussSeidel;  // of kSweeps
-  bool wants_closed_form = false;        // of kFactors and kPair
+  bool wants_closed_form = false;        // of kVisibility, kFactors and kPair
   friend bool operator==(const LookRequest2&, const LookRequest2&) = default;
 };
 

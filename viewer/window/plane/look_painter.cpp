@@ -21,8 +21,8 @@
 namespace hottel {
 namespace {
 
-constexpr double kFooter = 92;
-constexpr std::uint32_t kCoarsePixels = 4;       // of a cell of a coarse grid
+constexpr double kFooter = 118;                 // its content ends above the line at the bottom
+constexpr std::uint32_t kCoarsePixels = 4;      // of a cell of a coarse grid
 constexpr Colour kOutside{0.36, 0.365, 0.385};  // around light
 
 ToneCurve curve_of(const IlluminationGrid2& light, const LightTone2& tone) {
@@ -69,6 +69,11 @@ void draw_light(PictureCanvas& canvas, const Frame2& frame, double unit, const L
     draw_texture(canvas, frame, light.grid.grid, texture_of(light.grid, state.scene.get(), tone, kCoarsePixels), true);
   }
   LitPlan2(*state.prepared, frame, unit).draw(canvas, curve_of(light.grid, tone));
+}
+
+// What was computed of this very state; that of another version fits neither its edges nor its surfaces.
+const LookResult2* result_of(const LookDrawing2& drawing) {
+  return drawing.result && drawing.result->version == drawing.state->version ? drawing.result : nullptr;
 }
 
 double brightest(const RadiositySolution& solution) {
@@ -137,11 +142,12 @@ void draw_plan(PictureCanvas& canvas, const Frame2& frame, double unit, const Li
 void draw_split(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing) {
   draw_light(canvas, frame, unit, drawing, *drawing.state->light);
   const double x = std::clamp(drawing.split, 0.0, 1.0) * frame.width();
-  if (!drawing.result || !drawing.result->plan) return;
+  const LookResult2* result = result_of(drawing);
+  if (!result || !result->plan) return;
   // The errors go onto a raster of their own: the plan clips by itself.
   Raster errors(static_cast<std::uint32_t>(frame.width()), static_cast<std::uint32_t>(frame.height()));
   CairoCanvas beside(errors);
-  draw_plan(beside, frame, unit, *drawing.state, *drawing.result->plan);
+  draw_plan(beside, frame, unit, *drawing.state, *result->plan);
   beside.finish();
   const auto from = static_cast<std::uint32_t>(x);
   if (from >= errors.width) return;
@@ -164,8 +170,9 @@ Colour colour_of(Severity severity) {
 
 void draw_findings(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing) {
   draw_plan(canvas, frame, unit, *drawing.state, {});
-  if (!drawing.result) return;
-  for (const FindingPlace2& finding : drawing.result->findings) {
+  const LookResult2* result = result_of(drawing);
+  if (!result) return;
+  for (const FindingPlace2& finding : result->findings) {
     const Pixel at = frame.at(finding.at);
     canvas.circle(Mark::kCritical, at, 10 * unit, colour_of(finding.severity), 3 * unit);
     canvas.text(Mark::kLabel, {at.x + 14 * unit, at.y - 8 * unit}, std::to_string(finding.number),
@@ -192,7 +199,7 @@ void draw_edges(PictureCanvas& canvas, const Frame2& frame, const Scene2& scene,
 void draw_look(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing) {
   const LiveState2& state = *drawing.state;
   const LookRequest2& request = *drawing.request;
-  const LookResult2* result = drawing.result;
+  const LookResult2* result = result_of(drawing);
   if (!state.prepared) {
     canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame.width(), frame.height()}, palette::kPaper);
     draw_edges(canvas, frame, *state.scene, palette::kInk, 2 * unit);
@@ -212,8 +219,7 @@ void draw_look(PictureCanvas& canvas, const Frame2& frame, double unit, const Lo
   if (request.look == Look2::kFactors && request.face && state.factors &&
       request.face->surface < state.scene->surfaces.size())
     return draw_plan(canvas, frame, unit, state, factors_of(state, *request.face));
-  if (request.look == Look2::kPair && result && result->pair && result->version == state.version)
-    return PairPainter2(*result->pair, sheet()).draw(canvas);
+  if (request.look == Look2::kPair && result && result->pair) return PairPainter2(*result->pair, sheet()).draw(canvas);
   if (request.look == Look2::kCheck) return draw_findings(canvas, frame, unit, drawing);
   draw_plan(canvas, frame, unit, state, {});
 }

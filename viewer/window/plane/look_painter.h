@@ -42,7 +42,8 @@ struct LookDrawing2 {
 //
 //   (1) the marks are those of the pictures of viewer/picture/plane in the same frame
 //   (2) without a prepared scene only its edges are drawn; without light, the plan
-//   (3) kFloor: each cell a rectangle of one colour, floor colour times light, so that the brightest is the floor's own
+//   (3) a result of another version of the scene is not drawn
+//   (4) kFloor: each cell a rectangle of one colour, floor colour times light, so that the brightest is the floor's own
 //       colour at exposure 1
 // REQUIRES a state with a scene; frame and canvas of one size. unit: as SceneSheet2 takes it.
 void draw_look(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing);

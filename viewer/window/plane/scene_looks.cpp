@@ -9,7 +9,7 @@
 namespace hottel {
 
 SceneLooks2::SceneLooks2(SimulationRequest2 request, const std::function<void()>& changed)
-    : live_(std::move(request), changed), looking_(changed), toning_(changed) {}
+    : live_(std::move(request), changed), state_(live_.state()), looking_(changed), toning_(changed) {}
 
 void SceneLooks2::set_scene(std::shared_ptr<const Scene2> scene, LiveDepth2 depth) {
   live_.set(std::move(scene), depth);
@@ -49,6 +49,8 @@ void SceneLooks2::look_again() {
 void SceneLooks2::ask() {
   if (!state_->scene || !needs_work(request_)) {
     looking_.cancel();
+    is_changed_ = is_changed_ || result_;
+    result_.reset();
     return;
   }
   looking_.post([this, state = state_, request = request_](const StageProgress& progress, const auto& tell) {

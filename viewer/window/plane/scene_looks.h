@@ -47,14 +47,14 @@ class SceneLooks2 {
   void ask();
   void ask_for_fine_texture();
 
-  std::shared_ptr<const LiveState2> state_ = std::make_shared<const LiveState2>(), lit_;
+  LiveScene2 live_;
+  std::shared_ptr<const LiveState2> state_, lit_;
   LookRequest2 request_;
   LightTone2 tone_;
   std::uint32_t pixels_per_cell_ = 1, texture_pixels_ = 0;  // wanted, and had
   std::optional<LookResult2> result_;
   std::shared_ptr<const Raster> texture_;
   bool is_changed_ = false;
-  LiveScene2 live_;
   Background looking_, toning_;
 };
 

@@ -133,6 +133,20 @@ TEST(EditHistory2, KeepsFewerLargeScenesButSome) {
   EXPECT_EQ(undo_all(50'000), EditHistory2::kLeastSteps);
 }
 
+TEST(EditHistory2, CountsNoSurfacesOfStepsThatAreForgotten) {
+  Scene2 scene;
+  scene.surfaces.resize(10'000);
+  EditHistory2 history(scene);
+  for (int k = 0; k < 25; ++k) history.set(scene, "step");
+  for (int k = 0; k < 60; ++k) {
+    history.undo();
+    history.set(scene, "step");
+  }
+  std::size_t undone = 0;
+  while (history.undo()) ++undone;
+  EXPECT_EQ(undone, 25u);
+}
+
 TEST(EditHistory2, RefusesDragsThatAreNoneOrTwo) {
   EditHistory2 history(scene_about("0"));
   EXPECT_THROW(history.preview({}), ContractViolation);
@@ -141,7 +155,7 @@ TEST(EditHistory2, RefusesDragsThatAreNoneOrTwo) {
   history.begin("drag");
   EXPECT_THROW(history.begin("drag"), ContractViolation);
   EXPECT_THROW(history.set({}, "step"), ContractViolation);
-  EXPECT_THROW(EditHistory2(EditHistory2::ScenePointer()), ContractViolation);
+  EXPECT_THROW(EditHistory2{EditHistory2::ScenePointer()}, ContractViolation);
 }
 
 }  // namespace

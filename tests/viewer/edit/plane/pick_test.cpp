@@ -108,6 +108,16 @@ TEST(ScenePick2, PrefersTheFrontOfAThinWallListedTwice) {
   EXPECT_EQ(picks.at({0.0, 1.5}, 1).face, (Face{1, false}));
 }
 
+TEST(ScenePick2, PrefersTheFrontWithinAMillionthOfTheReachOnly) {
+  for (const auto& [apart, picked] : {std::pair<const char*, std::uint32_t>{"1e-9", 1}, {"1e-3", 0}}) {
+    SceneBuilder2 builder;
+    builder.add_material("white");
+    builder.add_edge("looks right", {0, 0}, {0, 3}, "white").add_edge("looks left", {apart, 3}, {apart, 0}, "white");
+    const Scene2 scene = builder.build();
+    EXPECT_EQ(ScenePick2(scene).at({-0.1, 1.5}, 1).surface, picked) << apart;
+  }
+}
+
 TEST(ScenePick2, PrefersTheWallThatIsSeenBeyondACorner) {
   const Scene2 scene = small_room();
   // Beyond the corner (3, 1) of the table both its sides are as near; the place is before table[0] or table[1].

@@ -266,6 +266,23 @@ TEST(CopyMaterial2, IsForTheGroupAndTheSideAlone) {
   EXPECT_FALSE(copy_material(scene, {kRoom, true}));
 }
 
+TEST(CopyMaterial2, LeavesOtherMaterialsOfTheGroup) {
+  Scene2 scene = small_room();
+  scene.surfaces[kTable].back = 1;
+  scene.surfaces[kTable + 1].back = 0;
+  scene.surfaces[kTable + 2].back = 0;
+  scene.surfaces[kTable + 2].material = 1;
+  const auto back = copy_material(scene, {kTable + 2, true});
+  ASSERT_TRUE(back);  // its group is four edges now, after the one that was there
+  EXPECT_EQ(back->scene.surfaces[1].back, 1u);
+  EXPECT_EQ(back->scene.surfaces[2].back, 2u);
+  EXPECT_EQ(back->scene.surfaces[3].back, 2u);
+  const auto front = copy_material(scene, {kTable, false});
+  ASSERT_TRUE(front);
+  EXPECT_EQ(front->scene.surfaces[1].material, 2u);
+  EXPECT_EQ(front->scene.surfaces[3].material, 1u);
+}
+
 TEST(MaterialOfAFace2, IsNothingForABlackBack) {
   const Scene2 scene = small_room();
   EXPECT_EQ(material_of(scene, {kStep, false}), 1u);

@@ -1,0 +1,44 @@
+#include "geometry/space/scene/scene.h"
+
+#include "geometry/name.h"
+#include "geometry/space/scene/coplanar_overlap.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+
+std::string camera_problem(const Camera3& camera) {
+  const Vector3 view = camera.target - camera.eye;
+  if (view.is_zero()) return "eye and target are one point";
+  if (cross(view, camera.up).is_zero()) return "up is zero or parallel to the direction of view";
+  if (camera.field_of_view <= 0 || camera.field_of_view >= 180)
+    return "field_of_view must be greater than 0 and less than 180 degrees";
+  const auto is_count = [](std::uint32_t pixels) { return pixels >= 1 && pixels <= kMaxPixels; };
+  if (!is_count(camera.width) || !is_count(camera.height))
+    return "pixels must be integers from 1 to " + std::to_string(kMaxPixels);
+  return "";
+}
+
+void validate(const Scene3& scene) {
+  HOTTEL_REQUIRE(scene.polygons.size() == scene.surfaces.size());
+  validate_table(scene);
+  for (std::size_t s = 0; s < scene.polygons.size(); ++s) {
+    const auto& [problem, hint] = polygon_problem(scene.polygons[s]);
+    if (!problem.empty())
+      throw InputError({scene.file, scene.surfaces[s].line},
+                       "polygon " + quoted_name(scene.surfaces[s].name) + " " + problem,
+                       hint.empty() ? std::vector<std::string>() : std::vector{hint});
+  }
+  if (const auto overlap = first_overlap(scene.polygons)) {
+    const Surface &first = scene.surfaces[overlap->first], &second = scene.surfaces[overlap->second];
+    throw InputError({scene.file, second.line},
+                     "polygons " + quoted_name(first.name) + " and " + quoted_name(second.name) +
+                         " overlap: they share an area of one plane" +
+                         (first.line > 0 ? "; the first is in line " + std::to_string(first.line) : ""),
+                     {"in this version no two polygons may; a wall seen from both sides is one with a \"back\""});
+  }
+  if (!scene.camera) return;
+  if (const std::string problem = camera_problem(*scene.camera); !problem.empty())
+    throw InputError({scene.file, 0}, "camera: " + problem);
+}
+
+}  // namespace hottel

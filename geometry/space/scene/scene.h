@@ -1,0 +1,52 @@
+// A scene in space, exactly as it was typed.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/scene_table.h"
+#include "geometry/space/scene/polygon.h"
+
+namespace hottel {
+
+// The most pixels of a picture along one side.
+inline constexpr std::uint32_t kMaxPixels = 16384;
+
+// Where a picture of the scene is taken from: the eye looks at the target, and `up` points to the upper border. What
+// is seen from the lower to the upper border is an angle of field_of_view degrees.
+struct Camera3 {
+  Point3 eye, target;
+  Vector3 up{0, 0, 1};
+  Rational field_of_view = 40;
+  std::uint32_t width = 800, height = 600;
+  friend bool operator==(const Camera3&, const Camera3&) = default;
+};
+
+// Returns what is wrong with a camera, as the end of a sentence ("eye and target are one point"); empty when nothing
+// is: `up` is not parallel to the direction of view, 0 < field_of_view < 180, and pixels from 1 to kMaxPixels.
+std::string camera_problem(const Camera3& camera);
+
+// The scene, in the order of the file: polygons, then the faces of meshes.
+//
+//   (1) polygons[s] is where surfaces[s] of the table lies: as many of one as of the other
+//   (2) every polygon is one (polygon_problem): exactly plane, convex, of positive area
+//   (3) no two polygons of one plane share an area; they may touch, and those of different planes may meet anyhow
+//   (4) the table is valid (SceneTable), and the camera has no problem
+struct Scene3 : SceneTable {
+  std::vector<Polygon3> polygons;
+  std::optional<Camera3> camera;
+
+  // Puts a surface after all others.
+  void add(Surface surface, Polygon3 polygon) {
+    surfaces.push_back(std::move(surface));
+    polygons.push_back(std::move(polygon));
+  }
+};
+
+// Throws InputError naming file, line and surface unless (2) to (4) hold, both surfaces where (3) does not;
+// ContractViolation unless (1) does. COST: 10^4 polygons take about 0.3 s, see first_overlap.
+void validate(const Scene3& scene);
+
+}  // namespace hottel

@@ -1,0 +1,30 @@
+// Directions in doubles, and what a cone of them measures.
+#pragma once
+
+#include <span>
+
+namespace hottel {
+
+// A direction: a unit vector, up to rounding.
+struct Direction3 {
+  double x = 0, y = 0, z = 0;
+  friend bool operator==(const Direction3&, const Direction3&) = default;
+};
+
+// Returns the solid angle of a convex cone less than a half space, as a fraction of the full sphere. Its corners are in
+// order, as the determinant of any three of them is not negative.
+//
+//   (1) off by some 1e-16 a corner, whatever the cone is like, when the corners are right to the last digit
+//
+// SEE: Van Oosterom, Strackee, The solid angle of a plane triangle, 1983.
+double solid_angle_fraction_3(std::span<const Direction3> corners);
+
+// Returns the view factor of such a cone from a point with a unit normal: the integral of the cosine over it, over pi.
+//
+//   (1) off by some 1e-16 a corner
+//   (2) negative where directions are below the horizon
+//
+// SEE: Lambert, Photometria, 1760.
+double view_factor_3(std::span<const Direction3> corners, const Direction3& normal);
+
+}  // namespace hottel

@@ -1,0 +1,83 @@
+#include "io/results/space/map_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "geometry/scene_names.h"
+#include "geometry/space/scene/scene.h"
+
+namespace hottel {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Point3& p) {
+  return {{"x", to_double(p.x)},
+          {"y", to_double(p.y)},
+          {"z", to_double(p.z)},
+          {"exact", {to_string(p.x), to_string(p.y), to_string(p.z)}}};
+}
+
+double solid_angle(double fraction) { return 4 * std::numbers::pi * fraction; }
+
+Json json_of(const PointMap3& map, const PointMap3::Fragment& fragment) {
+  Json directions = Json::array(), points = Json::array();
+  for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) {
+    const PointMap3::Corner& corner = map.corners[c];
+    directions.push_back({corner.direction.x, corner.direction.y, corner.direction.z});
+    points.push_back({corner.x, corner.y, corner.z});
+  }
+  return {{"directions", directions}, {"points", points}};
+}
+
+// The shares, fragment by fragment of each: both lists are by face.
+Json faces_of(const Scene3& scene, const PointMap3& map, bool has_factors) {
+  Json faces = Json::array();
+  auto fragment = map.fragments.begin();
+  for (const PointMap3::Share& share : map.shares) {
+    Json face{{"name", face_name(scene, share.face)},
+              {"fraction", share.fraction},
+              {"solid_angle", solid_angle(share.fraction)}};
+    if (has_factors) face["factor"] = share.factor;
+    Json pieces = Json::array();
+    while (fragment != map.fragments.end() && fragment->face < share.face) ++fragment;
+    for (; fragment != map.fragments.end() && fragment->face == share.face; ++fragment)
+      pieces.push_back(json_of(map, *fragment));
+    face["pieces"] = std::move(pieces);
+    faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
+std::string text_of(const Scene3& scene, const PointMap3& map, const std::string& what, bool has_factors) {
+  std::string text = "from " + what + "\n\n";
+  text += has_factors ? "  view factor              fraction of the sphere   solid angle [sr]\n"
+                      : "  fraction of the sphere   solid angle [sr]\n";
+  const auto line = [&](double factor, double fraction, const std::string& name) {
+    text += "  ";
+    if (has_factors) text += fmt::format("{:<24} ", shortest(factor));
+    text += fmt::format("{:<24} {:<24} {}\n", shortest(fraction), shortest(solid_angle(fraction)), name);
+  };
+  for (const PointMap3::Share& share : map.shares) line(share.factor, share.fraction, face_name(scene, share.face));
+  line(map.sky_factor, map.sky_fraction, "sky");
+  return text + fmt::format("\n{} pieces of {} faces\n", map.fragments.size(), map.shares.size());
+}
+
+}  // namespace
+
+VisibilityAnswer map_answer(const Scene3& scene, const Look3& look, const PointMap3& map, const std::string& what) {
+  const bool has_factors = look.normal.has_value();
+  Json json{{"at", json_of(look.eye)}};
+  if (has_factors) json["normal"] = json_of(*look.normal);
+  json["faces"] = faces_of(scene, map, has_factors);
+  json["sky"] = {{"fraction", map.sky_fraction}, {"solid_angle", solid_angle(map.sky_fraction)}};
+  if (has_factors) json["sky"]["factor"] = map.sky_factor;
+  json["tiers"] = {
+      {"filter", map.signs.by_tier[0]}, {"combinatorial", map.signs.by_tier[1]}, {"exact", map.signs.by_tier[2]}};
+  return {json.dump(2) + "\n", text_of(scene, map, what, has_factors)};
+}
+
+}  // namespace hottel

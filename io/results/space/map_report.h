@@ -1,0 +1,21 @@
+// What a point in space sees, as JSON and as text for people.
+#pragma once
+
+#include <string>
+
+#include "geometry/space/visibility/point_map.h"
+#include "io/results/visibility_answer.h"
+
+namespace hottel {
+
+struct Scene3;
+
+// The map of a point: of each face that is seen its solid angle and its pieces, as unit vectors and as points on the
+// face; of the sky its solid angle. From a point of a face, where look has a normal, also the view factors. The text
+// has no pieces. what: how the point was called, for the text: "(1, 2, 3)", "'floor' at (1, 2, 3)".
+//
+//   (1) fractions are of the full sphere; solid angles [sr] are 4 pi times that
+//   (2) faces are in the order of the scene
+VisibilityAnswer map_answer(const Scene3& scene, const Look3& look, const PointMap3& map, const std::string& what);
+
+}  // namespace hottel

@@ -1,0 +1,191 @@
+#include "io/scene/space/scene_reader.h"
+
+#include <filesystem>
+#include <unordered_map>
+
+#include "geometry/name.h"
+#include "io/scene/json_fields.h"
+#include "io/scene/space/obj_reader.h"
+#include "io/scene/table_reader.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+class SpaceReader3 {
+ public:
+  SpaceReader3(const std::string& name, const TextSource& files) : table_(scene_), files_(files) { scene_.file = name; }
+
+  Scene3 read(const JsonValue& root) {
+    const auto [hottel, dimension, about, materials, edges, polylines, polygons, mesh, sky, closed, grid, camera,
+                lights, expect] = read_members(root, {"the scene"}, kSceneKeys);
+    if (about) scene_.about = read_string(about, {"about"});
+    if (materials) table_.read_materials(materials);
+    refuse_plane_only(edges, "edges");
+    refuse_plane_only(polylines, "polylines");
+    if (grid) refuse(grid, "grid: light on a grid is computed in the plane only; this scene has dimension 3");
+    if (lights) TableReader::refuse_lights(lights);
+    if (polygons) read_polygons(polygons);
+    if (mesh) read_meshes(mesh);
+    if (sky) table_.read_sky(sky);
+    if (closed) scene_.closed = read_boolean(closed, {"closed"});
+    if (camera) read_camera(camera);
+    if (expect) table_.read_expectations(expect);
+    validate(scene_);
+    refuse_groups_of_one_name();
+    return std::move(scene_);
+  }
+
+ private:
+  static void refuse_plane_only(const JsonValue& list, const std::string& key) {
+    if (!list) return;
+    require_kind(list, JsonKind::kArray, {key});
+    if (list.size() > 0)
+      refuse(list, key + " belong to dimension 2; this scene has dimension 3",
+             {"surfaces in space are \"polygons\" and the faces of a \"mesh\""});
+  }
+
+  [[noreturn]] static void refuse_behind(const JsonValue& behind, const std::string& owner) {
+    refuse(behind, owner + ": behind is not supported in dimension 3 by this version",
+           {"give the backs a material (\"back\"), or leave them opaque and black"});
+  }
+
+  void read_polygons(const JsonValue& list) {
+    require_kind(list, JsonKind::kArray, {"polygons"});
+    scene_.surfaces.reserve(list.size());
+    scene_.polygons.reserve(list.size());
+    table_.read_list(list, "polygons", "polygon",
+                     [&](const JsonValue& value, const std::string& name) { read_polygon(value, name); });
+  }
+
+  void read_polygon(const JsonValue& value, const std::string& default_name) {
+    constexpr std::array<std::string_view, 2> kMore{"holes", "group"};
+    SceneEntry entry = table_.read_entry(value, default_name, "polygon", kMore);
+    if (entry.behind) refuse_behind(entry.behind, entry.owner);
+    if (const JsonValue holes = entry.more[0]) refuse_holes(holes, entry.owner);
+    if (entry.more[1]) entry.surface.group = group_of(entry.more[1], entry.owner);
+    Polygon3 polygon;
+    polygon.points.reserve(entry.points.size());
+    for (const JsonValue item : entry.points.items())
+      polygon.points.push_back(read_point(item, {entry.owner, "point"}));
+    entry.surface.name = std::move(entry.name);
+    entry.surface.line = value.line();
+    scene_.add(std::move(entry.surface), std::move(polygon));
+  }
+
+  static void refuse_holes(const JsonValue& holes, const std::string& owner) {
+    require_kind(holes, JsonKind::kArray, {owner, "holes"});
+    if (holes.size() > 0)
+      refuse(holes, owner + ": holes are not in this version",
+             {"divide the polygon into convex ones around its holes"});
+  }
+
+  // The group of that name, which takes the place of the polygon's own, the last one.
+  std::uint32_t group_of(const JsonValue& value, const std::string& owner) {
+    std::string name = read_string(value, {owner, "group"});
+    if (const auto problem = name_problem(name); !problem.empty())
+      refuse(value, owner + ": the group " + quoted_name(name) + " " + std::string(problem));
+    scene_.groups.pop_back();
+    const auto [entry, is_new] = shared_groups_.emplace(name, static_cast<std::uint32_t>(scene_.groups.size()));
+    if (is_new) scene_.groups.emplace_back(std::move(name));
+    return entry->second;
+  }
+
+  void read_meshes(const JsonValue& meshes) {
+    MeshAdder3 adder(scene_);
+    if (meshes.kind() != JsonKind::kArray) return read_mesh(meshes, "mesh[0]", adder);
+    table_.read_list(meshes, "mesh", "mesh",
+                     [&](const JsonValue& value, const std::string& name) { read_mesh(value, name, adder); });
+  }
+
+  void read_mesh(const JsonValue& value, const std::string& default_name, MeshAdder3& adder) {
+    const auto [file, name, material, scale, back, elements, about, behind] = read_members(
+        value, {default_name},
+        std::array<std::string_view, 8>{"file", "name", "material", "scale", "back", "elements", "about", "behind"});
+    require_member(file, "file", value, {default_name});
+    MeshEntry3 entry;
+    entry.name = name ? read_string(name, {default_name, "name"}) : default_name;
+    if (const auto problem = name_problem(entry.name); !problem.empty())
+      refuse(name, default_name + ": the name " + quoted_name(entry.name) + " " + std::string(problem));
+    const std::string owner = "mesh " + quoted_name(entry.name);
+    if (material) entry.material = table_.material_of(material, {owner, "material"});
+    if (back) entry.back = table_.material_of(back, {owner, "back"});
+    if (scale) entry.scale = read_number(scale, {owner, "scale"});
+    if (entry.scale <= 0) refuse(scale, owner + ": scale must be greater than 0");
+    if (elements) entry.elements = read_count(elements, kMaxElements, {owner, "elements"});
+    if (about) read_string(about, {owner, "about"});
+    if (behind) refuse_behind(behind, owner);
+    entry.line = value.line();
+    adder.add(read_mesh_file(file, owner), entry);
+  }
+
+  ObjMesh3 read_mesh_file(const JsonValue& file, const std::string& owner) const {
+    const std::string name = read_string(file, {owner, "file"});
+    const std::filesystem::path path = std::filesystem::path(scene_.file).parent_path() / name;
+    const std::string ending = path.extension().string();
+    if (ending != ".obj" && ending != ".OBJ")
+      refuse(file, owner + ": the file " + quoted_name(name) + " is not read by this version: it does not end in .obj");
+    return parse_obj_3(files_(path), path.string(), files_);
+  }
+
+  Point3 read_point(const JsonValue& value, const Subject& subject) const {
+    require_kind(value, JsonKind::kArray, subject);
+    if (value.size() != 3)
+      refuse(value,
+             subject.text() + " has " + std::to_string(value.size()) + " coordinates; in dimension 3 it has three");
+    Point3 point;
+    Rational* const coordinates[] = {&point.x, &point.y, &point.z};
+    std::size_t k = 0;
+    for (const JsonValue item : value.items()) *coordinates[k++] = read_number(item, {subject.owner, "coordinate"});
+    return point;
+  }
+
+  void read_camera(const JsonValue& value) {
+    const auto [eye, target, up, field_of_view, pixels] = read_members(
+        value, {"camera"}, std::array<std::string_view, 5>{"eye", "target", "up", "field_of_view", "pixels"});
+    require_member(eye, "eye", value, {"camera"});
+    require_member(target, "target", value, {"camera"});
+    Camera3 camera;
+    camera.eye = read_point(eye, {"camera", "eye"});
+    camera.target = read_point(target, {"camera", "target"});
+    if (up) camera.up = read_point(up, {"camera", "up"}) - Point3{};
+    if (field_of_view) camera.field_of_view = read_number(field_of_view, {"camera", "field_of_view"});
+    if (pixels) {
+      require_kind(pixels, JsonKind::kArray, {"camera", "pixels"});
+      if (pixels.size() != 2) refuse(pixels, "camera: pixels must be two numbers, width and height");
+      std::uint32_t* count = &camera.width;
+      for (const JsonValue item : pixels.items()) {
+        *count = read_count(item, kMaxPixels, {"camera", "pixels"});
+        count = &camera.height;
+      }
+    }
+    if (const std::string problem = camera_problem(camera); !problem.empty()) refuse(value, "camera: " + problem);
+    scene_.camera = std::move(camera);
+  }
+
+  // Polygons and faces differ in name in a valid scene; groups have names of their own.
+  void refuse_groups_of_one_name() const {
+    std::vector<int> line(scene_.groups.size());
+    for (std::size_t s = scene_.surfaces.size(); s-- > 0;) line[scene_.surfaces[s].group] = scene_.surfaces[s].line;
+    std::unordered_map<std::string_view, std::size_t> first;
+    for (std::size_t g = 0; g < scene_.groups.size(); ++g)
+      if (const auto [other, is_new] = first.emplace(scene_.groups[g].name, g); !is_new)
+        throw InputError({scene_.file, line[g]},
+                         "two groups have the name " + quoted_name(scene_.groups[g].name) + ", the other one in line " +
+                             std::to_string(line[other->second]),
+                         {"a polygon alone, the polygons of one \"group\" and a group of a mesh are groups"});
+  }
+
+  Scene3 scene_;
+  TableReader table_;
+  const TextSource& files_;
+  std::unordered_map<std::string, std::uint32_t> shared_groups_;  // of "group"
+};
+
+}  // namespace
+
+Scene3 read_document_3(const JsonValue& root, const std::string& name_for_messages, const TextSource& files) {
+  return SpaceReader3(name_for_messages, files).read(root);
+}
+
+}  // namespace hottel

@@ -1,0 +1,16 @@
+// The part of the scene reader that knows space: polygons, meshes, cameras.
+#pragma once
+
+#include <string>
+
+#include "geometry/space/scene/scene.h"
+#include "io/files/text_file.h"
+#include "io/scene/exact_json.h"
+
+namespace hottel {
+
+// Returns the scene of a document of dimension 3, as read_scene says. Files of meshes are found relative to the folder
+// of the document. Throws InputError.
+Scene3 read_document_3(const JsonValue& root, const std::string& name_for_messages, const TextSource& files);
+
+}  // namespace hottel

@@ -1,0 +1,162 @@
+#include "io/scene/table_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <unordered_set>
+
+#include "kernel/decimal.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+// A number with more characters than this is written as a string.
+constexpr std::size_t kMaxBareNumber = 24;
+
+// value = digits * 10^exponent with digits not divisible by 10, where there is such a form.
+struct Decimal {
+  Integer digits;
+  long exponent = 0;
+};
+
+std::optional<Decimal> decimal(const Rational& value) {
+  if (value == 0) return Decimal{0, 0};
+  const Integer two = 2, five = 5, ten = 10;
+  Integer rest;
+  const auto twos = mpz_remove(rest.get_mpz_t(), value.get_den_mpz_t(), two.get_mpz_t());
+  const auto fives = mpz_remove(rest.get_mpz_t(), rest.get_mpz_t(), five.get_mpz_t());
+  if (rest != 1) return std::nullopt;
+  Decimal result{value.get_num(), -static_cast<long>(std::max(twos, fives))};
+  if (twos != fives) {
+    mpz_pow_ui(rest.get_mpz_t(), (twos < fives ? two : five).get_mpz_t(),
+               std::max(twos, fives) - std::min(twos, fives));
+    result.digits *= rest;
+  }
+  if (result.exponent == 0)
+    result.exponent =
+        static_cast<long>(mpz_remove(result.digits.get_mpz_t(), result.digits.get_mpz_t(), ten.get_mpz_t()));
+  return result;
+}
+
+// The decimal without an exponent, or nothing when it is longer than kMaxBareNumber.
+std::optional<std::string> bare_number(const Decimal& d) {
+  const std::size_t places = static_cast<std::size_t>(std::labs(d.exponent));
+  if (places > kMaxBareNumber || mpz_sizeinbase(d.digits.get_mpz_t(), 10) > kMaxBareNumber + 1) return std::nullopt;
+  std::string text = Integer(abs(d.digits)).get_str();
+  if (d.exponent >= 0) {
+    text.append(places, '0');
+  } else {
+    if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
+    text.insert(text.size() - places, 1, '.');
+  }
+  if (sgn(d.digits) < 0) text.insert(0, 1, '-');
+  if (text.size() > kMaxBareNumber) return std::nullopt;
+  return text;
+}
+
+std::string spectrum(const Spectrum& s) {
+  if (s.is_scalar) return json_number(s.value[0]);
+  return fmt::format("[{}, {}, {}]", json_number(s.value[0]), json_number(s.value[1]), json_number(s.value[2]));
+}
+
+void write_materials(const SceneTable& table, std::string& out) {
+  if (table.materials.empty()) return;
+  std::unordered_set<std::string> names;
+  JsonBlock block(out, "materials", '{', '}');
+  for (const Material& m : table.materials) {
+    HOTTEL_REQUIRE(!m.name.empty() && names.insert(m.name).second);
+    std::string members;
+    const auto add = [&](const char* key, const Spectrum& value) {
+      if (value.is_zero() && value.is_scalar) return;
+      members += fmt::format("{}\"{}\": {}", members.empty() ? "" : ", ", key, spectrum(value));
+    };
+    add("reflectivity", m.reflectivity);
+    add("emission", m.emission);
+    block.add(fmt::format("{}: {{{}}}", json_string(m.name), members));
+  }
+  block.end();
+}
+
+}  // namespace
+
+std::string json_string(const std::string& text) {
+  const bool is_plain =
+      std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; });
+  return is_plain ? fmt::format("\"{}\"", text) : nlohmann::json(text).dump();
+}
+
+std::string json_number(const Rational& value) {
+  if (value.get_den() == 1 && value.get_num().fits_slong_p()) return std::to_string(value.get_num().get_si());
+  std::string text = "";
+  if (const auto d = decimal(value)) {
+    if (auto bare = bare_number(*d)) return *std::move(bare);
+    if (std::labs(d->exponent) <= kMaxNumberExponent) text = fmt::format("{}e{}", d->digits.get_str(), d->exponent);
+  }
+  const std::string fraction = to_string(value);
+  if (text.empty() || text.size() > fraction.size()) text = fraction;
+  if (text.size() > kMaxNumberLength)
+    throw RequestError(
+        fmt::format("a number of {} characters, about {}, does not fit into a scene file: at most {} are allowed",
+                    text.size(), decimal_text(value), kMaxNumberLength));
+  return fmt::format("\"{}\"", text);
+}
+
+JsonBlock::JsonBlock(std::string& out, const std::string& key, char open, char close) : out_(out), close_(close) {
+  out_ += fmt::format(",\n  \"{}\": {}", key, open);
+}
+
+void JsonBlock::add(const std::string& entry) {
+  out_ += is_empty_ ? "\n    " : ",\n    ";
+  out_ += entry;
+  is_empty_ = false;
+}
+
+void JsonBlock::end() {
+  if (!is_empty_) out_ += "\n  ";
+  out_ += close_;
+}
+
+void write_head(const SceneTable& table, int dimension, std::string& out) {
+  out += fmt::format("{{\n  \"hottel\": 1,\n  \"dimension\": {}", dimension);
+  if (!table.about.empty()) out += fmt::format(",\n  \"about\": {}", json_string(table.about));
+  write_materials(table, out);
+}
+
+void write_sky(const SceneTable& table, std::string& out) {
+  if (!table.sky_emission.is_zero() || !table.sky_emission.is_scalar)
+    out += fmt::format(",\n  \"sky\": {{\"emission\": {}}}", spectrum(table.sky_emission));
+  if (table.closed) out += ",\n  \"closed\": true";
+}
+
+void write_expectations(const SceneTable& table, std::string& out) {
+  if (table.expect.empty()) return;
+  JsonBlock block(out, "expect", '[', ']');
+  for (const Expectation& e : table.expect) {
+    std::string text = "{";
+    if (!e.name.empty()) text += fmt::format("\"name\": {}, ", json_string(e.name));
+    text += fmt::format("\"kind\": {}, \"quantity\": {}", json_string(e.kind), json_string(e.quantity));
+    for (std::size_t k = 0; k < e.of.size(); ++k)
+      text += fmt::format("{}{}", k == 0 ? ", \"of\": [" : ", ", json_string(e.of[k]));
+    if (!e.of.empty()) text += "]";
+    if (!e.at.empty()) text += fmt::format(", \"at\": {}", json_string(e.at));
+    text += fmt::format(", \"value\": {}", json_string(e.value));
+    if (!e.form.empty()) text += fmt::format(", \"form\": {}", json_string(e.form));
+    if (!e.derivation.empty()) text += fmt::format(", \"derivation\": {}", json_string(e.derivation));
+    block.add(text + "}");
+  }
+  block.end();
+}
+
+std::string surface_members(const SceneTable& table, const Surface& surface) {
+  std::string text = fmt::format("\"material\": {}", json_string(table.materials[surface.material].name));
+  if (surface.back) text += fmt::format(", \"back\": {}", json_string(table.materials[*surface.back].name));
+  if (const Behind behind = table.groups[surface.group].behind; behind != Behind::kByOutline)
+    text += behind == Behind::kSolid ? ", \"behind\": \"solid\"" : ", \"behind\": \"open\"";
+  if (surface.elements != 1) text += fmt::format(", \"elements\": {}", surface.elements);
+  return text;
+}
+
+}  // namespace hottel

@@ -1,0 +1,98 @@
+#include "geometry/space/scene/scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+// Two walls of one material, each a group.
+Scene3 two_walls() {
+  Scene3 scene;
+  scene.file = "two.json";
+  scene.materials.push_back({"white", Spectrum::scalar(Rational(1) / 2), {}});
+  const auto add = [&](const std::string& name, const Polygon3& polygon) {
+    Surface surface;
+    surface.name = name;
+    surface.group = static_cast<std::uint32_t>(scene.groups.size());
+    surface.line = 10 + static_cast<int>(surface.group);
+    scene.groups.push_back(name);
+    scene.add(surface, polygon);
+  };
+  add("floor", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
+  add("wall", {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
+  return scene;
+}
+
+std::string refusal(const std::function<void(Scene3&)>& change) {
+  Scene3 scene = two_walls();
+  change(scene);
+  try {
+    validate(scene);
+  } catch (const InputError& error) {
+    EXPECT_LE(error.hints().size(), 3u);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Scene3, OfProperPolygonsIsValid) {
+  EXPECT_EQ(refusal([](Scene3&) {}), "");
+}
+
+TEST(Scene3, HasAPolygonForEverySurface) {
+  Scene3 scene = two_walls();
+  scene.polygons.pop_back();
+  EXPECT_THROW(validate(scene), ContractViolation);
+}
+
+TEST(Scene3, HasNoPolygonWithAProblem) {
+  EXPECT_EQ(refusal([](Scene3& s) { s.polygons[1].points.pop_back(); }), "");
+  EXPECT_EQ(refusal([](Scene3& s) { s.polygons[1].points.resize(2); }),
+            "two.json:11: polygon 'wall' has fewer than three points");
+  EXPECT_THAT(refusal([](Scene3& s) { s.polygons[0].points[2].z = Rational(1) / 4; }),
+              StartsWith("two.json:10: polygon 'floor' is not plane: points lie 0.2"));
+}
+
+TEST(Scene3, HasNoTwoPolygonsThatShareAnArea) {
+  EXPECT_EQ(
+      refusal([](Scene3& s) {
+        s.polygons[1] = {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}};
+      }),
+      "two.json:11: polygons 'floor' and 'wall' overlap: they share an area of one plane; the first is in line 10");
+  EXPECT_EQ(refusal([](Scene3& s) { s.polygons[1] = {{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}}; }), "");
+  // Polygons of different planes may go through each other.
+  EXPECT_EQ(refusal([](Scene3& s) { s.polygons[1] = {{{0, 0, -1}, {1, 0, -1}, {0, 1, 1}}}; }), "");
+}
+
+TEST(Scene3, HasAValidTable) {
+  EXPECT_EQ(refusal([](Scene3& s) { s.surfaces[1].name = "floor"; }),
+            "two.json:11: two surfaces have the name 'floor', the other one in line 10");
+  EXPECT_THAT(refusal([](Scene3& s) { s.surfaces[1].material = 1; }), HasSubstr("a material that is not defined"));
+  EXPECT_THAT(refusal([](Scene3& s) { s.surfaces[1].elements = 0; }), HasSubstr("has 0 elements"));
+  EXPECT_THAT(refusal([](Scene3& s) { s.materials[0].reflectivity = Spectrum::scalar(2); }),
+              HasSubstr("must be from 0 to 1"));
+}
+
+TEST(Scene3, HasACameraThatSeesSomething) {
+  const auto with = [](const Camera3& camera) { return refusal([&](Scene3& s) { s.camera = camera; }); };
+  EXPECT_EQ(with({{0, 0, 0}, {1, 0, 0}}), "");
+  EXPECT_EQ(with({{1, 0, 0}, {1, 0, 0}}), "two.json: camera: eye and target are one point");
+  EXPECT_THAT(with({{0, 0, 0}, {0, 0, -5}}), HasSubstr("up is zero or parallel"));
+  EXPECT_THAT(with({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}), HasSubstr("up is zero or parallel"));
+  EXPECT_THAT(with({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 180}), HasSubstr("field_of_view"));
+  EXPECT_THAT(with({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 0}), HasSubstr("field_of_view"));
+  EXPECT_THAT(with({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 40, 0, 5}), HasSubstr("from 1 to 16384"));
+  EXPECT_THAT(with({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 40, 5, 16385}), HasSubstr("from 1 to 16384"));
+}
+
+}  // namespace
+}  // namespace hottel

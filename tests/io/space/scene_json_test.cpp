@@ -1,0 +1,362 @@
+// Scenes in space: what is read from JSON, what is refused, and that what is written reads back to the same scene.
+#include "io/scene/scene_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <random>
+#include <string>
+
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+using Files = std::map<std::string, std::string>;
+
+Scene3 parse(const std::string& text, const Files& files = {}) {
+  return parse_scene_3(text, "in/scene.json", [&](const std::filesystem::path& path) {
+    const auto found = files.find(path.string());
+    if (found == files.end()) throw InputError({path.string(), 0}, "is not there");
+    return found->second;
+  });
+}
+
+std::string refusal(const std::string& text, const Files& files = {}) {
+  try {
+    parse(text, files);
+  } catch (const InputError& error) {
+    EXPECT_LE(error.hints().size(), 3u);
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    return error.what();
+  }
+  return "";
+}
+
+// A scene with these further members, which begin in line 3.
+std::string scene_with(const std::string& members) {
+  return "{ \"hottel\": 1, \"dimension\": 3,\n  \"materials\": {\"m\": {}, \"n\": {\"reflectivity\": 0.5}},\n  " +
+         members + "}\n";
+}
+// A scene with these polygons, from line 4 on.
+std::string with_polygons(const std::string& polygons) { return scene_with("\"polygons\": [\n" + polygons + "]"); }
+std::string with_camera(const std::string& members) { return scene_with("\"camera\": {" + members + "}"); }
+std::string with_mesh(const std::string& members) {
+  return scene_with("\"mesh\": {\"file\": \"a.obj\"" + members + "}");
+}
+
+constexpr const char* kTriangle = "\"points\": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]";
+
+const Files kFiles{{"in/a.obj", "v 0 0 0\nv 1 0 0\nv 0.5 2 0\nv 0 0 3\nf 1 2 3\ng box\nusemtl n\nf 1 2 4\nf 2 3 4\n"},
+                   {"in/meshes/b.obj", "mtllib b.mtl\nv 9 0 0\nv 9 1 0\nv 9 0 1\nusemtl x\nf 1 2 3\n"},
+                   {"in/meshes/b.mtl", "newmtl x\nKd 0.25\n"},
+                   {"in/meshes/c.obj", "mtllib c.mtl\nv 8 0 0\nv 8 1 0\nv 8 0 1\nusemtl x\nf 1 2 3\n"},
+                   {"in/meshes/c.mtl", "newmtl x\nKd 0.75\n"}};
+
+TEST(SceneJson3, ReadsEveryPartOfAScene) {
+  const Scene3 scene = parse(R"({ "hottel": 1, "dimension": 3, "about": "a room",
+    "materials": { "white": {"reflectivity": 0.7}, "lamp": {"emission": [9, 8, 6]} },
+    "polygons": [ {"name": "wall", "points": [[0,0,0],[1,0,"1/3"],[0,0.1,0]], "material": "white", "back": "lamp",
+                   "elements": 4, "about": "plaster", "holes": []},
+                  {"points": [[0,0,5],[1,0,5],[0,1,5]], "material": "lamp", "group": "box"},
+                  {"points": [[0,0,6],[1,0,6],[0,1,6]], "material": "lamp", "group": "box"} ],
+    "edges": [], "polylines": [], "lights": [],
+    "sky": {"emission": 2}, "closed": true,
+    "camera": {"eye": [1,1,"1/3"], "target": [0,0,0], "up": [0,1,0], "field_of_view": 40.5, "pixels": [640, 480]},
+    "expect": [ {"kind": "exact", "quantity": "factor", "of": ["wall", "sky"], "value": 1} ] })");
+  EXPECT_EQ(scene.file, "in/scene.json");
+  EXPECT_EQ(scene.about, "a room");
+  ASSERT_EQ(scene.surfaces.size(), 3u);
+  EXPECT_EQ(scene.polygons[0].points[1], (Point3{1, 0, Rational(1) / 3}));
+  EXPECT_EQ(scene.polygons[0].points[2].y, Rational(1) / 10);
+  EXPECT_EQ(scene.surfaces[0].name, "wall");
+  EXPECT_EQ(scene.surfaces[0].back, 1u);
+  EXPECT_EQ(scene.surfaces[0].elements, 4u);
+  EXPECT_EQ(scene.surfaces[0].line, 3);
+  EXPECT_EQ(scene.surfaces[1].name, "polygon[1]");
+  EXPECT_EQ(scene.surfaces[1].line, 5);
+  EXPECT_THAT(scene.groups, ElementsAre(Group("wall"), Group("box")));
+  EXPECT_EQ(scene.surfaces[1].group, 1u);
+  EXPECT_EQ(scene.surfaces[2].group, 1u);
+  EXPECT_EQ(scene.sky_emission.value[0], 2);
+  EXPECT_TRUE(scene.closed);
+  EXPECT_EQ(scene.camera, (Camera3{{1, 1, Rational(1) / 3}, {0, 0, 0}, {0, 1, 0}, Rational(81) / 2, 640, 480}));
+  EXPECT_EQ(scene.expect.size(), 1u);
+}
+
+TEST(SceneJson3, RefusesWhatBelongsToThePlaneOrIsNotThereYet) {
+  EXPECT_EQ(refusal(scene_with("\"grid\": {}")),
+            "in/scene.json:3: grid: light on a grid is computed in the plane only; this scene has dimension 3");
+  EXPECT_EQ(refusal(scene_with("\"edges\": [1]")),
+            "in/scene.json:3: edges belong to dimension 2; this scene has dimension 3");
+  EXPECT_EQ(refusal(scene_with("\"polylines\": [1]")),
+            "in/scene.json:3: polylines belong to dimension 2; this scene has dimension 3");
+  EXPECT_EQ(refusal(scene_with("\"lights\": [{}]")), "in/scene.json:3: lights are not simulated by this version");
+  const std::string polygon = std::string("{\"name\": \"a\", \"material\": \"m\", ") + kTriangle;
+  EXPECT_EQ(refusal(with_polygons(polygon + ",\n\"holes\": [[]]}")),
+            "in/scene.json:5: polygon 'a': holes are not in this version");
+  for (const char* behind : {"solid", "open"})
+    EXPECT_EQ(refusal(with_polygons(polygon + ",\n\"behind\": \"" + behind + "\"}")),
+              "in/scene.json:5: polygon 'a': behind is not supported in dimension 3 by this version");
+  EXPECT_THAT(refusal(scene_with("\"unknown\": 1")), HasSubstr("has the unknown key 'unknown'"));
+  EXPECT_THAT(refusal(with_polygons(polygon + ", \"closed\": true}")), HasSubstr("has the unknown key 'closed'"));
+}
+
+TEST(SceneJson3, RefusesWrongPolygonsByNameAndLine) {
+  const auto points = [](const std::string& list) {
+    return refusal(with_polygons("{\"name\": \"a\", \"material\": \"m\", \"points\": [" + list + "]}"));
+  };
+  EXPECT_EQ(points("[0,0], [1,0], [0,1]"),
+            "in/scene.json:4: polygon 'a': point has 2 coordinates; in dimension 3 it has three");
+  EXPECT_EQ(points("[0,0,0], [1,0,0]"), "in/scene.json:4: polygon 'a' has fewer than three points");
+  EXPECT_EQ(points(""), "in/scene.json:4: polygon 'a' has fewer than three points");
+  EXPECT_EQ(points("[0,0,0], [1,0,0], [2,0,0]"),
+            "in/scene.json:4: polygon 'a' has no area: its points lie on one line");
+  EXPECT_THAT(points("[0,0,0], [1,0,0], [1,1,0.1], [0,1,0]"), StartsWith("in/scene.json:4: polygon 'a' is not plane"));
+  EXPECT_THAT(points("[0,0,0], [1,0,0], [0.2,0.2,0], [0,1,0]"),
+              StartsWith("in/scene.json:4: polygon 'a' is not convex"));
+  EXPECT_THAT(points("[0,0,0], [1,0,\"x\"], [0,1,0]"),
+              StartsWith("in/scene.json:4: polygon 'a': coordinate is not a number"));
+  EXPECT_EQ(refusal(with_polygons(std::string("{\"name\": \"a\", ") + kTriangle + "}")),
+            "in/scene.json:4: polygon 'a' has no \"material\"");
+  EXPECT_THAT(refusal(with_polygons(std::string("{\"material\": \"x\", ") + kTriangle + "}")),
+              StartsWith("in/scene.json:4: polygon 'polygon[0]': material 'x' is not defined"));
+  const std::string a = std::string("{\"name\": \"a\", \"material\": \"m\", ") + kTriangle + "}";
+  const std::string b = std::string("{\"name\": \"b\", \"material\": \"n\", ") + kTriangle + "}";
+  EXPECT_EQ(refusal(with_polygons(a + ",\n" + b)),
+            "in/scene.json:5: polygons 'a' and 'b' overlap: they share an area of one plane; the first is in line 4");
+  EXPECT_EQ(refusal(with_polygons(a + ",\n" + a)),
+            "in/scene.json:5: two surfaces have the name 'a', the other one in line 4");
+}
+
+TEST(SceneJson3, GivesGroupsNamesOfTheirOwn) {
+  const auto polygon = [](int z, const std::string& members) {
+    const std::string at = ", " + std::to_string(z) + "]";
+    return "{\"points\": [[0, 0" + at + ", [1, 0" + at + ", [0, 1" + at + "], \"material\": \"m\", " + members + "}";
+  };
+  EXPECT_EQ(refusal(with_polygons(polygon(0, R"("name": "a")") + ",\n" + polygon(1, R"("name": "b", "group": "a")"))),
+            "in/scene.json:5: two groups have the name 'a', the other one in line 4");
+  EXPECT_EQ(refusal(with_polygons(polygon(0, R"("name": "a", "group": "a")"))), "");
+  EXPECT_EQ(refusal(with_polygons(polygon(0, R"("group": "x#1")"))),
+            "in/scene.json:4: polygon 'polygon[0]': the group 'x#1' must not contain '#'");
+}
+
+TEST(SceneJson3, RefusesWrongCameras) {
+  const std::string good = R"("eye": [0, 0, 0], "target": [1, 0, 0])";
+  EXPECT_EQ(parse(with_camera(good)).camera, (Camera3{{0, 0, 0}, {1, 0, 0}}));
+  EXPECT_EQ(refusal(with_camera(R"("eye": [0, 0, 0])")), "in/scene.json:3: camera has no \"target\"");
+  EXPECT_EQ(refusal(with_camera(R"("target": [0, 0, 0])")), "in/scene.json:3: camera has no \"eye\"");
+  EXPECT_THAT(refusal(with_camera(good + ", \"up\": [2, 0, 0]")), HasSubstr("up is zero or parallel"));
+  EXPECT_THAT(refusal(with_camera(good + ", \"pixels\": [0, 5]")), HasSubstr("camera: pixels must be an integer"));
+  EXPECT_THAT(refusal(with_camera(good + ", \"pixels\": [5]")), HasSubstr("two numbers, width and height"));
+  EXPECT_THAT(refusal(with_camera(good + ", \"zoom\": 2")), HasSubstr("unknown key 'zoom'"));
+}
+
+TEST(SceneJson3, AddsMeshesAfterPolygons) {
+  const Scene3 scene = parse(scene_with(R"("mesh": [{"file": "a.obj", "name": "house", "material": "m", "back": "n",
+        "scale": "1/3", "elements": 2},
+      {"file": "meshes/b.obj"}],
+    "polygons": [{"name": "last", "points": [[0, 0, 9], [1, 0, 9], [0, 1, 9]], "material": "m"}])"),
+                             kFiles);
+  std::vector<std::string> names;
+  for (const Surface& surface : scene.surfaces) names.push_back(surface.name);
+  EXPECT_THAT(names, ElementsAre("last", "house[0]", "box[0]", "box[1]", "mesh[1][0]"));
+  EXPECT_THAT(scene.groups, ElementsAre(Group("last"), Group("house"), Group("box"), Group("mesh[1]")));
+  EXPECT_EQ(scene.polygons[1].points[2], (Point3{Rational(1) / 6, Rational(2) / 3, 0}));
+  EXPECT_EQ(scene.polygons[4].points[0], (Point3{9, 0, 0}));
+  EXPECT_EQ(scene.surfaces[1].material, 0u);
+  EXPECT_EQ(scene.surfaces[2].material, 1u);  // the scene's own 'n'
+  EXPECT_EQ(scene.surfaces[2].back, 1u);
+  EXPECT_EQ(scene.surfaces[2].elements, 2u);
+  EXPECT_EQ(scene.surfaces[2].line, 3);
+  EXPECT_EQ(scene.surfaces[4].line, 5);
+  ASSERT_EQ(scene.materials.size(), 3u);
+  EXPECT_EQ(scene.materials[2].name, "x");
+  EXPECT_EQ(scene.materials[2].reflectivity, Spectrum::scalar(Rational(1) / 4));
+}
+
+TEST(SceneJson3, RefusesWrongMeshes) {
+  EXPECT_EQ(refusal(with_mesh(""), kFiles), "in/a.obj:5: face 'mesh[0][0]' has no material");
+  EXPECT_EQ(refusal(with_mesh(", \"material\": \"m\", \"scale\": 0"), kFiles),
+            "in/scene.json:3: mesh 'mesh[0]': scale must be greater than 0");
+  EXPECT_EQ(refusal(with_mesh(", \"material\": \"m\", \"behind\": \"solid\""), kFiles),
+            "in/scene.json:3: mesh 'mesh[0]': behind is not supported in dimension 3 by this version");
+  EXPECT_EQ(refusal(with_mesh(", \"material\": \"z\""), kFiles),
+            "in/scene.json:3: mesh 'mesh[0]': material 'z' is not defined");
+  EXPECT_EQ(refusal(with_mesh(", \"name\": \"sky\""), kFiles),
+            "in/scene.json:3: mesh[0]: the name 'sky' is kept for the sky");
+  EXPECT_EQ(refusal(with_mesh(", \"points\": []"), kFiles), "in/scene.json:3: mesh[0] has the unknown key 'points'");
+  EXPECT_EQ(refusal(scene_with("\"mesh\": {}")), "in/scene.json:3: mesh[0] has no \"file\"");
+  EXPECT_EQ(refusal(scene_with("\"mesh\": {\"file\": \"lost.obj\"}")), "in/lost.obj: is not there");
+  EXPECT_EQ(refusal(scene_with("\"mesh\": {\"file\": \"a.ply\"}")),
+            "in/scene.json:3: mesh 'mesh[0]': the file 'a.ply' is not read by this version: it does not end in .obj");
+  EXPECT_EQ(refusal(scene_with(R"("mesh": [{"file": "meshes/b.obj"}, {"file": "meshes/c.obj"}])"), kFiles),
+            "in/meshes/c.obj:5: the material 'x' is another one in another mesh");
+  EXPECT_EQ(refusal(scene_with("\"mesh\": [{\"file\": \"a.obj\", \"material\": \"m\"},\n{\"file\": \"a.obj\", "
+                               "\"material\": \"m\", \"scale\": 2}]"),
+                    kFiles),
+            "in/scene.json:4: two surfaces have the name 'box[0]', the other one in line 3");
+  // Materials without an .mtl file are those of the scene.
+  Files other = kFiles;
+  other["in/a.obj"] = "v 0 0 0\nv 1 0 0\nv 0.5 2 0\nusemtl z\nf 1 2 3\n";
+  EXPECT_EQ(refusal(with_mesh(""), other), "in/a.obj:4: the material 'z' is not defined");
+}
+
+TEST(SceneJson3, KeepsTheDimensionsApart) {
+  const std::string plane = "{\"hottel\": 1,\n\"dimension\": 2}",
+                    space = "{\"hottel\": 1,\n\"dimension\": 3, \"mesh\": 7}";
+  EXPECT_EQ(refusal(plane), "in/scene.json:2: the scene is in the plane (dimension 2); this command works in space");
+  try {
+    parse_scene_2(space, "s.json");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "s.json:2: the scene is in space (dimension 3); this command works in the plane");
+    ASSERT_EQ(error.hints().size(), 1u);
+    EXPECT_THAT(error.hints()[0], HasSubstr("hottel convert"));
+  }
+  EXPECT_TRUE(std::holds_alternative<Scene2>(parse_scene(plane, "s.json")));
+  EXPECT_TRUE(std::holds_alternative<Scene3>(parse_scene("{\"hottel\": 1, \"dimension\": 3}", "s.json")));
+}
+
+TEST(SceneJson3, RefusesDeepNesting) {
+  const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+  EXPECT_THAT(refusal(scene_with("\"polygons\": " + deep)), HasSubstr("nested more than 64 deep"));
+}
+
+std::filesystem::path scene_file(const std::string& name) {
+  return std::filesystem::path(HOTTEL_SOURCE_DIR) / "scenes/space" / name;
+}
+
+TEST(SceneJson3, ReadsTheScenesOfTheRepository) {
+  EXPECT_EQ(read_scene_3(scene_file("cube.json")).surfaces.size(), 6u);
+  EXPECT_EQ(read_scene_3(scene_file("two_boxes.json")).surfaces.size(), 17u);
+  const Scene3 mesh = read_scene_3(scene_file("room_boxes.obj")), scene = read_scene_3(scene_file("room_boxes.json"));
+  EXPECT_EQ(mesh.polygons, scene.polygons);
+  EXPECT_EQ(mesh.groups, scene.groups);
+  EXPECT_EQ(mesh.groups.size(), 4u);
+  EXPECT_TRUE(scene.closed);
+}
+
+// In a scene that says it is closed, each edge of a polygon is covered from the other side or lies on other polygons:
+// the rooms of these files are boxes whose six walls are named first, and all else lies inside.
+TEST(SceneJson3, ClosedScenesOfTheRepositoryAreBoxesWithAllElseInside) {
+  for (const char* file : {"cube.json", "two_boxes.json", "room_boxes.json"}) {
+    const Scene3 scene = read_scene_3(scene_file(file));
+    ASSERT_TRUE(scene.closed);
+    Vector3 sum;
+    for (std::size_t wall = 0; wall < 6; ++wall) {
+      const Vector3 normal = doubled_area(scene.polygons[wall]);
+      sum = {sum.x + normal.x, sum.y + normal.y, sum.z + normal.z};
+      for (const Polygon3& polygon : scene.polygons)
+        for (const Point3& point : polygon.points)
+          EXPECT_GE(dot(normal, point - scene.polygons[wall].points[0]), 0) << file << " " << wall;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::vector<Point3>& p = scene.polygons[wall].points;
+        int meeting = 0;  // walls that have the same edge the other way round
+        for (std::size_t other = 0; other < 6; ++other)
+          for (std::size_t i = 0; i < 4; ++i) {
+            const std::vector<Point3>& q = scene.polygons[other].points;
+            meeting += q[i] == p[(k + 1) % 4] && q[(i + 1) % 4] == p[k];
+          }
+        EXPECT_EQ(meeting, 1) << file << " " << wall;
+      }
+    }
+    EXPECT_TRUE(sum.is_zero());
+  }
+}
+
+// Equal but for files and lines.
+void expect_same(const Scene3& a, const Scene3& b) {
+  EXPECT_EQ(a.about, b.about);
+  EXPECT_EQ(a.materials, b.materials);
+  for (std::size_t k = 0; k < std::min(a.materials.size(), b.materials.size()); ++k) {
+    EXPECT_EQ(a.materials[k].name, b.materials[k].name);
+    EXPECT_EQ(a.materials[k].reflectivity.is_scalar, b.materials[k].reflectivity.is_scalar);
+  }
+  EXPECT_EQ(a.groups, b.groups);
+  EXPECT_EQ(a.polygons, b.polygons);
+  ASSERT_EQ(a.surfaces.size(), b.surfaces.size());
+  for (std::size_t s = 0; s < a.surfaces.size(); ++s) {
+    Surface other = b.surfaces[s];
+    other.line = a.surfaces[s].line;
+    EXPECT_EQ(a.surfaces[s], other) << a.surfaces[s].name;
+  }
+  EXPECT_EQ(a.sky_emission, b.sky_emission);
+  EXPECT_EQ(a.closed, b.closed);
+  EXPECT_EQ(a.camera, b.camera);
+  EXPECT_EQ(a.expect.size(), b.expect.size());
+}
+
+TEST(WriteScene3, ReadsBackToTheSameScene) {
+  for (const char* file : {"cube.json", "two_boxes.json", "room_boxes.json", "room_boxes.obj"}) {
+    const Scene3 scene = read_scene_3(scene_file(file));
+    const std::string text = write_scene_3(scene);
+    const Scene3 again = parse(text);
+    expect_same(scene, again);
+    EXPECT_EQ(write_scene_3(again), text);
+  }
+}
+
+TEST(WriteScene3, ReadsBackToTheSameSceneWhateverTheNumbers) {
+  std::mt19937_64 random(7);
+  const auto number = [&]() -> Rational {
+    const Rational value = Rational(static_cast<long>(random() % 2000001) - 1000000) / Rational(1 + random() % 999);
+    switch (random() % 3) {
+      case 0:
+        return value * *parse_rational("1e" + std::to_string(random() % 200));
+      case 1:
+        return value / *parse_rational("1e" + std::to_string(random() % 200));
+      default:
+        return value;
+    }
+  };
+  for (int k = 0; k < 100; ++k) {
+    Scene3 scene;
+    scene.materials.push_back({"m \"1\"", Spectrum::scalar(Rational(1) / 3), {{1, 2, number() * 0}, false}});
+    for (std::uint32_t s = 0; s < 1 + random() % 5; ++s) {
+      Polygon3 polygon;
+      for (int i = 0; i < 3; ++i) polygon.points.push_back({number(), number(), number()});
+      Surface surface;
+      surface.name = "p" + std::to_string(s);
+      if (random() % 2) surface.back = 0;
+      surface.elements = 1 + static_cast<std::uint32_t>(random() % 3);
+      if (scene.groups.empty() || random() % 2)
+        scene.groups.push_back(random() % 2 ? surface.name : "g" + surface.name);
+      surface.group = static_cast<std::uint32_t>(scene.groups.size() - 1);
+      scene.add(surface, polygon);
+    }
+    if (random() % 2) scene.camera = Camera3{{number(), number(), number()}, {0, 0, 0}, {0, 1, number()}, 50, 3, 4};
+    validate(scene);
+    expect_same(scene, parse(write_scene_3(scene)));
+  }
+}
+
+TEST(WriteScene3, HasALayoutThatPeopleRead) {
+  const std::string text = R"({
+  "hottel": 1,
+  "dimension": 3,
+  "about": "two triangles",
+  "materials": {
+    "white": {"reflectivity": 0.7}
+  },
+  "polygons": [
+    {"name": "a", "points": [[0, 0, 0], [1, 0, 0.1], [0, "1/3", 0]], "material": "white"},
+    {"name": "b", "group": "box", "points": [[0, 0, 2], [1, 0, 2], [0, 1, 2]], "material": "white", "back": "white", "elements": 3}
+  ],
+  "sky": {"emission": 1},
+  "closed": true,
+  "camera": {"eye": [1, 0, 0], "target": [0, 0, 0], "up": [0, 0, 1], "field_of_view": 40, "pixels": [800, 600]}
+}
+)";
+  EXPECT_EQ(write_scene_3(parse(text)), text);
+  EXPECT_EQ(write_scene_3(Scene3()), "{\n  \"hottel\": 1,\n  \"dimension\": 3\n}\n");
+}
+
+}  // namespace
+}  // namespace hottel
