@@ -23,9 +23,9 @@ bool is_nearest(double rounded, const Rational& value) {
   return true;
 }
 
-Integer random_integer(std::mt19937_64& random, unsigned bits) {
+Integer random_integer(std::mt19937_64& random, std::uint64_t bits) {
   Integer result = 0;
-  for (unsigned k = 0; k < bits; ++k) result = 2 * result + static_cast<unsigned long>(random() >> 63);
+  for (std::uint64_t k = 0; k < bits; ++k) result = 2 * result + static_cast<unsigned long>(random() >> 63);
   return result;
 }
 
