@@ -27,7 +27,7 @@ TEST(Space, CommandsOfThePlaneRefuseItWithThreeAndSayWhatWorks) {
   const std::vector<std::string> before = place.files();
   for (const char* command :
        {"factors S", "solve S -o out", "plan S", "check S", "check S --fix fixed.json --within 1",
-        "visibility S --at 1,1", "compare S --methods exact,center -o out", "reference S", "view S --screenshot a.png"})
+        "visibility S --at 1,1", "compare S --methods exact,center -o out", "reference out S", "view S --screenshot a.png"})
     for (const char* scene : {"room.json", "room.obj"}) {
       std::string line = std::string("hottel ") + command;
       line.replace(line.find('S'), 1, scene);
