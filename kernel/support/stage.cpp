@@ -7,7 +7,7 @@
 namespace hottel {
 namespace {
 
-constexpr std::chrono::milliseconds kTick{20};
+constexpr std::chrono::milliseconds kTick{5};
 
 }  // namespace
 

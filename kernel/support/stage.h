@@ -14,7 +14,7 @@
 
 namespace hottel {
 
-// Told to who waits, on the waiting thread, about every 20 ms: the stage that runs, and the fraction of it that is
+// Told to who waits, on the waiting thread, about every 5 ms: the stage that runs, and the fraction of it that is
 // done. May throw: then the wait is over, and what it threw is thrown by who was asked.
 using StageProgress = std::function<void(std::string_view stage, double fraction)>;
 

@@ -12,6 +12,7 @@ SceneLooks2::SceneLooks2(SimulationRequest2 request, const std::function<void()>
     : live_(std::move(request), changed), state_(live_.state()), looking_(changed), toning_(changed) {}
 
 void SceneLooks2::set_scene(std::shared_ptr<const Scene2> scene, LiveDepth2 depth) {
+  toning_.cancel();  // the next state asks for its own
   live_.set(std::move(scene), depth);
 }
 
