@@ -138,6 +138,15 @@ void draw_plan(PictureCanvas& canvas, const Frame2& frame, double unit, const Li
   ScenePicturePainter2(*state.prepared, picture, SceneSheet2(*state.prepared, frame, unit, kFooter)).draw(canvas);
 }
 
+// What the colours at the right of the bar mean, wherever the bar is.
+void draw_split_legend(PictureCanvas& canvas, const Frame2& frame, double unit, const FaceColouring2& colouring) {
+  const double left = 24 * unit, top = frame.height() - kFooter * unit;
+  const double wide = std::min(420 * unit, 0.55 * (frame.width() - 2 * left));
+  canvas.fill_rectangle(Mark::kPaper, {0, top - 10 * unit}, {left + 1.66 * wide, top + 66 * unit},
+                        palette::kPaper.with_alpha(0.94));
+  draw_legend(canvas, colouring.scale, colouring.title, {left, top}, wide, unit);
+}
+
 // Light at the left of the bar, errors at its right.
 void draw_split(PictureCanvas& canvas, const Frame2& frame, double unit, const LookDrawing2& drawing) {
   draw_light(canvas, frame, unit, drawing, *drawing.state->light);
@@ -160,6 +169,7 @@ void draw_split(PictureCanvas& canvas, const Frame2& frame, double unit, const L
   canvas.stroke(Mark::kAxis, {x, 0}, {x, frame.height()}, palette::kInk, 1.2 * unit);
   canvas.disc(Mark::kAxis, {x, frame.height() / 2}, 9 * unit, palette::kPaper);
   canvas.circle(Mark::kAxis, {x, frame.height() / 2}, 9 * unit, palette::kInk, 1.5 * unit);
+  draw_split_legend(canvas, frame, unit, *result->plan->colouring);
 }
 
 Colour colour_of(Severity severity) {
