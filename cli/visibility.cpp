@@ -268,7 +268,7 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   const bool is_drawn = is_file(options.out);
   const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
   if (is_drawn && !format) throw UsageError("a drawing is written as .svg or .png, not '" + options.out + "'");
-  Scene scene = read_scene(options.scene);
+  Scene scene = options.is_pair() ? Scene(read_scene_2(options.scene)) : read_scene(options.scene);
   if (const Scene3* const there = std::get_if<Scene3>(&scene))
     return naming_file(options.scene, [&] {
       return visibility_in_space(*there, {options.at, options.on, options.out, options.json}, streams);

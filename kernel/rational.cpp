@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "kernel/rounded_share.h"
+#include "kernel/nearest_double.h"
 
 namespace hottel {
 namespace {

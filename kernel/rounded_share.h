@@ -5,10 +5,6 @@
 
 namespace hottel {
 
-// Returns the double nearest to numerator / denominator as to_double() has it, whatever their common factors.
-// REQUIRES denominator > 0.
-double nearest_double(const Integer& numerator, const Integer& denominator);
-
 // Which share of an extent lies between an origin and a value, for many values.
 //
 //   (1) of(value) == to_double((value - origin) / extent), the same bits

@@ -16,7 +16,8 @@ constexpr const char* kInThePlaneOnly = "the scene is in space (dimension 3); th
 constexpr const char* kInSpaceOnly = "the scene is in the plane (dimension 2); this command works in space";
 // What this version does with scenes in space.
 constexpr const char* kDoneInSpace =
-    "scenes in space are read and rewritten by `hottel convert`, so far by nothing else";
+    "scenes in space are rewritten by `hottel convert`, and `hottel visibility SCENE --at X,Y,Z` tells what a point "
+    "sees";
 
 // The value of a member of the scene, one of those allowed.
 JsonValue version(const JsonValue& root, std::string_view key, std::initializer_list<const char*> allowed) {

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 
 #include "tests/cli/program.h"
@@ -27,7 +30,8 @@ TEST(Space, CommandsOfThePlaneRefuseItWithThreeAndSayWhatWorks) {
   const std::vector<std::string> before = place.files();
   for (const char* command :
        {"factors S", "solve S -o out", "plan S", "check S", "check S --fix fixed.json --within 1",
-        "visibility S --at 1,1", "compare S --methods exact,center -o out", "reference S", "view S --screenshot a.png"})
+        "visibility S --from a --to b", "visibility S --events", "compare S --methods exact,center -o out",
+        "reference out S", "view S --screenshot a.png"})
     for (const char* scene : {"room.json", "room.obj"}) {
       std::string line = std::string("hottel ") + command;
       line.replace(line.find('S'), 1, scene);
@@ -42,6 +46,68 @@ TEST(Space, CommandsOfThePlaneRefuseItWithThreeAndSayWhatWorks) {
       EXPECT_THAT(lines[1], HasSubstr("`hottel convert`")) << line;
     }
   EXPECT_EQ(place.files(), before);
+}
+
+// The fractions of the faces and the sky that the text tells.
+std::vector<double> fractions(const std::string& text) {
+  std::vector<double> result;
+  for (const std::string& line : lines_of(text))
+    if (line.starts_with("  0.") || line.starts_with("  1 ") || line.starts_with("  0 "))
+      result.push_back(std::stod(line));
+  return result;
+}
+
+TEST(Space, APointSeesEachWallOfACubeAlike) {
+  const Workplace place;
+  const Outcome outcome = place.run("hottel visibility '" + scene_file("cube.json") + "' --at 1/2,1/2,1/2");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("from (1/2,1/2,1/2)"));
+  const std::vector<double> seen = fractions(outcome.out);
+  ASSERT_GE(seen.size(), 6u) << outcome.out;
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(seen[k], 1.0 / 6, 1e-15);
+}
+
+TEST(Space, APointOfAFaceHasViewFactors) {
+  const Workplace place;
+  const std::string scene = "'" + scene_file("cube.json") + "'";
+  const Outcome in_frame = place.run("hottel visibility " + scene + " --on floor --at 1/2,1/2 --json");
+  ASSERT_EQ(in_frame.code, 0) << in_frame.err;
+  const Outcome in_space = place.run("hottel visibility " + scene + " --on floor --at 1/2,1/2,0 --json");
+  EXPECT_EQ(in_space.out, in_frame.out);
+  const auto json = nlohmann::json::parse(in_frame.out);
+  ASSERT_EQ(json["faces"].size(), 5u);
+  double sum = 0;
+  for (const auto& face : json["faces"]) sum += face["factor"].get<double>();
+  EXPECT_NEAR(sum, 1, 1e-14);
+  // The middle of a unit square sees a parallel one at distance 1: 4 times that of a corner (Hottel's rectangle).
+  const double root = std::sqrt(1.25), arc = std::atan(0.5 / root);
+  const double expected = 4 / (2 * std::numbers::pi) * 2 * (0.5 / root) * arc;
+  for (const auto& face : json["faces"]) {
+    if (face["name"] == "ceiling") {
+      EXPECT_NEAR(face["factor"].get<double>(), expected, 1e-14);
+    }
+  }
+}
+
+TEST(Space, AMapIsDrawnInBothFormats) {
+  const Workplace place;
+  const std::string line = "hottel visibility '" + scene_file("room_boxes.obj") + "' --at 0.6,0.25,1.6 --quiet -o ";
+  EXPECT_EQ(place.run(line + "map.png").code, 0);
+  EXPECT_EQ(place.run(line + "map.svg").code, 0);
+  EXPECT_TRUE(place.read("map.png").starts_with("\x89PNG"));
+  EXPECT_THAT(place.read("map.svg"), HasSubstr("<svg"));
+}
+
+TEST(Space, PointsThatMakeNoSenseAreRefused) {
+  const Workplace place;
+  const std::string scene = "hottel visibility '" + scene_file("cube.json") + "' ";
+  for (const char* asked :
+       {"--at 1,1", "--at 1,x,1", "--at 1,1,1,1", "--on floor --at 1/2", "--on floor --at 2,0",
+        "--on floor --at 1/2,1/2,1/2", "--on sky --at 1,1", "--on nowhere --at 1,1", "--at 1/2,1/2,1/2 -o map.txt"}) {
+    const Outcome outcome = place.run(scene + asked);
+    EXPECT_EQ(outcome.code, 2) << asked << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << asked;
+  }
 }
 
 TEST(Space, ScenesAreRewrittenExactly) {

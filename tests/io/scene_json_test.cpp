@@ -189,7 +189,8 @@ TEST(SceneJson, RefusesOtherVersionsAndDimensions) {
   EXPECT_EQ(refusal("{\"hottel\": 1}"), "scene.json:1: the scene has no \"dimension\"");
   EXPECT_EQ(refusal("{\n\"hottel\": 2, \"dimension\": 2}"), "scene.json:2: hottel is '2'; this version reads 1");
   EXPECT_EQ(refusal("{\"hottel\": \"1\", \"dimension\": 2}"), "scene.json:1: hottel must be a number, not a string");
-  EXPECT_EQ(refusal("{\"hottel\": 1,\n \"dimension\": 4}"), "scene.json:2: dimension is '4'; this version reads 2 and 3");
+  EXPECT_EQ(refusal("{\"hottel\": 1,\n \"dimension\": 4}"),
+            "scene.json:2: dimension is '4'; this version reads 2 and 3");
   EXPECT_EQ(refusal("{\"hottel\": 1,\n \"dimension\": 3\n}"),
             "scene.json:2: the scene is in space (dimension 3); this command works in the plane");
 }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 
+#include "kernel/nearest_double.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -73,7 +72,7 @@ bool share_an_area(const std::vector<Flat>& a, const std::vector<Flat>& b) {
   return !an_edge_parts(a, b) && !an_edge_parts(b, a);
 }
 
-// Holds a polygon, and a little more: its corners are rounded outward.
+// The box of a polygon, rounded. Rounding keeps the order of numbers: where polygons meet, their boxes do.
 struct Box {
   std::array<double, 2> low, high;
 };
@@ -84,8 +83,8 @@ Box box_of(const std::vector<Flat>& polygon) {
   for (const Flat& point : polygon)
     for (const std::size_t axis : {0u, 1u}) {
       const double value = to_double(axis == 0 ? point.u : point.v);
-      box.low[axis] = std::min(box.low[axis], std::nextafter(value, -kInfinity));
-      box.high[axis] = std::max(box.high[axis], std::nextafter(value, kInfinity));
+      box.low[axis] = std::min(box.low[axis], value);
+      box.high[axis] = std::max(box.high[axis], value);
     }
   return box;
 }

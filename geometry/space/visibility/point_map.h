@@ -64,8 +64,10 @@ struct PointMap3 {
 // Returns the map of what is seen from a point.
 //
 // Throws ContractViolation where the normal is zero.
-// COST: about 3 microseconds a polygon in rooms with boxes, 8 where triangles pierce each other. For several threads at
-// once. SEE: the same page, for the method and its predicates.
+// COST: about 3 microseconds a polygon in rooms with boxes, 8 where triangles pierce each other.
+// SEE: docs/design/space/point_map.md.
+//
+// For several threads at once.
 PointMap3 map_from(const Blockers3& blockers, const Look3& look);
 
 }  // namespace hottel

@@ -139,11 +139,9 @@ class ObjReader3 {
     const std::filesystem::path path = std::filesystem::path(mesh_.file).parent_path() / name;
     if (std::find(libraries_.begin(), libraries_.end(), path) != libraries_.end()) return;
     libraries_.push_back(path);
-    for (Material& material : parse_mtl(files_(path), path.string())) {
-      const auto is_same = [&](const Material& other) { return other.name == material.name; };
-      if (std::any_of(mesh_.library.begin(), mesh_.library.end(), is_same))
-        at_.refuse("the material " + quoted_name(material.name) + " stands in two MTL files");
-      mesh_.library.push_back(std::move(material));
+    for (const Material& material : parse_mtl(files_(path), path.string())) {
+      const auto [entry, is_new] = mesh_.library.emplace(material.name, material);
+      if (!is_new) at_.refuse("the material " + quoted_name(entry->first) + " stands in two MTL files");
     }
   }
 
@@ -215,8 +213,8 @@ void MeshAdder3::add(const ObjMesh3& mesh, const MeshEntry3& entry) {
 
 std::uint32_t MeshAdder3::material_of(const ObjMesh3& mesh, const ObjName3& name, bool invents) {
   if (const auto own = own_.find(name.name); own != own_.end()) return own->second;
-  for (const Material& material : mesh.library)
-    if (material.name == name.name) return added_material(mesh, name.line, material);
+  if (const auto found = mesh.library.find(name.name); found != mesh.library.end())
+    return added_material(mesh, name.line, found->second);
   if (invents) {
     if (const auto problem = material_name_problem(name.name); !problem.empty())
       throw InputError({mesh.file, name.line}, problem);
@@ -225,7 +223,7 @@ std::uint32_t MeshAdder3::material_of(const ObjMesh3& mesh, const ObjName3& name
   }
   SceneTable known;
   known.materials = scene_.materials;
-  known.materials.insert(known.materials.end(), mesh.library.begin(), mesh.library.end());
+  for (const auto& [its_name, material] : mesh.library) known.materials.push_back(material);
   throw InputError({mesh.file, name.line}, "the material " + quoted_name(name.name) + " is not defined",
                    undefined_material_hints(known, name.name));
 }

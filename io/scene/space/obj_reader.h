@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,8 +42,8 @@ struct ObjMesh3 {
   std::string file;
   std::vector<ObjFace3> faces;
   std::vector<ObjName3> groups, materials;
-  std::vector<Material> library;  // of all its MTL files, in order
-  bool has_library = false;       // it names an MTL file
+  std::map<std::string, Material> library;  // of all its MTL files, by name
+  bool has_library = false;                 // it names an MTL file
 };
 
 // Returns the mesh of an OBJ file. docs/scene_format.md says what is read (v, f, g, o, usemtl, mtllib), passed over
