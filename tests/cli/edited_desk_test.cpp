@@ -205,7 +205,7 @@ TEST(EditedDesk, IsThatOfAFreshProcessAfterEveryEdit) {
     ++lit;
   }
   EXPECT_GT(lit, kEdits / 3);
-  EXPECT_GT(dark + none, kEdits / 30) << lit;
+  EXPECT_GT(dark + none, kEdits / 100) << lit;
 }
 
 }  // namespace
