@@ -6,26 +6,18 @@
 
 #include <utility>
 
+#include "kernel/flint_memory.h"
+
 namespace hottel {
-namespace {
-
-// FLINT keeps pools of memory for each thread and wants to be told when a thread ends.
-struct ThreadPools {
-  void use() {}
-  ~ThreadPools() { flint_cleanup(); }
-};
-thread_local ThreadPools pools;
-
-}  // namespace
 
 struct Ball::Hidden {
   arb_t x;
   Hidden() {
-    pools.use();
+    return_flint_memory_at_thread_end();
     arb_init(x);
   }
   Hidden(const Hidden& other) {
-    pools.use();
+    return_flint_memory_at_thread_end();
     arb_init(x);
     arb_set(x, other.x);
   }

@@ -17,11 +17,15 @@ double scaled(const Integer& value, long shift) {
 
 }  // namespace
 
+void set_cross(IntegerVector& result, const IntegerVector& a, const IntegerVector& b) {
+  set_minor(result.x, a.y, b.z, a.z, b.y);
+  set_minor(result.y, a.z, b.x, a.x, b.z);
+  set_minor(result.z, a.x, b.y, a.y, b.x);
+}
+
 IntegerVector cross(const IntegerVector& a, const IntegerVector& b) {
   IntegerVector c;
-  set_minor(c.x, a.y, b.z, a.z, b.y);
-  set_minor(c.y, a.z, b.x, a.x, b.z);
-  set_minor(c.z, a.x, b.y, a.y, b.x);
+  set_cross(c, a, b);
   return c;
 }
 
@@ -33,6 +37,14 @@ Integer dot(const IntegerVector& a, const IntegerVector& b) {
 }
 
 IntegerVector difference(const IntegerVector& a, const IntegerVector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+IntegerVector sum(const IntegerVector& a, const IntegerVector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+
+IntegerVector opposite(const IntegerVector& a) { return {-a.x, -a.y, -a.z}; }
+
+IntegerVector multiple(const Integer& factor, const IntegerVector& a) {
+  return {factor * a.x, factor * a.y, factor * a.z};
+}
 
 bool is_zero(const IntegerVector& a) { return a.x == 0 && a.y == 0 && a.z == 0; }
 
@@ -49,8 +61,24 @@ long bits(const IntegerVector& a) {
   return std::max({of_one(a.x), of_one(a.y), of_one(a.z)});
 }
 
+int dot_sign(const IntegerVector& a, const IntegerVector& b) {
+  thread_local Integer sum;
+  mpz_mul(sum.get_mpz_t(), a.x.get_mpz_t(), b.x.get_mpz_t());
+  mpz_addmul(sum.get_mpz_t(), a.y.get_mpz_t(), b.y.get_mpz_t());
+  mpz_addmul(sum.get_mpz_t(), a.z.get_mpz_t(), b.z.get_mpz_t());
+  return sgn(sum);
+}
+
 int determinant_sign(const IntegerVector& a, const IntegerVector& b, const IntegerVector& c) {
-  return sgn(dot(cross(a, b), c));
+  thread_local IntegerVector product;
+  set_cross(product, a, b);
+  return dot_sign(product, c);
+}
+
+Int128 small_determinant(const BoundedVector& a, const BoundedVector& b, const BoundedVector& c) {
+  const auto whole = [](double value) { return static_cast<Int128>(static_cast<std::int64_t>(value)); };
+  const Int128 ax = whole(a.x), ay = whole(a.y), az = whole(a.z), bx = whole(b.x), by = whole(b.y), bz = whole(b.z);
+  return (ay * bz - az * by) * whole(c.x) + (az * bx - ax * bz) * whole(c.y) + (ax * by - ay * bx) * whole(c.z);
 }
 
 BoundedVector rounded(const IntegerVector& a, long shift) {

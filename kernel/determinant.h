@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "kernel/int128.h"
 #include "kernel/rational.h"
 
 namespace hottel {
@@ -33,9 +34,14 @@ struct IntegerVector {
 };
 
 IntegerVector cross(const IntegerVector& a, const IntegerVector& b);
+// The same, into a vector whose memory is used again. REQUIRES: the result is neither a nor b.
+void set_cross(IntegerVector& result, const IntegerVector& a, const IntegerVector& b);
 Integer dot(const IntegerVector& a, const IntegerVector& b);
-// Returns a - b.
+// Returns a - b, a + b, -a and factor * a.
 IntegerVector difference(const IntegerVector& a, const IntegerVector& b);
+IntegerVector sum(const IntegerVector& a, const IntegerVector& b);
+IntegerVector opposite(const IntegerVector& a);
+IntegerVector multiple(const Integer& factor, const IntegerVector& a);
 bool is_zero(const IntegerVector& a);
 
 // Returns the vector of coprime integers in the same direction; zero for zero.
@@ -43,6 +49,9 @@ IntegerVector primitive(const IntegerVector& a);
 
 // The bits of the largest component; 0 for zero.
 long bits(const IntegerVector& a);
+
+// The sign of the scalar product.
+int dot_sign(const IntegerVector& a, const IntegerVector& b);
 
 // The sign of the determinant with these rows.
 int determinant_sign(const IntegerVector& a, const IntegerVector& b, const IntegerVector& c);
@@ -83,6 +92,10 @@ inline BoundedVector cross(const BoundedVector& a, const BoundedVector& b) {
   c.error = 4.01 * detail::kUnit * sizes + 2.001 * detail::carried_error(a, b) + detail::kUnderflow;
   return c;
 }
+
+// The determinant with these rows. REQUIRES that all three are small integers: is_small_integer().
+Int128 small_determinant(const BoundedVector& a, const BoundedVector& b, const BoundedVector& c);
+inline bool is_small_integer(const BoundedVector& a) { return a.error == 0 && a.size < 0x1p40; }
 
 // A real number of which a double is known, and how far off it is at most; 0 where it is the number.
 struct BoundedValue {

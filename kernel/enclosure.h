@@ -38,6 +38,18 @@ struct Enclosure {
   friend bool operator==(const Enclosure&, const Enclosure&) = default;
 };
 
+// Returns what contains the sum of two numbers that are not negative.
+//
+//   (1) the ends are not below 0; to add zero ({0, 0}) changes nothing
+inline Enclosure sum_of_nonnegative(const Enclosure& a, const Enclosure& b) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto add = [](double x, double y, double outward) {
+    return x == 0 ? y : y == 0 ? x : std::nextafter(x + y, outward);
+  };
+  const double lower = add(a.lower, b.lower, -kInfinity);
+  return {lower > 0 ? lower : 0, add(a.upper, b.upper, kInfinity)};
+}
+
 // A real number, correctly rounded, with the knowledge on which side of the double it lies.
 //
 //   (1) value is the double nearest to the real number, ties to even

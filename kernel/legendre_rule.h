@@ -1,0 +1,27 @@
+// The rules of Gauss-Legendre for integrals over [0, 1].
+#pragma once
+
+#include <vector>
+
+namespace hottel {
+
+// Nodes in [0, 1], ascending, and weights that sum up to 1. A rule of n nodes is exact for polynomials of degree 2n
+// - 1.
+//
+//   (1) every node and every weight is the number nearest to the true one, or its neighbour
+//   (2) the true nodes k and n - 1 - k sum up to 1, and have the same weight
+template <class Real>
+struct LegendreRule {
+  std::vector<Real> node, weight;
+
+  int size() const { return static_cast<int>(node.size()); }
+};
+
+inline constexpr int kMaxLegendreNodes = 20;
+
+// Returns the rule of n nodes. REQUIRES: 1 <= n <= kMaxLegendreNodes; Real is double or long double.
+// COST: nothing; the first call makes all rules, in some milliseconds.
+template <class Real>
+const LegendreRule<Real>& legendre_rule(int n);
+
+}  // namespace hottel
