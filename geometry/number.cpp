@@ -36,6 +36,11 @@ NumberProblem number_problem(std::string_view text) {
   return parse_rational(text) ? NumberProblem{} : problem_of_unread(text);
 }
 
+bool is_in_lowest_terms(const Rational& value) {
+  const Integer &p = value.get_num(), &q = value.get_den();
+  return q == 1 || (q > 0 && gcd(p, q) == 1);
+}
+
 Number::Number(double value) {
   if (std::isfinite(value))
     value_ = value;

@@ -16,6 +16,10 @@ struct NumberProblem {
 };
 NumberProblem number_problem(std::string_view text);
 
+// True iff a number is as arithmetic leaves it: numerator and denominator without a common factor, the denominator
+// positive. mpq_class(2, 4) is not.
+bool is_in_lowest_terms(const Rational& value);
+
 // A number in a call: an integer, a double, a text, or a Rational. It converts from all of them by itself.
 //
 //   (1) exact: an integer and a double are what they are, a text is what parse_rational reads: 0.1 is the double

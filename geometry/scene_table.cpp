@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "geometry/name.h"
+#include "geometry/number.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -20,8 +21,7 @@ namespace {
 // In its range, in lowest terms, and of one value where it says so.
 std::string_view problem_of(const Spectrum& spectrum, SpectrumKind kind) {
   for (const Rational& value : spectrum.value)
-    if (value.get_den() != 1 && (value.get_den() <= 0 || gcd(value.get_num(), value.get_den()) != 1))
-      return "is not in lowest terms (mpq_class::canonicalize)";
+    if (!is_in_lowest_terms(value)) return "is not in lowest terms (mpq_class::canonicalize)";
   if (spectrum.is_scalar && (spectrum.value[1] != spectrum.value[0] || spectrum.value[2] != spectrum.value[0]))
     return "is a scalar of more than one value";
   return spectrum_problem(spectrum, kind);
@@ -55,7 +55,12 @@ void validate_table(const SceneTable& table) {
       refuse("two surfaces have the name " + quoted_name(surface.name) +
              (line > 0 ? ", the other one in line " + std::to_string(line) : ""));
     }
-    if (surface.material >= table.materials.size() || (surface.back && *surface.back >= table.materials.size()))
+    if (surface.is_obstruction && surface.back)
+      refuse("surface " + quoted_name(surface.name) + " is an obstruction: its back has no material");
+    const auto is_undefined = [&](const std::optional<std::uint32_t>& material) {
+      return material && *material >= table.materials.size();
+    };
+    if (is_undefined(surface.material_of(false)) || is_undefined(surface.material_of(true)))
       refuse("surface " + quoted_name(surface.name) + " has a material that is not defined");
     if (surface.group >= table.groups.size())
       refuse("surface " + quoted_name(surface.name) + " has a group that is not defined");
@@ -63,6 +68,15 @@ void validate_table(const SceneTable& table) {
       refuse("surface " + quoted_name(surface.name) + " has " + std::to_string(surface.elements) +
              " elements; it may have 1 to " + std::to_string(kMaxElements));
   }
+}
+
+std::vector<std::size_t> group_sizes(const SceneTable& table) {
+  std::vector<std::size_t> sizes(table.groups.size());
+  for (const Surface& surface : table.surfaces) {
+    HOTTEL_REQUIRE(surface.group < sizes.size());
+    ++sizes[surface.group];
+  }
+  return sizes;
 }
 
 int channel_count(const SceneTable& table) {

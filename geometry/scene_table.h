@@ -1,6 +1,7 @@
 // What a scene says beside its shape, whatever its dimension.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,6 +25,15 @@ struct Surface {
   std::uint32_t elements = 1;         // equal parts it is divided into
   std::uint32_t group = 0;            // index into SceneTable::groups
   int line = 0;                       // where it stands in the file, 0 if nowhere
+  // In space only: it has no material at all. Both sides are opaque and black and have no row; `material` means
+  // nothing.
+  bool is_obstruction = false;
+
+  // The material of its front or its back; nothing for a back without one, and for obstructions.
+  std::optional<std::uint32_t> material_of(bool is_back) const {
+    if (is_obstruction) return std::nullopt;
+    return is_back ? back : std::optional(material);
+  }
   friend bool operator==(const Surface&, const Surface&) = default;
 };
 
@@ -62,7 +72,7 @@ struct Expectation {
 // promise of its author: no front with a material sees the sky.
 //
 //   (1) names are not empty, unique after expansion, none is "sky"; see docs/scene_format.md
-//   (2) every material and group index is valid
+//   (2) every material and group index is valid; an obstruction has no material, on either side
 struct SceneTable {
   std::string file;  // for messages; may be a description when the scene was not read from a file
   std::string about;
@@ -82,6 +92,9 @@ struct SceneTable {
 // their ranges (Material), of one value where they are scalars. Where two surfaces share a name, the later one is
 // refused and the line of the first is told. COST: linear.
 void validate_table(const SceneTable& table);
+
+// Returns how many surfaces each group has. Throws ContractViolation for a surface of a group that is not there.
+std::vector<std::size_t> group_sizes(const SceneTable& table);
 
 // Returns how many channels the spectra of a scene need: 1 when the sky and all materials are scalars, else 3.
 // Materials that no surface has count too.

@@ -1,6 +1,8 @@
 // Points of the plane.
 #pragma once
 
+#include <array>
+
 #include "kernel/rational.h"
 
 namespace hottel {
@@ -13,5 +15,8 @@ struct Point2 {
   Rational x, y;
   friend bool operator==(const Point2&, const Point2&) = default;
 };
+
+// Returns the doubles nearest to the coordinates.
+inline std::array<double, 2> to_doubles(const Point2& point) { return {to_double(point.x), to_double(point.y)}; }
 
 }  // namespace hottel

@@ -30,6 +30,8 @@ int decimals_at(double pixels_per_length) {
   return -decades(kLeastPixelsPerStep / Rational(pixels_per_length));
 }
 
+Rational decimal_step(int decimals) { return power_of_ten(-decimals); }
+
 Rational rounded_decimal(const Rational& value, int decimals) {
   const Rational unit = power_of_ten(decimals), scaled = value * unit + Rational(1, 2);
   Integer whole;

@@ -13,6 +13,9 @@ inline constexpr int kLeastPixelsPerStep = 4;
 // pixels_per_length. REQUIRES: a finite number above 0.
 int decimals_at(double pixels_per_length);
 
+// Returns 10^-decimals, exactly.
+Rational decimal_step(int decimals);
+
 // Returns the multiple of 10^-decimals that is nearest to `value`, the greater one of two.
 //
 //   (1) exactly the decimal: 0.1 at one decimal is one tenth, not the double nearest to it

@@ -21,7 +21,8 @@ inline constexpr std::uint32_t kMinPictureWidth = 200;
 // How light becomes colours (tone_curve.h).
 enum class Tone : unsigned char { kLinear, kReinhard, kLog, kMax };
 
-// "linear", "reinhard", "log", "max"; nothing for other names.
+// "linear", "reinhard", "log", "max"; and back, nothing for other names.
+const char* to_string(Tone tone);
 std::optional<Tone> tone_of(std::string_view name);
 
 // How values become positions.

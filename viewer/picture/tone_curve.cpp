@@ -10,6 +10,9 @@
 namespace hottel {
 namespace {
 
+// The words of Tone, in its order.
+constexpr std::array<const char*, 4> kTones{"linear", "reinhard", "log", "max"};
+
 constexpr double kMiddle = 0.25, kLogSteepness = 2;
 
 std::array<double, 3> rgb(std::span<const double> value) {
@@ -20,11 +23,11 @@ double luminance(const std::array<double, 3>& c) { return 0.2126 * c[0] + 0.7152
 
 }  // namespace
 
+const char* to_string(Tone tone) { return kTones[static_cast<std::size_t>(tone)]; }
+
 std::optional<Tone> tone_of(std::string_view name) {
-  if (name == "linear") return Tone::kLinear;
-  if (name == "reinhard") return Tone::kReinhard;
-  if (name == "log") return Tone::kLog;
-  if (name == "max") return Tone::kMax;
+  for (std::size_t k = 0; k < kTones.size(); ++k)
+    if (name == kTones[k]) return static_cast<Tone>(k);
   return std::nullopt;
 }
 

@@ -45,9 +45,9 @@ BehindRemedy2 BehindRemedies2::remedy(const std::vector<std::uint32_t>& free_reg
   for (const std::uint32_t free_region : free_regions)
     for (const PieceSideId side : free_regions_.sides(free_region)) {
       const Face face = prepared_.arrangement.owner(side);
-      const Surface& surface = scene.surfaces[face.surface];
-      if (face.is_back && !surface.back) continue;
-      result.emits |= !scene.materials[face.is_back ? *surface.back : surface.material].emission.is_zero();
+      const std::optional<std::uint32_t> material = scene.surfaces[face.surface].material_of(face.is_back);
+      if (!material) continue;
+      result.emits |= !scene.materials[*material].emission.is_zero();
       if (is_within(face, free_regions)) result.swallows.push_back(face);
     }
   make_set(result.swallows);

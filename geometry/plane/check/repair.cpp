@@ -183,7 +183,7 @@ class GapCloser {
            closest_point(place_[now.a.index()], place_[now.b.index()], place_[v.index()]).squared > 0;
   }
 
-  void tell_moves(std::vector<RepairStep2>& steps) const {
+  void tell_moves(std::vector<RepairStep>& steps) const {
     for (const VertexId m : IdRange<VertexId>(origin_.size())) {
       const VertexId v = into_[m.index()];
       if (place_[v.index()] == origin_[m.index()]) continue;

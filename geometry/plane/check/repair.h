@@ -6,21 +6,15 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/plane/scene/scene.h"
+#include "geometry/repair_step.h"
 
 namespace hottel {
-
-// One thing that was done to a surface, or that was left undone (not-repaired). Kinds: "merged", "snapped", "dropped",
-// "reversed", "solid", "renumbered", "split", "not-repaired".
-struct RepairStep2 {
-  std::string kind;
-  std::string surface;
-  std::string message;
-};
 
 // A repaired scene, and how it came from the one that was given.
 struct Repair2 {
   Scene2 scene;
-  std::vector<RepairStep2> steps;
+  // "merged", "snapped", "dropped", "reversed", "solid", "renumbered", "split", "not-repaired".
+  std::vector<RepairStep> steps;
   std::vector<std::string> former_names;  // by surface: what it was called before the repair
 };
 

@@ -17,7 +17,7 @@ ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangemen
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Surface& surface = scene.surfaces[s];
     for (const bool back : {false, true}) {
-      const std::optional<std::uint32_t> material = back ? surface.back : std::optional(surface.material);
+      const std::optional<std::uint32_t> material = surface.material_of(back);
       if (granularity == Granularity::kGroup) {
         // Both labels of a group are made with its first surface, so that front stands before back.
         if (group_label[back][surface.group] == std::numeric_limits<std::uint32_t>::max()) {

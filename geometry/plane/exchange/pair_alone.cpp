@@ -12,8 +12,7 @@ PairsAlone2::PairsAlone2(const PreparedScene2& prepared, const ElementTable2& ta
     : prepared_(prepared), table_(table) {
   if (granularity != Granularity::kGroup) return;
   const Scene2& scene = prepared.scene;
-  size_.assign(scene.groups.size(), 0);
-  for (const Surface& surface : scene.surfaces) ++size_[surface.group];
+  size_ = group_sizes(scene);
   pieces_of_.resize(scene.groups.size());
   for (std::uint32_t piece = 0; piece < prepared.arrangement.pieces().size(); ++piece)
     for (const PieceSource2& source : prepared.arrangement.sources(piece))

@@ -51,7 +51,7 @@ class PairsAlone2 {
 
   const PreparedScene2& prepared_;
   const ElementTable2& table_;
-  std::vector<std::uint32_t> size_;                    // surfaces by group
+  std::vector<std::size_t> size_;                      // surfaces by group
   std::vector<std::vector<std::uint32_t>> pieces_of_;  // by group, ascending; empty unless labels are groups
 };
 

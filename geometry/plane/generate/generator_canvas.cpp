@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/plane/scene/scene_entries.h"
+#include "kernel/int128.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -29,39 +30,6 @@ std::uint64_t mix(std::uint64_t word) {
   return word ^ (word >> 31);
 }
 
-Spectrum rgb(const Rational& r, const Rational& g, const Rational& b) { return {{r, g, b}, false}; }
-
-std::vector<Material> paints() {
-  const auto hundredths = [](int v) {
-    Rational value(v, 100);
-    value.canonicalize();
-    return value;
-  };
-  const Spectrum none;
-  return {{"white", Spectrum::scalar(hundredths(70)), none},
-          {"red", rgb(hundredths(70), hundredths(20), hundredths(15)), none},
-          {"blue", rgb(hundredths(20), hundredths(30), hundredths(70)), none},
-          {"grey", Spectrum::scalar(hundredths(50)), none},
-          {"lamp", Spectrum::scalar(hundredths(10)), rgb(9, 8, 6)},
-          {"glow", Spectrum::scalar(hundredths(50)), Spectrum::scalar(hundredths(25))}};
-}
-
-void drop_unused_materials(Scene2& scene) {
-  std::vector<char> used(scene.materials.size(), 0);
-  for (const Surface& s : scene.surfaces) used[s.material] = used[s.back.value_or(s.material)] = 1;
-  std::vector<std::uint32_t> place(used.size(), 0);
-  std::vector<Material> kept;
-  for (std::size_t m = 0; m < used.size(); ++m) {
-    place[m] = static_cast<std::uint32_t>(kept.size());
-    if (used[m]) kept.push_back(std::move(scene.materials[m]));
-  }
-  scene.materials = std::move(kept);
-  for (Surface& s : scene.surfaces) {
-    s.material = place[s.material];
-    if (s.back) s.back = place[*s.back];
-  }
-}
-
 // The command that makes the scene again.
 std::string command_of(const GeneratorRequest2& request) {
   std::string text = numbered(("hottel generate " + request.kind + " --n ").c_str(), request.n);
@@ -81,13 +49,6 @@ bool share_a_point(const Dot2& a, const Dot2& b, const Dot2& c, const Dot2& d) {
   }
   // With overlapping boxes the segments meet unless one lies strictly on one side of the other's line.
   return sign_of_turn(a, b, c) * sign_of_turn(a, b, d) <= 0 && sign_of_turn(c, d, a) * sign_of_turn(c, d, b) <= 0;
-}
-
-std::uint64_t integer_root_2(std::uint64_t value) {
-  std::uint64_t root = 0;
-  for (std::uint64_t bit = std::uint64_t{1} << 31; bit > 0; bit >>= 1)
-    if ((root + bit) * (root + bit) <= value) root += bit;
-  return root;
 }
 
 GeneratorCanvas2::GeneratorCanvas2(const GeneratorRequest2& request, int placed_decimals)

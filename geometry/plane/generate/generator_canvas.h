@@ -1,16 +1,16 @@
-// What the generators draw on: a fixed-point plane, a portable source of chance, and the materials.
+// What the generators draw on: a fixed-point plane.
 // Internal to geometry/plane/generate.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "geometry/generate/chance.h"
+#include "geometry/generate/paint.h"
 #include "geometry/plane/generate/generator_request.h"
 #include "geometry/plane/scene/scene.h"
-#include "kernel/int128.h"
 
 namespace hottel {
 
@@ -23,39 +23,6 @@ struct Dot2 {
 // True iff the closed segments ab and cd have a common point; end points count, and a segment may be a point.
 // REQUIRES: coordinates below 2^61 in absolute value; then it is exact.
 bool share_a_point(const Dot2& a, const Dot2& b, const Dot2& c, const Dot2& d);
-
-// Returns the integer part r of the square root: r^2 <= value < (r + 1)^2, for every value of the type.
-std::uint64_t integer_root_2(std::uint64_t value);
-
-// Returns stem followed by the number.
-template <class Number>
-std::string numbered(const char* stem, Number number) {
-  return std::string(stem).append(std::to_string(number));
-}
-
-// Chance from std::mt19937_64, whose raw output the standard fixes.
-//
-//   (1) a seed gives the same numbers on every machine: no distribution of the library is used
-//   (2) each call takes one word from the engine
-class Chance2 {
- public:
-  explicit Chance2(std::uint64_t seed) : engine_(seed) {}
-
-  // A number in [0, count). The bias is below count / 2^64.
-  std::uint64_t below(std::uint64_t count) {
-    return static_cast<std::uint64_t>((static_cast<UInt128>(engine_()) * count) >> 64);
-  }
-  // A number in [low, high]. REQUIRES: low <= high.
-  std::int64_t between(std::int64_t low, std::int64_t high) {
-    return low + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(high - low) + 1));
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-// Indices into the materials of every generated scene.
-enum Paint : std::uint32_t { kWhite, kRed, kBlue, kGrey, kLamp, kGlow };
 
 // A scene in the making. Generators think in units of 10^-decimals with all coordinates in [0, extent]. With digits
 // asked for, place() moves the scene by a power of ten and adds digits below one unit to each point: points that were

@@ -18,22 +18,12 @@ std::vector<Dot2> placed(const GeneratorCanvas2& canvas, const std::vector<Dot2>
   return dots;
 }
 
-// The first count of the numbers below n, shuffled.
-std::vector<std::int64_t> choose(std::int64_t count, std::int64_t n, Chance2& chance) {
-  std::vector<std::int64_t> numbers(static_cast<std::size_t>(n));
-  for (std::int64_t i = 0; i < n; ++i) numbers[static_cast<std::size_t>(i)] = i;
-  for (std::int64_t i = 0; i < count; ++i)
-    std::swap(numbers[static_cast<std::size_t>(i)], numbers[static_cast<std::size_t>(chance.between(i, n - 1))]);
-  numbers.resize(static_cast<std::size_t>(count));
-  return numbers;
-}
-
 constexpr std::int64_t kRoom = 6000;  // millimetres
 constexpr std::int64_t kDoor = 900;
 constexpr std::int64_t kSkirting = 300;
 
 // A rectangle within radius of the centre, counter-clockwise: its front is its outside.
-std::vector<Dot2> rectangle(const Dot2& centre, std::int64_t radius, Chance2& chance) {
+std::vector<Dot2> rectangle(const Dot2& centre, std::int64_t radius, Chance& chance) {
   constexpr std::int64_t kEighths = 8;
   const std::int64_t t = chance.between(2, 7);  // width to length, in eighths
   const bool upright = chance.below(2) == 0;
@@ -52,7 +42,7 @@ std::vector<Dot2> rectangle(const Dot2& centre, std::int64_t radius, Chance2& ch
 }
 
 // The walls of rooms x rooms rooms: an outer ring with a window in every fourth piece, and inner walls with doorways.
-void add_walls(GeneratorCanvas2& canvas, std::int64_t rooms, Chance2& chance) {
+void add_walls(GeneratorCanvas2& canvas, std::int64_t rooms, Chance& chance) {
   int count = 0;
   const auto outer = [&](const Dot2& a, const Dot2& b) {
     const bool window = count % 4 == 1;
@@ -86,14 +76,14 @@ void add_walls(GeneratorCanvas2& canvas, std::int64_t rooms, Chance2& chance) {
 Scene2 generate_room_2(const GeneratorRequest2& request) {
   constexpr std::uint64_t kEdgesPerRoom = 32;
   const auto n = static_cast<std::int64_t>(request.n);
-  const auto rooms = static_cast<std::int64_t>(std::max<std::uint64_t>(1, integer_root_2(request.n / kEdgesPerRoom)));
+  const auto rooms = static_cast<std::int64_t>(std::max<std::uint64_t>(1, integer_root(request.n / kEdgesPerRoom)));
   const std::int64_t pieces = n / 4 - rooms * rooms;  // the walls are 4 edges a room
   const std::int64_t most_in_a_room = (pieces + rooms * rooms - 1) / (rooms * rooms);
   std::int64_t slots = 1;  // slots x slots places for furniture in a room
   while (slots * slots < most_in_a_room) ++slots;
   const std::int64_t slot = (kRoom - 2 * kSkirting) / slots;
 
-  Chance2 chance(request.seed);
+  Chance chance(request.seed);
   GeneratorCanvas2 canvas(request, 3, rooms * kRoom);
   add_walls(canvas, rooms, chance);
   constexpr std::array<Paint, 4> kPaints = {kWhite, kRed, kBlue, kGrey};
@@ -102,7 +92,7 @@ Scene2 generate_room_2(const GeneratorRequest2& request) {
     const std::int64_t upto = pieces * (room + 1) / (rooms * rooms);
     const Dot2 corner{room % rooms * kRoom + kSkirting, room / rooms * kRoom + kSkirting};
     bool first = true;
-    for (const std::int64_t place : choose(upto - made, slots * slots, chance)) {
+    for (const std::int64_t place : drawn(upto - made, slots * slots, chance)) {
       const Dot2 centre{corner.x + place % slots * slot + slot / 2, corner.y + place / slots * slot + slot / 2};
       const std::int64_t radius = std::min<std::int64_t>(slot / 2 - 20, 1200);
       const Paint paint = first ? kLamp : kPaints[chance.below(4)];
@@ -124,7 +114,7 @@ struct MazeWalls {
   std::size_t index(std::int64_t x, std::int64_t y) const { return static_cast<std::size_t>(y * columns + x); }
 };
 
-MazeWalls walk_maze(std::int64_t columns, std::int64_t rows, Chance2& chance) {
+MazeWalls walk_maze(std::int64_t columns, std::int64_t rows, Chance& chance) {
   const auto cells = static_cast<std::size_t>(columns * rows);
   MazeWalls walls{columns, rows, std::vector<char>(cells, 1), std::vector<char>(cells, 1)};
   std::vector<char> visited(cells, 0);
@@ -158,11 +148,11 @@ MazeWalls walk_maze(std::int64_t columns, std::int64_t rows, Chance2& chance) {
 Scene2 generate_maze_2(const GeneratorRequest2& request) {
   // A perfect maze of c x r cells has (c - 1)(r - 1) inner and 2 (c + r) outer walls: (c + 1)(r + 1) in all.
   const auto n = static_cast<std::int64_t>(request.n);
-  const std::int64_t columns = static_cast<std::int64_t>(integer_root_2(request.n)) - 1;
+  const std::int64_t columns = static_cast<std::int64_t>(integer_root(request.n)) - 1;
   const std::int64_t rows = n / (columns + 1) - 1;
   constexpr std::int64_t kCell = 1000;
 
-  Chance2 chance(request.seed);
+  Chance chance(request.seed);
   const MazeWalls walls = walk_maze(columns, rows, chance);
   GeneratorCanvas2 canvas(request, 3, std::max(columns, rows) * kCell);
   std::int64_t count = 0;
@@ -189,7 +179,7 @@ Scene2 generate_maze_2(const GeneratorRequest2& request) {
 Scene2 generate_comb_2(const GeneratorRequest2& request) {
   constexpr std::int64_t kSlot = 100, kPitch = 150, kCorridor = 200;
   const auto slots = static_cast<std::int64_t>(request.n / 4);
-  Chance2 chance(request.seed);
+  Chance chance(request.seed);
   std::vector<Dot2> corners = {{0, 0}};  // clockwise: the inside is to the right
   for (std::int64_t i = 0; i < slots; ++i) {
     const std::int64_t x = i * kPitch, top = kCorridor + chance.between(100, 600);
@@ -214,7 +204,7 @@ Scene2 generate_star_2(const GeneratorRequest2& request) {
   // digits turn round: the polygon stays star-shaped about the centre.
   const auto n = static_cast<std::int64_t>(request.n);
   const std::int64_t radius = 8 * n;
-  Chance2 chance(request.seed);
+  Chance chance(request.seed);
   GeneratorCanvas2 canvas(request, 2, 2 * radius);
   std::vector<Dot2> corners;
   for (std::int64_t i = 0; i < n; ++i) {
@@ -240,15 +230,15 @@ Scene2 generate_pillars_2(const GeneratorRequest2& request) {
                                            Dot2{-3, 4},  Dot2{-4, 3}, Dot2{-5, 0}, Dot2{-4, -3},
                                            Dot2{-3, -4}, Dot2{0, -5}, Dot2{3, -4}, Dot2{4, -3}};
   const auto pillars = static_cast<std::int64_t>((request.n - 4) / 12);
-  const auto columns = static_cast<std::int64_t>(integer_root_2(static_cast<std::uint64_t>(pillars - 1)) + 1);
+  const auto columns = static_cast<std::int64_t>(integer_root(static_cast<std::uint64_t>(pillars - 1)) + 1);
   const std::int64_t side = columns * kSlot;
-  Chance2 chance(request.seed);
+  Chance chance(request.seed);
   GeneratorCanvas2 canvas(request, 3, side);
   const std::vector<Dot2> corners = placed(canvas, {{0, 0}, {0, side}, {side, side}, {side, 0}});
   for (std::size_t i = 0; i < 4; ++i)
     canvas.add_edge(numbered(i == 1 ? "window" : "wall", i), corners[i], corners[(i + 1) % 4], i == 1 ? kLamp : kWhite);
   constexpr std::array<Paint, 4> kPaints = {kWhite, kRed, kBlue, kGrey};
-  for (const std::int64_t place : choose(pillars, columns * columns, chance)) {
+  for (const std::int64_t place : drawn(pillars, columns * columns, chance)) {
     const std::int64_t scale = chance.between(20, 60), room = kSlot / 2 - 20 - 5 * scale;
     const Dot2 centre{place % columns * kSlot + kSlot / 2 + chance.between(-room, room),
                       place / columns * kSlot + kSlot / 2 + chance.between(-room, room)};
@@ -260,7 +250,7 @@ Scene2 generate_pillars_2(const GeneratorRequest2& request) {
 }
 
 Scene2 generate_plates_2(const GeneratorRequest2& request) {
-  Chance2 chance(request.seed);
+  Chance chance(request.seed);
   std::vector<std::array<Dot2, 2>> plates;
   std::int64_t y = 0;
   for (std::uint64_t i = 0; i < request.n; ++i) {

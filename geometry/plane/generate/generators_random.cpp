@@ -15,7 +15,7 @@ constexpr std::int64_t kSpacing = 1000;  // units between neighbours, on the ave
 constexpr std::int64_t kMargin = 10;     // units kept from the walls
 constexpr int kTries = 64;               // before a segment is halved
 
-Paint random_paint(Chance2& chance) {
+Paint random_paint(Chance& chance) {
   constexpr std::array<Paint, 4> kPaints = {kWhite, kRed, kBlue, kGrey};
   return kPaints[chance.below(kPaints.size())];
 }
@@ -66,7 +66,7 @@ class SegmentGrid {
 };
 
 // A vector whose length is between 4/5 of length and length.
-Dot2 random_vector(Chance2& chance, std::int64_t length) {
+Dot2 random_vector(Chance& chance, std::int64_t length) {
   while (true) {
     const Dot2 v{chance.between(-length, length), chance.between(-length, length)};
     const std::int64_t squared = v.x * v.x + v.y * v.y;
@@ -79,11 +79,11 @@ Dot2 random_vector(Chance2& chance, std::int64_t length) {
 Scene2 generate_clutter_2(const GeneratorRequest2& request) {
   if (request.length < Rational(1, 50) || request.length > 4)
     throw UsageError("--length must be between 1/50 and 4 mean distances");
-  const auto side = static_cast<std::int64_t>(integer_root_2(request.n - 1) + 1) * kSpacing;
+  const auto side = static_cast<std::int64_t>(integer_root(request.n - 1) + 1) * kSpacing;
   const Integer scaled = request.length.get_num() * kSpacing / request.length.get_den();
   const std::int64_t full_length = std::min<std::int64_t>(scaled.get_si(), side / 3);
 
-  Chance2 chance(request.seed);
+  Chance chance(request.seed);
   GeneratorCanvas2 canvas(request, 3, side);
   const std::array<Dot2, 4> corners = {canvas.place({0, 0}), canvas.place({0, side}), canvas.place({side, side}),
                                        canvas.place({side, 0})};
@@ -126,7 +126,7 @@ struct LatticeMap {
 };
 
 // Coordinates between 1 and 3 times 10^(digits - 1), the lattice a little turned.
-LatticeMap map_of_digits(int digits, std::int64_t k, Chance2& chance) {
+LatticeMap map_of_digits(int digits, std::int64_t k, Chance& chance) {
   if (digits == 0) return {};
   std::int64_t power = 1;
   for (int d = 1; d < digits; ++d) power *= 10;
@@ -146,11 +146,10 @@ LatticeMap map_of_digits(int digits, std::int64_t k, Chance2& chance) {
 Scene2 generate_lattice_2(const GeneratorRequest2& request) {
   constexpr std::uint64_t kMaxSide = 100'000;
   if (request.k > kMaxSide) throw UsageError("--k must be at most " + std::to_string(kMaxSide));
-  const auto k =
-      static_cast<std::int64_t>(request.k ? request.k : std::max<std::uint64_t>(4, integer_root_2(request.n)));
+  const auto k = static_cast<std::int64_t>(request.k ? request.k : std::max<std::uint64_t>(4, integer_root(request.n)));
   constexpr std::int64_t kReach = 3;  // longest step of an edge in either coordinate
 
-  Chance2 chance(request.seed);
+  Chance chance(request.seed);
   const LatticeMap map = map_of_digits(request.digits, k, chance);
   GeneratorCanvas2 canvas = GeneratorCanvas2::of_placed_points(request, map.decimals);
   const std::array<Dot2, 4> corners = {Dot2{0, 0}, Dot2{0, k}, Dot2{k, k}, Dot2{k, 0}};

@@ -1,23 +1,18 @@
 #include "geometry/plane/scene/scene.h"
 
 #include "geometry/name.h"
+#include "geometry/number.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
 
-// As arithmetic leaves it; mpq_class(2, 4) is not.
-bool is_in_lowest_terms(const Rational& value) {
-  const Integer &p = value.get_num(), &q = value.get_den();
-  return q == 1 || (q > 0 && gcd(p, q) == 1);
-}
-
-bool is_in_lowest_terms(const Point2& point) { return is_in_lowest_terms(point.x) && is_in_lowest_terms(point.y); }
+bool has_lowest_terms(const Point2& point) { return is_in_lowest_terms(point.x) && is_in_lowest_terms(point.y); }
 
 }  // namespace
 
 std::string grid_problem(const Grid2& grid) {
-  if (!is_in_lowest_terms(grid.min) || !is_in_lowest_terms(grid.max)) return "a coordinate is not in lowest terms";
+  if (!has_lowest_terms(grid.min) || !has_lowest_terms(grid.max)) return "a coordinate is not in lowest terms";
   if (grid.max.x <= grid.min.x || grid.max.y <= grid.min.y) return "max must be greater than min in both coordinates";
   const auto is_count = [](std::uint32_t cells) { return cells >= 1 && cells <= kMaxGridCells; };
   if (!is_count(grid.nx) || !is_count(grid.ny))
@@ -34,7 +29,7 @@ void validate(const Scene2& scene) {
       throw InputError({scene.file, scene.surfaces[s].line},
                        "surface " + quoted_name(scene.surfaces[s].name) + " " + problem);
     };
-    if (!is_in_lowest_terms(edge.from) || !is_in_lowest_terms(edge.to))
+    if (!has_lowest_terms(edge.from) || !has_lowest_terms(edge.to))
       refuse("has a coordinate that is not in lowest terms (mpq_class::canonicalize)");
     if (edge.from == edge.to) refuse("has length zero");
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <set>
-#include <unordered_map>
 
+#include "geometry/plane/scene/bounding_box.h"
 #include "geometry/scene_names.h"
 
 namespace hottel {
@@ -12,8 +12,6 @@ namespace {
 bool is_before(const Point2& a, const Point2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 std::string counted(std::size_t n) { return n == 1 ? "an edge" : std::to_string(n) + " edges"; }
-
-Place2 rounded(const Point2& p) { return {to_double(p.x), to_double(p.y)}; }
 
 }  // namespace
 
@@ -117,11 +115,11 @@ bool SceneEditor2::press(const Pointer2& pointer) {
   }
   const std::uint32_t surface = is_vertex ? surface_at(*found.vertex, *found.surface) : *found.surface;
   const Edge2 edge = scene()->edges[surface];
-  Held held{.edge = edge, .surface = surface, .is_last = found.is_last, .is_vertex = is_vertex, .anchor = {}};
+  Held held{.surface = surface, .is_last = found.is_last, .is_vertex = is_vertex, .anchor = {}};
   held.anchor = is_vertex ? *found.vertex : found.is_last ? edge.to : edge.from;
   held.is_last = is_vertex && edge.from != edge.to ? held.anchor == edge.to : found.is_last;
   held.moves_alone = pointer.alone || (!is_vertex && is_of_whole_groups());
-  const Place2 anchor = rounded(held.anchor);
+  const Place2 anchor = to_doubles(held.anchor);
   held.offset = {anchor[0] - pointer.place[0], anchor[1] - pointer.place[1]};
   if (is_vertex) {
     selected_.clear();
@@ -141,18 +139,18 @@ std::uint32_t SceneEditor2::surface_at(const Point2& vertex, std::uint32_t surfa
 
 // Whether the selection is furniture: groups of several surfaces, each as a whole.
 bool SceneEditor2::is_of_whole_groups() const {
-  const Scene2& now = *scene();
-  std::unordered_map<std::uint32_t, std::size_t> wanted, there;
-  for (const std::uint32_t s : selected_) ++wanted[now.surfaces[s].group];
-  for (const Surface& surface : now.surfaces)
-    if (wanted.contains(surface.group)) ++there[surface.group];
-  return !wanted.empty() && std::ranges::all_of(wanted, [&](const auto& group) {
-    return group.second > 1 && there[group.first] == group.second;
-  });
+  const std::vector<std::size_t> there = group_sizes(*scene());
+  std::vector<std::size_t> wanted(there.size());
+  for (const std::uint32_t s : selected_) ++wanted[scene()->surfaces[s].group];
+  const auto is_whole = [&](std::uint32_t s) {
+    const std::uint32_t group = scene()->surfaces[s].group;
+    return there[group] > 1 && wanted[group] == there[group];
+  };
+  return !selected_.empty() && std::ranges::all_of(selected_, is_whole);
 }
 
-std::vector<PointMove2> SceneEditor2::moves_of_selection(const Scene2& from, const Rational& dx,
-                                                         const Rational& dy) const {
+// Each once, in the order of is_before.
+std::vector<Point2> SceneEditor2::ends_of_selection(const Scene2& from) const {
   std::vector<Point2> ends;
   for (const std::uint32_t s : selected_) {
     ends.push_back(from.edges[s].from);
@@ -160,19 +158,21 @@ std::vector<PointMove2> SceneEditor2::moves_of_selection(const Scene2& from, con
   }
   std::sort(ends.begin(), ends.end(), is_before);
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+std::vector<PointMove2> SceneEditor2::moves_of_selection(const Scene2& from, const Rational& dx,
+                                                         const Rational& dy) const {
   std::vector<PointMove2> moves;
-  for (const Point2& end : ends) moves.push_back({end, {end.x + dx, end.y + dy}});
+  for (const Point2& end : ends_of_selection(from)) moves.push_back({end, {end.x + dx, end.y + dy}});
   return moves;
 }
 
 // The surfaces that a drag moves, and that it does not snap to.
 std::vector<std::uint32_t> SceneEditor2::surfaces_that_move(const Scene2& from, const Held& held) const {
   if (held.moves_alone) return held.is_vertex ? std::vector<std::uint32_t>{held.surface} : selected_;
-  std::vector<PointMove2> moves = held.is_vertex ? std::vector<PointMove2>{{held.anchor, held.anchor}}
-                                                 : moves_of_selection(from, Rational(0), Rational(0));
-  const auto is_moved = [&](const Point2& p) {
-    return std::ranges::any_of(moves, [&](const PointMove2& move) { return move.from == p; });
-  };
+  const std::vector<Point2> ends = held.is_vertex ? std::vector<Point2>{held.anchor} : ends_of_selection(from);
+  const auto is_moved = [&](const Point2& p) { return std::binary_search(ends.begin(), ends.end(), p, is_before); };
   std::vector<std::uint32_t> surfaces;
   for (std::uint32_t s = 0; s < from.edges.size(); ++s)
     if (is_moved(from.edges[s].from) || is_moved(from.edges[s].to)) surfaces.push_back(s);
@@ -273,14 +273,12 @@ std::string SceneEditor2::move_to(const Point2& place) {
 
 std::string SceneEditor2::rotate(const Rational& degrees, int decimals) {
   if (is_dragging() || selected_.empty()) return "";
-  const Edge2& first = scene()->edges[selected_.front()];
-  Point2 low = first.from, high = first.from;
-  for (const std::uint32_t s : selected_)
-    for (const Point2* p : {&scene()->edges[s].from, &scene()->edges[s].to}) {
-      low = {std::min(low.x, p->x), std::min(low.y, p->y)};
-      high = {std::max(high.x, p->x), std::max(high.y, p->y)};
-    }
-  const Point2 centre{(low.x + high.x) / 2, (low.y + high.y) / 2};
+  Box2 box = Box2::of(scene()->edges[selected_.front()].from);
+  for (const std::uint32_t s : selected_) {
+    box.include(scene()->edges[s].from);
+    box.include(scene()->edges[s].to);
+  }
+  const Point2 centre{(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2};
   set(rotate_surfaces(*scene(), selected_, centre, degrees, decimals), "turn " + counted(selected_.size()));
   return "turned " + counted(selected_.size());
 }

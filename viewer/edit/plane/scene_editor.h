@@ -92,7 +92,6 @@ class SceneEditor2 {
 
  private:
   struct Held {
-    Edge2 edge;  // in the scene before the drag
     std::uint32_t surface = 0;
     bool is_last = false, is_vertex = false, moves_alone = false;
     Point2 anchor;
@@ -105,6 +104,7 @@ class SceneEditor2 {
   std::uint32_t surface_at(const Point2& vertex, std::uint32_t surface) const;
   bool is_of_whole_groups() const;
   Scene2 moved(const Scene2& scene, const Held& held, const Point2& to) const;
+  std::vector<Point2> ends_of_selection(const Scene2& scene) const;
   std::vector<PointMove2> moves_of_selection(const Scene2& scene, const Rational& dx, const Rational& dy) const;
   std::vector<std::uint32_t> surfaces_that_move(const Scene2& scene, const Held& held) const;
   void toggle(const Pick2& pick, bool is_whole);

@@ -186,8 +186,7 @@ AddedSurfaces2 duplicate_surfaces(const Scene2& scene, std::span<const std::uint
     const auto& [from, to] = scene.edges[s];
     adder.add(std::move(surface), {{from.x + dx, from.y + dy}, {to.x + dx, to.y + dy}});
   };
-  std::vector<std::size_t> sizes(scene.groups.size());
-  for (const Surface& surface : scene.surfaces) ++sizes[surface.group];
+  const std::vector<std::size_t> sizes = group_sizes(scene);
   for (const std::uint32_t s : parts.others) {
     const std::uint32_t group = scene.surfaces[s].group;
     const std::string name = names.copy_of(scene.surfaces[s].name);
@@ -228,8 +227,7 @@ AddedSurfaces2 add_lamp(const Scene2& scene, const Point2& centre, const Rationa
 
 std::optional<std::uint32_t> material_of(const Scene2& scene, const Face& face) {
   HOTTEL_REQUIRE(face.surface < scene.surfaces.size());
-  const Surface& surface = scene.surfaces[face.surface];
-  return face.is_back ? surface.back : std::optional(surface.material);
+  return scene.surfaces[face.surface].material_of(face.is_back);
 }
 
 Scene2 set_material(const Scene2& scene, std::uint32_t material, const Material& values) {

@@ -9,15 +9,6 @@
 namespace hottel {
 namespace {
 
-std::vector<std::size_t> group_sizes(const Scene2& scene) {
-  std::vector<std::size_t> sizes(scene.groups.size());
-  for (const Surface& surface : scene.surfaces) {
-    HOTTEL_REQUIRE(surface.group < sizes.size());
-    ++sizes[surface.group];
-  }
-  return sizes;
-}
-
 SurfaceParts2 parts_where(const Scene2& scene, const std::vector<bool>& is_chosen) {
   const std::vector<std::size_t> sizes = group_sizes(scene);
   SurfaceParts2 parts;

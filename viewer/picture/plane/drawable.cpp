@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/plane/scene/bounding_box.h"
+
 namespace hottel {
 namespace {
 
@@ -14,19 +16,17 @@ constexpr long kMostExtentsAway = 1'000'000'000;  // from the origin: then a dou
 
 void require_drawable(const Scene2& scene) {
   if (scene.surfaces.empty()) return;
-  Point2 low = scene.edges.front().from, high = low;
   const Surface* farthest = &scene.surfaces.front();
   Rational largest;
   for (std::size_t s = 0; s < scene.edges.size(); ++s)
     for (const Point2& p : {scene.edges[s].from, scene.edges[s].to}) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
       const Rational distance = std::max<Rational>(abs(p.x), abs(p.y));
       if (distance <= largest) continue;
       largest = distance;
       farthest = &scene.surfaces[s];
     }
-  const Rational extent = std::max<Rational>(high.x - low.x, high.y - low.y);
+  const Box2 box = bounding_box(scene);
+  const Rational extent = std::max(box.width(), box.height());
   const char* why = to_double(largest) > kLargestDrawn      ? "larger than 1e300"
                     : to_double(extent) < 1 / kLargestDrawn ? "smaller than 1e-300, all of them"
                     : extent * kMostExtentsAway < largest   ? "too large for the size of the scene"

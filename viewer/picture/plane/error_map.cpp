@@ -15,13 +15,6 @@ namespace {
 constexpr double kDecades = 1e-4;  // least over largest value of the scale
 constexpr std::uint32_t kCells = 256;
 
-double brightest(const RadiositySolution& solution) {
-  double value = 0;
-  for (const ChannelSolution& channel : solution.channels)
-    for (const ElementRadiosity& element : channel.elements) value = std::max(value, element.radiosity);
-  return value;
-}
-
 // Calls set(element, error) for each element with a row.
 template <class Set>
 void for_each_element_error(const RadiositySolution& found, const RadiositySolution& exact, double scale,
@@ -71,8 +64,8 @@ ScenePixels2 pixels_of(const Grid2& grid, const std::vector<double>& errors, con
   for (std::uint32_t row = grid.ny; row-- > 0;)
     for (std::uint32_t x = 0; x < grid.nx; ++x)
       *pixel++ = pixel_of(map_colour(scale.position(errors[std::size_t{row} * grid.nx + x])));
-  pixels.min = {to_double(grid.min.x), to_double(grid.min.y)};
-  pixels.max = {to_double(grid.max.x), to_double(grid.max.y)};
+  pixels.min = to_doubles(grid.min);
+  pixels.max = to_doubles(grid.max);
   return pixels;
 }
 
@@ -81,7 +74,7 @@ ScenePixels2 pixels_of(const Grid2& grid, const std::vector<double>& errors, con
 ScenePicture2 error_map_picture_2(const MethodComparison2& comparison, const MethodResult& result) {
   ScenePicture2 picture;
   picture.sheet.title = "Error of the light: " + result.info.name;
-  const double scale = comparison.exact_solution() ? brightest(*comparison.exact_solution()) : 0;
+  const double scale = comparison.exact_solution() ? largest_radiosity(*comparison.exact_solution()) : 0;
   if (!result.solution || scale == 0) {
     picture.sheet.subtitle = "no radiosities to compare";
     return picture;

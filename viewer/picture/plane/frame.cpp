@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/plane/scene/bounding_box.h"
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
 
@@ -12,43 +13,24 @@ namespace {
 constexpr double kHighest = 3;  // times the width
 constexpr double kLowest = 0.12;
 
-struct Box {
-  Rational min_x, min_y, max_x, max_y;
-  bool empty = true;
-
-  void add(const Rational& x, const Rational& y) {
-    if (empty) {
-      min_x = max_x = x;
-      min_y = max_y = y;
-      empty = false;
-      return;
-    }
-    if (x < min_x) min_x = x;
-    if (x > max_x) max_x = x;
-    if (y < min_y) min_y = y;
-    if (y > max_y) max_y = y;
-  }
-};
-
 }  // namespace
 
 Frame2::Frame2(const Scene2& scene, const std::vector<std::array<double, 2>>& extra_points, double width,
                const SheetMargins2& margins)
     : width_(width) {
   HOTTEL_REQUIRE(width > margins.left + margins.right);
-  Box box;
-  for (const auto& [from, to] : scene.edges) {
-    box.add(from.x, from.y);
-    box.add(to.x, to.y);
-  }
-  for (const auto& [x, y] : extra_points) {
+  Box2 box = bounding_box(scene);
+  for (std::size_t k = 0; k < extra_points.size(); ++k) {
+    const auto& [x, y] = extra_points[k];
     HOTTEL_REQUIRE(std::isfinite(x) && std::isfinite(y));
-    box.add(Rational(x), Rational(y));
+    const Point2 point{Rational(x), Rational(y)};
+    if (k == 0 && scene.edges.empty()) box = Box2::of(point);
+    box.include(point);
   }
-  const Rational wide = box.max_x - box.min_x, high = box.max_y - box.min_y;
+  const Rational wide = box.width(), high = box.height();
   Rational extent = std::max(wide, high);
   if (extent == 0) extent = 1;
-  set_region({box.min_x, box.min_y}, extent);
+  set_region(box.min, extent);
 
   const double share_x = to_double(wide / extent), share_y = to_double(high / extent);
   const double room_x = width - margins.left - margins.right;

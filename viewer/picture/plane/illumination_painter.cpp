@@ -63,7 +63,7 @@ void LitPlan2::draw_emitters(PictureCanvas& canvas, const ToneCurve& tone) const
   const Corners2& ends = runs_.corners();
   for (std::uint32_t run = 0; run < ends.surfaces(); ++run) {
     const Surface& surface = scene_.surfaces[runs_.face(run).surface];
-    const std::optional<std::uint32_t> own = runs_.face(run).is_back ? surface.back : surface.material;
+    const std::optional<std::uint32_t> own = surface.material_of(runs_.face(run).is_back);
     if (!own || scene_.materials[*own].emission.is_zero()) continue;
     std::array<double, 3> emission{};
     for (const std::uint32_t material : {surface.material, surface.back.value_or(surface.material)})

@@ -39,16 +39,15 @@ ScenePicturePainter2::ScenePicturePainter2(const PreparedScene2& prepared, const
 // Of the stripe of a run, if it has one: its value, or in a plain plan that it emits.
 std::optional<Colour> ScenePicturePainter2::colour(std::uint32_t run) const {
   const Face& face = runs_.face(run);
-  const Surface& s = scene_.surfaces[face.surface];
-  if (face.is_back && !s.back) return std::nullopt;
+  const std::optional<std::uint32_t> material = scene_.surfaces[face.surface].material_of(face.is_back);
+  if (!material) return std::nullopt;
   if (picture_.colouring) {
     const FaceColouring2& colouring = *picture_.colouring;
     const auto value = by_elements(picture_) ? value_of(colouring.elements, runs_.element(run))
                                              : value_of(face.is_back ? colouring.back : colouring.front, face.surface);
     return value ? std::optional(map_colour(colouring.scale.position(*value))) : std::nullopt;
   }
-  const Material& material = scene_.materials[face.is_back ? *s.back : s.material];
-  return material.emission.is_zero() ? std::nullopt : std::optional(palette::kEmitter);
+  return scene_.materials[*material].emission.is_zero() ? std::nullopt : std::optional(palette::kEmitter);
 }
 
 void ScenePicturePainter2::draw(PictureCanvas& canvas) const {

@@ -79,8 +79,6 @@ void draw_ring(PictureCanvas& canvas, Mark mark, Pixel at, double radius, const 
   canvas.circle(mark, at, radius, palette::kInk, line_width);
 }
 
-std::array<double, 2> rounded(const Point2& p) { return {to_double(p.x), to_double(p.y)}; }
-
 // The angle from one direction counter-clockwise to another, above 0 and at most a whole turn; the side is exact.
 double turn(const Point2& eye, const Point2& from, const Point2& to) {
   const Rational ax = from.x - eye.x, ay = from.y - eye.y, bx = to.x - eye.x, by = to.y - eye.y;
@@ -93,8 +91,8 @@ double turn(const Point2& eye, const Point2& from, const Point2& to) {
 // too.
 void add_sky(const Point2& eye, const Point2& from, const Point2& to, double distance,
              std::vector<std::array<double, 2>>& polygon) {
-  const auto [x, y] = rounded(eye);
-  const auto [from_x, from_y] = rounded(from);
+  const auto [x, y] = to_doubles(eye);
+  const auto [from_x, from_y] = to_doubles(from);
   const double whole = turn(eye, from, to), begin = std::atan2(from_y - y, from_x - x);
   const int steps = 1 + static_cast<int>(whole / (std::numbers::pi / 3));
   for (int k = 0; k <= steps; ++k) {
@@ -107,21 +105,21 @@ void add_sky(const Point2& eye, const Point2& from, const Point2& to, double dis
 
 VisibilityDrawing2 drawing_of(const VisibilityPolygon2& polygon) {
   VisibilityDrawing2 drawing;
-  drawing.eye = rounded(polygon.eye);
+  drawing.eye = to_doubles(polygon.eye);
   if (polygon.solid != Solids2::kNone) return drawing;
   double reach = 0;
   for (const auto& part : polygon.parts)
     for (const Point2* p : {&part.from, &part.to})
-      reach = std::max(reach, std::hypot(rounded(*p)[0] - drawing.eye[0], rounded(*p)[1] - drawing.eye[1]));
+      reach = std::max(reach, std::hypot(to_doubles(*p)[0] - drawing.eye[0], to_doubles(*p)[1] - drawing.eye[1]));
   for (const auto& part : polygon.parts) {
     if (part.solid != Solids2::kNone) {
       drawing.polygon.push_back(drawing.eye);
       continue;
     }
-    drawing.polygon.push_back(rounded(part.from));
+    drawing.polygon.push_back(to_doubles(part.from));
     if (part.side == kSky && part.from != polygon.eye && part.to != polygon.eye)
       add_sky(polygon.eye, part.from, part.to, kFar * reach, drawing.polygon);
-    drawing.polygon.push_back(rounded(part.to));
+    drawing.polygon.push_back(to_doubles(part.to));
   }
   return drawing;
 }
@@ -133,8 +131,8 @@ PairDrawing2 drawing_of(const PairSight2& sight) {
   drawing.a_label = sight.face_from ? sight.from : sight.to;
   drawing.b_label = sight.face_from && sight.face_to ? sight.to : "";
   for (const CriticalPoint2& c : sight.critical) {
-    drawing.critical_on_a.push_back(rounded(c.point));
-    drawing.lines.emplace_back(rounded(c.point), rounded(c.far));
+    drawing.critical_on_a.push_back(to_doubles(c.point));
+    drawing.lines.emplace_back(to_doubles(c.point), to_doubles(c.far));
   }
   return drawing;
 }

@@ -19,17 +19,7 @@ namespace {
 constexpr double kHeight = 1024, kTitle = 76;  // units of the whole, and of the heading
 constexpr Colour kSky{0.80, 0.88, 0.95};
 
-double dot(const Direction3& a, const Direction3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-Direction3 cross(const Direction3& a, const Direction3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Direction3 scaled(const Direction3& a, double s) { return {s * a.x, s * a.y, s * a.z}; }
-
-Direction3 sum(const Direction3& a, const Direction3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-
-Direction3 unit(const Direction3& a) { return scaled(a, 1 / std::sqrt(dot(a, a))); }
+Direction3 unit(const Direction3& a) { return 1 / length(a) * a; }
 
 // The part of a piece with dot(normal, direction) >= 0.
 std::vector<Direction3> cut(const std::vector<Direction3>& piece, const Direction3& normal) {
@@ -40,7 +30,7 @@ std::vector<Direction3> cut(const std::vector<Direction3>& piece, const Directio
     if (at_a >= 0) kept.push_back(a);
     if ((at_a < 0) == (at_b < 0)) continue;
     const double t = at_a / (at_a - at_b);
-    kept.push_back(unit(sum(scaled(a, 1 - t), scaled(b, t))));
+    kept.push_back(unit((1 - t) * a + t * b));
   }
   return kept;
 }
@@ -54,7 +44,7 @@ std::optional<Arc> cut(const std::optional<Arc>& arc, const Direction3& normal) 
   if (at_a < 0 && at_b < 0) return std::nullopt;
   if ((at_a < 0) == (at_b < 0)) return arc;
   const double t = at_a / (at_a - at_b);
-  const Direction3 between = unit(sum(scaled(arc->first, 1 - t), scaled(arc->second, t)));
+  const Direction3 between = unit((1 - t) * arc->first + t * arc->second);
   return at_a < 0 ? Arc{between, arc->second} : Arc{arc->first, between};
 }
 
@@ -64,14 +54,11 @@ struct PieceSide {
   double angle;
 };
 
-double angle_between(const Direction3& a, const Direction3& b) {
-  const Direction3 c = cross(a, b);
-  return std::atan2(std::sqrt(dot(c, c)), dot(a, b));
-}
+double angle_between(const Direction3& a, const Direction3& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
 Direction3 along(const PieceSide& side, double angle) {
   const Direction3 across = cross(side.normal, side.from);
-  return unit(sum(scaled(side.from, std::cos(angle)), scaled(across, std::sin(angle))));
+  return unit(std::cos(angle) * side.from + std::sin(angle) * across);
 }
 
 std::vector<PieceSide> sides_of(const MapPiece3& piece) {
@@ -79,7 +66,7 @@ std::vector<PieceSide> sides_of(const MapPiece3& piece) {
   for (std::size_t k = 0; k < piece.corners.size(); ++k) {
     const Direction3 &a = piece.corners[k], &b = piece.corners[(k + 1) % piece.corners.size()];
     const Direction3 normal = cross(a, b);
-    if (dot(normal, normal) > 1e-24) sides.push_back({a, unit(normal), angle_between(a, b)});
+    if (length(normal) > 1e-12) sides.push_back({a, unit(normal), angle_between(a, b)});
   }
   return sides;
 }
@@ -89,8 +76,7 @@ void add_outline(const PieceSide& side, const std::vector<PieceSide>& others, st
   constexpr double kOneCircle = 1e-9, kLeast = 1e-9;
   std::vector<std::pair<double, double>> covered;
   for (const PieceSide& other : others) {
-    const Direction3 both = sum(side.normal, other.normal);
-    if (dot(both, both) > kOneCircle * kOneCircle) continue;
+    if (length(side.normal + other.normal) > kOneCircle) continue;
     const Direction3 across = cross(side.normal, side.from);
     const double end = std::atan2(dot(other.from, across), dot(other.from, side.from));  // it runs the other way
     for (const double turn : {0.0, 2 * std::numbers::pi}) covered.emplace_back(end + turn - other.angle, end + turn);
@@ -124,7 +110,7 @@ void add_arc(const Direction3& a, const Direction3& b, double step, std::vector<
     const double t = static_cast<double>(k) / count;
     const double left = angle > 1e-9 ? std::sin((1 - t) * angle) / std::sin(angle) : 1 - t;
     const double right = angle > 1e-9 ? std::sin(t * angle) / std::sin(angle) : t;
-    points.push_back(unit(sum(scaled(a, left), scaled(b, right))));
+    points.push_back(unit(left * a + right * b));
   }
 }
 
@@ -138,14 +124,13 @@ void fill_piece(PictureCanvas& canvas, const std::vector<Pixel>& polygon, const 
 // A face in the colour of its material, lit from above and from one side so that faces are told apart; black backs are
 // dark.
 Colour colour_of(const Scene3& scene, const Face& face) {
-  const Surface& surface = scene.surfaces[face.surface];
-  const std::optional<std::uint32_t> material = face.is_back ? surface.back : std::optional(surface.material);
+  const std::optional<std::uint32_t> material = scene.surfaces[face.surface].material_of(face.is_back);
   if (!material) return palette::kUnlitSolid;
   const Spectrum& paint = scene.materials[*material].reflectivity;
   const bool emits = !scene.materials[*material].emission.is_zero();
   const Vector3 area = doubled_area(scene.polygons[face.surface]);
   Direction3 normal = unit({to_double(area.x), to_double(area.y), to_double(area.z)});
-  if (face.is_back) normal = scaled(normal, -1);
+  if (face.is_back) normal = -normal;
   const double shade = emits ? 1 : 0.62 + 0.38 * dot(normal, unit({0.35, 0.5, 0.8}));
   const auto level = [&](std::size_t c) {
     const double value = emits ? 1 : 0.08 + 0.92 * to_double(paint.value[c]);
@@ -164,18 +149,16 @@ MapPainter3::MapPainter3(const MapDrawing3& drawing) : drawing_(drawing), width_
   height_ = static_cast<std::uint32_t>(std::ceil(kHeight * unit_));
   const Direction3 forward = unit(drawing.forward), right = unit(cross(forward, drawing.up)),
                    up = cross(right, forward);
-  const auto minus = [](const Direction3& a) { return scaled(a, -1); };
   half_side_ = 130 * unit_;
   radius_ = 216 * unit_;
   const auto at = [&](double column, double row) {
     return Pixel{(40 + 130 * (2 * column + 1)) * unit_, (kTitle + 30 + 130 * (2 * row + 1)) * unit_};
   };
-  sides_ = {{{right, up, forward}, at(1, 1)},        {{minus(right), up, minus(forward)}, at(3, 1)},
-            {{forward, up, minus(right)}, at(0, 1)}, {{minus(forward), up, right}, at(2, 1)},
-            {{right, minus(forward), up}, at(1, 0)}, {{right, forward, minus(up)}, at(1, 2)}};
+  sides_ = {{{right, up, forward}, at(1, 1)},  {{-right, up, -forward}, at(3, 1)}, {{forward, up, -right}, at(0, 1)},
+            {{-forward, up, right}, at(2, 1)}, {{right, -forward, up}, at(1, 0)},  {{right, forward, -up}, at(1, 2)}};
   const double x = width_ - 40 * unit_ - radius_;
   discs_ = {{{right, up, forward}, {x, (kTitle + 14) * unit_ + radius_}},
-            {{minus(right), up, minus(forward)}, {x, (kTitle + 44) * unit_ + 3 * radius_}}};
+            {{-right, up, -forward}, {x, (kTitle + 44) * unit_ + 3 * radius_}}};
   lines_ = outlines(drawing_.pieces);
 }
 
@@ -204,8 +187,7 @@ Pixel MapPainter3::on_cube(const Direction3& direction) const {
 
 void MapPainter3::draw_cube_side(PictureCanvas& canvas, const Side& side) const {
   const auto& [right, up, out] = side.axes;
-  const std::array<Direction3, 5> inside{out, sum(out, right), sum(out, scaled(right, -1)), sum(out, up),
-                                         sum(out, scaled(up, -1))};
+  const std::array<Direction3, 5> inside{out, out + right, out - right, out + up, out - up};
   const Pixel low{side.middle.x - half_side_, side.middle.y - half_side_};
   const Pixel high{side.middle.x + half_side_, side.middle.y + half_side_};
   canvas.fill_rectangle(Mark::kFloor, low, high, kSky);

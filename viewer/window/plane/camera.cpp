@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/plane/scene/bounding_box.h"
+
 namespace hottel {
 namespace {
 
@@ -10,24 +12,14 @@ constexpr double kMostZoom = 1e4;
 }  // namespace
 
 void Camera2::fit(const Scene2& scene, FrameSize size, double left_right, double top, double bottom) {
-  std::array<double, 2> low{0, 0}, high{1, 1};
-  bool is_first = true;
-  const auto add = [&](const Point2& p) {
-    const std::array<double, 2> at{to_double(p.x), to_double(p.y)};
-    for (std::size_t k = 0; k < 2; ++k) {
-      low[k] = is_first ? at[k] : std::min(low[k], at[k]);
-      high[k] = is_first ? at[k] : std::max(high[k], at[k]);
-    }
-    is_first = false;
-  };
-  for (const Edge2& edge : scene.edges) {
-    add(edge.from);
-    add(edge.to);
-  }
+  Box2 box{{0, 0}, {1, 1}};
+  if (!scene.edges.empty()) box = bounding_box(scene);
   if (scene.grid) {
-    add(scene.grid->min);
-    add(scene.grid->max);
+    if (scene.edges.empty()) box = Box2::of(scene.grid->min);
+    box.include(scene.grid->min);
+    box.include(scene.grid->max);
   }
+  const std::array<double, 2> low = to_doubles(box.min), high = to_doubles(box.max);
   const double extent = std::max(high[0] - low[0], high[1] - low[1]);
   const double wide = extent > 0 ? std::max(high[0] - low[0], 1e-3 * extent) : 1;
   const double tall = extent > 0 ? std::max(high[1] - low[1], 1e-3 * extent) : 1;

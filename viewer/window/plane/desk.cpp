@@ -84,10 +84,9 @@ void Desk2::scene_changed() {
 // What is looked at follows the mouse, where it depends on it, and what lies under it.
 void Desk2::request_changed() {
   const bool is_free = has_mouse_ && drag_ == Drag::kNone;
-  const bool has_number =
-      request_.look == Look2::kLight || request_.look == Look2::kFloor || request_.look == Look2::kBands;
-  const bool follows = has_mouse_ && request_.look == Look2::kVisibility;
-  request_.mouse = (is_free && has_number) || follows ? std::optional(exact_mouse()) : std::nullopt;
+  const bool follows =
+      request_.look == Look2::kVisibility ? has_mouse_ : is_free && shows_light_at_mouse(request_.look);
+  request_.mouse = follows ? std::optional(exact_mouse()) : std::nullopt;
   if (request_.look == Look2::kFactors)
     request_.other = hover_.surface && is_free ? std::optional(asked_face(hover_)) : std::nullopt;
   if (request_.look != Look2::kFactors && request_.look != Look2::kPair) request_.other.reset();

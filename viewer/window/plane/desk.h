@@ -134,6 +134,7 @@ class Desk2 {
   void draw_prompt(PictureCanvas& canvas) const;
   void draw_help(PictureCanvas& canvas) const;
   LookDrawing2 drawing() const;
+  std::string file_title() const;
   std::string head() const;
   std::string status() const;
   void draw();
@@ -160,7 +161,7 @@ class Desk2 {
   bool drops_text_ = false;  // that of the key which opened a prompt
   std::optional<Tool> tool_;
   std::optional<Prompt> prompt_;
-  std::string message_;
+  std::string message_, title_;
   Pick2 hover_;
 
   std::shared_ptr<const Scene2> shown_;  // what the rest has been told of

@@ -106,7 +106,7 @@ T next_of(const Choices& choices, const T& now, int step) {
   return choices[static_cast<std::size_t>(((found == n ? 0 : found + step) + n) % n)];
 }
 
-// The approximate methods: of each family the first of its sweep.
+// The approximate methods: of each family the middle one of its sweep.
 std::vector<std::string> approximate_methods() {
   std::vector<std::string> names;
   const MethodCatalogue2 catalogue = methods_2();
@@ -187,11 +187,7 @@ bool Desk2::nudge(std::string_view name) {
   if (is_far) name.remove_prefix(4);
   const int x = name == "right" ? 1 : name == "left" ? -1 : 0, y = name == "up" ? 1 : name == "down" ? -1 : 0;
   if (x == 0 && y == 0) return false;
-  Rational step = 1;
-  const int decimals = decimals_at(camera_.pixels_per_length());
-  for (int k = 0; k < decimals; ++k) step /= 10;
-  for (int k = 0; k > decimals; --k) step *= 10;
-  if (is_far) step *= 10;
+  const Rational step = decimal_step(decimals_at(camera_.pixels_per_length()) - (is_far ? 1 : 0));
   message_ = editor_.move_by(x * step, y * step);
   return true;
 }

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/check/wording.h"
 #include "geometry/scene_names.h"
-#include "kernel/decimal.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "viewer/edit/decimals.h"
@@ -22,20 +22,6 @@ constexpr double kGap = 12;  // units between boxes and the border
 constexpr Colour kSelected = palette::kTarget, kTouched{0.02, 0.62, 0.83, 0.55}, kDimmed{0.992, 0.988, 0.980, 0.62};
 constexpr Colour kChanged{0.98, 0.72, 0.10, 0.9};  // edges whose light is not there yet
 constexpr std::uint32_t kBlank = 0xFFFDFCFA;       // where nothing can be drawn
-
-const char* to_string(Tone tone) {
-  switch (tone) {
-    case Tone::kLinear:
-      return "linear";
-    case Tone::kReinhard:
-      return "reinhard";
-    case Tone::kLog:
-      return "log";
-    case Tone::kMax:
-      return "max";
-  }
-  return "";
-}
 
 }  // namespace
 
@@ -147,10 +133,14 @@ void Desk2::draw_problem(PictureCanvas& canvas) const {
              {.corner = {kGap * unit_, 52 * unit_}, .width = 0.45 * size_.width, .height = 0.7 * size_.height}, unit_);
 }
 
+// The name of the file, with a star where it lacks an edit.
+std::string Desk2::file_title() const {
+  return file_.path().filename().string() + (editor_.history().is_changed() ? " *" : "");
+}
+
 std::string Desk2::head() const {
   const LiveState2& state = looks_.state();
-  std::string text = file_.path().filename().string() + (editor_.history().is_changed() ? " *" : "") + "   " +
-                     hottel::to_string(request_.look);
+  std::string text = file_title() + "   " + to_string(request_.look);
   if (request_.look == Look2::kLight) text += fmt::format(", tone {} x {:.3g}", to_string(tone_.tone), tone_.exposure);
   if (request_.look == Look2::kFloor) text += fmt::format(" x {:.3g}", tone_.exposure);
   if (request_.look == Look2::kErrors) text += ": " + request_.method;
@@ -167,20 +157,16 @@ std::string Desk2::head() const {
 // Where the mouse is, what lies there, and the number that can be copied.
 std::string Desk2::status() const {
   if (!has_mouse_) return "";
-  const Point2 at = exact_mouse();
-  std::string text = fmt::format("({}, {})", short_text(at.x), short_text(at.y));
+  std::string text = place_text(exact_mouse());
   const Scene2& scene = *editor_.scene();
   if (hover_.surface && *hover_.surface < scene.surfaces.size()) {
     text += "   " + face_name(scene, hover_.face);
-    const Surface& surface = scene.surfaces[*hover_.surface];
-    const auto material = hover_.face.is_back ? surface.back : std::optional(surface.material);
+    const auto material = scene.surfaces[*hover_.surface].material_of(hover_.face.is_back);
     text += material ? " of " + scene.materials[*material].name : ", opaque and black";
   }
   const LookResult2* result = looks_.result();
   if (result == nullptr || result->number.empty()) return text;
-  const bool is_light = request_.look == Look2::kLight || request_.look == Look2::kFloor ||
-                        request_.look == Look2::kBands || request_.look == Look2::kVisibility;
-  return text + (is_light ? "   mean irradiance " : "   ") + result->number;
+  return text + (shows_light_at_mouse(request_.look) ? "   mean irradiance " : "   ") + result->number;
 }
 
 void Desk2::draw_texts(PictureCanvas& canvas) const {
@@ -188,8 +174,8 @@ void Desk2::draw_texts(PictureCanvas& canvas) const {
   draw_panel(canvas, {.lines = {head()}}, {.corner = {gap, gap}, .width = 0.7 * width}, unit_);
   draw_panel(canvas, {.lines = {"h  help"}, .is_head_bold = false},
              {.corner = {width - gap, gap}, .is_right = true, .width = 200 * unit_}, unit_);
-  const bool has_panel = request_.look != Look2::kLight && request_.look != Look2::kFloor &&
-                         request_.look != Look2::kBands && looks_.result() != nullptr;
+  const bool has_panel =
+      (request_.look == Look2::kVisibility || !shows_light_at_mouse(request_.look)) && looks_.result() != nullptr;
   if (has_panel)
     draw_panel(canvas, {.lines = looks_.result()->lines},
                {.corner = {width - gap, 52 * unit_},
@@ -258,7 +244,9 @@ void Desk2::draw() {
   shows_help_ ? draw_help(canvas) : draw_texts(canvas);
   draw_prompt(canvas);
   canvas.finish();
-  window_.set_title(file_.path().filename().string() + (editor_.history().is_changed() ? " *" : "") + " - hottel");
+  std::string title = file_title() + " - hottel";
+  if (title != title_) window_.set_title(title);
+  title_ = std::move(title);
   needs_frame_ = false;
 }
 

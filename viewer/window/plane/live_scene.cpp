@@ -140,8 +140,9 @@ bool LiveScene2::make_light(const Simulation2& simulation, const StageProgress& 
     state.radiosities = simulation.radiosities(progress);
     state.light = simulation.light(progress);
     return true;
+  } catch (const Interrupted&) {
+    throw;
   } catch (const std::exception& error) {
-    if (dynamic_cast<const Interrupted*>(&error) != nullptr) throw;
     state.problem = error.what();
   }
   explain(simulation, progress, state);
@@ -153,8 +154,9 @@ void LiveScene2::explain(const Simulation2& simulation, const StageProgress& pro
     const auto check = simulation.check(progress);
     for (const Finding2& finding : check->findings)
       if (finding.severity == Severity::kError) state.errors.push_back(finding);
-  } catch (const std::exception& error) {
-    if (dynamic_cast<const Interrupted*>(&error) != nullptr) throw;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception&) {  // the problem is told already
   }
 }
 

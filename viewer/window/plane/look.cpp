@@ -18,6 +18,7 @@
 #include "io/results/plane/visibility_report.h"
 #include "io/results/solve_report.h"
 #include "kernel/decimal.h"
+#include "kernel/rounding.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "solver/plane/compare/method_comparison.h"
@@ -123,12 +124,9 @@ void add_pair(const LiveState2& state, LookResult2& result) {
   for (const std::string& line : lines_of(pair_answer(sight).text)) {
     if (request.look != Look2::kPair && line.starts_with("critical")) break;
     result.lines.push_back(with_tabs(request.wants_closed_form ? line : without_form(line)));
-    if (line.starts_with("  F from") && result.number.empty()) {
-      const std::string number = without_form(line);
-      result.number = number.substr(number.find_last_of(' ', number.find_last_not_of(' ')) + 1);
-      result.number.erase(result.number.find_last_not_of(' ') + 1);
-    }
   }
+  if (const RootSum& area = sight.pair.area_from; !area.is_zero())
+    result.number = shortest(round_quotient(sight.pair.exchange, area).number.value);
 }
 
 double seconds_of(const ComputedFactors2& factors) {
@@ -211,17 +209,11 @@ std::optional<Look2> look_2(std::string_view word) {
   return std::nullopt;
 }
 
-bool needs_work(const LookRequest2& request) {
-  switch (request.look) {
-    case Look2::kLight:
-    case Look2::kFloor:
-    case Look2::kBands:
-    case Look2::kVisibility:
-      return request.mouse.has_value();
-    default:
-      return true;
-  }
+bool shows_light_at_mouse(Look2 look) {
+  return look == Look2::kLight || look == Look2::kFloor || look == Look2::kBands || look == Look2::kVisibility;
 }
+
+bool needs_work(const LookRequest2& request) { return !shows_light_at_mouse(request.look) || request.mouse; }
 
 LookResult2 look_at(const LiveState2& state, const LookRequest2& request, const StageProgress& progress,
                     const std::function<void(LookResult2)>& tell) {

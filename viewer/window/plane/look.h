@@ -72,6 +72,9 @@ struct LookResult2 {
   bool is_done = true;                          // false: more is coming
 };
 
+// Whether a look shows the light at the mouse.
+bool shows_light_at_mouse(Look2 look);
+
 // Whether a look needs more than the state: whether look_at() has anything to do.
 bool needs_work(const LookRequest2& request);
 

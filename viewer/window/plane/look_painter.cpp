@@ -76,13 +76,6 @@ const LookResult2* result_of(const LookDrawing2& drawing) {
   return drawing.result && drawing.result->version == drawing.state->version ? drawing.result : nullptr;
 }
 
-double brightest(const RadiositySolution& solution) {
-  double value = 0;
-  for (const ChannelSolution& channel : solution.channels)
-    for (const ElementRadiosity& element : channel.elements) value = std::max(value, element.radiosity);
-  return value;
-}
-
 // Radiosities as bands: those of the channels averaged.
 ScenePicture2 bands_of(const LiveState2& state) {
   ScenePicture2 picture;
@@ -96,7 +89,7 @@ ScenePicture2 bands_of(const LiveState2& state) {
     for (const ChannelSolution& channel : solution.channels) sum += channel.elements[i].radiosity;
     colouring.elements[i] = sum / static_cast<double>(solution.channels.size());
   }
-  const double most = brightest(solution);
+  const double most = largest_radiosity(solution);
   colouring.scale = most > 0 ? ColourScale{1e-3 * most, most, true} : ColourScale{0, 1, false};
   colouring.title = solution.channels.size() > 1 ? "radiosity, mean of r, g, b [W/m]" : "radiosity [W/m]";
   picture.colouring = std::move(colouring);
