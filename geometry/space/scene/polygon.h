@@ -8,9 +8,10 @@
 
 namespace hottel {
 
-// A plane convex polygon. Its front is the side from which its points go around counter-clockwise.
+// A plane polygon, perhaps with holes. Its front is the side from which its points go around counter-clockwise.
 struct Polygon3 {
-  std::vector<Point3> points;  // the last is joined to the first
+  std::vector<Point3> points = {};              // the last is joined to the first
+  std::vector<std::vector<Point3>> holes = {};  // each in any sense
   friend bool operator==(const Polygon3&, const Polygon3&) = default;
 };
 
@@ -22,18 +23,43 @@ struct PolygonProblem3 {
 
 // Returns what is wrong with a polygon, by exact arithmetic: there is no tolerance.
 //
-//   (1) it has at least three points, in lowest terms, no two of them equal, and not all on one line
+//   (1) outline and holes have at least three points each, in lowest terms, no two equal in one of them, and not all
+//       on one line
 //   (2) all lie in one plane; otherwise it is told how far they are off the plane of three of them that lie far apart
-//   (3) it is convex and goes around once: it turns to one side only, or goes straight on, and never back
+//   (3) no two sides cross, and none goes back along the one before; outline and holes may touch
+//   (4) holes lie in the outline and share no area
 //
-// COST: n log n for n points.
+// COST: n log n for n points of a convex polygon; else that of a PlaneTriangulation3.
 PolygonProblem3 polygon_problem(const Polygon3& polygon);
 
-// Returns the normal on the front whose length is twice the area, exactly: the sum of the vector products of its points
-// in turn, taken from the first.
+// True iff it has no hole and turns to one side only, or goes straight on. REQUIRES a polygon without a problem.
+bool is_convex(const Polygon3& polygon);
+
+// Returns the normal on the front whose length is twice the area, exactly, holes taken away.
 //
 //   (1) the opposite for the points in opposite order; the same wherever the order begins
 //   (2) not zero for a polygon without a problem
 Vector3 doubled_area(const Polygon3& polygon);
+
+// A side of a polygon, from a corner to the next one.
+struct Side3 {
+  Point3 from, to;
+  friend bool operator==(const Side3&, const Side3&) = default;
+};
+
+// All sides of a polygon, in order: those of its outline, then those of its holes.
+//
+//   (1) seen from its front the polygon lies on the left of each, whatever the sense in which holes are listed
+std::vector<Side3> sides_of(const Polygon3& polygon);
+
+// Returns a point for people: "(2, 3/7, 0)", each coordinate by short_text. What is printed of a long coordinate is
+// near it, not exact.
+std::string place_text(const Point3& point);
+
+// True iff a point lies in the polygon or on its border, that of a hole too: exactly. REQUIRES a polygon without a
+// problem.
+bool contains(const Polygon3& polygon, const Point3& point);
+// The same for a point of which it is known that it lies in the plane, whose normal is not zero.
+bool contains_in_plane(const Polygon3& polygon, const Vector3& normal, const Point3& point);
 
 }  // namespace hottel

@@ -1,7 +1,6 @@
 #include "geometry/space/scene/scene.h"
 
 #include "geometry/name.h"
-#include "geometry/space/scene/coplanar_overlap.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -27,14 +26,6 @@ void validate(const Scene3& scene) {
       throw InputError({scene.file, scene.surfaces[s].line},
                        "polygon " + quoted_name(scene.surfaces[s].name) + " " + problem,
                        hint.empty() ? std::vector<std::string>() : std::vector{hint});
-  }
-  if (const auto overlap = first_overlap(scene.polygons)) {
-    const Surface &first = scene.surfaces[overlap->first], &second = scene.surfaces[overlap->second];
-    throw InputError({scene.file, second.line},
-                     "polygons " + quoted_name(first.name) + " and " + quoted_name(second.name) +
-                         " overlap: they share an area of one plane" +
-                         (first.line > 0 ? "; the first is in line " + std::to_string(first.line) : ""),
-                     {"in this version no two polygons may; a wall seen from both sides is one with a \"back\""});
   }
   if (!scene.camera) return;
   if (const std::string problem = camera_problem(*scene.camera); !problem.empty())

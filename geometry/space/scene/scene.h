@@ -31,9 +31,10 @@ std::string camera_problem(const Camera3& camera);
 // The scene, in the order of the file: polygons, then the faces of meshes.
 //
 //   (1) polygons[s] is where surfaces[s] of the table lies: as many of one as of the other
-//   (2) every polygon is one (polygon_problem): exactly plane, convex, of positive area
-//   (3) no two polygons of one plane share an area; they may touch, and those of different planes may meet anyhow
-//   (4) the table is valid (SceneTable), and the camera has no problem
+//   (2) every polygon is one (polygon_problem): exactly plane, of positive area
+//   (3) the table is valid (SceneTable), and the camera has no problem
+//
+// Polygons may touch, overlap and pierce each other anyhow: what that means is told by Arrangement3.
 struct Scene3 : SceneTable {
   std::vector<Polygon3> polygons;
   std::optional<Camera3> camera;
@@ -45,8 +46,8 @@ struct Scene3 : SceneTable {
   }
 };
 
-// Throws InputError naming file, line and surface unless (2) to (4) hold, both surfaces where (3) does not;
-// ContractViolation unless (1) does. COST: 10^4 polygons take about 0.3 s, see first_overlap.
+// Throws InputError naming file, line and surface unless (2) and (3) hold; ContractViolation unless (1) does.
+// COST: that of polygon_problem.
 void validate(const Scene3& scene);
 
 }  // namespace hottel

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/space/visibility/cone_split.h"
+
 namespace hottel {
 
 void cone_sides(const EyePlanes3& planes, std::size_t s, std::vector<PlaneSide3>& result) {
@@ -40,84 +42,59 @@ ConeCutter3::Extremes ConeCutter3::find_signs(const ConeFragment3& fragment, Pla
   return result;
 }
 
-// Both signs occur among signs_: the boundary changes sides twice, at a corner or within an edge.
-void ConeCutter3::split(const ConeFragment3& fragment, PlaneSide3 side, ConeFragment3* inside, ConeFragment3* outside) {
-  const std::size_t count = fragment.size();
-  if (inside) inside->clear();
-  if (outside) outside->clear();
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t next = k + 1 == count ? 0 : k + 1;
-    const int here = signs_[k], there = signs_[next];
-    const ConeCorner3& corner = fragment[k];
-    if (inside && (here > 0 || (here == 0 && there > 0))) inside->push_back(corner);
-    if (outside && (here < 0 || (here == 0 && there < 0))) outside->push_back(corner);
-    // Where the plane takes over, its edge begins at the point of change.
-    if (here > 0 && there < 0) {
-      if (inside) inside->push_back(planes_.corner(corner.plane, side));
-      if (outside) {
-        ConeCorner3 entry = inside ? inside->back() : planes_.corner(corner.plane, side);
-        entry.plane = corner.plane;
-        outside->push_back(entry);
-      }
-    } else if (here < 0 && there > 0) {
-      ConeCorner3 change = planes_.corner(side, corner.plane);
-      if (inside) inside->push_back(change);
-      if (outside) {
-        change.plane = side.opposite();
-        outside->push_back(change);
-      }
-    } else if (there == 0 && here != 0) {
-      ConeCorner3 change = fragment[next];
-      change.plane = here > 0 ? side : side.opposite();
-      if (here > 0 && inside) inside->push_back(change);
-      if (here < 0 && outside) outside->push_back(change);
-    }
-  }
-}
-
 bool ConeCutter3::clip(const ConeFragment3& fragment, PlaneSide3 side, ConeFragment3& inside) {
   const Extremes extremes = find_signs(fragment, side);
   if (!extremes.has_positive) return false;
   if (extremes.has_negative)
-    split(fragment, side, &inside, nullptr);
+    split_cone(planes_, fragment, signs_, side, &inside, static_cast<ConeFragment3*>(nullptr));
   else
     inside = fragment;
   return true;
 }
 
-bool ConeCutter3::is_inside(const ConeFragment3& fragment, std::span<const PlaneSide3> sides) {
-  return std::all_of(sides.begin(), sides.end(), [this, &fragment](PlaneSide3 side) {
-    return std::none_of(fragment.begin(), fragment.end(),
-                        [this, side](const ConeCorner3& corner) { return planes_.sign(corner, side) < 0; });
+bool ConeCutter3::is_inside(const ConeFragment3& fragment, const Direction3& axis, const ConeBounds3& cone) {
+  const auto is_beyond = [&axis](const Direction3& m) { return dot(m, axis) < 0; };
+  return std::none_of(cone.inward.begin(), cone.inward.end(), is_beyond) &&
+         std::all_of(cone.sides.begin(), cone.sides.end(), [this, &fragment](PlaneSide3 side) {
+           return std::none_of(fragment.begin(), fragment.end(),
+                               [this, side](const ConeCorner3& corner) { return planes_.sign(corner, side) < 0; });
+         });
+}
+
+// Two convex cones have no common inner point iff the plane of an edge of one of them separates them. A plane that has
+// a direction in the fragment on the inner side of the cone, or the other way round, does not.
+bool ConeCutter3::is_apart(const ConeFragment3& fragment, const Direction3& axis, const ConeBounds3& cone) {
+  for (std::size_t k = 0; k < cone.sides.size(); ++k) {
+    if (dot(cone.inward[k], axis) > 0) continue;
+    if (std::none_of(fragment.begin(), fragment.end(), [this, side = cone.sides[k]](const ConeCorner3& corner) {
+          return planes_.sign(corner, side) > 0;
+        }))
+      return true;
+  }
+  return std::any_of(fragment.begin(), fragment.end(), [&](const ConeCorner3& corner) {
+    const BoundedVector& m = planes_.normal(corner.plane.plane);
+    const double product = m.x * cone.axis.x + m.y * cone.axis.y + m.z * cone.axis.z;
+    if ((corner.plane.is_opposite ? -product : product) > 0) return false;
+    return std::none_of(cone.corners.begin(), cone.corners.end(),
+                        [&](VertexId3 v) { return planes_.sign(v, corner.plane) > 0; });
   });
 }
 
-// Two convex cones have no common inner point iff the plane of an edge of one of them separates them.
-bool ConeCutter3::is_apart(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides) {
-  const auto is_outside = [this, &fragment](PlaneSide3 side) {
-    return std::none_of(fragment.begin(), fragment.end(),
-                        [this, side](const ConeCorner3& corner) { return planes_.sign(corner, side) > 0; });
-  };
-  if (std::any_of(sides.begin(), sides.end(), is_outside)) return true;
-  const auto corners = planes_.blockers().outline(s);
-  return std::any_of(fragment.begin(), fragment.end(), [this, &corners](const ConeCorner3& corner) {
-    return std::none_of(corners.begin(), corners.end(),
-                        [this, &corner](VertexId3 v) { return planes_.sign(v, corner.plane) > 0; });
-  });
-}
-
-void ConeCutter3::subtract(const ConeFragment3& fragment, std::span<const PlaneSide3> sides, FragmentList3& rest) {
-  current_ = fragment;
+bool ConeCutter3::subtract(const ConeFragment3& fragment, std::span<const PlaneSide3> sides, FragmentList3& rest) {
+  const ConeFragment3* current = &fragment;
+  const std::size_t before = rest.size();
   for (const PlaneSide3 side : sides) {
-    const Extremes extremes = find_signs(current_, side);
+    const Extremes extremes = find_signs(*current, side);
     if (!extremes.has_negative) continue;
     if (!extremes.has_positive) {
-      rest.add() = current_;
-      return;
+      rest.add() = *current;
+      return rest.size() > before + 1;
     }
-    split(current_, side, &next_, &rest.add());
+    split_cone(planes_, *current, signs_, side, &next_, &rest.add());
     std::swap(current_, next_);
+    current = &current_;
   }
+  return true;
 }
 
 }  // namespace hottel

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/space/visibility/direction.h"
 #include "geometry/space/visibility/eye_planes.h"
 
 namespace hottel {
@@ -21,16 +22,28 @@ class FragmentList3 {
   std::size_t size() const { return size_; }
   ConeFragment3& operator[](std::size_t k) { return kept_[k]; }
   void clear() { size_ = 0; }
+  // Takes the last one away.
+  void drop_last() { --size_; }
   // Appends a fragment without corners; it stays where it is when others are added.
   ConeFragment3& add() {
     if (size_ == kept_.size()) kept_.emplace_back();
     kept_[size_].clear();
+    kept_[size_].reserve(8);
     return kept_[size_++];
   }
 
  private:
   std::deque<ConeFragment3> kept_;
   std::size_t size_ = 0;
+};
+
+// A convex cone by its bounds: where all sides are positive.
+struct ConeBounds3 {
+  std::span<const PlaneSide3> sides;
+  std::span<const VertexId3> corners;  // the cone is that around the directions to these
+  // Unit normals of the sides and a direction in the cone, in doubles, to guess by; zero where these do not tell them.
+  std::span<const Direction3> inward;
+  Direction3 axis;
 };
 
 // Sets `result` to the sides of planes that bound the cone of a polygon, in order. REQUIRES facing(s) != 0.
@@ -47,23 +60,23 @@ class ConeCutter3 {
   // Sets `inside` to what is on the positive side; false where that has no inner point.
   bool clip(const ConeFragment3& fragment, PlaneSide3 side, ConeFragment3& inside);
 
-  // True iff the fragment is on the positive side of all of these.
-  bool is_inside(const ConeFragment3& fragment, std::span<const PlaneSide3> sides);
+  // True only where all of the fragment is in the cone, and then as a rule. `axis`: a direction in the fragment, to
+  // guess by.
+  bool is_inside(const ConeFragment3& fragment, const Direction3& axis, const ConeBounds3& cone);
 
-  // True iff the fragment and the cone of polygon s have no common inner direction; `sides` are those of that cone.
-  // Exact, on open sets: what only touches is apart.
-  bool is_apart(const ConeFragment3& fragment, std::size_t s, std::span<const PlaneSide3> sides);
+  // True only where the fragment and the cone have no common inner direction, and then as a rule. On open sets: what
+  // only touches is apart.
+  bool is_apart(const ConeFragment3& fragment, const Direction3& axis, const ConeBounds3& cone);
 
   // Appends to `rest` what is left of the fragment when all that is on the positive side of every one of these is taken
-  // away: the pieces are convex and have no common inner direction.
-  void subtract(const ConeFragment3& fragment, std::span<const PlaneSide3> sides, FragmentList3& rest);
+  // away: the pieces are convex and have no common inner direction. False where that is all of it.
+  bool subtract(const ConeFragment3& fragment, std::span<const PlaneSide3> sides, FragmentList3& rest);
 
  private:
   struct Extremes {
     bool has_positive = false, has_negative = false;
   };
   Extremes find_signs(const ConeFragment3& fragment, PlaneSide3 side);
-  void split(const ConeFragment3& fragment, PlaneSide3 side, ConeFragment3* inside, ConeFragment3* outside);
 
   EyePlanes3& planes_;
   std::vector<signed char> signs_;  // of the corners at hand

@@ -1,6 +1,7 @@
 // Directions in doubles, and what a cone of them measures.
 #pragma once
 
+#include <cmath>
 #include <span>
 
 namespace hottel {
@@ -10,6 +11,17 @@ struct Direction3 {
   double x = 0, y = 0, z = 0;
   friend bool operator==(const Direction3&, const Direction3&) = default;
 };
+
+// Sums, multiples and products of directions as vectors: what they give may have any length.
+inline Direction3 operator+(const Direction3& a, const Direction3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Direction3 operator-(const Direction3& a, const Direction3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Direction3 operator-(const Direction3& a) { return {-a.x, -a.y, -a.z}; }
+inline Direction3 operator*(double s, const Direction3& a) { return {s * a.x, s * a.y, s * a.z}; }
+inline double dot(const Direction3& a, const Direction3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Direction3 cross(const Direction3& a, const Direction3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double length(const Direction3& a) { return std::sqrt(dot(a, a)); }
 
 // Returns the solid angle of a convex cone less than a half space, as a fraction of the full sphere. Its corners are in
 // order, as the determinant of any three of them is not negative.

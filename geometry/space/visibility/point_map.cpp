@@ -6,6 +6,9 @@
 
 #include "geometry/space/visibility/cone_fragment.h"
 #include "geometry/space/visibility/sight_cones.h"
+#include "geometry/space/visibility/sight_shells.h"
+#include "geometry/space/visibility/sight_tree.h"
+#include "kernel/coprime_integers.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 
@@ -15,15 +18,6 @@ namespace {
 // Relative error from which a direction or a distance is computed from integers.
 constexpr double kIllConditioned = 1e-12;
 
-// Coprime integers in the direction of a vector.
-IntegerVector integer_direction(const Point3& a) {
-  const Integer denominator = lcm(lcm(a.x.get_den(), a.y.get_den()), a.z.get_den());
-  const auto integer = [&denominator](const Rational& value) -> Integer {
-    return value.get_num() * (denominator / value.get_den());
-  };
-  return primitive({integer(a.x), integer(a.y), integer(a.z)});
-}
-
 Direction3 unit(const BoundedVector& a) {
   const double x = a.x / a.size, y = a.y / a.size, z = a.z / a.size;
   const double length = std::sqrt(x * x + y * y + z * z);
@@ -32,30 +26,28 @@ Direction3 unit(const BoundedVector& a) {
 
 BoundedVector rounded_well(const IntegerVector& a) { return rounded(a, bits(a) - 53); }
 
-// Makes the map: one target after another, each with all that can hide it taken away.
+// Makes the map: one target after another, near ones first, each with all that can hide it taken away.
 class MapMaker {
  public:
   MapMaker(const Blockers3& blockers, const Look3& look)
       : planes_(blockers, look.eye, look.always_exact),
         cutter_(planes_),
         cones_(planes_),
+        shells_(planes_, cones_),
+        tree_(planes_, shells_),
         eye_{to_double(look.eye.x), to_double(look.eye.y), to_double(look.eye.z)} {
+    hidings_.resize(shells_.size());
+    hidden_counts_.resize(shells_.size());
     if (!look.normal) return;
-    const IntegerVector normal = integer_direction(*look.normal);
+    const auto [x, y, z] = coprime_integers<3>({look.normal->x, look.normal->y, look.normal->z});
+    const IntegerVector normal{x, y, z};
     HOTTEL_REQUIRE(!is_zero(normal));
     horizon_ = planes_.add_horizon(normal);
     normal_ = unit(rounded_well(normal));
   }
 
   PointMap3 make() {
-    const Blockers3& blockers = planes_.blockers();
-    for (std::size_t n = 0; n < blockers.nodes().size(); ++n) {
-      const Blockers3::Node& node = blockers.nodes()[n];
-      if (node.left != 0 || cones_.node(n).is_empty()) continue;
-      is_around_known_ = false;
-      for (std::uint32_t k = node.begin; k < node.end; ++k)
-        if (planes_.facing(blockers.order()[k]) != 0) see(blockers.order()[k], n);
-    }
+    see_all();
     sort_by_face();
     keep_planes();
     add_shares();
@@ -64,98 +56,236 @@ class MapMaker {
   }
 
  private:
-  // A polygon that may hide a part of the target, and how promising it is to begin with: the smaller the better;
-  // the best one is the largest.
-  struct Blocker {
-    std::uint32_t surface;
+  // A shell that may hide a part of what is at hand, and how promising it is: the smaller the better; the best one
+  // covers most.
+  struct Candidate {
+    std::uint32_t shell;
     double promise;
-    bool operator<(const Blocker& other) const {
-      return promise != other.promise ? promise > other.promise : surface > other.surface;
+    bool operator<(const Candidate& other) const {
+      return promise != other.promise ? promise > other.promise : shell > other.shell;
     }
   };
-  enum class Hides { kNever, kWhole, kWhereNearer };
-
-  // Which part of polygon k hides polygon j, as far as the planes of both tell.
-  Hides hides(std::size_t k, std::size_t j) {
-    const auto [k_before, k_beyond] = places(k, j);
-    if (!k_before) return Hides::kNever;
-    if (!k_beyond) return Hides::kWhole;
-    const auto [j_before, j_beyond] = places(j, k);
-    if (!j_before) return Hides::kWhole;
-    return j_beyond ? Hides::kWhereNearer : Hides::kNever;
-  }
-
-  // Whether corners of polygon k are on the side of the eye, and beyond, of the plane of polygon j.
-  std::pair<bool, bool> places(std::size_t k, std::size_t j) {
+  // A piece of the target, in pieces_, and those of candidates_ that may hide something of it.
+  struct Task {
+    std::size_t begin, end;
+  };
+  // Which part of what a shell covers of the target it hides, as far as planes tell: kEach where its polygons differ.
+  enum class Hides : unsigned char { kNever, kWhole, kWhereNearer, kEach };
+  struct Hiding {
+    std::uint32_t target = 0xffffffff;  // of which it is known
+    Hides hides = Hides::kNever;
+  };
+  struct Places {
     bool before = false, beyond = false;
-    for (const VertexId3 v : planes_.blockers().outline(k)) {
+  };
+
+  // Whether corners are on the side of the eye, and beyond, of the plane of polygon j.
+  Places places(std::span<const VertexId3> corners, std::uint32_t j) {
+    Places result;
+    for (const VertexId3 v : corners) {
       const int sign = planes_.nearness(v, j);
-      before |= sign > 0;
-      beyond |= sign < 0;
+      result.before |= sign > 0;
+      result.beyond |= sign < 0;
     }
-    return {before, beyond};
+    return result;
   }
 
-  // Sets blockers_ to a heap: the most promising first.
-  void find_blockers(std::uint32_t target, std::size_t leaf) {
-    if (!is_around_known_) cones_.find_blockers(cones_.node(leaf), around_);
+  // Which part of polygon k hides polygon j.
+  Hides hides(std::uint32_t k, std::uint32_t j) {
+    const Blockers3& blockers = planes_.blockers();
+    const Places of_k = places(blockers.outline(k), j);
+    if (!of_k.before) return Hides::kNever;
+    if (!of_k.beyond) return Hides::kWhole;
+    const Places of_j = places(blockers.outline(j), k);
+    if (!of_j.before) return Hides::kWhole;
+    return of_j.beyond ? Hides::kWhereNearer : Hides::kNever;
+  }
+
+  // What is before the plane of a polygon of a round shell is before all of the shell.
+  Hides find_hides(const SightShell3& shell, std::uint32_t target) {
+    if (shell.polygons.size() == 1) return hides(shell.polygons[0], target);
+    const Places of_shell = places(shell.cone.corners, target);
+    if (!of_shell.before) return Hides::kNever;
+    if (!of_shell.beyond) return Hides::kWhole;
+    Hides result = Hides::kWhole;
+    for (const std::uint32_t k : shell.polygons) {
+      if (shell.is_round && !places(planes_.blockers().outline(target), k).beyond) return Hides::kNever;
+      if (hides(k, target) != Hides::kWhole) result = Hides::kEach;
+    }
+    return result;
+  }
+
+  Hides hides_target(std::uint32_t shell) {
+    Hiding& known = hidings_[shell];
+    if (known.target != target_) known = {target_, find_hides(shells_[shell], target_)};
+    return known.hides;
+  }
+
+  // Goes through the tree from near to far: what is found to be hidden as a whole need not be asked what it hides.
+  void see_all() {
+    const Blockers3& blockers = planes_.blockers();
+    std::vector<std::pair<double, std::uint32_t>> waiting;
+    const auto add = [&](std::uint32_t n) {
+      if (tree_.node(n).is_empty()) return;
+      waiting.emplace_back(-tree_.node(n).nearest, n);
+      std::push_heap(waiting.begin(), waiting.end());
+    };
+    if (!blockers.nodes().empty()) add(0);
+    while (!waiting.empty()) {
+      std::pop_heap(waiting.begin(), waiting.end());
+      const std::uint32_t n = waiting.back().second;
+      waiting.pop_back();
+      if (is_hidden_by_hiders(tree_.node(n))) {
+        tree_.drop_node(n);
+        continue;
+      }
+      const Blockers3::Node& node = blockers.nodes()[n];
+      if (node.left != 0) {
+        add(node.left);
+        add(node.right);
+      } else {
+        see_leaf(n);
+      }
+    }
+  }
+
+  void see_leaf(std::uint32_t n) {
+    const Blockers3::Node& node = planes_.blockers().nodes()[n];
+    is_around_known_ = false;
+    for (std::uint32_t k = node.begin; k < node.end; ++k) {
+      const std::uint32_t s = planes_.blockers().order()[k];
+      if (planes_.facing(s) == 0) continue;
+      if (!shells_.is_buried(s) && see(s, n)) continue;
+      const std::uint32_t shell = shells_.shell_of(s);
+      if (++hidden_counts_[shell] == shells_[shell].polygons.size()) tree_.drop_shell(shell);
+    }
+  }
+
+  // Whether one of the shells that hid something as a whole hides all of this.
+  bool is_hidden_by_hiders(const SightCone3& cone) {
+    for (std::size_t k = 0; k < hiders_.size(); ++k)
+      if (hides_all(shells_[hiders_[k]], cone)) {
+        std::rotate(hiders_.begin(), hiders_.begin() + static_cast<std::ptrdiff_t>(k),
+                    hiders_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+        return true;
+      }
+    return false;
+  }
+
+  void remember_hider(std::uint32_t shell) {
+    constexpr std::size_t kMostHiders = 8;
+    const auto known = std::find(hiders_.begin(), hiders_.end(), shell);
+    if (known != hiders_.end())
+      std::rotate(hiders_.begin(), known, known + 1);
+    else
+      hiders_.insert(hiders_.begin(), shell);
+    if (hiders_.size() > kMostHiders) hiders_.pop_back();
+  }
+
+  // Takes away from pieces_[0], and what is left of it, what hides it. Returns whether anything is left.
+  bool take_away_all(const SightCone3& cone, std::uint32_t leaf) {
+    if (!is_around_known_) tree_.find_shells(tree_.node(leaf), around_);
     is_around_known_ = true;
-    const SightCone3& cone = cones_.polygon(target);
-    blockers_.clear();
-    for (const std::uint32_t k : around_) {
-      const SightCone3& other = cones_.polygon(k);
-      if (k == target || !may_hide(other, cone) || !cones_.may_overlap(k, target)) continue;
+    candidates_.clear();
+    for (const std::uint32_t shell : around_)
+      if (shell != shells_.shell_of(target_) && may_hide(shells_[shell].around, cone))
+        candidates_.push_back({shell, 0});
+    tasks_.assign(1, {0, candidates_.size()});
+    bool is_anything_left = false;
+    while (!tasks_.empty()) {
+      std::swap(piece_, pieces_[pieces_.size() - 1]);
+      pieces_.drop_last();
+      const Task task = tasks_.back();
+      tasks_.pop_back();
+      if (take_away_one(task)) {
+        add_fragment(target_, piece_);
+        is_anything_left = true;
+      }
+    }
+    return is_anything_left;
+  }
+
+  // Takes one shell away from piece_: the one that covers most of it, as far as round cones tell, among those that hide
+  // something of it. What is left waits for the others. Returns whether there is no such shell.
+  bool take_away_one(const Task& task) {
+    const SightCone3 cone = SightCones3::around(piece_);
+    candidates_.resize(task.end);
+    for (std::size_t k = task.begin; k < task.end; ++k) {
+      const std::uint32_t shell = candidates_[k].shell;
+      const SightCone3& other = shells_[shell].around;
+      if (!may_overlap(cone, other)) continue;
       const double x = other.x - cone.x, y = other.y - cone.y, z = other.z - cone.z;
-      blockers_.push_back({k, other.is_wide() ? -2 : std::sqrt(x * x + y * y + z * z) - other.sine});
+      candidates_.push_back({shell, other.is_wide() ? -2 : std::sqrt(x * x + y * y + z * z) - other.sine});
     }
-    std::make_heap(blockers_.begin(), blockers_.end());
+    const auto begin = candidates_.begin() + static_cast<std::ptrdiff_t>(task.end);
+    std::make_heap(begin, candidates_.end());
+    while (candidates_.size() > task.end) {
+      std::pop_heap(begin, candidates_.end());
+      const std::uint32_t shell = candidates_.back().shell;
+      candidates_.pop_back();
+      if (cutter_.is_apart(piece_, cone.axis(), shells_[shell].cone)) continue;
+      const Hides part = hides_target(shell);
+      if (part == Hides::kNever || !cut(shell, part)) continue;
+      for (std::size_t p = tasks_.size(); p < pieces_.size(); ++p) tasks_.push_back({task.end, candidates_.size()});
+      return false;
+    }
+    return true;
   }
 
-  // Takes away from pieces_ what a polygon hides.
-  void take_away(std::uint32_t blocker, std::uint32_t target) {
-    cone_sides(planes_, blocker, sides_);
-    std::size_t first = 0;
-    while (first < pieces_.size() && cutter_.is_apart(pieces_[first], blocker, sides_)) ++first;
-    if (first == pieces_.size()) return;
-    const Hides part = hides(blocker, target);
-    if (part == Hides::kNever) return;
-    part_sides_ = sides_;
+  // Appends to pieces_ what a shell leaves of piece_. False where that is all of it: then nothing is appended.
+  bool cut(std::uint32_t shell, Hides part) {
+    const std::size_t before = pieces_.size();
+    const SightShell3& blocker = shells_[shell];
+    if (part == Hides::kEach) return cut_each(blocker);
+    sides_.assign(blocker.cone.sides.begin(), blocker.cone.sides.end());
     // First, so that a piece that is nearer stays whole.
-    if (part == Hides::kWhereNearer) part_sides_.insert(part_sides_.begin(), planes_.add_crossing(blocker, target));
-    rest_.clear();
-    for (std::size_t p = 0; p < pieces_.size(); ++p) {
-      const bool is_apart = p != first && (p < first || cutter_.is_apart(pieces_[p], blocker, sides_));
-      if (is_apart)
-        std::swap(rest_.add(), pieces_[p]);
-      else
-        cutter_.subtract(pieces_[p], part_sides_, rest_);
+    if (part == Hides::kWhereNearer) sides_.insert(sides_.begin(), planes_.add_crossing(blocker.polygons[0], target_));
+    if (!cutter_.subtract(piece_, sides_, pieces_)) {
+      pieces_.drop_last();
+      return false;
     }
-    std::swap(pieces_, rest_);
+    if (part == Hides::kWhole && pieces_.size() == before) remember_hider(shell);
+    return true;
   }
 
-  // Whether the polygon that hid the rest of another one hides all of this one: neighbours often share their fate.
-  bool is_hidden_as_before(std::uint32_t target) {
-    if (!latest_ || *latest_ == target) return false;
-    cone_sides(planes_, *latest_, sides_);
-    return cutter_.is_inside(pieces_[0], sides_) && hides(*latest_, target) == Hides::kWhole;
+  bool cut_each(const SightShell3& blocker) {
+    bool is_anything_hidden = false;
+    kept_.clear();
+    kept_.add() = piece_;
+    for (const std::uint32_t k : blocker.polygons) {
+      const Hides part = hides(k, target_);
+      if (part == Hides::kNever) continue;
+      cone_sides(planes_, k, sides_);
+      if (part == Hides::kWhereNearer) sides_.insert(sides_.begin(), planes_.add_crossing(k, target_));
+      rest_.clear();
+      for (std::size_t p = 0; p < kept_.size(); ++p) is_anything_hidden |= cutter_.subtract(kept_[p], sides_, rest_);
+      std::swap(kept_, rest_);
+    }
+    if (!is_anything_hidden) return false;
+    for (std::size_t p = 0; p < kept_.size(); ++p) std::swap(pieces_.add(), kept_[p]);
+    return true;
   }
 
-  // Adds what is seen of a polygon, which is in this leaf of the tree.
-  void see(std::uint32_t target, std::size_t leaf) {
+  // Whether the shell that hid all of another one last hides all of this one: neighbours often share their fate.
+  bool is_hidden_as_before(const Direction3& axis) {
+    if (hiders_.empty() || hiders_.front() == shells_.shell_of(target_)) return false;
+    return cutter_.is_inside(pieces_[0], axis, shells_[hiders_.front()].cone) &&
+           hides_target(hiders_.front()) == Hides::kWhole;
+  }
+
+  // Adds what is seen of a polygon, which is in this leaf of the tree. Returns whether anything is.
+  bool see(std::uint32_t target, std::uint32_t leaf) {
+    target_ = target;
+    const SightCone3 cone = cones_.around({&target, 1}, planes_.blockers().outline(target));
+    if (is_hidden_by_hiders(cone)) return false;
     pieces_.clear();
-    cone_of_polygon(planes_, target, whole_);
-    if (!horizon_)
-      pieces_.add() = whole_;
-    else if (!cutter_.clip(whole_, *horizon_, pieces_.add()))
-      return;
-    if (is_hidden_as_before(target)) return;
-    find_blockers(target, leaf);
-    for (auto end = blockers_.end(); end != blockers_.begin() && pieces_.size() > 0; --end) {
-      std::pop_heap(blockers_.begin(), end);
-      take_away((end - 1)->surface, target);
-      if (pieces_.size() == 0) latest_ = (end - 1)->surface;
+    if (!horizon_) {
+      cone_of_polygon(planes_, target, pieces_.add());
+    } else {
+      cone_of_polygon(planes_, target, piece_);
+      if (!cutter_.clip(piece_, *horizon_, pieces_.add())) return true;
     }
-    for (std::size_t p = 0; p < pieces_.size(); ++p) add_fragment(target, pieces_[p]);
+    return !is_hidden_as_before(cone.axis()) && take_away_all(cone, leaf);
   }
 
   Direction3 direction(const ConeCorner3& corner) {
@@ -242,16 +372,22 @@ class MapMaker {
   EyePlanes3 planes_;
   ConeCutter3 cutter_;
   SightCones3 cones_;
+  SightShells3 shells_;
+  SightTree3 tree_;
   Direction3 eye_;
   std::optional<PlaneSide3> horizon_;
   Direction3 normal_;
   std::vector<std::uint32_t> around_;  // what may hide something of the leaf at hand, where that is known
   bool is_around_known_ = false;
-  std::optional<std::uint32_t> latest_;         // the polygon that hid the rest of another one last
-  std::vector<Blocker> blockers_;               // what may hide something of the target at hand
-  std::vector<PlaneSide3> sides_, part_sides_;  // of the polygon that hides, and of the part of it that does
-  ConeFragment3 whole_;
-  FragmentList3 pieces_, rest_;
+  std::vector<std::uint32_t> hidden_counts_;  // of shells: how many of their polygons are hidden as a whole
+  std::vector<std::uint32_t> hiders_;         // shells that hid something as a whole, the latest first
+  std::uint32_t target_ = 0;
+  std::vector<Hiding> hidings_;  // of shells
+  std::vector<Candidate> candidates_;
+  std::vector<Task> tasks_;  // with pieces_
+  FragmentList3 pieces_, kept_, rest_;
+  ConeFragment3 piece_;
+  std::vector<PlaneSide3> sides_;
   PointMap3 map_;
 };
 

@@ -64,7 +64,7 @@ struct PointMap3 {
 // Returns the map of what is seen from a point.
 //
 // Throws ContractViolation where the normal is zero.
-// COST: about 3 microseconds a polygon in rooms with boxes, 8 where triangles pierce each other.
+// COST: 2 to 3 microseconds a polygon in rooms full of boxes.
 // SEE: docs/design/space/point_map.md.
 //
 // For several threads at once.

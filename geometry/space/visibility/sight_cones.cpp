@@ -1,9 +1,8 @@
 #include "geometry/space/visibility/sight_cones.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "geometry/space/visibility/cone_fragment.h"
 
 namespace hottel {
 namespace {
@@ -11,49 +10,26 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastCosine = 0.1;  // of a cone that excludes anything: two of them stay below 180 degrees
 constexpr double kSlack = 1e-12;      // far above the rounding of what is compared, relative to the distances
+constexpr double kTurnSlack = 1e-14;  // far above the rounding of a cosine
+// Relative error from which a direction is not used.
+constexpr double kIllConditioned = 1e-12;
 
 const SightCone3 kEverywhere{1, 0, 0, -1, 0, 0, kInfinity};
-
-// An axis-parallel box of vectors from the eye.
-struct Box {
-  double low[3] = {kInfinity, kInfinity, kInfinity}, high[3] = {-kInfinity, -kInfinity, -kInfinity};
-
-  void include(const BoundedVector& w) {
-    const double values[3] = {w.x, w.y, w.z};
-    for (int a = 0; a < 3; ++a) {
-      low[a] = std::min(low[a], values[a]);
-      high[a] = std::max(high[a], values[a]);
-    }
-  }
-  void include(const Box& other) {
-    for (int a = 0; a < 3; ++a) {
-      low[a] = std::min(low[a], other.low[a]);
-      high[a] = std::max(high[a], other.high[a]);
-    }
-  }
-  bool is_empty() const { return low[0] > high[0]; }
-};
 
 double length(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
 
 // True for lengths whose squares neither underflow nor overflow.
 bool is_plain(double value) { return value > 0x1p-400 && value < 0x1p400; }
 
-SightCone3 cone_around(const Box& box) {
-  if (box.is_empty()) return {};
-  const double x = (box.low[0] + box.high[0]) / 2, y = (box.low[1] + box.high[1]) / 2,
-               z = (box.low[2] + box.high[2]) / 2;
-  const double distance = length(x, y, z);
-  const double radius =
-      length(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]) / 2 + kSlack * distance;
-  if (!is_plain(distance)) return kEverywhere;
-  SightCone3 cone{x / distance, y / distance, z / distance, -1, 0, 0, (distance + radius) * (1 + kSlack)};
-  cone.nearest = std::max(0.0, distance - radius);
-  const double sine = radius / distance;
-  if (sine * sine > 1 - kLeastCosine * kLeastCosine) return cone;
-  cone.sine = sine;
-  cone.cosine = std::sqrt(1 - sine * sine);
-  return cone;
+// Sets the axis and the half angle, where the least cosine of the angle of a direction with it says that it is narrow.
+void set_turn(SightCone3& cone, const Direction3& axis, double least) {
+  cone.x = axis.x;
+  cone.y = axis.y;
+  cone.z = axis.z;
+  least -= kTurnSlack;
+  if (least < kLeastCosine) return;
+  cone.cosine = least;
+  cone.sine = std::sqrt(1 - least * least);
 }
 
 // The distance of the plane of a polygon, or less.
@@ -64,92 +40,91 @@ double plane_distance(const EyePlanes3& planes, std::size_t s) {
   return std::max(0.0, std::fabs(product) / length(normal.x, normal.y, normal.z) - kSlack * toward.size);
 }
 
-SightCone3 cone_around(const EyePlanes3& planes, std::size_t s, const Box& box) {
-  SightCone3 cone = cone_around(box);
-  const auto outline = planes.blockers().outline(s);
-  double x = 0, y = 0, z = 0, farthest = 0;
-  for (const VertexId3 v : outline) {
-    const BoundedVector& w = planes.eye().toward(v);
-    const double distance = length(w.x, w.y, w.z);
-    if (!is_plain(distance)) return kEverywhere;
-    farthest = std::max(farthest, distance);
-    x += w.x / distance;
-    y += w.y / distance;
-    z += w.z / distance;
-  }
-  cone.nearest = std::max(cone.nearest, plane_distance(planes, s));
-  cone.farthest = std::min(cone.farthest, farthest * (1 + kSlack));
-  const double size = length(x, y, z);
-  if (size < 1e-3) return cone;
-  double cosine = 1;
-  for (const VertexId3 v : outline) {
-    const BoundedVector& w = planes.eye().toward(v);
-    cosine = std::min(cosine, (x * w.x + y * w.y + z * w.z) / (size * length(w.x, w.y, w.z)));
-  }
-  if (cosine < kLeastCosine || cosine < cone.cosine) return cone;
-  return {x / size,     y / size,     z / size, cosine, std::sqrt(std::max(0.0, 1 - cosine * cosine)),
-          cone.nearest, cone.farthest};
-}
-
 }  // namespace
 
-SightCones3::SightCones3(const EyePlanes3& planes) : blockers_(planes.blockers()) {
-  polygons_.resize(blockers_.size());
-  std::vector<Box> boxes(blockers_.nodes().size());
-  nodes_.resize(boxes.size());
-  // Children stand behind their parents.
-  for (std::size_t n = boxes.size(); n-- > 0;) {
-    const Blockers3::Node& node = blockers_.nodes()[n];
-    if (node.left != 0) {
-      boxes[n].include(boxes[node.left]);
-      boxes[n].include(boxes[node.right]);
-    } else {
-      for (std::uint32_t k = node.begin; k < node.end; ++k) {
-        const std::uint32_t s = blockers_.order()[k];
-        if (planes.facing(s) == 0) continue;
-        Box box;
-        for (const VertexId3 v : blockers_.outline(s)) box.include(planes.eye().toward(v));
-        polygons_[s] = cone_around(planes, s, box);
-        boxes[n].include(box);
-      }
-    }
-    nodes_[n] = cone_around(boxes[n]);
+double SightBox3::distance() const {
+  double square = 0;
+  for (int a = 0; a < 3; ++a) {
+    const double apart = std::max({low[a], -high[a], 0.0});
+    square += apart * apart;
   }
-  add_normals(planes);
+  return std::sqrt(square) * (1 - kSlack);
 }
 
-void SightCones3::add_normals(const EyePlanes3& planes) {
-  std::vector<PlaneSide3> sides;
-  for (std::size_t s = 0; s < blockers_.size(); ++s) {
-    cone_sides(planes, s, sides);
-    for (const PlaneSide3 side : sides) {
-      const BoundedVector& m = planes.normal(side.plane);
-      const double size = length(m.x, m.y, m.z);
-      const bool is_known = is_plain(size) && m.error < 1e-10 * size;
-      const double factor = !is_known ? 0 : side.is_opposite ? -1 / size : 1 / size;
-      normals_.push_back({factor * m.x, factor * m.y, factor * m.z});
-    }
-    first_.push_back(normals_.size());
+SightCones3::SightCones3(const EyePlanes3& planes) : planes_(planes) {
+  const std::size_t count = planes.blockers().vertices().size();
+  sights_.reserve(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    const BoundedVector& w = planes.eye().toward(VertexId3(v));
+    const double distance = length(w.x, w.y, w.z);
+    if (is_plain(distance))
+      sights_.push_back({{w.x / distance, w.y / distance, w.z / distance}, distance});
+    else
+      sights_.push_back({{}, 0});
   }
 }
 
-void SightCones3::find_blockers(const SightCone3& target, std::vector<std::uint32_t>& found) {
-  found.clear();
-  if (nodes_.empty()) return;
-  waiting_.assign(1, 0);
-  while (!waiting_.empty()) {
-    const std::uint32_t n = waiting_.back();
-    waiting_.pop_back();
-    if (!may_hide(nodes_[n], target)) continue;
-    const Blockers3::Node& node = blockers_.nodes()[n];
-    if (node.left != 0) {
-      waiting_.push_back(node.right);
-      waiting_.push_back(node.left);
-      continue;
-    }
-    for (std::uint32_t k = node.begin; k < node.end; ++k)
-      if (may_hide(polygons_[blockers_.order()[k]], target)) found.push_back(blockers_.order()[k]);
+SightCone3 SightCones3::around(const SightBox3& box) {
+  if (box.is_empty()) return {};
+  const double x = (box.low[0] + box.high[0]) / 2, y = (box.low[1] + box.high[1]) / 2,
+               z = (box.low[2] + box.high[2]) / 2;
+  const double distance = length(x, y, z);
+  const double radius =
+      length(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]) / 2 + kSlack * distance;
+  if (!is_plain(distance)) return kEverywhere;
+  SightCone3 cone{x / distance, y / distance, z / distance, -1, 0, 0, (distance + radius) * (1 + kSlack)};
+  cone.nearest = box.distance();
+  const double sine = radius / distance;
+  if (sine * sine > 1 - kLeastCosine * kLeastCosine) return cone;
+  cone.sine = sine;
+  cone.cosine = std::sqrt(1 - sine * sine);
+  return cone;
+}
+
+SightCone3 SightCones3::around(std::span<const std::uint32_t> polygons, std::span<const VertexId3> corners) const {
+  SightCone3 cone{1, 0, 0, -1, 0, kInfinity, 0};
+  SightBox3 box;
+  Direction3 sum;
+  for (const VertexId3 v : corners) {
+    const Sight& sight = sights_[v.index()];
+    if (sight.distance == 0) return kEverywhere;
+    cone.farthest = std::max(cone.farthest, sight.distance);
+    box.include(planes_.eye().toward(v));
+    sum = sum + sight.direction;
   }
+  cone.farthest *= 1 + kSlack;
+  for (const std::uint32_t s : polygons) cone.nearest = std::min(cone.nearest, plane_distance(planes_, s));
+  cone.nearest = std::max(cone.nearest, box.distance());
+  const double size = hottel::length(sum);
+  if (size < 1e-3) return cone;
+  const Direction3 axis = (1 / size) * sum;
+  double least = 1;
+  for (const VertexId3 v : corners) least = std::min(least, dot(axis, sights_[v.index()].direction));
+  set_turn(cone, axis, least);
+  return cone;
+}
+
+SightCone3 SightCones3::around(const ConeFragment3& fragment) {
+  SightCone3 cone = kEverywhere;
+  thread_local std::vector<Direction3> directions;
+  directions.clear();
+  Direction3 sum;
+  bool is_good = true;
+  for (const ConeCorner3& corner : fragment) {
+    const BoundedVector& d = corner.direction;
+    const double size = length(d.x, d.y, d.z);
+    if (!is_plain(size)) return kEverywhere;
+    is_good &= d.error <= kIllConditioned * size;
+    directions.push_back((1 / size) * Direction3{d.x, d.y, d.z});
+    sum = sum + directions.back();
+  }
+  const double size = hottel::length(sum);
+  if (size < 1e-3) return cone;
+  const Direction3 axis = (1 / size) * sum;
+  double least = 1;
+  for (const Direction3& direction : directions) least = std::min(least, dot(axis, direction));
+  set_turn(cone, axis, is_good ? least : -1);
+  return cone;
 }
 
 }  // namespace hottel

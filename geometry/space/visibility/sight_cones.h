@@ -1,9 +1,14 @@
 // Round cones around what an eye sees, to tell what cannot hide what. Internal to geometry/space/visibility.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
+#include "geometry/space/visibility/cone_fragment.h"
+#include "geometry/space/visibility/direction.h"
 #include "geometry/space/visibility/eye_planes.h"
 
 namespace hottel {
@@ -16,58 +21,65 @@ struct SightCone3 {
 
   bool is_empty() const { return farthest < 0; }
   bool is_wide() const { return cosine < 0; }
+  Direction3 axis() const { return {x, y, z}; }
 };
 
-// False only where nothing in `blocker` can hide anything in `target`: for both by themselves, the rounding of all
-// doubles included.
-inline bool may_hide(const SightCone3& blocker, const SightCone3& target) {
-  if (blocker.is_empty() || blocker.nearest > target.farthest) return false;
-  if (blocker.is_wide() || target.is_wide()) return true;
+// False only where the two have no common inner direction: for both by themselves, the rounding of all doubles
+// included.
+inline bool may_overlap(const SightCone3& a, const SightCone3& b) {
+  if (a.is_wide() || b.is_wide()) return true;
   constexpr double kSlack = 1e-9;
-  return blocker.x * target.x + blocker.y * target.y + blocker.z * target.z >=
-         blocker.cosine * target.cosine - blocker.sine * target.sine - kSlack;
+  return a.x * b.x + a.y * b.y + a.z * b.z >= a.cosine * b.cosine - a.sine * b.sine - kSlack;
 }
 
-// The cones of all polygons that the eye is not in the plane of, and of the nodes of their tree.
-//
-//   (1) everything in a polygon is within its cone and between its distances, and so for nodes
-//
-// One for each thread: it keeps working memory. COST: linear in the corners of polygons.
+// False only where nothing in `blocker` can hide anything in `target`.
+inline bool may_hide(const SightCone3& blocker, const SightCone3& target) {
+  return blocker.nearest <= target.farthest && !blocker.is_empty() && may_overlap(blocker, target);
+}
+
+// An axis-parallel box of vectors from the eye.
+struct SightBox3 {
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double low[3] = {kInfinity, kInfinity, kInfinity}, high[3] = {-kInfinity, -kInfinity, -kInfinity};
+
+  void include(const BoundedVector& w) {
+    const double values[3] = {w.x, w.y, w.z};
+    for (int a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], values[a]);
+      high[a] = std::max(high[a], values[a]);
+    }
+  }
+  void include(const SightBox3& other) {
+    for (int a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], other.low[a]);
+      high[a] = std::max(high[a], other.high[a]);
+    }
+  }
+  bool is_empty() const { return low[0] > high[0]; }
+  // How far it is, at least.
+  double distance() const;
+};
+
+// Makes round cones: all that they are around is within them and between their distances.
 class SightCones3 {
  public:
   // REQUIRES: the planes outlive this.
   explicit SightCones3(const EyePlanes3& planes);
 
-  const SightCone3& polygon(std::size_t s) const { return polygons_[s]; }
-  const SightCone3& node(std::size_t n) const { return nodes_[n]; }
-
-  // False only where the cones of the two polygons have no common inner direction: each is held against the planes of
-  // the other.
-  bool may_overlap(std::size_t s, std::size_t t) const { return may_cross(s, t) && may_cross(t, s); }
-
-  // Sets `found` to the polygons that may hide something in the target. COST: that of the nodes whose cones meet that
-  // of the target.
-  void find_blockers(const SightCone3& target, std::vector<std::uint32_t>& found);
+  // Around polygons that have these corners.
+  SightCone3 around(std::span<const std::uint32_t> polygons, std::span<const VertexId3> corners) const;
+  static SightCone3 around(const SightBox3& box);
+  // Around a fragment, without distances: 0 to infinity.
+  static SightCone3 around(const ConeFragment3& fragment);
 
  private:
-  struct UnitNormal {
-    double x, y, z;
+  struct Sight {
+    Direction3 direction;
+    double distance;  // 0 where doubles do not tell the direction
   };
-  // False only where the round cone of t is outside a plane of the cone of s.
-  bool may_cross(std::size_t s, std::size_t t) const {
-    const SightCone3& cone = polygons_[t];
-    if (cone.is_wide()) return true;
-    for (std::size_t k = first_[s]; k < first_[s + 1]; ++k)
-      if (normals_[k].x * cone.x + normals_[k].y * cone.y + normals_[k].z * cone.z < -cone.sine - 1e-9) return false;
-    return true;
-  }
-  void add_normals(const EyePlanes3& planes);
 
-  const Blockers3& blockers_;
-  std::vector<SightCone3> polygons_, nodes_;
-  std::vector<std::size_t> first_{0};  // of the planes of a polygon in normals_
-  std::vector<UnitNormal> normals_;    // inward; zero where doubles do not tell it well
-  std::vector<std::uint32_t> waiting_;
+  const EyePlanes3& planes_;
+  std::vector<Sight> sights_;  // of vertices
 };
 
 }  // namespace hottel

@@ -1,0 +1,72 @@
+// Polygons divided into elements.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/space/scene/scene.h"
+#include "kernel/determinant.h"
+
+namespace hottel {
+
+// Divides every polygon by n. Throws ContractViolation unless n > 0.
+void divide_into(Scene3& scene, std::uint32_t n);
+
+// Divides every polygon by the least n for which its longest side is no longer than n h. Exact: a square of side 3 h is
+// divided by 3. Returns nothing; or the first polygon whose n is more than `most`: then it and those after it stay as
+// they are.
+// Throws ContractViolation unless h > 0.
+std::optional<std::uint32_t> divide_by_length(Scene3& scene, const Rational& h, std::uint32_t most);
+
+// Returns the triangles of a polygon that is not convex, in which it is divided into elements: those of its
+// constrained Delaunay triangulation, their fronts as the polygon's.
+std::vector<std::array<Point3, 3>> triangles_of(const Polygon3& polygon);
+
+// Returns how many elements a polygon has that is divided by n: a convex one as PolygonDivision3 does, another one as
+// its triangles.
+std::uint64_t element_count(const Polygon3& polygon, std::uint32_t n);
+
+// A convex polygon divided by n, its points as they are listed: three are a triangle, four a quad, even where one of
+// them is in the middle of a side; of more, those in the middle of sides are left out, and it is divided into the
+// triangles of a fan from the first point that is left.
+//
+//      3 +-----+-----+ 2                2 +
+//        |  2  |  3  |                   / \          .
+//        +-----+-----+                  / 3 \         .
+//        |  0  |  1  |                 +-----+
+//      0 +-----+-----+ 1              / \ 1 / \       .
+//                                    / 0 \ / 2 \      .
+//       a quad by 2               0 +-----+-----+ 1     a triangle by 2
+//
+//   (1) a quad: n x n elements by equal parts of its sides; row by row from its first point, along its first side first
+//   (2) a triangle: n^2 similar ones, in rows from its first side; in a row up, down, up, ...
+//   (3) n = 1: the polygon itself, whatever its corners; else all elements of the first triangle of a fan come first
+//   (4) corner c of an element lies at c / weight(): exactly. Corners go around as the polygon does; no three in a row
+//       are on one line (of a quad that is a triangle one element is, too)
+//   (5) the elements share no area, and together they are the polygon
+class PolygonDivision3 {
+ public:
+  // REQUIRES integer coordinates of a convex polygon (is_convex), and n > 0.
+  PolygonDivision3(std::vector<IntegerVector> points, std::uint32_t n);
+
+  std::uint64_t count() const;
+  const Integer& weight() const { return weight_; }
+  // COST: about a microsecond.
+  std::vector<IntegerVector> corners(std::uint64_t k) const;  // REQUIRES k < count()
+
+ private:
+  enum class Shape : unsigned char { kWhole, kQuad, kTriangles };
+
+  std::vector<IntegerVector> quad_element(std::uint64_t k) const;
+  std::vector<IntegerVector> triangle_element(std::uint64_t triangle, std::uint64_t k) const;
+
+  std::uint64_t n_;
+  Shape shape_ = Shape::kWhole;
+  bool is_parallelogram_ = false, has_straight_corner_ = false;
+  std::vector<IntegerVector> points_;  // of a quad as listed, else without those in the middle of sides
+  Integer weight_ = 1;
+};
+
+}  // namespace hottel
