@@ -14,16 +14,16 @@ namespace {
 constexpr std::uint32_t kLeafSize = 4;
 
 // The distinct points in the order in which they first occur, and the outlines made of their numbers.
-std::vector<Point3> distinct_points(const std::vector<std::vector<Point3>>& polygons,
+std::vector<Point3> distinct_points(const std::vector<Polygon3>& polygons,
                                     std::vector<std::vector<VertexId3>>& outlines) {
   const auto precedes = [](const Point3* a, const Point3* b) {
     return std::tie(a->x, a->y, a->z) < std::tie(b->x, b->y, b->z);
   };
   std::map<const Point3*, VertexId3, decltype(precedes)> numbers(precedes);
   std::vector<Point3> points;
-  for (const std::vector<Point3>& polygon : polygons) {
+  for (const Polygon3& polygon : polygons) {
     std::vector<VertexId3>& outline = outlines.emplace_back();
-    for (const Point3& point : polygon) {
+    for (const Point3& point : polygon.points) {
       const auto [place, is_new] = numbers.try_emplace(&point, VertexId3(points.size()));
       if (is_new) points.push_back(point);
       outline.push_back(place->second);
@@ -39,7 +39,7 @@ IntegerVector turn_at(const Vertices3& vertices, VertexId3 a, VertexId3 b, Verte
 
 }  // namespace
 
-Blockers3::Blockers3(const std::vector<std::vector<Point3>>& polygons) {
+Blockers3::Blockers3(const std::vector<Polygon3>& polygons) {
   std::vector<std::vector<VertexId3>> outlines;
   vertices_ = Vertices3(distinct_points(polygons, outlines));
   add_outlines(outlines);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/space/predicates/vertices.h"
+#include "geometry/space/scene/polygon.h"
 
 namespace hottel {
 
@@ -31,7 +32,7 @@ struct DirectedEdge3 {
 // COST: O(n log n); 5 to 15 microseconds a polygon.
 class Blockers3 {
  public:
-  explicit Blockers3(const std::vector<std::vector<Point3>>& polygons);
+  explicit Blockers3(const std::vector<Polygon3>& polygons);
 
   std::size_t size() const { return normals_.size(); }
   const Vertices3& vertices() const { return vertices_; }

@@ -1,0 +1,41 @@
+// Sums of directed segments of space.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "kernel/determinant.h"
+
+namespace hottel {
+
+// A sum of directed segments, each with a factor. It is zero iff on each line each point is as often an end as a
+// beginning: where the outlines of polygons cancel, what they cover has no border.
+//
+//   (1) exact: segments of one line add up wherever they begin and end
+//
+// COST: O(log n) a segment.
+class OutlineSum3 {
+ public:
+  void add(const IntegerVector& from, const IntegerVector& to, long factor = 1);
+
+  bool is_zero() const { return !open_end(); }
+  // A point that is not as often an end as a beginning on some line; nothing where the sum is zero.
+  std::optional<IntegerVector> open_end() const;
+
+ private:
+  // A point of a line: the direction of the line, the first coordinate that is not zero positive, its moment, and how
+  // far along it the point is.
+  struct Key {
+    IntegerVector way, moment;
+    Integer place;
+    bool operator<(const Key& other) const;
+  };
+  struct End {
+    long count = 0;
+    IntegerVector point;
+  };
+
+  std::map<Key, End> ends_;
+};
+
+}  // namespace hottel

@@ -1,0 +1,85 @@
+// Boxes around the polygons of a scene, in their tree. Internal to geometry/space.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "geometry/space/arrangement/blockers.h"
+
+namespace hottel {
+
+// A box of the doubles of Vertices3. It begins around nothing.
+struct Box3 {
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+
+  void include(const BoundedVector& p) {
+    const double values[] = {p.x, p.y, p.z};
+    for (int a = 0; a < 3; ++a) {
+      if (values[a] - p.error < low[a]) low[a] = values[a] - p.error;
+      if (values[a] + p.error > high[a]) high[a] = values[a] + p.error;
+    }
+  }
+  void include(const Box3& other) {
+    for (int a = 0; a < 3; ++a) {
+      if (other.low[a] < low[a]) low[a] = other.low[a];
+      if (other.high[a] > high[a]) high[a] = other.high[a];
+    }
+  }
+  // True iff the closed boxes meet.
+  bool meets(const Box3& other) const {
+    for (int a = 0; a < 3; ++a)
+      if (low[a] > other.high[a] || other.low[a] > high[a]) return false;
+    return true;
+  }
+};
+
+// The boxes of all polygons and of the nodes of their tree: they contain what they are around, rounding included.
+// For several threads at once.
+class SurfaceBoxes3 {
+ public:
+  // REQUIRES that the blockers outlive this.
+  explicit SurfaceBoxes3(const Blockers3& blockers) : blockers_(&blockers) {
+    surfaces_.resize(blockers.size());
+    for (std::size_t s = 0; s < blockers.size(); ++s)
+      for (const VertexId3 v : blockers.outline(s)) surfaces_[s].include(blockers.vertices().approximate(v));
+    nodes_.resize(blockers.nodes().size());
+    // Children stand behind their parents.
+    for (std::size_t n = nodes_.size(); n-- > 0;) {
+      const Blockers3::Node& node = blockers.nodes()[n];
+      if (node.left != 0) {
+        nodes_[n] = nodes_[node.left];
+        nodes_[n].include(nodes_[node.right]);
+      } else {
+        for (std::uint32_t k = node.begin; k < node.end; ++k) nodes_[n].include(surfaces_[blockers.order()[k]]);
+      }
+    }
+  }
+
+  const Box3& of(std::size_t s) const { return surfaces_[s]; }
+
+  // Appends the polygons whose boxes meet this one.
+  void find(const Box3& box, std::vector<std::uint32_t>& found) const {
+    if (!nodes_.empty()) find(0, box, found);
+  }
+
+ private:
+  void find(std::uint32_t n, const Box3& box, std::vector<std::uint32_t>& found) const {
+    if (!nodes_[n].meets(box)) return;
+    const Blockers3::Node& node = blockers_->nodes()[n];
+    if (node.left != 0) {
+      find(node.left, box, found);
+      find(node.right, box, found);
+      return;
+    }
+    for (std::uint32_t k = node.begin; k < node.end; ++k)
+      if (const std::uint32_t s = blockers_->order()[k]; surfaces_[s].meets(box)) found.push_back(s);
+  }
+
+  const Blockers3* blockers_;
+  std::vector<Box3> surfaces_, nodes_;
+};
+
+}  // namespace hottel
