@@ -1,0 +1,165 @@
+#include "geometry/space/exchange/distant_pair.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "geometry/space/exchange/local_outline.h"
+#include "kernel/legendre_rule.h"
+
+namespace hottel {
+namespace {
+
+using Vector = LocalVector3<double>;
+using std::numbers::pi;
+
+constexpr double kRound = kRoundoff<double>;
+constexpr int kMaxNodes = 10;
+constexpr double kEnough = 0x1p-47;  // what quadrature may be off by, of the largest value times the area
+
+struct Node {
+  Vector at;
+  double weight;
+};
+
+// One of the two patches, without what is behind the other one.
+class Part {
+ public:
+  Part(const LocalPair3& pair, int side, int exponent) : outline_(pair, side, exponent), cells_(cells_of(outline_)) {
+    for (const LocalPair3::Corner& corner : pair.outline(side))
+      heights_.push_back(height(pair, 1 - side, corner, exponent));
+  }
+
+  const Vector& centre() const { return outline_.centre; }
+  double radius() const { return outline_.radius; }
+  // All points that are made are off by at most this.
+  double off() const { return outline_.most_off + 8 * kRound * outline_.size; }
+  // Of height times density: at most, summed over cells.
+  double largest() const {
+    double sum = 0;
+    for (const PatchCell3<double>& cell : cells_) {
+      double most = 0;
+      for (const std::size_t c : cell.corner) most = std::max(most, heights_[c].value + heights_[c].error);
+      sum += most * cell.most_density;
+    }
+    return sum;
+  }
+
+  // Nodes whose weights are those of the rule, times height and density; and by how much their sum is off.
+  std::vector<Node> nodes(int n, double& off) const {
+    const LegendreRule<double>& rule = legendre_rule<double>(n);
+    const auto count = static_cast<std::size_t>(n);
+    std::vector<Node> result;
+    result.reserve(cells_.size() * count * count);
+    off = 0;
+    for (const PatchCell3<double>& cell : cells_)
+      for (std::size_t a = 0; a < count; ++a)
+        for (std::size_t b = 0; b < count; ++b) {
+          const std::array<double, 4> share = shares_of_corners(rule.node, a, b);
+          Node node{{}, 0};
+          std::array<Approximation<double>, 4> heights;
+          for (std::size_t c = 0; c < 4; ++c) {
+            node.at = node.at + share[c] * outline_.corners[cell.corner[c]];
+            heights[c] = heights_[cell.corner[c]];
+          }
+          const Approximation<double> height = mixed(share, heights), density = mixed(share, cell.density);
+          const double weight = rule.weight[a] * rule.weight[b];
+          node.weight = weight * (height.value * density.value);
+          off += weight * (height.value * density.error + (density.value + density.error) * height.error) +
+                 6 * kRound * node.weight;
+          result.push_back(node);
+        }
+    off *= 1.001;
+    return result;
+  }
+
+ private:
+  // The height above the plane of a patch: not negative, and 0 where the outline was cut there.
+  static Approximation<double> height(const LocalPair3& pair, int over, const LocalPair3::Corner& corner,
+                                      int exponent) {
+    if (corner.corner == LocalPair3::Corner::kCut) return {};
+    const BoundedVector& normal = pair.normal(over);
+    const BoundedValue product = dot(normal, bounded_difference_3(corner.position, pair.corners(over)[0]));
+    const double size = length(Vector{normal.x, normal.y, normal.z});
+    const double value = std::ldexp(std::max(product.value, 0.0) / size, -exponent);
+    return {value,
+            1.001 * (std::ldexp(product.error / size, -exponent) + value * (1.8 * normal.error / size + 4 * kRound))};
+  }
+
+  LocalOutline3<double> outline_;
+  std::vector<PatchCell3<double>> cells_;
+  std::vector<Approximation<double>> heights_;
+};
+
+// For one coordinate of one patch, the error of n nodes where all else is fixed, in units of the largest value of
+// height * density * height * density / distance^4. With A = distance / radius, points of the other patch have sums of
+// at least A (log_distance.cpp); in the ellipse where (rho + 1/rho)/2 = a < A, height and density, which are linear,
+// are at most a times their largest values, and the square of the distance is at least distance^2 (1 - a/A)^2.
+double coordinate_error(int n, double most) {
+  const double a = most * (n - 1) / (n + 1), rho = a + std::sqrt(a * a - 1), r = 1 / (rho * rho);
+  return 32.0 / 15 * a * a / std::pow(1 - a / most, 4) * std::pow(r, n) / (1 - r);
+}
+
+// Nodes for a patch of A = most; 0 where too many would be needed.
+int nodes_for(double most) {
+  if (most < 5) return 0;
+  for (int n = 2; n <= kMaxNodes; ++n)
+    if (coordinate_error(n, most) <= kEnough / 4) return n;
+  return 0;
+}
+
+}  // namespace
+
+// S = 1/pi int int (height of x above j) (height of y above i) / |x - y|^4.
+std::optional<Approximation<double>> measure_of_distant(const LocalPair3& pair, int exponent) {
+  const Part first(pair, 0, exponent), second(pair, 1, exponent);
+  const double distance = (length(first.centre() - second.centre()) - first.radius() - second.radius()) * (1 - 0x1p-40);
+  const int n = nodes_for(distance / first.radius()), m = nodes_for(distance / second.radius());
+  if (n == 0 || m == 0) return {};
+
+  double off_first = 0, off_second = 0;
+  const std::vector<Node> outer = first.nodes(n, off_first), inner = second.nodes(m, off_second);
+  CompensatedSum<double> sum;
+  double sum_outer = 0, sum_inner = 0;
+  for (const Node& node : inner) sum_inner += node.weight;
+  // Coordinates by themselves, so that several terms are divided at once.
+  std::array<std::vector<double>, 4> columns;
+  for (std::vector<double>& column : columns) column.reserve(inner.size());
+  for (const Node& node : inner) {
+    columns[0].push_back(node.at.x);
+    columns[1].push_back(node.at.y);
+    columns[2].push_back(node.at.z);
+    columns[3].push_back(node.weight);
+  }
+  const double *const at_x = columns[0].data(), *const at_y = columns[1].data(), *const at_z = columns[2].data(),
+                      *const weight = columns[3].data();
+  for (const Node& x : outer) {
+    const auto term = [&](std::size_t k) {
+      const double r2 = square(x.at - Vector{at_x[k], at_y[k], at_z[k]});
+      return weight[k] / (r2 * r2);
+    };
+    double row_0 = 0, row_1 = 0, row_2 = 0, row_3 = 0;
+    std::size_t k = 0;
+    for (; k + 4 <= inner.size(); k += 4) {
+      row_0 += term(k);
+      row_1 += term(k + 1);
+      row_2 += term(k + 2);
+      row_3 += term(k + 3);
+    }
+    for (; k < inner.size(); ++k) row_0 += term(k);
+    sum.add(x.weight * ((row_0 + row_1) + (row_2 + row_3)));
+    sum_outer += x.weight;
+  }
+  const double value = sum.value() / pi, power = distance * distance * distance * distance;
+  const double off = first.off() + second.off() + 2 * kRound * (distance + 2 * (first.radius() + second.radius()));
+  const double quadrature =
+      first.largest() * second.largest() * 2 *
+      (coordinate_error(n, distance / first.radius()) + coordinate_error(m, distance / second.radius()));
+  const double weights = off_first * (sum_inner + off_second) + off_second * sum_outer;
+  const double relative = (20 + static_cast<double>(inner.size()) / 4) * kRound + 4.01 * off / distance;
+  return Approximation<double>{value, 1.001 * ((quadrature + weights) / (pi * power) + relative * value)};
+}
+
+}  // namespace hottel

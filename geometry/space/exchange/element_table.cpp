@@ -1,0 +1,270 @@
+#include "geometry/space/exchange/element_table.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "geometry/scene_names.h"
+#include "geometry/space/exchange/area_sum.h"
+#include "geometry/space/scene/division.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::uint64_t kMostElements = std::numeric_limits<std::uint32_t>::max() - 8;
+
+std::uint32_t parts_of_front(const Surface& surface, Granularity granularity) {
+  return granularity == Granularity::kElement ? surface.elements : 1;
+}
+
+// A polygon divided into elements.
+class Divided {
+ public:
+  Divided(const Polygon3& polygon, std::uint32_t n, const Vertices3& vertices) : vertices_(vertices) {
+    const auto add = [&](std::span<const Point3> points) {
+      auto [integers, weight] = integer_points(vertices, points);
+      divisions_.emplace_back(std::move(integers), n);
+      weights_.push_back(std::move(weight));
+    };
+    if (is_convex(polygon)) {
+      add(polygon.points);
+    } else {
+      for (const auto& triangle : triangles_of(polygon)) add(triangle);
+    }
+    for (const PolygonDivision3& division : divisions_) count_ += division.count();
+  }
+
+  std::uint64_t count() const { return count_; }
+
+  // Element k as a patch of a piece that holds it, its front as that of the polygon.
+  Patch3 patch(std::uint64_t k, std::uint32_t piece) const {
+    std::size_t d = 0;
+    for (; k >= divisions_[d].count(); ++d) k -= divisions_[d].count();
+    return {.surface = piece, .corners = divisions_[d].corners(k), .weight = divisions_[d].weight() * weights_[d]};
+  }
+  std::vector<Point3> corners(std::uint64_t k) const { return corners_of(vertices_, patch(k, 0)); }
+
+ private:
+  const Vertices3& vertices_;
+  std::vector<PolygonDivision3> divisions_;
+  std::vector<Integer> weights_;
+  std::uint64_t count_ = 0;
+};
+
+// The piece of a face that has all of its place and of which nothing is covered, or nothing.
+std::optional<std::uint32_t> whole_piece(const Arrangement3& arrangement, const Face& face) {
+  const auto sides = arrangement.sides(face);
+  if (sides.size() != 1 || sides.front().is_back != face.is_back) return std::nullopt;
+  const Piece3& piece = arrangement.pieces()[sides.front().piece];
+  const bool is_free = piece.side(face.is_back).cover == Piece3::Cover::kFree;
+  return piece.is_whole && piece.surface == face.surface && is_free ? std::optional(sides.front().piece) : std::nullopt;
+}
+
+// The vector area of a patch is half of this multiple of its surface's primitive normal.
+Rational doubled_share(const Patch3& patch, const IntegerVector& normal) {
+  IntegerVector sum;
+  for (std::size_t k = 1; k + 1 < patch.corners.size(); ++k) {
+    const IntegerVector turn =
+        cross(difference(patch.corners[k], patch.corners[0]), difference(patch.corners[k + 1], patch.corners[0]));
+    sum = {sum.x + turn.x, sum.y + turn.y, sum.z + turn.z};
+  }
+  const Integer share = normal.x != 0   ? Integer(sum.x / normal.x)
+                        : normal.y != 0 ? Integer(sum.y / normal.y)
+                                        : Integer(sum.z / normal.z);
+  return Rational(abs(share)) / (patch.weight * patch.weight);
+}
+
+}  // namespace
+
+ElementCounts3 element_counts(const Scene3& scene, Granularity granularity) {
+  ElementCounts3 counts;
+  const auto add = [&counts](std::uint64_t parts, bool has_material) {
+    counts.all += parts;
+    if (has_material) counts.with_material += parts;
+  };
+  if (granularity == Granularity::kGroup) {
+    std::vector<char> is_there(scene.groups.size(), 0), has_front(is_there), has_back(is_there);
+    for (const Surface& surface : scene.surfaces) {
+      is_there[surface.group] = 1;
+      if (surface.material_of(false)) has_front[surface.group] = 1;
+      if (surface.material_of(true)) has_back[surface.group] = 1;
+    }
+    for (std::size_t group = 0; group < is_there.size(); ++group) {
+      if (is_there[group] == 0) continue;
+      add(1, has_front[group] != 0);
+      add(1, has_back[group] != 0);
+    }
+    return counts;
+  }
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface& surface = scene.surfaces[s];
+    const std::uint64_t parts = element_count(scene.polygons[s], parts_of_front(surface, granularity));
+    for (const bool is_back : {false, true}) {
+      const bool has_material = surface.material_of(is_back).has_value();
+      add(has_material ? parts : 1, has_material);
+    }
+  }
+  return counts;
+}
+
+ElementTable3::ElementTable3(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers,
+                             Granularity granularity)
+    : is_by_group_(granularity == Granularity::kGroup) {
+  HOTTEL_REQUIRE(arrangement.pieces().size() == blockers.size());
+  if (const std::uint64_t count = element_counts(scene, granularity).all; count > kMostElements)
+    throw RequestError("the scene would have " + std::to_string(count) + " elements; there may be " +
+                       std::to_string(kMostElements));
+  if (is_by_group_)
+    add_groups(scene, arrangement, blockers);
+  else
+    add_faces(scene, arrangement, blockers, granularity);
+  add_sky(blockers);
+  for (const Part& part : parts_) {
+    while (begin_.size() <= part.label) begin_.push_back(static_cast<std::size_t>(&part - parts_.data()));
+  }
+  begin_.resize(std::size_t{sky()} + 2, parts_.size());
+  measure(blockers);
+}
+
+void ElementTable3::add_parts(FacePatches3 patches, std::uint32_t label) {
+  const auto known = free_.find(label);
+  if (!patches.is_free || known != free_.end()) {
+    std::vector<Part>& free = free_[label];
+    if (known == free_.end())
+      for (const Part& part : parts_)
+        if (part.label == label) free.push_back(part);
+    for (const SidePatch3& some : patches.uncovered()) free.push_back({some.patch, label, some.is_back});
+  }
+  for (SidePatch3& some : patches.patches) parts_.push_back({std::move(some.patch), label, some.is_back});
+}
+
+void ElementTable3::add_faces(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers,
+                              Granularity granularity) {
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface& surface = scene.surfaces[s];
+    const std::uint32_t n = parts_of_front(surface, granularity);
+    std::optional<Divided> divided;
+    if (n > 1) divided.emplace(scene.polygons[s], n, blockers.vertices());
+    for (const bool is_back : {false, true}) {
+      const Face face{s, is_back};
+      const std::optional<std::uint32_t> material = surface.material_of(is_back);
+      const std::string name = face_name(scene, face);
+      const auto parts = static_cast<std::uint32_t>(divided && material ? divided->count() : 1);
+      const std::optional<std::uint32_t> whole = whole_piece(arrangement, face);
+      for (std::uint32_t k = 0; k < parts; ++k) {
+        elements_.push_back({parts == 1 ? name : name + "#" + std::to_string(k), s, k, parts, is_back, material, {}});
+        const std::uint32_t label = count() - 1;
+        if (parts == 1) {
+          add_parts(face_patches(arrangement, blockers, face), label);
+        } else if (whole) {
+          Patch3 patch = divided->patch(k, *whole);
+          if (is_back) turn_round(patch);
+          parts_.push_back({std::move(patch), label, is_back});
+        } else {
+          const std::vector<Point3> corners = divided->corners(k);
+          add_parts(face_patches(arrangement, blockers, face, &corners), label);
+        }
+      }
+    }
+  }
+}
+
+void ElementTable3::add_groups(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers) {
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  // The label of the fronts of each group; that of its backs is the next one.
+  std::vector<std::uint32_t> first(scene.groups.size(), kNone);
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface& surface = scene.surfaces[s];
+    std::uint32_t& label = first[surface.group];
+    const bool is_new = label == kNone;
+    if (is_new) label = count();
+    for (const bool is_back : {false, true}) {
+      const std::optional<std::uint32_t> material = surface.material_of(is_back);
+      if (is_new)
+        elements_.push_back(
+            {scene.groups[surface.group].name + (is_back ? ":back" : ""), s, 0, 1, is_back, material, {}});
+      else if (material)
+        elements_[label + is_back].material = material;
+      add_parts(face_patches(arrangement, blockers, {s, is_back}), label + is_back);
+    }
+  }
+  std::stable_sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.label < b.label; });
+}
+
+void ElementTable3::add_sky(const Blockers3& blockers) {
+  if (blockers.size() == 0) return;
+  using Axis = Integer IntegerVector::*;
+  constexpr std::array<Axis, 3> kAxes{&IntegerVector::x, &IntegerVector::y, &IntegerVector::z};
+  IntegerVector low, high;
+  const Vertices3& vertices = blockers.vertices();
+  for (const VertexId3 v : IdRange<VertexId3>(vertices.size()))
+    for (const Axis axis : kAxes) {
+      low.*axis = v == VertexId3(0) ? vertices.exact(v).*axis : std::min(low.*axis, vertices.exact(v).*axis);
+      high.*axis = v == VertexId3(0) ? vertices.exact(v).*axis : std::max(high.*axis, vertices.exact(v).*axis);
+    }
+  Integer largest = 0;
+  for (const Axis axis : kAxes) largest = std::max(largest, Integer(high.*axis - low.*axis));
+  for (const Axis axis : kAxes) {
+    low.*axis -= largest;
+    high.*axis += largest;
+  }
+  // Seen from inside: at the low end of an axis counter-clockwise in the plane of the two that follow it.
+  for (std::size_t a = 0; a < 3; ++a)
+    for (const bool is_high : {false, true}) {
+      const Axis u = kAxes[(a + 1) % 3], v = kAxes[(a + 2) % 3];
+      Patch3 wall;
+      for (const auto& [along, across] : {std::pair{false, false}, {true, false}, {true, true}, {false, true}}) {
+        IntegerVector& corner = wall.corners.emplace_back(is_high ? high : low);
+        corner.*u = (along ? high : low).*u;
+        corner.*v = (across ? high : low).*v;
+      }
+      if (is_high) turn_round(wall);
+      parts_.push_back({std::move(wall), sky(), false});
+    }
+}
+
+void ElementTable3::measure(const Blockers3& blockers) {
+  const Vertices3& vertices = blockers.vertices();
+  const Rational of_scene = vertices.scale() * vertices.scale();
+  const Rational of_doubles = scaled_by_power_of_two(1, -2 * vertices.shift());
+  AreaSum3 before;
+  for (std::uint32_t label = 0; label < count(); ++label) {
+    AreaSum3 area;
+    for (const Part& part : free_parts(label)) {
+      const IntegerVector& normal = blockers.exact_normal(part.patch.surface);
+      area.add(doubled_share(part.patch, normal) / 2, dot(normal, normal));
+    }
+    if (parts(label).empty()) {
+      elements_[label].area = {};
+      extents_.push_back({});
+      before = {};
+      continue;
+    }
+    // Equal parts follow each other.
+    if (area == before) {
+      elements_[label].area = elements_[label - 1].area;
+      extents_.push_back(extents_.back());
+      continue;
+    }
+    elements_[label].area = area.rounded(of_scene);
+    extents_.push_back(area.rounded(of_doubles));
+    before = std::move(area);
+  }
+}
+
+std::vector<std::vector<std::array<double, 3>>> element_corners(const ElementTable3& table, const Vertices3& vertices) {
+  std::vector<std::vector<std::array<double, 3>>> result(table.count());
+  for (std::uint32_t label = 0; label < table.count(); ++label) {
+    const auto parts = table.parts(label);
+    if (parts.size() != 1) continue;
+    for (const Point3& p : corners_of(vertices, parts.front().patch))
+      result[label].push_back({to_double(p.x), to_double(p.y), to_double(p.z)});
+  }
+  return result;
+}
+
+}  // namespace hottel

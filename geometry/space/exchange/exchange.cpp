@@ -1,0 +1,282 @@
+#include "geometry/space/exchange/exchange.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "geometry/name.h"
+#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/facing.h"
+#include "geometry/space/exchange/groups_alone.h"
+#include "geometry/space/exchange/pair_sums.h"
+#include "geometry/space/exchange/prepared_scene.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/interrupt.h"
+#include "kernel/support/parallel.h"
+#include "kernel/support/stopwatch.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kNamedPairs = 3;  // in messages
+
+// What is taken at the most: an element with its patches and its row; a visible pair, from its measure to the matrix
+// with bounds.
+constexpr std::uint64_t kBytesPerElement = 1000, kBytesPerPair = 300;
+
+// An element and one pair, or the sky.
+std::string pair_text(const std::vector<Element>& elements, std::uint32_t i, std::uint32_t j) {
+  return quoted_name(elements[i].name) + " and " + (j == elements.size() ? "the sky" : quoted_name(elements[j].name));
+}
+
+void require_measured(const ElementTable3& table, const std::vector<FailedPair3>& failures) {
+  if (failures.empty()) return;
+  std::string text = failures.size() == 1 ? "a pair could not be measured"
+                                          : fmt::format("{} pairs could not be measured", failures.size());
+  for (std::size_t k = 0; k < std::min(failures.size(), kNamedPairs); ++k)
+    text += fmt::format("{} {} ({})", k == 0 ? ":" : ";", pair_text(table.elements(), failures[k].i, failures[k].j),
+                        failures[k].problem);
+  throw RequestError(text + (failures.size() > kNamedPairs ? "; ..." : "") +
+                     ". Where surfaces all but touch, 'hottel check' says so, and its --fix joins them");
+}
+
+[[noreturn]] void refuse_memory(std::uint64_t count, const char* what, std::uint64_t each, std::uint64_t allowed) {
+  throw RequestError(fmt::format("about {} {} need about {} bytes; allowed are {}", count, what,
+                                 static_cast<double>(count) * static_cast<double>(each) < 1e19
+                                     ? fmt::format("{}", count * each)
+                                     : fmt::format("{:.2g}", static_cast<double>(count) * static_cast<double>(each)),
+                                 allowed));
+}
+
+// The pairs that the memory holds beside the elements. Throws RequestError where these are too many.
+std::uint64_t most_pairs(std::uint64_t elements, std::uint64_t memory) {
+  if (memory == 0) return std::numeric_limits<std::uint64_t>::max();
+  if (elements > memory / kBytesPerElement) refuse_memory(elements, "elements", kBytesPerElement, memory);
+  return (memory - elements * kBytesPerElement) / kBytesPerPair;
+}
+
+// Where all pairs there are would be too many, it is estimated how many see each other.
+void require_room_for_pairs(const PreparedScene3& prepared, const ElementTable3& table, std::uint64_t most,
+                            std::uint64_t memory) {
+  const double patches = static_cast<double>(table.parts().size());
+  if (patches * patches / 2 <= static_cast<double>(most)) return;
+  if (const std::uint64_t pairs = estimated_pairs(prepared, table); pairs > most)
+    refuse_memory(pairs, "visible pairs", kBytesPerPair, memory);
+}
+
+// What a pair is in both of its rows.
+struct PairEntry {
+  double visibility = 1, measure = 0;
+  bool is_enclosed = false;
+};
+
+class MatrixOfSums {
+ public:
+  MatrixOfSums(const ElementTable3& table, const std::vector<PairSum3>& pairs, std::vector<PairEntry> entries)
+      : table_(table), pairs_(pairs), of_pair_(std::move(entries)) {}
+
+  ExchangeMatrix make(bool with_measures) const {
+    ExchangeMatrix matrix(table_.elements(), Guarantee::kEstimated);
+    std::vector<std::size_t> begin(table_.count() + std::size_t{1}, 0);
+    for_each([&](std::uint32_t from, std::uint32_t, std::size_t) { ++begin[from + 1]; });
+    for (std::uint32_t i = 0; i < table_.count(); ++i) begin[i + 1] += begin[i];
+    std::vector<FactorEntry> entries(begin.back());
+    std::vector<double> measures(with_measures ? begin.back() : 0);
+    std::vector<Enclosure> bounds(begin.back());
+    std::vector<Guarantee> guarantees(begin.back());
+    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+    for_each([&](std::uint32_t from, std::uint32_t to, std::size_t k) {
+      const std::size_t place = next[from]++;
+      bounds[place] = bounds_of(pairs_[k], from);
+      const double factor = factor_of(pairs_[k], from, bounds[place]);
+      entries[place] = {to, {factor, 0}, to == table_.sky() ? factor : of_pair_[k].visibility};
+      guarantees[place] = of_pair_[k].is_enclosed ? Guarantee::kEnclosed : Guarantee::kEstimated;
+      if (with_measures) measures[place] = of_pair_[k].measure;
+    });
+    matrix.assign(std::move(begin), std::move(entries), std::move(measures), std::move(bounds), std::move(guarantees));
+    return matrix;
+  }
+
+ private:
+  // Rows ascend, and so do columns in a row: pairs are sorted, the smaller number first.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      const auto [i, j] = std::pair(pairs_[k].i, pairs_[k].j);
+      if (table_.has_row(i)) visit(i, j, k);
+      if (j != i && table_.has_row(j)) visit(j, i, k);
+    }
+  }
+
+  Enclosure bounds_of(const PairSum3& pair, std::uint32_t from) const {
+    const Enclosure area = table_.extent(from).enclosure();
+    const double lower = pair.bounds.lower > 0 ? std::nextafter(pair.bounds.lower / area.upper, 0.0) : 0;
+    const double upper = std::nextafter(pair.bounds.upper / area.lower, kInfinity);
+    return {std::min(lower, 1.0), upper < 1 ? upper : 1.0};
+  }
+
+  // Within its bounds, and above 0.
+  double factor_of(const PairSum3& pair, std::uint32_t from, const Enclosure& bounds) const {
+    const double factor = pair.measure / table_.extent(from).value;
+    return std::clamp(factor > 0 ? factor : std::numeric_limits<double>::denorm_min(), bounds.lower, bounds.upper);
+  }
+
+  const ElementTable3& table_;
+  const std::vector<PairSum3>& pairs_;
+  std::vector<PairEntry> of_pair_;
+};
+
+// S / S0 of a pair of which something hides a part, and something is seen.
+double partial_visibility(double measure, double alone) {
+  const double quotient = measure / alone;
+  const double most = std::nextafter(1.0, 0.0);
+  return quotient > 0 ? std::min(quotient, most) : quotient <= 0 ? std::numeric_limits<double>::denorm_min() : most;
+}
+
+std::vector<double> visibilities(const PreparedScene3& prepared, const ElementTable3& table,
+                                 const std::vector<PairSum3>& pairs, double tolerance) {
+  std::vector<double> result(pairs.size(), 1);
+  const GroupsAlone3 groups(prepared, table, tolerance);
+  parallel_for(pairs.size(), [&](std::size_t k) {
+    const PairSum3& pair = pairs[k];
+    if (pair.j == table.sky() || pair.is_whole) return;
+    if (table.is_one_patch(pair.i) && table.is_one_patch(pair.j))
+      result[k] = partial_visibility(pair.measure, pair.alone);
+    else if (!groups.is_undisturbed(pair.i, pair.j))
+      result[k] = partial_visibility(pair.measure, groups.measure(pair.i, pair.j).value);
+  });
+  return result;
+}
+
+// The smaller of both areas, in the unit of PairMeasurer3. The sky has none.
+double smaller_area(const ElementTable3& table, const PairSum3& pair) {
+  const double area = table.extent(pair.i).enclosure().lower;
+  return pair.j == table.sky() ? area : std::min(area, table.extent(pair.j).enclosure().lower);
+}
+
+bool is_enclosed(const PairSum3& pair, double most) {
+  return pair.bounds.upper - pair.measure <= most && pair.measure - pair.bounds.lower <= most &&
+         pair.bounds.contains(pair.measure);
+}
+
+// The largest |row sum - 1|; sums of doubles carry their rounding along.
+double closure_defect(const ExchangeMatrix& matrix) {
+  double most = 0;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    double sum = -1, rest = 0;
+    for (const FactorEntry& entry : matrix.row(i)) {
+      const double next = sum + entry.factor.value, part = next - sum;
+      rest += (sum - (next - part)) + (entry.factor.value - part);
+      sum = next;
+    }
+    most = std::max(most, std::fabs(sum + rest));
+  }
+  return most;
+}
+
+std::vector<PairEntry> entries_of(const PreparedScene3& prepared, const ElementTable3& table,
+                                  const std::vector<PairSum3>& pairs, const ExchangeRequest& request,
+                                  ExchangeReport3& report) {
+  const Vertices3& vertices = prepared.blockers().vertices();
+  const Rational unit = scaled_by_power_of_two(vertices.scale(), vertices.shift());
+  const double of_scene = to_double(unit * unit);
+  std::vector<double> visibility(pairs.size(), std::numeric_limits<double>::quiet_NaN());
+  if (request.wants_visibility) visibility = visibilities(prepared, table, pairs, request.tolerance);
+  std::vector<PairEntry> entries;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const double area = smaller_area(table, pairs[k]);
+    entries.push_back({visibility[k], pairs[k].measure * of_scene, is_enclosed(pairs[k], request.tolerance * area)});
+    report.enclosed += entries.back().is_enclosed;
+    report.max_error = std::max(report.max_error, pairs[k].error / area);
+  }
+  return entries;
+}
+
+}  // namespace
+
+ExchangeMatrix exact_exchange(const PreparedScene3& prepared, const ExchangeRequest& request, ExchangeReport3* report) {
+  HOTTEL_REQUIRE(request.tolerance > 0);
+  const DefaultFloatingPoint arithmetic;
+  Stopwatch watch;
+  ExchangeReport3 r;
+  r.seconds["prepare"] = prepared.seconds;
+  const std::uint64_t most = most_pairs(element_counts(prepared.scene, request.granularity).all, request.memory);
+  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), request.granularity);
+  require_room_for_pairs(prepared, table, most, request.memory);
+  r.seconds["label"] = watch.lap();
+
+  PairSums3 sums = sum_pairs(prepared, table,
+                             {.tolerance = request.tolerance,
+                              .wants_visibility = request.wants_visibility,
+                              .most_pairs = most,
+                              .progress = request.progress},
+                             r);
+  r.seconds["pairs"] = watch.lap();
+  require_measured(table, sums.failures);
+  std::erase_if(sums.pairs, [](const PairSum3& pair) { return pair.is_zero(); });
+  r.surfaces = prepared.scene.surfaces.size();
+  r.vertices = prepared.blockers().vertices().size();
+  r.elements = table.count();
+  r.pairs = sums.pairs.size();
+  std::vector<PairEntry> entries = entries_of(prepared, table, sums.pairs, request, r);
+  r.seconds["visibility"] = watch.lap();
+  ExchangeMatrix matrix = MatrixOfSums(table, sums.pairs, std::move(entries)).make(request.wants_measures);
+  r.max_defect = closure_defect(matrix);
+  r.seconds["matrix"] = watch.lap();
+  if (report != nullptr) *report = std::move(r);
+  return matrix;
+}
+
+std::vector<ElementPair> hidden_pairs(const PreparedScene3& prepared, Granularity granularity,
+                                      const ExchangeMatrix& matrix) {
+  const DefaultFloatingPoint arithmetic;
+  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity);
+  const GroupsAlone3 groups(prepared, table, ExchangeRequest().tolerance);
+  const auto is_positive = [&](std::uint32_t i, std::uint32_t j) {
+    if (table.parts(i).empty() || table.parts(j).empty()) return false;
+    if (!table.is_one_patch(i) || !table.is_one_patch(j)) return groups.measure(i, j).value > 0;
+    return i != j && face_each_other(prepared.blockers(), table.parts(i).front(), table.parts(j).front());
+  };
+  std::vector<std::vector<ElementPair>> rows(table.count());
+  parallel_for(table.count(), [&](std::size_t row) {
+    throw_if_interrupted();
+    const auto i = static_cast<std::uint32_t>(row);
+    if (!matrix.has_row(i)) return;
+    const auto entries = matrix.row(i);
+    auto entry = entries.begin();
+    for (std::uint32_t j = 0; j < table.count(); ++j) {
+      while (entry != entries.end() && entry->to < j) ++entry;
+      const bool is_there = entry != entries.end() && entry->to == j;
+      if (!is_there && is_positive(i, j)) rows[row].emplace_back(i, j);
+    }
+    if (entries.empty() || entries.back().to != table.sky()) rows[row].emplace_back(i, table.sky());
+  });
+  std::vector<ElementPair> result;
+  for (const auto& row : rows) result.insert(result.end(), row.begin(), row.end());
+  return result;
+}
+
+void require_enclosed_3(const ExchangeMatrix& matrix, double tolerance) {
+  std::size_t count = 0;
+  std::string text;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+      const std::uint32_t to = matrix.row(i)[k].to;
+      // Each pair once: (to, i) is there too where `to` has a row.
+      const bool is_told = to < i && matrix.has_row(to);
+      if (is_told || matrix.guarantee(i, k) != Guarantee::kEstimated) continue;
+      if (count++ < kNamedPairs) text += (text.empty() ? "" : "; ") + pair_text(matrix.elements(), i, to);
+    }
+  if (count == 0) return;
+  throw RequestError(fmt::format("{} no enclosure within {}: {}{}",
+                                 count == 1 ? "a pair has" : fmt::format("{} pairs have", count), shortest(tolerance),
+                                 text, count > kNamedPairs ? "; ..." : ""));
+}
+
+}  // namespace hottel

@@ -1,0 +1,48 @@
+// View factors of a scene in space.
+#pragma once
+
+#include <vector>
+
+#include "geometry/exchange_matrix.h"
+#include "geometry/exchange_request.h"
+#include "geometry/space/exchange/exchange_report.h"
+
+namespace hottel {
+
+struct PreparedScene3;
+
+// Returns the view factors of all pairs that exchange light, each with proven bounds.
+//
+//   (1) F_ij lies within its bounds. Where they are within the tolerance of the request, which is on S relative to the
+//       smaller area, the entry is kEnclosed; else kEstimated: then |F_ij A_i - S| is the tolerance times that area at
+//       most, as an estimate
+//   (2) no entry iff the real view factor is 0; this is decided by signs
+//   (3) both entries of a pair come from one measure, and so do their bounds; every row sums to 1 within the errors of
+//       its entries, the sky included
+//   (4) Vis(i, j) is the quotient of two measures, below 1 whenever something hides a part, above 0 always, and 1
+//       exactly when nothing does (of two groups it may be told as next to 1 where something stands between that hides
+//       only what they hide themselves)
+//   (5) the result is the same bit for bit for any number of threads
+//
+// Throws RequestError naming the first pairs where some could not be measured, and when the memory allowed by the
+// request does not suffice; passes on what `progress` throws.
+// COST: parallel. 10 to 50 microseconds a clear pair, some 0.3 ms a pair that surfaces stand between.
+ExchangeMatrix exact_exchange(const PreparedScene3& prepared, const ExchangeRequest& request = {},
+                              ExchangeReport3* report = nullptr);
+
+// Returns the pairs (from, to) that are hidden: `from` has a row without an entry for `to`, but they would exchange
+// light if everything else were taken away (S = 0 < S0).
+//
+//   (1) sorted by `from`, then by `to`, the sky last
+//   (2) (i, j) and (j, i) are both in the list where both have rows
+//   (3) (i, sky) is in the list wherever i does not see the sky
+//
+// REQUIRES: the matrix of the scene by exact_exchange, of this granularity. COST: every pair is looked at; pairs of
+// groups are measured.
+std::vector<ElementPair> hidden_pairs(const PreparedScene3& prepared, Granularity granularity,
+                                      const ExchangeMatrix& matrix);
+
+// Throws RequestError, telling how many pairs have no enclosure and naming the first of them, unless all have.
+void require_enclosed_3(const ExchangeMatrix& matrix, double tolerance);
+
+}  // namespace hottel

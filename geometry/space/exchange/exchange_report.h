@@ -1,0 +1,31 @@
+// What is told of a computation of view factors in space.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "kernel/determinant.h"
+
+namespace hottel {
+
+// How the numbers came about.
+//
+//   (1) pairs: unordered pairs of elements that exchange light, those with the sky among them; enclosed of them have
+//       bounds within the tolerance, the others are estimated
+//   (2) hidden, clear, mixed: unordered pairs of patches by how they were settled (Sight3), of which at least one has a
+//       row; the sky has six patches. They are not of one surface
+//   (3) maps, pieces, nodes: what was looked at along edges; signs: what settled the signs
+//   (4) max_error: the largest estimated error of a pair over its smaller area; max_defect: the largest |row sum - 1|
+//   (5) seconds: "prepare", "label", "pairs", "visibility", "matrix"
+struct ExchangeReport3 {
+  std::uint64_t surfaces = 0, vertices = 0, elements = 0;
+  std::uint64_t pairs = 0, enclosed = 0;
+  std::uint64_t hidden = 0, clear = 0, mixed = 0;
+  std::uint64_t maps = 0, pieces = 0, nodes = 0;
+  SignCounts signs;
+  double max_error = 0, max_defect = 0;
+  std::map<std::string, double> seconds;  // of stages that ran
+};
+
+}  // namespace hottel

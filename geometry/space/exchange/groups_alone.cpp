@@ -1,0 +1,144 @@
+#include "geometry/space/exchange/groups_alone.h"
+
+#include <algorithm>
+#include <string>
+
+#include "geometry/space/arrangement/surface_boxes.h"
+#include "geometry/space/exchange/facing.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/interrupt.h"
+
+namespace hottel {
+namespace {
+
+using Part = ElementTable3::Part;
+
+// Some pieces of a scene, with nothing else there.
+class PartOfScene {
+ public:
+  PartOfScene(const PreparedScene3& prepared, std::vector<std::uint32_t> pieces)
+      : whole_(prepared.blockers()),
+        pieces_(std::move(pieces)),
+        blockers_(polygons_of(prepared, pieces_)),
+        measurer_(blockers_) {
+    const Vertices3 &whole = whole_.vertices(), &here = blockers_.vertices();
+    const Rational ratio = scaled_by_power_of_two(here.scale() / whole.scale(), here.shift() - whole.shift());
+    unit_ = to_double(ratio * ratio);
+  }
+
+  // REQUIRES patches of these pieces. The measure is in the unit of this part of the scene.
+  PairMeasure3 measure(const Part& a, const Part& b, double tolerance) const {
+    return measurer_.measure(here(a), here(b), {.tolerance = tolerance});
+  }
+  double unit() const { return unit_; }  // in that of the whole scene
+
+ private:
+  static std::vector<Polygon3> polygons_of(const PreparedScene3& prepared, const std::vector<std::uint32_t>& pieces) {
+    std::vector<Polygon3> polygons;
+    for (const std::uint32_t p : pieces) polygons.push_back(prepared.arrangement().pieces()[p].polygon);
+    return polygons;
+  }
+  Patch3 here(const Part& part) const {
+    const auto place = std::lower_bound(pieces_.begin(), pieces_.end(), part.patch.surface);
+    return patch_of(blockers_, static_cast<std::uint32_t>(place - pieces_.begin()),
+                    corners_of(whole_.vertices(), part.patch), false);
+  }
+
+  const Blockers3& whole_;
+  std::vector<std::uint32_t> pieces_;  // ascending
+  Blockers3 blockers_;
+  PairMeasurer3 measurer_;
+  double unit_;
+};
+
+void include_surface(const Blockers3& blockers, std::uint32_t surface, Box3& box) {
+  for (const VertexId3 v : blockers.outline(surface)) box.include(blockers.vertices().approximate(v));
+}
+
+bool is_partly_before(const Blockers3& blockers, std::uint32_t surface, const Part& part) {
+  const auto corners = blockers.outline(surface);
+  return std::any_of(corners.begin(), corners.end(), [&](VertexId3 v) {
+    SignTier tier;
+    return blockers.side_of(v, part.patch.surface, tier) * (part.is_back ? -1 : 1) > 0;
+  });
+}
+
+}  // namespace
+
+GroupsAlone3::GroupsAlone3(const PreparedScene3& prepared, const ElementTable3& table, double tolerance)
+    : prepared_(prepared), table_(table), tolerance_(tolerance), members_(prepared.scene.groups.size()) {
+  for (std::uint32_t s = 0; s < prepared.scene.surfaces.size(); ++s)
+    members_[prepared.scene.surfaces[s].group].push_back(s);
+}
+
+std::vector<std::uint32_t> GroupsAlone3::pieces_of(std::uint32_t i, std::uint32_t j) const {
+  std::vector<std::uint32_t> result;
+  for (const std::uint32_t label : {i, j}) {
+    const std::uint32_t surface = table_.elements()[label].surface;
+    const std::vector<std::uint32_t> alone(1, surface);
+    for (const std::uint32_t s : table_.is_by_group() ? members_[prepared_.scene.surfaces[surface].group] : alone) {
+      const auto pieces = prepared_.arrangement().pieces_on(s);
+      result.insert(result.end(), pieces.begin(), pieces.end());
+    }
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+// Visits pairs of members that face each other, each once, until one says false.
+template <class Visit>
+bool GroupsAlone3::for_each_facing(std::uint32_t i, std::uint32_t j, const Visit& visit) const {
+  for (const Part& a : table_.free_parts(i))
+    for (const Part& b : table_.free_parts(j)) {
+      if (i == j && &b <= &a) continue;
+      throw_if_interrupted();
+      if (face_each_other(prepared_.blockers(), a, b) && !visit(a, b)) return false;
+    }
+  return true;
+}
+
+bool GroupsAlone3::may_stand_between(std::uint32_t piece, const Part& a, const Part& b) const {
+  const Blockers3& blockers = prepared_.blockers();
+  Box3 between, box;
+  include_surface(blockers, a.patch.surface, between);
+  include_surface(blockers, b.patch.surface, between);
+  include_surface(blockers, piece, box);
+  return box.meets(between) && is_partly_before(blockers, piece, a) && is_partly_before(blockers, piece, b);
+}
+
+bool GroupsAlone3::is_undisturbed(std::uint32_t i, std::uint32_t j) const {
+  const std::vector<std::uint32_t> own = pieces_of(i, j);
+  return for_each_facing(i, j, [&](const Part& a, const Part& b) {
+    std::vector<std::uint32_t> kept;
+    for (std::uint32_t p = 0; p < prepared_.blockers().size(); ++p)
+      if (!std::binary_search(own.begin(), own.end(), p) && may_stand_between(p, a, b)) kept.push_back(p);
+    if (kept.empty()) return true;
+    kept.insert(kept.end(), {a.patch.surface, b.patch.surface});
+    std::sort(kept.begin(), kept.end());
+    kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+    return PartOfScene(prepared_, std::move(kept)).measure(a, b, tolerance_).is_whole;
+  });
+}
+
+GroupsAlone3::Measure GroupsAlone3::measure(std::uint32_t i, std::uint32_t j) const {
+  const PartOfScene part(prepared_, pieces_of(i, j));
+  const double unit = (i == j ? 2 : 1) * part.unit();
+  Measure sum;
+  for_each_facing(i, j, [&](const Part& a, const Part& b) {
+    const PairMeasure3 pair = part.measure(a, b, tolerance_);
+    if (!pair.problem.empty())
+      throw RequestError("the visibility of '" + table_.elements()[i].name + "' and '" + table_.elements()[j].name +
+                         "' cannot be told, for what they exchange when alone cannot: " + pair.problem);
+    sum.value += pair.measure * unit;
+    sum.error += pair.error * unit;
+    // Each product and sum rounds once; the unit is off by half a unit.
+    constexpr double kOutward = 0x1p-50;
+    sum.bounds.lower += pair.bounds.lower * unit * (1 - kOutward);
+    sum.bounds.upper += pair.bounds.upper * unit * (1 + kOutward);
+    return true;
+  });
+  return sum;
+}
+
+}  // namespace hottel

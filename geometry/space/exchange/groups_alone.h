@@ -1,0 +1,51 @@
+// What elements of several patches exchange when everything else is taken away.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/prepared_scene.h"
+
+namespace hottel {
+
+// S0 of pairs of elements: that of the scene of which only the pieces that lie on their surfaces are kept, opaque on
+// both sides, and of these what is not covered. Of a group all members are kept, of an element its whole polygon. A
+// single convex polygon hides nothing of itself; several may.
+//
+// REQUIRES: the scene and the table outlive this.
+// For several threads at once.
+class GroupsAlone3 {
+ public:
+  GroupsAlone3(const PreparedScene3& prepared, const ElementTable3& table, double tolerance);
+
+  // Returns true only where nothing but their own pieces hides any part of i from j: S = S0, proven.
+  // COST: linear in pieces for each pair of members; where one may stand between, a pair is measured.
+  bool is_undisturbed(std::uint32_t i, std::uint32_t j) const;
+
+  // S0, in the unit of the scene's PairMeasurer3, with what it may be off, as an estimate, and proven bounds.
+  struct Measure {
+    double value = 0, error = 0;
+    Enclosure bounds{0, 0};
+  };
+
+  // Throws RequestError where a pair of members cannot be
+  // measured. COST: that of each pair of members.
+  Measure measure(std::uint32_t i, std::uint32_t j) const;
+
+ private:
+  using Part = ElementTable3::Part;
+
+  // All pieces on the surfaces of both, ascending.
+  std::vector<std::uint32_t> pieces_of(std::uint32_t i, std::uint32_t j) const;
+  bool may_stand_between(std::uint32_t piece, const Part& a, const Part& b) const;
+  template <class Visit>
+  bool for_each_facing(std::uint32_t i, std::uint32_t j, const Visit& visit) const;
+
+  const PreparedScene3& prepared_;
+  const ElementTable3& table_;
+  const double tolerance_;
+  std::vector<std::vector<std::uint32_t>> members_;  // surfaces by group
+};
+
+}  // namespace hottel

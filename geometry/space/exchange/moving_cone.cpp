@@ -1,0 +1,97 @@
+#include "geometry/space/exchange/moving_cone.h"
+
+#include <algorithm>
+
+#include "geometry/space/visibility/cone_split.h"
+
+namespace hottel {
+
+void MovingCutter3::set_cone(std::uint32_t body, int facing, bool is_antipodal, Cone& cone) const {
+  cone.body = body;
+  cone.is_antipodal = is_antipodal;
+  planes_.cone_sides(body, facing, is_antipodal, cone.sides);
+}
+
+void MovingCutter3::set_fragment(const Cone& cone, int facing, MovingFragment3& fragment) const {
+  const std::vector<std::uint32_t>& corners = planes_.bodies().bodies[cone.body].corners;
+  const std::size_t count = corners.size();
+  fragment.clear();
+  for (std::size_t k = 0; k < count; ++k) {
+    // Side k of the cone begins at corner k, or, where the order is turned, at the one that follows it in the list.
+    const std::size_t at = facing < 0 ? k : (2 * count - k) % count;
+    fragment.push_back(planes_.corner_at(corners[at], cone.is_antipodal, cone.sides[k]));
+  }
+}
+
+MovingCutter3::Extremes MovingCutter3::find_signs(const MovingFragment3& fragment, PlaneSide3 side) {
+  Extremes result;
+  signs_.resize(fragment.size());
+  for (std::size_t k = 0; k < fragment.size(); ++k) {
+    const int sign = planes_.sign(fragment[k], side);
+    planes_.rely(fragment[k], side, sign);
+    signs_[k] = static_cast<signed char>(sign);
+    result.has_positive |= sign > 0;
+    result.has_negative |= sign < 0;
+  }
+  return result;
+}
+
+MovingCutter3::Cut MovingCutter3::clip(MovingFragment3& fragment, PlaneSide3 side) {
+  const Extremes extremes = find_signs(fragment, side);
+  if (!extremes.has_positive) return Cut::kAll;
+  if (!extremes.has_negative) return Cut::kNothing;
+  split_cone(planes_, fragment, signs_, side, &next_, static_cast<MovingFragment3*>(nullptr));
+  std::swap(fragment, next_);
+  return Cut::kPart;
+}
+
+// Whether one of the planes does: first those of the cone, then those of the fragment.
+bool MovingCutter3::separates(const MovingFragment3& fragment, const Cone& cone, std::uint32_t place) {
+  if (place < cone.sides.size()) {
+    const PlaneSide3 side = cone.sides[place];
+    if (std::any_of(fragment.begin(), fragment.end(),
+                    [&](const MovingCorner3& corner) { return planes_.sign(corner, side) > 0; }))
+      return false;
+    find_signs(fragment, side);
+    return true;
+  }
+  const PlaneSide3 plane = fragment[place - cone.sides.size()].plane;
+  const PlaneSide3 side = cone.is_antipodal ? plane.opposite() : plane;
+  const std::vector<std::uint32_t>& corners = planes_.bodies().bodies[cone.body].corners;
+  const auto sign = [&](std::uint32_t point) { return planes_.sign(point, false, side); };
+  if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t point) { return sign(point) > 0; })) return false;
+  for (const std::uint32_t point : corners) planes_.rely(point, side, sign(point));
+  return true;
+}
+
+bool MovingCutter3::is_apart(const MovingFragment3& fragment, const Cone& cone, std::uint32_t& hint) {
+  const auto count = static_cast<std::uint32_t>(cone.sides.size() + fragment.size());
+  const std::uint32_t first = hint < count ? hint : 0;
+  if (separates(fragment, cone, first)) return true;
+  for (std::uint32_t place = 0; place < count; ++place)
+    if (place != first && separates(fragment, cone, place)) {
+      hint = place;
+      return true;
+    }
+  return false;
+}
+
+bool MovingCutter3::subtract(const MovingFragment3& fragment, std::span<const PlaneSide3> sides,
+                             MovingFragments3& rest) {
+  const std::size_t before = rest.size();
+  current_ = fragment;
+  for (const PlaneSide3 side : sides) {
+    const Extremes extremes = find_signs(current_, side);
+    if (!extremes.has_negative) continue;
+    if (!extremes.has_positive) {
+      rest.resize_down(before);
+      rest.add() = fragment;
+      return false;
+    }
+    split_cone(planes_, current_, signs_, side, &next_, &rest.add());
+    std::swap(current_, next_);
+  }
+  return true;
+}
+
+}  // namespace hottel

@@ -1,0 +1,192 @@
+// Planes through a point that moves along a line, and the signs of directions beside them. Internal to
+// geometry/space/exchange.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/space/exchange/moving_vector.h"
+#include "geometry/space/exchange/pair_bodies.h"
+#include "geometry/space/exchange/stretch.h"
+#include "geometry/space/visibility/eye_plane.h"
+
+namespace hottel {
+
+// The end of an edge of a moving fragment (see ConeCorner3).
+struct MovingCorner3 {
+  static constexpr std::uint32_t kNoPoint = 0xffffffff;
+
+  MovingVector3 direction;
+  PlaneSide3 plane;                // of the edge that begins here
+  std::uint32_t point = kNoPoint;  // the direction to it, or the opposite
+  bool is_antipode = false;
+  PlaneSide3 first, second;  // where there is no point: the direction is the product of their normals
+};
+
+// Signs of directions from a point p(t) = (from + t way) / weight beside planes through it, at one t after another, and
+// how far t may move until one of those that were relied on changes.
+//
+//   (1) every sign is exact, at the very double t
+//   (2) each sign is that of a polynomial in t of degree 2 at most: every normal moves at right angles to `way`, so the
+//       determinant of three has no cubic term
+//   (3) left() and right() say how far all signs that were relied on keep: up to the nearest root on each side, in
+//       doubles. A double root changes no sign and is none, by an exact discriminant. Roots that doubles leave
+//       uncertain beyond 2^-46 of the stretch, or 2^-50 where the point passes the plane of a body, are found from
+//       integers
+//   (4) a zero that is relied on is one for every t, or is_unlucky() says that it is not: then nothing holds, and
+//       another t is to be taken
+//
+// The planes of a pair have numbers that hold for all its stretches. For one thread.
+class MovingPlanes3 {
+ public:
+  explicit MovingPlanes3(const PairBodies3& bodies);
+
+  const PairBodies3& bodies() const { return bodies_; }
+
+  // Takes another line. REQUIRES: it outlives this, or the next call.
+  void take(const Stretch3& stretch);
+  // Moves to t, 0 <= t <= 1, and forgets what was relied on: left() and right() are `left` and `right`.
+  // COST: that of the points; fewer bits in t make exact signs cheaper.
+  void move_to(double t, double left, double right);
+  double left() const { return left_; }
+  double right() const { return right_; }
+  bool is_unlucky() const { return is_unlucky_; }
+
+  // The planes.
+  // The plane of a body. REQUIRES: the point is in it.
+  PlaneSide3 face(std::uint32_t body) const { return {PlaneId3(first_face_ + body), false}; }
+  // Where body k is nearer than patch 0 or 1, among the directions in which both planes are met.
+  // REQUIRES: the point is in front of the patch, and not in the plane of k.
+  PlaneSide3 crossing(std::uint32_t k, std::uint32_t patch) const {
+    return {PlaneId3(first_crossing_ + 2 * k + patch), false};
+  }
+  // The sides of planes that bound the cone of a body, the inside positive. `facing`: as facing() says.
+  void cone_sides(std::uint32_t body, int facing, bool is_antipodal, std::vector<PlaneSide3>& result) const;
+
+  // Which side of a body the point sees: +1 its front, -1 its back, 0 neither. Relied on.
+  int facing(std::uint32_t body);
+
+  MovingCorner3 corner_at(std::uint32_t point, bool is_antipode, PlaneSide3 plane) const;
+  MovingCorner3 corner(PlaneSide3 first, PlaneSide3 second);
+
+  int sign(const MovingCorner3& corner, PlaneSide3 side);
+  // Of the direction to a point, or of the opposite one.
+  int sign(std::uint32_t point, bool is_antipode, PlaneSide3 side);
+  // Relies on a sign that was found.
+  void rely(const MovingCorner3& corner, PlaneSide3 side, int sign);
+  void rely(std::uint32_t point, PlaneSide3 side, int sign);
+
+  // The normal of a plane, and the direction of a corner, good to the last digits for all t between low and high, but
+  // for what is close to an end: where doubles lose them, taken from integers, about the t at which they are shortest.
+  MovingVector3 fine_normal(PlaneId3 plane, double low, double high);
+  MovingVector3 fine_direction(const MovingCorner3& corner, double low, double high);
+
+  const SignCounts& counts() const { return counts_; }
+  // How many signs were relied on.
+  std::uint32_t relied_polynomials() const { return relied_; }
+
+ private:
+  static constexpr std::uint32_t kNoBody = 0xffffffff;
+  // A vector that depends on s, exactly.
+  struct ExactPolynomial {
+    std::array<IntegerVector, 3> powers;  // of s, the third zero for planes
+  };
+  struct ExactNormal {
+    std::uint64_t stamps[2] = {0, 0};
+    IntegerVector powers[2];
+  };
+  enum class Kind : unsigned char { kLine, kFace, kCrossing };
+  struct Plane {
+    Kind kind;
+    std::uint32_t a = 0, b = 0;                             // points; body; body and patch
+    std::array<std::uint32_t, 2> bodies{kNoBody, kNoBody};  // whose planes contain the line that moves it
+    // Of lines: from a to b.
+    BoundedVector edge;
+    std::unique_ptr<IntegerVector> exact_edge;
+    // At t.
+    std::uint64_t stamp = 0;
+    MovingVector3 normal;
+    std::unique_ptr<ExactNormal> exact;
+  };
+  struct Values {
+    double value, error;
+  };
+
+  void add_lines();
+  PlaneSide3 line(std::uint32_t a, std::uint32_t b) const;  // through two points that are ends of an edge of a body
+  void look_from(const Stretch3& stretch);
+  const MovingVector3& normal(PlaneId3 plane);
+  void find_line(Plane& plane);
+  void find_crossing(Plane& plane);
+  const IntegerVector& exact_edge(Plane& plane);
+  const IntegerVector& exact_normal(PlaneId3 plane);  // at t
+  const IntegerVector& exact_turn(PlaneId3 plane);    // by how much it changes with t
+  IntegerVector exact_height_vector(const Plane& plane, const Integer& of_body, const Integer& of_patch);
+  const IntegerVector& exact_first(const MovingCorner3& corner);        // holds until the next call
+  const ExactPolynomial& exact_direction(const MovingCorner3& corner);  // holds until the next call
+  ExactNormal& exact_of(Plane& plane);
+  const IntegerVector& exact_toward(std::uint32_t point);
+  IntegerVector exact_drift(std::uint32_t point);
+  Values height(std::uint32_t body);
+  Integer exact_height(std::uint32_t body);
+  bool passes_through(const Plane& plane, std::uint32_t point) const;
+  std::uint32_t shared_point(PlaneId3 a, PlaneId3 b) const;
+  bool is_about_one_body(const MovingCorner3& corner, PlaneId3 plane) const;
+  bool is_one_face(PlaneId3 a, PlaneId3 b) const;
+  bool is_zero_by_identity(const MovingCorner3& corner, PlaneId3 plane) const;
+  int settled_sign(const MovingCorner3& corner, PlaneId3 plane);
+  bool is_small(PlaneId3 plane) const;
+  bool is_small(const MovingCorner3& corner) const;
+  const std::array<Integer, 3>& exact_determinant(const MovingCorner3& corner, PlaneId3 plane);  // until the next call
+  bool is_zero_for_every_t(const MovingCorner3& corner, PlaneId3 plane);
+  // Whether c[0] + c[1] s + c[2] s^2, which are off by e, has no root between left and right, as a simple bound tells.
+  bool is_far_from_zero(const std::array<double, 3>& c, const std::array<double, 3>& e);
+  // Narrows left and right to the nearest roots of c[0] + c[1] s + c[2] s^2, which are off by e. False where there may
+  // be roots that are less sure than `accuracy`: then nothing is narrowed, and integers are to be asked.
+  bool narrow(const std::array<double, 3>& c, const std::array<double, 3>& e, int sign, double accuracy);
+  // The same with integers, up to one positive factor.
+  void narrow_exactly(const std::array<Integer, 3>& c, int sign);
+  void take_root(double root);
+  bool is_fine(const MovingVector3& vector, double low, double high) const;
+  MovingVector3 rounded_polynomial(const ExactPolynomial& exact, double low, double high) const;
+
+  const PairBodies3& bodies_;
+  std::vector<Plane> planes_;
+  std::unordered_map<std::uint64_t, std::uint32_t> line_numbers_;
+  std::vector<std::vector<PlaneSide3>> sides_;  // of the cones of bodies whose back is seen
+  std::uint32_t first_face_ = 0, first_crossing_ = 0;
+
+  // Of the line: weight * point - weight of the point * from, and weight of the point * way; times 2^-shift.
+  const Stretch3* stretch_ = nullptr;
+  std::vector<BoundedVector> offsets_, drifts_;
+  std::vector<double> weights_;
+  bool is_small_ = false;
+  double largest_offset_ = 0, largest_drift_ = 0;
+
+  // At t = mantissa * 2^-places.
+  double t_ = 0;
+  Integer mantissa_;
+  unsigned places_ = 0;
+  double unit_ = 1;  // doubles are those of the line, times this
+  std::vector<BoundedVector> toward_;
+  std::vector<Direction3> moves_;  // by how much they change with t
+  std::uint64_t stamp_ = 0;
+  struct ExactToward {
+    std::uint64_t stamp = 0;
+    IntegerVector vector;
+  };
+  std::vector<ExactToward> exact_toward_;
+  IntegerVector product_;
+  ExactPolynomial polynomial_;
+  std::array<Integer, 3> determinant_;
+
+  double left_ = 0, right_ = 0;
+  bool is_unlucky_ = false;
+  SignCounts counts_;
+  std::uint32_t relied_ = 0;
+};
+
+}  // namespace hottel

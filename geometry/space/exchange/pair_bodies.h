@@ -1,0 +1,90 @@
+// The polygons of a pair. Internal to geometry/space/exchange.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/patch.h"
+
+namespace hottel {
+
+// Two patches, and the surfaces that may stand between them, as bodies with numbers of their own: 0 and 1 are the
+// patches, the rest what is between. Their corners are points, each once.
+//
+//   (1) normals point to the front
+//   (2) two bodies that share an edge share its two points: exactly equal points are one, but for corners of patches
+//       that lie on surfaces other than their own without being corners there
+struct PairBodies3 {
+  struct Point {
+    const IntegerVector* numerator;  // integer form times weight: of the vertices, or of a patch
+    const Integer* denominator;      // the weight
+    BoundedVector approximate;       // the numerator times a power of two, one for all points; 1 where every one fits
+    double approximate_weight = 1;
+
+    const IntegerVector& exact() const { return *numerator; }
+    const Integer& weight() const { return *denominator; }
+  };
+  struct Body {
+    std::vector<std::uint32_t> corners;  // counter-clockwise, seen from the front
+    const IntegerVector* normal_numbers;
+    BoundedVector normal;
+    std::uint32_t surface;
+
+    const IntegerVector& exact_normal() const { return *normal_numbers; }
+  };
+  // How two bodies lie: of the corners of one, whether there are some in front of the plane of the other, and behind.
+  struct Side {
+    bool has_front = false, has_behind = false;
+    bool straddles() const { return has_front && has_behind; }
+  };
+
+  std::vector<Point> points;
+  std::vector<Body> bodies;
+  std::array<Side, 2> patch_sides;                    // of patch 0 beside the plane of patch 1, and the other way round
+  std::vector<std::array<Side, 2>> of_body{{}, {}};   // body k beside the planes of the patches
+  std::vector<std::array<Side, 2>> of_patch{{}, {}};  // the patches beside the plane of body k
+
+  // Takes two patches: sets points, bodies and patch_sides. REQUIRES: blockers and patches outlive this.
+  PairBodies3(const Blockers3& blockers, const Patch3& i, const Patch3& j);
+  PairBodies3(const PairBodies3&) = delete;  // bodies point to what is kept here
+  PairBodies3& operator=(const PairBodies3&) = delete;
+
+  // Adds a surface; `of_body` and `of_patch` are set for it. Returns its number.
+  std::uint32_t add(const Blockers3& blockers, std::uint32_t surface);
+  // Takes the last one away.
+  void drop_last();
+  // The power of two that the doubles of points are multiplied with.
+  double unit() const { return std::ldexp(1.0, static_cast<int>(-shift_)); }
+
+  // Where a point lies of the plane of a body: +1 before its front, -1 behind, 0 on it.
+  int side(std::uint32_t point, std::uint32_t body) const;
+  // The sign of the determinant of the ways from p to q, r and s.
+  int orientation(std::uint32_t p, std::uint32_t q, std::uint32_t r, std::uint32_t s) const;
+  // The same for one p, q, r and many s.
+  struct Plane {
+    std::uint32_t p, q, r;
+    BoundedVector normal;
+  };
+  Plane plane_through(std::uint32_t p, std::uint32_t q, std::uint32_t r) const {
+    return {p, q, r, cross(way(p, q), way(p, r))};
+  }
+  int orientation(const Plane& plane, std::uint32_t s) const;
+
+ private:
+  std::uint32_t add_point(const IntegerVector& exact, const Integer& weight, const BoundedVector& approximate);
+  std::uint32_t vertex(const Blockers3& blockers, VertexId3 v);
+  void add_patch(const Blockers3& blockers, const Patch3& patch);
+  Side side_of_body(std::uint32_t body, std::uint32_t other) const;
+  BoundedVector way(std::uint32_t p, std::uint32_t q) const;
+  IntegerVector exact_way(std::uint32_t p, std::uint32_t q) const;
+
+  std::unordered_map<std::int32_t, std::uint32_t> vertex_numbers_;
+  std::array<IntegerVector, 2> patch_normals_;
+  long shift_ = 0;
+};
+
+}  // namespace hottel

@@ -1,0 +1,41 @@
+// What the measure of a pair of patches is made of.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/space/exchange/stretch.h"
+#include "geometry/space/exchange/stretch_map.h"
+
+namespace hottel {
+
+// The stretches along which a pair is measured, in the order in which they were looked at, those with something seen.
+//
+//   (1) the measures of all pieces sum up to the measure along edges of the pair, but for rounding; each alone depends
+//       on where moments are taken about, and may be negative
+//   (2) t is that of the stretch: from + t (to - from)
+//   (3) equal planes and labels of signatures mean the same within one pair, and nothing across pairs
+struct PairDetails3 {
+  struct Piece {
+    double low, high;                // of t
+    std::uint32_t arcs;              // that bound what is seen
+    double measure;                  // what it adds to S, as PairMeasure3
+    std::vector<ArcEnd3> signature;  // as StretchPiece3
+  };
+  struct Stretch {
+    StretchRole3 role;
+    std::uint32_t patch;  // that it is on: 0 is i, 1 is j; 0 for outlines
+    WeightedPoint3 from, to;
+    std::vector<std::uint32_t> surfaces;  // whose closure contains it and that may stand between, ascending
+    std::uint32_t relied = 0;             // polynomials of which signs were relied on
+    std::vector<Piece> pieces;
+  };
+
+  std::vector<std::uint32_t> between;  // surfaces that may stand between, ascending
+  std::optional<std::uint32_t> hider;  // one that alone hides each point of a patch from each of the other one
+  std::uint32_t looked_at = 0;         // stretches, those along which nothing is seen too
+  std::vector<Stretch> stretches;
+};
+
+}  // namespace hottel

@@ -1,0 +1,196 @@
+#include "geometry/space/exchange/pair_measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "geometry/space/arrangement/surface_boxes.h"
+#include "geometry/space/exchange/edge_sum.h"
+#include "geometry/space/exchange/moment_origin.h"
+#include "geometry/space/exchange/pair_details.h"
+#include "geometry/space/exchange/pair_setting.h"
+#include "geometry/space/exchange/pair_stretches.h"
+#include "geometry/space/exchange/patch_halves.h"
+#include "geometry/space/exchange/surface_stretches.h"
+#include "geometry/space/exchange/unobstructed.h"
+#include "kernel/support/parallel.h"
+
+namespace hottel {
+namespace {
+
+// What the residual may be off, relative to the side of the smaller patch.
+constexpr double kResidualTolerance = 1e-9;
+
+// More surfaces between two patches than are taken at once, and how often patches are cut, together.
+constexpr std::size_t kMostBetween = 30;
+constexpr int kMostCuts = 12, kCutsWhereItFails = 3;
+
+// Nothing hides anything: the measure is that of the two alone.
+void take_alone(const UnobstructedMeasure3& alone, PairMeasure3& result) {
+  result.is_whole = true;
+  result.measure = alone.measure;
+  result.error = alone.error;
+  result.bounds = alone.bounds;
+  if (!alone.has_converged) result.problem = "the integral over two patches that see each other did not converge";
+}
+
+// Adds what a part of a pair exchanges.
+void add_part(const PairMeasure3& part, PairMeasure3& sum) {
+  sum.is_whole = sum.is_whole && part.is_whole;
+  sum.measure += part.measure;
+  sum.error += part.error;
+  sum.bounds = sum_of_nonnegative(sum.bounds, part.bounds);
+  sum.residual = std::max(sum.residual, part.residual);
+  sum.residual_bound = std::max(sum.residual_bound, part.residual_bound);
+  sum.maps += part.maps;
+  sum.pieces += part.pieces;
+  sum.nodes += part.nodes;
+  sum.signs += part.signs;
+}
+
+void tell_between(const PairSetting3& setting, PairDetails3& details) {
+  const auto& bodies = setting.bodies.bodies;
+  for (std::size_t body = 2; body < bodies.size(); ++body) details.between.push_back(bodies[body].surface);
+  if (setting.sight == Sight3::kHidden && bodies.size() > 2) details.hider = bodies.back().surface;
+}
+
+}  // namespace
+
+struct PairMeasurer3::Prepared {
+  const Blockers3& blockers;
+  SurfaceBoxes3 boxes;
+  SurfaceStretches3 stretches;
+  explicit Prepared(const Blockers3& b) : blockers(b), boxes(b), stretches(b, boxes) {}
+};
+
+PairMeasurer3::PairMeasurer3(const Blockers3& blockers) : prepared_(std::make_unique<Prepared>(blockers)) {}
+PairMeasurer3::~PairMeasurer3() = default;
+
+PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request,
+                                    PairDetails3* details) const {
+  const DefaultFloatingPoint environment;
+  const bool is_usual = !request.is_reversed && !request.always_along_edges &&
+                        std::all_of(std::begin(request.origin_shift), std::end(request.origin_shift),
+                                    [](double shift) { return shift == 0; });
+  return measure(i, j, request, is_usual ? kMostCuts : 0, details);
+}
+
+PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request, int cuts,
+                                    PairDetails3* details) const {
+  const PairSetting3 setting(prepared_->blockers, prepared_->boxes, request.is_reversed ? j : i,
+                             request.is_reversed ? i : j);
+  const bool is_mixed = setting.sight == Sight3::kMixed;
+  if (is_mixed && cuts > 0 && setting.bodies.bodies.size() - 2 > kMostBetween)
+    if (PairMeasure3 halves = measure_in_halves(i, j, request, cuts); halves.problem.empty()) {
+      if (details != nullptr) measure_along(setting, i, j, request, details);
+      return halves;
+    }
+  PairMeasure3 whole = measure_along(setting, i, j, request, details);
+  if (!is_mixed || whole.problem.empty() || cuts <= kMostCuts - kCutsWhereItFails) return whole;
+  PairMeasure3 halves = measure_in_halves(i, j, request, cuts);
+  return halves.problem.empty() ? halves : whole;
+}
+
+// What the halves of a patch cost with the other one, about: the squares of the numbers of surfaces between.
+double PairMeasurer3::work_in_halves(const Patch3& i, const Patch3& j, bool cuts_first) const {
+  double work = 0;
+  for (const Patch3& half : halves_of(cuts_first ? i : j)) {
+    const PairSetting3 setting(prepared_->blockers, prepared_->boxes, cuts_first ? half : i, cuts_first ? j : half);
+    const auto between = static_cast<double>(setting.bodies.bodies.size() - 2);
+    if (setting.sight == Sight3::kMixed) work += between * between;
+  }
+  return work;
+}
+
+PairMeasure3 PairMeasurer3::measure_in_halves(const Patch3& i, const Patch3& j, const PairRequest3& request,
+                                              int cuts) const {
+  const Vertices3& vertices = prepared_->blockers.vertices();
+  const auto least_area = [&](const Patch3& a, const Patch3& b) {
+    return std::min(patch_area(vertices, a).lower, patch_area(vertices, b).lower);
+  };
+  const double allowed = request.tolerance * least_area(i, j);
+  const bool cuts_first = work_in_halves(i, j, true) <= work_in_halves(i, j, false);
+  PairMeasure3 sum;
+  sum.sight = Sight3::kMixed;
+  sum.is_whole = true;
+  for (const Patch3& half : halves_of(cuts_first ? i : j)) {
+    const Patch3 &a = cuts_first ? half : i, &b = cuts_first ? j : half;
+    const auto sides = PairBodies3(prepared_->blockers, a, b).patch_sides;
+    if (!sides[0].has_front || !sides[1].has_front) continue;  // it does not face the other patch: S0 = 0
+    PairRequest3 part = request;
+    part.tolerance = std::clamp(allowed / (2 * least_area(a, b)), request.tolerance / 8, request.tolerance);
+    const PairMeasure3 found = measure(a, b, part, cuts - 1, nullptr);
+    if (!found.problem.empty()) return found;
+    add_part(found, sum);
+  }
+  if (sum.bounds.upper == 0) {
+    sum.is_whole = false;
+    sum.measure = sum.error = 0;
+  } else if (sum.is_whole) {
+    take_alone(unobstructed_measure(vertices, i, j, request.tolerance / 4), sum);
+  } else if (!(sum.error <= allowed)) {
+    sum.problem = "the integral along edges did not converge";
+  }
+  return sum;
+}
+
+PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                                          const PairRequest3& request, PairDetails3* details) const {
+  const Patch3 &first = request.is_reversed ? j : i, &second = request.is_reversed ? i : j;
+  const Blockers3& blockers = prepared_->blockers;
+  PairMeasure3 result;
+  result.sight = setting.sight;
+  if (details) tell_between(setting, *details);
+  if (setting.sight == Sight3::kHidden) return result;
+  const UnobstructedMeasure3 alone = unobstructed_measure(blockers.vertices(), i, j, request.tolerance / 4);
+  if (setting.sight == Sight3::kClear && !request.always_along_edges) {
+    take_alone(alone, result);
+    return result;
+  }
+  const long shift = blockers.vertices().shift();
+  const MomentOrigin3 origin(setting.bodies, request.origin_shift, shift);
+  EdgeSum3 sum(setting.bodies, origin.point(), shift);
+  const std::vector<PairStretch3> stretches =
+      pair_stretches(setting, prepared_->stretches, blockers.vertices(), first, second);
+  if (details) details->looked_at = static_cast<std::uint32_t>(stretches.size());
+  result.bounds = {0, alone.bounds.upper};
+  if (!sum.add(stretches, result)) {
+    result.problem = "a stretch of an edge is cut into too many pieces";
+    return result;
+  }
+  if (sum.is_empty()) {
+    result.is_whole = false;
+    result.bounds = {0, 0};
+    return result;
+  }
+  if (result.is_whole && !request.always_along_edges) {
+    take_alone(alone, result);
+    return result;
+  }
+  const double least = std::min(patch_area(blockers.vertices(), i).lower, patch_area(blockers.vertices(), j).lower);
+  const double full = 2 * std::numbers::pi;
+  sum.refine(full * request.tolerance * least, kResidualTolerance * std::sqrt(least));
+  result.measure = sum.value() / full;
+  result.error = sum.error() / full;
+  result.nodes = sum.nodes();
+  if (details) sum.tell(*details);
+  Direction3 residual = sum.residual();
+  if (origin.is_on_common_line()) {
+    // Where both patches reach the line that their planes share, it adds pi / 2 times both unit normals and its length.
+    const Direction3 across = direction_of_both_normals(setting.bodies);
+    residual = residual - std::max(0.0, dot(residual, across)) * across;
+  }
+  result.residual = length(residual);
+  result.residual_bound = std::max(sum.residual_error(), kResidualTolerance * std::sqrt(least));
+  // Something is seen: however little, it is not nothing.
+  constexpr double kLittle = 0x1p-200;
+  result.measure = std::clamp(result.measure, kLittle * alone.bounds.upper, alone.bounds.upper);
+  if (!(result.error <= request.tolerance * least))
+    result.problem = "the integral along edges did not converge";
+  else if (!(result.residual <= result.residual_bound))
+    result.problem = "the residual of translation is not zero";
+  return result;
+}
+
+}  // namespace hottel

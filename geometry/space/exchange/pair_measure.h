@@ -1,0 +1,46 @@
+// The exchange measure of two patches, with all that stands between them.
+#pragma once
+
+#include <memory>
+
+#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/patch.h"
+#include "geometry/space/exchange/pair_result.h"
+
+namespace hottel {
+
+struct PairDetails3;
+struct PairSetting3;
+
+// Measures pairs of patches among the polygons of a scene.
+//
+// Where many surfaces may stand between, the larger patch is cut in two, again and again: the hull of a half and the
+// other patch holds fewer of them, and what each costs grows faster than their number. So is a pair whose integrals do
+// not converge. The measures, errors and bounds of the parts are summed.
+//
+// For several threads at once: what is kept between calls is made beforehand; each call has working memory of its own.
+class PairMeasurer3 {
+ public:
+  // REQUIRES: the blockers outlive this, and no two of them share an area of one plane (validate of Scene3).
+  explicit PairMeasurer3(const Blockers3& blockers);
+  ~PairMeasurer3();
+
+  // REQUIRES: patches of these blockers, as Patch3 says. `details`, where it is not null, is told what the measure is
+  // made of (pair_details.h): of stretches only where it is the sum along edges.
+  PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request = {},
+                       PairDetails3* details = nullptr) const;
+
+ private:
+  // `cuts`: how often patches may still be cut.
+  PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request, int cuts,
+                       PairDetails3* details) const;
+  PairMeasure3 measure_in_halves(const Patch3& i, const Patch3& j, const PairRequest3& request, int cuts) const;
+  double work_in_halves(const Patch3& i, const Patch3& j, bool cuts_first) const;
+  PairMeasure3 measure_along(const PairSetting3& setting, const Patch3& i, const Patch3& j, const PairRequest3& request,
+                             PairDetails3* details) const;
+
+  struct Prepared;
+  std::unique_ptr<const Prepared> prepared_;
+};
+
+}  // namespace hottel

@@ -1,0 +1,236 @@
+#include "geometry/space/exchange/pair_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "geometry/name.h"
+#include "geometry/scene_names.h"
+#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/groups_alone.h"
+#include "geometry/space/exchange/unobstructed.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+
+// Products of a proven number with a factor that is off by half a unit.
+double down(double a, double b) { return std::max(0.0, std::nextafter(std::nextafter(a * b, -kInfinity), -kInfinity)); }
+double up(double a, double b) { return a == 0 ? 0 : std::nextafter(std::nextafter(a * b, kInfinity), kInfinity); }
+
+Estimate3 operator*(const Estimate3& a, double unit) {
+  return {a.value * unit, a.error * unit, {down(a.bounds.lower, unit), up(a.bounds.upper, unit)}};
+}
+
+void add(const Estimate3& some, Estimate3& sum) {
+  sum.value += some.value;
+  sum.error += some.error;
+  sum.bounds = sum_of_nonnegative(sum.bounds, some.bounds);
+}
+
+// Hidden before clear before mixed: of several pairs together.
+Sight3 together(Sight3 a, Sight3 b) { return std::max(a, b); }
+
+class Reporter {
+ public:
+  Reporter(const PreparedScene3& prepared, const std::optional<Face>& from, const std::optional<Face>& to,
+           double tolerance)
+      : prepared_(prepared),
+        table_(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kFace),
+        from_(from),
+        to_(to) {
+    const Vertices3& vertices = prepared.blockers().vertices();
+    const Rational unit = scaled_by_power_of_two(vertices.scale(), vertices.shift());
+    length_ = to_double(unit);
+    square_ = to_double(unit * unit);
+    is_turned_ = !from_ || (to_ && *to_ < *from_);
+    if (!std::isnormal(length_) || !std::isnormal(square_)) fail("its measures are beyond the range of doubles");
+    report_.tolerance = tolerance;
+  }
+
+  PairReport3 make() {
+    const bool are_both_covered =
+        from_ && to_ && table_.is_partly_covered(from_->number()) && table_.is_partly_covered(to_->number());
+    const std::vector<Patch3> of_from = patches(from_, false), of_to = patches(to_, are_both_covered);
+    report_.is_whole = true;
+    for (const Patch3& i : of_from)
+      for (const Patch3& j : of_to)
+        if (i.is_sky() || i.surface != j.surface) add_pair(i, j);
+    report_.is_whole = report_.is_whole && report_.exchange.bounds.upper > 0;
+    auto& between = report_.between;
+    std::sort(between.begin(), between.end());
+    between.erase(std::unique(between.begin(), between.end()), between.end());
+    set_unobstructed(of_from, of_to);
+    set_factors();
+    set_visibility();
+    for (Estimate3* const measure : {&report_.exchange, &report_.unobstructed, &report_.along_edges})
+      *measure = *measure * square_;
+    return std::move(report_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem) const {
+    const auto name = [&](const std::optional<Face>& face) {
+      return face ? quoted_name(face_name(prepared_.scene, *face)) : "the sky";
+    };
+    throw RequestError(name(from_) + " and " + name(to_) + ": " + problem);
+  }
+
+  std::vector<Patch3> patches(const std::optional<Face>& face, bool are_free) const {
+    std::vector<Patch3> result;
+    const std::uint32_t label = face ? face->number() : table_.sky();
+    for (const ElementTable3::Part& part : are_free ? table_.free_parts(label) : table_.parts(label))
+      result.push_back(part.patch);
+    if (result.empty())
+      throw RequestError(quoted_name(face_name(prepared_.scene, *face)) +
+                         " has no area: it lies in solids, or others have all of its place");
+    return result;
+  }
+
+  void add_pair(const Patch3& i, const Patch3& j) {
+    PairDetails3 details;
+    PairRequest3 request{.tolerance = report_.tolerance};
+    const PairMeasure3 found = measured(i, j, request, details);
+    if (!found.problem.empty()) fail(found.problem);
+    report_.sight = together(report_.sight, found.sight);
+    add({found.measure, found.error, found.bounds}, report_.exchange);
+    if (found.sight == Sight3::kHidden) {
+      if (from_ && to_ && details.hider) report_.hider = surface_of(*details.hider);
+      report_.is_whole &= !details.hider;
+      return;
+    }
+    for (const std::uint32_t piece : details.between) report_.between.push_back(surface_of(piece));
+    report_.is_whole &= found.is_whole;
+    PairMeasure3 along = found;
+    if (details.stretches.empty() && found.bounds.upper > 0) {
+      details = {};
+      request.always_along_edges = true;
+      along = measured(i, j, request, details);
+      if (report_.problem.empty()) report_.problem = along.problem;
+    }
+    report_.maps += along.maps;
+    report_.signs += along.signs;
+    report_.pieces += along.pieces;
+    report_.nodes += along.nodes;
+    report_.residual = std::max(report_.residual, along.residual * length_);
+    report_.residual_bound = std::max(report_.residual_bound, along.residual_bound * length_);
+    add({along.measure, along.error, along.bounds}, report_.along_edges);
+    take(std::move(details));
+  }
+
+  PairMeasure3 measured(const Patch3& i, const Patch3& j, const PairRequest3& request, PairDetails3& details) const {
+    return prepared_.measurer().measure(is_turned_ ? j : i, is_turned_ ? i : j, request, &details);
+  }
+
+  std::uint32_t surface_of(std::uint32_t piece) const { return prepared_.arrangement().pieces()[piece].surface; }
+
+  void take(PairDetails3 details) {
+    report_.looked_at += details.looked_at;
+    for (PairDetails3::Stretch& stretch : details.stretches) {
+      for (std::uint32_t& surface : stretch.surfaces) surface = surface_of(surface);
+      std::sort(stretch.surfaces.begin(), stretch.surfaces.end());
+      stretch.surfaces.erase(std::unique(stretch.surfaces.begin(), stretch.surfaces.end()), stretch.surfaces.end());
+      const bool is_outline = stretch.role == StretchRole3::kOutline, is_first = (stretch.patch == 0) != is_turned_;
+      PairReport3::Stretch& told = report_.stretches.emplace_back(PairReport3::Stretch{
+          stretch.role, !is_outline && is_first, !is_outline && !is_first, place(stretch.from), place(stretch.to),
+          std::move(stretch.surfaces), stretch.relied, std::move(stretch.pieces)});
+      for (PairDetails3::Piece& piece : told.pieces) told.measure += piece.measure *= square_;
+    }
+  }
+
+  Point3 place(const WeightedPoint3& p) const {
+    const Vertices3& vertices = prepared_.blockers().vertices();
+    const Rational unit = vertices.scale() / p.weight;
+    const Point3& origin = vertices.origin();
+    return {origin.x + unit * p.numerator.x, origin.y + unit * p.numerator.y, origin.z + unit * p.numerator.z};
+  }
+
+  void set_unobstructed(const std::vector<Patch3>& of_from, const std::vector<Patch3>& of_to) {
+    if (!from_ || !to_) {
+      const Rounded& area = table_.extent((from_ ? from_ : to_)->number());
+      report_.unobstructed = {area.value, 0, area.enclosure()};
+    } else if (!table_.is_one_patch(from_->number()) || !table_.is_one_patch(to_->number())) {
+      const auto alone = GroupsAlone3(prepared_, table_, report_.tolerance).measure(from_->number(), to_->number());
+      report_.unobstructed = {alone.value, alone.error, alone.bounds};
+    } else if (from_->surface != to_->surface) {
+      const UnobstructedMeasure3 alone =
+          unobstructed_measure(prepared_.blockers().vertices(), of_from.front(), of_to.front(), report_.tolerance);
+      if (!alone.has_converged) fail("the integral over two patches that see each other did not converge");
+      report_.unobstructed = {alone.measure, alone.error, alone.bounds};
+    }
+  }
+
+  // The measure over an area.
+  static Estimate3 quotient(const Estimate3& measure, double value, const Enclosure& area) {
+    if (measure.bounds.upper == 0) return {};
+    Estimate3 result;
+    result.bounds.lower = measure.bounds.lower > 0 ? std::nextafter(measure.bounds.lower / area.upper, 0.0) : 0;
+    result.bounds.upper =
+        area.lower > 0 ? std::min(1.0, std::nextafter(measure.bounds.upper / area.lower, kInfinity)) : 1;
+    result.value = measure.value / value;
+    return result;
+  }
+
+  void set_factors() {
+    const auto of_face = [&](const Face& face) {
+      const Rounded& area = table_.extent(face.number());
+      Estimate3 factor = quotient(report_.exchange, area.value, area.enclosure());
+      if (report_.exchange.bounds.upper > 0)
+        factor.value = std::clamp(std::max(factor.value, kLeast), factor.bounds.lower, factor.bounds.upper);
+      return factor;
+    };
+    if (from_) {
+      report_.area_from = table_.elements()[from_->number()].area;
+      report_.factor_from = of_face(*from_);
+    }
+    if (to_) {
+      report_.area_to = table_.elements()[to_->number()].area;
+      report_.factor_to = of_face(*to_);
+    }
+  }
+
+  void set_visibility() {
+    if (!report_.is_facing()) return;
+    if (!from_ || !to_) {
+      report_.visibility = from_ ? report_.factor_from : report_.factor_to;
+    } else if (report_.is_whole) {
+      report_.visibility = {1, 0, {1, 1}};
+    } else {
+      Estimate3& part = report_.visibility.emplace(
+          quotient(report_.exchange, report_.unobstructed.value, report_.unobstructed.bounds));
+      if (report_.exchange.bounds.upper > 0) part.value = std::clamp(part.value, kLeast, std::nextafter(1.0, 0.0));
+    }
+  }
+
+  const PreparedScene3& prepared_;
+  const ElementTable3 table_;
+  const std::optional<Face> from_, to_;
+  bool is_turned_ = false;          // pairs are measured from the face that comes first
+  double length_ = 1, square_ = 1;  // of the doubles of Vertices3
+  PairReport3 report_;
+};
+
+}  // namespace
+
+bool PairReport3::is_enclosed() const {
+  double least = area_from ? area_from->enclosure().lower : kInfinity;
+  if (area_to) least = std::min(least, area_to->enclosure().lower);
+  const double most = tolerance * least;
+  return exchange.bounds.contains(exchange.value) && exchange.bounds.upper - exchange.value <= most &&
+         exchange.value - exchange.bounds.lower <= most;
+}
+
+PairReport3 pair_report(const PreparedScene3& prepared, const std::optional<Face>& from, const std::optional<Face>& to,
+                        double tolerance) {
+  HOTTEL_REQUIRE(tolerance > 0 && (from || to));
+  const DefaultFloatingPoint arithmetic;
+  return Reporter(prepared, from, to, tolerance).make();
+}
+
+}  // namespace hottel

@@ -1,0 +1,256 @@
+#include "geometry/space/exchange/pair_stretches.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+
+namespace hottel {
+namespace {
+
+// Rounding of doubles is far below this part of a length.
+constexpr double kSlack = 1e-9;
+
+Rational quotient(const Integer& numerator, const Integer& denominator) {
+  Rational result(numerator, denominator);
+  result.canonicalize();
+  return result;
+}
+
+// The point of a stretch at t.
+WeightedPoint3 point_at(const Stretch3& s, const Rational& t) {
+  const Integer &p = t.get_num(), &q = t.get_den();
+  return {{q * s.from.x + p * s.way.x, q * s.from.y + p * s.way.y, q * s.from.z + p * s.way.z}, q * s.weight};
+}
+
+Stretch3 part_of(const Stretch3& s, const Rational& low, const Rational& high) {
+  if (low == 0 && high == 1) return s;
+  return stretch_between(point_at(s, low), point_at(s, high));
+}
+
+WeightedPoint3 end_of(const Stretch3& s) {
+  return {{s.from.x + s.way.x, s.from.y + s.way.y, s.from.z + s.way.z}, s.weight};
+}
+
+// b - a, times both weights.
+IntegerVector way(const WeightedPoint3& a, const WeightedPoint3& b) {
+  if (a.weight == b.weight) return multiple(a.weight, difference(b.numerator, a.numerator));
+  return difference(multiple(a.weight, b.numerator), multiple(b.weight, a.numerator));
+}
+
+class StretchFinder {
+ public:
+  StretchFinder(const PairSetting3& setting, const SurfaceStretches3& stretches, const Vertices3& vertices)
+      : bodies_(setting.bodies),
+        setting_(setting),
+        stretches_(stretches),
+        unit_ratio_(std::ldexp(1 / setting.bodies.unit(), static_cast<int>(-vertices.shift()))) {
+    for (std::uint32_t body = 2; body < bodies_.bodies.size(); ++body) numbers_[bodies_.bodies[body].surface] = body;
+  }
+
+  void add_patch(const Patch3& patch, std::uint32_t own, const Patch3& other) {
+    own_ = own;
+    other_surface_ = other.surface;
+    std::span<const AtomicStretch3> grounds;
+    if (!patch.is_sky() && !numbers_.empty()) grounds = grounds_of(patch, own);
+    relevant_.clear();
+    for (const AtomicStretch3& ground : grounds)
+      if (is_of_bodies(ground)) relevant_.push_back(&ground);
+    const std::size_t count = patch.corners.size();
+    for (std::size_t k = 0; k < count; ++k)
+      add_source(stretch_between({patch.corners[k], patch.weight}, {patch.corners[(k + 1) % count], patch.weight}));
+    for (const AtomicStretch3* ground : relevant_) add_foot(*ground, patch);
+  }
+
+  void add_outlines() {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t body = 2; body < bodies_.bodies.size(); ++body)
+      for (const std::uint32_t number : stretches_.outlines_of(bodies_.bodies[body].surface)) found.push_back(number);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    if (found.empty()) return;
+    find_planes();
+    for (const std::uint32_t number : found) add_outline(number);
+  }
+
+  std::vector<PairStretch3> take() { return std::move(result_); }
+
+ private:
+  // A plane of the hull in doubles of Vertices3: the hull is where the value is not negative, rounding included.
+  struct HullPlane {
+    double x, y, z, offset;
+  };
+
+  std::span<const AtomicStretch3> grounds_of(const Patch3& patch, std::uint32_t own) const {
+    const bool is_back = !is_front(patch, own);
+    return stretches_.grounds(patch.surface, is_back);
+  }
+  bool is_front(const Patch3& patch, std::uint32_t own) const {
+    return sgn(dot(bodies_.bodies[own].exact_normal(), stretches_.normal(patch.surface))) > 0;
+  }
+
+  // True iff some of the surfaces there are among the bodies.
+  bool is_of_bodies(const AtomicStretch3& ground) const {
+    return std::any_of(ground.faces.begin(), ground.faces.end(),
+                       [this](const StretchFace3& face) { return numbers_.contains(face.surface); });
+  }
+
+  bool is_on_line(const Stretch3& line, const IntegerVector& point, const Integer& weight) const {
+    const IntegerVector offset = difference(multiple(line.weight, point), multiple(weight, line.from));
+    return is_zero(cross(line.way, offset));
+  }
+
+  // Adds an edge of a patch, divided where surfaces at it begin and end.
+  void add_source(const Stretch3& edge) {
+    struct Part {
+      Rational low, high;
+      const AtomicStretch3* ground;
+    };
+    std::vector<Part> parts;
+    std::vector<Rational> ends{0, 1};
+    for (const AtomicStretch3* ground : relevant_) {
+      const Stretch3& g = ground->stretch;
+      if (!is_on_line(edge, g.from, g.weight)) continue;
+      const WeightedPoint3 end = end_of(g);
+      if (!is_on_line(edge, end.numerator, end.weight)) continue;
+      const Integer square = dot(edge.way, edge.way);
+      const auto place = [&](const IntegerVector& p) {
+        const IntegerVector offset = difference(multiple(edge.weight, p), multiple(g.weight, edge.from));
+        return quotient(dot(edge.way, offset), g.weight * square);
+      };
+      Rational low = place(g.from), high = place(end.numerator);
+      if (low > high) std::swap(low, high);
+      low = std::max(low, Rational(0));
+      high = std::min(high, Rational(1));
+      if (low >= high) continue;
+      ends.push_back(low);
+      ends.push_back(high);
+      parts.push_back({std::move(low), std::move(high), ground});
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      PairStretch3 stretch{part_of(edge, ends[k], ends[k + 1]), nullptr, StretchRole3::kSource, own_, {}, 0, 1};
+      for (const Part& part : parts) {
+        if (part.low > ends[k] || part.high < ends[k + 1]) continue;
+        for (const StretchFace3& face : part.ground->faces) add_face(face, stretch);
+      }
+      result_.push_back(std::move(stretch));
+    }
+  }
+
+  void add_face(const StretchFace3& face, PairStretch3& stretch) const {
+    const auto number = numbers_.find(face.surface);
+    if (number == numbers_.end()) return;
+    stretch.faces.push_back({number->second, face.is_forward, bodies_.of_patch[number->second][own_].has_front});
+  }
+
+  // Adds what is inside the patch of a stretch on which surfaces stand.
+  void add_foot(const AtomicStretch3& ground, const Patch3& patch) {
+    const bool is_target_there =
+        std::any_of(ground.faces.begin(), ground.faces.end(),
+                    [this](const StretchFace3& face) { return face.surface == other_surface_; });
+    const bool is_of_bodies_only =
+        std::all_of(ground.faces.begin(), ground.faces.end(),
+                    [this](const StretchFace3& face) { return numbers_.contains(face.surface); });
+    if (is_target_there || !is_of_bodies_only) return;
+    const WeightedPoint3 from{ground.stretch.from, ground.stretch.weight}, to = end_of(ground.stretch);
+    const IntegerVector& normal = bodies_.bodies[own_].exact_normal();
+    Rational low = 0, high = 1;
+    const std::size_t count = patch.corners.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const WeightedPoint3 corner{patch.corners[k], patch.weight};
+      const IntegerVector across = cross(normal, difference(patch.corners[(k + 1) % count], patch.corners[k]));
+      const Integer at_from = dot(across, way(corner, from)), at_to = dot(across, way(corner, to));
+      if (sgn(at_from) <= 0 && sgn(at_to) <= 0) return;
+      if (sgn(at_from) >= 0 && sgn(at_to) >= 0) continue;
+      const Rational zero = quotient(at_from, at_from - at_to);
+      if (sgn(at_from) < 0)
+        low = std::max(low, zero);
+      else
+        high = std::min(high, zero);
+    }
+    if (low >= high) return;
+    PairStretch3 stretch{part_of(ground.stretch, low, high), nullptr, StretchRole3::kFoot, own_, {}, 0, 1};
+    for (const StretchFace3& face : ground.faces) add_face(face, stretch);
+    result_.push_back(std::move(stretch));
+  }
+
+  // Those along which all surfaces are among the bodies: else nothing is seen past them.
+  void add_outline(std::uint32_t place) {
+    const AtomicStretch3& outline = stretches_.outline(place);
+    for (const StretchFace3& face : outline.faces)
+      if (!numbers_.contains(face.surface)) return;
+    double low = 0, high = 1;
+    if (!cut_short(stretches_.outline_ends(place), low, high)) return;
+    PairStretch3& stretch = result_.emplace_back();
+    stretch.known = &outline.stretch;
+    stretch.role = StretchRole3::kOutline;
+    stretch.low = low;
+    stretch.high = high;
+    for (const StretchFace3& face : outline.faces)
+      stretch.faces.push_back({numbers_.at(face.surface), face.is_forward, false});
+  }
+
+  // In doubles of Vertices3.
+  Direction3 place(std::uint32_t number) const {
+    const PairBodies3::Point& p = bodies_.points[number];
+    const double scale = unit_ratio_ / p.approximate_weight;
+    return {scale * p.approximate.x, scale * p.approximate.y, scale * p.approximate.z};
+  }
+
+  void find_planes() {
+    for (const PairSetting3::HullPlane& plane : setting_.hull) {
+      const Direction3 a = place(plane.plane.p), b = place(plane.plane.q), c = place(plane.plane.r);
+      Direction3 normal = cross(b - a, c - a);
+      const double size = length(normal);
+      if (!(size > 1e-6 * length(b - a) * length(c - a))) continue;  // too thin to be told in doubles
+      normal = (plane.inside / size) * normal;
+      const double slack = kSlack * (length(a) + length(b) + length(c)) + kSlack * length(b - a);
+      planes_.push_back({normal.x, normal.y, normal.z, slack - dot(normal, a)});
+    }
+  }
+
+  bool cut_short(const std::array<Direction3, 2>& ends, double& low, double& high) const {
+    const Direction3 &a = ends[0], &b = ends[1];
+    const double slack = kSlack * (length(a) + length(b));
+    for (const HullPlane& plane : planes_) {
+      const auto value = [&](const Direction3& p) {
+        return plane.x * p.x + plane.y * p.y + plane.z * p.z + plane.offset + slack;
+      };
+      const double at_a = value(a), at_b = value(b);
+      if (at_a < 0 && at_b < 0) return false;
+      if (at_a >= 0 && at_b >= 0) continue;
+      const double zero = at_a / (at_a - at_b);
+      if (at_a < 0)
+        low = std::max(low, zero);
+      else
+        high = std::min(high, zero);
+    }
+    return low < high;
+  }
+
+  const PairBodies3& bodies_;
+  const PairSetting3& setting_;
+  const SurfaceStretches3& stretches_;
+  double unit_ratio_;                                         // of the doubles of Vertices3 to those of points
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers_;  // of surfaces among the bodies
+  std::uint32_t own_ = 0, other_surface_ = 0;
+  std::vector<const AtomicStretch3*> relevant_;
+  std::vector<HullPlane> planes_;
+  std::vector<PairStretch3> result_;
+};
+
+}  // namespace
+
+std::vector<PairStretch3> pair_stretches(const PairSetting3& setting, const SurfaceStretches3& stretches,
+                                         const Vertices3& vertices, const Patch3& i, const Patch3& j) {
+  StretchFinder finder(setting, stretches, vertices);
+  finder.add_patch(i, 0, j);
+  finder.add_patch(j, 1, i);
+  finder.add_outlines();
+  return finder.take();
+}
+
+}  // namespace hottel

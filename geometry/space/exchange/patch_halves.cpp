@@ -1,0 +1,48 @@
+#include "geometry/space/exchange/patch_halves.h"
+
+namespace hottel {
+namespace {
+
+double squared_distance(const IntegerVector& a, const IntegerVector& b) {
+  const IntegerVector way = difference(a, b);
+  return dot(way, way).get_d();
+}
+
+}  // namespace
+
+std::array<Patch3, 2> halves_of(const Patch3& patch) {
+  const std::vector<IntegerVector>& corners = patch.corners;
+  const std::size_t n = corners.size();
+  std::size_t longest = 0;
+  double most = 0;
+  for (std::size_t k = 0; k < n; ++k)
+    if (const double length = squared_distance(corners[k], corners[(k + 1) % n]); length > most) {
+      most = length;
+      longest = k;
+    }
+  const auto middle = [&](std::size_t k) { return sum(corners[k], corners[(k + 1) % n]); };
+  const std::size_t opposite = (longest + (n + 1) / 2) % n;
+  const IntegerVector from = middle(longest);
+  const IntegerVector to = n % 2 == 0 ? middle(opposite) : multiple(2, corners[opposite]);
+  std::array<Patch3, 2> halves;
+  for (Patch3& half : halves) {
+    half.surface = patch.surface;
+    half.weight = 2 * patch.weight;
+  }
+  const auto add = [&](Patch3& half, std::size_t first, std::size_t last) {
+    for (std::size_t k = first;; k = (k + 1) % n) {
+      half.corners.push_back(multiple(2, corners[k]));
+      if (k == last) break;
+    }
+  };
+  // Of an odd number, the corner opposite is the end of the cut.
+  halves[0].corners.push_back(from);
+  add(halves[0], (longest + 1) % n, n % 2 == 0 ? opposite : (opposite + n - 1) % n);
+  halves[0].corners.push_back(to);
+  halves[1].corners.push_back(to);
+  add(halves[1], (opposite + 1) % n, longest);
+  halves[1].corners.push_back(from);
+  return halves;
+}
+
+}  // namespace hottel

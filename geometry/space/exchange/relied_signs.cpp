@@ -1,0 +1,159 @@
+// How far signs that were relied on keep (MovingPlanes3).
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/space/exchange/moving_planes.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+// Roots are told to this part of the stretch: those at which what is seen may jump, and others.
+constexpr double kJumpError = 0x1p-50;
+constexpr double kRootError = 0x1p-46;
+
+}  // namespace
+
+int MovingPlanes3::facing(std::uint32_t body) {
+  const PairBodies3::Body& b = bodies_.bodies[body];
+  const std::uint32_t anchor = b.corners.front();
+  const BoundedVector& w = toward_[anchor];
+  const BoundedValue product = dot(b.normal, w);
+  int sign = product.value > product.error    ? 1
+             : product.value < -product.error ? -1
+             : product.error == 0             ? 0
+                                              : kUndecided;
+  counts_.count(sign == kUndecided ? SignTier::kExact : SignTier::kFilter);
+  if (sign == kUndecided) sign = sgn(exact_height(body));
+  const auto exact = [&] {
+    return std::array<Integer, 3>{exact_height(body), dot(b.exact_normal(), exact_drift(anchor)), 0};
+  };
+  if (sign == 0) {
+    is_unlucky_ |= exact()[1] != 0;
+    return 0;
+  }
+  const double slope = dot(plain(b.normal), moves_[anchor]);
+  const double slope_error = 16 * kUnit * b.normal.size * size_of(moves_[anchor]);
+  const std::array<double, 3> c{product.value, slope, 0}, e{product.error, slope_error, 0};
+  if (!is_far_from_zero(c, e) && !narrow(c, e, sign, kJumpError)) narrow_exactly(exact(), sign);
+  return -sign;
+}
+
+// For a sign that is zero at t: the other coefficients of its polynomial are zero too.
+bool MovingPlanes3::is_zero_for_every_t(const MovingCorner3& corner, PlaneId3 plane) {
+  counts_.count(SignTier::kExact);
+  if (corner.point == MovingCorner3::kNoPoint && is_small(corner) && is_small(plane)) {
+    const auto whole = [](const Direction3& d) { return BoundedVector{d.x, d.y, d.z, size_of(d), 0}; };
+    const MovingVector3 &a = planes_[corner.first.plane.index()].normal,
+                        &b = planes_[corner.second.plane.index()].normal, &c = planes_[plane.index()].normal;
+    const BoundedVector a1 = whole(a.second), b1 = whole(b.second), c1 = whole(c.second);
+    return small_determinant(a1, b.first, c.first) + small_determinant(a.first, b1, c.first) +
+                   small_determinant(a.first, b.first, c1) ==
+               0 &&
+           small_determinant(a1, b1, c.first) + small_determinant(a1, b.first, c1) +
+                   small_determinant(a.first, b1, c1) ==
+               0;
+  }
+  const std::array<Integer, 3>& c = exact_determinant(corner, plane);
+  return c[1] == 0 && c[2] == 0;
+}
+
+void MovingPlanes3::rely(std::uint32_t point, PlaneSide3 side, int sign) {
+  rely(corner_at(point, false, side), {side.plane, false}, side.is_opposite ? -sign : sign);
+}
+
+void MovingPlanes3::rely(const MovingCorner3& corner, PlaneSide3 side, int sign) {
+  const MovingVector3 &v = corner.direction, &m = normal(side.plane);
+  const Direction3 v0 = plain(v.first), m0 = plain(m.first);
+  const BoundedValue value = dot(v.first, m.first);
+  const bool is_linear = corner.point != MovingCorner3::kNoPoint;
+  const std::array<double, 3> c{value.value, dot(v.second, m0) + dot(v0, m.second),
+                                is_linear ? 0 : dot(v.third, m0) + dot(v.second, m.second)};
+  const auto bound = [&](int a, int b) { return 32 * kUnit * v.terms[a] * m.terms[b]; };
+  const std::array<double, 3> e{value.error, bound(1, 0) + bound(0, 1), is_linear ? 0 : bound(2, 0) + bound(1, 1)};
+  if (is_far_from_zero(c, e)) return;
+  if (is_zero_by_identity(corner, side.plane) || is_about_one_body(corner, side.plane)) return;
+  if (sign == 0) {
+    if (is_unlucky_) return;
+    is_unlucky_ = std::fabs(c[1]) > e[1] || std::fabs(c[2]) > e[2];
+    if (!is_unlucky_) is_unlucky_ = !is_zero_for_every_t(corner, side.plane);
+    return;
+  }
+  if (side.is_opposite) sign = -sign;
+  if (!narrow(c, e, sign, kRootError)) narrow_exactly(exact_determinant(corner, side.plane), sign);
+}
+
+// The polynomial whose sign is relied on, in integers.
+const std::array<Integer, 3>& MovingPlanes3::exact_determinant(const MovingCorner3& corner, PlaneId3 plane) {
+  const auto& d = exact_direction(corner).powers;
+  const IntegerVector &n = exact_normal(plane), &n1 = exact_turn(plane);
+  const auto add = [](Integer& sum, const IntegerVector& a, const IntegerVector& b) {
+    mpz_addmul(sum.get_mpz_t(), a.x.get_mpz_t(), b.x.get_mpz_t());
+    mpz_addmul(sum.get_mpz_t(), a.y.get_mpz_t(), b.y.get_mpz_t());
+    mpz_addmul(sum.get_mpz_t(), a.z.get_mpz_t(), b.z.get_mpz_t());
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    determinant_[k] = 0;
+    add(determinant_[k], d[k], n);
+    if (k > 0) add(determinant_[k], d[k - 1], n1);
+  }
+  return determinant_;
+}
+
+bool MovingPlanes3::is_far_from_zero(const std::array<double, 3>& c, const std::array<double, 3>& e) {
+  const double reach = std::max(left_, right_);
+  ++relied_;
+  return std::fabs(c[0]) - e[0] > (std::fabs(c[1]) + e[1]) * reach + (std::fabs(c[2]) + e[2]) * reach * reach;
+}
+
+bool MovingPlanes3::narrow(const std::array<double, 3>& c, const std::array<double, 3>& e, int sign, double accuracy) {
+  const double turn = sign;
+  const double c0 = turn * c[0], c1 = turn * c[1], c2 = turn * c[2];
+  const double square = c1 * c1 - 4 * c0 * c2;
+  const double square_error = 2 * std::fabs(c1) * e[1] + e[1] * e[1] +
+                              4 * (std::fabs(c0) * e[2] + std::fabs(c2) * e[0] + e[0] * e[2]) +
+                              8 * kUnit * (c1 * c1 + 4 * std::fabs(c0 * c2));
+  if (square < -square_error) return true;
+  if (!(c0 > e[0]) || !(square > square_error)) return false;
+  const double root = std::sqrt(square);
+  const double q = -(c1 + std::copysign(root, c1)) / 2;
+  const auto is_beyond = [this](double r) { return r >= right_ || r <= -left_; };
+  const double near = c0 / q, far = q / c2;
+  const auto is_known = [&](double r) { return e[0] + std::fabs(r) * (e[1] + std::fabs(r) * e[2]) <= accuracy * root; };
+  for (const double r : {near, far})
+    if (!std::isnan(r) && !is_beyond(r) && !is_known(r)) return false;
+  for (const double r : {near, far})
+    if (!std::isnan(r)) take_root(r);
+  return true;
+}
+
+void MovingPlanes3::narrow_exactly(const std::array<Integer, 3>& c, int sign) {
+  counts_.count(SignTier::kExact);
+  const Integer c0 = sign * c[0], c1 = sign * c[1], c2 = sign * c[2];
+  const Integer square = c1 * c1 - 4 * c0 * c2;
+  if (sgn(square) <= 0) return;
+  // Doubles suffice from here: nothing cancels. Exponents are kept apart, for these numbers may be long.
+  long e0, e1, e2, e3;
+  const double d0 = mpz_get_d_2exp(&e0, c0.get_mpz_t()), d1 = mpz_get_d_2exp(&e1, c1.get_mpz_t()),
+               d2 = mpz_get_d_2exp(&e2, c2.get_mpz_t());
+  double d3 = mpz_get_d_2exp(&e3, square.get_mpz_t());
+  if (e3 % 2 != 0) {
+    d3 *= 2;
+    --e3;
+  }
+  e3 /= 2;
+  const long top = d1 == 0 ? e3 : std::max(e1, e3);
+  const double linear = d1 == 0 ? 0 : ldexp_3(d1, e1 - top), root = ldexp_3(std::sqrt(d3), e3 - top);
+  const double q = -(linear + std::copysign(root, linear)) / 2;
+  take_root(ldexp_3(d0 / q, e0 - top));
+  if (d2 != 0) take_root(ldexp_3(q / d2, top - e2));
+}
+
+void MovingPlanes3::take_root(double root) {
+  constexpr double kLeast = std::numeric_limits<double>::min();
+  if (root > 0) right_ = std::min(right_, std::max(root, kLeast));
+  if (root < 0) left_ = std::min(left_, std::max(-root, kLeast));
+}
+
+}  // namespace hottel

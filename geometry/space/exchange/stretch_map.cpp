@@ -1,0 +1,424 @@
+#include "geometry/space/exchange/stretch_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace hottel {
+namespace {
+
+// Where in an interval to look: not where events are likely.
+constexpr std::array<double, 8> kPlaces{0.4837, 0.3911, 0.6123, 0.2719, 0.7351, 0.1523, 0.8713, 0.5531};
+// Directions may turn within parts of a stretch as short as this: what is lost there is below the tolerances.
+constexpr double kHarmless = 1e-13;
+// Parts of a stretch below this are left out.
+constexpr double kLeast = 0x1p-51;
+constexpr std::uint32_t kMostPieces = 20000;
+
+// A place in an interval that has few bits.
+double short_place(double low, double high, double share) {
+  const double place = low + share * (high - low);
+  const int exponent = std::ilogb(high - low) - 8;
+  const double rounded = std::ldexp(std::nearbyint(std::ldexp(place, -exponent)), exponent);
+  return low < rounded && rounded < high ? rounded : place;
+}
+
+constexpr std::uint64_t kPointLabel = std::uint64_t{1} << 63;
+
+std::uint64_t label_of(const MovingCorner3& corner) {
+  if (corner.point != MovingCorner3::kNoPoint)
+    return kPointLabel | (static_cast<std::uint64_t>(corner.point) << 1) | (corner.is_antipode ? 1 : 0);
+  const auto a = static_cast<std::uint64_t>(corner.first.plane.number());
+  const auto b = static_cast<std::uint64_t>(corner.second.plane.number());
+  const bool is_turned = (corner.first.is_opposite != corner.second.is_opposite) != (a > b);
+  return (std::min(a, b) << 32) | (std::max(a, b) << 1) | (is_turned ? 1 : 0);
+}
+
+bool precedes(const ArcEnd3& a, const ArcEnd3& b) { return a.plane != b.plane ? a.plane < b.plane : a.label < b.label; }
+
+}  // namespace
+
+namespace {
+
+// Corners this close to each other are taken by their differences.
+constexpr double kClose = 0.25;
+// What an angle or a product of unit vectors loses, in units of the vectors.
+constexpr double kArcRounding = 0x1p-53;
+
+// x / sin x - 1 by the square of half the chord, q = sin^2 (x / 2) <= kClose^2: sum of 2 4 .. 2k / (3 5 .. (2k + 1))
+// q^k.
+double angle_over_sine_less_one(double q) {
+  constexpr int kTerms = 14;
+  constexpr auto kFactors = [] {
+    std::array<double, kTerms> factors{};
+    for (int k = 0; k < kTerms; ++k) factors[k] = (2.0 * k + 2) / (2.0 * k + 3);
+    return factors;
+  }();
+  double sum = 1;
+  for (int k = kTerms - 1; k > 0; --k) sum = 1 + kFactors[k] * q * sum;
+  return kFactors[0] * q * sum;
+}
+
+}  // namespace
+
+namespace {
+
+// An arc between unit vectors on a plane with some normal.
+struct ArcShape {
+  Direction3 normal;  // unit
+  double sine, cosine;
+};
+
+ArcShape shape_of(const Direction3& normal, const Direction3& b, const Direction3& e) {
+  const Direction3 unit = (1 / std::sqrt(dot(normal, normal))) * normal;
+  return {unit, dot(unit, cross(b, e - b)), dot(b, e)};
+}
+
+Direction3 unit_at(const MovingVector3& vector, double from, double offset) {
+  const Direction3 d = vector.at(from, offset);
+  return (1 / std::sqrt(dot(d, d))) * d;
+}
+
+}  // namespace
+
+// Where an arc is nearly half a turn doubles may not tell its sign: that is taken where they tell it best.
+void StretchPiece3::find_turns() {
+  std::vector<double> most(arcs.size(), 0);
+  std::vector<Direction3> at(corners.size());
+  for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+    const double offset = share * (high - low);
+    for (std::size_t k = 0; k < corners.size(); ++k) at[k] = unit_at(corners[k], low, offset);
+    for (std::size_t k = 0; k < arcs.size(); ++k) {
+      Arc& arc = arcs[k];
+      const Direction3 &b = at[arc.begin], &e = at[arc.end];
+      if (dot(b, e) >= 0) continue;
+      const double sine = shape_of(planes[arc.plane].at(low, offset), b, e).sine;
+      if (!(std::fabs(sine) > most[k])) continue;
+      most[k] = std::fabs(sine);
+      arc.turn = sine > 0 ? 1 : -1;
+    }
+  }
+}
+
+// The ellipse with the ends of the interval as foci and 1.3 as the sum of its half axes, in half lengths.
+bool StretchPiece3::is_steep(double from, double to) const {
+  constexpr double kSum = 1.3;
+  constexpr double kLong = (kSum + 1 / kSum) / 2, kShort = (kSum - 1 / kSum) / 2;
+  const double middle = (from + to) / 2, half = (to - from) / 2;
+  return std::any_of(near_zeros.begin(), near_zeros.end(), [&](const NearZero& zero) {
+    const double x = (zero.at - middle) / (kLong * half), y = zero.width / (kShort * half);
+    return x * x + y * y < 1;
+  });
+}
+
+// With unit vectors b and e the angle from b to e about the normal n is signed: atan2 of n . (b x e) and b . e.
+// Close to a direction c, as the arcs close and so the sum of c x (e - b) is zero:
+//   angle n = (angle / sine) b x e,   b x e = (b - c) x (e - c) + c x (e - b).
+Direction3 StretchPiece3::lambda(double from, double offset, double* rounding) const {
+  thread_local std::vector<Direction3> at;
+  at.clear();
+  double spread = 0;
+  for (const MovingVector3& corner : corners) {
+    const Direction3 d = corner.at(from, offset);
+    at.push_back((1 / std::sqrt(dot(d, d))) * d);
+    const Direction3 apart = at.back() - at.front();
+    spread = std::max(spread, dot(apart, apart));
+  }
+  Direction3 sum;
+  const bool is_close = spread < kClose * kClose;
+  if (is_close) {
+    const Direction3& c = at.front();
+    for (const Arc& arc : arcs) {
+      const Direction3 &b = at[arc.begin], &e = at[arc.end], way = e - b;
+      const double more = angle_over_sine_less_one(dot(way, way) / 4);
+      sum = sum + (arc.count / 2) * (cross(b - c, way) + more * cross(b, way));
+    }
+  } else {
+    for (const Arc& arc : arcs) {
+      const ArcShape shape = shape_of(planes[arc.plane].at(from, offset), at[arc.begin], at[arc.end]);
+      double angle = std::atan2(shape.sine, shape.cosine);
+      if (shape.cosine < 0 && shape.sine * arc.turn < 0) angle += 2 * std::numbers::pi * arc.turn;
+      sum = sum + (arc.count * angle / 2) * shape.normal;
+    }
+  }
+  if (rounding)
+    *rounding =
+        std::max(*rounding, kArcRounding * static_cast<double>(arcs.size()) * (is_close ? std::sqrt(spread) : 1.0));
+  return sum;
+}
+
+StretchMapper3::StretchMapper3(const PairBodies3& bodies)
+    : bodies_(bodies), planes_(bodies), cutter_(planes_), hull_(bodies) {}
+
+bool StretchMapper3::divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces) {
+  planes_.take(stretch.line());
+  hints_.assign(4 * bodies_.bodies.size(), 0);
+  if (!find_sides(stretch)) return true;
+  find_bodies(stretch);
+  hiders_ = {};
+  const std::size_t first = pieces.size();
+  std::vector<std::pair<double, double>> waiting{{stretch.low, stretch.high}};
+  for (std::uint32_t count = 0; !waiting.empty(); ++count) {
+    const auto [low, high] = waiting.back();
+    waiting.pop_back();
+    if (!(high - low > kLeast)) continue;
+    StretchPiece3 piece;
+    if (count > kMostPieces || !look(stretch, low, high, piece)) return false;
+    waiting.emplace_back(piece.high, high);
+    waiting.emplace_back(low, piece.low);
+    pieces.push_back(std::move(piece));
+  }
+  // Neighbours that are bounded by the same arcs are one piece: what ended between them did not matter.
+  const auto begin = pieces.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(begin, pieces.end(), [](const StretchPiece3& a, const StretchPiece3& b) { return a.low < b.low; });
+  std::size_t kept = first;
+  for (std::size_t k = first; k < pieces.size(); ++k) {
+    if (kept > first && pieces[kept - 1].signature == pieces[k].signature) {
+      pieces[kept - 1].high = pieces[k].high;
+    } else if (kept != k) {
+      pieces[kept++] = std::move(pieces[k]);
+    } else {
+      ++kept;
+    }
+  }
+  pieces.resize(kept);
+  pieces.erase(std::remove_if(pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end(),
+                              [](const StretchPiece3& piece) { return piece.signature.empty(); }),
+               pieces.end());
+  for (std::size_t k = first; k < pieces.size(); ++k) set_arcs(pieces[k]);
+  return true;
+}
+
+// Sets sides_seen_: whether directions may be left, or right, of all surfaces at the stretch. As it lies in their
+// planes, this is told by where the patches lie of these. False where there are no such directions.
+bool StretchMapper3::find_sides(const PairStretch3& stretch) {
+  sides_seen_ = {true, true};
+  if (stretch.role == StretchRole3::kSource) return true;
+  const bool is_outline = stretch.role == StretchRole3::kOutline;
+  const std::uint32_t target = is_outline ? 1 : 1 - stretch.own;
+  for (const bool is_left : {false, true})
+    for (const PairStretch3::Face& face : stretch.faces) {
+      const bool is_front = face.is_forward == is_left;
+      const auto& patches = bodies_.of_patch[face.body];
+      if (!(is_front ? patches[target].has_front : patches[target].has_behind)) sides_seen_[is_left] = false;
+      if (is_outline && !(is_front ? patches[0].has_behind : patches[0].has_front)) sides_seen_[is_left] = false;
+    }
+  return sides_seen_[0] || sides_seen_[1];
+}
+
+void StretchMapper3::find_bodies(const PairStretch3& stretch) {
+  for (std::uint32_t patch = 0; patch < 2; ++patch) {
+    between_[patch].clear();
+    if (stretch.role != StretchRole3::kOutline && patch == stretch.own) continue;
+    hull_.take(stretch.line(), stretch.low, stretch.high, patch);
+    for (std::uint32_t body = 2; body < bodies_.bodies.size(); ++body) {
+      const bool is_at = std::any_of(stretch.faces.begin(), stretch.faces.end(),
+                                     [body](const PairStretch3::Face& face) { return face.body == body; });
+      if (!is_at && !hull_.hides_nothing(body)) between_[patch].push_back(body);
+    }
+  }
+}
+
+bool StretchMapper3::look(const PairStretch3& stretch, double low, double high, StretchPiece3& piece) {
+  for (const double share : kPlaces) {
+    const double t = short_place(low, high, share);
+    ++maps_;
+    const bool was_hidden = is_anything_hidden_;
+    planes_.move_to(t, t - low, high - t);
+    find_view(stretch);
+    if (planes_.is_unlucky()) {
+      is_anything_hidden_ = was_hidden;
+      continue;
+    }
+    piece.low = planes_.left() < t - low ? t - planes_.left() : low;
+    piece.high = planes_.right() < high - t ? t + planes_.right() : high;
+    piece.base = t;
+    set_signature(piece);
+    return true;
+  }
+  return false;
+}
+
+void StretchMapper3::find_view(const PairStretch3& stretch) {
+  seen_count_ = 0;
+  if (!find_start(stretch)) return;
+  if (stretch.role != StretchRole3::kSource) return see_on_both_sides(stretch);
+  for (const PairStretch3::Face& face : stretch.faces) {
+    PlaneSide3 side = planes_.face(face.body);
+    side.is_opposite = !face.patch_is_forward;
+    const auto cut = cutter_.clip(start_, side);
+    is_anything_hidden_ |= cut != MovingCutter3::Cut::kNothing;
+    if (cut == MovingCutter3::Cut::kAll) return;
+  }
+  see(stretch, start_, 1);
+}
+
+// Sets start_ to the directions to one patch, and from the other one where the stretch is on none.
+bool StretchMapper3::find_start(const PairStretch3& stretch) {
+  using Cut = MovingCutter3::Cut;
+  const std::uint32_t target = stretch.role == StretchRole3::kOutline ? 1 : 1 - stretch.own;
+  if (planes_.facing(target) <= 0) return false;
+  if (stretch.role == StretchRole3::kOutline && planes_.facing(0) <= 0) return false;
+  cutter_.set_cone(target, 1, false, cone_);
+  cutter_.set_fragment(cone_, 1, start_);
+  if (stretch.role != StretchRole3::kOutline)
+    return !bodies_.patch_sides[target].has_behind || cutter_.clip(start_, planes_.face(stretch.own)) != Cut::kAll;
+  cutter_.set_cone(0, 1, true, cone_);
+  if (cutter_.is_apart(start_, cone_, hints_[0])) return false;
+  return std::none_of(cone_.sides.begin(), cone_.sides.end(),
+                      [this](PlaneSide3 side) { return cutter_.clip(start_, side) == Cut::kAll; });
+}
+
+// Where all surfaces at the stretch lie left, what is seen counts negative; where all lie right, positive.
+void StretchMapper3::see_on_both_sides(const PairStretch3& stretch) {
+  for (const bool is_left : {true, false}) {
+    if (!sides_seen_[is_left]) continue;
+    copy_ = start_;
+    const bool is_empty = std::any_of(stretch.faces.begin(), stretch.faces.end(), [&](const PairStretch3::Face& face) {
+      PlaneSide3 side = planes_.face(face.body);
+      side.is_opposite = face.is_forward != is_left;
+      return cutter_.clip(copy_, side) == MovingCutter3::Cut::kAll;
+    });
+    if (!is_empty) see(stretch, copy_, is_left ? -1 : 1);
+  }
+}
+
+void StretchMapper3::see(const PairStretch3& stretch, MovingFragment3& start, int sign) {
+  pieces_.clear();
+  std::swap(pieces_.add(), start);
+  // First the body that hid the rest when it was looked last: where it hides all, nothing else is relied on.
+  Hider& hider = hiders_[sign > 0];
+  const Hider first = hider;
+  if (first.body != 0) take_away(stretch, first.body, first.patch, sign);
+  for (std::uint32_t patch = 0; patch < 2; ++patch)
+    for (const std::uint32_t body : between_[patch]) {
+      if (pieces_.size() == 0 || (body == first.body && patch == first.patch)) continue;
+      take_away(stretch, body, patch, sign);
+      if (pieces_.size() == 0) hider = {body, patch};
+    }
+  if (stretch.role != StretchRole3::kSource) is_anything_hidden_ |= pieces_.size() > 0;
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    if (seen_count_ == seen_.size()) seen_.emplace_back();
+    seen_[seen_count_].first = sign;
+    std::swap(seen_[seen_count_++].second, pieces_[p]);
+  }
+}
+
+StretchMapper3::Hides StretchMapper3::hides(std::uint32_t body, int facing, std::uint32_t patch) const {
+  if (!bodies_.of_body[body][patch].has_front) return Hides::kNever;
+  if (!bodies_.of_body[body][patch].has_behind) return Hides::kWhole;
+  const PairBodies3::Side& side = bodies_.of_patch[body][patch];
+  const bool is_before = facing > 0 ? side.has_front : side.has_behind;
+  const bool is_beyond = facing > 0 ? side.has_behind : side.has_front;
+  if (!is_before) return Hides::kWhole;
+  return is_beyond ? Hides::kWhereNearer : Hides::kNever;
+}
+
+// Takes away from pieces_ what a body hides of a patch: of patch 0, seen backward, where the stretch is on none.
+void StretchMapper3::take_away(const PairStretch3& stretch, std::uint32_t body, std::uint32_t patch, int sign) {
+  const int facing = planes_.facing(body);
+  if (facing == 0) return;
+  const Hides part = hides(body, facing, patch);
+  if (part == Hides::kNever) return;
+  const bool is_backward = stretch.role == StretchRole3::kOutline && patch == 0;
+  cutter_.set_cone(body, facing, is_backward, cone_);
+  std::uint32_t& hint = hints_[4 * body + (is_backward ? 2 : 0) + (sign > 0 ? 1 : 0)];
+  std::size_t first = 0;
+  while (first < pieces_.size() && cutter_.is_apart(pieces_[first], cone_, hint)) ++first;
+  if (first == pieces_.size()) return;
+  sides_ = cone_.sides;
+  if (part == Hides::kWhereNearer) {
+    PlaneSide3 crossing = planes_.crossing(body, patch);
+    crossing.is_opposite = is_backward;
+    sides_.insert(sides_.begin(), crossing);
+  }
+  rest_.clear();
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    const bool is_apart = p != first && (p < first || cutter_.is_apart(pieces_[p], cone_, hint));
+    if (is_apart)
+      std::swap(rest_.add(), pieces_[p]);
+    else if (cutter_.subtract(pieces_[p], sides_, rest_))
+      is_anything_hidden_ |= stretch.role == StretchRole3::kSource;
+  }
+  std::swap(pieces_, rest_);
+}
+
+void StretchMapper3::set_signature(StretchPiece3& piece) const {
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < seen_count_; ++f) count += seen_[f].second.size();
+  piece.signature.reserve(2 * count);
+  for (std::size_t f = 0; f < seen_count_; ++f) {
+    const auto& [sign, fragment] = seen_[f];
+    for (std::size_t k = 0; k < fragment.size(); ++k) {
+      const MovingCorner3 &begin = fragment[k], &end = fragment[k + 1 == fragment.size() ? 0 : k + 1];
+      piece.signature.push_back({begin.plane.plane, label_of(begin), -sign});
+      piece.signature.push_back({begin.plane.plane, label_of(end), sign});
+    }
+  }
+  std::sort(piece.signature.begin(), piece.signature.end(), precedes);
+  std::size_t kept = 0;
+  for (const ArcEnd3& end : piece.signature) {
+    if (kept > 0 && piece.signature[kept - 1].plane == end.plane && piece.signature[kept - 1].label == end.label)
+      piece.signature[kept - 1].count += end.count;
+    else
+      piece.signature[kept++] = end;
+  }
+  piece.signature.resize(kept);
+  std::erase_if(piece.signature, [](const ArcEnd3& end) { return end.count == 0; });
+}
+
+// Zeros of a vector itself are harmless: its direction goes on analytically there.
+void StretchMapper3::add_near_zero(const MovingVector3& vector, StretchPiece3& piece) {
+  const double at = vector.base + nearest_to_zero(vector, piece.low - vector.base, piece.high - vector.base);
+  const Direction3 value = vector.at(at, 0), slope = vector.second + (2 * (at - vector.base)) * vector.third;
+  const double speed = std::sqrt(dot(slope, slope));
+  if (!(speed > 0)) return;
+  const double width = std::sqrt(dot(value, value)) / speed;
+  if (width > kHarmless && width < piece.high - piece.low) piece.near_zeros.push_back({at, width});
+}
+
+// The corner that a label tells of.
+MovingCorner3 StretchMapper3::corner_of(std::uint64_t label) {
+  if (label & kPointLabel)
+    return planes_.corner_at(static_cast<std::uint32_t>((label & ~kPointLabel) >> 1), (label & 1) != 0, {});
+  const PlaneId3 a(label >> 32), b((label & 0xffffffff) >> 1);
+  return planes_.corner({a, false}, {b, (label & 1) != 0});
+}
+
+void StretchMapper3::set_arcs(StretchPiece3& piece) {
+  planes_.move_to(piece.base, 0, 0);
+  const std::size_t count = piece.signature.size();
+  piece.planes.reserve(count);
+  piece.corners.reserve(count);
+  piece.arcs.reserve(count);
+  labels_.clear();
+  const auto place_of = [&](std::uint64_t label) {
+    const auto known = std::find(labels_.begin(), labels_.end(), label);
+    if (known != labels_.end()) return static_cast<std::uint32_t>(known - labels_.begin());
+    labels_.push_back(label);
+    piece.corners.push_back(planes_.fine_direction(corner_of(label), piece.low, piece.high));
+    return static_cast<std::uint32_t>(labels_.size() - 1);
+  };
+  // On each plane as many arcs begin as end: any begin with any end.
+  for (std::size_t k = 0; k < count;) {
+    std::size_t end = k;
+    while (end < count && piece.signature[end].plane == piece.signature[k].plane) ++end;
+    const auto plane = static_cast<std::uint32_t>(piece.planes.size());
+    piece.planes.push_back(planes_.fine_normal(piece.signature[k].plane, piece.low, piece.high));
+    begins_.clear();
+    ends_.clear();
+    for (; k < end; ++k) (piece.signature[k].count < 0 ? begins_ : ends_).push_back(piece.signature[k]);
+    for (std::size_t b = 0, e = 0; b < begins_.size() && e < ends_.size();) {
+      const int arcs = std::min(-begins_[b].count, ends_[e].count);
+      piece.arcs.push_back({plane, place_of(begins_[b].label), place_of(ends_[e].label), static_cast<double>(arcs), 0});
+      if ((begins_[b].count += arcs) == 0) ++b;
+      if ((ends_[e].count -= arcs) == 0) ++e;
+    }
+  }
+  piece.find_turns();
+  for (const std::vector<MovingVector3>* vectors : {&piece.planes, &piece.corners})
+    for (const MovingVector3& vector : *vectors) add_near_zero(vector, piece);
+}
+
+}  // namespace hottel

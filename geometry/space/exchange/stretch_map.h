@@ -1,0 +1,135 @@
+// What a point that moves along a stretch sees of both patches. Internal to geometry/space/exchange.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/space/exchange/moving_cone.h"
+#include "geometry/space/exchange/stretch.h"
+#include "geometry/space/exchange/stretch_hull.h"
+
+namespace hottel {
+
+// Why lines of sight end at a stretch.
+//   kSource:  it is an edge of a patch
+//   kFoot:    a surface stands on a patch there, or pierces it
+//   kOutline: it is an edge of surfaces between the patches
+enum class StretchRole3 : unsigned char { kSource, kFoot, kOutline };
+
+// A stretch with what is needed to look around from its points.
+struct PairStretch3 {
+  struct Face {
+    std::uint32_t body;
+    bool is_forward;        // as StretchFace3
+    bool patch_is_forward;  // of sources: the patch lies where N . w > 0 with N the normal of the body
+  };
+  Stretch3 made;                    // where it is none of the scene's
+  const Stretch3* known = nullptr;  // one of the scene's
+  StretchRole3 role = StretchRole3::kSource;
+  std::uint32_t own = 0;     // the patch that it is on; 0 for outlines
+  std::vector<Face> faces;   // surfaces whose closure contains it
+  double low = 0, high = 1;  // outside of this nothing is seen
+
+  const Stretch3& line() const { return known ? *known : made; }
+};
+
+// Where an arc of the boundary of what is seen begins or ends: a corner of a plane.
+struct ArcEnd3 {
+  PlaneId3 plane;
+  std::uint64_t label;  // of the corner: equal for equal definitions
+  int count;            // how often arcs on the plane end here, less how often they begin
+  friend bool operator==(const ArcEnd3&, const ArcEnd3&) = default;
+};
+
+// A part of a stretch along which what is seen is bounded by the same arcs.
+//
+//   (1) Lambda, the integral of sign times direction over what is seen, is half the sum over arcs of their angle times
+//       the unit normal of their plane: analytic in t
+//   (2) no arcs: nothing is seen
+//   (3) where all corners are close to each other Lambda is summed of differences of their directions: it loses digits
+//       with its size, not with the square of it
+struct StretchPiece3 {
+  struct Arc {
+    std::uint32_t plane, begin, end;  // in planes, corners
+    double count;
+    int turn = 0;  // of arcs of more than a right angle: the sign of the angle, which never passes half a turn
+  };
+  double low = 0, high = 0, base = 0;  // of t; base: where it was looked
+  std::vector<ArcEnd3> signature;      // sorted
+  std::vector<MovingVector3> planes, corners;
+  std::vector<Arc> arcs;
+
+  // Where a vector that Lambda is made of is nearly zero: at t = `at`, or close to at +- i `width`.
+  struct NearZero {
+    double at, width;
+  };
+  std::vector<NearZero> near_zeros;
+
+  // Sets `turn` of all arcs.
+  void find_turns();
+
+  // True iff one of these is so close to the interval that rules of few points might not see what it does.
+  bool is_steep(double from, double to) const;
+
+  // Lambda at t = from + offset. `rounding`, where it is not null, is raised to what doubles may have lost, at most.
+  Direction3 lambda(double from, double offset, double* rounding = nullptr) const;
+};
+
+// Divides stretches into such parts.
+class StretchMapper3 {
+ public:
+  explicit StretchMapper3(const PairBodies3& bodies);
+
+  // Appends the parts of a stretch in which something is seen. False where it took too many steps.
+  bool divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces);
+
+  // Whether a surface was found to hide something, at any stretch so far.
+  bool is_anything_hidden() const { return is_anything_hidden_; }
+  std::uint32_t maps() const { return maps_; }
+  const SignCounts& counts() const { return planes_.counts(); }
+  std::uint32_t relied_polynomials() const { return planes_.relied_polynomials(); }
+
+ private:
+  // A body that hides something of a patch; 0 for none.
+  struct Hider {
+    std::uint32_t body = 0, patch = 0;
+  };
+  bool look(const PairStretch3& stretch, double low, double high, StretchPiece3& piece);
+  bool find_sides(const PairStretch3& stretch);
+  void find_bodies(const PairStretch3& stretch);
+  void find_view(const PairStretch3& stretch);
+  bool find_start(const PairStretch3& stretch);
+  void see_on_both_sides(const PairStretch3& stretch);
+  void see(const PairStretch3& stretch, MovingFragment3& start, int sign);
+  void take_away(const PairStretch3& stretch, std::uint32_t body, std::uint32_t patch, int sign);
+  enum class Hides : unsigned char { kNever, kWhole, kWhereNearer };
+  Hides hides(std::uint32_t body, int facing, std::uint32_t patch) const;
+  void set_signature(StretchPiece3& piece) const;
+  void set_arcs(StretchPiece3& piece);
+  static void add_near_zero(const MovingVector3& vector, StretchPiece3& piece);
+  MovingCorner3 corner_of(std::uint64_t label);
+
+  const PairBodies3& bodies_;
+  MovingPlanes3 planes_;
+  MovingCutter3 cutter_;
+  MovingFragment3 start_, copy_;
+  MovingFragments3 pieces_, rest_;
+  std::vector<std::pair<int, MovingFragment3>> seen_;
+  std::size_t seen_count_ = 0;
+  MovingCutter3::Cone cone_;
+  std::vector<PlaneSide3> sides_;
+  std::vector<std::uint64_t> labels_;
+  std::vector<ArcEnd3> begins_, ends_;
+  std::vector<std::uint32_t> hints_;  // what told apart last: by body, direction and side
+  StretchHull3 hull_;
+  std::array<bool, 2> sides_seen_{};                   // right, left
+  std::array<Hider, 2> hiders_;                        // what hid the rest last, by sign
+  std::array<std::vector<std::uint32_t>, 2> between_;  // bodies that may hide something of a patch from the stretch
+  bool is_anything_hidden_ = false;
+  std::uint32_t maps_ = 0;
+};
+
+}  // namespace hottel
