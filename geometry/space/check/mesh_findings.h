@@ -1,0 +1,42 @@
+// What is worth telling about closed meshes, and rooms made of single polygons.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/space/check/edge_stretches.h"
+#include "geometry/space/check/finding.h"
+
+namespace hottel {
+
+// What the edges of a scene tell of it.
+struct Meshes3 {
+  // A hole: edges that no other polygon of the group has, joined to each other, and that lie on nothing.
+  struct Hole {
+    std::uint32_t group = 0;
+    std::vector<EdgeStretch3> edges;
+  };
+  std::vector<Hole> holes;
+  std::vector<EdgeStretch3> crowded;     // edges of a group that more than two of its polygons have
+  std::vector<EdgeStretch3> opposed;     // edges of a group whose two polygons have their fronts on different sides
+  std::vector<std::uint32_t> reversed;   // polygons that have all of their edges in common with others, each with one,
+                                         // and the fronts of all of those are on the other side
+  std::vector<char> is_closed, is_room;  // by group: each edge is used as often in one direction as in the other; and
+                                         // its fronts look inward
+  std::vector<EdgeStretch3> bare;        // edges of one polygon of the scene that lie on nothing else
+};
+
+// Looks at the edges of a scene, T-junctions and all. Exact.
+//
+//   (1) holes are those of groups of three or more polygons most of whose edges two of them share: an open box or a
+//       sheet that stands free has them, a box without a bottom on a floor has none
+//   (2) an edge lies on something when polygons of others cover all of it
+//   (3) reversing all polygons that are `reversed` leaves none
+//
+// COST: O(n log n), and exact arithmetic for edges of one polygon and what their boxes meet.
+Meshes3 find_meshes(const Scene3& scene);
+
+// Kinds: open-mesh, upside-down, opposed-fronts (warnings), crowded-edge (note).
+Findings3 mesh_findings(const Scene3& scene, const Meshes3& meshes);
+
+}  // namespace hottel

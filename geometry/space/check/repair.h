@@ -1,0 +1,43 @@
+// A scene in space whose gaps are closed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/element.h"
+#include "geometry/repair_step.h"
+#include "geometry/space/scene/scene.h"
+
+namespace hottel {
+
+// A repaired scene, and how it came from the one that was given.
+struct Repair3 {
+  Scene3 scene;
+  std::vector<RepairStep> steps;          // "merged", "snapped", "triangulated", "dropped", "reversed", "not-repaired"
+  std::vector<std::string> former_names;  // by surface: what it was called before the repair
+};
+
+// Returns the scene as it is, without any step.
+Repair3 unrepaired(const Scene3& scene);
+
+// Returns what an element of the repaired scene was called before; factor_changes() asks for it.
+std::string former_name(const Repair3& repair, const Element& element);
+
+// Returns the scene with corners that are within `distance` of each other merged (into the one listed first), and
+// corners within `distance` of an edge or a face of a polygon put exactly onto it, edges first.
+//
+//   (1) no corner moves farther than `distance`; without a gap the scene is returned as it is
+//   (2) a corner that lies on a polygon exactly, and stays within reach of it, lies on it afterwards
+//   (3) every polygon is one (polygon_problem). One that would not be plane any more becomes triangles (NAME[0],
+//       NAME[1], ...: triangulated); where that cannot be, none of its corners moves (not-repaired)
+//   (4) polygons without an area left are dropped; names, materials, order and all else stay
+// Edges that pass by each other are left as they are.
+// REQUIRES a valid scene and distance > 0. COST: O(n log n), and exact arithmetic near corners; once more for each
+// polygon of (3) that keeps its corners.
+Repair3 close_gaps(const Scene3& scene, const Rational& distance);
+
+// Reverses polygons that certainly have their fronts on the wrong side (Meshes3::reversed) and adds a step for each.
+// Those with a material on the back stay as they are.
+void reverse_upside_down(Repair3& repair);
+
+}  // namespace hottel
