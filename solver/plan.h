@@ -1,6 +1,7 @@
 // Which effects a scene calls for, which stages therefore run, and what they will cost.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct PlannedEffect {
   bool used = false;
   std::string reason;
   double seconds_estimate = 0;  // on one core; 0 when not used
+  bool is_simulated = true;     // else this version does not simulate it, whatever the scene calls for: it is not used
 };
 
 // What is asked beyond the scene itself.
@@ -23,41 +25,35 @@ struct PlanRequest {
   friend bool operator==(const PlanRequest&, const PlanRequest&) = default;
 };
 
-// What a scene's shape says, and what its surfaces are called.
-struct PlannedShape {
-  bool is_convex_room = false;  // one closed convex room, fronts inside, no back with a material
-  std::string noun;             // "edge"
-};
-
 // True iff some surface is divided: then rows are those of elements.
 bool is_divided(const SceneTable& scene);
 
 // The effects in the order in which they are simulated.
 //
 //   (1) an effect is left out only where it cannot change any number: with everything used the results are the same,
-//       bit for bit where exact, within enclosures elsewhere
-//   (2) the names are those below, each once
+//       bit for bit where exact, within enclosures elsewhere; or where this version does not simulate it
+//   (2) the names are those below, each once at most: a scene in the plane has no exchange, groups and picture of its
+//       own
 //   (3) seconds_estimate is 0 for an effect that is not used
-// COST: O(n) exact operations; nothing is computed of the light itself.
 class Plan {
  public:
-  // The plan of a scene. An effect that only `everything` asks for has a reason that says so and why the scene does
-  // not need it. Seconds are rough: from the showcase scenes, by the number of surfaces. Lights are never used:
-  // they are not simulated.
-  Plan(const SceneTable& scene, const PlannedShape& shape, const PlanRequest& request);
+  explicit Plan(std::vector<PlannedEffect> effects) : effects_(std::move(effects)) {}
 
   const std::vector<PlannedEffect>& effects() const { return effects_; }
-  // Whether an effect is used; throws ContractViolation for a name that is none of those below.
-  bool uses(const std::string& effect) const;  // REQUIRES one of the names
+  // Whether an effect is used; throws ContractViolation for a name that is none of the plan's.
+  bool uses(const std::string& effect) const;
 
+  static constexpr const char* kExchange = "exchange";
   static constexpr const char* kOcclusion = "occlusion";
   static constexpr const char* kBackFaces = "back faces";
   static constexpr const char* kSky = "sky";
   static constexpr const char* kSubdivision = "subdivision";
+  static constexpr const char* kGroups = "groups";
   static constexpr const char* kChannels = "channels";
   static constexpr const char* kInterreflection = "interreflection";
   static constexpr const char* kUnreachable = "unreachable components";
   static constexpr const char* kIllumination = "illumination";
+  static constexpr const char* kPicture = "picture";
   static constexpr const char* kLights = "lights";
 
  private:

@@ -10,7 +10,7 @@ namespace hottel {
 
 double max_radiosity_error(const RadiositySolution& solution, const RadiositySolution& exact) {
   HOTTEL_REQUIRE(solution.channels.size() == exact.channels.size());
-  double difference = 0, brightest = 0;
+  double difference = 0;
   for (std::size_t c = 0; c < exact.channels.size(); ++c) {
     const auto &found = solution.channels[c].elements, &wanted = exact.channels[c].elements;
     HOTTEL_REQUIRE(found.size() == wanted.size());
@@ -18,10 +18,9 @@ double max_radiosity_error(const RadiositySolution& solution, const RadiositySol
       const double here = std::abs(found[i].radiosity - wanted[i].radiosity);
       if (std::isnan(here)) return std::numeric_limits<double>::infinity();
       difference = std::max(difference, here);
-      brightest = std::max(brightest, wanted[i].radiosity);
     }
   }
-  return difference == 0 ? 0 : difference / brightest;
+  return difference == 0 ? 0 : difference / largest_radiosity(exact);
 }
 
 }  // namespace hottel

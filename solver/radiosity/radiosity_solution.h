@@ -1,6 +1,7 @@
 // What is known of radiosities once they are solved for.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -63,5 +64,13 @@ struct RadiositySolution {
   std::map<std::string, double> seconds;       // "irradiance"; "radiosity", "certificate" if something was solved
   std::vector<std::string> notes;
 };
+
+// Returns the largest radiosity of all channels and elements, 0 where all are dark; one that is NaN is passed over.
+inline double largest_radiosity(const RadiositySolution& solution) {
+  double value = 0;
+  for (const ChannelSolution& channel : solution.channels)
+    for (const ElementRadiosity& element : channel.elements) value = std::max(value, element.radiosity);
+  return value;
+}
 
 }  // namespace hottel

@@ -3,30 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/plane/scene/bounding_box.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 
 namespace hottel {
 namespace {
-
-struct Box {
-  Point2 min{0, 0}, max{0, 0};
-  Rational width() const { return max.x - min.x; }
-  Rational height() const { return max.y - min.y; }
-};
-
-Box bounding_box(const Scene2& scene) {
-  if (scene.surfaces.empty()) return {};
-  Box box{scene.edges.front().from, scene.edges.front().from};
-  for (const Edge2& edge : scene.edges)
-    for (const Point2* p : {&edge.from, &edge.to}) {
-      box.min.x = std::min(box.min.x, p->x);
-      box.min.y = std::min(box.min.y, p->y);
-      box.max.x = std::max(box.max.x, p->x);
-      box.max.y = std::max(box.max.y, p->y);
-    }
-  return box;
-}
 
 std::uint32_t cells_to_cover(const Rational& length, const Rational& cell) {
   const Rational ratio = length / cell;
@@ -45,7 +27,7 @@ IlluminationGrid2 empty_grid(const Grid2& grid, std::uint32_t channels) {
 Grid2 grid_over(const Scene2& scene, std::uint32_t nx, std::uint32_t ny) {
   HOTTEL_REQUIRE(nx > 0 && ny > 0);
   if (scene.grid) return {scene.grid->min, scene.grid->max, nx, ny};
-  Box box = bounding_box(scene);
+  Box2 box = bounding_box(scene);
   if (box.width() == 0 && box.height() == 0) box.max.x += 1;
   if (box.width() == 0) box.max.x += box.height() / Rational(Integer(static_cast<unsigned long>(ny))) * nx;
   if (box.height() == 0) box.max.y += box.width() / Rational(Integer(static_cast<unsigned long>(nx))) * ny;
@@ -55,7 +37,7 @@ Grid2 grid_over(const Scene2& scene, std::uint32_t nx, std::uint32_t ny) {
 Grid2 default_grid(const Scene2& scene, std::uint32_t longer) {
   HOTTEL_REQUIRE(longer > 0);
   if (scene.grid) return *scene.grid;
-  const Box box = bounding_box(scene);
+  const Box2 box = bounding_box(scene);
   Rational extent = std::max(box.width(), box.height());
   if (extent == 0) extent = 1;
   const Rational cell = extent / Rational(Integer(static_cast<unsigned long>(longer)));

@@ -1,0 +1,93 @@
+#include "solver/plan_draft.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hottel {
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+PlanDraft::PlanDraft(const SceneTable& scene, const PlanRequest& request, SurfaceWords words)
+    : scene_(scene), request_(request), words_(std::move(words)) {}
+
+template <class Test>
+std::size_t PlanDraft::count(const Test& test) const {
+  return static_cast<std::size_t>(std::count_if(scene_.surfaces.begin(), scene_.surfaces.end(), test));
+}
+
+template <class Test>
+bool PlanDraft::has_material(const Test& test) const {
+  return std::any_of(scene_.surfaces.begin(), scene_.surfaces.end(), [&](const Surface& surface) {
+    const auto passes = [&](const std::optional<std::uint32_t>& material) {
+      return material && test(scene_.materials[*material]);
+    };
+    return passes(surface.material_of(false)) || passes(surface.material_of(true));
+  });
+}
+
+void PlanDraft::add(const char* effect, bool is_needed, const std::string& why, const std::string& why_not,
+                    double seconds) {
+  const bool is_used = is_needed || request_.everything;
+  effects_.push_back({effect, is_used,
+                      is_needed ? why
+                      : is_used ? "asked for; the scene does not need it: " + why_not
+                                : why_not,
+                      is_used ? seconds : 0});
+}
+
+void PlanDraft::add_missing(const char* effect, bool is_needed, const std::string& why, const std::string& why_not) {
+  const bool is_missed = is_needed || request_.everything;
+  effects_.push_back({effect, false,
+                      is_missed ? "not simulated by this version: " + (is_needed ? why : why_not) : why_not, 0,
+                      !is_missed});
+}
+
+void PlanDraft::add_back_faces() {
+  const std::size_t backs = count([](const Surface& surface) { return surface.back.has_value(); });
+  add(Plan::kBackFaces, backs > 0, plural(backs, "back") + " with a material",
+      "no back has a material: backs are black and have no row");
+}
+
+void PlanDraft::add_sky(bool is_one_room, double seconds) {
+  add(Plan::kSky, !is_one_room && !scene_.closed,
+      scene_.sky_emission.is_zero() ? "the scene is not promised to be closed; the sky is dark" : "the sky emits",
+      is_one_room ? "one closed room" : "the scene is promised to be closed", seconds);
+}
+
+void PlanDraft::add_subdivision() {
+  const std::size_t divided = count([](const Surface& surface) { return surface.elements > 1; });
+  add(Plan::kSubdivision, divided > 0, count_text(divided) + " divided into elements",
+      fmt::format("no gradients {} are asked for", words_.across));
+}
+
+void PlanDraft::add_channels() {
+  add(Plan::kChannels, channel_count(scene_) > 1, "spectra differ: r, g, b", "every spectrum is a scalar: one channel");
+}
+
+void PlanDraft::add_interreflection(double unknowns) {
+  add(Plan::kInterreflection, reflects(), "some faces reflect", "every reflectivity is 0: radiosity is emission",
+      std::pow(std::min(unknowns, 1500.0), 3) / 3 * 1e-9 * channel_count(scene_));
+}
+
+void PlanDraft::add_unreachable(bool is_one_room) {
+  const bool emits = has_material([](const Material& material) { return !material.emission.is_zero(); });
+  const bool is_lit = emits || !scene_.sky_emission.is_zero();
+  add(Plan::kUnreachable, !is_one_room || !is_lit,
+      is_lit ? "rooms that no light reaches stay exactly dark and are not solved" : "nothing emits",
+      "one room with light");
+}
+
+void PlanDraft::add_lights() { effects_.push_back({Plan::kLights, false, "the scene lists none"}); }
+
+std::string PlanDraft::count_text(std::size_t count) const { return plural(count, words_.one); }
+
+bool PlanDraft::reflects() const {
+  return has_material([](const Material& material) { return !material.reflectivity.is_zero(); });
+}
+
+}  // namespace hottel

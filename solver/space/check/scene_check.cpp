@@ -1,0 +1,129 @@
+#include "solver/space/check/scene_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "geometry/name.h"
+#include "geometry/space/check/contact_findings.h"
+#include "geometry/space/check/mesh_findings.h"
+#include "geometry/space/check/near_contacts.h"
+#include "geometry/space/check/sight_findings.h"
+#include "geometry/space/check/solid_findings.h"
+#include "geometry/space/exchange/prepared_scene.h"
+#include "kernel/support/failure.h"
+#include "solver/space/check/middle_views.h"
+
+namespace hottel {
+namespace {
+
+void append(Findings3& findings, Findings3 more) { std::move(more.begin(), more.end(), std::back_inserter(findings)); }
+
+void add_unplaced(Findings3& findings, Severity severity, const char* kind, std::string message,
+                  std::string suggestion) {
+  findings.push_back({severity, kind, {}, {}, std::move(message), std::move(suggestion)});
+}
+
+void tell_materials(const Scene3& scene, Findings3& findings) {
+  std::vector<char> is_used(scene.materials.size(), 0);
+  bool is_lit = !scene.sky_emission.is_zero();
+  for (const Surface& surface : scene.surfaces)
+    for (const bool is_back : {false, true})
+      if (const auto material = surface.material_of(is_back)) {
+        is_used[*material] = 1;
+        is_lit |= !scene.materials[*material].emission.is_zero();
+      }
+  if (!scene.surfaces.empty() && !is_lit)
+    add_unplaced(findings, Severity::kNote, "no-light", "nothing emits: every radiosity is 0",
+                 "view factors do not need any light; to solve, give a material or the sky an emission");
+  for (std::size_t m = 0; m < is_used.size(); ++m)
+    if (is_used[m] == 0)
+      add_unplaced(findings, Severity::kNote, "unused-material",
+                   fmt::format("no surface has the material {}", quoted_name(scene.materials[m].name)),
+                   "take it away, or look for a surface that should have it");
+}
+
+std::size_t faces_with_material(const Scene3& scene) {
+  std::size_t count = 0;
+  for (const Surface& surface : scene.surfaces)
+    for (const bool is_back : {false, true}) count += surface.material_of(is_back).has_value();
+  return count;
+}
+
+void tell_unchecked(const std::string& reason, const char* suggestion, Findings3& findings) {
+  add_unplaced(findings, Severity::kNote, "light-not-checked", "what needs view factors was not looked at: " + reason,
+               suggestion);
+}
+
+// The scene prepared; nothing where claims conflict, which is told.
+std::shared_ptr<const PreparedScene3> prepared_scene(const Scene3& scene, const CheckSources3& sources,
+                                                     Findings3& findings) {
+  try {
+    return sources.prepared();
+  } catch (const InputError& error) {
+    (void)Solids3(scene);  // throws where it is a "behind" that cannot be obeyed
+    const FileLine& where = error.where();
+    const std::string place = where.file + (where.line > 0 ? ":" + std::to_string(where.line) : "") + ": ";
+    Finding3 finding{Severity::kError, "conflicting-claims"};
+    for (std::uint32_t s = 0; s < scene.surfaces.size() && finding.surfaces.empty(); ++s)
+      if (where.line > 0 && scene.surfaces[s].line == where.line) finding.surfaces = {s};
+    finding.message = std::string(error.what()).substr(place.size());
+    if (!error.hints().empty()) finding.suggestion = error.hints().front();
+    findings.push_back(std::move(finding));
+    tell_unchecked("surfaces claim the same side with different materials", "mend that and check again", findings);
+    return nullptr;
+  }
+}
+
+void check_light(const PreparedScene3& prepared, const Meshes3& meshes, const CheckSources3& sources,
+                 SceneCheck3& check) {
+  const std::size_t count = faces_with_material(prepared.scene);
+  const bool is_whole = count <= kMostFacesChecked3;
+  std::shared_ptr<const ExchangeMatrix> matrix;
+  try {
+    if (is_whole)
+      matrix = check.factors = sources.factors();
+    else
+      matrix = std::make_shared<const ExchangeMatrix>(middle_views(prepared, kMostLooks3));
+  } catch (const RequestError& error) {
+    tell_unchecked(error.what(), "check a part of the scene", check.findings);
+    return;
+  }
+  append(check.findings, sight_findings(prepared.scene, meshes, *matrix, is_whole));
+  if (!is_whole)
+    tell_unchecked(
+        fmt::format("the scene has {} faces with a material, and it was looked from the middle of {} of them", count,
+                    std::min(count, kMostLooks3)),
+        "`hottel factors` tells all that they see", check.findings);
+}
+
+// What follows from it that a solid holds the rest of the scene.
+void leave_out_consequences(const Scene3& scene, const std::vector<char>& is_held, Findings3& findings) {
+  std::erase_if(findings, [&](const Finding3& finding) {
+    return finding.kind == "covered" && is_held[scene.surfaces[finding.surfaces.front()].group] != 0;
+  });
+}
+
+}  // namespace
+
+SceneCheck3 check_scene(const Scene3& scene, const CheckSources3& sources) {
+  SceneCheck3 check;
+  append(check.findings, contact_findings(scene, find_contacts(scene)));
+  append(check.findings, shape_findings(scene));
+  const Meshes3 meshes = find_meshes(scene);
+  append(check.findings, mesh_findings(scene, meshes));
+  if (const auto prepared = prepared_scene(scene, sources, check.findings)) {
+    SolidFindings3 solids = solid_findings(scene, prepared->arrangement().solids());
+    append(check.findings, std::move(solids.findings));
+    check_light(*prepared, meshes, sources, check);
+    leave_out_consequences(scene, solids.is_held, check.findings);
+  }
+  tell_materials(scene, check.findings);
+  sort_findings(check.findings);
+  return check;
+}
+
+}  // namespace hottel

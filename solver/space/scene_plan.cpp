@@ -1,0 +1,126 @@
+#include "solver/space/scene_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "geometry/space/arrangement/arrangement.h"
+#include "geometry/space/arrangement/nothing_between.h"
+#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/facing.h"
+#include "geometry/space/scene/division.h"
+#include "solver/plan_draft.h"
+
+namespace hottel {
+namespace {
+
+// What the rooms of scenes/space take, on one core: a pair that face each other with nothing there; an element and the
+// sky; and what is more where something may stand between, by polygon and root of the number of pairs: divided faces
+// have more pairs, of which most are clear or hidden, as only outlines and shadows cut them.
+constexpr double kSecondsPerPair = 2.0e-5;
+constexpr double kSecondsPerSky = 1.0e-3;
+constexpr double kSecondsPerHiding = 3.0e-4;
+// Pairs of faces that are looked at to tell how many face each other.
+constexpr std::size_t kMostLookedAt = 2000;
+
+// The faces of a scene, and how many elements each is divided into.
+class Faces {
+ public:
+  Faces(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers)
+      : blockers_(blockers), table_(scene, arrangement, blockers, Granularity::kFace) {
+    for (const Element& face : table_.elements()) {
+      const Surface& surface = scene.surfaces[face.surface];
+      const std::uint64_t parts =
+          face.material ? element_count(scene.polygons[face.surface], surface.elements) : std::uint64_t{1};
+      parts_.push_back(static_cast<double>(parts));
+      if (face.material && face.area.value > 0) rows_ += parts;
+    }
+  }
+
+  std::uint64_t rows() const { return rows_; }
+
+  // About how many pairs of elements, of which one has a row, face each other.
+  double facing_pairs() const {
+    const std::size_t n = table_.count();
+    if (n < 2) return 0;
+    double sum = 0;
+    if (n * (n - 1) / 2 <= kMostLookedAt) {
+      for (std::uint32_t j = 1; j < n; ++j)
+        for (std::uint32_t i = 0; i < j; ++i) sum += pairs_of(i, j);
+      return sum;
+    }
+    std::mt19937_64 random(1);
+    for (std::size_t k = 0; k < kMostLookedAt; ++k) {
+      const auto i = static_cast<std::uint32_t>(random() % n), j = static_cast<std::uint32_t>(random() % (n - 1));
+      sum += pairs_of(i, j < i ? j : j + 1);
+    }
+    return sum / kMostLookedAt * static_cast<double>(n) * static_cast<double>(n - 1) / 2;
+  }
+
+ private:
+  double pairs_of(std::uint32_t i, std::uint32_t j) const {
+    if (!table_.has_row(i) && !table_.has_row(j)) return 0;
+    if (table_.parts(i).empty() || table_.parts(j).empty()) return 0;
+    if (!surfaces_face_each_other(blockers_, table_.parts(i).front(), table_.parts(j).front())) return 0;
+    return parts_[i] * parts_[j];
+  }
+
+  const Blockers3& blockers_;
+  ElementTable3 table_;
+  std::vector<double> parts_;  // elements by face
+  std::uint64_t rows_ = 0;
+};
+
+std::string short_count(double count) {
+  return count < 1e6 ? fmt::format("{:.0f}", count) : fmt::format("{:.2g}", count);
+}
+
+void add_groups(const Scene3& scene, PlanDraft& draft) {
+  const std::vector<std::size_t> sizes = group_sizes(scene);
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(sizes, [](std::size_t size) { return size > 1; }));
+  draft.add(Plan::kGroups, count > 0, plural(count, "group") + " of several polygons: a row each with --per group",
+            "every polygon is a group of its own");
+}
+
+// Effects of the light: nobody computes it in space yet.
+void add_light(const Scene3& scene, const PlanRequest& request, PlanDraft& draft) {
+  draft.add_missing(Plan::kInterreflection, draft.reflects(), "some faces reflect",
+                    "every reflectivity is 0: radiosity is emission");
+  draft.add_missing(Plan::kUnreachable, draft.reflects(), "rooms that no light reaches",
+                    "every reflectivity is 0: nothing is solved");
+  draft.add_missing(Plan::kIllumination, request.grid_cells > 0, "light between the faces", "no grid is asked for");
+  draft.add_missing(Plan::kPicture, scene.camera.has_value(), "what the camera sees", "the scene has no camera");
+  draft.add_lights();
+}
+
+}  // namespace
+
+Plan plan_scene(const Scene3& scene, const PlanRequest& request) {
+  const Arrangement3 arrangement(scene);
+  const Blockers3 blockers(arrangement.polygons());
+  const Faces faces(scene, arrangement, blockers);
+  const bool is_plain = arrangement.is_plain(), is_empty = scene.surfaces.empty();
+  const bool is_room = is_plain && is_convex_room(scene, blockers);
+  const bool hides = !is_room && !(is_plain && faces_nothing(scene, blockers));
+  const double pairs = faces.facing_pairs();
+  PlanDraft draft(scene, request, {.one = "polygon", .across = "across polygons"});
+  draft.add(Plan::kExchange, !is_empty,
+            fmt::format("{}, about {} pairs that face each other", plural(faces.rows(), "row"), short_count(pairs)),
+            "the scene is empty", pairs * kSecondsPerPair);
+  draft.add(Plan::kOcclusion, hides, draft.count_text(scene.surfaces.size()) + " that may hide each other, or the sky",
+            is_empty  ? "the scene is empty"
+            : is_room ? "one convex room: nothing can hide anything"
+                      : "no face has anything before it",
+            static_cast<double>(scene.surfaces.size()) * std::sqrt(pairs) * kSecondsPerHiding);
+  draft.add_back_faces();
+  draft.add_sky(is_room, static_cast<double>(faces.rows()) * kSecondsPerSky);
+  draft.add_subdivision();
+  add_groups(scene, draft);
+  draft.add_channels();
+  add_light(scene, request, draft);
+  return draft.take();
+}
+
+}  // namespace hottel

@@ -1,0 +1,103 @@
+#include "solver/space/simulation/simulation.h"
+
+#include <utility>
+
+#include "geometry/space/exchange/exchange.h"
+#include "kernel/support/memory.h"
+#include "kernel/support/naming_file.h"
+#include "solver/space/scene_plan.h"
+
+namespace hottel {
+namespace {
+
+template <class T>
+using StagePtr = std::shared_ptr<Stage<T>>;
+using ScenePtr = std::shared_ptr<const Scene3>;
+
+ComputedFactors3 make_factors(const PreparedScene3& prepared, const SimulationRequest3& request,
+                              const StageProgress& progress) {
+  return naming_file(prepared.scene.file, [&] {
+    ComputedFactors3 result;
+    result.matrix = exact_exchange(prepared,
+                                   {.granularity = request.granularity,
+                                    .wants_visibility = request.wants_visibility,
+                                    .wants_measures = request.wants_measures,
+                                    .tolerance = request.tolerance,
+                                    .memory = memory_allowed(request.memory),
+                                    .progress = [&](double fraction) { progress("view factors", fraction); }},
+                                   &result.report);
+    if (request.must_be_enclosed) require_enclosed_3(result.matrix, request.tolerance);
+    return result;
+  });
+}
+
+StagePtr<PreparedScene3> prepared_stage(const ScenePtr& scene) {
+  return std::make_shared<Stage<PreparedScene3>>("preparation",
+                                                 [scene](const StageProgress&) { return prepare(*scene); });
+}
+
+StagePtr<Plan> plan_stage(const ScenePtr& scene, const PlanRequest& request) {
+  return std::make_shared<Stage<Plan>>("plan",
+                                       [scene, request](const StageProgress&) { return plan_scene(*scene, request); });
+}
+
+}  // namespace
+
+struct Simulation3::Version {
+  ScenePtr scene;
+  SimulationRequest3 request;
+  StagePtr<Plan> plan;
+  StagePtr<PreparedScene3> prepared;
+  StagePtr<ComputedFactors3> factors;
+  StagePtr<std::vector<ElementPair>> hidden;
+
+  Version(ScenePtr its_scene, const SimulationRequest3& its_request, StagePtr<Plan> its_plan,
+          StagePtr<PreparedScene3> its_prepared)
+      : scene(std::move(its_scene)),
+        request(its_request),
+        plan(std::move(its_plan)),
+        prepared(std::move(its_prepared)) {
+    factors = std::make_shared<Stage<ComputedFactors3>>(
+        "view factors", [ready = prepared, asked = request](const StageProgress& progress) {
+          return make_factors(*ready->get(progress), asked, progress);
+        });
+    hidden = std::make_shared<Stage<std::vector<ElementPair>>>(
+        "hidden pairs", [ready = prepared, made = factors, asked = request](const StageProgress& progress) {
+          const auto there = ready->get(progress);
+          const auto computed = made->get(progress);
+          return naming_file(there->scene.file,
+                             [&] { return hidden_pairs(*there, asked.granularity, computed->matrix); });
+        });
+  }
+};
+
+Simulation3::Simulation3(Scene3 scene, SimulationRequest3 request) {
+  validate(scene);
+  const auto shared = std::make_shared<const Scene3>(std::move(scene));
+  version_ = std::make_shared<const Version>(shared, request, plan_stage(shared, request.plan), prepared_stage(shared));
+}
+
+Simulation3 Simulation3::with_request(const SimulationRequest3& request) const {
+  if (request == version_->request) return *this;
+  const ScenePtr& scene = version_->scene;
+  auto plan = request.plan == version_->request.plan ? version_->plan : plan_stage(scene, request.plan);
+  return Simulation3(std::make_shared<const Version>(scene, request, std::move(plan), version_->prepared));
+}
+
+const Scene3& Simulation3::scene() const { return *version_->scene; }
+const SimulationRequest3& Simulation3::request() const { return version_->request; }
+
+std::shared_ptr<const Plan> Simulation3::plan(const StageProgress& progress) const {
+  return version_->plan->get(progress);
+}
+std::shared_ptr<const PreparedScene3> Simulation3::prepared(const StageProgress& progress) const {
+  return version_->prepared->get(progress);
+}
+std::shared_ptr<const ComputedFactors3> Simulation3::factors(const StageProgress& progress) const {
+  return version_->factors->get(progress);
+}
+std::shared_ptr<const std::vector<ElementPair>> Simulation3::hidden(const StageProgress& progress) const {
+  return version_->hidden->get(progress);
+}
+
+}  // namespace hottel

@@ -1,0 +1,72 @@
+// A scene in space, simulated: what is asked for is made when it is asked for, and kept.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geometry/exchange_matrix.h"
+#include "geometry/space/exchange/exchange_report.h"
+#include "geometry/space/exchange/prepared_scene.h"
+#include "kernel/support/stage.h"
+#include "solver/plan.h"
+
+namespace hottel {
+
+// What is asked, with what is taken where nothing is said.
+struct SimulationRequest3 {
+  Granularity granularity = Granularity::kFace;
+  bool wants_visibility = false, wants_measures = false;  // beside the factors
+  double tolerance = 1e-9;                                // as ExchangeRequest takes it
+  bool must_be_enclosed = false;                          // a pair without an enclosure within it is refused
+  std::uint64_t memory = 0;                               // bytes, as memory_allowed() takes it
+  PlanRequest plan{};                                     // what of it the plan reckons with
+  friend bool operator==(const SimulationRequest3&, const SimulationRequest3&) = default;
+};
+
+// View factors and how they came about.
+struct ComputedFactors3 {
+  ExchangeMatrix matrix;
+  ExchangeReport3 report;
+};
+
+// One version of a scene and what is asked of it, with what follows, in stages:
+//
+//   prepared <- factors <- hidden pairs;   plan beside them
+//
+// A version never changes. What is asked for is made at the first call, with what it needs before it, and returned as a
+// shared value that outlives the version.
+//
+//   (1) every value is a function of scene and request: bit for bit that of a new simulation, whatever was asked or
+//       cancelled before, on any number of threads. (`seconds` in reports are what was measured)
+//   (2) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
+//       kernel/support/stage.h says
+//   (3) another request of the same scene shares what is prepared, and the plan where that is asked for alike; the same
+//       request shares everything
+//
+// RequestErrors name the scene's file: where the memory does not suffice, a pair cannot be measured, or one without an
+// enclosure must have one.
+class Simulation3 {
+ public:
+  // Throws InputError naming file, line and surface unless the scene is valid (validate).
+  explicit Simulation3(Scene3 scene, SimulationRequest3 request = {});
+  Simulation3 with_request(const SimulationRequest3& request) const;
+
+  const Scene3& scene() const;
+  const SimulationRequest3& request() const;
+
+  // The stages. progress: as Stage::get() takes it; it is told of "view factors".
+  std::shared_ptr<const Plan> plan(const StageProgress& progress = {}) const;
+  std::shared_ptr<const PreparedScene3> prepared(const StageProgress& progress = {}) const;
+  std::shared_ptr<const ComputedFactors3> factors(const StageProgress& progress = {}) const;
+  // The pairs that are hidden (hidden_pairs of exchange.h).
+  std::shared_ptr<const std::vector<ElementPair>> hidden(const StageProgress& progress = {}) const;
+
+ private:
+  struct Version;
+  explicit Simulation3(std::shared_ptr<const Version> version) : version_(std::move(version)) {}
+
+  std::shared_ptr<const Version> version_;
+};
+
+}  // namespace hottel
