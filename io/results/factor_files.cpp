@@ -280,8 +280,8 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
       for (std::size_t k = 0; k < matrix.row(i).size(); ++k)
         if (!std::isfinite(measure(i, k)))
           throw RequestError("the exchange measure of '" + matrix.name(i) + "' and '" +
-                             matrix.name(matrix.row(i)[k].to) +
-                             "' is beyond the range of doubles; --exact-form gives it");
+                             matrix.name(matrix.row(i)[k].to) + "' is beyond the range of doubles" +
+                             (matrix.guarantee() == Guarantee::kExact ? "; --exact-form gives it" : ""));
   auto hidden = table.hidden.begin();
   for (std::uint32_t i = 0; i < names.size(); ++i) {
     std::fill(dense.begin(), dense.end(), absent);
@@ -327,7 +327,11 @@ DenseSize dense_size(const SceneTable& scene, Granularity granularity, DenseForm
       add(surface.back ? parts : 1, surface.back.has_value());
     }
   }
-  const std::uint64_t n = all + 1, m = radiating;  // the sky too; View3D knows faces with a material only
+  return dense_size(all, radiating, format);
+}
+
+DenseSize dense_size(std::uint64_t faces, std::uint64_t radiating, DenseFormat format) {
+  const std::uint64_t n = faces + 1, m = radiating;  // the sky too; View3D knows faces with a material only
   const auto size = [](std::uint64_t side, std::uint64_t head, std::uint64_t each, std::uint64_t more) {
     constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
     const double about = static_cast<double>(side) * static_cast<double>(side) * static_cast<double>(each);

@@ -78,6 +78,9 @@ struct DenseSize {
   std::uint64_t bytes = 0;
 };
 DenseSize dense_size(const SceneTable& scene, Granularity granularity, DenseFormat format);
+// The same of so many faces, and of so many of them that have a material. (In space a surface has more elements than
+// its table says.)
+DenseSize dense_size(std::uint64_t faces, std::uint64_t radiating, DenseFormat format);
 
 // The pairs whose exchange measures are asked for in closed form: all that are listed, or one pair (from, to), be it
 // listed or not; each once, the smaller number first, sorted.

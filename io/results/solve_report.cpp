@@ -32,7 +32,11 @@ std::string plan_json(const std::string& scene, const Plan& plan) { return repor
 std::string plan_text(const Plan& plan) {
   std::string text = "plan\n";
   for (const PlannedEffect& effect : plan.effects())
-    text += fmt::format("  {:<24}{:<12}{}{}\n", effect.effect, effect.used ? "used" : "not needed", effect.reason,
+    text += fmt::format("  {:<24}{:<12}{}{}\n", effect.effect,
+                        effect.used           ? "used"
+                        : effect.is_simulated ? "not needed"
+                                              : "not yet",
+                        effect.reason,
                         effect.seconds_estimate > 0 ? fmt::format(" (about {:.2g} s)", effect.seconds_estimate) : "");
   return text;
 }

@@ -15,8 +15,8 @@ namespace hottel {
 // A scene of either dimension.
 using Scene = std::variant<Scene2, Scene3>;
 
-// Returns the scene of a file: of JSON, in the plane or in space as its "dimension" says; or of an OBJ file (.obj),
-// which is in space.
+// Returns the scene of a file: of JSON, in the plane or in space as its "dimension" says; or of an OBJ file (.obj)
+// or a deck of View3D (.vs3), which are in space.
 //
 //   (1) every number has exactly the value that is typed; validate(scene) holds
 //   (2) surfaces are in the order of the file: edges, then the pieces of polylines; or polygons, then faces of meshes

@@ -5,8 +5,9 @@
 #include "io/scene/json_fields.h"
 #include "io/scene/plane/scene_reader.h"
 #include "io/scene/scene_json.h"
-#include "io/scene/space/obj_reader.h"
+#include "io/scene/space/mesh_reader.h"
 #include "io/scene/space/scene_reader.h"
+#include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -16,8 +17,10 @@ constexpr const char* kInThePlaneOnly = "the scene is in space (dimension 3); th
 constexpr const char* kInSpaceOnly = "the scene is in the plane (dimension 2); this command works in space";
 // What this version does with scenes in space.
 constexpr const char* kDoneInSpace =
-    "scenes in space are rewritten by `hottel convert`, and `hottel visibility SCENE --at X,Y,Z` tells what a point "
-    "sees";
+    "of scenes in space `hottel factors` computes the view factors, `hottel visibility SCENE` tells with --at X,Y,Z "
+    "what "
+    "a point sees and with --from A --to B what two faces exchange, `hottel plan` what they call for, and `hottel "
+    "convert` rewrites them";
 
 // The value of a member of the scene, one of those allowed.
 JsonValue version(const JsonValue& root, std::string_view key, std::initializer_list<const char*> allowed) {
@@ -51,14 +54,10 @@ Scene parse(std::string_view text, const std::string& name, const TextSource& fi
 }
 
 Scene read(const std::filesystem::path& file, std::optional<int> wanted) {
-  const std::string ending = file.extension().string(), name = file.string();
-  for (const char* unread : {".ply", ".off", ".stl", ".vs3"})
-    if (ending == unread)
-      throw InputError({name, 0}, "files that end in " + ending + " are not read by this version",
-                       {"scenes are .json files; meshes are .obj files"});
-  if (ending != ".obj" && ending != ".OBJ") return parse(read_text_file(file), name, read_text_file, wanted);
+  const std::string name = file.string();
+  if (!is_vs3(file) && !mesh_format_3(file)) return parse(read_text_file(file), name, read_text_file, wanted);
   if (wanted == 2) throw InputError({name, 0}, kInThePlaneOnly, {kDoneInSpace});
-  return read_obj_3(file).scene;
+  return is_vs3(file) ? read_vs3_3(file).scene : read_mesh_scene_3(file).scene;
 }
 
 }  // namespace

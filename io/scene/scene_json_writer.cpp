@@ -51,21 +51,26 @@ void write_polylines(const Scene2& scene, std::size_t first, std::string& out) {
   block.end();
 }
 
+std::string points_text(const std::vector<Point3>& points) {
+  std::string text;
+  for (const Point3& p : points) text += (text.empty() ? "[" : ", ") + triple(p.x, p.y, p.z);
+  return text + "]";
+}
+
 void write_polygons(const Scene3& scene, std::string& out) {
   if (scene.polygons.empty()) return;
-  std::vector<std::size_t> members(scene.groups.size());
-  for (const Surface& surface : scene.surfaces) ++members[surface.group];
+  const std::vector<std::size_t> members = group_sizes(scene);
   JsonBlock block(out, "polygons", '[', ']');
   for (std::size_t s = 0; s < scene.polygons.size(); ++s) {
     const Surface& surface = scene.surfaces[s];
     const Group& group = scene.groups[surface.group];
-    HOTTEL_REQUIRE(group.behind == Behind::kByOutline);
-    std::string points;
-    for (const Point3& p : scene.polygons[s].points) points += (points.empty() ? "" : ", ") + triple(p.x, p.y, p.z);
+    std::string holes;
+    for (const auto& hole : scene.polygons[s].holes) holes += (holes.empty() ? "" : ", ") + points_text(hole);
     const bool is_alone = members[surface.group] == 1 && group.name == surface.name;
-    block.add(fmt::format("{{\"name\": {}, {}\"points\": [{}], {}}}", json_string(surface.name),
-                          is_alone ? "" : fmt::format("\"group\": {}, ", json_string(group.name)), points,
-                          surface_members(scene, surface)));
+    block.add(fmt::format(
+        "{{\"name\": {}, {}\"points\": {}, {}{}}}", json_string(surface.name),
+        is_alone ? "" : fmt::format("\"group\": {}, ", json_string(group.name)), points_text(scene.polygons[s].points),
+        holes.empty() ? "" : fmt::format("\"holes\": [{}], ", holes), surface_members(scene, surface)));
   }
   block.end();
 }

@@ -1,5 +1,7 @@
 #include "io/scene/table_reader.h"
 
+#include <algorithm>
+
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
 
@@ -38,11 +40,13 @@ Material read_material(const JsonValue& key, const JsonValue& value) {
   return material;
 }
 
-Behind read_behind(const JsonValue& value, const Subject& subject) {
-  const std::string text = read_string(value, subject);
-  if (text == "solid") return Behind::kSolid;
-  if (text == "open") return Behind::kOpen;
-  refuse(value, subject.text() + " is " + quoted_name(text) + "; it may be \"solid\" or \"open\"");
+// Where the keys have "obstruction".
+bool is_obstruction(const std::vector<std::string_view>& keys, const std::vector<JsonValue>& members,
+                    const std::string& owner) {
+  const auto key = std::find(keys.begin(), keys.end(), "obstruction");
+  if (key == keys.end()) return false;
+  const JsonValue& value = members[static_cast<std::size_t>(key - keys.begin())];
+  return value && read_boolean(value, {owner, "obstruction"});
 }
 
 // The number as it is typed.
@@ -99,9 +103,14 @@ SceneEntry TableReader::read_entry(const JsonValue& value, const std::string& de
   entry.behind = members[6];
   entry.more.assign(members.begin() + kCommon.size(), members.end());
   require_member(entry.points, "points", value, {entry.owner});
-  require_member(material, "material", value, {entry.owner});
+  entry.surface.is_obstruction = is_obstruction(keys, members, entry.owner);
+  if (entry.surface.is_obstruction && (material || back))
+    refuse(material ? material : back, entry.owner + " is an obstruction: it has no material, on either side");
+  if (!entry.surface.is_obstruction) {
+    require_member(material, "material", value, {entry.owner});
+    entry.surface.material = material_of(material, {entry.owner, "material"});
+  }
   require_kind(entry.points, JsonKind::kArray, {entry.owner, "points"});
-  entry.surface.material = material_of(material, {entry.owner, "material"});
   if (back) entry.surface.back = material_of(back, {entry.owner, "back"});
   if (elements) entry.surface.elements = read_count(elements, kMaxElements, {entry.owner, "elements"});
   if (about) read_string(about, {entry.owner, "about"});
@@ -110,6 +119,13 @@ SceneEntry TableReader::read_entry(const JsonValue& value, const std::string& de
   table_.groups.emplace_back(entry.name,
                              entry.behind ? read_behind(entry.behind, {entry.owner, "behind"}) : Behind::kByOutline);
   return entry;
+}
+
+Behind read_behind(const JsonValue& value, const Subject& subject) {
+  const std::string text = read_string(value, subject);
+  if (text == "solid") return Behind::kSolid;
+  if (text == "open") return Behind::kOpen;
+  refuse(value, subject.text() + " is " + quoted_name(text) + "; it may be \"solid\" or \"open\"");
 }
 
 void TableReader::refuse_lights(const JsonValue& lights) {

@@ -60,7 +60,8 @@ class TableReader {
   // Reads an item and makes a group of its name. Keys beyond name, points, material, back, elements, about and behind
   // are those of `more`.
   //
-  //   (1) `points` and `material` must be there; points are a list, which the caller reads
+  //   (1) `points` and `material` must be there; points are a list, which the caller reads. Where `more` has
+  //       "obstruction" and it is true, `material` and `back` must not be there
   //   (2) an item without a name has the default one; a name that cannot be one is refused, and the reason is told
   //   (3) elements are from 1 to kMaxElements; "behind" is "solid" or "open", and left to the outline where
   //       it is not given
@@ -76,5 +77,8 @@ class TableReader {
   SceneTable& table_;
   std::unordered_map<std::string_view, std::uint32_t> material_index_;
 };
+
+// Reads what is "behind" a group: "solid" or "open". Throws InputError.
+Behind read_behind(const JsonValue& value, const Subject& subject);
 
 }  // namespace hottel

@@ -7,6 +7,7 @@
 #include <optional>
 #include <unordered_set>
 
+#include "io/scene/exact_decimal.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
 
@@ -15,31 +16,6 @@ namespace {
 
 // A number with more characters than this is written as a string.
 constexpr std::size_t kMaxBareNumber = 24;
-
-// value = digits * 10^exponent with digits not divisible by 10, where there is such a form.
-struct Decimal {
-  Integer digits;
-  long exponent = 0;
-};
-
-std::optional<Decimal> decimal(const Rational& value) {
-  if (value == 0) return Decimal{0, 0};
-  const Integer two = 2, five = 5, ten = 10;
-  Integer rest;
-  const auto twos = mpz_remove(rest.get_mpz_t(), value.get_den_mpz_t(), two.get_mpz_t());
-  const auto fives = mpz_remove(rest.get_mpz_t(), rest.get_mpz_t(), five.get_mpz_t());
-  if (rest != 1) return std::nullopt;
-  Decimal result{value.get_num(), -static_cast<long>(std::max(twos, fives))};
-  if (twos != fives) {
-    mpz_pow_ui(rest.get_mpz_t(), (twos < fives ? two : five).get_mpz_t(),
-               std::max(twos, fives) - std::min(twos, fives));
-    result.digits *= rest;
-  }
-  if (result.exponent == 0)
-    result.exponent =
-        static_cast<long>(mpz_remove(result.digits.get_mpz_t(), result.digits.get_mpz_t(), ten.get_mpz_t()));
-  return result;
-}
 
 // The decimal without an exponent, or nothing when it is longer than kMaxBareNumber.
 std::optional<std::string> bare_number(const Decimal& d) {
@@ -91,7 +67,7 @@ std::string json_string(const std::string& text) {
 std::string json_number(const Rational& value) {
   if (value.get_den() == 1 && value.get_num().fits_slong_p()) return std::to_string(value.get_num().get_si());
   std::string text = "";
-  if (const auto d = decimal(value)) {
+  if (const auto d = exact_decimal(value)) {
     if (auto bare = bare_number(*d)) return *std::move(bare);
     if (std::labs(d->exponent) <= kMaxNumberExponent) text = fmt::format("{}e{}", d->digits.get_str(), d->exponent);
   }
@@ -151,7 +127,9 @@ void write_expectations(const SceneTable& table, std::string& out) {
 }
 
 std::string surface_members(const SceneTable& table, const Surface& surface) {
-  std::string text = fmt::format("\"material\": {}", json_string(table.materials[surface.material].name));
+  std::string text = surface.is_obstruction
+                         ? "\"obstruction\": true"
+                         : fmt::format("\"material\": {}", json_string(table.materials[surface.material].name));
   if (surface.back) text += fmt::format(", \"back\": {}", json_string(table.materials[*surface.back].name));
   if (const Behind behind = table.groups[surface.group].behind; behind != Behind::kByOutline)
     text += behind == Behind::kSolid ? ", \"behind\": \"solid\"" : ", \"behind\": \"open\"";

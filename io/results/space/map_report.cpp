@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "geometry/name.h"
 #include "geometry/scene_names.h"
 #include "geometry/space/scene/scene.h"
 
@@ -78,6 +79,15 @@ VisibilityAnswer map_answer(const Scene3& scene, const Look3& look, const PointM
   json["tiers"] = {
       {"filter", map.signs.by_tier[0]}, {"combinatorial", map.signs.by_tier[1]}, {"exact", map.signs.by_tier[2]}};
   return {json.dump(2) + "\n", text_of(scene, map, what, has_factors)};
+}
+
+VisibilityAnswer answer_in_solid_3(const Look3& look, const std::string& solid, const std::string& what) {
+  const Json json{{"at", json_of(look.eye)},
+                  {"solid", solid},
+                  {"faces", Json::array()},
+                  {"sky", {{"fraction", 0}, {"solid_angle", 0}}},
+                  {"irradiance", nullptr}};
+  return {json.dump(2) + "\n", "from " + what + ": in the solid " + quoted_name(solid) + "; nothing is seen\n"};
 }
 
 }  // namespace hottel

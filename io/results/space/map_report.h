@@ -18,4 +18,7 @@ struct Scene3;
 //   (2) faces are in the order of the scene
 VisibilityAnswer map_answer(const Scene3& scene, const Look3& look, const PointMap3& map, const std::string& what);
 
+// The same of a point in a solid: the name of its group; no face is seen, nor the sky, and irradiance is null.
+VisibilityAnswer answer_in_solid_3(const Look3& look, const std::string& solid, const std::string& what);
+
 }  // namespace hottel

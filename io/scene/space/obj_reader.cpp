@@ -32,7 +32,7 @@ class ObjReader3 {
     mesh_.file = file;
   }
 
-  ObjMesh3 read() {
+  Mesh3 read() {
     while (at_.next()) read_statement();
     if (mesh_.faces.empty()) throw InputError({mesh_.file, 0}, "has no faces");
     return std::move(mesh_);
@@ -41,7 +41,7 @@ class ObjReader3 {
  private:
   // A name in force, and its index once a face has it.
   struct Current {
-    ObjName3 name;  // empty: none
+    MeshName3 name;  // empty: none
     std::optional<std::uint32_t> index;
   };
 
@@ -97,7 +97,7 @@ class ObjReader3 {
   void read_face() {
     const std::vector<std::string_view> words = at_.words();
     if (words.size() < 3) at_.refuse("a face has fewer than three vertices");
-    ObjFace3 face;
+    MeshFace3 face;
     face.polygon.points.reserve(words.size());
     for (const std::string_view word : words) face.polygon.points.push_back(points_[vertex(word)]);
     face.group = used(group_, group_index_, mesh_.groups);
@@ -115,7 +115,7 @@ class ObjReader3 {
   void set(Current& current, std::string name) { current = {{std::move(name), at_.line()}, std::nullopt}; }
 
   static std::optional<std::uint32_t> used(Current& current, std::unordered_map<std::string, std::uint32_t>& index,
-                                           std::vector<ObjName3>& names) {
+                                           std::vector<MeshName3>& names) {
     if (current.name.name.empty() || current.index) return current.index;
     const auto [entry, is_new] = index.emplace(current.name.name, static_cast<std::uint32_t>(names.size()));
     if (is_new) names.push_back(current.name);
@@ -147,114 +147,17 @@ class ObjReader3 {
 
   ObjStatements at_;
   const TextSource& files_;
-  ObjMesh3 mesh_;
+  Mesh3 mesh_;
   std::vector<Point3> points_;
   Current group_, material_;
   std::unordered_map<std::string, std::uint32_t> group_index_, material_index_;
   std::vector<std::filesystem::path> libraries_;
 };
 
-Polygon3 scaled(Polygon3 polygon, const Rational& scale) {
-  if (scale == 1) return polygon;
-  for (Point3& point : polygon.points) {
-    point.x *= scale;
-    point.y *= scale;
-    point.z *= scale;
-  }
-  return polygon;
-}
-
 }  // namespace
 
-ObjMesh3 parse_obj_3(std::string_view text, const std::string& file, const TextSource& files) {
+Mesh3 parse_obj_3(std::string_view text, const std::string& file, const TextSource& files) {
   return ObjReader3(text, file, files).read();
-}
-
-MeshAdder3::MeshAdder3(Scene3& scene) : scene_(scene) {
-  for (std::uint32_t k = 0; k < scene.materials.size(); ++k) own_.emplace(scene.materials[k].name, k);
-}
-
-void MeshAdder3::add(const ObjMesh3& mesh, const MeshEntry3& entry) {
-  // Of faces without a group there is one more, the last.
-  std::vector<std::optional<std::uint32_t>> groups(mesh.groups.size() + 1), materials(mesh.materials.size() + 1);
-  std::vector<std::size_t> count(groups.size());
-  materials.back() = entry.material;
-  for (const ObjFace3& face : mesh.faces) {
-    const auto refuse = [&](const std::string& text, const std::string& hint = "") {
-      throw InputError({mesh.file, face.line}, text, hint.empty() ? std::vector<std::string>() : std::vector{hint});
-    };
-    const std::size_t group = face.group.value_or(mesh.groups.size());
-    const std::string& group_name = face.group ? mesh.groups[group].name : entry.name;
-    if (!groups[group]) {
-      if (const auto problem = name_problem(group_name); !problem.empty())
-        refuse("the name " + quoted_name(group_name) + " of a group " + std::string(problem));
-      groups[group] = static_cast<std::uint32_t>(scene_.groups.size());
-      scene_.groups.push_back(group_name);
-    }
-    Surface surface;
-    surface.name = piece_name(group_name, count[group]++);
-    std::optional<std::uint32_t>& material = materials[face.material.value_or(mesh.materials.size())];
-    if (!material && face.material)
-      material = material_of(mesh, mesh.materials[*face.material], entry.invents_materials && !mesh.has_library);
-    if (!material && entry.invents_materials) material = material_of(mesh, {kObjMaterial, face.line}, true);
-    if (!material)
-      refuse("face " + quoted_name(surface.name) + " has no material",
-             "give the mesh " + quoted_name(entry.name) + " a \"material\", or the face a usemtl");
-    if (const auto& [problem, hint] = polygon_problem(face.polygon); !problem.empty())
-      refuse("face " + quoted_name(surface.name) + " " + problem, hint);
-    surface.material = *material;
-    surface.back = entry.back;
-    surface.elements = entry.elements;
-    surface.group = *groups[group];
-    surface.line = entry.line > 0 ? entry.line : face.line;
-    scene_.add(std::move(surface), scaled(face.polygon, entry.scale));
-  }
-}
-
-std::uint32_t MeshAdder3::material_of(const ObjMesh3& mesh, const ObjName3& name, bool invents) {
-  if (const auto own = own_.find(name.name); own != own_.end()) return own->second;
-  if (const auto found = mesh.library.find(name.name); found != mesh.library.end())
-    return added_material(mesh, name.line, found->second);
-  if (invents) {
-    if (const auto problem = material_name_problem(name.name); !problem.empty())
-      throw InputError({mesh.file, name.line}, problem);
-    if (!added_.contains(name.name)) invented_.push_back(name.name);
-    return added_material(mesh, name.line, {name.name, Spectrum::scalar(kObjReflectivity), {}});
-  }
-  SceneTable known;
-  known.materials = scene_.materials;
-  for (const auto& [its_name, material] : mesh.library) known.materials.push_back(material);
-  throw InputError({mesh.file, name.line}, "the material " + quoted_name(name.name) + " is not defined",
-                   undefined_material_hints(known, name.name));
-}
-
-std::uint32_t MeshAdder3::added_material(const ObjMesh3& mesh, int line, Material material) {
-  const auto [entry, is_new] = added_.emplace(material.name, static_cast<std::uint32_t>(scene_.materials.size()));
-  if (is_new)
-    scene_.materials.push_back(std::move(material));
-  else if (scene_.materials[entry->second] != material)
-    throw InputError({mesh.file, line},
-                     "the material " + quoted_name(material.name) + " is another one in another mesh",
-                     {"define it in the scene's \"materials\", which come first"});
-  return entry->second;
-}
-
-ObjScene3 read_obj_3(const std::filesystem::path& file) {
-  return parse_obj_scene_3(read_text_file(file), file.string());
-}
-
-ObjScene3 parse_obj_scene_3(std::string_view text, const std::string& file, const TextSource& files) {
-  ObjScene3 result;
-  result.scene.file = file;
-  MeshEntry3 entry;
-  entry.name = std::filesystem::path(file).stem().string();
-  if (!name_problem(entry.name).empty()) entry.name = "mesh";
-  entry.invents_materials = true;
-  MeshAdder3 adder(result.scene);
-  adder.add(parse_obj_3(text, file, files), entry);
-  validate(result.scene);
-  result.invented = adder.invented();
-  return result;
 }
 
 }  // namespace hottel

@@ -5,7 +5,7 @@
 
 #include "geometry/name.h"
 #include "io/scene/json_fields.h"
-#include "io/scene/space/obj_reader.h"
+#include "io/scene/space/mesh_reader.h"
 #include "io/scene/table_reader.h"
 #include "kernel/support/failure.h"
 
@@ -45,11 +45,6 @@ class SpaceReader3 {
              {"surfaces in space are \"polygons\" and the faces of a \"mesh\""});
   }
 
-  [[noreturn]] static void refuse_behind(const JsonValue& behind, const std::string& owner) {
-    refuse(behind, owner + ": behind is not supported in dimension 3 by this version",
-           {"give the backs a material (\"back\"), or leave them opaque and black"});
-  }
-
   void read_polygons(const JsonValue& list) {
     require_kind(list, JsonKind::kArray, {"polygons"});
     scene_.surfaces.reserve(list.size());
@@ -59,35 +54,47 @@ class SpaceReader3 {
   }
 
   void read_polygon(const JsonValue& value, const std::string& default_name) {
-    constexpr std::array<std::string_view, 2> kMore{"holes", "group"};
+    constexpr std::array<std::string_view, 3> kMore{"holes", "group", "obstruction"};
     SceneEntry entry = table_.read_entry(value, default_name, "polygon", kMore);
-    if (entry.behind) refuse_behind(entry.behind, entry.owner);
-    if (const JsonValue holes = entry.more[0]) refuse_holes(holes, entry.owner);
-    if (entry.more[1]) entry.surface.group = group_of(entry.more[1], entry.owner);
+    if (entry.behind && !entry.more[1])
+      refuse(entry.behind, entry.owner + ": behind is for closed meshes: a \"mesh\", or the polygons of one \"group\"",
+             {"give the back a material (\"back\"), or close the mesh"});
+    if (entry.more[1]) entry.surface.group = group_of(entry.more[1], entry);
     Polygon3 polygon;
     polygon.points.reserve(entry.points.size());
     for (const JsonValue item : entry.points.items())
       polygon.points.push_back(read_point(item, {entry.owner, "point"}));
+    if (const JsonValue holes = entry.more[0]) read_holes(holes, entry.owner, polygon);
     entry.surface.name = std::move(entry.name);
     entry.surface.line = value.line();
     scene_.add(std::move(entry.surface), std::move(polygon));
   }
 
-  static void refuse_holes(const JsonValue& holes, const std::string& owner) {
+  void read_holes(const JsonValue& holes, const std::string& owner, Polygon3& polygon) const {
     require_kind(holes, JsonKind::kArray, {owner, "holes"});
-    if (holes.size() > 0)
-      refuse(holes, owner + ": holes are not in this version",
-             {"divide the polygon into convex ones around its holes"});
+    for (const JsonValue hole : holes.items()) {
+      require_kind(hole, JsonKind::kArray, {owner, "hole"});
+      auto& points = polygon.holes.emplace_back();
+      for (const JsonValue item : hole.items()) points.push_back(read_point(item, {owner, "point of a hole"}));
+    }
   }
 
   // The group of that name, which takes the place of the polygon's own, the last one.
-  std::uint32_t group_of(const JsonValue& value, const std::string& owner) {
-    std::string name = read_string(value, {owner, "group"});
+  std::uint32_t group_of(const JsonValue& value, const SceneEntry& polygon) {
+    std::string name = read_string(value, {polygon.owner, "group"});
     if (const auto problem = name_problem(name); !problem.empty())
-      refuse(value, owner + ": the group " + quoted_name(name) + " " + std::string(problem));
+      refuse(value, polygon.owner + ": the group " + quoted_name(name) + " " + std::string(problem));
+    const Behind behind = scene_.groups.back().behind;
     scene_.groups.pop_back();
     const auto [entry, is_new] = shared_groups_.emplace(name, static_cast<std::uint32_t>(scene_.groups.size()));
-    if (is_new) scene_.groups.emplace_back(std::move(name));
+    if (is_new) {
+      scene_.groups.emplace_back(std::move(name), behind);
+    } else if (Behind& known = scene_.groups[entry->second].behind; polygon.behind) {
+      if (known != Behind::kByOutline && known != behind)
+        refuse(polygon.behind, polygon.owner + ": another polygon of the group " + quoted_name(name) +
+                                   " says that something else is behind it");
+      known = behind;
+    }
     return entry->second;
   }
 
@@ -114,18 +121,19 @@ class SpaceReader3 {
     if (entry.scale <= 0) refuse(scale, owner + ": scale must be greater than 0");
     if (elements) entry.elements = read_count(elements, kMaxElements, {owner, "elements"});
     if (about) read_string(about, {owner, "about"});
-    if (behind) refuse_behind(behind, owner);
+    if (behind) entry.behind = read_behind(behind, {owner, "behind"});
     entry.line = value.line();
     adder.add(read_mesh_file(file, owner), entry);
   }
 
-  ObjMesh3 read_mesh_file(const JsonValue& file, const std::string& owner) const {
+  Mesh3 read_mesh_file(const JsonValue& file, const std::string& owner) const {
     const std::string name = read_string(file, {owner, "file"});
     const std::filesystem::path path = std::filesystem::path(scene_.file).parent_path() / name;
-    const std::string ending = path.extension().string();
-    if (ending != ".obj" && ending != ".OBJ")
-      refuse(file, owner + ": the file " + quoted_name(name) + " is not read by this version: it does not end in .obj");
-    return parse_obj_3(files_(path), path.string(), files_);
+    const auto format = mesh_format_3(path);
+    if (!format)
+      refuse(file, owner + ": the file " + quoted_name(name) + " is not read by this version: it does not end in " +
+                       kMeshEndings3);
+    return parse_mesh_3(*format, files_(path), path.string(), files_);
   }
 
   Point3 read_point(const JsonValue& value, const Subject& subject) const {

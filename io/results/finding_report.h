@@ -1,0 +1,52 @@
+// What was found in a scene of any dimension and what a repair did to it, as JSON and as text for people.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/factor_changes.h"
+#include "geometry/repair_step.h"
+#include "geometry/scene_table.h"
+#include "geometry/severity.h"
+
+namespace hottel {
+
+// What a repair did, and what it changed; without the factors of both scenes there are no changes to tell.
+struct RepairReport {
+  const std::vector<RepairStep>* steps = nullptr;
+  const std::vector<FactorChange>* changes = nullptr;
+};
+
+// A finding without its dimension.
+struct ReportedFinding {
+  Severity severity = Severity::kNote;
+  std::string kind;
+  std::vector<std::string> surfaces{};  // by name
+  int line = 0;                         // of the first one; 0: nowhere
+  std::vector<double> at{};             // nearest doubles; empty: nowhere
+  std::string place{};                  // the same for people
+  std::string message{}, suggestion{};
+};
+
+// Of one kind so many are shown to people unless they ask for more; the rest is counted.
+inline constexpr std::size_t kMostOfAKind = 20;
+
+// Returns {"findings":[{"severity","kind","surfaces":[names],"at":[coordinates],"line","message","suggestion"}]} and a
+// final newline. "at" and "line" are null where there is no place. With a repair also
+// "repairs":[{"kind","surface","message"}] and "changes":[{"from","to","before","after"}]: null where a face had no row
+// or was not there, the whole list null where factors could not be compared.
+std::string check_json(const std::vector<ReportedFinding>& findings, const RepairReport* repair = nullptr);
+
+// Returns one paragraph a finding: "FILE:LINE: SEVERITY: KIND at PLACE: MESSAGE", the suggestion on a line below. LINE
+// and PLACE are left out where there is none. Of one kind at most `most` are shown, the rest is counted.
+std::string findings_text(const std::string& file, const std::vector<ReportedFinding>& findings, std::size_t most);
+
+// Returns the same and a closing line that counts errors, warnings and notes.
+std::string check_text(const std::string& file, const std::vector<ReportedFinding>& findings, std::size_t most);
+
+// Returns the steps a line each, then all changes as csv: from,to,before,after.
+std::string repair_text(const SceneTable& scene, const RepairReport& repair);
+
+}  // namespace hottel

@@ -1,0 +1,68 @@
+#include "io/results/space/factors_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "kernel/rational.h"
+#include "kernel/version.h"
+
+namespace hottel {
+namespace {
+
+const char* plural(Granularity granularity) {
+  switch (granularity) {
+    case Granularity::kFace:
+      return "faces";
+    case Granularity::kElement:
+      return "elements";
+    case Granularity::kGroup:
+      return "groups";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string factors_json(const FactorsReport3& report) {
+  const ExchangeReport3& counts = report.counts;
+  nlohmann::ordered_json json;
+  json["hottel"] = 1;
+  json["version"] = kVersion;
+  json["scene"] = report.scene;
+  json["method"] = "exact";
+  json["counts"] = {{"surfaces", counts.surfaces}, {"vertices", counts.vertices}, {"elements", counts.elements},
+                    {"pairs", counts.pairs},       {"hidden", counts.hidden},     {"clear", counts.clear},
+                    {"mixed", counts.mixed},       {"maps", counts.maps},         {"pieces", counts.pieces},
+                    {"nodes", counts.nodes}};
+  json["tiers"] = {{"filter", counts.signs.by_tier[0]},
+                   {"combinatorial", counts.signs.by_tier[1]},
+                   {"exact", counts.signs.by_tier[2]}};
+  json["seconds"] = counts.seconds;
+  json["closure"] = {{"max_defect", counts.max_defect}, {"exact", false}};
+  json["bounds"] = {{"guarantee", to_string(report.guarantee)},
+                    {"tolerance", report.tolerance},
+                    {"max_error", counts.max_error},
+                    {"enclosed", counts.enclosed},
+                    {"estimated", counts.pairs - counts.enclosed}};
+  return json.dump(2) + "\n";
+}
+
+std::string factors_text(const FactorsReport3& report) {
+  const ExchangeReport3& counts = report.counts;
+  double seconds = 0;
+  for (const auto& [stage, time] : counts.seconds) seconds += time;
+  const std::uint64_t estimated = counts.pairs - counts.enclosed;
+  std::string text =
+      fmt::format("{} visible pairs of {} {}, ", counts.pairs, counts.elements, plural(report.granularity));
+  text += estimated == 0
+              ? fmt::format("every factor enclosed within {} of the smaller area", shortest(report.tolerance))
+              : fmt::format("{} enclosed and {} estimated within {} of the smaller area", counts.enclosed, estimated,
+                            shortest(report.tolerance));
+  return text + fmt::format(
+                    "; rows close to {:.1e}\n"
+                    "patches that are hidden from each other: {}, clear: {}, with something between: {}; {:.3f} s",
+                    counts.max_defect, counts.hidden, counts.clear, counts.mixed, seconds);
+}
+
+}  // namespace hottel

@@ -1,0 +1,28 @@
+// What computing view factors in space came to, as JSON and as text for people.
+#pragma once
+
+#include <string>
+
+#include "geometry/element.h"
+#include "geometry/space/exchange/exchange_report.h"
+#include "kernel/enclosure.h"
+
+namespace hottel {
+
+// Everything that is said about one run of `factors` in space.
+struct FactorsReport3 {
+  std::string scene;
+  Granularity granularity = Granularity::kFace;
+  double tolerance = 1e-9;
+  Guarantee guarantee = Guarantee::kEstimated;  // of the matrix: the weakest there is
+  ExchangeReport3 counts;
+};
+
+// Returns the report as one JSON object and a final newline: `counts`, `tiers` (filter, combinatorial, exact),
+// `seconds`, `closure`, `bounds`.
+std::string factors_json(const FactorsReport3& report);
+
+// Returns two lines without a final newline: pairs and how close rows come to 1; what settled them, and the seconds.
+std::string factors_text(const FactorsReport3& report);
+
+}  // namespace hottel

@@ -1,0 +1,76 @@
+// Meshes become surfaces of a scene.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/space/scene/scene.h"
+#include "io/scene/space/mesh.h"
+
+namespace hottel {
+
+// The material of faces of a mesh that name none, and the reflectivity of materials that no file defines, where the
+// mesh is a scene by itself: it says neither. As for drawings (kSvgMaterial, kSvgReflectivity).
+inline constexpr const char* kMeshMaterial = "white";
+inline const Rational kMeshReflectivity{1, 2};
+
+// How a mesh enters a scene.
+struct MeshEntry3 {
+  std::string name;                       // of faces in no group
+  Rational scale = 1;                     // of coordinates
+  std::optional<std::uint32_t> material;  // of faces that name none; index into the scene's materials
+  std::optional<std::uint32_t> back;      // of all backs
+  std::uint32_t elements = 1;
+  Behind behind = Behind::kByOutline;  // of all groups
+  int line = 0;                        // of all faces; 0: each has its own, in the file of the mesh
+  bool invents_materials = false;      // what no file defines has kMeshReflectivity
+};
+
+// Adds meshes to a scene.
+//
+//   (1) face k of a group is GROUP[k], k from 0 in the order of the file; those without a group are NAME[k]. Groups
+//       become groups of the scene, numbered by their first faces
+//   (2) a material is the one that the scene had of that name before any mesh, else that of the mesh's MTL files; only
+//       those that faces have are added. Meshes may share one, if it is the same in both files
+class MeshAdder3 {
+ public:
+  // REQUIRES that the scene outlives this, has all materials of its own, and gets others from here only.
+  explicit MeshAdder3(Scene3& scene);
+
+  // Throws InputError with the file of the mesh and the line of the face (or its byte, in a binary file), naming it,
+  // for a face that is no polygon (polygon_problem), or has no material; for a group whose name cannot be one
+  // (name_problem), a material that is not defined or is another one in another mesh. COST: linear.
+  void add(const Mesh3& mesh, const MeshEntry3& entry);
+
+  // The names of materials that no file defines, in the order in which faces had them.
+  const std::vector<std::string>& invented() const { return invented_; }
+
+ private:
+  std::uint32_t material_of(const Mesh3& mesh, const MeshName3& name, bool invents);
+  std::uint32_t added_material(const Mesh3& mesh, int line, Material material);
+
+  Scene3& scene_;
+  std::unordered_map<std::string, std::uint32_t> own_, added_;  // materials
+  std::vector<std::string> invented_;
+};
+
+// A mesh as a scene, and the names of its materials that no file defines.
+struct MeshScene3 {
+  Scene3 scene;
+  std::vector<std::string> invented;
+};
+
+// Returns the scene that a mesh is by itself, valid.
+//
+//   (1) materials are those of its MTL files; where it names none, all have kMeshReflectivity. Faces that name no
+//       material have kMeshMaterial, which has kMeshReflectivity too unless an MTL file defines it
+//   (2) faces without a group are called after the file: "room[0]", ... for room.obj; "mesh[0]", ... where that cannot
+//       be a name
+//
+// Throws InputError as MeshAdder3 and validate do.
+MeshScene3 scene_of(const Mesh3& mesh);
+
+}  // namespace hottel

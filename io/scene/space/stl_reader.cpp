@@ -1,0 +1,146 @@
+#include "io/scene/space/stl_reader.h"
+
+#include <bit>
+#include <cmath>
+
+#include "geometry/name.h"
+#include "io/scene/binary_values.h"
+#include "io/scene/text_words.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 80, kNormalBytes = 12, kTriangleBytes = 50;
+constexpr std::size_t kFirstTriangle = kHeaderBytes + 4;
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool is_keyword(std::string_view word, std::string_view keyword) {
+  if (word.size() != keyword.size()) return false;
+  for (std::size_t k = 0; k < word.size(); ++k)
+    if (lower(word[k]) != keyword[k]) return false;
+  return true;
+}
+
+class TextStl3 {
+ public:
+  TextStl3(std::string_view text, const std::string& file) : words_(text, file, false) { mesh_.file = file; }
+
+  Mesh3 read() {
+    while (const auto word = words_.next()) {
+      require(*word, "solid");
+      words_.rest_of_line();  // its name
+      while (!read_end_or_facet()) {
+      }
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  std::string_view word() {
+    if (const auto word = words_.next()) return *word;
+    words_.refuse("the file ends before endsolid, after " + std::to_string(mesh_.faces.size()) + " whole triangles");
+  }
+
+  void require(std::string_view word, std::string_view keyword) const {
+    if (!is_keyword(word, keyword))
+      words_.refuse("there is " + quoted_name(word) + " where " + std::string(keyword) + " has to be");
+  }
+  void read(std::string_view keyword) { require(word(), keyword); }
+
+  // True at the end of the solid.
+  bool read_end_or_facet() {
+    const std::string_view first = word();
+    if (is_keyword(first, "endsolid")) {
+      words_.rest_of_line();
+      return true;
+    }
+    if (!is_keyword(first, "facet"))
+      words_.refuse("there is " + quoted_name(first) + " where facet or endsolid has to be");
+    MeshFace3 face;
+    face.line = words_.line();
+    read("normal");
+    for (int axis = 0; axis < 3; ++axis) word();
+    read("outer");
+    read("loop");
+    for (int corner = 0; corner < 3; ++corner) {
+      read("vertex");
+      Point3 point;
+      for (Rational* coordinate : {&point.x, &point.y, &point.z}) *coordinate = words_.number(word(), "coordinate");
+      face.polygon.points.push_back(std::move(point));
+    }
+    read("endloop");
+    read("endfacet");
+    mesh_.faces.push_back(std::move(face));
+    return false;
+  }
+
+  TextWords words_;
+  Mesh3 mesh_;
+};
+
+std::uint32_t triangles_of(std::string_view bytes) {
+  return BinaryValues(bytes, std::endian::little, kHeaderBytes).take<std::uint32_t>();
+}
+
+bool is_binary(std::string_view bytes) {
+  return bytes.size() >= kFirstTriangle && bytes.size() == kFirstTriangle + kTriangleBytes * triangles_of(bytes);
+}
+
+bool is_text(std::string_view bytes) {
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n\v\f");
+  return begin != std::string_view::npos && is_keyword(bytes.substr(begin, 5), "solid") &&
+         bytes.substr(0, kFirstTriangle).find('\0') == std::string_view::npos;
+}
+
+// Why bytes are neither.
+[[noreturn]] void refuse(std::string_view bytes, const std::string& file) {
+  std::string why = "is no STL file: it does not begin with solid, and ";
+  if (bytes.size() < kFirstTriangle) {
+    why += "it has " + std::to_string(bytes.size()) + " bytes where a binary one has 84 or more";
+  } else {
+    const std::size_t count = triangles_of(bytes);
+    why = "has " + std::to_string(bytes.size()) + " bytes, and as a binary file with " + std::to_string(count) +
+          " triangles (byte 80) it would have " + std::to_string(kFirstTriangle + kTriangleBytes * count);
+  }
+  throw InputError({file, 0}, why);
+}
+
+Mesh3 parse_binary(std::string_view bytes, const std::string& file) {
+  Mesh3 mesh;
+  mesh.file = file;
+  BinaryValues values(bytes, std::endian::little, kFirstTriangle);
+  mesh.faces.reserve(triangles_of(bytes));  // they are there
+  while (values.bytes_left() > 0) {
+    MeshFace3 face;
+    face.byte = values.at();
+    values.pass_over(kNormalBytes);
+    for (int corner = 0; corner < 3; ++corner) {
+      Point3 point;
+      for (Rational* coordinate : {&point.x, &point.y, &point.z}) {
+        const std::size_t at = values.at();
+        const float value = values.take<float>();
+        if (!std::isfinite(value))
+          throw InputError({file, 0}, "a coordinate of triangle " + std::to_string(mesh.faces.size()) +
+                                          " is not finite (byte " + std::to_string(at) + ")");
+        *coordinate = Rational(value);
+      }
+      face.polygon.points.push_back(std::move(point));
+    }
+    values.pass_over(2);
+    mesh.faces.push_back(std::move(face));
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Mesh3 parse_stl_3(std::string_view bytes, const std::string& file) {
+  if (!is_binary(bytes) && !is_text(bytes)) refuse(bytes, file);
+  Mesh3 mesh = is_binary(bytes) ? parse_binary(bytes, file) : TextStl3(bytes, file).read();
+  if (mesh.faces.empty()) throw InputError({file, 0}, "has no triangles");
+  return mesh;
+}
+
+}  // namespace hottel

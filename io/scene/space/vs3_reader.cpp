@@ -1,0 +1,206 @@
+#include "io/scene/space/vs3_reader.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include "geometry/name.h"
+#include "io/files/text_file.h"
+#include "io/scene/space/vs3_deck.h"
+#include "kernel/decimal.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+// A text for the number that is its alone.
+std::string exact_text(const Rational& value) {
+  std::string text = short_text(value);
+  return parse_rational(text) == value ? text : to_string(value);
+}
+
+class SceneOfDeck3 {
+ public:
+  explicit SceneOfDeck3(Vs3Deck3 deck) : deck_(std::move(deck)), records_(deck_.records) {}
+
+  Vs3Scene3 make() {
+    scene().file = deck_.file;
+    scene().about = deck_.title;
+    scene().closed = deck_.is_enclosure;
+    name_records();
+    for (std::size_t k = 0; k < records_.size(); ++k) check(k);
+    cut_bases();
+    for (std::size_t k = 0; k < records_.size(); ++k) add(k);
+    if (scene().surfaces.empty())
+      throw InputError({deck_.file, records_.front().line}, "nothing is left of any surface");
+    validate(scene());
+    add_notes();
+    return std::move(result_);
+  }
+
+ private:
+  Scene3& scene() { return result_.scene; }
+
+  std::string text_of(std::size_t k) const {
+    return (records_[k].name.empty() ? "obstruction " : "surface ") + std::to_string(k + 1) +
+           (records_[k].name.empty() ? "" : " " + quoted_name(records_[k].name));
+  }
+
+  [[noreturn]] void refuse(std::size_t k, const std::string& text, const std::string& hint = "") const {
+    throw InputError({deck_.file, records_[k].line}, text_of(k) + " " + text,
+                     hint.empty() ? std::vector<std::string>() : std::vector{hint});
+  }
+
+  void name_records() {
+    std::unordered_map<std::string, std::size_t> uses;
+    for (const Vs3Record3& record : records_) ++uses[record.name];
+    for (std::size_t k = 0; k < records_.size(); ++k) {
+      const std::string& name = records_[k].name;
+      const bool is_alone = !name.empty() && uses[name] == 1;
+      names_.push_back(is_alone ? name : (name.empty() ? "O" : name) + "~" + std::to_string(k + 1));
+    }
+  }
+
+  void check(std::size_t k) const {
+    const Vs3Record3& record = records_[k];
+    if (const auto& [problem, hint] = polygon_problem(record.polygon); !problem.empty()) refuse(k, problem, hint);
+    check_partner(k);
+    check_base(k);
+    if (record.kind == Vs3Kind3::kMask)
+      throw InputError({deck_.file, record.line}, text_of(k) + " is a mask: M records are not read by this version",
+                       {"it looks at its base across no distance, F = 1; a scene has no place between them",
+                        "where nothing is asked of that gap write N: the base loses the area, and there is no row"});
+  }
+
+  void check_partner(std::size_t k) const {
+    const std::size_t partner = records_[k].combined_with;
+    if (partner == 0) return;
+    if (records_[k].kind != Vs3Kind3::kSurface) refuse(k, "is combined with another: only S records are");
+    if (partner > k) refuse(k, "is combined with surface " + std::to_string(partner) + ", which must stand before it");
+    if (records_[partner - 1].kind != Vs3Kind3::kSurface)
+      refuse(k, "is combined with " + text_of(partner - 1) + ", which is no S record");
+    if (records_[partner - 1].combined_with != 0)
+      refuse(k, "is combined with " + text_of(partner - 1) + ", which is combined with another itself",
+             "combine both with surface " + std::to_string(records_[partner - 1].combined_with));
+  }
+
+  void check_base(std::size_t k) const {
+    const Vs3Record3& record = records_[k];
+    const bool faces_it = record.kind == Vs3Kind3::kMask || record.kind == Vs3Kind3::kNull;
+    if (record.base == 0) {
+      if (faces_it) refuse(k, "has no base");
+      return;
+    }
+    if (record.base > records_.size())
+      refuse(k, "has the base " + std::to_string(record.base) + ", which is not there");
+    const std::size_t b = record.base - 1;
+    const Vs3Record3& base = records_[b];
+    const bool is_surface = base.kind == Vs3Kind3::kSurface;
+    if (!is_surface && (faces_it || base.kind != Vs3Kind3::kObstruction))
+      refuse(k, "has the base " + text_of(b) + (faces_it ? ", which is no S record" : ", which is no S or O record"));
+    if (is_surface && b >= k) refuse(k, "has the base " + text_of(b) + ", which must stand before it");
+    if (const auto& [problem, hint] = polygon_problem(base.polygon); !problem.empty()) refuse(b, problem, hint);
+    const Vector3 normal = doubled_area(base.polygon);
+    for (const Point3& point : record.polygon.points) {
+      if (const Rational off = dot(normal, point - base.polygon.points[0]); off != 0)
+        refuse(k,
+               "is not in the plane of its base, " + text_of(b) + ": it lies " +
+                   length_text(off * off / dot(normal, normal)) + " off",
+               "View3D lets 0.00001 of its size pass; here points are where they are said to be");
+      if (!contains(base.polygon, point)) refuse(k, "is not within its base, " + text_of(b));
+    }
+    if ((dot(normal, doubled_area(record.polygon)) > 0) == faces_it)
+      refuse(k, faces_it ? "faces the same way as its base, " + text_of(b) + "; N and M face it"
+                         : "faces the other way than its base, " + text_of(b));
+  }
+
+  void cut_bases() {
+    for (std::size_t k = 0; k < records_.size(); ++k) outlines_.push_back(records_[k].polygon);
+    for (const Vs3Record3& record : records_)
+      if (record.base != 0) outlines_[record.base - 1].holes.push_back(record.polygon.points);
+  }
+
+  // Whether the holes cover it. Holes that overlap are refused: their surfaces do.
+  bool is_covered(std::size_t k) const {
+    const Vector3 normal = doubled_area(records_[k].polygon);
+    Rational left = dot(normal, normal);
+    for (const std::vector<Point3>& hole : outlines_[k].holes) {
+      const Polygon3 part{hole};
+      left -= abs(dot(normal, doubled_area(part)));
+    }
+    return left <= 0;
+  }
+
+  void add(std::size_t k) {
+    if (is_covered(k)) {
+      covered_.push_back(names_[k]);
+      return;
+    }
+    const Vs3Record3& record = records_[k];
+    if (const auto& [problem, hint] = polygon_problem(outlines_[k]); !problem.empty()) refuse(k, problem, hint);
+    Surface surface;
+    surface.name = names_[k];
+    surface.line = record.line;
+    surface.is_obstruction = record.kind != Vs3Kind3::kSurface;
+    if (!surface.is_obstruction) surface.material = material_of(record.emittance);
+    const std::size_t leader = record.combined_with == 0 ? k : record.combined_with - 1;
+    const auto [group, is_new] = groups_.emplace(leader, static_cast<std::uint32_t>(scene().groups.size()));
+    if (is_new) scene().groups.emplace_back(names_[leader]);
+    surface.group = group->second;
+    if (records_[leader].emittance != record.emittance) mixes_emittances_ = true;
+    scene().add(std::move(surface), std::move(outlines_[k]));
+  }
+
+  std::uint32_t material_of(const Rational& emittance) {
+    const auto [entry, is_new] = materials_.emplace(emittance, static_cast<std::uint32_t>(scene().materials.size()));
+    if (is_new)
+      scene().materials.push_back(
+          {"emittance " + exact_text(emittance), Spectrum::scalar(1 - emittance), Spectrum::scalar(0)});
+    return entry->second;
+  }
+
+  void add_notes() {
+    const auto note = [this](std::string text) { result_.notes.push_back(std::move(text)); };
+    if (!deck_.not_obeyed.empty()) {
+      std::string names;
+      for (const std::string& name : deck_.not_obeyed) names += (names.empty() ? "" : ", ") + name;
+      note(names + ": read, not obeyed (docs/coming_from_view3d.md says what takes their place)");
+    }
+    if (deck_.wants_script_f) note("emit=1: script-F is not computed in space by this version, view factors are");
+    if (deck_.is_enclosure) note("encl=1 promises that the scene is closed; rows are not rescaled");
+    if (!materials_.empty() &&
+        (materials_.begin()->first < Rational(1, 1000) || materials_.rbegin()->first > Rational(999, 1000)))
+      note("emittances are as written; View3D takes 0.001 for those below it and 0.999 for those above");
+    if (deck_.has_inexact_angles)
+      note("azimuths and tilts that are no multiples of 90 degrees have rational sines, less than 3e-16 radians away");
+    if (!covered_.empty()) note("subsurfaces cover " + listed_names(covered_) + " wholly: of these there is no row");
+    if (mixes_emittances_)
+      note("surfaces of different emittances are combined; a row of theirs is told with the emittance of the last");
+  }
+
+  const Vs3Deck3 deck_;
+  const std::vector<Vs3Record3>& records_;
+  Vs3Scene3 result_;
+  std::vector<std::string> names_, covered_;
+  std::vector<Polygon3> outlines_;                         // with what subsurfaces cut out
+  std::unordered_map<std::size_t, std::uint32_t> groups_;  // by the record that gives the name
+  std::map<Rational, std::uint32_t> materials_;            // by emittance
+  bool mixes_emittances_ = false;
+};
+
+}  // namespace
+
+bool is_vs3(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  return ending.size() == 4 && std::equal(ending.begin(), ending.end(), ".vs3", [](char c, char lower) {
+           return c == lower || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == lower);
+         });
+}
+
+Vs3Scene3 read_vs3_3(const std::filesystem::path& file) { return parse_vs3_3(read_text_file(file), file.string()); }
+
+Vs3Scene3 parse_vs3_3(std::string_view text, const std::string& file) {
+  return SceneOfDeck3(parse_vs3_deck_3(text, file)).make();
+}
+
+}  // namespace hottel

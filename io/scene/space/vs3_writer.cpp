@@ -1,0 +1,268 @@
+#include "io/scene/space/vs3_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "geometry/name.h"
+#include "geometry/space/arrangement/arrangement.h"
+#include "io/scene/exact_decimal.h"
+#include "io/scene/space/mesh_pieces.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+// A line of a deck may have 255 characters: View3D reads no more.
+constexpr std::size_t kMostOfNumber = 48, kMostOfTitle = 200;
+
+// Polygons of three or four corners, none of them straight, that together are the polygon.
+std::vector<Polygon3> pieces_of(const Polygon3& polygon) {
+  if (!is_convex(polygon)) return mesh_triangles(polygon);
+  std::vector<Point3> corners;
+  const std::size_t n = polygon.points.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point3 &before = polygon.points[(k + n - 1) % n], &here = polygon.points[k];
+    if (!cross(here - before, polygon.points[(k + 1) % n] - here).is_zero()) corners.push_back(here);
+  }
+  if (corners.size() <= 4) return {Polygon3{corners}};
+  std::vector<Polygon3> pieces;
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k) pieces.push_back({{corners[0], corners[k], corners[k + 1]}});
+  return pieces;
+}
+
+bool have_the_same_corners(const std::vector<Point3>& a, const std::vector<Point3>& b) {
+  return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const Point3& point) {
+           return std::find(b.begin(), b.end(), point) != b.end();
+         });
+}
+
+// Whether a record can say it: a triangle or a convex quadrilateral, its holes aside.
+bool is_one_record(const Polygon3& polygon) {
+  const Polygon3 outline{polygon.points};
+  return is_convex(outline) && polygon.points.size() <= 4 && pieces_of(outline)[0] == outline;
+}
+
+// The later surface that fills each hole of a polygon of the scene and can be a subsurface of it; empty where one of
+// them is not filled so.
+std::vector<std::size_t> fillers_of(const Scene3& scene, std::size_t s) {
+  const Polygon3& polygon = scene.polygons[s];
+  if (!is_one_record(polygon)) return {};
+  std::vector<std::size_t> fillers;
+  for (const std::vector<Point3>& hole : polygon.holes) {
+    const auto fills = [&](std::size_t t) {
+      const Polygon3& other = scene.polygons[t];
+      return have_the_same_corners(hole, other.points) && is_one_record(other) &&
+             (scene.surfaces[t].is_obstruction ? other.holes.empty()
+                                               : dot(doubled_area(polygon), doubled_area(Polygon3{other.points})) > 0);
+    };
+    std::size_t t = s + 1;
+    while (t < scene.polygons.size() && !fills(t)) ++t;
+    if (t == scene.polygons.size()) return {};
+    fillers.push_back(t);
+  }
+  return fillers;
+}
+
+// The surfaces with a face that has a material and not all of its polygon: what others have or what looks into solids.
+std::vector<std::string> surfaces_that_lose(const Scene3& scene) {
+  const Arrangement3 arrangement(scene);
+  if (arrangement.is_plain()) return {};
+  const auto loses = [&](std::uint32_t s, bool is_back) {
+    const Vector3 normal = doubled_area(scene.polygons[s]);
+    Rational rest = dot(normal, normal);
+    for (const PieceSide3& side : arrangement.sides({s, is_back})) {
+      const Piece3& piece = arrangement.pieces()[side.piece];
+      if (piece.side(side.is_back).cover != Piece3::Cover::kFree) return true;
+      rest -= abs(dot(normal, doubled_area(piece.polygon)));
+    }
+    return rest != 0;
+  };
+  std::vector<std::string> names;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    for (const bool is_back : {false, true})
+      if (scene.surfaces[s].material_of(is_back) && loses(s, is_back) &&
+          (names.empty() || names.back() != scene.surfaces[s].name))
+        names.push_back(scene.surfaces[s].name);
+  return names;
+}
+
+// Fit for a word of a deck.
+std::string word_of(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ' ' || c == ',' || c == '!'; }, '_');
+  if (name.starts_with('*')) name.front() = '_';
+  return name;
+}
+
+std::string title_of(const std::string& about) {
+  std::string title = about.substr(0, about.find_first_of("\r\n"));
+  std::replace(title.begin(), title.end(), '\t', ' ');
+  if (title.size() <= kMostOfTitle) return title;
+  std::size_t end = kMostOfTitle;
+  while (end > 0 && (static_cast<unsigned char>(title[end]) & 0xC0) == 0x80) --end;
+  return title.substr(0, end);
+}
+
+class DeckWriter3 {
+ public:
+  DeckWriter3(const Scene3& scene, bool combines_groups)
+      : scene_(scene),
+        combines_groups_(combines_groups),
+        leaders_(2 * scene.groups.size()),
+        base_of_(scene.surfaces.size()) {}
+
+  WrittenVs3Deck3 write() {
+    for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
+      if (scene_.surfaces[s].is_obstruction) {
+        if (base_of_[s] != 0) add_null(s);
+        continue;
+      }
+      add_face(s, false);
+      if (scene_.surfaces[s].back) add_face(s, true);
+    }
+    for (std::size_t s = 0; s < scene_.surfaces.size(); ++s)
+      if (scene_.surfaces[s].is_obstruction && base_of_[s] == 0) add_obstruction(s);
+    WrittenVs3Deck3 deck;
+    if (const std::string title = title_of(scene_.about); !title.empty()) deck.text = "T " + title + "\n";
+    deck.text += fmt::format("C encl={}\nF 3\n!  #   x y z\n", scene_.closed ? 1 : 0);
+    deck.text += vertices_ + "!  #   v1 v2 v3 v4   base cmb   emit   name\n" + records_ + "End\n";
+    add_notes(deck.notes);
+    return deck;
+  }
+
+ private:
+  void add_face(std::size_t s, bool is_back) {
+    const Surface& surface = scene_.surfaces[s];
+    const bool leads = combines_groups_ && !leaders_[2 * surface.group + is_back];
+    const std::string& own = leads ? scene_.groups[surface.group].name : surface.name;
+    const std::string name = word_of(own);
+    changed_names_ += name != own;
+    const std::string emittance = emittance_of(s, is_back);
+    const std::vector<std::size_t> fillers = is_back ? std::vector<std::size_t>() : fillers_of(scene_, s);
+    for (const std::size_t t : fillers) {
+      base_of_[t] = count_ + 1;
+      if (scene_.surfaces[t].is_obstruction) normal_of_base_[t] = doubled_area(scene_.polygons[s]);
+    }
+    const std::vector<Polygon3> pieces =
+        fillers.empty() ? pieces_of(scene_.polygons[s]) : std::vector{Polygon3{scene_.polygons[s].points}};
+    if (pieces.size() > 1) cut_.push_back(surface.name);
+    const std::size_t base = is_back ? 0 : base_of_[s];
+    std::size_t leader = combines_groups_ ? leaders_[2 * surface.group + is_back].value_or(0) : 0;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      records_ += fmt::format("S {} {}   {} {}   {}   {}{}{}\n", ++count_, vertices_of(pieces[k], is_back), base,
+                              leader, emittance, name, is_back ? "-back" : "", k == 0 ? "" : fmt::format(".{}", k + 1));
+      if (leader == 0) leader = count_;
+    }
+    leaders_[2 * surface.group + is_back] = leader;
+    backs_ += is_back;
+  }
+
+  // Its vertices run so that it faces its base.
+  void add_null(std::size_t s) {
+    const Polygon3& polygon = scene_.polygons[s];
+    const std::string name = word_of(scene_.surfaces[s].name);
+    changed_names_ += name != scene_.surfaces[s].name;
+    const bool faces_it = dot(doubled_area(polygon), normal_of_base_.at(s)) < 0;
+    records_ +=
+        fmt::format("N {} {}   {} 0   0.5   {}\n", count_ + 1, vertices_of(polygon, !faces_it), base_of_[s], name);
+    ++count_;
+  }
+
+  void add_obstruction(std::size_t s) {
+    const std::vector<Polygon3> pieces = pieces_of(scene_.polygons[s]);
+    if (pieces.size() > 1) cut_.push_back(scene_.surfaces[s].name);
+    for (const Polygon3& piece : pieces) records_ += fmt::format("O {} {}\n", ++count_, vertices_of(piece, false));
+  }
+
+  // The numbers of its corners, and 0 for the fourth of a triangle.
+  std::string vertices_of(const Polygon3& piece, bool is_back) {
+    std::vector<Point3> points = piece.points;
+    if (is_back) std::reverse(points.begin() + 1, points.end());
+    std::string text;
+    for (const Point3& point : points) text += fmt::format(" {}", vertex(point));
+    return points.size() == 3 ? text + " 0" : text;
+  }
+
+  std::size_t vertex(const Point3& point) {
+    const std::string text = fmt::format("{} {} {}", coordinate(point.x), coordinate(point.y), coordinate(point.z));
+    const auto [entry, is_new] = numbers_.emplace(text, numbers_.size() + 1);
+    if (is_new) vertices_ += fmt::format("V {} {}\n", entry->second, text);
+    return entry->second;
+  }
+
+  std::string coordinate(const Rational& value) {
+    if (auto text = exact_decimal_text(value); text && text->size() <= kMostOfNumber) return *std::move(text);
+    rounded_.insert(value);
+    const double nearest = to_double(value);
+    if (!std::isfinite(nearest))
+      throw RequestError("a coordinate is beyond the range of doubles, in which View3D computes");
+    return shortest(nearest);
+  }
+
+  std::string emittance_of(std::size_t s, bool is_back) {
+    const Material& material = scene_.materials[*scene_.surfaces[s].material_of(is_back)];
+    const auto& value = material.reflectivity.value;
+    has_colours_ |= value[1] != value[0] || value[2] != value[0];
+    emits_ |= !material.emission.is_zero();
+    const Rational emittance = 1 - (value[0] + value[1] + value[2]) / 3;
+    is_clamped_ |= emittance < Rational(1, 1000) || emittance > Rational(999, 1000);
+    if (auto text = exact_decimal_text(emittance); text && text->size() <= kMostOfNumber) return *std::move(text);
+    has_rounded_emittance_ = true;
+    return shortest(to_double(emittance));
+  }
+
+  void add_notes(std::vector<std::string>& notes) const {
+    const auto note_if = [&](bool condition, std::string text) {
+      if (condition) notes.push_back(std::move(text));
+    };
+    const auto& surfaces = scene_.surfaces;
+    note_if(!cut_.empty(), listed_names(cut_) +
+                               ": cut into pieces of three or four corners, which cmb combines again (not those of "
+                               "obstructions)");
+    const std::vector<std::string> losers = surfaces_that_lose(scene_);
+    note_if(!losers.empty(), listed_names(losers) +
+                                 ": whole in the deck, though parts are covered or belong to others; View3D does not "
+                                 "settle that");
+    note_if(!rounded_.empty(),
+            fmt::format("{} coordinates are no short decimals: rounded to the nearest doubles", rounded_.size()));
+    note_if(has_rounded_emittance_, "emittances that are no short decimals are rounded to the nearest doubles");
+    note_if(has_colours_, "materials that are not gray have the mean of their channels");
+    note_if(is_clamped_, "View3D takes 0.001 for emittances below it, and 0.999 for those above");
+    note_if(backs_ > 0, fmt::format("{} backs with a material are surfaces NAME-back", backs_));
+    note_if(
+        std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& s) { return !s.back && !s.is_obstruction; }),
+        "black backs are not in the deck: View3D's surfaces have one side");
+    note_if(emits_ || !scene_.sky_emission.is_zero(), "a deck does not say what surfaces and the sky emit");
+    note_if(std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& s) { return s.elements > 1; }),
+            "surfaces are whole in the deck, not divided into elements");
+    const std::vector<std::size_t> sizes = group_sizes(scene_);
+    note_if(!combines_groups_ && std::any_of(sizes.begin(), sizes.end(), [](std::size_t n) { return n > 1; }),
+            "groups are not combined: --per group does that");
+    note_if(changed_names_ > 0, fmt::format("{} names have '_' where View3D would take them to end", changed_names_));
+  }
+
+  const Scene3& scene_;
+  const bool combines_groups_;
+  std::string vertices_, records_;
+  std::size_t count_ = 0, backs_ = 0, changed_names_ = 0;
+  std::vector<std::optional<std::size_t>> leaders_;  // of the fronts and the backs of each group
+  std::vector<std::size_t> base_of_;                 // the record that is the base of a surface, 0 without one
+  std::map<std::size_t, Vector3> normal_of_base_;    // of obstructions
+  std::map<std::string, std::size_t> numbers_;       // of vertices, by what is written of them
+  std::vector<std::string> cut_;
+  std::set<Rational> rounded_;
+  bool has_colours_ = false, emits_ = false, is_clamped_ = false, has_rounded_emittance_ = false;
+};
+
+}  // namespace
+
+WrittenVs3Deck3 write_vs3_3(const Scene3& scene, bool combines_groups) {
+  return DeckWriter3(scene, combines_groups).write();
+}
+
+}  // namespace hottel
