@@ -1,6 +1,7 @@
 // hottel check: what is worth telling about a scene before light is computed, and a repaired scene.
 #include <optional>
 
+#include "cli/check_in_space.h"
 #include "cli/command.h"
 #include "cli/scene_input.h"
 #include "io/results/plane/check_report.h"
@@ -59,13 +60,20 @@ ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const
   return exit_code(*after);
 }
 
-ExitCode check(const CheckCommandOptions& options, Streams& streams) {
-  const Rational distance = distance_of(options);
-  const Scene2 scene = read_scene_2(options.scene);
+ExitCode check_in_plane(const CheckCommandOptions& options, const Rational& distance, const Scene2& scene,
+                        Streams& streams) {
   if (!options.fix.empty()) return fix(options, distance, scene, streams);
   const auto check = look_at(scene, streams);
   streams.write("", options.json ? check_json(scene, check->findings) : check_text(scene, check->findings));
   return exit_code(*check);
+}
+
+ExitCode check(const CheckCommandOptions& options, Streams& streams) {
+  const Rational distance = distance_of(options);
+  const Scene scene = read_scene_noting(options.scene, streams);
+  if (const auto* in_space = std::get_if<Scene3>(&scene))
+    return check_in_space(*in_space, options.fix, distance, options.json, streams);
+  return check_in_plane(options, distance, std::get<Scene2>(scene), streams);
 }
 
 }  // namespace
@@ -75,16 +83,18 @@ void add_check(Commands& commands) {
   CLI::App& command = commands.add(
       "check", "Find what is wrong with a scene, probably not meant, or worth knowing",
       {"hottel check scenes/showcase/apartment.json", "hottel check scenes/analytic/triangle_345.json --json",
-       "hottel check scenes/showcase/maze.json --fix /tmp/maze.json --within 1e-6"},
+       "hottel check scenes/showcase/maze.json --fix /tmp/maze.json --within 1e-6",
+       "hottel check scenes/space/room_six_digits.json --fix /tmp/room.json --within 1e-5"},
       [options](Streams& streams) { return check(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_flag("--json", options->json, "as one JSON object");
   command
-      .add_option(
-          "--fix", options->fix,
-          "write a repaired scene: rooms inside out reversed, \"behind\": \"solid\" said where that is certain, "
-          "with --within also near misses closed and repetitions dropped; then the repairs, the change in every "
-          "affected view factor and what is found in the repaired scene are shown")
+      .add_option("--fix", options->fix,
+                  "write a repaired scene: rooms inside out and polygons upside down reversed, \"behind\": \"solid\" "
+                  "said where "
+                  "that is certain, with --within also near misses closed and repetitions dropped; then the repairs, "
+                  "the change in every "
+                  "affected view factor and what is found in the repaired scene are shown")
       ->type_name("OUT");
   command
       .add_option("--within", options->within,

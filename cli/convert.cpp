@@ -1,13 +1,16 @@
-// hottel convert: rewrite a scene, or read one from a drawing or a mesh.
+// hottel convert: rewrite a scene, read one from a drawing or a mesh, or write it as a mesh.
 #include <fmt/format.h>
 
 #include <filesystem>
 
 #include "cli/command.h"
+#include "cli/deck_output.h"
+#include "cli/mesh_output.h"
 #include "cli/scene_input.h"
 #include "io/scene/plane/svg_reader.h"
 #include "io/scene/scene_json.h"
-#include "io/scene/space/obj_reader.h"
+#include "io/scene/space/mesh_reader.h"
+#include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 
@@ -15,7 +18,7 @@ namespace hottel {
 namespace {
 
 struct ConvertOptions {
-  std::string in, out;
+  std::string in, out, per;
 };
 
 // What a drawing or a mesh does not say, and where the user can say it.
@@ -35,16 +38,24 @@ void convert_drawing(const ConvertOptions& options, Streams& streams) {
       fmt::format("{} edges; {}", scene.surfaces.size(), reflectivities(materials, kSvgReflectivity, "a drawing")));
 }
 
+void write_as_mesh(const ConvertOptions& options, MeshFormat3 format, const Scene3& scene, Streams& streams) {
+  naming_file(options.in, [&] { write_mesh(options.out, format, scene, streams); });
+}
+
 void convert_mesh(const ConvertOptions& options, Streams& streams) {
-  const ObjScene3 mesh = read_obj_3(options.in);
+  const MeshScene3 mesh = read_mesh_scene_3(options.in);
+  if (const auto format = mesh_format_3(options.out)) return write_as_mesh(options, *format, mesh.scene, streams);
   streams.write(options.out, naming_file(options.in, [&] { return write_scene_3(mesh.scene); }));
   if (!mesh.invented.empty())
     streams.note(fmt::format("{} polygons; {}", mesh.scene.surfaces.size(),
-                             reflectivities(mesh.invented, kObjReflectivity, "the mesh")));
+                             reflectivities(mesh.invented, kMeshReflectivity, "the mesh")));
 }
 
 void convert_scene(const ConvertOptions& options, Streams& streams) {
-  const Scene scene = read_scene(options.in);
+  const auto format = mesh_format_3(options.out);
+  if (format && !is_vs3(options.in)) return write_as_mesh(options, *format, read_scene_3(options.in), streams);
+  const Scene scene = read_scene_noting(options.in, streams);
+  if (format) return write_as_mesh(options, *format, std::get<Scene3>(scene), streams);
   streams.write(options.out, naming_file(options.in, [&] {
                   const auto* plane = std::get_if<Scene2>(&scene);
                   return plane ? write_scene_2(*plane) : write_scene_3(std::get<Scene3>(scene));
@@ -52,16 +63,26 @@ void convert_scene(const ConvertOptions& options, Streams& streams) {
 }
 
 ExitCode convert(const ConvertOptions& options, Streams& streams) {
-  require_scene_ending("convert", options.out);
   const std::filesystem::path ending = std::filesystem::path(options.in).extension();
-  if (ending == ".svg")
+  const bool makes_mesh = mesh_format_3(options.out).has_value(), makes_deck = is_vs3(options.out);
+  if (!options.per.empty() && !makes_deck) throw UsageError("--per says what a deck (.vs3) combines, and nothing else");
+  if (!makes_mesh && !makes_deck && options.out != "-" && std::filesystem::path(options.out).extension() != ".json")
+    throw UsageError(std::string("convert writes a scene (.json, or - for standard output), a mesh (") + kMeshEndings3 +
+                     ") or a deck of View3D (.vs3), not '" + options.out + "'");
+  if (ending == ".svg") {
+    if (makes_mesh || makes_deck)
+      throw UsageError("a drawing is in the plane and becomes a scene (.json), not a mesh or a deck");
     convert_drawing(options, streams);
-  else if (ending == ".obj")
+  } else if (makes_deck && (mesh_format_3(options.in) || is_vs3(options.in) || ending == ".json")) {
+    write_deck(options.in, options.out, options.per, streams);
+  } else if (mesh_format_3(options.in)) {
     convert_mesh(options, streams);
-  else if (ending == ".json")
+  } else if (ending == ".json" || is_vs3(options.in)) {
     convert_scene(options, streams);
-  else
-    throw UsageError("convert reads a drawing (.svg), a mesh (.obj) or a scene (.json), not '" + options.in + "'");
+  } else {
+    throw UsageError(std::string("convert reads a drawing (.svg), a mesh (") + kMeshEndings3 +
+                     "), a deck of View3D (.vs3) or a scene (.json), not '" + options.in + "'");
+  }
   return ExitCode::kDone;
 }
 
@@ -71,20 +92,35 @@ void add_convert(Commands& commands) {
   const auto options = std::make_shared<ConvertOptions>();
   CLI::App& command = commands.add(
       "convert",
-      "Read a drawing or a mesh as a scene, or rewrite a scene\n\n"
+      "Read a drawing or a mesh as a scene, rewrite a scene, or write it as a mesh\n\n"
       "From an .svg: lines, polylines, polygons, rects and paths of straight pieces, exactly, y pointing up. The "
       "front\n"
       "of a line is its right side as drawn (a rect is a room); data-front=\"left\" turns it round. Names are ids,\n"
       "materials classes or data-material, data-back is the material of the back. Curves, styles that move, resize or\n"
       "hide, other data- keys and whatever else cannot be read exactly are refused, never dropped.\n"
       "From an .obj: its faces as polygons in space, exactly; groups, and the materials of its .mtl files (Kd, Ke).\n"
-      "From a .json, in the plane or in space: the same scene in normal form, numbers shortest, one surface a line.",
+      "From a .ply, .off or .stl, text or binary (.off: text): its faces, exactly; colours and normals are passed "
+      "over.\n"
+      "From a .json, in the plane or in space: the same scene in normal form, numbers shortest, one surface a line.\n"
+      "To an .obj (its materials in an .mtl beside it), .ply, .off or .stl: the polygons of a scene in space, "
+      "decimals\n"
+      "exactly; STL has floats and triangles. What the file does not hold, or not exactly, is told on stderr.\n"
+      "From a .vs3: a deck of View3D. To a .vs3: a deck for it, with pieces of three or four corners.",
       {"hottel convert scenes/drawings/two_rooms.svg /tmp/two_rooms.json",
        "hottel convert scenes/space/room_boxes.obj /tmp/room_boxes.json",
+       "hottel convert scenes/space/two_boxes.json /tmp/two_boxes.ply",
+       "hottel convert scenes/space/partition.vs3 /tmp/partition.json",
+       "hottel convert scenes/space/two_boxes.json /tmp/two_boxes.vs3 --per group",
        "hottel convert scenes/analytic/triangle_345.json -"},
       [options](Streams& streams) { return convert(*options, streams); });
-  command.add_option("IN", options->in, "drawing (.svg), mesh (.obj) or scene (.json)")->required();
-  command.add_option("OUT", options->out, "the scene to write (.json); - is standard output")->required();
+  command.add_option("IN", options->in, "drawing (.svg), mesh (.obj, .ply, .off, .stl), deck (.vs3) or scene (.json)")
+      ->required();
+  command.add_option("OUT", options->out, "the scene (.json; - is standard output), mesh or deck to write")->required();
+  command
+      .add_option("--per", options->per,
+                  "of a deck (.vs3): group combines the surfaces of a group (cmb), as is the default where IN is one; "
+                  "face does not")
+      ->check(CLI::IsMember({"face", "group"}));
 }
 
 }  // namespace hottel

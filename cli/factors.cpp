@@ -3,20 +3,17 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "cli/command.h"
+#include "cli/factors_in_space.h"
+#include "cli/factors_options.h"
 #include "cli/methods.h"
-#include "cli/scene_input.h"
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/scene/division.h"
-#include "io/files/disk_space.h"
 #include "io/foreign/plane/foreign_matrix.h"
-#include "io/results/factor_files.h"
 #include "io/results/factors_report.h"
-#include "io/results/npy.h"
-#include "io/scene/scene_json.h"
+#include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
@@ -27,42 +24,6 @@
 
 namespace hottel {
 namespace {
-
-struct FactorsOptions {
-  std::string scene, out;
-  std::string method = "exact", granularity = "face", pairs = "visible", matrix;
-  std::optional<std::string> tolerance;
-  ElementOptions elements;
-  std::vector<std::string> exact_form;
-  const CLI::Option *exact_form_option = nullptr, *pairs_option = nullptr;
-  bool wants_exact_form = false, json = false, script_f = false;
-  std::string channel;
-  std::string picture, toward;
-  std::uint64_t memory = 0;
-};
-
-enum class Format { kCsv, kMtx, kNpy, kView3dText, kView3dBinary };
-
-Format format_of(const FactorsOptions& options) {
-  const std::string ending = std::filesystem::path(options.out).extension().string();
-  const bool is_csv_only = !options.matrix.empty() || options.wants_exact_form;
-  if (options.out.empty() || options.out == "-" || ending == ".csv") return Format::kCsv;
-  if (!is_csv_only) {
-    if (ending == ".mtx") return Format::kMtx;
-    if (ending == ".npy") return Format::kNpy;
-    if (ending == ".txt") return Format::kView3dText;
-    if (ending == ".bin") return Format::kView3dBinary;
-  }
-  throw UsageError(
-      fmt::format("factors {} {}, not '{}'", options.matrix.empty() ? "are written" : "as a dense matrix are written",
-                  is_csv_only ? "as .csv" : "as .csv, .mtx, .npy, .txt (View3D) or .bin (View3D)", options.out));
-}
-
-Granularity per_of(const std::string& name) {
-  return name == "element" ? Granularity::kElement : name == "group" ? Granularity::kGroup : Granularity::kFace;
-}
-
-bool is_exact(const FactorsOptions& options) { return options.method == "exact"; }
 
 constexpr std::array<const char*, 3> kChannels{"r", "g", "b"};
 
@@ -122,7 +83,7 @@ void take_exact_form(FactorsOptions& options) {
 // What CLI11 does not see.
 void require_sense(const FactorsOptions& options) {
   if (options.scene.empty()) throw UsageError("factors needs a scene");
-  if (!is_exact(options) &&
+  if (!options.is_exact() &&
       (options.script_f || options.wants_exact_form || options.matrix == "visibility" || options.pairs == "facing"))
     throw UsageError("--script-f, --exact-form, --matrix visibility and --pairs facing are of the method exact");
   if (options.tolerance) {
@@ -131,8 +92,8 @@ void require_sense(const FactorsOptions& options) {
       throw UsageError("--tolerance must be a positive number, not '" + *options.tolerance + "'");
   }
   if (options.pairs_option->count() > 0) {
-    const Format format = format_of(options);
-    if (!options.matrix.empty() || (format != Format::kCsv && format != Format::kMtx))
+    const FactorsFormat format = options.format();
+    if (!options.matrix.empty() || (format != FactorsFormat::kCsv && format != FactorsFormat::kMtx))
       throw UsageError("--pairs says which pairs are listed: --matrix, .npy, .txt and .bin hold all");
     if (!options.exact_form.empty()) throw UsageError("--pairs says which pairs are listed: --exact-form A B is one");
   }
@@ -148,70 +109,32 @@ void require_sense(const FactorsOptions& options) {
     throw UsageError("--picture colours whole faces: it is drawn --per face, not --per " + options.granularity);
 }
 
-// What cannot be kept to. (Told once the scene is read: in space it could.)
+// What cannot be kept to in the plane.
 void require_use_of_limits(const FactorsOptions& options) {
-  if (options.memory > 0 && !is_exact(options))
+  if (options.memory > 0 && !options.is_exact())
     throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
-  if (options.tolerance)
-    throw UsageError(
-        "--tolerance is for scenes in space: in the plane every factor is correctly rounded, and those of "
-        "other methods are as good as the method");
+  for (const auto& [name, is_given] :
+       {std::pair{"--tolerance", options.tolerance.has_value()}, {"--guarantee", options.guarantee.has_value()}})
+    if (is_given)
+      throw UsageError(std::string(name) +
+                       " is for scenes in space: in the plane every factor is correctly rounded, and those of other "
+                       "methods are as good as the method");
 }
 
-// Writes the factors to `out`, and for .mtx and .npy what their rows are to `rows`.
-void write_factors(const FactorsOptions& options, const PreparedScene2& prepared, const FactorTable& table,
-                   Format format, OutputFile& out, std::optional<OutputFile>& rows) {
-  const Sink sink = [&out](std::string_view text) { out.write(text); };
-  if (options.wants_exact_form) {
-    std::optional<ElementPair> only;
-    if (!options.exact_form.empty())
-      only = {require_element(table.matrix, options.exact_form[0]),
-              require_element(table.matrix, options.exact_form[1])};
-    const std::vector<ElementPair> pairs = exact_form_pairs(table, only);
-    write_exact_forms_csv(table, only, pairs, exact_exchange_measures(prepared, table.granularity, pairs),
-                          exact_areas(prepared, table.granularity), sink);
-  } else if (!options.matrix.empty()) {
-    write_dense_csv(table,
-                    options.matrix == "factor"     ? DenseQuantity::kFactor
-                    : options.matrix == "exchange" ? DenseQuantity::kExchange
-                                                   : DenseQuantity::kVisibility,
-                    sink);
-  } else if (format == Format::kCsv) {
-    write_factors_csv(table, sink);
-  } else if (format == Format::kMtx) {
-    write_factors_mtx(table, sink);
-    write_faces_csv(table, element_ends(prepared.scene, table.matrix.elements()),
-                    [&rows](std::string_view text) { rows->write(text); });
-  } else if (format == Format::kNpy) {
-    write_factors_npy(table, sink);
-    rows->write(factors_sidecar(table));
-  } else if (format == Format::kView3dText) {
-    write_factors_view3d_text(table, sink);
-  } else {
-    write_factors_view3d_binary(table, sink);
-  }
-}
-
-// Throws RequestError where a dense file of the scene would not fit on its disk.
-void require_room_for(const FactorsOptions& options, const Scene2& scene, Format format) {
-  std::optional<DenseFormat> dense;
-  if (!options.matrix.empty()) dense = DenseFormat::kCsv;
-  if (format == Format::kNpy) dense = DenseFormat::kNpy;
-  if (format == Format::kView3dText) dense = DenseFormat::kView3dText;
-  if (format == Format::kView3dBinary) dense = DenseFormat::kView3dBinary;
-  if (!dense || (options.json && options.out.empty())) return;
-  const DenseSize size = dense_size(scene, per_of(options.granularity), *dense);
-  const bool is_text = *dense == DenseFormat::kCsv || *dense == DenseFormat::kView3dText;
-  require_space(options.out.empty() ? "-" : options.out, size.bytes,
-                fmt::format("{}: a dense matrix of {} x {} numbers takes {}", options.scene, size.rows, size.rows,
-                            is_text ? "at least" : "exactly"),
-                "; lists of the pairs that see each other, -o FILE.csv or FILE.mtx without --matrix, are smaller");
+void write_closed_forms(const FactorsOptions& options, const PreparedScene2& prepared, const FactorTable& table,
+                        OutputFile& out) {
+  std::optional<ElementPair> only;
+  if (!options.exact_form.empty())
+    only = {require_element(table.matrix, options.exact_form[0]), require_element(table.matrix, options.exact_form[1])};
+  const std::vector<ElementPair> pairs = exact_form_pairs(table, only);
+  write_exact_forms_csv(table, only, pairs, exact_exchange_measures(prepared, table.granularity, pairs),
+                        exact_areas(prepared, table.granularity), [&out](std::string_view text) { out.write(text); });
 }
 
 SimulationRequest2 request_of(const FactorsOptions& options) {
   return {.method = all_methods_2().make(options.method),
-          .granularity = per_of(options.granularity),
-          .wants_visibility = is_exact(options) && (options.matrix.empty() || options.matrix == "visibility"),
+          .granularity = options.per(),
+          .wants_visibility = options.is_exact() && (options.matrix.empty() || options.matrix == "visibility"),
           .wants_measures = options.matrix == "exchange",
           .memory = options.memory};
 }
@@ -225,47 +148,18 @@ Factors factors_of(const FactorsOptions& options, const Simulation2& simulation,
   return factors;
 }
 
-// The files of a run, opened before the work: a path that cannot be written is found at once.
-struct Outputs {
-  std::optional<OutputFile> out, rows, drawing;
-
-  Outputs(const FactorsOptions& options, Format format, const Streams& streams) {
-    if (!options.json || !options.out.empty()) out.emplace(streams.output(options.out));
-    if (format == Format::kMtx) rows.emplace(options.out + ".faces.csv");
-    if (format == Format::kNpy) rows.emplace(options.out + ".json");
-    if (!options.picture.empty()) drawing.emplace(options.picture);
-  }
-  // All files are whole before the first one takes its name.
-  void finish() {
-    for (std::optional<OutputFile>* file : {&out, &rows, &drawing})
-      if (*file) (*file)->finish();
-  }
-  void commit() {
-    for (std::optional<OutputFile>* file : {&rows, &drawing, &out})
-      if (*file) (*file)->commit();
-  }
-};
-
-ExitCode factors(FactorsOptions options, Streams& streams) {
-  take_exact_form(options);
-  require_sense(options);
-  SimulationRequest2 request = request_of(options);
-  const Format format = format_of(options);
+void factors_in_plane(const FactorsOptions& options, Scene2 scene, SimulationRequest2 request, Streams& streams) {
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
-  if (!options.picture.empty() && !picture)
-    throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
-
-  Scene2 scene = read_scene_2(options.scene);
   require_use_of_limits(options);
   options.elements.apply_to(scene);
-  require_room_for(options, scene, format);
+  require_room_for(options, [&](DenseFormat format) { return dense_size(scene, options.per(), format); });
   const PictureTargets2 targets = picture ? picture_targets(scene, options.toward) : PictureTargets2{};
   if (options.elements.is_given() && options.granularity != "element" && !request.method->works_by_elements())
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");
   const Simulation2 simulation(std::move(scene), std::move(request));
 
-  Outputs outputs(options, format, streams);
+  FactorsFiles files(options, streams);
   const Factors factors = factors_of(options, simulation, streams);
   const PreparedScene2& prepared = *factors.prepared;
   FactorTable table{prepared.scene, factors.written(), factors.report.granularity, {}, {}};
@@ -273,14 +167,41 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   if (options.pairs == "facing" || options.matrix == "visibility")
     table.hidden = hidden_pairs(prepared, table.granularity, factors.matrix());
   if (picture)
-    outputs.drawing->write(
+    files.drawing->write(
         factor_picture_2(prepared, table.matrix, targets, factors.gray ? "script-F" : "view factor", *picture));
-  if (outputs.out)
-    naming_file(options.scene, [&] { write_factors(options, prepared, table, format, *outputs.out, outputs.rows); });
-  outputs.finish();
+  if (files.out)
+    naming_file(options.scene, [&] {
+      if (options.wants_exact_form) return write_closed_forms(options, prepared, table, *files.out);
+      write_table(options, table, files, [&](const Sink& sink) {
+        write_faces_csv(table, element_ends(prepared.scene, table.matrix.elements()), sink);
+      });
+    });
+  files.finish();
   if (options.json) streams.write("", factors_json(factors.report));
-  outputs.commit();
+  files.commit();
   streams.note(factors_text(factors.report));
+}
+
+// What View3D combines is one row of its output.
+bool combines(const Scene3& scene) {
+  const std::vector<std::size_t> sizes = group_sizes(scene);
+  return std::any_of(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 1; });
+}
+
+ExitCode factors(FactorsOptions options, Streams& streams) {
+  take_exact_form(options);
+  require_sense(options);
+  SimulationRequest2 request = request_of(options);
+  options.format();
+  if (!options.picture.empty() && !picture_format(options.picture))
+    throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
+  Scene scene = read_scene_noting(options.scene, streams);
+  if (is_vs3(options.scene) && options.per_option->count() == 0 && combines(std::get<Scene3>(scene)))
+    options.granularity = "group";
+  if (auto* const in_space = std::get_if<Scene3>(&scene))
+    factors_in_space(options, std::move(*in_space), streams);
+  else
+    factors_in_plane(options, std::get<Scene2>(std::move(scene)), std::move(request), streams);
   return ExitCode::kDone;
 }
 
@@ -309,17 +230,20 @@ void add_quantity_options(CLI::App& command, FactorsOptions& options) {
 
 void add_factors(Commands& commands) {
   const auto options = std::make_shared<FactorsOptions>();
-  CLI::App& command =
-      commands.add("factors", "View factors of all pairs of faces, each correctly rounded",
-                   {"hottel factors scenes/analytic/triangle_345.json",
-                    "hottel factors scenes/showcase/apartment.json -o /tmp/factors.mtx",
-                    "hottel factors scenes/analytic/triangle_345.json --exact-form",
-                    "hottel factors scenes/analytic/triangle_345.json --per element --elements 2 --matrix visibility",
-                    "hottel factors scenes/analytic/square_radiosity.json --script-f",
-                    "hottel factors scenes/analytic/strip_obstructed.json --method gauss:4 --elements 8",
-                    "hottel factors scenes/showcase/apartment.json --quiet -o /tmp/factors.csv --picture "
-                    "/tmp/windows.png --toward 'window*'"},
-                   [options](Streams& streams) { return factors(*options, streams); });
+  CLI::App& command = commands.add(
+      "factors", "View factors of all pairs of faces, each correctly rounded; in space, with proven bounds",
+      {"hottel factors scenes/analytic/triangle_345.json",
+       "hottel factors scenes/showcase/apartment.json -o /tmp/factors.mtx",
+       "hottel factors scenes/analytic/triangle_345.json --exact-form",
+       "hottel factors scenes/analytic/triangle_345.json --per element --elements 2 --matrix visibility",
+       "hottel factors scenes/analytic/square_radiosity.json --script-f",
+       "hottel factors scenes/analytic/strip_obstructed.json --method gauss:4 --elements 8",
+       "hottel factors scenes/space/two_boxes.json",
+       "hottel factors scenes/space/cube.json --per element --elements 3 --tolerance 1e-12 -o "
+       "/tmp/cube.mtx",
+       "hottel factors scenes/showcase/apartment.json --quiet -o /tmp/factors.csv --picture "
+       "/tmp/windows.png --toward 'window*'"},
+      [options](Streams& streams) { return factors(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file");
   command
       .add_option("-o", options->out,
@@ -331,13 +255,20 @@ void add_factors(Commands& commands) {
       ->type_name("METHOD")
       ->capture_default_str();
   command
-      .add_option(
-          "--tolerance", options->tolerance,
-          "for scenes in space, which this version does not read: refused in the plane, where factors are exact")
+      .add_option("--tolerance", options->tolerance,
+                  "in space: what A F may be off, relative to the smaller area (default 1e-9); refused in the plane, "
+                  "where factors are exact")
       ->type_name("T");
-  command.add_option("--per", options->granularity, "one row per face, element or group (polyline)")
-      ->check(CLI::IsMember({"face", "element", "group"}))
-      ->capture_default_str();
+  command
+      .add_option("--guarantee", options->guarantee,
+                  "in space: estimated (default), or enclosed: a pair without proven bounds within T is refused")
+      ->check(CLI::IsMember({"enclosed", "estimated"}));
+  options->per_option = command
+                            .add_option("--per", options->granularity,
+                                        "one row per face, element or group (polyline, mesh); group is the default of "
+                                        "a .vs3 deck that combines (cmb)")
+                            ->check(CLI::IsMember({"face", "element", "group"}))
+                            ->capture_default_str();
   options->pairs_option =
       command
           .add_option("--pairs", options->pairs, "visible: S > 0; facing: also pairs that something hides completely")

@@ -1,9 +1,13 @@
 // hottel plan: what solve would simulate of a scene, and what not.
+#include <utility>
+
 #include "cli/command.h"
 #include "cli/scene_input.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
 #include "solver/plane/simulation/simulation.h"
+#include "solver/space/simulation/simulation.h"
 
 namespace hottel {
 namespace {
@@ -14,11 +18,22 @@ struct PlanOptions {
   bool json = false;
 };
 
-ExitCode plan(const PlanOptions& options, Streams& streams) {
-  Scene2 scene = read_scene_2(options.scene);
+std::shared_ptr<const Plan> plan_of(const PlanOptions& options, Scene2 scene) {
   options.elements.apply_to(scene);
   const Grid2 grid = grid_of(scene, options.grid);
-  const auto plan = Simulation2(std::move(scene), {.grid = grid}).plan();
+  return Simulation2(std::move(scene), {.grid = grid}).plan();
+}
+
+std::shared_ptr<const Plan> plan_of(const PlanOptions& options, Scene3 scene) {
+  if (!options.grid.empty())
+    throw UsageError("--grid is of scenes in the plane; light in space is not simulated by this version");
+  options.elements.apply_to(scene);
+  return Simulation3(std::move(scene)).plan();
+}
+
+ExitCode plan(const PlanOptions& options, Streams& streams) {
+  const auto plan = std::visit([&](auto&& scene) { return plan_of(options, std::move(scene)); },
+                               read_scene_noting(options.scene, streams));
   streams.write("", options.json ? plan_json(options.scene, *plan) : plan_text(*plan));
   return ExitCode::kDone;
 }
@@ -29,11 +44,13 @@ void add_plan(Commands& commands) {
   const auto options = std::make_shared<PlanOptions>();
   CLI::App& command = commands.add(
       "plan", "What solve would simulate, what not, why, and what it costs",
-      {"hottel plan scenes/showcase/apartment.json", "hottel plan scenes/analytic/square_radiosity.json --json"},
+      {"hottel plan scenes/showcase/apartment.json", "hottel plan scenes/analytic/square_radiosity.json --json",
+       "hottel plan scenes/space/two_boxes.json --elements 4"},
       [options](Streams& streams) { return plan(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   options->elements.add_to(command);
-  command.add_option("--grid", options->grid, "cells of the illumination, as solve would be asked for them")
+  command
+      .add_option("--grid", options->grid, "cells of the illumination, as solve would be asked for them; of the plane")
       ->type_name("NXxNY");
   command.add_flag("--json", options->json, "as one JSON object");
 }

@@ -4,35 +4,68 @@
 
 #include "cli/command.h"
 #include "geometry/plane/scene/division.h"
-#include "io/scene/scene_json.h"
+#include "geometry/space/scene/division.h"
+#include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/light/illumination_grid.h"
 
 namespace hottel {
 
+Scene read_scene_noting(const std::string& file, const Streams& streams) {
+  if (!is_vs3(file)) return read_scene(file);
+  Vs3Scene3 deck = read_vs3_3(file);
+  for (const std::string& note : deck.notes) streams.note(note);
+  return std::move(deck.scene);
+}
+
 void ElementOptions::add_to(CLI::App& command) {
-  CLI::Option* element_size =
-      command.add_option("--element-size", size, "divide every edge into equal parts no longer than H");
+  CLI::Option* element_size = command.add_option(
+      "--element-size", size, "divide every edge, or side of a polygon, into equal parts no longer than H");
   element_size->type_name("H");
-  command.add_option("--elements", count, "divide every edge into N equal parts")
+  command.add_option("--elements", count, "divide every edge, or side of a polygon, into N equal parts")
       ->type_name("N")
       ->transform(whole_number(1, kMaxElements))
       ->excludes(element_size);
 }
 
-void ElementOptions::apply_to(Scene2& scene) const {
-  if (count) divide_into(scene, *count);
-  if (!size) return;
-  const auto h = parse_rational(*size);
-  if (!h || *h <= 0) throw UsageError("--element-size must be a positive number, not '" + *size + "'");
+namespace {
+
+template <class AnyScene>
+void divide(AnyScene& scene, const ElementOptions& options) {
+  if (options.count) divide_into(scene, *options.count);
+  if (!options.size) return;
+  const auto h = parse_rational(*options.size);
+  if (!h || *h <= 0) throw UsageError("--element-size must be a positive number, not '" + *options.size + "'");
   if (const auto surface = divide_by_length(scene, *h, kMaxElements))
-    throw UsageError("--element-size " + *size + " asks for more than " + std::to_string(kMaxElements) +
+    throw UsageError("--element-size " + *options.size + " asks for more than " + std::to_string(kMaxElements) +
                      " elements on '" + scene.surfaces[*surface].name + "'");
 }
+
+}  // namespace
+
+void ElementOptions::apply_to(Scene2& scene) const { divide(scene, *this); }
+void ElementOptions::apply_to(Scene3& scene) const { divide(scene, *this); }
 
 std::filesystem::path output_folder(const std::string& option, const std::string& scene) {
   if (option == "-") throw UsageError("results are several files: -o takes a folder, not standard output");
   return option.empty() ? std::filesystem::path(scene).stem().string() + "-hottel" : option;
+}
+
+Rational number_of(const std::string& text, const std::string& option) {
+  const auto value = parse_rational(text);
+  if (!value) throw UsageError(option + " takes numbers such as 0.25 or 1/3, not '" + text + "'");
+  return *value;
+}
+
+std::vector<std::string> parts_at_commas(const std::string& text) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find(','); end != std::string::npos; end = text.find(',', begin)) {
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
 }
 
 std::array<std::uint32_t, 2> two_numbers(const std::string& option, const std::string& pattern, const std::string& text,

@@ -9,10 +9,17 @@
 #include <string>
 #include <vector>
 
+#include "cli/streams.h"
 #include "geometry/plane/scene/scene.h"
+#include "geometry/space/scene/scene.h"
+#include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
+
+// Returns the scene of a file, as read_scene does, and tells what of a deck of View3D is read otherwise than View3D
+// does.
+Scene read_scene_noting(const std::string& file, const Streams& streams);
 
 // --elements and --element-size: they replace what the scene says of every surface. One of them may be given.
 struct ElementOptions {
@@ -25,11 +32,19 @@ struct ElementOptions {
   // Divides every surface anew; leaves the scene as it is when neither was given. Throws UsageError also where a size
   // asks for more than kMaxElements on a surface.
   void apply_to(Scene2& scene) const;  // throws UsageError for a size that is no positive number
+  // In space a number n divides a quad into n x n elements, and a size is that of the parts of the longest side.
+  void apply_to(Scene3& scene) const;
 };
 
 // The folder of an option -o: `option`, or ./STEM-hottel for a scene STEM.json, wherever that scene lies. Throws
 // UsageError for "-": results of several files do not go to standard output.
 std::filesystem::path output_folder(const std::string& option, const std::string& scene);
+
+// The number of an option. Throws UsageError, naming the option, for what parse_rational does not read.
+Rational number_of(const std::string& text, const std::string& option);
+
+// The parts of a text between commas: one more than it has commas.
+std::vector<std::string> parts_at_commas(const std::string& text);
 
 // Two numbers from 1 to `most` with an x between them, "400x300". Throws UsageError, naming the option and its
 // pattern, for anything else.

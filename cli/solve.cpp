@@ -175,10 +175,7 @@ std::map<std::string, double> seconds_of(const Results& results) {
   return seconds;
 }
 
-GridRegion region_of(const Grid2& grid) {
-  const auto rounded = [](const Point2& p) -> std::array<double, 2> { return {to_double(p.x), to_double(p.y)}; };
-  return {rounded(grid.min), rounded(grid.max), grid.nx, grid.ny};
-}
+GridRegion region_of(const Grid2& grid) { return {to_doubles(grid.min), to_doubles(grid.max), grid.nx, grid.ny}; }
 
 void write_results(const SolveOptions& options, const Simulation2& simulation, const Results& results,
                    const NetFluxes& fluxes, const Streams& streams, Outputs& outputs) {

@@ -26,6 +26,7 @@
 #include "solver/plane/light/point_lights.h"
 #include "solver/plane/simulation/questions.h"
 #include "solver/plane/simulation/simulation.h"
+#include "solver/space/simulation/simulation.h"
 #include "viewer/picture/plane/drawable.h"
 #include "viewer/picture/plane/visibility_picture.h"
 
@@ -39,31 +40,19 @@ struct VisibilityOptions {
   bool is_pair() const { return !from.empty() || !to.empty(); }
 };
 
-Rational number(const std::string& text, const std::string& option) {
-  const auto value = parse_rational(text);
-  if (!value) throw UsageError(option + " takes numbers such as 0.25 or 1/3, not '" + text + "'");
-  return *value;
-}
-
 Point2 point(const std::string& text) {
-  const auto comma = text.find(',');
-  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
+  const std::vector<std::string> parts = parts_at_commas(text);
+  if (parts.size() != 2)
     throw UsageError("--at takes X,Y in a plane scene (and a number t in [0,1] with --on), not '" + text + "'");
-  return {number(text.substr(0, comma), "--at"), number(text.substr(comma + 1), "--at")};
+  return {number_of(parts[0], "--at"), number_of(parts[1], "--at")};
 }
 
 // Whole faces: nothing here is asked of their elements.
 Simulation2 simulation_of(Scene2 scene) { return Simulation2(std::move(scene), {.granularity = Granularity::kFace}); }
 Simulation2 simulation_of(const VisibilityOptions& options) { return simulation_of(read_scene_2(options.scene)); }
 
-// What is answered, and a drawing of it on demand.
-struct Shown {
-  VisibilityAnswer answer;
-  std::function<std::string(PictureFormat)> draw;
-};
-
-Shown from_point(const Simulation2& simulation, const PreparedScene2& prepared, const Point2& eye,
-                 const Streams& streams) {
+ShownAnswer from_point(const Simulation2& simulation, const PreparedScene2& prepared, const Point2& eye,
+                       const Streams& streams) {
   const PointSight2 sight = point_sight(prepared, eye);
   std::optional<PointLight2> light;
   if (sight.polygon.solid == Solids2::kNone) light = light_at(simulation, sight.polygon, streams.stages());
@@ -72,7 +61,7 @@ Shown from_point(const Simulation2& simulation, const PreparedScene2& prepared, 
           }};
 }
 
-Shown from_face(const PreparedScene2& prepared, const std::string& name, const Rational& t) {
+ShownAnswer from_face(const PreparedScene2& prepared, const std::string& name, const Rational& t) {
   if (t < 0 || t > 1) throw UsageError("--at is a position on the edge, between 0 and 1, not " + to_string(t));
   if (name == "sky") throw UsageError("--on is a face, which the sky is not");
   const Face face = face_of(prepared.scene, name);
@@ -90,7 +79,7 @@ std::optional<Face> face_or_sky(const Scene2& scene, const std::string& name) {
   return face_of(scene, name);
 }
 
-Shown between_faces(const PreparedScene2& prepared, const std::string& from, const std::string& to) {
+ShownAnswer between_faces(const PreparedScene2& prepared, const std::string& from, const std::string& to) {
   PairSight2 sight{from, to, face_or_sky(prepared.scene, from), face_or_sky(prepared.scene, to), {}, {}};
   for (const auto& face : {sight.face_from, sight.face_to})
     if (face) require_free(prepared, *face);
@@ -139,7 +128,7 @@ PolygonRequest polygon_request(const VisibilityOptions& options) {
   if (options.irradiance && is_wkt) throw UsageError("--irradiance has no place in .wkt");
   request.wanted.wants_exact = options.exact;
   if (!options.range.empty()) {
-    request.wanted.range = number(options.range, "--range");
+    request.wanted.range = number_of(options.range, "--range");
     if (*request.wanted.range <= 0) throw UsageError("--range is a distance above 0, not " + options.range);
   }
   request.points = options.points == "-" ? read_points_2(read_standard_input(), "standard input")
@@ -259,32 +248,9 @@ ExitCode events(const VisibilityOptions& options, Streams& streams) {
   return ExitCode::kDone;
 }
 
-ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
-  if (!options.points.empty()) return from_points(options, streams);
-  if (!options.edge.empty()) return from_edge(options, streams);
-  if (options.events) return events(options, streams);
-  if (options.exact) throw UsageError("--exact goes with --points or --events");
-  require_sense(options);
-  const bool is_drawn = is_file(options.out);
-  const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
-  if (is_drawn && !format) throw UsageError("a drawing is written as .svg or .png, not '" + options.out + "'");
-  Scene scene = options.is_pair() ? Scene(read_scene_2(options.scene)) : read_scene(options.scene);
-  if (const Scene3* const there = std::get_if<Scene3>(&scene))
-    return naming_file(options.scene, [&] {
-      return visibility_in_space(*there, {options.at, options.on, options.out, options.json}, streams);
-    });
-  const std::optional<Point2> eye =
-      options.is_pair() || !options.on.empty() ? std::nullopt : std::optional(point(options.at));
-  const Rational t = options.on.empty() ? Rational(0) : number(options.at, "--at with --on");
-
-  const Simulation2 simulation = simulation_of(std::get<Scene2>(std::move(scene)));
-  const auto made = simulation.prepared(streams.stages());
-  const PreparedScene2& prepared = *made;
-  if (format) require_drawable(prepared.scene);
-  if (format && eye) require_drawable(prepared.scene, *eye, options.at);
-  const Shown shown = options.is_pair()     ? between_faces(prepared, options.from, options.to)
-                      : !options.on.empty() ? from_face(prepared, options.on, t)
-                                            : from_point(simulation, prepared, *eye, streams);
+// The answer goes where it is asked for, the drawing into its file.
+ExitCode show(const ShownAnswer& shown, const VisibilityOptions& options, std::optional<PictureFormat> format,
+              Streams& streams) {
   std::optional<OutputFile> drawing;
   if (format) {
     drawing.emplace(options.out);
@@ -301,6 +267,40 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   return ExitCode::kDone;
 }
 
+ExitCode in_space(const VisibilityOptions& options, Scene3 scene, std::optional<PictureFormat> format,
+                  Streams& streams) {
+  if (!options.is_pair()) return show(visibility_in_space(scene, options.at, options.on), options, format, streams);
+  if (format) throw UsageError("-o draws a pair of faces in the plane; this version does not in space");
+  const Simulation3 simulation(std::move(scene));
+  return show({pair_in_space(simulation, options.from, options.to), {}}, options, format, streams);
+}
+
+ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
+  if (!options.points.empty()) return from_points(options, streams);
+  if (!options.edge.empty()) return from_edge(options, streams);
+  if (options.events) return events(options, streams);
+  if (options.exact) throw UsageError("--exact goes with --points or --events");
+  require_sense(options);
+  const bool is_drawn = is_file(options.out);
+  const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
+  if (is_drawn && !format) throw UsageError("a drawing is written as .svg or .png, not '" + options.out + "'");
+  Scene scene = read_scene_noting(options.scene, streams);
+  if (Scene3* const there = std::get_if<Scene3>(&scene)) return in_space(options, std::move(*there), format, streams);
+  const std::optional<Point2> eye =
+      options.is_pair() || !options.on.empty() ? std::nullopt : std::optional(point(options.at));
+  const Rational t = options.on.empty() ? Rational(0) : number_of(options.at, "--at with --on");
+
+  const Simulation2 simulation = simulation_of(std::get<Scene2>(std::move(scene)));
+  const auto made = simulation.prepared(streams.stages());
+  const PreparedScene2& prepared = *made;
+  if (format) require_drawable(prepared.scene);
+  if (format && eye) require_drawable(prepared.scene, *eye, options.at);
+  return show(options.is_pair()     ? between_faces(prepared, options.from, options.to)
+              : !options.on.empty() ? from_face(prepared, options.on, t)
+                                    : from_point(simulation, prepared, *eye, streams),
+              options, format, streams);
+}
+
 }  // namespace
 
 void add_visibility(Commands& commands) {
@@ -313,6 +313,7 @@ void add_visibility(Commands& commands) {
        "hottel visibility scenes/showcase/apartment.json --at 4,3 -o /tmp/seen.png",
        "echo 4,3 | hottel visibility scenes/showcase/apartment.json --points - --range 5 -o /tmp/seen.geojson",
        "hottel visibility scenes/space/two_boxes.json --at 1,1,1 -o /tmp/map.png",
+       "hottel visibility scenes/space/two_boxes.json --from lamp --to floor",
        "hottel visibility scenes/analytic/strip_obstructed.json --edge bottom",
        "hottel visibility scenes/analytic/strip_obstructed.json --events"},
       [options](Streams& streams) { return visibility(*options, streams); });
@@ -322,8 +323,10 @@ void add_visibility(Commands& commands) {
                                        "space X,Y,Z, or with --on S,T along the first and the last side");
   CLI::Option* on = command.add_option("--on", options->on, "a face: view factors from its point --at T");
   on->type_name("NAME");
-  CLI::Option* from = command.add_option("--from", options->from,
-                                         "a face, or sky; with --to: their exchange and the critical points on it");
+  CLI::Option* from =
+      command.add_option("--from", options->from,
+                         "a face, or sky; with --to: their exchange, and the critical points on it; in space "
+                         "the stretches of lines along which it is measured");
   from->type_name("A");
   CLI::Option* to = command.add_option("--to", options->to, "the other face, or sky");
   to->type_name("B");

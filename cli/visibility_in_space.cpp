@@ -1,52 +1,38 @@
 #include "cli/visibility_in_space.h"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "cli/scene_input.h"
 #include "geometry/scene_names.h"
+#include "geometry/space/arrangement/arrangement.h"
+#include "geometry/space/exchange/pair_report.h"
 #include "geometry/space/scene/scene.h"
 #include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/seen_faces.h"
 #include "io/results/space/map_report.h"
+#include "io/results/space/pair_answer.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/naming_file.h"
+#include "solver/space/simulation/simulation.h"
 #include "viewer/picture/space/map_picture.h"
 
 namespace hottel {
 namespace {
 
-// The numbers of --at.
-std::vector<Rational> numbers(const std::string& text) {
-  std::vector<Rational> result;
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto value = parse_rational(text.substr(begin, end - begin));
-    if (!value) throw UsageError("--at takes numbers such as 0.25 or 1/3 with commas, not '" + text + "'");
-    result.push_back(*value);
-    begin = end + 1;
-  }
-  return result;
-}
-
-// Whether a point of the plane of a polygon lies in it or on its border.
-bool contains(const Polygon3& polygon, const Vector3& normal, const Point3& point) {
-  const std::size_t n = polygon.points.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const Point3 &a = polygon.points[k], &b = polygon.points[(k + 1) % n];
-    if (dot(normal, cross(b - a, point - a)) < 0) return false;
-  }
-  return true;
-}
-
 // The point of a face, and the normal of the side it is on.
-Look3 look_from(const Scene3& scene, const SpaceSightOptions& options) {
-  const std::vector<Rational> at = numbers(options.at);
-  if (options.on.empty()) {
-    if (at.size() != 3) throw UsageError("--at takes X,Y,Z in space, not '" + options.at + "'");
+Look3 look_from(const Scene3& scene, const std::string& text, const std::string& on) {
+  std::vector<Rational> at;
+  for (const std::string& part : parts_at_commas(text)) at.push_back(number_of(part, "--at"));
+  if (on.empty()) {
+    if (at.size() != 3) throw UsageError("--at takes X,Y,Z in space, not '" + text + "'");
     return {.eye = {at[0], at[1], at[2]}, .normal = {}};
   }
-  if (options.on == "sky") throw UsageError("--on is a face, which the sky is not");
-  if (at.size() != 2 && at.size() != 3) throw UsageError("--at takes S,T or X,Y,Z with --on, not '" + options.at + "'");
-  const Face face = face_of(scene, options.on);
+  if (on == "sky") throw UsageError("--on is a face, which the sky is not");
+  if (at.size() != 2 && at.size() != 3) throw UsageError("--at takes S,T or X,Y,Z with --on, not '" + text + "'");
+  const Face face = face_of(scene, on);
   const Polygon3& polygon = scene.polygons[face.surface];
   Vector3 normal = doubled_area(polygon);
   Point3 eye;
@@ -58,40 +44,84 @@ Look3 look_from(const Scene3& scene, const SpaceSightOptions& options) {
     eye = {first.x + at[0] * along.x + at[1] * across.x, first.y + at[0] * along.y + at[1] * across.y,
            first.z + at[0] * along.z + at[1] * across.z};
   }
-  if (dot(normal, eye - polygon.points.front()) != 0 || !contains(polygon, normal, eye))
-    throw UsageError("--at " + options.at + " is no point of '" + options.on + "'");
+  if (!contains(polygon, eye)) throw UsageError("--at " + text + " is no point of '" + on + "'");
   if (face.is_back) normal = {-normal.x, -normal.y, -normal.z};
   return {.eye = std::move(eye), .normal = Point3{normal.x, normal.y, normal.z}};
 }
 
+// Whether a point of a polygon's plane lies on what a side of a piece has for its face.
+bool has_place(const Piece3& piece, bool is_back, const Point3& eye) {
+  const Piece3::Side& side = piece.side(is_back);
+  if (side.cover == Piece3::Cover::kFree) return contains(piece.polygon, eye);
+  return std::any_of(side.free.begin(), side.free.end(),
+                     [&](const Polygon3& polygon) { return contains(polygon, eye); });
+}
+
+// A place of a face from which nothing of the scene is seen as from that face: in a solid, or another one's.
+void refuse_lost_place(const Scene3& scene, const Arrangement3& arrangement, const std::string& at,
+                       const std::string& on, const Look3& look) {
+  const Face face = face_of(scene, on);
+  const auto sides = arrangement.sides(face);
+  if (std::any_of(sides.begin(), sides.end(), [&](const PieceSide3& side) {
+        return has_place(arrangement.pieces()[side.piece], side.is_back, look.eye);
+      }))
+    return;
+  const PlaneFrame3 frame(scene.polygons[face.surface].points);
+  const bool is_up = frame.is_front_up(scene.polygons[face.surface].points) != face.is_back;
+  if (const auto mesh = arrangement.solids().behind({&frame, frame.flat(look.eye), is_up}))
+    throw RequestError("'" + on + "' at " + at + " looks into the solid '" +
+                       scene.groups[arrangement.solids().meshes()[*mesh].group].name + "'");
+  throw RequestError("'" + on + "' at " + at + " is the place of another surface");
+}
+
+// From a point of a solid's face only the free side is looked at: the way to it, where one side is free and one not.
+std::optional<Vector3> free_way(const Arrangement3& arrangement, const Point3& eye) {
+  for (const Piece3& piece : arrangement.pieces()) {
+    const PlaneFrame3 frame(piece.polygon.points);
+    if (frame.height(eye) != 0 || !contains(piece.polygon, eye)) continue;
+    const bool is_front_free = has_place(piece, false, eye), is_back_free = has_place(piece, true, eye);
+    if (is_front_free == is_back_free) continue;
+    const Vector3 front = doubled_area(piece.polygon);
+    return is_front_free ? front : Vector3{-front.x, -front.y, -front.z};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-ExitCode visibility_in_space(const Scene3& scene, const SpaceSightOptions& options, Streams& streams) {
-  const bool is_drawn = !options.out.empty() && options.out != "-";
-  const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
-  if (is_drawn && !format) throw UsageError("a drawing is written as .svg or .png, not '" + options.out + "'");
-  const Look3 look = look_from(scene, options);
-  std::vector<std::vector<Point3>> polygons;
-  for (const Polygon3& polygon : scene.polygons) polygons.push_back(polygon.points);
-  const PointMap3 map = map_from(Blockers3(polygons), look);
-  const std::string what = options.on.empty() ? "(" + options.at + ")" : "'" + options.on + "' at (" + options.at + ")";
-  const VisibilityAnswer answer = map_answer(scene, look, map, what);
-  std::optional<OutputFile> drawing;
-  if (format) {
-    MapDrawing3 drawn = drawing_of(scene, look, map);
-    drawn.title = "What is seen from " + what;
-    drawing.emplace(options.out);
-    drawing->write(map_picture_3(drawn, *format));
-    drawing->finish();
+ShownAnswer visibility_in_space(const Scene3& scene, const std::string& at, const std::string& on) {
+  const Look3 look = look_from(scene, at, on);
+  const Arrangement3 arrangement(scene);
+  if (!on.empty()) refuse_lost_place(scene, arrangement, at, on, look);
+  const std::string what = on.empty() ? "(" + at + ")" : "'" + on + "' at (" + at + ")";
+  const Solids3& solids = arrangement.solids();
+  const std::optional<std::uint32_t> solid = on.empty() ? solids.around(look.eye) : std::nullopt;
+  PointMap3 map;
+  if (!solid) {
+    Look3 way = look;
+    if (on.empty() && !solids.is_empty())
+      if (const auto free = free_way(arrangement, look.eye)) way.normal = Point3{free->x, free->y, free->z};
+    map = with_owners(map_from(Blockers3(arrangement.polygons()), way), arrangement);
   }
-  if (options.json)
-    streams.write("", answer.json);
-  else if (format)
-    streams.note(answer.text);
-  else
-    streams.write("", answer.text);
-  if (drawing) drawing->commit();
-  return ExitCode::kDone;
+  VisibilityAnswer answer = solid ? answer_in_solid_3(look, scene.groups[solids.meshes()[*solid].group].name, what)
+                                  : map_answer(scene, look, map, what);
+  return {std::move(answer), [&scene, look, what, map = std::move(map)](PictureFormat format) {
+            MapDrawing3 drawing = drawing_of(scene, look, map);
+            drawing.title = "What is seen from " + what;
+            return map_picture_3(drawing, format);
+          }};
+}
+
+VisibilityAnswer pair_in_space(const Simulation3& simulation, const std::string& from, const std::string& to) {
+  const Scene3& scene = simulation.scene();
+  const auto face_or_sky = [&scene](const std::string& name) {
+    return name == "sky" ? std::nullopt : std::optional(face_of(scene, name));
+  };
+  const std::optional<Face> face_from = face_or_sky(from), face_to = face_or_sky(to);
+  return naming_file(scene.file, [&] {
+    return pair_answer(scene, from, to,
+                       pair_report(*simulation.prepared(), face_from, face_to, simulation.request().tolerance));
+  });
 }
 
 }  // namespace hottel

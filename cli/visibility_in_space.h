@@ -1,23 +1,30 @@
-// hottel visibility in space: what a point sees, and a point of a face.
+// hottel visibility in space: what a point sees, and a point of a face, and two faces of each other.
 #pragma once
 
+#include <functional>
 #include <string>
 
-#include "cli/command.h"
+#include "io/results/visibility_answer.h"
+#include "viewer/picture/picture_options.h"
 
 namespace hottel {
 
+class Simulation3;
 struct Scene3;
 
-// What is asked of a scene in space: the texts of --at, --on and -o.
-struct SpaceSightOptions {
-  std::string at, on, out;
-  bool json = false;
+// What is answered, and a drawing of it on demand: the bytes of a picture file.
+struct ShownAnswer {
+  VisibilityAnswer answer;
+  std::function<std::string(PictureFormat)> draw;
 };
 
 // Answers --at X,Y,Z, or --on NAME --at X,Y,Z, where the point lies on the face, or --on NAME --at S,T in the frame of
-// its first point and its two sides there. Throws UsageError for what makes no sense, also a point that is not on the
-// face.
-ExitCode visibility_in_space(const Scene3& scene, const SpaceSightOptions& options, Streams& streams);
+// its first point and its two sides there; `on` is empty where it was not given. Throws UsageError for what makes no
+// sense, also a point that is not on the face. REQUIRES that the scene outlives the answer.
+ShownAnswer visibility_in_space(const Scene3& scene, const std::string& at, const std::string& on);
+
+// Answers --from A --to B, of which one may be the sky. Throws UnknownName for faces that there are not, RequestError
+// where the pair cannot be measured. It has no drawing.
+VisibilityAnswer pair_in_space(const Simulation3& simulation, const std::string& from, const std::string& to);
 
 }  // namespace hottel

@@ -1,0 +1,17 @@
+// hottel check in space.
+#pragma once
+
+#include <string>
+
+#include "cli/command.h"
+#include "geometry/space/scene/scene.h"
+
+namespace hottel {
+
+// Tells what is found in a scene in space, on standard output. `fix`: where a repaired scene is written, empty:
+// nowhere; then what was done is told, and what is found in that. `distance`: how far points may be moved, 0: not at
+// all.
+ExitCode check_in_space(const Scene3& scene, const std::string& fix, const Rational& distance, bool as_json,
+                        const Streams& streams);
+
+}  // namespace hottel

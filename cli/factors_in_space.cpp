@@ -1,0 +1,79 @@
+#include "cli/factors_in_space.h"
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "geometry/space/exchange/element_table.h"
+#include "io/results/space/element_files.h"
+#include "io/results/space/factors_report.h"
+#include "kernel/support/naming_file.h"
+#include "solver/space/simulation/simulation.h"
+
+namespace hottel {
+namespace {
+
+void require_what_space_has(const FactorsOptions& options) {
+  const auto refuse = [](const std::string& option) {
+    throw UsageError(option + " is of scenes in the plane; this version does not have it in space");
+  };
+  if (!options.is_exact()) refuse("--method " + options.method);
+  if (options.wants_exact_form) refuse("--exact-form");
+  if (options.script_f) refuse("--script-f");
+  if (!options.picture.empty()) refuse("--picture");
+}
+
+double tolerance_of(const FactorsOptions& options) {
+  if (!options.tolerance) return SimulationRequest3().tolerance;
+  const double tolerance = to_double(number_of(*options.tolerance, "--tolerance"));
+  if (!(tolerance > 0 && std::isfinite(tolerance)))
+    throw UsageError("--tolerance is beyond the range of doubles: '" + *options.tolerance + "'");
+  return tolerance;
+}
+
+SimulationRequest3 request_of(const FactorsOptions& options) {
+  return {.granularity = options.per(),
+          .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
+          .wants_measures = options.matrix == "exchange",
+          .tolerance = tolerance_of(options),
+          .must_be_enclosed = options.guarantee == "enclosed",
+          .memory = options.memory};
+}
+
+}  // namespace
+
+void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams& streams) {
+  require_what_space_has(options);
+  const SimulationRequest3 request = request_of(options);
+  options.elements.apply_to(scene);
+  require_room_for(options, [&](DenseFormat format) {
+    const ElementCounts3 counts = element_counts(scene, request.granularity);
+    return dense_size(counts.all, counts.with_material, format);
+  });
+  if (options.elements.is_given() && request.granularity != Granularity::kElement)
+    streams.note("elements change nothing here: rows are those of whole " + options.granularity +
+                 "s; --per element has a row each");
+  const Simulation3 simulation(std::move(scene), request);
+
+  FactorsFiles files(options, streams);
+  const auto computed = simulation.factors(streams.stages());
+  const auto prepared = simulation.prepared();
+  FactorTable table{prepared->scene, computed->matrix, request.granularity, {}, {}};
+  if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = *simulation.hidden(streams.stages());
+  if (files.out)
+    naming_file(options.scene, [&] {
+      write_table(options, table, files, [&](const Sink& sink) {
+        const ElementTable3 elements(prepared->scene, prepared->arrangement(), prepared->blockers(),
+                                     request.granularity);
+        write_faces_csv_3(table, element_corners(elements, prepared->blockers().vertices()), sink);
+      });
+    });
+  files.finish();
+  const FactorsReport3 report{options.scene, request.granularity, request.tolerance, computed->matrix.guarantee(),
+                              computed->report};
+  if (options.json) streams.write("", factors_json(report));
+  files.commit();
+  streams.note(factors_text(report));
+}
+
+}  // namespace hottel

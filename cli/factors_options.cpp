@@ -1,0 +1,95 @@
+#include "cli/factors_options.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string_view>
+
+#include "io/files/disk_space.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+
+Granularity FactorsOptions::per() const {
+  return granularity == "element" ? Granularity::kElement
+         : granularity == "group" ? Granularity::kGroup
+                                  : Granularity::kFace;
+}
+
+FactorsFormat FactorsOptions::format() const {
+  const std::string ending = std::filesystem::path(out).extension().string();
+  const bool is_csv_only = !matrix.empty() || wants_exact_form;
+  if (out.empty() || out == "-" || ending == ".csv") return FactorsFormat::kCsv;
+  if (!is_csv_only) {
+    if (ending == ".mtx") return FactorsFormat::kMtx;
+    if (ending == ".npy") return FactorsFormat::kNpy;
+    if (ending == ".txt") return FactorsFormat::kView3dText;
+    if (ending == ".bin") return FactorsFormat::kView3dBinary;
+  }
+  throw UsageError(fmt::format("factors {} {}, not '{}'",
+                               matrix.empty() ? "are written" : "as a dense matrix are written",
+                               is_csv_only ? "as .csv" : "as .csv, .mtx, .npy, .txt (View3D) or .bin (View3D)", out));
+}
+
+void require_room_for(const FactorsOptions& options, const std::function<DenseSize(DenseFormat)>& size) {
+  const FactorsFormat format = options.format();
+  std::optional<DenseFormat> dense;
+  if (!options.matrix.empty()) dense = DenseFormat::kCsv;
+  if (format == FactorsFormat::kNpy) dense = DenseFormat::kNpy;
+  if (format == FactorsFormat::kView3dText) dense = DenseFormat::kView3dText;
+  if (format == FactorsFormat::kView3dBinary) dense = DenseFormat::kView3dBinary;
+  if (!dense || (options.json && options.out.empty())) return;
+  const auto [rows, bytes] = size(*dense);
+  const bool is_text = *dense == DenseFormat::kCsv || *dense == DenseFormat::kView3dText;
+  require_space(options.out.empty() ? "-" : options.out, bytes,
+                fmt::format("{}: a dense matrix of {} x {} numbers takes {}", options.scene, rows, rows,
+                            is_text ? "at least" : "exactly"),
+                "; lists of the pairs that see each other, -o FILE.csv or FILE.mtx without --matrix, are smaller");
+}
+
+FactorsFiles::FactorsFiles(const FactorsOptions& options, const Streams& streams) {
+  const FactorsFormat format = options.format();
+  if (!options.json || !options.out.empty()) out.emplace(streams.output(options.out));
+  if (format == FactorsFormat::kMtx) rows.emplace(options.out + ".faces.csv");
+  if (format == FactorsFormat::kNpy) rows.emplace(options.out + ".json");
+  if (!options.picture.empty()) drawing.emplace(options.picture);
+}
+
+void FactorsFiles::finish() {
+  for (std::optional<OutputFile>* file : {&out, &rows, &drawing})
+    if (*file) (*file)->finish();
+}
+
+void FactorsFiles::commit() {
+  for (std::optional<OutputFile>* file : {&rows, &drawing, &out})
+    if (*file) (*file)->commit();
+}
+
+void write_table(const FactorsOptions& options, const FactorTable& table, FactorsFiles& files,
+                 const std::function<void(const Sink&)>& write_faces) {
+  const Sink sink = [&files](std::string_view text) { files.out->write(text); };
+  if (!options.matrix.empty()) {
+    write_dense_csv(table,
+                    options.matrix == "factor"     ? DenseQuantity::kFactor
+                    : options.matrix == "exchange" ? DenseQuantity::kExchange
+                                                   : DenseQuantity::kVisibility,
+                    sink);
+    return;
+  }
+  switch (options.format()) {
+    case FactorsFormat::kCsv:
+      return write_factors_csv(table, sink);
+    case FactorsFormat::kMtx:
+      write_factors_mtx(table, sink);
+      return write_faces([&files](std::string_view text) { files.rows->write(text); });
+    case FactorsFormat::kNpy:
+      write_factors_npy(table, sink);
+      return files.rows->write(factors_sidecar(table));
+    case FactorsFormat::kView3dText:
+      return write_factors_view3d_text(table, sink);
+    case FactorsFormat::kView3dBinary:
+      return write_factors_view3d_binary(table, sink);
+  }
+}
+
+}  // namespace hottel

@@ -1,0 +1,56 @@
+// The options of hottel factors, and its files: what both dimensions have in common.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/scene_input.h"
+#include "cli/streams.h"
+#include "io/results/factor_files.h"
+
+namespace hottel {
+
+enum class FactorsFormat { kCsv, kMtx, kNpy, kView3dText, kView3dBinary };
+
+struct FactorsOptions {
+  std::string scene, out;
+  std::string method = "exact", granularity = "face", pairs = "visible", matrix;
+  std::optional<std::string> tolerance, guarantee;
+  ElementOptions elements;
+  std::vector<std::string> exact_form;
+  const CLI::Option *exact_form_option = nullptr, *pairs_option = nullptr, *per_option = nullptr;
+  bool wants_exact_form = false, json = false, script_f = false;
+  std::string channel;
+  std::string picture, toward;
+  std::uint64_t memory = 0;
+
+  bool is_exact() const { return method == "exact"; }
+  Granularity per() const;
+  // By the ending of the file. Throws UsageError for one that is not known, or not for what is asked.
+  FactorsFormat format() const;
+};
+
+// Throws RequestError where a dense file of so many rows would not fit on its disk. sizes: of all faces, and of those
+// that radiate.
+void require_room_for(const FactorsOptions& options, const std::function<DenseSize(DenseFormat)>& size);
+
+// The files of a run, opened before the work: a path that cannot be written is found at once.
+struct FactorsFiles {
+  std::optional<OutputFile> out, rows, drawing;
+
+  FactorsFiles(const FactorsOptions& options, const Streams& streams);
+  // All files are whole before the first one takes its name.
+  void finish();
+  void commit();
+};
+
+// Writes the factors as they are asked for, and what their rows are where the format has a file for that. write_faces:
+// writes FILE.faces.csv of a .mtx. Not for closed forms.
+void write_table(const FactorsOptions& options, const FactorTable& table, FactorsFiles& files,
+                 const std::function<void(const Sink&)>& write_faces);
+
+}  // namespace hottel
