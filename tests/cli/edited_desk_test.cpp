@@ -9,6 +9,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "tests/cli/program.h"
+#include "tests/sanitizers.h"
 #include "tests/solver/plane/edited_scenes.h"
 #include "viewer/window/commands.h"
 #include "viewer/window/plane/desk.h"
@@ -20,14 +21,7 @@ namespace {
 
 constexpr std::uint32_t kCells = 6;
 constexpr double kPatience = 300;
-#ifndef __has_feature
-#define __has_feature(feature) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
-constexpr int kEdits = 60;
-#else
-constexpr int kEdits = 1000;
-#endif
+constexpr int kEdits = kHasAddressSanitizer ? 60 : 1000;
 
 // A hand that does things at random, by the events that a window gives.
 class RandomHand {

@@ -7,20 +7,14 @@
 #include "io/results/npy.h"
 #include "io/results/radiosity_files.h"
 #include "tests/cli/program.h"
+#include "tests/sanitizers.h"
 #include "tests/solver/plane/edited_scenes.h"
 
 namespace hottel::testing_cli {
 namespace {
 
 constexpr std::uint32_t kCells = 6;
-#ifndef __has_feature
-#define __has_feature(feature) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
-constexpr int kEdits = 60;
-#else
-constexpr int kEdits = 1000;
-#endif
+constexpr int kEdits = kHasAddressSanitizer ? 60 : 1000;
 
 // The files that `solve` writes of it, or the last line of its error.
 std::string files_of(const Simulation2& simulation) {

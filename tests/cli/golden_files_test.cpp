@@ -3,6 +3,7 @@
 // The golden files are in tests/contract/; tests/contract/regenerate makes them anew.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -269,6 +270,171 @@ TEST(GoldenFiles, DenseMatricesHaveNamesInTheFirstRowAndColumn) {
           EXPECT_GT(std::stod(rows[i][j]), 0);
       }
     }
+  }
+}
+
+// ---- in space
+
+TEST(GoldenFilesOfSpace, FacesHaveTheirCorners) {
+  const auto rows = read_csv(golden("space_factors_element.mtx.faces.csv"));
+  EXPECT_EQ(rows.front(), (std::vector<std::string>{"index", "face", "element", "area", "material", "points"}));
+  for (std::size_t k = 1; k + 1 < rows.size(); ++k) {
+    EXPECT_EQ(rows[k].at(0), std::to_string(k));
+    std::istringstream in(rows[k].at(5));
+    std::size_t corners = 0;
+    for (std::string corner; std::getline(in, corner, ';'); ++corners) {
+      std::istringstream numbers(corner);
+      double x = 0, y = 0, z = 0;
+      EXPECT_TRUE(numbers >> x >> y >> z) << corner;
+    }
+    EXPECT_GE(corners, 3u) << rows[k].at(1);
+  }
+  EXPECT_EQ(rows.back().at(1), "sky");
+  EXPECT_EQ(rows.back().at(5), "");
+  EXPECT_EQ(rows.size(), 1u + 2 * 7 + 3 + 1);  // fronts and backs of seven surfaces, one front in four, and the sky
+}
+
+// By rows of a list of factors: their sums. Eight places are kept.
+void expect_rows_close(const std::string& name) {
+  std::map<std::string, double> sums;
+  for (const auto& row : read_csv(golden(name))) {
+    ASSERT_EQ(row.size(), 7u);
+    if (row[0] == "from") continue;
+    const double factor = std::stod(row[2]);
+    EXPECT_TRUE(std::stod(row[3]) <= factor && factor <= std::stod(row[4]));
+    EXPECT_TRUE(row[6] == "enclosed" || row[6] == "estimated" || (row[6] == "exact" && factor == 0));
+    sums[row[0]] += factor;
+  }
+  for (const auto& [from, sum] : sums) EXPECT_NEAR(sum, 1, 2e-7) << name << " " << from;
+}
+
+TEST(GoldenFilesOfSpace, RowsSumToOne) {
+  for (const char* name :
+       {"space_factors.csv", "space_factors_facing.csv", "space_factors_element.csv", "space_factors_group.csv"})
+    expect_rows_close(name);
+}
+
+TEST(GoldenFilesOfSpace, FacingAddsWhatIsHidden) {
+  const auto visible = read_csv(golden("space_factors.csv")), facing = read_csv(golden("space_factors_facing.csv"));
+  std::size_t k = 0, hidden = 0;
+  for (const auto& row : facing) {
+    if (k < visible.size() && row == visible[k]) {
+      ++k;
+      continue;
+    }
+    ++hidden;
+    EXPECT_EQ(row[2], "0");
+    EXPECT_EQ(row[5], "0");
+  }
+  EXPECT_EQ(k, visible.size());
+  EXPECT_GT(hidden, 0u);
+}
+
+TEST(GoldenFilesOfSpace, MatrixMarketHoldsTheFactorsOfTheCsv) {
+  std::map<std::string, std::size_t> index;  // of elements
+  for (const auto& row : read_csv(golden("space_factors_element.mtx.faces.csv"))) {
+    if (row[0] == "index") continue;
+    index.try_emplace(row[1], std::stoul(row[0]));
+    index[row[1] + "#" + row[2]] = std::stoul(row[0]);
+  }
+  Entries expected, entries;
+  for (const auto& row : read_csv(golden("space_factors_element.csv")))
+    if (row[0] != "from") expected[{index.at(row[0]), index.at(row[1])}] = std::stod(row[2]);
+  const auto lines = lines_of(golden("space_factors_element.mtx"));
+  std::size_t k = 0;
+  while (lines.at(k).starts_with("%")) ++k;
+  for (++k; k < lines.size(); ++k) {
+    std::size_t from = 0, to = 0;
+    double factor = 0;
+    std::istringstream(lines[k]) >> from >> to >> factor;
+    entries[{from, to}] = factor;
+  }
+  EXPECT_EQ(entries, expected);
+}
+
+TEST(GoldenFilesOfSpace, DenseMatricesHaveNamesInTheFirstRowAndColumn) {
+  for (const std::string name :
+       {"space_matrix_factor.csv", "space_matrix_exchange.csv", "space_matrix_visibility.csv"}) {
+    const auto rows = read_csv(golden(name));
+    ASSERT_EQ(rows.size(), 2u * 7 + 2);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      ASSERT_EQ(rows[i].size(), rows.size());
+      EXPECT_EQ(rows[i][0], rows[0][i]);
+    }
+  }
+  const auto exchange = read_csv(golden("space_matrix_exchange.csv"));
+  for (std::size_t i = 1; i + 1 < exchange.size(); i += 2)
+    for (std::size_t j = 1; j + 1 < exchange.size(); j += 2) EXPECT_EQ(exchange[i][j], exchange[j][i]);
+}
+
+// Corners of faces, as coordinates.
+using MeshFaces = std::vector<std::vector<std::array<double, 3>>>;
+
+// Points and faces of an indexed mesh: as many of each, faces with the number of their corners first.
+MeshFaces indexed_faces(std::istream& in, std::size_t points, std::size_t faces) {
+  std::vector<std::array<double, 3>> all(points);
+  for (auto& [x, y, z] : all) in >> x >> y >> z;
+  MeshFaces result(faces);
+  for (auto& face : result) {
+    std::size_t corners = 0, index = 0;
+    in >> corners;
+    for (std::size_t k = 0; k < corners; ++k) {
+      in >> index;
+      face.push_back(all.at(index));
+    }
+  }
+  EXPECT_TRUE(in);
+  std::string rest;
+  EXPECT_FALSE(in >> rest) << rest;
+  return result;
+}
+
+TEST(GoldenFilesOfSpace, MeshesHoldTheSameFaces) {
+  std::istringstream off(golden("space_mesh.off"));
+  std::string word;
+  std::size_t points = 0, faces = 0, edges = 0;
+  off >> word >> points >> faces >> edges;
+  EXPECT_EQ(word, "OFF");
+  const MeshFaces of_off = indexed_faces(off, points, faces);
+  ASSERT_EQ(of_off.size(), 7u);
+
+  const std::string ply = golden("space_mesh.ply"), end = "end_header\n";
+  EXPECT_TRUE(ply.starts_with("ply\nformat ascii 1.0\nelement vertex " + std::to_string(points) + "\n"));
+  std::istringstream body(ply.substr(ply.find(end) + end.size()));
+  EXPECT_EQ(indexed_faces(body, points, faces), of_off);
+
+  MeshFaces of_obj;
+  std::vector<std::array<double, 3>> vertices;
+  for (const std::string& line : lines_of(golden("space_mesh.obj"))) {
+    std::istringstream in(line);
+    std::array<double, 3> p{};
+    std::size_t index = 0;
+    in >> word;
+    if (word == "v" && in >> p[0] >> p[1] >> p[2]) vertices.push_back(p);
+    if (word == "f")
+      for (of_obj.emplace_back(); in >> index;) of_obj.back().push_back(vertices.at(index - 1));
+  }
+  EXPECT_EQ(of_obj, of_off);
+}
+
+TEST(GoldenFilesOfSpace, StlHasTrianglesOfFloatsWithTheirNormals) {
+  const std::string stl = golden("space_mesh.stl");
+  std::uint32_t count = 0;
+  std::memcpy(&count, stl.data() + 80, 4);
+  EXPECT_FALSE(stl.starts_with("solid"));
+  EXPECT_EQ(count, 12u);  // five quads and two triangles
+  ASSERT_EQ(stl.size(), 84u + 50 * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    std::array<float, 12> f{};  // normal, a, b, c
+    std::memcpy(f.data(), stl.data() + 84 + 50 * k, sizeof f);
+    std::array<double, 3> b{}, c{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      b[axis] = f[6 + axis] - f[3 + axis];
+      c[axis] = f[9 + axis] - f[3 + axis];
+    }
+    const std::array<double, 3> normal{b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]};
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(f[axis], normal[axis] / length, 1e-6);
   }
 }
 

@@ -8,20 +8,14 @@
 #include <random>
 
 #include "tests/cli/program.h"
+#include "tests/sanitizers.h"
 
 namespace hottel {
 namespace {
 
 using testing_cli::Workplace;
 
-#ifndef __has_feature
-#define __has_feature(feature) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
-constexpr int kKills = 20;
-#else
-constexpr int kKills = 200;
-#endif
+constexpr int kKills = kHasAddressSanitizer ? 20 : 200;
 
 const std::string kScene = std::string(HOTTEL_SOURCE_DIR) + "/scenes/analytic/strip_obstructed.json";
 const std::vector<std::string> kFiles = {"radiosity.csv", "illumination.npy", "illumination.png"};

@@ -32,7 +32,7 @@ inline void PrintTo(const OptionEntry& entry, std::ostream* out) { *out << entry
 // Files of the table by name, and the shell variables that name scenes of the repository.
 const std::vector<std::pair<const char*, const char*>>& option_scenes();
 inline constexpr const char* kOptionVariables =
-    "S=scenes/analytic/strip_obstructed.json; Q=scenes/analytic/square_radiosity.json";
+    "S=scenes/analytic/strip_obstructed.json; Q=scenes/analytic/square_radiosity.json; C=scenes/space/cube.json";
 
 const std::vector<OptionCommand>& option_commands();
 const std::vector<OptionEntry>& option_entries();

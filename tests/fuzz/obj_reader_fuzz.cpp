@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "io/scene/scene_json.h"
+#include "io/scene/space/mesh_adder.h"
 #include "io/scene/space/obj_reader.h"
 #include "kernel/support/failure.h"
 
@@ -14,9 +15,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto library = [&](const std::filesystem::path&) {
     return std::string(text.substr(std::min(text.rfind("newmtl"), text.size())));
   };
-  hottel::ObjScene3 mesh;
+  hottel::MeshScene3 mesh;
   try {
-    mesh = hottel::parse_obj_scene_3(text, "fuzz.obj", library);
+    mesh = hottel::scene_of(hottel::parse_obj_3(text, "fuzz.obj", library));
   } catch (const hottel::InputError&) {
     return 0;
   }

@@ -9,7 +9,10 @@
 #include "io/scene/mtl_reader.h"
 #include "io/scene/plane/svg_reader.h"
 #include "io/scene/scene_json.h"
+#include "io/scene/space/mesh_reader.h"
+#include "io/scene/space/mesh_writer.h"
 #include "io/scene/space/obj_reader.h"
+#include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -81,8 +84,48 @@ TEST(DamagedFiles, AMesh) {
   const std::string library = text_of("scenes/space/room_boxes.mtl");
   const TextSource files = [&](const std::filesystem::path&) { return library; };
   const std::string text = text_of("scenes/space/room_boxes.obj");
-  const auto read = [&](const std::string& t, const std::string& name) { parse_obj_scene_3(t, name, files); };
+  const auto read = [&](const std::string& t, const std::string& name) { scene_of(parse_obj_3(t, name, files)); };
   const Counts counts = damage(read, text);
+  EXPECT_GT(counts.read, 0);
+  EXPECT_GT(counts.refused, static_cast<int>(text.size()));
+}
+
+// Two triangles of a cube, as each format has them.
+Scene3 small_scene() {
+  return scene_of(parse_obj_3("v 0 0 0\nv 1 0 0\nv 1 .5 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n", "a.obj")).scene;
+}
+
+Counts damage_mesh(MeshFormat3 format, const std::string& bytes) {
+  return damage([=](const std::string& t, const std::string& name) { scene_of(parse_mesh_3(format, t, name)); }, bytes);
+}
+
+TEST(DamagedFiles, AMeshInEveryOtherFormat) {
+  for (const MeshFormat3 format : {MeshFormat3::kPly, MeshFormat3::kOff, MeshFormat3::kStl}) {
+    const std::string bytes = write_mesh_3(small_scene(), format, "").bytes;
+    const Counts counts = damage_mesh(format, bytes);
+    EXPECT_GT(counts.read, 0);
+    EXPECT_GT(counts.refused, static_cast<int>(bytes.size()));
+  }
+}
+
+TEST(DamagedFiles, ABinaryPlyAndATextStl) {
+  const Counts ply = damage_mesh(
+      MeshFormat3::kPly,
+      std::string("ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty char x\nproperty char y\nproperty "
+                  "char z\nelement face 1\nproperty list uchar uchar vertex_index\nend_header\n") +
+          std::string("\0\0\0\1\0\0\0\1\0\3\0\1\2", 13));
+  EXPECT_GT(ply.read, 0);
+  EXPECT_GT(ply.refused, 100);
+  const Counts stl = damage_mesh(MeshFormat3::kStl,
+                                 "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e1 0\n"
+                                 "endloop\nendfacet\nendsolid a\n");
+  EXPECT_GT(stl.read, 0);
+  EXPECT_GT(stl.refused, 100);
+}
+
+TEST(DamagedFiles, ADeck) {
+  const std::string text = text_of("tests/contract/deck.vs3");
+  const Counts counts = damage([](const std::string& t, const std::string& name) { parse_vs3_3(t, name); }, text);
   EXPECT_GT(counts.read, 0);
   EXPECT_GT(counts.refused, static_cast<int>(text.size()));
 }
@@ -91,7 +134,7 @@ TEST(DamagedFiles, MaterialsOfAMesh) {
   const std::string mesh = text_of("scenes/space/room_boxes.obj");
   const auto read = [&](const std::string& t, const std::string& name) {
     parse_mtl(t, name);
-    parse_obj_scene_3(mesh, name, [&](const std::filesystem::path&) { return t; });
+    scene_of(parse_obj_3(mesh, name, [&](const std::filesystem::path&) { return t; }));
   };
   const Counts counts = damage(read, text_of("scenes/space/room_boxes.mtl"));
   EXPECT_GT(counts.read, 0);

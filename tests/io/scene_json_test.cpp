@@ -8,6 +8,8 @@
 #include <fstream>
 #include <string>
 
+#include "tests/refusal.h"
+
 namespace hottel {
 namespace {
 
@@ -18,14 +20,7 @@ Scene2 parse(const std::string& text) { return parse_scene_2(text, "scene.json")
 
 // The message with which a text is refused; empty when it is not refused as a scene error.
 std::string refusal(const std::string& text) {
-  try {
-    parse(text);
-  } catch (const InputError& error) {
-    EXPECT_LE(error.hints().size(), 3u);
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-    return error.what();
-  }
-  return "";
+  return refusal_by([&] { parse(text); });
 }
 
 // A scene with these further members, which begin in line 3.

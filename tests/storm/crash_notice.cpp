@@ -45,10 +45,13 @@ class Line {
 
 void tell(int signal, siginfo_t* info, void*) {
   if (place.law != nullptr) {
-    const auto k = static_cast<std::uint64_t>(place.k);
     Line line;
     line << "\nsignal " << static_cast<std::uint64_t>(signal) << " at scene " << place.scene << ", law: " << place.law
-         << "\nagain: hottel_storm --seed " << place.scene << " --scenes 1 --all --k " << k << "\n";
+         << "\nagain: hottel_storm --seed " << place.scene << " --scenes 1 --all";
+    if (place.k <= 0)
+      line << (place.k == CrashNotice::kSolids ? " --dimension 3 --solids\n" : " --dimension 3\n");
+    else
+      line << " --k " << static_cast<std::uint64_t>(place.k) << "\n";
     line.write();
   }
   for (std::size_t s = 0; s < kSignals.size(); ++s)

@@ -6,21 +6,46 @@
 #include <cstdio>
 #include <thread>
 
+#include "tests/storm/space/solid_storm.h"
+#include "tests/storm/space/storm.h"
 #include "tests/storm/storm.h"
+
+namespace {
+
+// Prints the result, and returns the exit code.
+template <class Result>
+int tell(const Result& result, std::chrono::steady_clock::time_point start, unsigned threads) {
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  fmt::print(stderr, "\n");
+  fmt::print("{}\n{:.1f} s on {} threads\n", report(result), taken.count(), threads);
+  return result.all_failures() == 0 ? 0 : 1;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace hottel::storm;
   StormOptions options;
+  int dimension = 2;
+  bool are_solids = false;
   options.threads = std::max(1U, std::thread::hardware_concurrency());
   CLI::App app{"Random scenes on a lattice, where nearly everything coincides, held against the laws of exchange"};
+  app.add_option("--dimension", dimension, "2: edges; 3: pairs of polygons with others between")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 3));
+  app.add_flag("--solids", are_solids, "in dimension 3: closed bodies, rooms and sheets that overlap");
   app.add_option("--seed", options.first, "number of the first scene")->capture_default_str();
   app.add_option("--scenes", options.scenes, "how many")->capture_default_str()->check(CLI::PositiveNumber);
-  app.add_option("--k", options.k, "points of the lattice {0, ..., K}^2; 0: K = 2 to 6 in turn")
+  app.add_option("--k", options.k, "of the lattice {0, ..., K}^2 of edges; 0: K = 2 to 6 in turn")
       ->capture_default_str()
       ->check(CLI::Range(0, 100));
   app.add_option("--threads", options.threads)->capture_default_str()->check(CLI::Range(1, 4096));
   app.add_flag("--all", options.all_laws, "every law on every scene");
   CLI11_PARSE(app, argc, argv);
+  if (are_solids && dimension != 3) {
+    fmt::print(stderr, "hottel_storm: --solids goes with --dimension 3\n");
+    return 2;
+  }
 
   const auto start = std::chrono::steady_clock::now();
   auto shown = start;
@@ -32,9 +57,7 @@ int main(int argc, char** argv) {
     const double left = taken.count() * static_cast<double>(options.scenes - done) / static_cast<double>(done);
     fmt::print(stderr, "\r{} of {} scenes, {:.0f} s left  ", done, options.scenes, left);
   };
-  const StormResult result = run_storm(options);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  fmt::print(stderr, "\n");
-  fmt::print("{}\n{:.1f} s on {} threads\n", report(result), taken.count(), options.threads);
-  return result.all_failures() == 0 ? 0 : 1;
+  if (are_solids) return tell(run_solid_storm_3(options), start, options.threads);
+  return dimension == 2 ? tell(run_storm(options), start, options.threads)
+                        : tell(run_storm_3(options), start, options.threads);
 }

@@ -74,11 +74,11 @@ class Darts {
 
 }  // namespace
 
-std::vector<std::vector<Point3>> engine_polygons(const std::vector<SpacePolygon>& polygons) {
-  std::vector<std::vector<Point3>> result;
+std::vector<Polygon3> engine_polygons(const std::vector<SpacePolygon>& polygons) {
+  std::vector<Polygon3> result;
   for (const SpacePolygon& polygon : polygons) {
     result.emplace_back();
-    for (const SpacePoint& p : polygon) result.back().push_back({p.x, p.y, p.z});
+    for (const SpacePoint& p : polygon) result.back().points.push_back({p.x, p.y, p.z});
   }
   return result;
 }

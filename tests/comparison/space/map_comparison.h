@@ -11,7 +11,7 @@
 namespace hottel::oracle {
 
 // The polygons as the engine takes them.
-std::vector<std::vector<Point3>> engine_polygons(const std::vector<SpacePolygon>& polygons);
+std::vector<Polygon3> engine_polygons(const std::vector<SpacePolygon>& polygons);
 
 struct DartCounts {
   std::uint64_t darts = 0;      // compared

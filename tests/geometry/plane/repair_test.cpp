@@ -27,7 +27,7 @@ using testing::IsEmpty;
 
 std::vector<std::string> kinds(const Repair2& repair) {
   std::vector<std::string> result;
-  for (const RepairStep2& step : repair.steps) result.push_back(step.kind + " " + step.surface);
+  for (const RepairStep& step : repair.steps) result.push_back(step.kind + " " + step.surface);
   return result;
 }
 
@@ -214,7 +214,7 @@ TEST(Repair2, LeavesAnAngleAlone) {
 TEST(Repair2, LeavesAGoodSceneAsItIs) {
   for (const Scene2& scene : all_kinds(100)) {
     const Repair2 repair = close_gaps(scene, number("1e-12"));
-    for (const RepairStep2& step : repair.steps) EXPECT_EQ(step.kind, "dropped") << scene.about << ": " << step.message;
+    for (const RepairStep& step : repair.steps) EXPECT_EQ(step.kind, "dropped") << scene.about << ": " << step.message;
     EXPECT_TRUE(!repair.steps.empty() || same_places(repair.scene, scene)) << scene.about;
   }
 }

@@ -3,28 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "io/scene/scene_json.h"
-#include "kernel/support/failure.h"
+#include "tests/refusal.h"
 
 namespace hottel {
 namespace {
-
-// The message of a refusal; empty where nothing is refused.
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    EXPECT_LE(error.hints().size(), 3u);
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-    return error.what();
-  }
-  return "";
-}
 
 SceneBuilder2 with_white() {
   SceneBuilder2 builder("room");
@@ -138,7 +125,7 @@ TEST(SceneBuilder2, MayGoOnAfterBuild) {
 TEST(SceneBuilder2, RefusesWhatAFileMayNotSay) {
   SceneBuilder2 builder = with_white();
   const auto edge = [&](const char* name, TypedPoint2 to, const char* material, EdgeOptions2 options = {}) {
-    return refusal([&] { builder.add_edge(name, {0, 0}, to, material, options); });
+    return refusal_by([&] { builder.add_edge(name, {0, 0}, to, material, options); });
   };
   EXPECT_EQ(edge("wall", {0, 0}, "white"), "room: edge 'wall' has length zero");
   EXPECT_EQ(edge("", {0, "0.0"}, "white"), "room: edge 'edge[0]' has length zero");
@@ -151,13 +138,13 @@ TEST(SceneBuilder2, RefusesWhatAFileMayNotSay) {
   EXPECT_EQ(edge("wall", {1, 0}, "white", {.elements = 0}),
             "room: edge 'wall': elements must be an integer from 1 to 1000000");
   const auto polyline = [&](const std::vector<TypedPoint2>& points, bool closed) {
-    return refusal([&] { builder.add_polyline("box", points, "white", {.closed = closed}); });
+    return refusal_by([&] { builder.add_polyline("box", points, "white", {.closed = closed}); });
   };
   EXPECT_EQ(polyline({{0, 0}}, true), "room: polyline 'box' has fewer than two points");
   EXPECT_EQ(polyline({{0, 0}, {1, 0}, {1, 0}}, false), "room: polyline 'box': its piece 'box[1]' has length zero");
   EXPECT_EQ(polyline({{0, 0}, {1, 0}, {0, 0}}, true), "room: polyline 'box': its piece 'box[2]' has length zero");
   const auto material = [&](const char* name, const MaterialOptions& options) {
-    return refusal([&] { builder.add_material(name, options); });
+    return refusal_by([&] { builder.add_material(name, options); });
   };
   EXPECT_EQ(material("white", {}), "room: material 'white' is there already");
   EXPECT_EQ(material("", {}), "room: the name of a material must not be empty");
@@ -167,12 +154,12 @@ TEST(SceneBuilder2, RefusesWhatAFileMayNotSay) {
   EXPECT_EQ(material("m", {.reflectivity = 0, .emissivity = 1}),
             "room: material 'm' has both reflectivity or emission and emissivity or temperature");
   EXPECT_EQ(material("m", {.temperature = 300}), "room: material 'm' has a temperature but no emissivity");
-  EXPECT_EQ(refusal([&] { builder.set_sky(-1); }), "room: sky: emission must not be negative");
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(refusal_by([&] { builder.set_sky(-1); }), "room: sky: emission must not be negative");
+  EXPECT_EQ(refusal_by([&] {
               builder.set_grid({0, 0}, {0, 1}, 1, 1);
             }),
             "room: grid: max must be greater than min in both coordinates");
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(refusal_by([&] {
               builder.set_grid({0, 0}, {1, 1}, 1, 0);
             }),
             "room: grid: cells must be integers from 1 to 16384");
@@ -186,10 +173,10 @@ TEST(SceneBuilder2, RefusesWhatAFileMayNotSay) {
 TEST(SceneBuilder2, RefusesNamesThatAreNotUnique) {
   SceneBuilder2 builder = with_white();
   builder.add_polyline("box", {{0, 0}, {1, 0}}, "white").add_edge("box", {2, 0}, {3, 0}, "white");
-  EXPECT_EQ(refusal([&] { builder.build(); }), "room: polyline 'box' has the name of an edge");
+  EXPECT_EQ(refusal_by([&] { builder.build(); }), "room: polyline 'box' has the name of an edge");
   builder = with_white();
   builder.add_polyline("box", {{0, 0}, {1, 0}}, "white").add_polyline("box", {{2, 0}, {3, 0}}, "white");
-  EXPECT_EQ(refusal([&] { builder.build(); }), "room: two surfaces have the name 'box[0]'");
+  EXPECT_EQ(refusal_by([&] { builder.build(); }), "room: two surfaces have the name 'box[0]'");
 }
 
 }  // namespace

@@ -55,18 +55,18 @@ TEST(Eye3, VectorsAreWithinTheirBounds) {
 
 TEST(Blockers3, LeavesOutStraightCornersAndSharesEdges) {
   const Blockers3 blockers(
-      {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, {{2, 0, 0}, {0, 0, 0}, {0, 0, 2}}});
+      {{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}}, {{{2, 0, 0}, {0, 0, 0}, {0, 0, 2}}}});
   EXPECT_EQ(blockers.outline(0).size(), 4u);
   EXPECT_EQ(blockers.edge_count(), 6u);
   EXPECT_EQ(blockers.exact_normal(0), (IntegerVector{0, 0, 1}));
   EXPECT_EQ(blockers.exact_normal(1), (IntegerVector{0, 1, 0}));
-  EXPECT_THROW(Blockers3({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}}), ContractViolation);
+  EXPECT_THROW(Blockers3({{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}}}), ContractViolation);
 }
 
 TEST(Blockers3, SidesCoverEveryTier) {
   const Rational tiny = scaled_by_power_of_two(1, -90);
-  const Blockers3 blockers({{{0, 0, 0}, {1, 0, ratio(1, 3)}, {0, 1, ratio(1, 7)}},
-                            {{1, 1, ratio(10, 21)}, {1, 1, ratio(10, 21) + tiny}, {5, 5, -5}}});
+  const Blockers3 blockers({{{{0, 0, 0}, {1, 0, ratio(1, 3)}, {0, 1, ratio(1, 7)}}},
+                            {{{1, 1, ratio(10, 21)}, {1, 1, ratio(10, 21) + tiny}, {5, 5, -5}}}});
   SignTier tier;
   EXPECT_EQ(blockers.side_of(VertexId3(5), 0, tier), -1);
   EXPECT_EQ(tier, SignTier::kFilter);

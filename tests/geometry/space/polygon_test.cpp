@@ -82,12 +82,14 @@ TEST(Polygon3, MayHavePointsInTheMiddleOfItsSides) {
 }
 
 TEST(Polygon3, IsConvexOnWhicheverSideAndWhereverItBegins) {
-  const auto expect = [](Polygon3 p, bool is_convex) {
+  const auto expect = [](Polygon3 p, bool is_one) {
     for (std::size_t begin = 0; begin < p.points.size(); ++begin) {
       for (Polygon3 q : {p, turned(p)}) {
-        EXPECT_EQ(polygon_problem(q).text.empty(), is_convex) << begin;
+        EXPECT_EQ(polygon_problem(q).text, "") << begin;
+        EXPECT_EQ(is_convex(q), is_one) << begin;
         std::reverse(q.points.begin(), q.points.end());
-        EXPECT_EQ(polygon_problem(q).text.empty(), is_convex) << begin;
+        EXPECT_EQ(polygon_problem(q).text, "") << begin;
+        EXPECT_EQ(is_convex(q), is_one) << begin;
       }
       std::rotate(p.points.begin(), p.points.begin() + 1, p.points.end());
     }
@@ -95,15 +97,35 @@ TEST(Polygon3, IsConvexOnWhicheverSideAndWhereverItBegins) {
   expect(polygon("0 0 0, 2 0 0, 2 2 0, 1 0.5 0"), false);
   expect(polygon("0 0 0, 2 0 0, 2 1 0, 1 1 0, 1 2 0, 0 2 0"), false);
   expect(polygon("0 0 0, 2 0 0, 3 1 0, 2 3 0, 1 3 0, 0 2 0"), true);
-  EXPECT_EQ(problem("0 0 0, 2 0 0, 2 1 0, 1 1 0, 1 2 0, 0 2 0"),
-            "is not convex: at the point (1, 1, 0) it turns the other way");
+  Polygon3 holed = polygon("0 0 0, 4 0 0, 4 4 0, 0 4 0");
+  holed.holes = {polygon("1 1 0, 2 1 0, 2 2 0, 1 2 0").points};
+  EXPECT_EQ(polygon_problem(holed).text, "");
+  EXPECT_FALSE(is_convex(holed));
 }
 
 TEST(Polygon3, DoesNotGoBackOrCrossItself) {
   EXPECT_THAT(problem("0 0 0, 3 0 0, 2 0 0, 2 2 0"), HasSubstr("goes back along itself at the point (3, 0, 0)"));
-  EXPECT_THAT(problem("0 0 0, 1 1 0, 1 0 0, 0 1 0"), HasSubstr("is not convex"));  // a bow tie of area 0
+  EXPECT_EQ(problem("0 0 0, 1 1 0, 1 0 0, 0 1 0"), "crosses itself at the point (0.5, 0.5, 0)");  // of area 0
   // A pentagram turns to one side only.
-  EXPECT_EQ(problem("0 3 0, 2 -3 0, -3 1 0, 3 1 0, -2 -3 0"), "goes around more than once: it crosses itself");
+  EXPECT_THAT(problem("0 3 0, 2 -3 0, -3 1 0, 3 1 0, -2 -3 0"), HasSubstr("crosses itself at the point"));
+}
+
+TEST(Polygon3, HasItsHolesInItBesideEachOther) {
+  const auto with = [](const std::vector<std::string>& holes) {
+    Polygon3 p = polygon("0 0 0, 4 0 0, 4 4 0, 0 4 0");
+    for (const std::string& hole : holes) p.holes.push_back(polygon(hole).points);
+    return polygon_problem(p).text;
+  };
+  EXPECT_EQ(with({"1 1 0, 2 1 0, 2 2 0, 1 2 0"}), "");
+  EXPECT_EQ(with({"1 1 0, 1 2 0, 2 2 0, 2 1 0"}), "");                                // in either sense
+  EXPECT_EQ(with({"0 0 0, 1 0 0, 1 1 0", "1 1 0, 2 1 0, 2 2 0"}), "");                // touching
+  EXPECT_EQ(with({"3 3 0, 5 3 0, 5 5 0"}), "crosses itself at the point (4, 3, 0)");  // half outside
+  EXPECT_THAT(with({"5 5 0, 6 5 0, 6 6 0"}), HasSubstr("holes that are not in it"));
+  EXPECT_THAT(with({"1 1 0, 3 1 0, 3 3 0, 1 3 0", "2 2 0, 5/2 2 0, 5/2 5/2 0"}), HasSubstr("share an area"));
+  EXPECT_THAT(with({"1 1 0, 2 1 0, 2 2 0", "1 1 0, 2 1 0, 2 2 0"}), HasSubstr("share an area"));
+  EXPECT_THAT(with({"1 1 1, 2 1 1, 2 2 1"}), HasSubstr("is not plane"));
+  EXPECT_THAT(with({"1 1 0, 2 2 0, 3 3 0"}), HasSubstr("has a hole without an area"));
+  EXPECT_THAT(with({"1 1 0, 2 2 0"}), HasSubstr("has a hole that has fewer than three points"));
 }
 
 TEST(Polygon3, HasTheNormalOfItsFrontTwiceAsLongAsItsArea) {

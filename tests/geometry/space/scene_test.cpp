@@ -5,8 +5,11 @@
 
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "kernel/support/failure.h"
+#include "tests/refusal.h"
 
 namespace hottel {
 namespace {
@@ -35,13 +38,7 @@ Scene3 two_walls() {
 std::string refusal(const std::function<void(Scene3&)>& change) {
   Scene3 scene = two_walls();
   change(scene);
-  try {
-    validate(scene);
-  } catch (const InputError& error) {
-    EXPECT_LE(error.hints().size(), 3u);
-    return error.what();
-  }
-  return "";
+  return refusal_by([&] { validate(scene); });
 }
 
 TEST(Scene3, OfProperPolygonsIsValid) {
@@ -62,15 +59,28 @@ TEST(Scene3, HasNoPolygonWithAProblem) {
               StartsWith("two.json:10: polygon 'floor' is not plane: points lie 0.2"));
 }
 
-TEST(Scene3, HasNoTwoPolygonsThatShareAnArea) {
-  EXPECT_EQ(
-      refusal([](Scene3& s) {
-        s.polygons[1] = {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}};
-      }),
-      "two.json:11: polygons 'floor' and 'wall' overlap: they share an area of one plane; the first is in line 10");
+TEST(Scene3, MayHavePolygonsThatShareAnArea) {
+  EXPECT_EQ(refusal([](Scene3& s) { s.polygons[1] = {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}}; }), "");
+  EXPECT_EQ(refusal([](Scene3& s) { s.polygons[1] = s.polygons[0]; }), "");
   EXPECT_EQ(refusal([](Scene3& s) { s.polygons[1] = {{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}}; }), "");
   // Polygons of different planes may go through each other.
   EXPECT_EQ(refusal([](Scene3& s) { s.polygons[1] = {{{0, 0, -1}, {1, 0, -1}, {0, 1, 1}}}; }), "");
+}
+
+TEST(Scene3, MayHavePolygonsWithHolesAndNotConvex) {
+  EXPECT_EQ(refusal([](Scene3& s) { s.polygons[0].points[2] = {Rational(1) / 4, Rational(1) / 4, 0}; }), "");
+  const auto with_hole = [](const std::vector<Point3>& hole) {
+    return refusal([&](Scene3& s) { s.polygons[0].holes = {hole}; });
+  };
+  const Rational quarter(1, 4), half(1, 2);
+  EXPECT_EQ(with_hole({{quarter, quarter, 0}, {half, quarter, 0}, {half, half, 0}}), "");
+  EXPECT_EQ(with_hole({{0, 0, 0}, {half, quarter, 0}, {half, half, 0}}), "");  // it touches the outline
+  EXPECT_EQ(with_hole({{2, 2, 0}, {3, 2, 0}, {3, 3, 0}}),
+            "two.json:10: polygon 'floor' has holes that are not in it, or share an area");
+  EXPECT_THAT(with_hole({{half, half, 0}, {2, half, 0}, {half, quarter, 0}}),
+              StartsWith("two.json:10: polygon 'floor' crosses itself at the point (1, "));
+  EXPECT_THAT(refusal([](Scene3& s) { std::swap(s.polygons[0].points[1], s.polygons[0].points[2]); }),
+              StartsWith("two.json:10: polygon 'floor' crosses itself at the point (0.5, 0.5, 0)"));
 }
 
 TEST(Scene3, HasAValidTable) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "kernel/support/failure.h"
+#include "tests/refusal.h"
 
 namespace hottel {
 namespace {
@@ -29,14 +30,7 @@ Scene3 parse(const std::string& text, const Files& files = {}) {
 }
 
 std::string refusal(const std::string& text, const Files& files = {}) {
-  try {
-    parse(text, files);
-  } catch (const InputError& error) {
-    EXPECT_LE(error.hints().size(), 3u);
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-    return error.what();
-  }
-  return "";
+  return refusal_by([&] { parse(text, files); });
 }
 
 // A scene with these further members, which begin in line 3.
@@ -99,11 +93,12 @@ TEST(SceneJson3, RefusesWhatBelongsToThePlaneOrIsNotThereYet) {
             "in/scene.json:3: polylines belong to dimension 2; this scene has dimension 3");
   EXPECT_EQ(refusal(scene_with("\"lights\": [{}]")), "in/scene.json:3: lights are not simulated by this version");
   const std::string polygon = std::string("{\"name\": \"a\", \"material\": \"m\", ") + kTriangle;
-  EXPECT_EQ(refusal(with_polygons(polygon + ",\n\"holes\": [[]]}")),
-            "in/scene.json:5: polygon 'a': holes are not in this version");
-  for (const char* behind : {"solid", "open"})
-    EXPECT_EQ(refusal(with_polygons(polygon + ",\n\"behind\": \"" + behind + "\"}")),
-              "in/scene.json:5: polygon 'a': behind is not supported in dimension 3 by this version");
+  for (const char* behind : {"solid", "open"}) {
+    const std::string tail = std::string("\"behind\": \"") + behind + "\"}";
+    EXPECT_EQ(
+        refusal(with_polygons(polygon + ",\n" + tail)),
+        "in/scene.json:5: polygon 'a': behind is for closed meshes: a \"mesh\", or the polygons of one \"group\"");
+  }
   EXPECT_THAT(refusal(scene_with("\"unknown\": 1")), HasSubstr("has the unknown key 'unknown'"));
   EXPECT_THAT(refusal(with_polygons(polygon + ", \"closed\": true}")), HasSubstr("has the unknown key 'closed'"));
 }
@@ -119,8 +114,8 @@ TEST(SceneJson3, RefusesWrongPolygonsByNameAndLine) {
   EXPECT_EQ(points("[0,0,0], [1,0,0], [2,0,0]"),
             "in/scene.json:4: polygon 'a' has no area: its points lie on one line");
   EXPECT_THAT(points("[0,0,0], [1,0,0], [1,1,0.1], [0,1,0]"), StartsWith("in/scene.json:4: polygon 'a' is not plane"));
-  EXPECT_THAT(points("[0,0,0], [1,0,0], [0.2,0.2,0], [0,1,0]"),
-              StartsWith("in/scene.json:4: polygon 'a' is not convex"));
+  EXPECT_EQ(points("[0,0,0], [1,1,0], [1,0,0], [0,1,0]"),
+            "in/scene.json:4: polygon 'a' crosses itself at the point (0.5, 0.5, 0)");
   EXPECT_THAT(points("[0,0,0], [1,0,\"x\"], [0,1,0]"),
               StartsWith("in/scene.json:4: polygon 'a': coordinate is not a number"));
   EXPECT_EQ(refusal(with_polygons(std::string("{\"name\": \"a\", ") + kTriangle + "}")),
@@ -128,11 +123,40 @@ TEST(SceneJson3, RefusesWrongPolygonsByNameAndLine) {
   EXPECT_THAT(refusal(with_polygons(std::string("{\"material\": \"x\", ") + kTriangle + "}")),
               StartsWith("in/scene.json:4: polygon 'polygon[0]': material 'x' is not defined"));
   const std::string a = std::string("{\"name\": \"a\", \"material\": \"m\", ") + kTriangle + "}";
-  const std::string b = std::string("{\"name\": \"b\", \"material\": \"n\", ") + kTriangle + "}";
-  EXPECT_EQ(refusal(with_polygons(a + ",\n" + b)),
-            "in/scene.json:5: polygons 'a' and 'b' overlap: they share an area of one plane; the first is in line 4");
   EXPECT_EQ(refusal(with_polygons(a + ",\n" + a)),
             "in/scene.json:5: two surfaces have the name 'a', the other one in line 4");
+}
+
+TEST(SceneJson3, ReadsHoles) {
+  const auto with_holes = [](const std::string& holes) {
+    return with_polygons(
+        "{\"name\": \"a\", \"material\": \"m\", \"points\": [[0,0,0], [3,0,0], [3,3,0], [0,3,0]],\n\"holes\": " +
+        holes + "}");
+  };
+  const Scene3 scene = parse(with_holes(R"([[[1,1,0], ["3/2",1,0], [1,2,0]], [[2,2,0], [2,3,0], [3,2,0]]])"));
+  EXPECT_THAT(scene.polygons[0].holes,
+              ElementsAre(ElementsAre(Point3{1, 1, 0}, Point3{Rational(3) / 2, 1, 0}, Point3{1, 2, 0}),
+                          ElementsAre(Point3{2, 2, 0}, Point3{2, 3, 0}, Point3{3, 2, 0})));
+  EXPECT_TRUE(parse(with_holes("[]")).polygons[0].holes.empty());
+  EXPECT_THAT(refusal(with_holes("[[]]")), HasSubstr("fewer than three points"));
+  EXPECT_EQ(refusal(with_holes("[[[1,1,0], [2,1,0], [3,1,0]]]")),
+            "in/scene.json:4: polygon 'a' has a hole without an area: its points lie on one line");
+  EXPECT_THAT(refusal(with_holes("[[[1,1,1], [2,1,1], [1,2,1]]]")), HasSubstr("polygon 'a' is not plane"));
+  EXPECT_THAT(refusal(with_holes("[[[1,1,0], [2,1,0], [1,2]]]")), HasSubstr("2 coordinates"));
+  EXPECT_EQ(refusal(with_holes("[[[4,4,0], [5,4,0], [4,5,0]]]")),
+            "in/scene.json:4: polygon 'a' has holes that are not in it, or share an area");
+  EXPECT_EQ(refusal(with_holes("[[[1,1,0], [2,1,0], [1,2,0]], [[1,1,0], [2,1,0], [2,2,0], [1,2,0]]]")),
+            "in/scene.json:4: polygon 'a' has holes that are not in it, or share an area");
+  EXPECT_EQ(refusal(with_holes("[[[1,1,0], [4,1,0], [4,2,0], [1,2,0]]]")),
+            "in/scene.json:4: polygon 'a' crosses itself at the point (3, 1, 0)");
+}
+
+TEST(SceneJson3, TakesPolygonsThatOverlapOrAreNotConvex) {
+  const std::string a = std::string("{\"name\": \"a\", \"material\": \"m\", ") + kTriangle + "}";
+  const std::string b = std::string("{\"name\": \"b\", \"material\": \"n\", ") + kTriangle + "}";
+  EXPECT_EQ(parse(with_polygons(a + ",\n" + b)).polygons.size(), 2u);
+  const std::string points = "\"points\": [[0,0,0], [1,0,0], [0.2,0.2,0], [0,1,0]]";
+  EXPECT_EQ(parse(with_polygons("{\"material\": \"m\", " + points + "}")).polygons[0].points.size(), 4u);
 }
 
 TEST(SceneJson3, GivesGroupsNamesOfTheirOwn) {
@@ -181,12 +205,66 @@ TEST(SceneJson3, AddsMeshesAfterPolygons) {
   EXPECT_EQ(scene.materials[2].reflectivity, Spectrum::scalar(Rational(1) / 4));
 }
 
+TEST(SceneJson3, AddsMeshesOfEveryFormat) {
+  const Files files{
+      {"in/a.ply",
+       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
+       "1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 0.1 0\n3 0 1 2\n"},
+      {"in/b.OFF", "OFF\n3 1 0\n0 0 1\n1 0 1\n0 0.1 1\n3 0 1 2\n"},
+      {"in/c.stl",
+       "solid c\nfacet normal 0 0 1\nouter loop\nvertex 0 0 2\nvertex 1 0 2\nvertex 0 0.1 2\nendloop\nendfacet\n"
+       "endsolid c\n"}};
+  const Scene3 scene = parse(scene_with(R"("mesh": [
+      {"file": "a.ply", "name": "a", "material": "m", "back": "n", "scale": "1/3", "elements": 2},
+      {"file": "b.OFF", "material": "n", "scale": 10, "about": "a triangle"},
+      {"file": "c.stl", "name": "c", "material": "m"}])"),
+                             files);
+  ASSERT_EQ(scene.surfaces.size(), 3u);
+  EXPECT_THAT(scene.groups, ElementsAre(Group("a"), Group("mesh[1]"), Group("c")));
+  EXPECT_EQ(scene.surfaces[0].name, "a[0]");
+  EXPECT_EQ(scene.surfaces[1].name, "mesh[1][0]");
+  EXPECT_EQ(scene.surfaces[2].name, "c[0]");
+  EXPECT_EQ(scene.surfaces[0].back, 1u);
+  EXPECT_EQ(scene.surfaces[0].elements, 2u);
+  EXPECT_EQ(scene.surfaces[0].line, 4);
+  EXPECT_EQ(scene.surfaces[1].material, 1u);
+  EXPECT_EQ(scene.surfaces[1].back, std::nullopt);
+  EXPECT_EQ(scene.surfaces[2].line, 6);
+  EXPECT_EQ(scene.polygons[0].points[2], (Point3{0, Rational(1) / 30, 0}));
+  EXPECT_EQ(scene.polygons[1].points[2], (Point3{0, 1, 10}));
+  EXPECT_EQ(scene.polygons[2].points[2], (Point3{0, Rational(1) / 10, 2}));
+  // They name no materials.
+  for (const char* file : {"a.ply", "b.OFF", "c.stl"})
+    EXPECT_THAT(refusal(scene_with("\"mesh\": {\"file\": \"" + std::string(file) + "\"}"), files),
+                HasSubstr("face 'mesh[0][0]' has no material"))
+        << file;
+}
+
+TEST(SceneJson3, SaysWhatIsBehindAGroup) {
+  const std::string triangle = std::string("{\"material\": \"m\", \"group\": \"box\", ") + kTriangle;
+  const std::string first = triangle + ", \"name\": \"a\"", second = triangle + ", \"name\": \"b\"";
+  const auto behind = [&](const std::string& of_first, const std::string& of_second) {
+    return parse_scene_3(with_polygons(first + of_first + "},\n" + second + of_second + "}"), "in/scene.json")
+        .groups[0]
+        .behind;
+  };
+  const std::string open = ", \"behind\": \"open\"", solid = ", \"behind\": \"solid\"";
+  EXPECT_EQ(behind("", ""), Behind::kByOutline);
+  EXPECT_EQ(behind(open, ""), Behind::kOpen);
+  EXPECT_EQ(behind("", solid), Behind::kSolid);
+  EXPECT_EQ(behind(open, open), Behind::kOpen);
+  EXPECT_EQ(refusal(with_polygons(first + open + "},\n" + second + solid + "}")),
+            "in/scene.json:5: polygon 'b': another polygon of the group 'box' says that something else is behind it");
+  const Scene3 scene = parse_scene_3(with_polygons(first + open + "},\n" + second + "}"), "in/scene.json");
+  EXPECT_EQ(parse_scene_3(write_scene_3(scene), "again.json").groups, scene.groups);
+}
+
 TEST(SceneJson3, RefusesWrongMeshes) {
   EXPECT_EQ(refusal(with_mesh(""), kFiles), "in/a.obj:5: face 'mesh[0][0]' has no material");
   EXPECT_EQ(refusal(with_mesh(", \"material\": \"m\", \"scale\": 0"), kFiles),
             "in/scene.json:3: mesh 'mesh[0]': scale must be greater than 0");
-  EXPECT_EQ(refusal(with_mesh(", \"material\": \"m\", \"behind\": \"solid\""), kFiles),
-            "in/scene.json:3: mesh 'mesh[0]': behind is not supported in dimension 3 by this version");
+  EXPECT_EQ(refusal(with_mesh(", \"material\": \"m\", \"behind\": \"air\""), kFiles),
+            "in/scene.json:3: mesh 'mesh[0]': behind is 'air'; it may be \"solid\" or \"open\"");
   EXPECT_EQ(refusal(with_mesh(", \"material\": \"z\""), kFiles),
             "in/scene.json:3: mesh 'mesh[0]': material 'z' is not defined");
   EXPECT_EQ(refusal(with_mesh(", \"name\": \"sky\""), kFiles),
@@ -194,8 +272,9 @@ TEST(SceneJson3, RefusesWrongMeshes) {
   EXPECT_EQ(refusal(with_mesh(", \"points\": []"), kFiles), "in/scene.json:3: mesh[0] has the unknown key 'points'");
   EXPECT_EQ(refusal(scene_with("\"mesh\": {}")), "in/scene.json:3: mesh[0] has no \"file\"");
   EXPECT_EQ(refusal(scene_with("\"mesh\": {\"file\": \"lost.obj\"}")), "in/lost.obj: is not there");
-  EXPECT_EQ(refusal(scene_with("\"mesh\": {\"file\": \"a.ply\"}")),
-            "in/scene.json:3: mesh 'mesh[0]': the file 'a.ply' is not read by this version: it does not end in .obj");
+  EXPECT_EQ(refusal(scene_with("\"mesh\": {\"file\": \"a.dxf\"}")),
+            "in/scene.json:3: mesh 'mesh[0]': the file 'a.dxf' is not read by this version: it does not end in .obj, "
+            ".ply, .off or .stl");
   EXPECT_EQ(refusal(scene_with(R"("mesh": [{"file": "meshes/b.obj"}, {"file": "meshes/c.obj"}])"), kFiles),
             "in/meshes/c.obj:5: the material 'x' is another one in another mesh");
   EXPECT_EQ(refusal(scene_with("\"mesh\": [{\"file\": \"a.obj\", \"material\": \"m\"},\n{\"file\": \"a.obj\", "

@@ -5,19 +5,12 @@
 
 #include "tests/comparison/plane/engine_comparison.h"
 #include "tests/oracle/plane/random_scene.h"
-
-#ifndef __has_feature
-#define __has_feature(feature) 0
-#endif
+#include "tests/sanitizers.h"
 
 namespace hottel::oracle {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
-constexpr int kScenesPerBatch = 3;
-#else
-constexpr int kScenesPerBatch = 25;
-#endif
+constexpr int kScenesPerBatch = kHasAddressSanitizer ? 3 : 25;
 constexpr int kBatches = 20;
 
 class ExchangeAgainstOracle : public testing::TestWithParam<int> {};

@@ -5,20 +5,13 @@
 #include <random>
 
 #include "tests/comparison/plane/engine_comparison.h"
+#include "tests/sanitizers.h"
 #include "tests/storm/plane/lattice_scene.h"
-
-#ifndef __has_feature
-#define __has_feature(feature) 0
-#endif
 
 namespace hottel::oracle {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
-constexpr std::uint64_t kScenes = 20;
-#else
-constexpr std::uint64_t kScenes = 200;
-#endif
+constexpr std::uint64_t kScenes = kHasAddressSanitizer ? 20 : 200;
 
 // Scenes that no other run draws, on lattices of 3 to 7 by 3 to 7 points.
 storm::LatticeScene scene_at(std::uint64_t number) {

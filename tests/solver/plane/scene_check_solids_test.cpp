@@ -272,7 +272,7 @@ TEST(StateSolids, DoesNothingWhereAFaceWouldBeCoveredWhollyOrEmits) {
                  rings({path("room", "[2,0],[0,0],[0,3],[4,3],[4,0],[3,0]"), path("box", box_over_mat)}));
     Repair2 repair{scene, {}, {}};
     state_solids(repair, Simulation2(repair.scene).check()->black_backs);
-    EXPECT_THAT(repair.steps, ElementsAre(testing::Field(&RepairStep2::kind, "not-repaired"))) << material;
+    EXPECT_THAT(repair.steps, ElementsAre(testing::Field(&RepairStep::kind, "not-repaired"))) << material;
     EXPECT_EQ(repair.scene.groups, scene.groups);
   }
   // The floor goes on on both sides, and shines.
@@ -281,7 +281,7 @@ TEST(StateSolids, DoesNothingWhereAFaceWouldBeCoveredWhollyOrEmits) {
   const std::vector<std::uint32_t> backs = Simulation2(repair.scene).check()->black_backs;
   EXPECT_EQ(backs.size(), 3u);
   state_solids(repair, backs);
-  EXPECT_THAT(repair.steps, ElementsAre(testing::Field(&RepairStep2::kind, "not-repaired")));
+  EXPECT_THAT(repair.steps, ElementsAre(testing::Field(&RepairStep::kind, "not-repaired")));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/computed_factors.h"
+#include "tests/sanitizers.h"
 #include "tests/solver/plane/edited_scenes.h"
 #include "tests/viewer/edit/plane/edited_scenes.h"
 #include "viewer/edit/plane/scene_edits.h"
@@ -389,15 +390,7 @@ TEST(LiveScene2, HasNoLightWhereMemoryDoesNotSuffice) {
   EXPECT_THAT(live.state()->problem, HasSubstr("allowed are 100"));
 }
 
-#ifndef __has_feature
-#define __has_feature(feature) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer) || \
-    __has_feature(thread_sanitizer)
-constexpr int kHammer = 25;
-#else
-constexpr int kHammer = 300;
-#endif
+constexpr int kHammer = kHasAddressSanitizer || kHasThreadSanitizer ? 25 : 300;
 
 TEST(LiveSceneThread, EndsAtAnyMoment) {
   std::mt19937_64 random(7);

@@ -1,0 +1,78 @@
+// What CONTRACT says of `hottel plan` on scenes in space.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/cli/program.h"
+
+namespace hottel {
+namespace {
+
+using ::testing::HasSubstr;
+using testing_cli::lines_of;
+using testing_cli::Outcome;
+using testing_cli::Workplace;
+
+std::string scene_file(const std::string& name) {
+  return "'" + std::string(HOTTEL_SOURCE_DIR) + "/scenes/space/" + name + "'";
+}
+
+TEST(PlanInSpace, ListsEffectsWithReasonsAndSeconds) {
+  const Workplace place;
+  const Outcome text = place.run("hottel plan " + scene_file("two_boxes.json"));
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_EQ(text.err, "");
+  EXPECT_EQ(lines_of(text.out).size(), 13u);
+  EXPECT_THAT(text.out, HasSubstr("  occlusion               used        17 polygons that may hide each other"));
+  EXPECT_THAT(text.out, HasSubstr("  picture                 not yet     not simulated by this version"));
+
+  const auto json = nlohmann::json::parse(place.run("hottel plan --json " + scene_file("two_boxes.json")).out);
+  EXPECT_EQ(json["hottel"], 1);
+  ASSERT_EQ(json["plan"].size(), 12u);
+  for (const auto& effect : json["plan"]) {
+    EXPECT_EQ(effect.size(), 4u);
+    EXPECT_TRUE(effect["used"].is_boolean());
+    EXPECT_FALSE(effect["reason"].get<std::string>().empty());
+    EXPECT_EQ(effect["seconds_estimate"].get<double>() == 0, effect["seconds_estimate"].get<double>() <= 0);
+    if (!effect["used"].get<bool>()) {
+      EXPECT_EQ(effect["seconds_estimate"], 0);
+    }
+  }
+  EXPECT_EQ(json["plan"][0]["effect"], "exchange");
+  EXPECT_GT(json["plan"][0]["seconds_estimate"].get<double>(), 0);
+}
+
+TEST(PlanInSpace, KnowsAConvexRoom) {
+  const Workplace place;
+  const Outcome outcome = place.run("hottel plan " + scene_file("cube.json"));
+  EXPECT_THAT(outcome.out, HasSubstr("  occlusion               not needed  one convex room"));
+  EXPECT_THAT(outcome.out, HasSubstr("  sky                     not needed  one closed room"));
+}
+
+TEST(PlanInSpace, ElementsAreDividedAsAskedFor) {
+  const Workplace place;
+  const std::string cube = scene_file("cube.json");
+  EXPECT_THAT(place.run("hottel plan --elements 2 " + cube).out, HasSubstr("24 rows, about 240 pairs"));
+  EXPECT_THAT(place.run("hottel plan --element-size 1/3 " + cube).out, HasSubstr("54 rows, about 1215 pairs"));
+}
+
+TEST(PlanInSpace, AGridIsOfThePlane) {
+  const Workplace place;
+  const Outcome outcome = place.run("hottel plan --grid 3x3 " + scene_file("cube.json"));
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, HasSubstr("--grid is of scenes in the plane"));
+}
+
+TEST(PlanInSpace, AMeshIsASceneByItself) {
+  const Workplace place;
+  place.write("plates.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\ng low\nf 1 2 3\n");
+  const Outcome outcome = place.run("hottel plan plates.obj");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("no face has anything before it"));
+}
+
+}  // namespace
+}  // namespace hottel

@@ -1,0 +1,147 @@
+#include "geometry/space/check/repair.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "geometry/space/check/near_contacts.h"
+#include "geometry/space/check/polygon_places.h"
+#include "tests/geometry/space/check/small_scene.h"
+
+namespace hottel {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing_space::add;
+using testing_space::add_box;
+using testing_space::empty_scene;
+using testing_space::q;
+using testing_space::unit_room;
+
+const Rational kGap = Rational(1) / 1000000;
+
+std::vector<std::string> steps(const Repair3& repair) {
+  std::vector<std::string> result;
+  for (const RepairStep& step : repair.steps) result.push_back(step.kind + " " + step.surface);
+  return result;
+}
+
+TEST(Repair3, WithoutAGapTheSceneStaysAsItIs) {
+  Scene3 scene = unit_room();
+  add_box(scene, "box", {q("1/4"), q("1/4"), 0}, {q("3/4"), q("3/4"), q("1/2")}, false);
+  const Repair3 repair = close_gaps(scene, kGap);
+  EXPECT_THAT(repair.steps, IsEmpty());
+  EXPECT_EQ(repair.scene.polygons, scene.polygons);
+  EXPECT_EQ(repair.scene.surfaces, scene.surfaces);
+}
+
+TEST(Repair3, CornersGoToTheOneListedFirst) {
+  Scene3 scene = empty_scene();
+  add(scene, "a", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  add(scene, "b", {{-kGap, kGap, 0}, {0, 1, 1}, {-1, 0, 1}});
+  const Repair3 repair = close_gaps(scene, 2 * kGap);
+  EXPECT_THAT(steps(repair), ElementsAre("merged b"));
+  EXPECT_EQ(repair.scene.polygons[1].points[0], (Point3{0, 0, 0}));
+  EXPECT_EQ(repair.scene.polygons[0], scene.polygons[0]);
+  EXPECT_THAT(close_gaps(scene, kGap / 2).steps, IsEmpty()) << "it is farther away than that";
+}
+
+TEST(Repair3, CornersGoOntoEdgesAndFacesExactly) {
+  for (const bool is_edge : {false, true}) {
+    Scene3 scene = empty_scene();
+    add(scene, "plate", {{0, 0, 0}, {3, 1, 0}, {2, 3, 1}});
+    const Point3& a = scene.polygons[0].points[0];
+    const Vector3 u = scene.polygons[0].points[1] - a, v = scene.polygons[0].points[2] - a;
+    Point3 tip = moved(a, q("0.37"), u);
+    if (!is_edge) tip = moved(tip, q("0.21"), v);
+    tip.z += kGap;
+    add(scene, "tip", {tip, {0, 0, 5}, {0, 5, 5}});
+    const Repair3 repair = close_gaps(scene, 2 * kGap);
+    EXPECT_THAT(steps(repair), ElementsAre("snapped tip"));
+    const Point3& now = repair.scene.polygons[1].points[0];
+    EXPECT_TRUE(contains(scene.polygons[0], now));
+    if (is_edge) {
+      EXPECT_EQ(closest_point(Side3{a, moved(a, 1, u)}, now).squared, 0);
+    }
+    EXPECT_LE(squared_distance(now, tip), 4 * kGap * kGap);
+    EXPECT_THAT(find_contacts(repair.scene).near, IsEmpty());
+  }
+}
+
+TEST(Repair3, WhatLiesOnSomethingStaysOnIt) {
+  Scene3 scene = unit_room();
+  const Rational x = 1 - kGap;
+  add(scene, "partition", {{q("1/2"), q("1/2"), 0}, {x, q("1/2"), 0}, {x, q("1/2"), 1}, {q("1/2"), q("1/2"), 1}});
+  const Repair3 repair = close_gaps(scene, 2 * kGap);
+  EXPECT_THAT(steps(repair), ElementsAre("snapped partition", "snapped partition"));
+  EXPECT_THAT(repair.scene.polygons.back().points, ElementsAre(Point3{q("1/2"), q("1/2"), 0}, Point3{1, q("1/2"), 0},
+                                                               Point3{1, q("1/2"), 1}, Point3{q("1/2"), q("1/2"), 1}));
+}
+
+TEST(Repair3, ABoxThatFloatsByALittleIsPutOnTheFloor) {
+  Scene3 scene = unit_room();
+  add_box(scene, "box", {q("1/4"), q("1/4"), kGap}, {q("3/4"), q("3/4"), q("1/2")}, false);
+  const Repair3 repair = close_gaps(scene, 2 * kGap);
+  EXPECT_EQ(repair.steps.size(), 4u);
+  Scene3 expected = unit_room();
+  add_box(expected, "box", {q("1/4"), q("1/4"), 0}, {q("3/4"), q("3/4"), q("1/2")}, false);
+  EXPECT_EQ(repair.scene.polygons, expected.polygons);
+}
+
+TEST(Repair3, APolygonThatWouldNotBePlaneBecomesTriangles) {
+  Scene3 scene = empty_scene();
+  add(scene, "peak", {{0, 0, kGap}, {-1, 0, 1}, {0, -1, 1}});
+  add(scene, "plate", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  const Repair3 repair = close_gaps(scene, 2 * kGap);
+  EXPECT_THAT(steps(repair), ElementsAre("merged plate", "triangulated plate"));
+  ASSERT_EQ(repair.scene.surfaces.size(), 3u);
+  EXPECT_EQ(repair.scene.surfaces[1].name, "plate[0]");
+  EXPECT_EQ(repair.scene.surfaces[2].name, "plate[1]");
+  validate(repair.scene);
+}
+
+TEST(Repair3, WhatWouldBeNoPolygonKeepsItsCorners) {
+  // It would have to be bent, and no fan of triangles fits into it.
+  Scene3 scene = empty_scene();
+  add(scene, "peak", {{3, 0, kGap}, {4, 0, 1}, {4, 1, 1}});
+  add(scene, "yoke", {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {2, 3, 0}, {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}});
+  const Repair3 repair = close_gaps(scene, 2 * kGap);
+  validate(repair.scene);
+  EXPECT_EQ(repair.scene.polygons[1], scene.polygons[1]);
+  EXPECT_THAT(steps(repair), ElementsAre("merged peak", "not-repaired yoke"));
+}
+
+TEST(Repair3, WhatHasNoAreaLeftIsDropped) {
+  Scene3 scene = empty_scene();
+  add(scene, "plate", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  add(scene, "crumb", {{0, 0, kGap}, {kGap, 0, kGap}, {0, kGap, kGap}});
+  const Repair3 repair = close_gaps(scene, 4 * kGap);
+  ASSERT_EQ(repair.scene.surfaces.size(), 1u);
+  EXPECT_EQ(repair.scene.surfaces[0].name, "plate");
+  EXPECT_EQ(repair.steps.back().kind, "dropped");
+}
+
+TEST(Repair3, NoCornerMovesFartherThanItMay) {
+  // A row of corners, each within reach of the next one.
+  Scene3 scene = empty_scene();
+  for (int k = 0; k < 6; ++k) add(scene, "t" + std::to_string(k), {{k * kGap, 0, 0}, {k + 1, 1, k}, {k + 1, 2, k + 1}});
+  const Repair3 repair = close_gaps(scene, kGap);
+  EXPECT_FALSE(repair.steps.empty());
+  for (std::size_t s = 0; s < scene.polygons.size(); ++s)
+    EXPECT_LE(squared_distance(scene.polygons[s].points[0], repair.scene.polygons[s].points[0]), kGap * kGap);
+}
+
+TEST(Repair3, PolygonsUpsideDownAreReversed) {
+  Scene3 scene = unit_room();
+  const Polygon3 before = scene.polygons[2];
+  std::reverse(scene.polygons[2].points.begin() + 1, scene.polygons[2].points.end());
+  Repair3 repair = unrepaired(scene);
+  reverse_upside_down(repair);
+  EXPECT_THAT(steps(repair), ElementsAre("reversed front"));
+  EXPECT_EQ(repair.scene.polygons[2], before);
+}
+
+}  // namespace
+}  // namespace hottel

@@ -1,0 +1,354 @@
+// View factors of scenes in space: values, order, groups, the sky, threads, what is refused.
+#include "geometry/space/exchange/exchange.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/space/exchange/prepared_scene.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/interrupt.h"
+#include "kernel/support/parallel.h"
+
+namespace hottel {
+namespace {
+
+using ::testing::HasSubstr;
+using Pair = std::pair<std::string, std::string>;
+
+constexpr double kOpposite = 0.1998248956983873830415993, kAdjacent = 0.2000437760754031542396002;
+
+PreparedScene3 prepared(const std::string& json) { return prepare(parse_scene_3(json, "scene.json")); }
+PreparedScene3 scene_file(const std::string& name, std::uint32_t elements = 1) {
+  Scene3 scene = read_scene_3(std::string(HOTTEL_SOURCE_DIR) + "/scenes/space/" + name);
+  for (Surface& surface : scene.surfaces) surface.elements = elements;
+  return prepare(std::move(scene));
+}
+
+std::set<Pair> pairs_of(const ExchangeMatrix& matrix) {
+  std::set<Pair> pairs;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (const FactorEntry& entry : matrix.row(i)) pairs.emplace(matrix.name(i), matrix.name(entry.to));
+  return pairs;
+}
+
+const FactorEntry& entry_of(const ExchangeMatrix& matrix, const std::string& from, const std::string& to) {
+  for (const FactorEntry& entry : matrix.row(*matrix.find(from)))
+    if (entry.to == *matrix.find(to)) return entry;
+  throw std::runtime_error(from + " and " + to + " exchange nothing");
+}
+
+double row_sum(const ExchangeMatrix& matrix, std::uint32_t i) {
+  double sum = 0;
+  for (const FactorEntry& entry : matrix.row(i)) sum += entry.factor.value;
+  return sum;
+}
+
+// Two plates that look at each other, a wide screen between them, and one far off. Open.
+constexpr const char* kScreened = R"({"hottel": 1, "dimension": 3, "materials": {"m": {}}, "polygons": [
+  {"name": "low", "points": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], "material": "m"},
+  {"name": "high", "points": [[0,0,2],[0,1,2],[1,1,2],[1,0,2]], "material": "m"},
+  {"name": "screen", "points": [[-9,-9,1],[9,-9,1],[9,9,1],[-9,9,1]], "material": "m"}]})";
+
+TEST(Exchange3, FactorsOfACubeAreKnown) {
+  const ExchangeMatrix matrix = exact_exchange(scene_file("cube.json"));
+  EXPECT_EQ(matrix.entry_count(), 30u);
+  const std::vector<std::string> names{"floor", "ceiling", "front", "rear", "left", "right"};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      if (i == j) continue;
+      const FactorEntry& entry = entry_of(matrix, names[i], names[j]);
+      EXPECT_NEAR(entry.factor.value, i / 2 == j / 2 ? kOpposite : kAdjacent, 1e-9);
+      EXPECT_EQ(entry.visibility, 1);
+    }
+}
+
+TEST(Exchange3, EveryEntryIsWithinItsProvenBounds) {
+  for (const char* name : {"cube.json", "two_boxes.json"}) {
+    const ExchangeMatrix matrix = exact_exchange(scene_file(name));
+    for (std::uint32_t i = 0; i < matrix.size(); ++i)
+      for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+        const Enclosure bounds = matrix.bounds(i, k);
+        EXPECT_TRUE(bounds.contains(matrix.row(i)[k].factor.value)) << name;
+        EXPECT_TRUE(0 <= bounds.lower && bounds.upper <= 1) << name;
+        EXPECT_GT(matrix.row(i)[k].factor.value, 0) << name;
+      }
+  }
+  const ExchangeMatrix cube = exact_exchange(scene_file("cube.json"));
+  EXPECT_EQ(cube.guarantee(), Guarantee::kEnclosed);
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_TRUE(cube.bounds(0, k).contains(k == 0 ? kOpposite : kAdjacent)) << k;
+    EXPECT_LE(cube.bounds(0, k).width(), 2.1e-9);
+  }
+}
+
+TEST(Exchange3, RowsOfAClosedRoomSumToOneWithoutTheSky) {
+  for (const std::uint32_t elements : {1u, 2u}) {
+    const PreparedScene3 room = scene_file("two_boxes.json", elements);
+    ExchangeReport3 report;
+    const ExchangeMatrix matrix = exact_exchange(room, {.granularity = Granularity::kElement}, &report);
+    for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+      if (!matrix.has_row(i)) continue;
+      EXPECT_NEAR(row_sum(matrix, i), 1, 1e-9) << matrix.name(i);
+      EXPECT_NE(matrix.row(i).back().to, matrix.sky()) << matrix.name(i);
+    }
+    EXPECT_LE(report.max_defect, 1e-9);
+    EXPECT_GT(report.mixed, 0u);
+  }
+}
+
+TEST(Exchange3, FactorsAreReciprocal) {
+  const ExchangeMatrix matrix = exact_exchange(scene_file("two_boxes.json"), {.wants_measures = true});
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
+      const FactorEntry& entry = matrix.row(i)[k];
+      const double area = matrix.elements()[i].area.value;
+      EXPECT_NEAR(matrix.measures(i)[k], area * entry.factor.value, 1e-14 * area);
+      if (entry.to == matrix.sky() || !matrix.has_row(entry.to)) continue;
+      const FactorEntry& reverse = entry_of(matrix, matrix.name(entry.to), matrix.name(i));
+      EXPECT_EQ(entry.visibility, reverse.visibility);
+      EXPECT_NEAR(area * entry.factor.value, matrix.elements()[entry.to].area.value * reverse.factor.value,
+                  1e-14 * area);
+    }
+}
+
+TEST(Exchange3, FactorsOfElementsSumToThoseOfTheirFaces) {
+  const PreparedScene3 room = scene_file("two_boxes.json", 2);
+  const ExchangeMatrix faces = exact_exchange(room);
+  const ExchangeMatrix parts = exact_exchange(room, {.granularity = Granularity::kElement, .wants_measures = true});
+  std::map<std::pair<std::string, std::string>, double> sums;
+  const auto face_of = [](const std::string& name) { return name.substr(0, name.find('#')); };
+  for (std::uint32_t i = 0; i < parts.size(); ++i)
+    for (std::size_t k = 0; k < parts.row(i).size(); ++k)
+      sums[{face_of(parts.name(i)), face_of(parts.name(parts.row(i)[k].to))}] += parts.measures(i)[k];
+  std::set<Pair> found;
+  for (const auto& [pair, sum] : sums) {
+    const double area = faces.elements()[*faces.find(pair.first)].area.value;
+    EXPECT_NEAR(entry_of(faces, pair.first, pair.second).factor.value, sum / area, 1e-8)
+        << pair.first << " " << pair.second;
+    found.insert(pair);
+  }
+  EXPECT_EQ(found, pairs_of(faces));
+}
+
+TEST(Exchange3, AFaceIsNeverDividedUnlessElementsAreAskedFor) {
+  const ExchangeMatrix whole = exact_exchange(scene_file("cube.json", 1)),
+                       divided = exact_exchange(scene_file("cube.json", 3));
+  EXPECT_EQ(whole.row(0)[0].factor, divided.row(0)[0].factor);
+  EXPECT_EQ(whole.size(), divided.size());
+}
+
+TEST(Exchange3, OfAnOpenSceneTheSkyIsSeenThroughWhatIsOpen) {
+  // A box without a lid: through the opening the floor sees what it saw of the lid.
+  Scene3 open = scene_file("cube.json").scene;
+  open.closed = false;
+  open.surfaces.erase(open.surfaces.begin() + 1);
+  open.polygons.erase(open.polygons.begin() + 1);
+  const ExchangeMatrix matrix = exact_exchange(prepare(std::move(open)));
+  EXPECT_NEAR(entry_of(matrix, "floor", "sky").factor.value, kOpposite, 1e-9);
+  EXPECT_NEAR(entry_of(matrix, "left", "sky").factor.value, kAdjacent, 1e-9);
+  EXPECT_EQ(entry_of(matrix, "left", "sky").visibility, entry_of(matrix, "left", "sky").factor.value);
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (matrix.has_row(i)) {
+      EXPECT_NEAR(row_sum(matrix, i), 1, 1e-9);
+    }
+  }
+}
+
+TEST(Exchange3, AFaceAloneSeesTheSkyAlone) {
+  const ExchangeMatrix matrix = exact_exchange(prepared(
+      R"({"hottel": 1, "dimension": 3, "materials": {"m": {}}, "polygons": [
+           {"name": "kite", "points": [[0,0,0],[3,1,2],[1,1,1]], "material": "m", "back": "m"}]})"));
+  EXPECT_EQ(pairs_of(matrix), (std::set<Pair>{{"kite", "sky"}, {"kite:back", "sky"}}));
+  EXPECT_NEAR(matrix.row(0)[0].factor.value, 1, 1e-9);
+  EXPECT_NEAR(matrix.row(1)[0].factor.value, 1, 1e-9);
+}
+
+TEST(Exchange3, BlackBacksAreColumnsWithoutRows) {
+  const ExchangeMatrix matrix = exact_exchange(prepared(kScreened));
+  EXPECT_EQ(pairs_of(matrix), (std::set<Pair>{{"low", "screen:back"},
+                                              {"low", "sky"},
+                                              {"high", "screen"},
+                                              {"high", "sky"},
+                                              {"screen", "high"},
+                                              {"screen", "sky"}}));
+}
+
+TEST(Exchange3, HiddenPairsAreThoseThatWouldExchangeLightAlone) {
+  const PreparedScene3 scene = prepared(kScreened);
+  const ExchangeMatrix matrix = exact_exchange(scene);
+  const auto low = *matrix.find("low"), high = *matrix.find("high");
+  EXPECT_EQ(hidden_pairs(scene, Granularity::kFace, matrix), (std::vector<ElementPair>{{low, high}, {high, low}}));
+  // In a closed room nobody sees the sky.
+  const PreparedScene3 cube = scene_file("cube.json");
+  const ExchangeMatrix of_cube = exact_exchange(cube);
+  std::vector<ElementPair> expected;
+  for (std::uint32_t i = 0; i < of_cube.size(); ++i)
+    if (of_cube.has_row(i)) expected.emplace_back(i, of_cube.sky());
+  EXPECT_EQ(hidden_pairs(cube, Granularity::kFace, of_cube), expected);
+}
+
+// Half of the way between two plates is covered.
+constexpr const char* kHalf = R"({"hottel": 1, "dimension": 3, "materials": {"m": {}}, "polygons": [
+  {"name": "low", "points": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], "material": "m"},
+  {"name": "high", "points": [[0,0,1],[0,1,1],[1,1,1],[1,0,1]], "material": "m"},
+  {"name": "bar", "points": [[0,0,"1/2"],["1/2",0,"1/2"],["1/2",1,"1/2"],[0,1,"1/2"]], "material": "m"}]})";
+
+TEST(Exchange3, VisibilityIsTheShareThatIsNotHidden) {
+  const ExchangeMatrix matrix = exact_exchange(prepared(kHalf));
+  // By symmetry half is seen.
+  EXPECT_NEAR(entry_of(matrix, "low", "high").factor.value, kOpposite / 2, 1e-9);
+  EXPECT_NEAR(entry_of(matrix, "low", "high").visibility, 0.5, 1e-8);
+  EXPECT_EQ(entry_of(matrix, "low", "bar:back").visibility, 1);
+  EXPECT_TRUE(std::isnan(exact_exchange(prepared(kHalf), {.wants_visibility = false}).row(0)[0].visibility));
+}
+
+// The same, the plates and the bar in two groups: what a group hides of itself is not missed.
+std::string grouped(const std::string& bar_group) {
+  std::string text = kHalf;
+  const std::pair<std::string, std::string> groups[] = {{"low", "plates"}, {"high", "other"}, {"bar", bar_group}};
+  for (const auto& [name, group] : groups)
+    text.insert(text.find("\"name\": \"" + name + "\""), "\"group\": \"" + group + "\", ");
+  return text;
+}
+
+TEST(Exchange3, GroupsAreSumsOfTheirMembers) {
+  const PreparedScene3 scene = prepared(grouped("plates"));
+  const ExchangeMatrix faces = exact_exchange(scene, {.wants_measures = true});
+  const ExchangeMatrix groups = exact_exchange(scene, {.granularity = Granularity::kGroup, .wants_measures = true});
+  std::map<Pair, double> sums;
+  const auto group_of = [](std::string name) {
+    const std::string back = name.ends_with(":back") ? ":back" : "";
+    if (name == "sky") return name;
+    return (name.starts_with("high") ? "other" : "plates") + back;
+  };
+  for (std::uint32_t i = 0; i < faces.size(); ++i)
+    for (std::size_t k = 0; k < faces.row(i).size(); ++k)
+      sums[{group_of(faces.name(i)), group_of(faces.name(faces.row(i)[k].to))}] += faces.measures(i)[k];
+  for (const auto& [pair, sum] : sums) {
+    const double area = groups.elements()[*groups.find(pair.first)].area.value;
+    EXPECT_NEAR(entry_of(groups, pair.first, pair.second).factor.value, sum / area, 1e-9)
+        << pair.first << " " << pair.second;
+  }
+  for (std::uint32_t i = 0; i < groups.size(); ++i) {
+    if (groups.has_row(i)) {
+      EXPECT_NEAR(row_sum(groups, i), 1, 1e-9);
+    }
+  }
+}
+
+TEST(Exchange3, WhatAGroupHidesOfItselfIsNotMissedInItsVisibility) {
+  // The bar belongs to the plates: nothing else hides anything of them.
+  const ExchangeMatrix own = exact_exchange(prepared(grouped("plates")), {.granularity = Granularity::kGroup});
+  EXPECT_EQ(entry_of(own, "plates", "other").visibility, 1);
+  const ExchangeMatrix foreign = exact_exchange(prepared(grouped("bars")), {.granularity = Granularity::kGroup});
+  EXPECT_NEAR(entry_of(foreign, "plates", "other").visibility, 0.5, 1e-8);
+}
+
+TEST(Exchange3, AGroupThatSeesItselfCountsBothDirections) {
+  // The six walls of a cube as one group: all that leaves them arrives at them.
+  Scene3 scene = scene_file("cube.json").scene;
+  scene.groups = {"room"};
+  for (Surface& surface : scene.surfaces) surface.group = 0;
+  const ExchangeMatrix matrix = exact_exchange(prepare(std::move(scene)), {.granularity = Granularity::kGroup});
+  EXPECT_EQ(pairs_of(matrix), (std::set<Pair>{{"room", "room"}}));
+  EXPECT_NEAR(matrix.row(0)[0].factor.value, 1, 1e-9);
+  EXPECT_EQ(matrix.row(0)[0].visibility, 1);
+}
+
+bool are_equal(const ExchangeMatrix& a, const ExchangeMatrix& b) {
+  if (a.size() != b.size() || a.entry_count() != b.entry_count()) return false;
+  for (std::uint32_t i = 0; i < a.size(); ++i)
+    for (std::size_t k = 0; k < a.row(i).size(); ++k) {
+      const FactorEntry &x = a.row(i)[k], &y = b.row(i)[k];
+      if (x.to != y.to || x.factor != y.factor || x.visibility != y.visibility || a.bounds(i, k) != b.bounds(i, k) ||
+          a.guarantee(i, k) != b.guarantee(i, k))
+        return false;
+    }
+  return true;
+}
+
+TEST(Exchange3, ThreadsChangeNothing) {
+  const PreparedScene3 scene = scene_file("two_boxes.json", 2);
+  for (const Granularity granularity : {Granularity::kFace, Granularity::kElement, Granularity::kGroup}) {
+    const ExchangeRequest request{.granularity = granularity};
+    ExchangeReport3 one_report, many_report;
+    const ExchangeMatrix many = exact_exchange(scene, request, &many_report);
+    const ThreadLimit limit(1);
+    EXPECT_TRUE(are_equal(exact_exchange(scene, request, &one_report), many));
+    EXPECT_EQ(one_report.signs, many_report.signs);
+    EXPECT_EQ(one_report.max_defect, many_report.max_defect);
+  }
+}
+
+TEST(Exchange3, TheReportCountsPairs) {
+  ExchangeReport3 report;
+  const ExchangeMatrix cube = exact_exchange(scene_file("cube.json"), {}, &report);
+  EXPECT_EQ(report.surfaces, 6u);
+  EXPECT_EQ(report.vertices, 8u);
+  EXPECT_EQ(report.elements, 12u);
+  EXPECT_EQ(report.pairs, 15u);
+  EXPECT_EQ(report.enclosed, 15u);
+  EXPECT_EQ(report.clear, 15u);
+  // Fronts with fronts and with the backs of others, and with six sides of the sky.
+  EXPECT_EQ(report.hidden + report.clear + report.mixed, 15u + 30u + 36u);
+  EXPECT_EQ(cube.entry_count(), 2 * report.pairs);
+}
+
+TEST(Exchange3, MemoryIsKeptTo) {
+  const PreparedScene3 scene = scene_file("cube.json", 4);
+  const auto refused = [&](std::uint64_t memory) -> std::string {
+    try {
+      exact_exchange(scene, {.granularity = Granularity::kElement, .memory = memory});
+    } catch (const RequestError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refused(1000), HasSubstr("102 elements need about"));
+  EXPECT_THAT(refused(200'000), HasSubstr("visible pairs need about"));
+  EXPECT_EQ(refused(100'000'000), "");
+}
+
+TEST(Exchange3, ProgressMayStopIt) {
+  struct Stop {};
+  EXPECT_THROW(exact_exchange(scene_file("two_boxes.json", 2),
+                              {.granularity = Granularity::kElement, .progress = [](double) { throw Stop(); }}),
+               Stop);
+  double last = 0;
+  exact_exchange(scene_file("cube.json"), {.progress = [&](double fraction) { last = std::max(last, fraction); }});
+  EXPECT_EQ(last, 1);
+  const std::atomic<bool> is_stopped{true};
+  const StopScope scope(&is_stopped);
+  EXPECT_THROW(exact_exchange(scene_file("cube.json")), Interrupted);
+}
+
+TEST(RequireEnclosed3, NamesThePairsThatAreEstimated) {
+  std::vector<Element> elements(2);
+  elements[0] = {"a", 0, 0, 1, false, 0, {1, 0}};
+  elements[1] = {"b", 1, 0, 1, false, 0, {1, 0}};
+  ExchangeMatrix matrix(elements, Guarantee::kEstimated);
+  const auto fill = [&](Guarantee guarantee) {
+    matrix.assign({0, 2, 3}, {{1, {0.5, 0}}, {2, {0.25, 0}}, {0, {0.5, 0}}}, {}, {{0.4, 0.6}, {0.2, 0.3}, {0.4, 0.6}},
+                  {guarantee, Guarantee::kEnclosed, guarantee});
+  };
+  fill(Guarantee::kEnclosed);
+  require_enclosed_3(matrix, 1e-9);
+  fill(Guarantee::kEstimated);
+  try {
+    require_enclosed_3(matrix, 1e-9);
+    FAIL();
+  } catch (const RequestError& error) {
+    EXPECT_STREQ(error.what(), "a pair has no enclosure within 1e-09: 'a' and 'b'");
+  }
+}
+
+}  // namespace
+}  // namespace hottel

@@ -1,0 +1,267 @@
+#include "geometry/space/exchange/pair_measure.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/space/exchange/unobstructed.h"
+#include "geometry/space/scene/polygon.h"
+
+namespace hottel {
+namespace {
+
+using Points = std::vector<Point3>;
+
+Rational ratio(long p, long q) { return Rational(p) / q; }
+Rational two_to_minus(int k) { return scaled_by_power_of_two(Rational(1), -k); }
+
+// Polygons, and patches that are the first two of them.
+class Pair {
+ public:
+  explicit Pair(const std::vector<Points>& polygons) : blockers_(made(polygons)), measurer_(blockers_) {}
+
+  Patch3 patch(std::uint32_t surface, bool is_back = false) const {
+    Patch3 patch{surface, {}, 1};
+    for (const VertexId3 v : blockers_.outline(surface)) patch.corners.push_back(blockers_.vertices().exact(v));
+    if (is_back) std::reverse(patch.corners.begin(), patch.corners.end());
+    return patch;
+  }
+  PairMeasure3 measure(const PairRequest3& request = tight()) const {
+    return measurer_.measure(patch(0), patch(1), request);
+  }
+  double area(const Patch3& patch) const { return patch_area(blockers_.vertices(), patch).lower; }
+  // F of the first to the second polygon.
+  double factor(const PairRequest3& request = tight()) const {
+    const PairMeasure3 result = measure(request);
+    EXPECT_EQ(result.problem, "");
+    EXPECT_LE(result.bounds.lower, result.measure);
+    EXPECT_LE(result.measure, result.bounds.upper);
+    return result.measure / area(patch(0));
+  }
+  const Blockers3& blockers() const { return blockers_; }
+  const PairMeasurer3& measurer() const { return measurer_; }
+
+  static PairRequest3 tight() {
+    PairRequest3 request;
+    request.tolerance = 1e-12;
+    return request;
+  }
+
+ private:
+  static std::vector<Polygon3> made(const std::vector<Points>& polygons) {
+    std::vector<Polygon3> result;
+    for (const Points& points : polygons) result.push_back({points});
+    return result;
+  }
+
+  Blockers3 blockers_;
+  PairMeasurer3 measurer_;
+};
+
+// The unit square at a height, its front up or down.
+Points square(const Rational& z, bool faces_up) {
+  Points points{{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}};
+  if (!faces_up) std::reverse(points.begin(), points.end());
+  return points;
+}
+
+Points rectangle(const Rational& x0, const Rational& x1, const Rational& y0, const Rational& y1, const Rational& z) {
+  return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
+}
+
+// The sides and the top of a box, and its bottom where it has one.
+std::vector<Points> box(const Rational& x0, const Rational& x1, const Rational& y0, const Rational& y1,
+                        const Rational& z0, const Rational& z1, bool has_bottom) {
+  std::vector<Points> faces{{{x0, y0, z1}, {x1, y0, z1}, {x1, y1, z1}, {x0, y1, z1}},
+                            {{x0, y0, z0}, {x1, y0, z0}, {x1, y0, z1}, {x0, y0, z1}},
+                            {{x1, y0, z0}, {x1, y1, z0}, {x1, y1, z1}, {x1, y0, z1}},
+                            {{x1, y1, z0}, {x0, y1, z0}, {x0, y1, z1}, {x1, y1, z1}},
+                            {{x0, y1, z0}, {x0, y0, z0}, {x0, y0, z1}, {x0, y1, z1}}};
+  if (has_bottom) faces.push_back({{x0, y0, z0}, {x0, y1, z0}, {x1, y1, z0}, {x1, y0, z0}});
+  return faces;
+}
+
+std::vector<Points> joined(std::vector<Points> a, const std::vector<Points>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+constexpr double kParallel = 0.1998248956983873830416;  // Howell C-11, unit squares at distance 1
+constexpr double kAdjacent = 0.2000437760754031542396;  // Howell C-14, unit squares with a common edge
+
+// By symmetry and the algebra of view factors a quarter hidden halfway takes a quarter: View3D's example.
+TEST(PairMeasure3, AQuarterSquareHalfwayHidesAQuarter) {
+  const Pair pair({square(0, true), square(1, false), rectangle(0, ratio(1, 2), 0, ratio(1, 2), ratio(1, 2))});
+  EXPECT_NEAR(pair.factor(), 0.75 * kParallel, 1e-15);
+  EXPECT_EQ(pair.measure().sight, Sight3::kMixed);
+}
+
+TEST(PairMeasure3, AlongEdgesAClearPairIsThatOfClosedForms) {
+  PairRequest3 request = Pair::tight();
+  request.always_along_edges = true;
+  EXPECT_NEAR(Pair({square(0, true), square(1, false)}).factor(request), kParallel, 1e-15);
+  const Points wall{{1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 0}};
+  EXPECT_NEAR(Pair({square(0, true), wall}).factor(request), kAdjacent, 1e-15);
+}
+
+// Property (1).
+TEST(PairMeasure3, WhatOnePolygonHidesIsHiddenExactly) {
+  const Pair pair({square(0, true), square(1, false), rectangle(-1, 2, -1, 2, ratio(1, 2))});
+  EXPECT_EQ(pair.measure().sight, Sight3::kHidden);
+  EXPECT_EQ(pair.measure().bounds.upper, 0);
+}
+
+TEST(PairMeasure3, WhatOnlySeveralHideIsHiddenExactly) {
+  // Four quarters of a wall meet in the middle: each pair of corners passes one of them.
+  const Rational half = ratio(1, 2);
+  const Pair pair({square(0, true), square(1, false), rectangle(-1, half, -1, half, half),
+                   rectangle(half, 2, -1, half, half), rectangle(-1, half, half, 2, half),
+                   rectangle(half, 2, half, 2, half)});
+  const PairMeasure3 result = pair.measure();
+  EXPECT_EQ(result.sight, Sight3::kMixed);
+  EXPECT_EQ(result.measure, 0);
+  EXPECT_EQ(result.bounds, (Enclosure{0, 0}));
+  EXPECT_EQ(result.problem, "");
+}
+
+TEST(PairMeasure3, ABlockerThatHidesNothingLeavesTheWhole) {
+  // It goes around a corner of the hull of both squares: no plane of the hull is between, and no line meets it.
+  const Pair pair({square(0, true),
+                   square(1, false),
+                   {{ratio(6, 5), ratio(9, 10), ratio(1, 2)},
+                    {ratio(3, 2), ratio(3, 2), ratio(1, 2)},
+                    {ratio(9, 10), ratio(6, 5), ratio(1, 2)}}});
+  const PairMeasure3 result = pair.measure();
+  EXPECT_EQ(result.sight, Sight3::kMixed);
+  EXPECT_TRUE(result.is_whole);
+  EXPECT_GT(result.maps, 0u);
+  EXPECT_NEAR(pair.factor(), kParallel, 1e-15);
+}
+
+TEST(PairMeasure3, ASmallBlockerInTheMiddleIsNotNothing) {
+  for (const int k : {10, 20, 40}) {
+    const Rational w = two_to_minus(k), half = ratio(1, 2);
+    const Pair pair({square(0, true), square(1, false), rectangle(half, half + w, half, half + w, half)});
+    const PairMeasure3 result = pair.measure();
+    EXPECT_FALSE(result.is_whole) << k;
+    EXPECT_EQ(result.problem, "") << k;
+  }
+}
+
+// Property (4).
+TEST(PairMeasure3, ATolerancePastDoublesIsAProblem) {
+  const Pair pair({square(0, true), square(1, false), rectangle(0, ratio(1, 2), 0, ratio(1, 2), ratio(1, 2))});
+  PairRequest3 request;
+  request.tolerance = 1e-20;
+  EXPECT_NE(pair.measure(request).problem, "");
+}
+
+TEST(PairMeasure3, AShiftedOriginAndThePairReversedGiveTheSame) {
+  std::vector<Points> polygons = joined({square(0, true), square(1, false)}, box(ratio(1, 5), ratio(2, 5), ratio(3, 10),
+                                                                                 ratio(7, 10), 0, ratio(1, 2), false));
+  polygons.push_back({{ratio(1, 2), ratio(1, 5), ratio(7, 10)},
+                      {ratio(9, 10), ratio(3, 10), ratio(4, 5)},
+                      {ratio(7, 10), ratio(4, 5), ratio(3, 10)}});
+  const Pair pair(polygons);
+  const double factor = pair.factor();
+  PairRequest3 request = Pair::tight();
+  request.is_reversed = true;
+  EXPECT_NEAR(pair.factor(request), factor, 1e-15);
+  request.origin_shift[0] = 37;
+  request.origin_shift[2] = -5;
+  EXPECT_NEAR(pair.factor(request), factor, 1e-13);
+}
+
+TEST(PairMeasure3, ABoxOnAPatchMayHaveABottomOrNone) {
+  for (const bool on_first : {true, false}) {
+    double factors[2];
+    for (const bool has_bottom : {false, true}) {
+      // A bottom in the plane of the square would share its area: it is a hair higher, inside the box.
+      const Rational low = on_first ? Rational(0) : ratio(1, 2), high = on_first ? ratio(1, 2) : Rational(1);
+      std::vector<Points> polygons =
+          joined({square(0, true), square(1, false)},
+                 box(ratio(1, 5), ratio(2, 5), ratio(3, 10), ratio(7, 10), low, high, false));
+      if (has_bottom)
+        polygons.push_back(
+            rectangle(ratio(1, 5), ratio(2, 5), ratio(3, 10), ratio(7, 10), ratio(3, 4) - ratio(on_first, 2)));
+      if (!on_first) polygons.push_back(rectangle(ratio(1, 5), ratio(2, 5), ratio(3, 10), ratio(7, 10), ratio(1, 2)));
+      factors[has_bottom] = Pair(polygons).factor();
+    }
+    EXPECT_NEAR(factors[0], factors[1], 1e-15);
+  }
+}
+
+// Sweeps: 30 orders of magnitude towards a contact, where the value tends to that of the contact.
+TEST(PairMeasure3Sweep, ABoxThatIsLiftedOffTheFloorTendsToTheOneThatStands) {
+  const auto factor = [](const Rational& lift) {
+    return Pair(joined({square(0, true), square(1, false)},
+                       box(ratio(1, 5), ratio(2, 5), ratio(3, 10), ratio(7, 10), lift, ratio(1, 2), true)));
+  };
+  // Standing: without the bottom, which would share the floor's area.
+  const double standing = Pair(joined({square(0, true), square(1, false)},
+                                      box(ratio(1, 5), ratio(2, 5), ratio(3, 10), ratio(7, 10), 0, ratio(1, 2), false)))
+                              .factor();
+  for (int k = 2; k <= 100; k += 7)
+    EXPECT_NEAR(factor(two_to_minus(k)).factor(), standing, std::ldexp(1.0, -k) + 1e-15) << k;
+}
+
+TEST(PairMeasure3Sweep, AGapInAWallLetsThroughInProportion) {
+  const Rational half = ratio(1, 2);
+  double last = 0;
+  for (int k = 5; k <= 45; k += 5) {
+    const Rational w = two_to_minus(k);
+    const Pair pair(
+        {square(0, true), square(1, false), rectangle(-1, half - w, -1, 2, half), rectangle(half + w, 2, -1, 2, half)});
+    const PairMeasure3 result = pair.measure();
+    EXPECT_EQ(result.problem, "") << k;
+    const double share = std::ldexp(result.measure / pair.area(pair.patch(0)), k);
+    if (k > 10) {
+      EXPECT_NEAR(share, last, last * std::ldexp(1.0, 5 - k) + 1e-13 * std::ldexp(1.0, k)) << k;
+    }
+    last = share;
+  }
+}
+
+TEST(PairMeasure3Sweep, ABlockerThatTurnsOutOfAPlaneTendsToTheOneInIt) {
+  const Rational half = ratio(1, 2), low = ratio(1, 5), high = ratio(2, 5);
+  const auto factor = [&](const Rational& turn) {
+    return Pair({square(0, true),
+                 square(1, false),
+                 {{low, low, half}, {high, low, half + turn}, {high, high, half + turn}, {low, high, half}}})
+        .factor();
+  };
+  const double flat = factor(0);
+  for (int k = 3; k <= 100; k += 7) EXPECT_NEAR(factor(two_to_minus(k)), flat, std::ldexp(1.0, -k) + 1e-15) << k;
+}
+
+TEST(PairMeasure3Sweep, ASliverHidesLessAndLess) {
+  const Rational half = ratio(1, 2);
+  for (int k = 3; k <= 100; k += 7) {
+    const Pair pair({square(0, true),
+                     square(1, false),
+                     {{0, 0, half}, {1, ratio(1, 3), half}, {1, ratio(1, 3) + two_to_minus(k), half}}});
+    EXPECT_NEAR(pair.factor(), kParallel, std::ldexp(1.0, 1 - k) + 1e-15) << k;
+  }
+}
+
+TEST(PairMeasure3Sweep, ADihedralClosesAroundABlocker) {
+  // Two squares with a common edge, a small angle apart, and a needle between them that hides nothing in the limit.
+  for (int k = 1; k <= 50; k += 7) {
+    const Rational h = two_to_minus(k);
+    const Pair pair(
+        {square(0, true),
+         {{0, 0, 0}, {0, 1, h}, {1, 1, h}, {1, 0, 0}},
+         {{ratio(1, 4), ratio(1, 2), h / 4}, {ratio(3, 4), ratio(1, 2), h / 4}, {ratio(1, 2), ratio(3, 4), h / 4}}});
+    const PairMeasure3 result = pair.measure();
+    EXPECT_EQ(result.problem, "") << k;
+    // In the limit the triangle covers its own area, a sixteenth; the open ends take as much as the angle.
+    EXPECT_NEAR(result.measure / pair.area(pair.patch(0)), 15.0 / 16 - std::ldexp(1.0, -k),
+                (k < 5 ? 0.5 : std::ldexp(4.0, -2 * k)) + 1e-13)
+        << k;
+    EXPECT_LE(result.measure, result.bounds.upper) << k;
+  }
+}
+
+}  // namespace
+}  // namespace hottel

@@ -1,0 +1,56 @@
+#include "kernel/legendre_rule.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace hottel {
+namespace {
+
+template <class Real>
+class LegendreRuleOf : public ::testing::Test {};
+using Reals = ::testing::Types<double, long double>;
+TYPED_TEST_SUITE(LegendreRuleOf, Reals);
+
+// The integral of x^k over [0, 1] is 1 / (k + 1).
+TYPED_TEST(LegendreRuleOf, IsExactForPolynomials) {
+  for (int n = 1; n <= kMaxLegendreNodes; ++n) {
+    const LegendreRule<TypeParam>& rule = legendre_rule<TypeParam>(n);
+    ASSERT_EQ(rule.size(), n);
+    for (int degree = 0; degree < 2 * n; ++degree) {
+      long double sum = 0;
+      for (std::size_t k = 0; k < rule.node.size(); ++k)
+        sum += static_cast<long double>(rule.weight[k]) * std::pow(static_cast<long double>(rule.node[k]), degree);
+      const long double slack = (degree + 2) * static_cast<long double>(std::numeric_limits<TypeParam>::epsilon());
+      EXPECT_NEAR(static_cast<double>((sum * (degree + 1) - 1) / slack), 0, 1) << n << " nodes, degree " << degree;
+    }
+  }
+}
+
+TYPED_TEST(LegendreRuleOf, IsSymmetric) {
+  for (int n = 1; n <= kMaxLegendreNodes; ++n) {
+    const LegendreRule<TypeParam>& rule = legendre_rule<TypeParam>(n);
+    for (std::size_t k = 0; k < rule.node.size(); ++k) {
+      const std::size_t mirrored = rule.node.size() - 1 - k;
+      EXPECT_EQ(rule.weight[k], rule.weight[mirrored]);
+      EXPECT_NEAR(static_cast<double>(rule.node[k] + rule.node[mirrored]), 1,
+                  static_cast<double>(std::numeric_limits<TypeParam>::epsilon()));
+      if (k > 0) {
+        EXPECT_LT(rule.node[k - 1], rule.node[k]);
+      }
+    }
+  }
+}
+
+// Nodes of three: 1/2 (1 -+ sqrt(3/5)), 1/2; weights 5/18, 8/18.
+TYPED_TEST(LegendreRuleOf, NodesAndWeightsAreTheNearestNumbers) {
+  const LegendreRule<TypeParam>& rule = legendre_rule<TypeParam>(3);
+  EXPECT_EQ(rule.node[0], static_cast<TypeParam>(0.11270166537925831148207346002176L));
+  EXPECT_EQ(rule.node[1], TypeParam(0.5));
+  EXPECT_EQ(rule.weight[0], static_cast<TypeParam>(5) / 18);
+  EXPECT_EQ(rule.weight[1], static_cast<TypeParam>(8) / 18);
+}
+
+}  // namespace
+}  // namespace hottel

@@ -1,0 +1,176 @@
+#include "solver/space/check/scene_check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "kernel/support/failure.h"
+#include "solver/space/simulation/simulation.h"
+#include "tests/geometry/space/check/small_scene.h"
+
+namespace hottel {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing_space::add;
+using testing_space::add_box;
+using testing_space::empty_scene;
+using testing_space::q;
+using testing_space::told;
+using testing_space::unit_room;
+
+const Rational kGap = Rational(1) / 1000000;
+
+SceneCheck3 checked(const Scene3& scene) {
+  const Simulation3 simulation(scene);
+  return check_scene(scene, {.prepared = [&] { return simulation.prepared(); },
+                             .factors = [&]() -> std::shared_ptr<const ExchangeMatrix> {
+                               const auto computed = simulation.factors();
+                               return {computed, &computed->matrix};
+                             }});
+}
+
+std::vector<std::string> told_of(const Scene3& scene) { return told(scene, checked(scene).findings); }
+
+Scene3 closed_room() {
+  Scene3 scene = unit_room();
+  scene.closed = true;
+  return scene;
+}
+
+TEST(SceneCheck3, ACleanRoomHasNoFindings) {
+  EXPECT_THAT(told_of(closed_room()), IsEmpty());
+  Scene3 scene = closed_room();
+  add_box(scene, "box", {q("1/4"), q("1/4"), q("1/4")}, {q("3/4"), q("3/4"), q("3/4")}, false);
+  EXPECT_THAT(told_of(scene), IsEmpty()) << "a box that floats";
+  EXPECT_NE(checked(scene).factors, nullptr);
+}
+
+TEST(SceneCheck3, APromiseThatIsBrokenIsAnError) {
+  Scene3 scene = closed_room();
+  scene.polygons[1].points = {{0, 0, 1}, {0, 1, 1}, {1 - kGap, 1, 1}, {1 - kGap, 0, 1}};
+  const SceneCheck3 check = checked(scene);
+  EXPECT_TRUE(has_error(check.findings));
+  ASSERT_FALSE(check.findings.empty());
+  EXPECT_EQ(check.findings[0].kind, "not-closed");
+  EXPECT_EQ(check.findings[0].at, (Point3{1 - kGap, q("1/2"), 1})) << "where an edge lies on nothing";
+  scene.closed = false;
+  EXPECT_THAT(told_of(scene), Contains("note opening bottom front rear left right"));
+}
+
+TEST(SceneCheck3, AnOpenSceneThatPromisesNothingIsFine) {
+  Scene3 scene = unit_room();
+  scene.surfaces.pop_back();
+  scene.polygons.pop_back();
+  scene.groups.pop_back();
+  EXPECT_THAT(told_of(scene), IsEmpty());
+}
+
+TEST(SceneCheck3, BlackBacksAreToldOnceABack) {
+  Scene3 scene = closed_room();
+  add(scene, "screen",
+      {{q("1/4"), q("1/2"), q("1/4")}, {q("3/4"), q("1/2"), q("1/4")}, {q("1/2"), q("1/2"), q("3/4")}});
+  const SceneCheck3 check = checked(scene);
+  ASSERT_THAT(told(scene, check.findings), ElementsAre("warning black-back screen"));
+  EXPECT_THAT(check.findings[0].message, HasSubstr("'rear' loses F = "));
+  scene.surfaces.back().back = 0;
+  EXPECT_THAT(told_of(scene), IsEmpty());
+}
+
+TEST(SceneCheck3, AClosedMeshWithDarkFrontsInsideIsInsideOut) {
+  Scene3 scene = closed_room();
+  add_box(scene, "box", {q("1/4"), q("1/4"), q("1/4")}, {q("3/4"), q("3/4"), q("3/4")}, true);
+  EXPECT_THAT(told_of(scene),
+              ElementsAre("warning inside-out box.bottom box.top box.front box.rear box.left box.right"));
+  scene.surfaces.back().material = 1;  // a lamp shines there: a room
+  EXPECT_THAT(told_of(scene), Contains(HasSubstr("warning black-back box.bottom")));
+}
+
+TEST(SceneCheck3, AnEmptyDarkRoomIsAskedAbout) {
+  Scene3 scene = empty_scene();
+  scene.materials.pop_back();
+  add_box(scene, "hall", {0, 0, 0}, {1, 1, 1}, true);
+  EXPECT_THAT(told_of(scene), ElementsAre("note inside-out hall.bottom hall.top hall.front hall.rear hall.left "
+                                          "hall.right",
+                                          "note no-light"));
+}
+
+TEST(SceneCheck3, ASolidThatHoldsOthersIsAskedAbout) {
+  Scene3 scene = empty_scene();
+  add_box(scene, "hall", {0, 0, 0}, {4, 4, 4}, false);
+  add_box(scene, "box", {1, 1, 1}, {2, 2, 2}, false);
+  scene.surfaces.back().material = 1;
+  const SceneCheck3 check = checked(scene);
+  ASSERT_FALSE(check.findings.empty());
+  EXPECT_EQ(check.findings[0].kind, "filled-room");
+  EXPECT_THAT(check.findings[0].message,
+              HasSubstr("'hall' is solid, and 'box' is in its interior, where nothing is seen; the light of 'box' is "
+                        "lost: was a room meant?"));
+  for (const Finding3& finding : check.findings) EXPECT_NE(finding.kind, "covered");
+}
+
+TEST(SceneCheck3, WhatABoxStandsOnWhollyIsCovered) {
+  Scene3 scene = closed_room();
+  add_box(scene, "box", {q("1/4"), q("1/4"), 0}, {q("3/4"), q("3/4"), q("1/2")}, false);
+  EXPECT_THAT(told_of(scene), ElementsAre("note covered box.bottom"));
+  scene.surfaces[6].material = 1;
+  EXPECT_THAT(told_of(scene), ElementsAre("warning covered box.bottom"));
+}
+
+TEST(SceneCheck3, ASolidInFreeSpaceSeesOnlyTheSky) {
+  Scene3 scene = empty_scene();
+  add_box(scene, "box", {0, 0, 0}, {1, 1, 1}, false);
+  scene.surfaces[0].material = 1;
+  EXPECT_THAT(told_of(scene),
+              ElementsAre("note sees-only-sky box.bottom box.top box.front box.rear box.left box.right"));
+}
+
+TEST(SceneCheck3, ClaimsThatConflictAreAnError) {
+  Scene3 scene = closed_room();
+  Surface& carpet = add(scene, "carpet", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  carpet.material = 1;
+  const SceneCheck3 check = checked(scene);
+  EXPECT_TRUE(has_error(check.findings));
+  EXPECT_THAT(told(scene, check.findings), Contains("error conflicting-claims carpet"));
+  EXPECT_THAT(told(scene, check.findings), Contains("note light-not-checked"));
+  EXPECT_EQ(check.factors, nullptr);
+}
+
+TEST(SceneCheck3, WhatCannotBeComputedIsNotCheckedAndThatIsSaid) {
+  const Scene3 scene = closed_room();
+  const SceneCheck3 check = check_scene(scene, {.prepared = [&] { return Simulation3(scene).prepared(); },
+                                                .factors = []() -> std::shared_ptr<const ExchangeMatrix> {
+                                                  throw RequestError("memory does not suffice");
+                                                }});
+  EXPECT_THAT(told(scene, check.findings), ElementsAre("note light-not-checked"));
+  EXPECT_FALSE(has_error(check.findings));
+}
+
+TEST(SceneCheck3, OfManyFacesSomeAreLookedFromAndThatIsSaid) {
+  Scene3 scene = closed_room();
+  for (int k = 0; k < 40; ++k) {
+    const Rational x = Rational(k % 8 + 1) / 10, y = Rational(k / 8 + 1) / 10, z = q("1/2"), w = q("1/20");
+    add_box(scene, "box" + std::to_string(k), {x, y, z}, {x + w, y + w, z + w}, false);
+  }
+  const SceneCheck3 closed = checked(scene);
+  EXPECT_THAT(told(scene, closed.findings), ElementsAre("note light-not-checked"));
+  EXPECT_EQ(closed.factors, nullptr);
+  scene.polygons[1].points.pop_back();  // half of the ceiling is left
+  const SceneCheck3 open = checked(scene);
+  ASSERT_TRUE(has_error(open.findings));
+  EXPECT_EQ(open.findings[0].kind, "not-closed");
+}
+
+TEST(SceneCheck3, MaterialsWithoutSurfacesAreNoted) {
+  Scene3 scene = closed_room();
+  scene.materials.push_back({"spare", {}, {}});
+  EXPECT_THAT(told_of(scene), ElementsAre("note unused-material"));
+}
+
+}  // namespace
+}  // namespace hottel
