@@ -4,25 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/results/granularity_noun.h"
 #include "kernel/version.h"
 
 namespace hottel {
-namespace {
-
-const char* plural(Granularity granularity) {
-  switch (granularity) {
-    case Granularity::kFace:
-      return "faces";
-    case Granularity::kElement:
-      return "elements";
-    case Granularity::kGroup:
-      return "groups";
-  }
-  return "";
-}
-
-}  // namespace
-
 std::string factors_json(const FactorsReport& report) {
   const ExchangeReport& counts = report.of_method.counts;
   nlohmann::ordered_json json;

@@ -4,26 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/results/granularity_noun.h"
 #include "kernel/rational.h"
 #include "kernel/version.h"
 
 namespace hottel {
-namespace {
-
-const char* plural(Granularity granularity) {
-  switch (granularity) {
-    case Granularity::kFace:
-      return "faces";
-    case Granularity::kElement:
-      return "elements";
-    case Granularity::kGroup:
-      return "groups";
-  }
-  return "";
-}
-
-}  // namespace
-
 std::string factors_json(const FactorsReport3& report) {
   const ExchangeReport3& counts = report.counts;
   nlohmann::ordered_json json;
