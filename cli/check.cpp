@@ -15,6 +15,7 @@ namespace {
 
 struct CheckCommandOptions {
   std::string scene, fix, within;
+  PolygonOptions polygons;
   bool json = false;
 };
 
@@ -70,7 +71,7 @@ ExitCode check_in_plane(const CheckCommandOptions& options, const Rational& dist
 
 ExitCode check(const CheckCommandOptions& options, Streams& streams) {
   const Rational distance = distance_of(options);
-  const Scene scene = read_scene_noting(options.scene, streams);
+  const Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (const auto* in_space = std::get_if<Scene3>(&scene))
     return check_in_space(*in_space, options.fix, distance, options.json, streams);
   return check_in_plane(options, distance, std::get<Scene2>(scene), streams);
@@ -88,6 +89,7 @@ void add_check(Commands& commands) {
       [options](Streams& streams) { return check(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_flag("--json", options->json, "as one JSON object");
+  options->polygons.add_to(command);
   command
       .add_option("--fix", options->fix,
                   "write a repaired scene: rooms inside out and polygons upside down reversed, \"behind\": \"solid\" "

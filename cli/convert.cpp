@@ -19,6 +19,7 @@ namespace {
 
 struct ConvertOptions {
   std::string in, out, per;
+  PolygonOptions polygons;
 };
 
 // What a drawing or a mesh does not say, and where the user can say it.
@@ -43,7 +44,9 @@ void write_as_mesh(const ConvertOptions& options, MeshFormat3 format, const Scen
 }
 
 void convert_mesh(const ConvertOptions& options, Streams& streams) {
-  const MeshScene3 mesh = read_mesh_scene_3(options.in);
+  Triangulator3 triangulator;
+  const MeshScene3 mesh = read_mesh_scene_3(options.in, options.polygons.triangulates ? &triangulator : nullptr);
+  note_cuts(triangulator, streams);
   if (const auto format = mesh_format_3(options.out)) return write_as_mesh(options, *format, mesh.scene, streams);
   streams.write(options.out, naming_file(options.in, [&] { return write_scene_3(mesh.scene); }));
   if (!mesh.invented.empty())
@@ -53,9 +56,9 @@ void convert_mesh(const ConvertOptions& options, Streams& streams) {
 
 void convert_scene(const ConvertOptions& options, Streams& streams) {
   const auto format = mesh_format_3(options.out);
-  if (format && !is_vs3(options.in)) return write_as_mesh(options, *format, read_scene_3(options.in), streams);
-  const Scene scene = read_scene_noting(options.in, streams);
-  if (format) return write_as_mesh(options, *format, std::get<Scene3>(scene), streams);
+  if (format)
+    return write_as_mesh(options, *format, read_scene_noting_3(options.in, options.polygons, streams), streams);
+  const Scene scene = read_scene_noting(options.in, options.polygons, streams);
   streams.write(options.out, naming_file(options.in, [&] {
                   const auto* plane = std::get_if<Scene2>(&scene);
                   return plane ? write_scene_2(*plane) : write_scene_3(std::get<Scene3>(scene));
@@ -70,11 +73,13 @@ ExitCode convert(const ConvertOptions& options, Streams& streams) {
     throw UsageError(std::string("convert writes a scene (.json, or - for standard output), a mesh (") + kMeshEndings3 +
                      ") or a deck of View3D (.vs3), not '" + options.out + "'");
   if (ending == ".svg") {
+    if (options.polygons.triangulates)
+      throw UsageError("--triangulate cuts polygons in space; a drawing is in the plane");
     if (makes_mesh || makes_deck)
       throw UsageError("a drawing is in the plane and becomes a scene (.json), not a mesh or a deck");
     convert_drawing(options, streams);
   } else if (makes_deck && (mesh_format_3(options.in) || is_vs3(options.in) || ending == ".json")) {
-    write_deck(options.in, options.out, options.per, streams);
+    write_deck(options.in, options.polygons, options.out, options.per, streams);
   } else if (mesh_format_3(options.in)) {
     convert_mesh(options, streams);
   } else if (ending == ".json" || is_vs3(options.in)) {
@@ -121,6 +126,7 @@ void add_convert(Commands& commands) {
                   "of a deck (.vs3): group combines the surfaces of a group (cmb), as is the default where IN is one; "
                   "face does not")
       ->check(CLI::IsMember({"face", "group"}));
+  options->polygons.add_to(command);
 }
 
 }  // namespace hottel

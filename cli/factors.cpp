@@ -195,7 +195,7 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   options.format();
   if (!options.picture.empty() && !picture_format(options.picture))
     throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
-  Scene scene = read_scene_noting(options.scene, streams);
+  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (is_vs3(options.scene) && options.per_option->count() == 0 && combines(std::get<Scene3>(scene)))
     options.granularity = "group";
   if (auto* const in_space = std::get_if<Scene3>(&scene))
@@ -211,6 +211,7 @@ void add_quantity_options(CLI::App& command, FactorsOptions& options) {
       command.add_option("--matrix", options.matrix, "a dense matrix of this quantity instead of a list");
   matrix->check(CLI::IsMember({"factor", "exchange", "visibility"}));
   options.elements.add_to(command);
+  options.polygons.add_to(command);
   CLI::Option* script_f = command.add_flag(
       "--script-f", options.script_f,
       "gray-body exchange factors instead: q = A script-F sigma (T^4 - T^4), reflections counted, with proven bounds");

@@ -21,6 +21,7 @@ struct FactorsOptions {
   std::string method = "exact", granularity = "face", pairs = "visible", matrix;
   std::optional<std::string> tolerance, guarantee;
   ElementOptions elements;
+  PolygonOptions polygons;
   std::vector<std::string> exact_form;
   const CLI::Option *exact_form_option = nullptr, *pairs_option = nullptr, *per_option = nullptr;
   bool wants_exact_form = false, json = false, script_f = false;

@@ -15,6 +15,7 @@ namespace {
 struct PlanOptions {
   std::string scene, grid;
   ElementOptions elements;
+  PolygonOptions polygons;
   bool json = false;
 };
 
@@ -33,7 +34,7 @@ std::shared_ptr<const Plan> plan_of(const PlanOptions& options, Scene3 scene) {
 
 ExitCode plan(const PlanOptions& options, Streams& streams) {
   const auto plan = std::visit([&](auto&& scene) { return plan_of(options, std::move(scene)); },
-                               read_scene_noting(options.scene, streams));
+                               read_scene_noting(options.scene, options.polygons, streams));
   streams.write("", options.json ? plan_json(options.scene, *plan) : plan_text(*plan));
   return ExitCode::kDone;
 }
@@ -49,6 +50,7 @@ void add_plan(Commands& commands) {
       [options](Streams& streams) { return plan(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   options->elements.add_to(command);
+  options->polygons.add_to(command);
   command
       .add_option("--grid", options->grid, "cells of the illumination, as solve would be asked for them; of the plane")
       ->type_name("NXxNY");

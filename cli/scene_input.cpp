@@ -11,11 +11,38 @@
 
 namespace hottel {
 
-Scene read_scene_noting(const std::string& file, const Streams& streams) {
-  if (!is_vs3(file)) return read_scene(file);
-  Vs3Scene3 deck = read_vs3_3(file);
-  for (const std::string& note : deck.notes) streams.note(note);
-  return std::move(deck.scene);
+void PolygonOptions::add_to(CLI::App& command) {
+  command.add_flag("--triangulate", triangulates,
+                   "in space: read polygons that are not plane as triangles NAME[k], each a surface");
+}
+
+void note_cuts(const Triangulator3& triangulator, const Streams& streams) {
+  if (const std::string note = triangulator.note(); !note.empty()) streams.note(note);
+}
+
+Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams) {
+  Triangulator3 triangulator;
+  Triangulator3* const used = options.triangulates ? &triangulator : nullptr;
+  Scene scene;
+  if (is_vs3(file)) {
+    Vs3Scene3 deck = read_vs3_3(file, used);
+    for (const std::string& note : deck.notes) streams.note(note);
+    scene = std::move(deck.scene);
+  } else {
+    scene = read_scene(file, used);
+  }
+  if (options.triangulates && std::holds_alternative<Scene2>(scene))
+    throw UsageError("--triangulate cuts polygons in space; " + file + " is in the plane");
+  note_cuts(triangulator, streams);
+  return scene;
+}
+
+Scene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams) {
+  if (is_vs3(file)) return std::get<Scene3>(read_scene_noting(file, options, streams));
+  Triangulator3 triangulator;
+  Scene3 scene = read_scene_3(file, options.triangulates ? &triangulator : nullptr);
+  note_cuts(triangulator, streams);
+  return scene;
 }
 
 void ElementOptions::add_to(CLI::App& command) {

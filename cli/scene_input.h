@@ -11,15 +11,27 @@
 
 #include "cli/streams.h"
 #include "geometry/plane/scene/scene.h"
-#include "geometry/space/scene/scene.h"
+#include "geometry/space/scene/triangulator.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
 
+// --triangulate: polygons that are not plane become triangles, instead of being refused.
+struct PolygonOptions {
+  bool triangulates = false;
+
+  // Adds the option to the command line of a command. REQUIRES that this outlives the command.
+  void add_to(CLI::App& command);
+};
+
 // Returns the scene of a file, as read_scene does, and tells what of a deck of View3D is read otherwise than View3D
-// does.
-Scene read_scene_noting(const std::string& file, const Streams& streams);
+// does, and which polygons were cut into triangles. Throws UsageError where a scene in the plane is to have them cut.
+Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams);
+// The same for those who can use a scene in space only.
+Scene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams);
+// Tells which polygons were cut, if any were.
+void note_cuts(const Triangulator3& triangulator, const Streams& streams);
 
 // --elements and --element-size: they replace what the scene says of every surface. One of them may be given.
 struct ElementOptions {

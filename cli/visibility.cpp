@@ -36,6 +36,7 @@ namespace {
 struct VisibilityOptions {
   std::string scene, at, on, from, to, out, points, range, edge;
   bool json = false, exact = false, irradiance = false, events = false;
+  PolygonOptions polygons;
 
   bool is_pair() const { return !from.empty() || !to.empty(); }
 };
@@ -276,6 +277,8 @@ ExitCode in_space(const VisibilityOptions& options, Scene3 scene, std::optional<
 }
 
 ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
+  if (options.polygons.triangulates && (!options.points.empty() || !options.edge.empty() || options.events))
+    throw UsageError("--triangulate cuts polygons in space; --points, --edge and --events are of the plane");
   if (!options.points.empty()) return from_points(options, streams);
   if (!options.edge.empty()) return from_edge(options, streams);
   if (options.events) return events(options, streams);
@@ -284,7 +287,7 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   const bool is_drawn = is_file(options.out);
   const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
   if (is_drawn && !format) throw UsageError("a drawing is written as .svg or .png, not '" + options.out + "'");
-  Scene scene = read_scene_noting(options.scene, streams);
+  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (Scene3* const there = std::get_if<Scene3>(&scene)) return in_space(options, std::move(*there), format, streams);
   const std::optional<Point2> eye =
       options.is_pair() || !options.on.empty() ? std::nullopt : std::optional(point(options.at));
@@ -331,6 +334,7 @@ void add_visibility(Commands& commands) {
   CLI::Option* to = command.add_option("--to", options->to, "the other face, or sky");
   to->type_name("B");
   CLI::Option* json = command.add_flag("--json", options->json, "the answer as one JSON object");
+  options->polygons.add_to(command);
   CLI::Option* points = command.add_option(
       "--points", options->points,
       "points, one visibility polygon each: csv of lines x,y, GeoJSON or well-known text; - is standard input");

@@ -17,6 +17,9 @@ const std::vector<std::pair<const char*, const char*>>& option_scenes() {
       {"grouped.json", R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5}}, "polygons": [
   {"name": "a", "group": "g", "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "material": "m"},
   {"name": "b", "group": "g", "points": [[0, 0, 1], [1, 0, 1], [0, 1, 1]], "material": "m"}]})"},
+      {"bent.json", R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5}}, "polygons": [
+  {"name": "a", "points": [[0, 0, 0], [1, 0, 0], [1, 1, 0.01], [0, 1, 0]], "material": "m"},
+  {"name": "b", "points": [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]], "material": "m"}]})"},
       {"hash.txt", "hash\n"},
       {"picture.txt", "picture seen.svg\n"},
   };
@@ -54,6 +57,17 @@ const std::vector<OptionEntry>& option_entries() {
        "hottel check gap.json --fix out.json --within 1e-9 > report; cat out.json",
        {{"hottel check gap.json --within 1", "--within D goes with --fix OUT"}}},
 
+      {"check",
+       "--triangulate",
+       "hottel check bent.json --triangulate; echo $?",
+       "hottel check bent.json; echo $?",
+       {{"hottel check $S --triangulate", "--triangulate cuts polygons in space"}}},
+
+      {"convert",
+       "--triangulate",
+       "hottel convert bent.json - --triangulate; echo $?",
+       "hottel convert bent.json -; echo $?",
+       {{"hottel convert $S - --triangulate", "--triangulate cuts polygons in space"}}},
       {"convert",
        "--per",
        "hottel convert grouped.json out.vs3 --per group; cat out.vs3",
@@ -106,6 +120,11 @@ const std::vector<OptionEntry>& option_entries() {
       {"compare", "--json", "hottel compare $Q --methods exact --repeat 1 -o out --json | head -2",
        "hottel compare $Q --methods exact --repeat 1 -o out"},
 
+      {"factors",
+       "--triangulate",
+       "hottel factors bent.json --triangulate; echo $?",
+       "hottel factors bent.json; echo $?",
+       {{"hottel factors $S --triangulate", "--triangulate cuts polygons in space"}}},
       {"factors",
        "-o",
        "hottel factors $S -o f.csv; ls",
@@ -240,6 +259,11 @@ const std::vector<OptionEntry>& option_entries() {
        {{"hottel generate maze -o x.png", "generate writes a scene (.json"},
         {"hottel generate maze -o maze", "generate writes a scene (.json"}}},
 
+      {"plan",
+       "--triangulate",
+       "hottel plan bent.json --triangulate; echo $?",
+       "hottel plan bent.json; echo $?",
+       {{"hottel plan $S --triangulate", "--triangulate cuts polygons in space"}}},
       {"plan", "--elements", "hottel plan $S --elements 2", "hottel plan $S"},
       {"plan", "--element-size", "hottel plan $S --element-size 1/2", "hottel plan $S"},
       {"plan", "--grid", "hottel plan $S --grid 7x5", "hottel plan $S", {{"hottel plan $S --grid 7", "--grid takes"}}},
@@ -322,6 +346,12 @@ const std::vector<OptionEntry>& option_entries() {
         {"hottel solve $Q -o out --memory 1000000 --method gauss:4", "--memory is kept to by the method exact only"}}},
       {"solve", "--json", "hottel solve $Q --grid 2x2 -o out --json | head -2", "hottel solve $Q --grid 2x2 -o out"},
 
+      {"visibility",
+       "--triangulate",
+       "hottel visibility bent.json --at 1/2,1/2,1/2 --triangulate; echo $?",
+       "hottel visibility bent.json --at 1/2,1/2,1/2; echo $?",
+       {{"hottel visibility $S --at 3,1 --triangulate", "--triangulate cuts polygons in space"},
+        {"hottel visibility $S --events --triangulate", "--triangulate cuts polygons in space"}}},
       {"visibility",
        "--at",
        "hottel visibility $S --at 3,1",

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
@@ -154,6 +155,74 @@ TEST(Space, WrongMeshesEndWithThreeAndNameFileLineAndFace) {
     EXPECT_EQ(missing.code, 3);
     EXPECT_EQ(missing.err, std::string("a.") + ending + ": there is no such file\n");
   }
+}
+
+TEST(Space, WhatIsNotPlaneBecomesTrianglesWhereAskedFor) {
+  const Workplace place;
+  // A room of which one corner is lifted: its ceiling is bent along a ridge and sees itself.
+  place.write("room.json", R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5}}, "closed": true,
+    "polygons": [
+      {"name": "floor", "points": [[0,0,0], [1,0,0], [1,1,0], [0,1,0]], "material": "m"},
+      {"name": "ceiling", "points": [[0,0,1], [0,1,1], [1,1,1.25], [1,0,1]], "material": "m"},
+      {"name": "west", "points": [[0,0,0], [0,1,0], [0,1,1], [0,0,1]], "material": "m"},
+      {"name": "east", "points": [[1,0,0], [1,0,1], [1,1,1.25], [1,1,0]], "material": "m"},
+      {"name": "south", "points": [[0,0,0], [0,0,1], [1,0,1], [1,0,0]], "material": "m"},
+      {"name": "north", "points": [[0,1,0], [1,1,0], [1,1,1.25], [0,1,1]], "material": "m"}]})");
+  const Outcome refused = place.run("hottel factors room.json");
+  EXPECT_EQ(refused.code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("polygon 'ceiling' is not plane"));
+  EXPECT_THAT(refused.err, HasSubstr("--triangulate"));
+  const Outcome factors = place.run("hottel factors room.json --triangulate");
+  EXPECT_EQ(factors.code, 0) << factors.err;
+  EXPECT_THAT(factors.err, StartsWith("'ceiling' is not plane: points lie "));
+  EXPECT_THAT(factors.err, HasSubstr("; it is read as 2 triangles\n"));
+  EXPECT_THAT(factors.out, HasSubstr("\nceiling[0],ceiling[1],"));
+  std::map<std::string, double> sums;
+  for (const std::string& line : lines_of(factors.out)) {
+    if (line.starts_with("from,")) continue;
+    const std::size_t comma = line.find(',');
+    EXPECT_THAT(line, Not(HasSubstr(",sky,")));
+    sums[line.substr(0, comma)] += std::stod(line.substr(line.find(',', comma + 1) + 1));
+  }
+  EXPECT_EQ(sums.size(), 7u);
+  for (const auto& [name, sum] : sums) EXPECT_NEAR(sum, 1, 1e-14) << name;
+  EXPECT_THAT(place.run("hottel factors room.json --triangulate --per group --quiet").out,
+              HasSubstr("\nceiling,ceiling,"));
+  for (const char* command : {"check", "plan", "visibility --at 0.5,0.5,0.5"}) {
+    const std::string words = std::string("hottel ") + command + " room.json";
+    EXPECT_EQ(place.run(words).code, 3) << words;
+    EXPECT_EQ(place.run(words + " --triangulate").code, 0) << words;
+  }
+  const Outcome fixed = place.run("hottel check room.json --triangulate --fix fixed.json --within 1e-6");
+  EXPECT_EQ(fixed.code, 0) << fixed.err;
+  EXPECT_EQ(place.run("hottel factors fixed.json --quiet").code, 0);
+}
+
+TEST(Space, MeshesAndDecksThatAreNotPlaneBecomeTrianglesToo) {
+  const Workplace place;
+  place.write("bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\ng box\nf 1 2 3 4\nf 1 2 3\n");
+  place.write("scene.json", R"({"hottel": 1, "dimension": 3, "materials": {"white": {"reflectivity": 0.5}},
+    "mesh": {"file": "bent.obj", "material": "white", "scale": 2}})");
+  place.write("bent.vs3",
+              "T bent\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 .25\nV 4 0 1 0\nV 5 0 0 1\nV 6 0 1 1\nV 7 1 1 1\nV 8 1 0 1\n"
+              "S 1 1 2 3 4 0 0 .5 a\nS 2 5 6 7 8 0 0 .5 b\nEnd of data\n");
+  for (const char* file : {"bent.obj", "scene.json"}) {
+    const Outcome outcome = place.run(std::string("hottel convert --triangulate ") + file + " -");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("\"box[0][0]\""));
+    EXPECT_THAT(outcome.out, HasSubstr("\"box[0][1]\""));
+    EXPECT_THAT(outcome.out, HasSubstr("\"box[1]\""));
+    EXPECT_THAT(outcome.err, StartsWith("'box[0]' is not plane: points lie "));
+  }
+  EXPECT_EQ(place.run("hottel convert --triangulate bent.obj flat.stl").code, 0);
+  EXPECT_EQ(place.run("hottel convert --triangulate scene.json flat.ply").code, 0);
+  EXPECT_EQ(place.run("hottel convert --triangulate bent.obj flat.vs3").code, 0);
+  EXPECT_EQ(place.run("hottel factors bent.vs3").code, 3);
+  const Outcome deck = place.run("hottel factors bent.vs3 --triangulate --quiet");
+  EXPECT_EQ(deck.code, 0) << deck.err;
+  EXPECT_THAT(deck.out, HasSubstr("\na,b,"));
+  EXPECT_THAT(deck.out, Not(HasSubstr("\na,a,")));  // it is bent along a ridge, away from itself
+  EXPECT_THAT(deck.out, HasSubstr("\nb,a,"));
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ PolygonProblem3 polygon_problem(const Polygon3& polygon) {
         std::vector<Point3> all = points;
         for (const auto& hole : polygon.holes) all.insert(all.end(), hole.begin(), hole.end());
         return {"is not plane: points lie " + distance_off_a_plane(all) + " off the plane of three of them",
-                "polygons are exactly plane: divide it into triangles"};
+                "polygons are exactly plane: divide it into triangles, or have them made by --triangulate"};
       }
   bool are_convex = true;
   for (const auto* loop : loops) {

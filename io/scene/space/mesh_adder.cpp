@@ -21,7 +21,7 @@ Polygon3 scaled(Polygon3 polygon, const Rational& scale) {
 
 }  // namespace
 
-MeshAdder3::MeshAdder3(Scene3& scene) : scene_(scene) {
+MeshAdder3::MeshAdder3(Scene3& scene, Triangulator3* triangulator) : scene_(scene), triangulator_(triangulator) {
   for (std::uint32_t k = 0; k < scene.materials.size(); ++k) own_.emplace(scene.materials[k].name, k);
 }
 
@@ -53,14 +53,16 @@ void MeshAdder3::add(const Mesh3& mesh, const MeshEntry3& entry) {
     if (!material)
       refuse("face " + quoted_name(surface.name) + " has no material",
              "give the mesh " + quoted_name(entry.name) + " a \"material\", or the face a usemtl");
-    if (const auto& [problem, hint] = polygon_problem(face.polygon); !problem.empty())
-      refuse("face " + quoted_name(surface.name) + " " + problem, hint);
     surface.material = *material;
     surface.back = entry.back;
     surface.elements = entry.elements;
     surface.group = *groups[group];
     surface.line = entry.line > 0 ? entry.line : face.line;
-    scene_.add(std::move(surface), scaled(face.polygon, entry.scale));
+    Polygon3 polygon = scaled(face.polygon, entry.scale);
+    if (triangulator_ != nullptr && triangulator_->add(scene_, surface, polygon)) continue;
+    if (const auto& [problem, hint] = polygon_problem(face.polygon); !problem.empty())
+      refuse("face " + quoted_name(surface.name) + " " + problem, hint);
+    scene_.add(std::move(surface), std::move(polygon));
   }
 }
 
@@ -92,14 +94,14 @@ std::uint32_t MeshAdder3::added_material(const Mesh3& mesh, int line, Material m
   return entry->second;
 }
 
-MeshScene3 scene_of(const Mesh3& mesh) {
+MeshScene3 scene_of(const Mesh3& mesh, Triangulator3* triangulator) {
   MeshScene3 result;
   result.scene.file = mesh.file;
   MeshEntry3 entry;
   entry.name = std::filesystem::path(mesh.file).stem().string();
   if (!name_problem(entry.name).empty()) entry.name = "mesh";
   entry.invents_materials = true;
-  MeshAdder3 adder(result.scene);
+  MeshAdder3 adder(result.scene, triangulator);
   adder.add(mesh, entry);
   validate(result.scene);
   result.invented = adder.invented();

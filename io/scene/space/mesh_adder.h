@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "geometry/space/scene/scene.h"
+#include "geometry/space/scene/triangulator.h"
 #include "io/scene/space/mesh.h"
 
 namespace hottel {
@@ -37,8 +37,9 @@ struct MeshEntry3 {
 //       those that faces have are added. Meshes may share one, if it is the same in both files
 class MeshAdder3 {
  public:
-  // REQUIRES that the scene outlives this, has all materials of its own, and gets others from here only.
-  explicit MeshAdder3(Scene3& scene);
+  // Faces that are not plane are refused, or cut by the triangulator. REQUIRES that both outlive this, and that the
+  // scene has all materials of its own, and gets others from here only.
+  explicit MeshAdder3(Scene3& scene, Triangulator3* triangulator = nullptr);
 
   // Throws InputError with the file of the mesh and the line of the face (or its byte, in a binary file), naming it,
   // for a face that is no polygon (polygon_problem), or has no material; for a group whose name cannot be one
@@ -53,6 +54,7 @@ class MeshAdder3 {
   std::uint32_t added_material(const Mesh3& mesh, int line, Material material);
 
   Scene3& scene_;
+  Triangulator3* triangulator_;
   std::unordered_map<std::string, std::uint32_t> own_, added_;  // materials
   std::vector<std::string> invented_;
 };
@@ -70,7 +72,7 @@ struct MeshScene3 {
 //   (2) faces without a group are called after the file: "room[0]", ... for room.obj; "mesh[0]", ... where that cannot
 //       be a name
 //
-// Throws InputError as MeshAdder3 and validate do.
-MeshScene3 scene_of(const Mesh3& mesh);
+// A triangulator cuts faces that are not plane. Throws InputError as MeshAdder3 and validate do.
+MeshScene3 scene_of(const Mesh3& mesh, Triangulator3* triangulator = nullptr);
 
 }  // namespace hottel

@@ -14,7 +14,10 @@ namespace {
 
 class SpaceReader3 {
  public:
-  SpaceReader3(const std::string& name, const TextSource& files) : table_(scene_), files_(files) { scene_.file = name; }
+  SpaceReader3(const std::string& name, const TextSource& files, Triangulator3* triangulator)
+      : table_(scene_), files_(files), triangulator_(triangulator) {
+    scene_.file = name;
+  }
 
   Scene3 read(const JsonValue& root) {
     const auto [hottel, dimension, about, materials, edges, polylines, polygons, mesh, sky, closed, grid, camera,
@@ -67,7 +70,8 @@ class SpaceReader3 {
     if (const JsonValue holes = entry.more[0]) read_holes(holes, entry.owner, polygon);
     entry.surface.name = std::move(entry.name);
     entry.surface.line = value.line();
-    scene_.add(std::move(entry.surface), std::move(polygon));
+    if (triangulator_ == nullptr || !triangulator_->add(scene_, entry.surface, polygon))
+      scene_.add(std::move(entry.surface), std::move(polygon));
   }
 
   void read_holes(const JsonValue& holes, const std::string& owner, Polygon3& polygon) const {
@@ -99,7 +103,7 @@ class SpaceReader3 {
   }
 
   void read_meshes(const JsonValue& meshes) {
-    MeshAdder3 adder(scene_);
+    MeshAdder3 adder(scene_, triangulator_);
     if (meshes.kind() != JsonKind::kArray) return read_mesh(meshes, "mesh[0]", adder);
     table_.read_list(meshes, "mesh", "mesh",
                      [&](const JsonValue& value, const std::string& name) { read_mesh(value, name, adder); });
@@ -187,13 +191,15 @@ class SpaceReader3 {
   Scene3 scene_;
   TableReader table_;
   const TextSource& files_;
+  Triangulator3* triangulator_;
   std::unordered_map<std::string, std::uint32_t> shared_groups_;  // of "group"
 };
 
 }  // namespace
 
-Scene3 read_document_3(const JsonValue& root, const std::string& name_for_messages, const TextSource& files) {
-  return SpaceReader3(name_for_messages, files).read(root);
+Scene3 read_document_3(const JsonValue& root, const std::string& name_for_messages, const TextSource& files,
+                       Triangulator3* triangulator) {
+  return SpaceReader3(name_for_messages, files, triangulator).read(root);
 }
 
 }  // namespace hottel

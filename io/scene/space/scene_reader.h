@@ -3,14 +3,15 @@
 
 #include <string>
 
-#include "geometry/space/scene/scene.h"
+#include "geometry/space/scene/triangulator.h"
 #include "io/files/text_file.h"
 #include "io/scene/exact_json.h"
 
 namespace hottel {
 
 // Returns the scene of a document of dimension 3, as read_scene says. Files of meshes are found relative to the folder
-// of the document. Throws InputError.
-Scene3 read_document_3(const JsonValue& root, const std::string& name_for_messages, const TextSource& files);
+// of the document. A triangulator cuts polygons that are not plane. Throws InputError.
+Scene3 read_document_3(const JsonValue& root, const std::string& name_for_messages, const TextSource& files,
+                       Triangulator3* triangulator = nullptr);
 
 }  // namespace hottel

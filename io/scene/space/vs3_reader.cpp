@@ -21,7 +21,8 @@ std::string exact_text(const Rational& value) {
 
 class SceneOfDeck3 {
  public:
-  explicit SceneOfDeck3(Vs3Deck3 deck) : deck_(std::move(deck)), records_(deck_.records) {}
+  SceneOfDeck3(Vs3Deck3 deck, Triangulator3* triangulator)
+      : deck_(std::move(deck)), records_(deck_.records), triangulator_(triangulator) {}
 
   Vs3Scene3 make() {
     scene().file = deck_.file;
@@ -63,7 +64,8 @@ class SceneOfDeck3 {
 
   void check(std::size_t k) const {
     const Vs3Record3& record = records_[k];
-    if (const auto& [problem, hint] = polygon_problem(record.polygon); !problem.empty()) refuse(k, problem, hint);
+    if (triangulator_ == nullptr || triangles_of_not_plane(record.polygon).empty())
+      if (const auto& [problem, hint] = polygon_problem(record.polygon); !problem.empty()) refuse(k, problem, hint);
     check_partner(k);
     check_base(k);
     if (record.kind == Vs3Kind3::kMask)
@@ -137,7 +139,6 @@ class SceneOfDeck3 {
       return;
     }
     const Vs3Record3& record = records_[k];
-    if (const auto& [problem, hint] = polygon_problem(outlines_[k]); !problem.empty()) refuse(k, problem, hint);
     Surface surface;
     surface.name = names_[k];
     surface.line = record.line;
@@ -148,6 +149,8 @@ class SceneOfDeck3 {
     if (is_new) scene().groups.emplace_back(names_[leader]);
     surface.group = group->second;
     if (records_[leader].emittance != record.emittance) mixes_emittances_ = true;
+    if (triangulator_ != nullptr && triangulator_->add(scene(), surface, outlines_[k])) return;
+    if (const auto& [problem, hint] = polygon_problem(outlines_[k]); !problem.empty()) refuse(k, problem, hint);
     scene().add(std::move(surface), std::move(outlines_[k]));
   }
 
@@ -180,6 +183,7 @@ class SceneOfDeck3 {
 
   const Vs3Deck3 deck_;
   const std::vector<Vs3Record3>& records_;
+  Triangulator3* triangulator_;
   Vs3Scene3 result_;
   std::vector<std::string> names_, covered_;
   std::vector<Polygon3> outlines_;                         // with what subsurfaces cut out
@@ -197,10 +201,12 @@ bool is_vs3(const std::filesystem::path& file) {
          });
 }
 
-Vs3Scene3 read_vs3_3(const std::filesystem::path& file) { return parse_vs3_3(read_text_file(file), file.string()); }
+Vs3Scene3 read_vs3_3(const std::filesystem::path& file, Triangulator3* triangulator) {
+  return parse_vs3_3(read_text_file(file), file.string(), triangulator);
+}
 
-Vs3Scene3 parse_vs3_3(std::string_view text, const std::string& file) {
-  return SceneOfDeck3(parse_vs3_deck_3(text, file)).make();
+Vs3Scene3 parse_vs3_3(std::string_view text, const std::string& file, Triangulator3* triangulator) {
+  return SceneOfDeck3(parse_vs3_deck_3(text, file), triangulator).make();
 }
 
 }  // namespace hottel

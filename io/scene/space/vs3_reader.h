@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/space/scene/scene.h"
+#include "geometry/space/scene/triangulator.h"
 
 namespace hottel {
 
@@ -34,7 +34,8 @@ struct Vs3Scene3 {
 // in the plane of its base or within it, or faces the wrong way; for a base or a partner that cannot be one; and for
 // every M record: it looks at its base across no distance, for which a scene has no place.           COST: that of
 // validate.
-Vs3Scene3 read_vs3_3(const std::filesystem::path& file);
-Vs3Scene3 parse_vs3_3(std::string_view text, const std::string& file);
+// A triangulator cuts surfaces that are not plane, unless they are bases.
+Vs3Scene3 read_vs3_3(const std::filesystem::path& file, Triangulator3* triangulator = nullptr);
+Vs3Scene3 parse_vs3_3(std::string_view text, const std::string& file, Triangulator3* triangulator = nullptr);
 
 }  // namespace hottel
