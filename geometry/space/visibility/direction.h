@@ -23,20 +23,36 @@ inline Direction3 cross(const Direction3& a, const Direction3& b) {
 }
 inline double length(const Direction3& a) { return std::sqrt(dot(a, a)); }
 
+// Whether two corners of a cone are nearly opposite: then they alone do not tell it.
+bool has_opposite_corners_3(std::span<const Direction3> corners);
+
 // Returns the solid angle of a convex cone less than a half space, as a fraction of the full sphere. Its corners are in
-// order, as the determinant of any three of them is not negative.
+// order, as the determinant of any three of them is not negative; no two are nearly opposite.
 //
-//   (1) off by some 1e-16 a corner, whatever the cone is like, when the corners are right to the last digit
+//   (1) off by some 1e-16 a corner when the corners are right to the last digit
 //
 // SEE: Van Oosterom, Strackee, The solid angle of a plane triangle, 1983.
 double solid_angle_fraction_3(std::span<const Direction3> corners);
 
-// Returns the view factor of such a cone from a point with a unit normal: the integral of the cosine over it, over pi.
+// The same of any convex cone less than a half space, from the unit normals of the planes that bound it, inward and in
+// order.
+//
+//   (1) off by some 1e-16 a plane, absolutely, when the normals are right to the last digit
+//
+// SEE: Girard, Invention nouvelle en l'algebre, 1629.
+double solid_angle_fraction_by_normals_3(std::span<const Direction3> inward);
+
+// Returns the view factor of a cone as solid_angle_fraction_3 takes it from a point with a unit normal: the integral of
+// the cosine over it, over pi.
 //
 //   (1) off by some 1e-16 a corner
 //   (2) negative where directions are below the horizon
 //
 // SEE: Lambert, Photometria, 1760.
 double view_factor_3(std::span<const Direction3> corners, const Direction3& normal);
+
+// The same of any convex cone less than a half space. The plane of inward[k] goes through corner k and the next one.
+double view_factor_by_normals_3(std::span<const Direction3> corners, std::span<const Direction3> inward,
+                                const Direction3& normal);
 
 }  // namespace hottel

@@ -316,12 +316,30 @@ class MapMaker {
 
   void add_fragment(std::uint32_t target, const ConeFragment3& fragment) {
     const auto begin = static_cast<std::uint32_t>(map_.corners.size());
+    directions_.clear();
     for (const ConeCorner3& corner : fragment) {
       const Direction3 way = way_to(target, corner);
-      map_.corners.push_back({direction(corner), eye_.x + way.x, eye_.y + way.y, eye_.z + way.z, corner.plane});
+      directions_.push_back(direction(corner));
+      map_.corners.push_back({directions_.back(), eye_.x + way.x, eye_.y + way.y, eye_.z + way.z, corner.plane});
     }
-    map_.fragments.push_back(
-        {{target, planes_.facing(target) < 0}, begin, static_cast<std::uint32_t>(map_.corners.size())});
+    PointMap3::Fragment& added = map_.fragments.emplace_back(PointMap3::Fragment{
+        {target, planes_.facing(target) < 0}, begin, static_cast<std::uint32_t>(map_.corners.size()), 0, 0});
+    if (!has_opposite_corners_3(directions_)) {
+      added.fraction = solid_angle_fraction_3(directions_);
+      if (horizon_) added.factor = view_factor_3(directions_, normal_);
+      return;
+    }
+    inward_.clear();
+    for (const ConeCorner3& corner : fragment) inward_.push_back(inward(corner.plane));
+    added.fraction = solid_angle_fraction_by_normals_3(inward_);
+    if (horizon_) added.factor = view_factor_by_normals_3(directions_, inward_, normal_);
+  }
+
+  Direction3 inward(PlaneSide3 side) {
+    const BoundedVector& normal = planes_.normal(side.plane);
+    const bool is_good = normal.error <= kIllConditioned * normal.size;
+    const Direction3 result = unit(is_good ? normal : rounded_well(planes_.exact_normal(side.plane)));
+    return side.is_opposite ? -result : result;
   }
 
   void sort_by_face() {
@@ -352,14 +370,11 @@ class MapMaker {
   }
 
   void add_shares() {
-    std::vector<Direction3> directions;
     double fraction = horizon_ ? 0.5 : 1, factor = horizon_ ? 1 : 0;
     for (const PointMap3::Fragment& fragment : map_.fragments) {
       if (map_.shares.empty() || map_.shares.back().face != fragment.face) map_.shares.push_back({fragment.face, 0, 0});
-      directions.clear();
-      for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) directions.push_back(map_.corners[c].direction);
-      map_.shares.back().fraction += solid_angle_fraction_3(directions);
-      if (horizon_) map_.shares.back().factor += view_factor_3(directions, normal_);
+      map_.shares.back().fraction += fragment.fraction;
+      map_.shares.back().factor += fragment.factor;
     }
     for (const PointMap3::Share& share : map_.shares) {
       fraction -= share.fraction;
@@ -388,6 +403,7 @@ class MapMaker {
   FragmentList3 pieces_, kept_, rest_;
   ConeFragment3 piece_;
   std::vector<PlaneSide3> sides_;
+  std::vector<Direction3> directions_, inward_;  // of the fragment at hand
   PointMap3 map_;
 };
 

@@ -46,6 +46,7 @@ struct PointMap3 {
   struct Fragment {
     Face face;
     std::uint32_t begin, end;  // in corners
+    double fraction, factor;   // as Share
   };
   struct Share {
     Face face;

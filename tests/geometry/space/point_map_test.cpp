@@ -246,6 +246,36 @@ TEST(PointMap3, EyesNextToAWallSeeAllOfTheRoom) {
   }
 }
 
+// Next to an edge of a large square, h p inside of it and h q above: in the limit it takes the wedge between the way to
+// the edge and its plane. What two ends of the edge tell of that plane is nothing.
+TEST(PointMap3, EyesNextToAnEdgeSeeAWedge) {
+  const std::vector<SpacePolygon> polygons{{{-1, 0, 0}, {1, 0, 0}, {1, 2, 0}, {-1, 2, 0}}};
+  for (int k = 20; k <= 300; k += 14)
+    for (const auto& [p, q] : {std::pair(1, 2), std::pair(-1, 2), std::pair(0, 1), std::pair(5, 1), std::pair(-7, 3)})
+      for (const Rational& x : {ratio(0, 1), ratio(1, 7), ratio(-9, 10)}) {
+        const Rational h = Rational(1) / (Integer(1) << k);
+        const PointMap3 map = tested_map(polygons, {{x, p * h, q * h}, Point3{0, 0, -1}});
+        ASSERT_EQ(map.shares.size(), 1u);
+        const double far = std::ldexp(100.0, -k);
+        EXPECT_NEAR(map.shares[0].fraction, (pi - std::atan2(q, p)) / (2 * pi), far + 1e-15)
+            << k << ' ' << p << ' ' << q;
+        EXPECT_NEAR(map.shares[0].factor, (1 + p / std::hypot(p, q)) / 2, far + 1e-15) << k << ' ' << p << ' ' << q;
+      }
+}
+
+// The same above the inside of a polygon, whose corners are then nearly on the horizon: half of the sphere.
+TEST(PointMap3, EyesNextToAPolygonSeeHalfOfTheSphere) {
+  const std::vector<SpacePolygon> polygons{{{0, 0, 0}, {8, 0, 2}, {3, 8, 5}}};
+  for (int k = 30; k <= 200; k += 17)
+    for (long a = 1; a < 8; ++a)
+      for (long b = 1; a + b < 8; ++b) {
+        const Point3 eye{ratio(8 * a + 3 * b, 8), ratio(8 * b, 8),
+                         ratio(2 * a + 5 * b, 8) + 1 / Rational(Integer(1) << k)};
+        const PointMap3 map = tested_map(polygons, {eye, {}}, 20);
+        EXPECT_NEAR(share_of(map, 0), 0.5, std::ldexp(100.0, -k) + 1e-15) << k << ' ' << a << ' ' << b;
+      }
+}
+
 TEST(PointMap3, DoesNotDependOnThreads) {
   const Blockers3 blockers = blockers_of(oracle::lattice_room(19, 3, 1, 1, 3));
   const auto maps = [&blockers](int threads) {
