@@ -3,6 +3,7 @@
 #include <arb.h>
 #include <arb_hypgeom.h>
 #include <arf.h>
+#include <mpfr.h>
 
 #include <array>
 #include <limits>
@@ -12,7 +13,7 @@
 namespace hottel {
 namespace {
 
-constexpr long kPrecision = 192;
+constexpr long kPrecision = kWideBits + 128;
 
 // The number nearest to the middle of a ball that is far narrower than its last bit: what is left after each double is
 // less than half a unit of its last place.
@@ -32,6 +33,13 @@ Real nearest(const arb_t ball) {
   arf_clear(part);
   arf_clear(rest);
   return sum;
+}
+
+template <>
+WideReal nearest<WideReal>(const arb_t ball) {
+  WideReal result;
+  arf_get_mpfr(result.backend().data(), arb_midref(ball), MPFR_RNDN);
+  return result;
 }
 
 template <class Real>
@@ -56,10 +64,10 @@ LegendreRule<Real> make_rule(int n) {
 }
 
 template <class Real>
-std::array<LegendreRule<Real>, kMaxLegendreNodes + 1> make_rules() {
+std::array<LegendreRule<Real>, kMaxLegendreNodes<Real> + 1> make_rules() {
   return_flint_memory_at_thread_end();
-  std::array<LegendreRule<Real>, kMaxLegendreNodes + 1> rules;
-  for (int n = 1; n <= kMaxLegendreNodes; ++n) rules[static_cast<std::size_t>(n)] = make_rule<Real>(n);
+  std::array<LegendreRule<Real>, kMaxLegendreNodes<Real> + 1> rules;
+  for (int n = 1; n <= kMaxLegendreNodes<Real>; ++n) rules[static_cast<std::size_t>(n)] = make_rule<Real>(n);
   return rules;
 }
 
@@ -73,5 +81,6 @@ const LegendreRule<Real>& legendre_rule(int n) {
 
 template const LegendreRule<double>& legendre_rule<double>(int);
 template const LegendreRule<long double>& legendre_rule<long double>(int);
+template const LegendreRule<WideReal>& legendre_rule<WideReal>(int);
 
 }  // namespace hottel

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "kernel/wide_real.h"
+
 namespace hottel {
 
 // Nodes in [0, 1], ascending, and weights that sum up to 1. A rule of n nodes is exact for polynomials of degree 2n
@@ -17,10 +19,14 @@ struct LegendreRule {
   int size() const { return static_cast<int>(node.size()); }
 };
 
+// How many nodes a rule has at most.
+template <class Real>
 inline constexpr int kMaxLegendreNodes = 20;
+template <>
+inline constexpr int kMaxLegendreNodes<WideReal> = 48;
 
-// Returns the rule of n nodes. REQUIRES: 1 <= n <= kMaxLegendreNodes; Real is double or long double.
-// COST: nothing; the first call makes all rules, in some milliseconds.
+// Returns the rule of n nodes. REQUIRES: 1 <= n <= kMaxLegendreNodes<Real>; Real is double, long double or WideReal.
+// COST: nothing; the first call makes all rules of a Real, in some milliseconds.
 template <class Real>
 const LegendreRule<Real>& legendre_rule(int n);
 

@@ -4,32 +4,34 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace hottel {
 namespace {
 
 template <class Real>
 class LegendreRuleOf : public ::testing::Test {};
-using Reals = ::testing::Types<double, long double>;
+using Reals = ::testing::Types<double, long double, WideReal>;
 TYPED_TEST_SUITE(LegendreRuleOf, Reals);
 
 // The integral of x^k over [0, 1] is 1 / (k + 1).
 TYPED_TEST(LegendreRuleOf, IsExactForPolynomials) {
-  for (int n = 1; n <= kMaxLegendreNodes; ++n) {
+  for (int n = 1; n <= kMaxLegendreNodes<TypeParam>; ++n) {
     const LegendreRule<TypeParam>& rule = legendre_rule<TypeParam>(n);
     ASSERT_EQ(rule.size(), n);
     for (int degree = 0; degree < 2 * n; ++degree) {
-      long double sum = 0;
+      WideReal sum = 0;
       for (std::size_t k = 0; k < rule.node.size(); ++k)
-        sum += static_cast<long double>(rule.weight[k]) * std::pow(static_cast<long double>(rule.node[k]), degree);
-      const long double slack = (degree + 2) * static_cast<long double>(std::numeric_limits<TypeParam>::epsilon());
+        sum += WideReal(rule.weight[k]) * pow(WideReal(rule.node[k]), degree);
+      const int of_sum = std::is_same_v<TypeParam, WideReal> ? n : 0;  // it has no more digits than the rule
+      const WideReal slack = (degree + 2 + of_sum) * WideReal(std::numeric_limits<TypeParam>::epsilon());
       EXPECT_NEAR(static_cast<double>((sum * (degree + 1) - 1) / slack), 0, 1) << n << " nodes, degree " << degree;
     }
   }
 }
 
 TYPED_TEST(LegendreRuleOf, IsSymmetric) {
-  for (int n = 1; n <= kMaxLegendreNodes; ++n) {
+  for (int n = 1; n <= kMaxLegendreNodes<TypeParam>; ++n) {
     const LegendreRule<TypeParam>& rule = legendre_rule<TypeParam>(n);
     for (std::size_t k = 0; k < rule.node.size(); ++k) {
       const std::size_t mirrored = rule.node.size() - 1 - k;
@@ -46,7 +48,11 @@ TYPED_TEST(LegendreRuleOf, IsSymmetric) {
 // Nodes of three: 1/2 (1 -+ sqrt(3/5)), 1/2; weights 5/18, 8/18.
 TYPED_TEST(LegendreRuleOf, NodesAndWeightsAreTheNearestNumbers) {
   const LegendreRule<TypeParam>& rule = legendre_rule<TypeParam>(3);
-  EXPECT_EQ(rule.node[0], static_cast<TypeParam>(0.11270166537925831148207346002176L));
+  const WideReal first = (1 - sqrt(WideReal(3) / 5)) / 2;
+  if constexpr (std::is_same_v<TypeParam, WideReal>)
+    EXPECT_LE(static_cast<double>(abs(rule.node[0] - first)), std::ldexp(1.0, -kWideBits));  // the root was rounded
+  else
+    EXPECT_EQ(rule.node[0], static_cast<TypeParam>(first));
   EXPECT_EQ(rule.node[1], TypeParam(0.5));
   EXPECT_EQ(rule.weight[0], static_cast<TypeParam>(5) / 18);
   EXPECT_EQ(rule.weight[1], static_cast<TypeParam>(8) / 18);

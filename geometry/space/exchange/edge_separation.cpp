@@ -4,15 +4,12 @@
 #include <array>
 #include <numbers>
 
-#include "kernel/legendre_rule.h"
-
 namespace hottel {
 namespace {
 
 using std::numbers::pi;
 
 constexpr double kSlack = 1 - 0x1p-40;  // what bounds are cut by for the sake of their own rounding
-constexpr double kTiny = 0x1p-110;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 template <class Real>
@@ -68,7 +65,7 @@ double EdgeEnds3<Real>::least_sum(int edge) const {
     foot[k] = -dot(start(k), w) / other;
     const std::array<Real, 2> along{-foot[k], foot[k] - other};
     for (int end = 0; end < 2; ++end) {
-      const Real r = 1 / std::max(size(k, end), Real(kTiny));
+      const Real r = 1 / std::max(size(k, end), Real(kLeastDistance<Real>));
       slope[end] += along[end] * r;
       doubt[end] += static_cast<Real>(blur_) * r;
     }
@@ -80,7 +77,8 @@ double EdgeEnds3<Real>::least_sum(int edge) const {
     sum = size(0, 1) + size(1, 1);
   } else {
     const Real along = foot[0] - foot[1], across = height(edge, 0) + height(edge, 1);
-    sum = std::sqrt(along * along + across * across);
+    using std::sqrt;
+    sum = sqrt(along * along + across * across);
   }
   return (to_double(sum) * kSlack - blur_) / to_double(length_[edge]);
 }
@@ -131,20 +129,23 @@ double RowError3::operator()(int n) const {
   return error;
 }
 
-int RowError3::nodes_for(double tolerance) const {
+int RowError3::nodes_for(double tolerance, int most) const {
   const double rho = has_line_ ? std::min({rho_line_, rho_end_[0], rho_end_[1]}) : rho_;
   if (rho < 1.8) return 0;
   const int least = static_cast<int>(std::log(0.01 / tolerance) / (2 * std::log(rho)));
-  for (int n = std::max(2, (least + 1) / 2 * 2); n <= kMaxLegendreNodes; n += 2)
+  for (int n = std::max(2, (least + 1) / 2 * 2); n <= most; n += 2)
     if ((*this)(n) <= tolerance) return n;
   return 0;
 }
 
 template class EdgeEnds3<double>;
 template class EdgeEnds3<long double>;
+template class EdgeEnds3<WideReal>;
 template Reach3::Reach3(const EdgeEnds3<double>&);
 template Reach3::Reach3(const EdgeEnds3<long double>&);
+template Reach3::Reach3(const EdgeEnds3<WideReal>&);
 template RowError3::RowError3(const EdgePair3<double>&, const EdgeEnds3<double>&);
 template RowError3::RowError3(const EdgePair3<long double>&, const EdgeEnds3<long double>&);
+template RowError3::RowError3(const EdgePair3<WideReal>&, const EdgeEnds3<WideReal>&);
 
 }  // namespace hottel

@@ -79,8 +79,8 @@ class RowError3 {
   RowError3(const EdgePair3<Real>& pair, const EdgeEnds3<Real>& ends);
 
   double operator()(int n) const;
-  // The least even number of nodes, up to kMaxLegendreNodes, whose error is within the tolerance, or 0.
-  int nodes_for(double tolerance) const;
+  // The least even number of nodes, up to `most`, whose error is within the tolerance, or 0.
+  int nodes_for(double tolerance, int most) const;
 
  private:
   double rho_;

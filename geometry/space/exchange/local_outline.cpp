@@ -6,14 +6,43 @@
 namespace hottel {
 namespace {
 
+constexpr unsigned kFractionBits = 128;
+
+// The number value * 2^-bits: by parts of 53 bits, so off by at most 2^-62 of it.
+long double in_long_double(Integer value, long bits) {
+  long double sum = 0;
+  for (int part = 0; part < 3 && value != 0; ++part) {
+    const double leading = value.get_d();  // towards zero, below 2^1000
+    sum += std::ldexp(static_cast<long double>(leading), static_cast<int>(-bits));
+    value -= Integer(leading);
+  }
+  return sum;
+}
+
+void set_quotient(const Integer& top, const Integer& bottom, long bits, long double& result) {
+  result = bottom == 1 ? in_long_double(top, bits)
+                       : in_long_double((top << kFractionBits) / bottom, static_cast<long>(kFractionBits) + bits);
+}
+void set_quotient(const Integer& top, const Integer& bottom, long bits, WideReal& result) {
+  mpfr_t& number = result.backend().data();
+  mpfr_set_z(number, top.get_mpz_t(), MPFR_RNDN);
+  mpfr_div_z(number, number, bottom.get_mpz_t(), MPFR_RNDN);
+  mpfr_mul_2si(number, number, -bits, MPFR_RNDN);
+}
+
 template <class Real>
 LocalVector3<Real> position(const LocalPair3& pair, int side, const LocalPair3::Corner& corner, int exponent) {
-  std::array<Real, 3> p;
-  if constexpr (std::is_same_v<Real, double>)
-    p = {corner.position.x, corner.position.y, corner.position.z};
-  else
-    p = pair.long_position(side, corner);
-  return {std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent), std::ldexp(p[2], -exponent)};
+  LocalVector3<Real> p;
+  if constexpr (std::is_same_v<Real, double>) {
+    const BoundedVector& q = corner.position;
+    p = {std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent), std::ldexp(q.z, -exponent)};
+  } else {
+    const auto [top, bottom] = pair.exact_position(side, corner);
+    set_quotient(top.x, bottom, pair.shift() + exponent, p.x);
+    set_quotient(top.y, bottom, pair.shift() + exponent, p.y);
+    set_quotient(top.z, bottom, pair.shift() + exponent, p.z);
+  }
+  return p;
 }
 
 }  // namespace
@@ -34,7 +63,7 @@ LocalOutline3<Real>::LocalOutline3(const LocalPair3& pair, int side, int exponen
       off.push_back(4 * kRoundoff<Real> * length_of_corner);
     most_off = std::max(most_off, off.back());
   }
-  for (const LocalVector3<Real>& p : corners) centre = centre + 1 / static_cast<Real>(corners.size()) * p;
+  for (const LocalVector3<Real>& p : corners) centre = centre + Real(1) / static_cast<Real>(corners.size()) * p;
   for (const LocalVector3<Real>& p : corners) radius = std::max(radius, static_cast<double>(length(p - centre)));
   radius = radius * (1 + 0x1p-40) + most_off + 16 * kRoundoff<Real> * size;
   size *= 1 + 0x1p-40;
@@ -65,6 +94,7 @@ std::vector<PatchCell3<Real>> cells_of(const LocalOutline3<Real>& outline) {
 
 template struct LocalOutline3<double>;
 template struct LocalOutline3<long double>;
+template struct LocalOutline3<WideReal>;
 template std::vector<PatchCell3<double>> cells_of(const LocalOutline3<double>&);
 template std::vector<PatchCell3<long double>> cells_of(const LocalOutline3<long double>&);
 

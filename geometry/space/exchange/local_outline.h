@@ -1,4 +1,4 @@
-// The outline of a part of a pair, in doubles or long doubles, and the cells for integrals over its area.
+// The outline of a part of a pair, in any Real, and the cells for integrals over its area.
 #pragma once
 
 #include <array>

@@ -47,17 +47,6 @@ bool set_difference(double& result, std::uint64_t& all, const Integer& a, const 
   return -kMost < p - q && p - q < kMost;
 }
 
-// The real number value * 2^-bits, by parts of 53 bits.
-long double to_long_double(Integer value, long bits) {
-  long double sum = 0;
-  for (int part = 0; part < 3 && value != 0; ++part) {
-    const double leading = value.get_d();  // towards zero, below 2^1000
-    sum += std::ldexp(static_cast<long double>(leading), static_cast<int>(-bits));
-    value -= Integer(leading);
-  }
-  return sum;
-}
-
 }  // namespace
 
 BoundedVector bounded_difference_3(const BoundedVector& a, const BoundedVector& b) {
@@ -246,16 +235,10 @@ LocalPair3::Corner LocalPair3::cut_corner(int side, std::size_t from, std::size_
   return corner;
 }
 
-std::array<long double, 3> LocalPair3::long_position(int side, const Corner& corner) const {
-  if (corner.corner != Corner::kCut) {
-    const IntegerVector d = difference(sides_[side].exact[static_cast<std::size_t>(corner.corner)], origin_);
-    return {to_long_double(d.x, shift_), to_long_double(d.y, shift_), to_long_double(d.z, shift_)};
-  }
-  const IntegerVector top = difference(corner.numerator, times(corner.denominator, origin_));
-  const auto quotient = [&](const Integer& part) {
-    return to_long_double((part << kFractionBits) / corner.denominator, kFractionBits + shift_);
-  };
-  return {quotient(top.x), quotient(top.y), quotient(top.z)};
+std::pair<IntegerVector, Integer> LocalPair3::exact_position(int side, const Corner& corner) const {
+  if (corner.corner == Corner::kCut)
+    return {difference(corner.numerator, times(corner.denominator, origin_)), corner.denominator};
+  return {difference(sides_[side].exact[static_cast<std::size_t>(corner.corner)], origin_), 1};
 }
 
 IntegerVector LocalPair3::direction(int side, const Corner& corner) const {

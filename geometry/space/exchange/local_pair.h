@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/space/arrangement/patch.h"
@@ -55,8 +56,8 @@ class LocalPair3 {
   // Its normal, of some length, to its front.
   const BoundedVector& normal(int side) const { return sides_[side].normal; }
 
-  // A corner in more digits: off by at most 2^-62 of its size.
-  std::array<long double, 3> long_position(int side, const Corner& corner) const;
+  // A corner exactly, relative to the origin: the vector over the number, times 2^-shift().
+  std::pair<IntegerVector, Integer> exact_position(int side, const Corner& corner) const;
   // Are all coordinates of corners integers below 2^52?
   bool is_small() const { return is_small_; }
   // Are they integers below 2^62, times a power of two?

@@ -1,12 +1,15 @@
-// Vectors, approximations and sums in doubles or long doubles.
+// Vectors, approximations and sums in doubles, long doubles or WideReal.
 #pragma once
 
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "kernel/wide_real.h"
 
 namespace hottel {
 
-// A vector of local coordinates (LocalPair3), in doubles or long doubles.
+// A vector of local coordinates (LocalPair3).
 template <class Real>
 struct LocalVector3 {
   Real x = 0, y = 0, z = 0;
@@ -35,12 +38,31 @@ Real square(const LocalVector3<Real>& a) {
 }
 template <class Real>
 Real length(const LocalVector3<Real>& a) {
-  return std::sqrt(dot(a, a));
+  using std::sqrt;
+  return sqrt(dot(a, a));
 }
+
+// 2^-bits.
+constexpr double power_of_half(int bits) { return bits == 0 ? 1 : power_of_half(bits - 1) / 2; }
 
 // The largest relative error of one operation.
 template <class Real>
-inline constexpr double kRoundoff = static_cast<double>(std::numeric_limits<Real>::epsilon()) / 2;
+inline constexpr double kRoundoff = power_of_half(std::numeric_limits<Real>::digits);
+
+// Distances below this are not looked at, where sizes are about 1.
+template <class Real>
+inline constexpr double kLeastDistance = 0x1p-110;
+template <>
+inline constexpr double kLeastDistance<WideReal> = 0x1p-400;
+
+template <class Real>
+Real pi_of() {
+  return std::numbers::pi_v<Real>;
+}
+template <>
+inline WideReal pi_of<WideReal>() {
+  return 4 * atan(WideReal(1));
+}
 
 // A real number of which an approximation is known, and how far off that is at most.
 template <class Real>
@@ -55,8 +77,9 @@ template <class Real>
 class CompensatedSum {
  public:
   void add(Real value) {
+    using std::fabs;
     const Real next = sum_ + value;
-    rest_ += std::fabs(sum_) >= std::fabs(value) ? (sum_ - next) + value : (value - next) + sum_;
+    rest_ += fabs(sum_) >= fabs(value) ? (sum_ - next) + value : (value - next) + sum_;
     sum_ = next;
   }
   Real value() const { return sum_ + rest_; }

@@ -11,11 +11,17 @@
 namespace hottel {
 namespace {
 
-constexpr double kLibrary = 8;  // roundoffs of a logarithm or an angle: four units of the last place
-constexpr int kMaxTensor = 16;
+constexpr double kLibrary = 8;   // roundoffs of a logarithm or an angle: four units of the last place
 constexpr double kMaxRatio = 4;  // of lengths, for closed forms
+
+template <class Real>
+constexpr int kMaxTensor = 16;
+template <>
+constexpr int kMaxTensor<WideReal> = 32;
+template <class Real>
 constexpr int kMaxCells = 600;
-constexpr double kTiny = 0x1p-110;  // distances below this are not looked at
+template <>
+constexpr int kMaxCells<WideReal> = 6000;
 
 template <class Real>
 double to_double(Real value) {
@@ -37,9 +43,10 @@ struct Cell {
 // to one logarithm.
 template <class Real>
 Real tensor_mean(const EdgePair3<Real>& pair, int n_e, int n_f) {
+  using std::log;
   const LegendreRule<Real>&rule_e = legendre_rule<Real>(n_e), &rule_f = legendre_rule<Real>(n_f);
   const auto half_e = static_cast<std::size_t>(n_e / 2), half_f = static_cast<std::size_t>(n_f / 2);
-  std::array<LocalVector3<Real>, kMaxTensor> along;
+  std::array<LocalVector3<Real>, kMaxTensor<Real>> along;
   for (std::size_t j = 0; j < 2 * half_f; ++j) along[j] = rule_f.node[j] * pair.v;
   Real sum = 0;
   for (std::size_t i = 0; i < half_e; ++i) {
@@ -49,7 +56,7 @@ Real tensor_mean(const EdgePair3<Real>& pair, int n_e, int n_f) {
     for (std::size_t j = 0; j < half_f; ++j) {
       const LocalVector3<Real>&p = along[j], &q = along[2 * half_f - 1 - j];
       const Real product = (square(a + p) * square(a + q)) * (square(b + p) * square(b + q));
-      row += rule_f.weight[j] * std::log(product);
+      row += rule_f.weight[j] * log(product);
     }
     sum += rule_e.weight[i] * row;
   }
@@ -61,13 +68,13 @@ Real tensor_mean(const EdgePair3<Real>& pair, int n_e, int n_f) {
 template <class Real>
 std::optional<Approximation<Real>> tensor(const EdgePair3<Real>& pair, const EdgeEnds3<Real>& ends, double tolerance) {
   const Reach3 reach(ends);
-  const int n_e = nodes_for_logs_3(reach.rho_e, tolerance / 2, kMaxTensor);
+  const int n_e = nodes_for_logs_3(reach.rho_e, tolerance / 2, kMaxTensor<Real>);
   if (n_e == 0) return {};
-  const int n_f = nodes_for_logs_3(reach.rho_f, tolerance / 2, kMaxTensor);
+  const int n_f = nodes_for_logs_3(reach.rho_f, tolerance / 2, kMaxTensor<Real>);
   if (n_f == 0) return {};
   const double roundoff = kRoundoff<Real>;
   const double off = pair.error + 2 * roundoff * (ends.length_of(0) + ends.length_of(1) + ends.farthest());
-  if (!(reach.nearest > 1024 * off && reach.nearest > kTiny)) return {};
+  if (!(reach.nearest > 1024 * off && reach.nearest > kLeastDistance<Real>)) return {};
   Approximation<Real> result{tensor_mean(pair, n_e, n_f), 0};
   result.error = log_error_3(n_e, reach.rho_e) + log_error_3(n_f, reach.rho_f) + 1.001 * off / reach.nearest +
                  roundoff * (2 + (4 + kLibrary + (n_e + n_f) / 2) * reach.largest_log());
@@ -86,10 +93,11 @@ std::optional<Approximation<Real>> tensor(const EdgePair3<Real>& pair, const Edg
 template <class Real>
 Approximation<Real> log_from_point(const LocalVector3<Real>& w0, const LocalVector3<Real>& w1,
                                    const LocalVector3<Real>& v, double off) {
+  using std::atan2, std::log, std::sqrt;
   const Real q0 = square(w0), q1 = square(w1), q = square(v);
-  const Real ln0 = q0 > 0 ? std::log(q0) / 2 : 0, ln1 = q1 > 0 ? std::log(q1) / 2 : 0;
+  const Real ln0 = q0 > 0 ? Real(log(q0) / 2) : Real(0), ln1 = q1 > 0 ? Real(log(q1) / 2) : Real(0);
   const Real height = length(cross(q0 <= q1 ? w0 : w1, v));
-  const Real angle = std::atan2(height, dot(w0, w1));
+  const Real angle = atan2(height, dot(w0, w1));
   Approximation<Real> result;
   result.value = ((dot(w1, v) * ln1 - dot(w0, v) * ln0) + height * angle) / q - 1;
 
@@ -98,9 +106,9 @@ Approximation<Real> log_from_point(const LocalVector3<Real>& w0, const LocalVect
   const double ends = r0 * (19 * std::fabs(to_double(ln0)) + 2.5) + r1 * (19 * std::fabs(to_double(ln1)) + 2.5);
   result.error = kRoundoff<Real> * ((ends + 3.9 * a * std::min(r0, r1) + (17 * a + 15) * h) / size +
                                     std::fabs(to_double(result.value)) + 1.1) +
-                 kTiny / size;
+                 kLeastDistance<Real> / size;
   if (off > 0) {
-    const double gap = to_double(std::sqrt(q0) + std::sqrt(q1) - std::sqrt(q)) - 8 * kRoundoff<Real> * (r0 + r1 + size);
+    const double gap = to_double(sqrt(q0) + sqrt(q1) - sqrt(q)) - 8 * kRoundoff<Real> * (r0 + r1 + size);
     const double x = off / size;
     result.error += gap > 2048 * off ? 1.001 * x * std::log((r0 + r1 + size) / gap) : modulus(x);
   }
@@ -147,6 +155,7 @@ Approximation<Real> joint_mean(const EdgePair3<Real>& pair) {
 // then there are the errors of products and the library, and of u.v.
 template <class Real>
 Approximation<Real> parallel_mean(const EdgePair3<Real>& pair, const EdgeEnds3<Real>& ends) {
+  using std::atan2, std::log;
   const bool is_longer = ends.length_of(0) >= ends.length_of(1);
   const LocalVector3<Real>& axis = is_longer ? pair.u : pair.v;
   const Real q = square(axis);
@@ -165,15 +174,15 @@ Approximation<Real> parallel_mean(const EdgePair3<Real>& pair, const EdgeEnds3<R
     for (int b = 0; b < 2; ++b) {
       const LocalVector3<Real>& w = ends.at(a, b);
       const Real square_r = square(w), x = dot(w, axis);
-      const Real ln = square_r > 0 ? std::log(square_r) : 0;
-      const Real h = (x - c) * (x + c) / 4 * ln + x * c * std::atan2(x, c);
-      sum += a == b ? -h : h;
+      const Real ln = square_r > 0 ? log(square_r) : Real(0);
+      const Real h = (x - c) * (x + c) / 4 * ln + x * c * atan2(x, c);
+      sum += a == b ? Real(-h) : h;
       const double r = ends.size(a, b), size = std::fabs(to_double(ln));
       if (r > 1024 * off)
         error += r * (off + (3 * roundoff + tilt) * r + off_c) * (size / 2 + 2.1) + r * off / 2 +
                  roundoff * r * r * (5 * size + 17);
       else
-        error += (r + off) * (r + off) * (2 * std::fabs(std::log(r + off + kTiny)) + 3);
+        error += (r + off) * (r + off) * (2 * std::fabs(std::log(r + off + kLeastDistance<Real>)) + 3);
     }
   const Real product = dot(pair.u, pair.v);
   Approximation<Real> result{sum / q / product - Real(1.5), 0};
@@ -207,7 +216,7 @@ class CellSum {
     const EdgeEnds3<Real> ends(cell.pair);
     if (const auto mean = tensor(cell.pair, ends, tolerance_)) return add(*mean, cell.share);
     const double ratio = ends.length_of(0) / ends.length_of(1);
-    if (cell.contact != EdgeContact3::kNone && count_ < kMaxCells) {
+    if (cell.contact != EdgeContact3::kNone && count_ < kMaxCells<Real>) {
       if (ratio > kMaxRatio) return halve(cell);
       if (ratio < 1 / kMaxRatio) return halve(swapped(cell));
       return add(cell.contact == EdgeContact3::kJoint ? joint_mean(cell.pair) : parallel_mean(cell.pair, ends),
@@ -223,14 +232,14 @@ class CellSum {
   void settle_row(const Cell<Real>& cell) { settle_row(cell, EdgeEnds3<Real>(cell.pair)); }
   void settle_row(const Cell<Real>& cell, const EdgeEnds3<Real>& ends) {
     const RowError3 row_error(cell.pair, ends);
-    if (const int n = row_error.nodes_for(tolerance_)) {
+    if (const int n = row_error.nodes_for(tolerance_, kMaxLegendreNodes<Real>)) {
       Approximation<Real> mean = row_mean(cell.pair, ends, n);
       mean.error += row_error(n);
       return add(mean, cell.share);
     }
     // The middle for all of it, where the mean is continuous but may not be smooth.
     const double wide = modulus(ends.length_of(0) / ends.length_of(1) / 2);
-    if (wide * to_double(cell.share) <= tolerance_ / 16 || count_ >= kMaxCells) {
+    if (wide * to_double(cell.share) <= tolerance_ / 16 || count_ >= kMaxCells<Real>) {
       Approximation<Real> mean = row_mean(cell.pair, ends, 1);
       mean.error += wide;
       return add(mean, cell.share);
@@ -296,7 +305,9 @@ Approximation<Real> mean_log_of_near(const EdgePair3<Real>& pair, EdgeContact3 c
 
 template std::optional<Approximation<double>> mean_log_of_distant(const EdgePair3<double>&, double);
 template std::optional<Approximation<long double>> mean_log_of_distant(const EdgePair3<long double>&, double);
+template std::optional<Approximation<WideReal>> mean_log_of_distant(const EdgePair3<WideReal>&, double);
 template Approximation<double> mean_log_of_near(const EdgePair3<double>&, EdgeContact3, double);
 template Approximation<long double> mean_log_of_near(const EdgePair3<long double>&, EdgeContact3, double);
+template Approximation<WideReal> mean_log_of_near(const EdgePair3<WideReal>&, EdgeContact3, double);
 
 }  // namespace hottel

@@ -20,8 +20,8 @@ enum class EdgeContact3 : unsigned char { kNone, kJoint, kEndOn, kParallel };
 //   (2) error is tolerance and what rounding makes, some 20 to 100 roundoffs for edges of about the same size. Where
 //       edges come near each other without touching (less than 2^-40 of their size) it may be more.
 //
-// Real is double or long double. Nothing is returned where edges are not so far apart that a few nodes are enough.
-// COST: 0.2 to 1 microseconds in double.
+// Real is double, long double or WideReal. Nothing is returned where edges are not so far apart that a few nodes are
+// enough. COST: 0.2 to 1 microseconds in double.
 template <class Real>
 std::optional<Approximation<Real>> mean_log_of_distant(const EdgePair3<Real>& pair, double tolerance);
 

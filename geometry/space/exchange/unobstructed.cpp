@@ -22,6 +22,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kEnough = 1e-13;
+constexpr double kOfDouble = 0x1p-48;  // what a measure as a double is told within, of itself
 
 // The double integral over both outlines. Every edge of one meets every edge of the other:
 //
@@ -50,7 +51,7 @@ class OutlineSum {
     share_ = error * pi / static_cast<double>(edges_[0].size() * edges_[1].size());
     for (std::size_t k = 0; k < edges_[0].size(); ++k)
       for (std::size_t m = 0; m < edges_[1].size(); ++m) add(k, m);
-    const Real value = sum_.value() / (2 * std::numbers::pi_v<Real>);
+    const Real value = sum_.value() / (2 * pi_of<Real>());
     return {value, 1.001 * error_ / (2 * pi) + 6 * kRoundoff<Real> * std::fabs(static_cast<double>(value))};
   }
 
@@ -60,15 +61,15 @@ class OutlineSum {
   bool is_exact() const { return outlines_[0].is_exact; }
 
   void add(std::size_t k, std::size_t m) {
+    using std::fabs;
     const Vector &u = edges_[0][k], &v = edges_[1][m];
     const double size_u = static_cast<double>(length(u)), size_v = static_cast<double>(length(v));
     const Real product = dot(u, v);
     const double size = std::fabs(static_cast<double>(product));
     const double off_u = is_exact() ? 0 : 2 * off_[0][k] + kRoundoff<Real> * size_u;
     const double off_v = is_exact() ? 0 : 2 * off_[1][m] + kRoundoff<Real> * size_v;
-    const double off =
-        3 * kRoundoff<Real> * static_cast<double>(std::fabs(u.x * v.x) + std::fabs(u.y * v.y) + std::fabs(u.z * v.z)) +
-        off_u * size_v + off_v * size_u + off_u * off_v;
+    const double off = 3 * kRoundoff<Real> * static_cast<double>(fabs(u.x * v.x) + fabs(u.y * v.y) + fabs(u.z * v.z)) +
+                       off_u * size_v + off_v * size_u + off_u * off_v;
     if (size <= off) {  // |J| is at most ln of the largest distance, and 1.7 - ln of the longer edge
       error_ += (size + off) * (2.4 + std::fabs(std::log(std::max(size_u, size_v))));
       return;
@@ -147,8 +148,8 @@ UnobstructedMeasure3 enclosed(double value, double error, const Enclosure& area,
 
 }  // namespace
 
-UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch3& i, const Patch3& j,
-                                          double tolerance) {
+UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch3& i, const Patch3& j, double tolerance,
+                                          Effort3 effort) {
   const LocalPair3 pair(i, j);
   if (!pair.face_each_other()) return {};
   const Enclosure area_i = patch_area(vertices, i), area_j = patch_area(vertices, j);
@@ -168,7 +169,10 @@ UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch
   if (const auto sum = measure_of_distant(pair, exponent); sum && is_enough(*sum)) return best;
   if (is_enough(OutlineSum<double>(pair, exponent)(error))) return best;
   if (const auto sum = measure_of_small(pair, exponent, error); sum && is_enough(*sum)) return best;
-  is_enough(OutlineSum<long double>(pair, exponent)(error));
+  if (is_enough(OutlineSum<long double>(pair, exponent)(error))) return best;
+  // What no double can tell is not asked of wider numbers.
+  if (effort == Effort3::kAll && best.measure * kOfDouble <= tolerance * area.lower)
+    is_enough(OutlineSum<WideReal>(pair, exponent)(error));
   return best;
 }
 

@@ -23,14 +23,19 @@ struct UnobstructedMeasure3 {
 //   (2) symmetric bit for bit; independent of translation and, but for the unit, of scale by powers of two
 //   (3) error <= tolerance * min(A_i, A_j) where has_converged
 //
-// Some 1e-14 of the smaller area is had for ordinary pairs, touching or not, and 1e-13 for almost all; for patches that
-// are small against their distance, some 1e-14 of S0. Needles a million times as long as wide may not converge. Proven
-// means: given that log and atan2 of the library are within 4 units of the last place.
+// Some 1e-14 of the smaller area is had for all pairs whatever, touching or not, needles of 1 to 2^250 too; for patches
+// that are small against their distance, some 1e-14 of S0. Proven means: given that log and atan2 of the library are
+// within 4 units of the last place.
+//
+// Effort3::kUsual leaves out the last way, in numbers of 320 bits: then needles a million times as long as wide may not
+// converge.
 //
 // REQUIRES tolerance > 0; areas within the range of doubles. COST: 3 to 30 microseconds; up to some hundreds where
-// edges almost touch, and where more digits are asked for than doubles have. SEE: docs/design/space/unobstructed.md.
-UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch3& i, const Patch3& j,
-                                          double tolerance);
+// edges almost touch, and where more digits are asked for than doubles have; some tens of milliseconds for needles.
+// SEE: docs/design/space/unobstructed.md.
+enum class Effort3 : unsigned char { kUsual, kAll };
+UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch3& i, const Patch3& j, double tolerance,
+                                          Effort3 effort = Effort3::kAll);
 
 // Returns A, the area of a patch, with proven bounds, 2^-47 of it apart at most, in the same unit. Bounds are positive.
 // COST: a microsecond.

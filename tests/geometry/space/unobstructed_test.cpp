@@ -456,6 +456,30 @@ TEST(Unobstructed3, RowsOfNeedlesClose) {
   }
 }
 
+// Howell's C-14: a rectangle of width w and length 1, and a square of side 1 upright on its long side.
+WideReal upright_factor(const WideReal& w) {
+  const WideReal w2 = w * w, d = sqrt(1 + w2);
+  const WideReal part =
+      log(2 * (1 + w2) / (2 + w2)) + w2 * log(w2 * (2 + w2) / ((1 + w2) * (1 + w2))) + log((2 + w2) / (2 * (1 + w2)));
+  const WideReal pi = 4 * atan(WideReal(1));
+  return (w * atan(1 / w) + atan(WideReal(1)) - d * atan(1 / d) + part / 4) / (pi * w);
+}
+
+TEST(Unobstructed3, NeedlesHaveAllDigits) {
+  for (int k = 10; k <= 240; k += 23) {
+    const Integer s = Integer(1) << k;
+    const SpacePolygon needle = floor_of(s, 1), wall = rectangle({0, 0, 0}, {0, 0, s}, {s, 0, 0});
+    const UnobstructedMeasure3 result = measure(needle, wall, 1e-13);
+    EXPECT_TRUE(result.has_converged) << k;
+    const double factor = static_cast<double>(upright_factor(WideReal(1) / WideReal(s.get_mpz_t())));
+    EXPECT_NEAR(result.measure / s.get_d(), factor, 2e-13) << k;
+    // Of the same needle the part that the wall's lower half sees, and the rest.
+    const UnobstructedMeasure3 low = measure(needle, rectangle({0, 0, 0}, {0, 0, s / 2}, {s, 0, 0}), 1e-13),
+                               high = measure(needle, rectangle({0, 0, s / 2}, {0, 0, s / 2}, {s, 0, 0}), 1e-13);
+    EXPECT_NEAR((low.measure + high.measure) / result.measure, 1, 1e-12) << k;
+  }
+}
+
 // Plates that almost touch, one turned by some angle: their edges cross at the distance of the gap.
 TEST(Unobstructed3, NarrowGapsAreEnclosed) {
   for (int k = 4; k <= 40; k += 4) {
