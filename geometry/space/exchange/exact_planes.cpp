@@ -102,6 +102,11 @@ const IntegerVector& MovingPlanes3::exact_first(const MovingCorner3& corner) {
   return product_;
 }
 
+int MovingPlanes3::angle_sign(const MovingCorner3& from, PlaneId3 plane, const MovingCorner3& to) {
+  const IntegerVector first = exact_first(from);
+  return determinant_sign(first, exact_first(to), exact_normal(plane));
+}
+
 const MovingPlanes3::ExactPolynomial& MovingPlanes3::exact_direction(const MovingCorner3& corner) {
   auto& powers = polynomial_.powers;
   if (corner.point != MovingCorner3::kNoPoint) {

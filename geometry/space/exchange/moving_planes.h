@@ -75,6 +75,9 @@ class MovingPlanes3 {
   int sign(const MovingCorner3& corner, PlaneSide3 side);
   // Of the direction to a point, or of the opposite one.
   int sign(std::uint32_t point, bool is_antipode, PlaneSide3 side);
+  // The sign of the angle from one direction to another, about the normal of a plane in which both are: +1 where it is
+  // less than half a turn, -1 where it is more, 0 where it is just that or none. Exact; not relied on.
+  int angle_sign(const MovingCorner3& from, PlaneId3 plane, const MovingCorner3& to);
   // Relies on a sign that was found.
   void rely(const MovingCorner3& corner, PlaneSide3 side, int sign);
   void rely(std::uint32_t point, PlaneSide3 side, int sign);

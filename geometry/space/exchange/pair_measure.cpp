@@ -21,6 +21,8 @@ namespace {
 
 // What the residual may be off, relative to the side of the smaller patch.
 constexpr double kResidualTolerance = 1e-9;
+// How much less is tried where it is more: by steps, down to that.
+constexpr double kNextShare = 0x1p-8, kLeastShare = 0x1p-16;
 
 // More surfaces between two patches than are taken at once, and how often patches are cut, together.
 constexpr std::size_t kMostBetween = 30;
@@ -143,11 +145,14 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
   result.sight = setting.sight;
   if (details) tell_between(setting, *details);
   if (setting.sight == Sight3::kHidden) return result;
-  const UnobstructedMeasure3 alone = unobstructed_measure(blockers.vertices(), i, j, request.tolerance / 4);
+  const auto measure_alone = [&](Effort3 effort) {
+    return unobstructed_measure(blockers.vertices(), i, j, request.tolerance / 4, effort);
+  };
   if (setting.sight == Sight3::kClear && !request.always_along_edges) {
-    take_alone(alone, result);
+    take_alone(measure_alone(Effort3::kAll), result);
     return result;
   }
+  const UnobstructedMeasure3 alone = measure_alone(Effort3::kUsual);
   const long shift = blockers.vertices().shift();
   const MomentOrigin3 origin(setting.bodies, request.origin_shift, shift);
   EdgeSum3 sum(setting.bodies, origin.point(), shift);
@@ -165,24 +170,29 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
     return result;
   }
   if (result.is_whole && !request.always_along_edges) {
-    take_alone(alone, result);
+    take_alone(alone.has_converged ? alone : measure_alone(Effort3::kAll), result);
     return result;
   }
   const double least = std::min(patch_area(blockers.vertices(), i).lower, patch_area(blockers.vertices(), j).lower);
-  const double full = 2 * std::numbers::pi;
-  sum.refine(full * request.tolerance * least, kResidualTolerance * std::sqrt(least));
+  const double full = 2 * std::numbers::pi, residual_tolerance = kResidualTolerance * std::sqrt(least);
+  // Two rules may agree by chance; the residual tells.
+  for (double share = 1; share >= kLeastShare; share *= kNextShare) {
+    sum.refine(share * full * request.tolerance * least, share * residual_tolerance);
+    Direction3 residual = sum.residual();
+    if (origin.is_on_common_line()) {
+      // Where both patches reach the line that their planes share, it adds pi / 2 times both unit normals and its
+      // length.
+      const Direction3 across = direction_of_both_normals(setting.bodies);
+      residual = residual - std::max(0.0, dot(residual, across)) * across;
+    }
+    result.residual = length(residual);
+    result.residual_bound = std::max(sum.residual_error(), residual_tolerance);
+    if (result.residual <= result.residual_bound) break;
+  }
   result.measure = sum.value() / full;
   result.error = sum.error() / full;
   result.nodes = sum.nodes();
   if (details) sum.tell(*details);
-  Direction3 residual = sum.residual();
-  if (origin.is_on_common_line()) {
-    // Where both patches reach the line that their planes share, it adds pi / 2 times both unit normals and its length.
-    const Direction3 across = direction_of_both_normals(setting.bodies);
-    residual = residual - std::max(0.0, dot(residual, across)) * across;
-  }
-  result.residual = length(residual);
-  result.residual_bound = std::max(sum.residual_error(), kResidualTolerance * std::sqrt(least));
   // Something is seen: however little, it is not nothing.
   constexpr double kLittle = 0x1p-200;
   result.measure = std::clamp(result.measure, kLittle * alone.bounds.upper, alone.bounds.upper);

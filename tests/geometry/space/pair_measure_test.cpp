@@ -245,6 +245,23 @@ TEST(PairMeasure3Sweep, ASliverHidesLessAndLess) {
   }
 }
 
+// On a floor a triangle whose lower side is next to the foot of a wall: h before it, and h above the floor. It leans
+// away from the wall, which so hides a strip of it and, in the limit, nothing. Arcs around points of the foot are all
+// but half a turn.
+TEST(PairMeasure3Sweep, ATriangleStandsInAWallNextToItsFoot) {
+  const Points floor{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+  const auto leaning = [](const Rational& h) { return Points{{4, 4, 0}, {1, 2 - h, h}, {2, 3, 4}}; };
+  const Pair alone({floor, leaning(0)});
+  for (int k = 20; k <= 160; k += 4) {
+    const Rational h = two_to_minus(k);
+    const Pair pair({floor, leaning(h), {{ratio(1, 4), ratio(3, 2), 0}, {ratio(5, 2), 3 + h, 0}, {4, 4, 2}}});
+    const PairMeasure3 result = pair.measure();
+    EXPECT_EQ(result.problem, "") << k;
+    EXPECT_FALSE(result.is_whole) << k;
+    EXPECT_NEAR(pair.factor(), alone.factor(), std::ldexp(2.0, -k) + 1e-12) << k;
+  }
+}
+
 TEST(PairMeasure3Sweep, ADihedralClosesAroundABlocker) {
   // Two squares with a common edge, a small angle apart, and a needle between them that hides nothing in the limit.
   for (int k = 1; k <= 50; k += 7) {
