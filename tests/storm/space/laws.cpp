@@ -387,7 +387,7 @@ std::string closure_is_broken(const Subject3& subject) {
     double sum = 0, slack = 0;
     const auto add = [&](const Patch3& to) {
       const double smaller = std::min(scene.area(i), scene.area(to));
-      const double tolerance = margin < 10 ? subject.tolerance(smaller) : kNeverTooMuch;
+      const double tolerance = std::max(subject.tolerance(smaller), margin < 10 ? 0 : kNeverTooMuch);
       const PairMeasure3 m = scene.measure(i, to, request(tolerance));
       wrong += with_problem("row", m);
       sum += m.measure;
