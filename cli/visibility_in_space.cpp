@@ -22,6 +22,18 @@
 namespace hottel {
 namespace {
 
+// Moves a point along a normal onto that of the facets which it meets so.
+void put_on_facet(const std::vector<Polygon3>& facets, const Vector3& normal, Point3& point) {
+  for (const Polygon3& facet : facets) {
+    const Vector3 own = doubled_area(facet);
+    const Rational t = dot(own, facet.points[0] - point) / dot(own, normal);
+    const Point3 at{point.x + t * normal.x, point.y + t * normal.y, point.z + t * normal.z};
+    if (!contains(facet, at)) continue;
+    point = at;
+    return;
+  }
+}
+
 // The point of a face, and the normal of the side it is on.
 Look3 look_from(const Scene3& scene, const std::string& text, const std::string& on) {
   std::vector<Rational> at;
@@ -34,7 +46,6 @@ Look3 look_from(const Scene3& scene, const std::string& text, const std::string&
   if (at.size() != 2 && at.size() != 3) throw UsageError("--at takes S,T or X,Y,Z with --on, not '" + text + "'");
   const Face face = face_of(scene, on);
   const Polygon3& polygon = scene.polygons[face.surface];
-  Vector3 normal = doubled_area(polygon);
   Point3 eye;
   if (at.size() == 3) {
     eye = {at[0], at[1], at[2]};
@@ -44,7 +55,11 @@ Look3 look_from(const Scene3& scene, const std::string& text, const std::string&
     eye = {first.x + at[0] * along.x + at[1] * across.x, first.y + at[0] * along.y + at[1] * across.y,
            first.z + at[0] * along.z + at[1] * across.z};
   }
-  if (!contains(polygon, eye)) throw UsageError("--at " + text + " is no point of '" + on + "'");
+  const std::vector<Polygon3> facets = facets_of(polygon);
+  if (polygon.is_nearly_plane && at.size() == 2) put_on_facet(facets, doubled_area(polygon), eye);
+  const auto facet = std::find_if(facets.begin(), facets.end(), [&](const Polygon3& f) { return contains(f, eye); });
+  if (facet == facets.end()) throw UsageError("--at " + text + " is no point of '" + on + "'");
+  Vector3 normal = doubled_area(*facet);
   if (face.is_back) normal = {-normal.x, -normal.y, -normal.z};
   return {.eye = std::move(eye), .normal = Point3{normal.x, normal.y, normal.z}};
 }
@@ -66,8 +81,11 @@ void refuse_lost_place(const Scene3& scene, const Arrangement3& arrangement, con
         return has_place(arrangement.pieces()[side.piece], side.is_back, look.eye);
       }))
     return;
-  const PlaneFrame3 frame(scene.polygons[face.surface].points);
-  const bool is_up = frame.is_front_up(scene.polygons[face.surface].points) != face.is_back;
+  const std::vector<Polygon3> facets = facets_of(scene.polygons[face.surface]);
+  const auto facet =
+      std::find_if(facets.begin(), facets.end(), [&](const Polygon3& f) { return contains(f, look.eye); });
+  const PlaneFrame3 frame(facet->points);
+  const bool is_up = frame.is_front_up(facet->points) != face.is_back;
   if (const auto mesh = arrangement.solids().behind({&frame, frame.flat(look.eye), is_up}))
     throw RequestError("'" + on + "' at " + at + " looks into the solid '" +
                        scene.groups[arrangement.solids().meshes()[*mesh].group].name + "'");

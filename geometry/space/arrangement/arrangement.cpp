@@ -9,6 +9,7 @@
 #include "geometry/number.h"
 #include "geometry/space/arrangement/coplanar_clusters.h"
 #include "geometry/space/arrangement/side_claims.h"
+#include "geometry/space/scene/facet_scene.h"
 #include "geometry/space/scene/plane_triangulation.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
@@ -294,12 +295,26 @@ class ClusterPieces {
   std::vector<MadePiece> made_;
 };
 
+// Facets become the surfaces that they are of.
+void rename(MadePiece& made, const Scene3& scene, const std::vector<std::uint32_t>& surface_of) {
+  Piece3& piece = made.piece;
+  piece.surface = surface_of[piece.surface];
+  piece.is_whole = piece.is_whole && !scene.polygons[piece.surface].is_nearly_plane;
+  for (Piece3::Side& side : piece.sides) side.owner.surface = surface_of[side.owner.surface];
+  for (std::uint32_t& source : made.sources) source = surface_of[source];
+  made.sources.erase(std::unique(made.sources.begin(), made.sources.end()), made.sources.end());
+}
+
 }  // namespace
 
 Arrangement3::Arrangement3(const Scene3& scene) : solids_(scene) {
+  const std::optional<FacetScene3> facets = facet_scene(scene);
+  const Scene3& plane = facets ? facets->scene : scene;
   std::vector<MadePiece> made;
-  for (const CoplanarCluster3& cluster : coplanar_clusters(scene.polygons))
-    for (MadePiece& piece : ClusterPieces(scene, solids_, cluster).make()) made.push_back(std::move(piece));
+  for (const CoplanarCluster3& cluster : coplanar_clusters(plane.polygons))
+    for (MadePiece& piece : ClusterPieces(plane, solids_, cluster).make()) made.push_back(std::move(piece));
+  if (facets)
+    for (MadePiece& piece : made) rename(piece, scene, facets->surface_of);
   std::stable_sort(made.begin(), made.end(),
                    [](const MadePiece& a, const MadePiece& b) { return a.piece.surface < b.piece.surface; });
   std::vector<std::vector<std::uint32_t>> sources;

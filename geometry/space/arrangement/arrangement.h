@@ -50,6 +50,7 @@ struct PieceSide3 {
 //       parts are covered: these are told beside it, for what is within a solid exchanges nothing with what is outside
 //   (5) pieces are in the order of their surfaces. Where is_plain(), piece s is polygon s and nothing is covered
 //   (6) exact, whatever the coordinates
+//   (7) a nearly plane polygon is its facets: pieces are in the planes of these
 //
 // Throws InputError naming both surfaces, the side and a point of the place where claims for different materials meet.
 // SEE: docs/design/space/arrangement.md.

@@ -272,16 +272,16 @@ Kind kind_of(const ClosedMesh3& mesh) {
 ClosedMesh3 mesh_of_polygons(const Scene3& scene, const std::vector<std::uint32_t>& surfaces) {
   ClosedMesh3 mesh;
   mesh.group = scene.surfaces[surfaces.front()].group;
-  for (const std::uint32_t s : surfaces) {
-    const Polygon3& polygon = scene.polygons[s];
-    const PlaneFrame3 frame(polygon.points);
-    FlatRegion3 region = frame.region(polygon.points, polygon.holes);
-    auto parts = convex_parts(polygon, frame, region);
-    ClosedMesh3::Box box;
-    for (const Point3& p : polygon.points) box.include(p);
-    mesh.box.include(box);
-    mesh.faces.push_back({s, frame, std::move(region), frame.is_front_up(polygon.points), std::move(parts), box});
-  }
+  for (const std::uint32_t s : surfaces)
+    for (const Polygon3& polygon : facets_of(scene.polygons[s])) {
+      const PlaneFrame3 frame(polygon.points);
+      FlatRegion3 region = frame.region(polygon.points, polygon.holes);
+      auto parts = convex_parts(polygon, frame, region);
+      ClosedMesh3::Box box;
+      for (const Point3& p : polygon.points) box.include(p);
+      mesh.box.include(box);
+      mesh.faces.push_back({s, frame, std::move(region), frame.is_front_up(polygon.points), std::move(parts), box});
+    }
   return mesh;
 }
 

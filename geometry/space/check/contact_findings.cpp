@@ -12,6 +12,7 @@
 #include "geometry/space/check/corner_table.h"
 #include "geometry/space/check/polygon_places.h"
 #include "geometry/space/check/wording.h"
+#include "geometry/space/scene/bent_loops.h"
 #include "kernel/decimal.h"
 
 namespace hottel {
@@ -131,28 +132,19 @@ void tell_needle(const Scene3& scene, std::uint32_t s, Findings3& findings) {
                       "approximate methods lose digits here; if it is not meant, move its points together"});
 }
 
-// The distance of the farthest point from the plane through the first one, the farthest from it, and the farthest from
-// the line of both.
-void tell_not_plane(const Scene3& scene, std::uint32_t s, Findings3& findings) {
-  const std::vector<Point3> points = corners_of(scene.polygons[s]);
-  Vector3 far, normal;
-  for (const Point3& p : points)
-    if (const Vector3 way = p - points[0]; dot(way, way) > dot(far, far)) far = way;
-  for (const Point3& p : points)
-    if (const Vector3 way = cross(far, p - points[0]); dot(way, way) > dot(normal, normal)) normal = way;
-  const Point3* most = &points[0];
-  for (const Point3& p : points)
-    if (abs(dot(normal, p - points[0])) > abs(dot(normal, *most - points[0]))) most = &p;
-  const Rational height = dot(normal, *most - points[0]);
-  if (height == 0) return;
+void tell_nearly_plane(const Scene3& scene, std::uint32_t s, Findings3& findings) {
+  const Polygon3& polygon = scene.polygons[s];
+  if (!polygon.is_nearly_plane) return;
+  const Bend3 bend = bend_of(corners_of(polygon));
   findings.push_back({Severity::kNote,
                       "not-plane",
                       {s},
-                      *most,
-                      fmt::format("{} is not plane: {} lies {} off the plane of three other corners",
-                                  quoted_name(scene.surfaces[s].name), place_text(*most),
-                                  length_text(height * height / dot(normal, normal))),
-                      "divide it into triangles to say how it is bent"});
+                      bend.farthest,
+                      fmt::format("{} is not plane: {} lies {} off the plane of three other corners, which rounding to "
+                                  "the digits of the file may make; it is {} triangles under one name",
+                                  quoted_name(scene.surfaces[s].name), place_text(bend.farthest),
+                                  length_text(bend.squared_distance), facets_of(polygon).size()),
+                      "fractions, or more digits, say what is meant"});
 }
 
 }  // namespace
@@ -195,7 +187,7 @@ Findings3 shape_findings(const Scene3& scene) {
   tell_duplicates(scene, CornerTable3(scene.polygons), findings);
   for (std::uint32_t s = 0; s < scene.polygons.size(); ++s) {
     tell_needle(scene, s, findings);
-    tell_not_plane(scene, s, findings);
+    tell_nearly_plane(scene, s, findings);
   }
   return findings;
 }

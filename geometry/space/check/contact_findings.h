@@ -17,8 +17,7 @@ Findings3 contact_findings(const Scene3& scene, const Contacts3& contacts);
 // (notes).
 //
 //   (1) duplicates are polygons with the same corners around; each set of them is told once
-//   (2) a polygon is not plane when it has points off the plane of three of them that lie far apart: their distance is
-//       told
+//   (2) a polygon that is nearly plane is told as not plane: how far its points lie off the plane of three of them
 // COST: O(n log n), quadratic in the corners of a polygon.
 Findings3 shape_findings(const Scene3& scene);
 

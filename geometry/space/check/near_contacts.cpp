@@ -10,6 +10,7 @@
 #include "geometry/space/check/box_tree.h"
 #include "geometry/space/check/corner_table.h"
 #include "geometry/space/check/polygon_places.h"
+#include "geometry/space/scene/facet_scene.h"
 
 namespace hottel {
 namespace {
@@ -287,8 +288,41 @@ class ContactFinder {
   Contacts3 contacts_;
 };
 
+bool have_one_in_common(const Surfaces& a, const Surfaces& b) {
+  return std::any_of(a.begin(), a.end(), [&](std::uint32_t s) { return std::binary_search(b.begin(), b.end(), s); });
+}
+
+// Facets become the surfaces that they are of; what a surface does to itself is left out.
+void rename(Contacts3& contacts, const std::vector<std::uint32_t>& surface_of) {
+  const auto rename_all = [&](Surfaces& surfaces) {
+    for (std::uint32_t& s : surfaces) s = surface_of[s];
+    surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
+  };
+  for (NearContact3& contact : contacts.near) {
+    rename_all(contact.surfaces);
+    rename_all(contact.targets);
+  }
+  for (Junction3& junction : contacts.junctions) {
+    rename_all(junction.ends);
+    rename_all(junction.through);
+  }
+  for (Crossing3& crossing : contacts.crossings) {
+    crossing.surface = surface_of[crossing.surface];
+    crossing.through = surface_of[crossing.through];
+  }
+  std::erase_if(contacts.near, [](const NearContact3& c) { return have_one_in_common(c.surfaces, c.targets); });
+  std::erase_if(contacts.junctions, [](const Junction3& j) { return have_one_in_common(j.ends, j.through); });
+  std::erase_if(contacts.crossings, [](const Crossing3& c) { return c.surface == c.through; });
+}
+
 }  // namespace
 
-Contacts3 find_contacts(const Scene3& scene) { return ContactFinder(scene).find(); }
+Contacts3 find_contacts(const Scene3& scene) {
+  const std::optional<FacetScene3> facets = facet_scene(scene);
+  if (!facets) return ContactFinder(scene).find();
+  Contacts3 contacts = ContactFinder(facets->scene).find();
+  rename(contacts, facets->surface_of);
+  return contacts;
+}
 
 }  // namespace hottel

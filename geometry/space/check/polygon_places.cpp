@@ -21,12 +21,6 @@ bool precedes(const Point3& a, const Point3& b) {
   return a.z < b.z;
 }
 
-std::vector<Point3> corners_of(const Polygon3& polygon) {
-  std::vector<Point3> corners = polygon.points;
-  for (const std::vector<Point3>& hole : polygon.holes) corners.insert(corners.end(), hole.begin(), hole.end());
-  return corners;
-}
-
 ClosestPoint3 closest_point(const Side3& side, const Point3& p) {
   using Part = ClosestPoint3::Part;
   const Vector3 along = side.to - side.from, way = p - side.from;
@@ -39,6 +33,13 @@ ClosestPoint3 closest_point(const Side3& side, const Point3& p) {
 }
 
 ClosestPoint3 closest_point(const Polygon3& polygon, const Point3& p) {
+  if (polygon.is_nearly_plane) {
+    std::optional<ClosestPoint3> nearest;
+    for (const Polygon3& facet : facets_of(polygon))
+      if (ClosestPoint3 here = closest_point(facet, p); !nearest || here.squared < nearest->squared)
+        nearest = std::move(here);
+    return *nearest;
+  }
   const Vector3 normal = doubled_area(polygon);
   const Rational above = dot(normal, p - polygon.points[0]), length = dot(normal, normal);
   Point3 foot = moved(p, -above / length, normal);
@@ -69,6 +70,11 @@ std::optional<Side3> closest_insides(const Side3& a, const Side3& b) {
 }
 
 std::optional<Point3> meeting_point(const Polygon3& polygon, const Side3& segment) {
+  if (polygon.is_nearly_plane) {
+    for (const Polygon3& facet : facets_of(polygon))
+      if (auto at = meeting_point(facet, segment)) return at;
+    return std::nullopt;
+  }
   const Vector3 normal = doubled_area(polygon);
   const Rational from = dot(normal, segment.from - polygon.points[0]), to = dot(normal, segment.to - polygon.points[0]);
   if (sgn(from) * sgn(to) > 0 || from == to) return std::nullopt;

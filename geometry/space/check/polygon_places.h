@@ -16,9 +16,6 @@ Rational squared_distance(const Point3& a, const Point3& b);
 // True iff a < b by x, then y, then z.
 bool precedes(const Point3& a, const Point3& b);
 
-// All corners of a polygon, in order: those of its outline, then those of its holes.
-std::vector<Point3> corners_of(const Polygon3& polygon);
-
 // The nearest point of something, and which part of it that is.
 struct ClosestPoint3 {
   enum class Part : unsigned char { kCorner, kSide, kInside };

@@ -13,9 +13,10 @@ class Clipper {
  public:
   explicit Clipper(const std::vector<Point3>& polygon) : frame_(polygon), flat_(frame_.outline(polygon)) {}
 
-  // The front of the result is that of the other polygon.
+  // The front of the result is that of the other polygon. Nothing where that is not in the same plane.
   std::vector<Point3> common(const std::vector<Point3>& other) const {
     std::vector<Point3> result;
+    if (std::any_of(other.begin(), other.end(), [this](const Point3& p) { return frame_.height(p) != 0; })) return {};
     for (const FlatPoint3& p : common_part(flat_, frame_.outline(other))) result.push_back(frame_.point(p));
     if (!frame_.is_front_up(other)) std::reverse(result.begin(), result.end());
     return result;

@@ -113,6 +113,12 @@ std::optional<std::uint32_t> divide_by_length(Scene3& scene, const Rational& h, 
 }
 
 std::vector<std::array<Point3, 3>> triangles_of(const Polygon3& polygon) {
+  if (polygon.is_nearly_plane) {
+    std::vector<std::array<Point3, 3>> facets;
+    for (const Polygon3& facet : facets_of(polygon))
+      facets.push_back({facet.points[0], facet.points[1], facet.points[2]});
+    return facets;
+  }
   const PlaneFrame3 frame(polygon.points);
   const FlatRegion3 region = frame.region(polygon.points, polygon.holes);
   std::vector<FlatSegment3> sides;

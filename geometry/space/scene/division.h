@@ -21,7 +21,7 @@ void divide_into(Scene3& scene, std::uint32_t n);
 std::optional<std::uint32_t> divide_by_length(Scene3& scene, const Rational& h, std::uint32_t most);
 
 // Returns the triangles of a polygon that is not convex, in which it is divided into elements: those of its
-// constrained Delaunay triangulation, their fronts as the polygon's.
+// constrained Delaunay triangulation, their fronts as the polygon's; of one that is nearly plane its facets.
 std::vector<std::array<Point3, 3>> triangles_of(const Polygon3& polygon);
 
 // Returns how many elements a polygon has that is divided by n: a convex one as PolygonDivision3 does, another one as

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "geometry/number.h"
+#include "geometry/space/scene/bent_loops.h"
 #include "geometry/space/scene/plane_frame.h"
 #include "geometry/space/scene/plane_triangulation.h"
 #include "kernel/decimal.h"
@@ -40,20 +41,6 @@ std::optional<Vector3> normal_of_a_corner(const std::vector<Point3>& points) {
   return std::nullopt;
 }
 
-// The largest distance from the plane through the first point, the one farthest from it, and the one farthest from the
-// line of both.
-std::string distance_off_a_plane(const std::vector<Point3>& points) {
-  const Point3& origin = points[0];
-  Vector3 far, normal;
-  for (const Point3& point : points)
-    if (const Vector3 way = point - origin; dot(way, way) > dot(far, far)) far = way;
-  for (const Point3& point : points)
-    if (const Vector3 way = cross(far, point - origin); dot(way, way) > dot(normal, normal)) normal = way;
-  Rational most;
-  for (const Point3& point : points) most = std::max(most, Rational(abs(dot(normal, point - origin))));
-  return length_text(most * most / dot(normal, normal));
-}
-
 // How a plane loop goes around. The axis is one along which its normal is not zero.
 struct Turning {
   bool is_convex = false;
@@ -80,15 +67,6 @@ Turning turning_of(const std::vector<Point3>& p, Rational Vector3::*axis) {
   }
   changes += last != first;
   return {is_one_way && changes == 2, nullptr};
-}
-
-Vector3 loop_area(const std::vector<Point3>& points) {
-  Vector3 sum;
-  for (std::size_t k = 2; k < points.size(); ++k) {
-    const Vector3 part = cross(points[k - 1] - points[0], points[k] - points[0]);
-    sum = {sum.x + part.x, sum.y + part.y, sum.z + part.z};
-  }
-  return sum;
 }
 
 Rational Vector3::*axis_of(const Vector3& normal) {
@@ -140,14 +118,18 @@ PolygonProblem3 polygon_problem(const Polygon3& polygon) {
   }
   const Vector3 normal = *normal_of_a_corner(points);
   if (points.size() == 3 && polygon.holes.empty()) return {};
+  if (polygon.is_nearly_plane) {
+    if (!triangles_of_loops(loops_of(polygon)).empty()) return {};
+    return {"is not plane, and cannot be cut into triangles: it crosses or touches itself, or a hole", ""};
+  }
   for (const auto* loop : loops)
     for (const Point3& point : *loop)
-      if (dot(normal, point - points[0]) != 0) {
-        std::vector<Point3> all = points;
-        for (const auto& hole : polygon.holes) all.insert(all.end(), hole.begin(), hole.end());
-        return {"is not plane: points lie " + distance_off_a_plane(all) + " off the plane of three of them",
-                "polygons are exactly plane: divide it into triangles, or have them made by --triangulate"};
-      }
+      if (dot(normal, point - points[0]) != 0)
+        return {
+            "is not plane: points lie " + length_text(bend_of(corners_of(polygon)).squared_distance) +
+                " off the plane of three of them",
+            "this is more than rounding to the digits of the file makes: divide it into triangles, or have them made "
+            "by --triangulate"};
   bool are_convex = true;
   for (const auto* loop : loops) {
     const Turning turning = turning_of(*loop, axis_of(normal));
@@ -159,7 +141,7 @@ PolygonProblem3 polygon_problem(const Polygon3& polygon) {
 }
 
 bool is_convex(const Polygon3& polygon) {
-  return polygon.holes.empty() &&
+  return !polygon.is_nearly_plane && polygon.holes.empty() &&
          (polygon.points.size() == 3 || turning_of(polygon.points, axis_of(doubled_area(polygon))).is_convex);
 }
 
@@ -178,11 +160,36 @@ std::vector<Side3> sides_of(const Polygon3& polygon) {
   add(polygon.points, false);
   if (polygon.holes.empty()) return sides;
   const Vector3 normal = doubled_area(polygon);
-  for (const std::vector<Point3>& hole : polygon.holes) add(hole, dot(normal, loop_area(hole)) > 0);
+  for (const std::vector<Point3>& hole : polygon.holes) add(hole, dot(normal, doubled_loop_area(hole)) > 0);
   return sides;
 }
 
+std::vector<Point3> corners_of(const Polygon3& polygon) {
+  std::vector<Point3> points = polygon.points;
+  for (const std::vector<Point3>& hole : polygon.holes) points.insert(points.end(), hole.begin(), hole.end());
+  return points;
+}
+
+std::vector<std::vector<Point3>> loops_of(const Polygon3& polygon) {
+  std::vector<std::vector<Point3>> loops{polygon.points};
+  loops.insert(loops.end(), polygon.holes.begin(), polygon.holes.end());
+  return loops;
+}
+
+std::vector<Polygon3> facets_of(const Polygon3& polygon) {
+  if (!polygon.is_nearly_plane) return {polygon};
+  const std::vector<Point3> points = corners_of(polygon);
+  std::vector<Polygon3> facets;
+  for (const auto& [a, b, c] : triangles_of_loops(loops_of(polygon)))
+    facets.push_back({{points[a], points[b], points[c]}});
+  return facets;
+}
+
 bool contains(const Polygon3& polygon, const Point3& point) {
+  if (polygon.is_nearly_plane) {
+    const std::vector<Polygon3> facets = facets_of(polygon);
+    return std::any_of(facets.begin(), facets.end(), [&](const Polygon3& facet) { return contains(facet, point); });
+  }
   const Vector3 normal = doubled_area(polygon);
   return dot(normal, point - polygon.points[0]) == 0 && contains_in_plane(polygon, normal, point);
 }
@@ -216,9 +223,9 @@ bool contains_in_plane(const Polygon3& polygon, const Vector3& normal, const Poi
 }
 
 Vector3 doubled_area(const Polygon3& polygon) {
-  Vector3 sum = loop_area(polygon.points);
+  Vector3 sum = doubled_loop_area(polygon.points);
   for (const auto& hole : polygon.holes) {
-    const Vector3 part = loop_area(hole);
+    const Vector3 part = doubled_loop_area(hole);
     const int side = sgn(dot(sum, part));
     sum = {sum.x - side * part.x, sum.y - side * part.y, sum.z - side * part.z};
   }

@@ -12,6 +12,9 @@ namespace hottel {
 struct Polygon3 {
   std::vector<Point3> points = {};              // the last is joined to the first
   std::vector<std::vector<Point3>> holes = {};  // each in any sense
+  // Its points are not in one plane, but so nearly that it stands for its triangles (facets_of): they have its name,
+  // its row and its area together, and each its own plane. See accept_nearly_plane.
+  bool is_nearly_plane = false;
   friend bool operator==(const Polygon3&, const Polygon3&) = default;
 };
 
@@ -25,17 +28,33 @@ struct PolygonProblem3 {
 //
 //   (1) outline and holes have at least three points each, in lowest terms, no two equal in one of them, and not all
 //       on one line
-//   (2) all lie in one plane; otherwise it is told how far they are off the plane of three of them that lie far apart
+//   (2) all lie in one plane; otherwise it is told how far they are off it (bend_of). Of one that is nearly plane it is
+//       asked instead that it can be cut into triangles (triangles_of_loops), and not (3) and (4)
 //   (3) no two sides cross, and none goes back along the one before; outline and holes may touch
 //   (4) holes lie in the outline and share no area
 //
 // COST: n log n for n points of a convex polygon; else that of a PlaneTriangulation3.
 PolygonProblem3 polygon_problem(const Polygon3& polygon);
 
-// True iff it has no hole and turns to one side only, or goes straight on. REQUIRES a polygon without a problem.
+// True iff it is plane, has no hole and turns to one side only, or goes straight on. REQUIRES a polygon without a
+// problem.
 bool is_convex(const Polygon3& polygon);
 
-// Returns the normal on the front whose length is twice the area, exactly, holes taken away.
+// Returns all points of a polygon: those of its outline, then those of its holes.
+std::vector<Point3> corners_of(const Polygon3& polygon);
+
+// Returns the outline, then the holes.
+std::vector<std::vector<Point3>> loops_of(const Polygon3& polygon);
+
+// Returns the triangles that a nearly plane polygon stands for, or the polygon itself.
+//
+//   (1) those of triangles_of_loops, in their order: what each is the first of stays so
+//
+// REQUIRES a polygon without a problem.
+std::vector<Polygon3> facets_of(const Polygon3& polygon);
+
+// Returns the normal on the front whose length is twice the area, exactly, holes taken away. Of a nearly plane polygon:
+// that of its facets, summed up.
 //
 //   (1) the opposite for the points in opposite order; the same wherever the order begins
 //   (2) not zero for a polygon without a problem

@@ -31,7 +31,7 @@ std::string camera_problem(const Camera3& camera);
 // The scene, in the order of the file: polygons, then the faces of meshes.
 //
 //   (1) polygons[s] is where surfaces[s] of the table lies: as many of one as of the other
-//   (2) every polygon is one (polygon_problem): exactly plane, of positive area
+//   (2) every polygon is one (polygon_problem): exactly plane, or nearly so, of positive area
 //   (3) the table is valid (SceneTable), and the camera has no problem
 //
 // Polygons may touch, overlap and pierce each other anyhow: what that means is told by Arrangement3.

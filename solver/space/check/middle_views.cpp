@@ -13,13 +13,20 @@
 namespace hottel {
 namespace {
 
-// A point of the face that looks into no solid; nothing where there is none.
-std::optional<Point3> place_on(const Arrangement3& arrangement, const Face& face) {
+// A point of a face, and the normal of the front of the surface there.
+struct Place {
+  Point3 at;
+  Vector3 front;
+};
+
+// A place of the face that looks into no solid; nothing where there is none.
+std::optional<Place> place_on(const Arrangement3& arrangement, const Face& face) {
   for (const PieceSide3& side : arrangement.sides(face)) {
     const Piece3& piece = arrangement.pieces()[side.piece];
     const Piece3::Side& here = piece.side(side.is_back);
-    if (here.cover == Piece3::Cover::kFree) return middle(piece.polygon);
-    if (here.cover == Piece3::Cover::kPartly && !here.free.empty()) return middle(here.free.front());
+    if (here.cover == Piece3::Cover::kFree) return Place{middle(piece.polygon), doubled_area(piece.polygon)};
+    if (here.cover == Piece3::Cover::kPartly && !here.free.empty())
+      return Place{middle(here.free.front()), doubled_area(piece.polygon)};
   }
   return std::nullopt;
 }
@@ -36,12 +43,12 @@ Element element_of(const Scene3& scene, const Face& face, bool has_area) {
   return element;
 }
 
-std::vector<FactorEntry> entries_of(const PreparedScene3& prepared, const Face& face, const Point3& at,
+std::vector<FactorEntry> entries_of(const PreparedScene3& prepared, const Face& face, const Place& place,
                                     std::uint32_t sky) {
-  const Vector3 normal = doubled_area(prepared.scene.polygons[face.surface]);
+  const Vector3& normal = place.front;
   const int sign = face.is_back ? -1 : 1;
   Look3 look;
-  look.eye = at;
+  look.eye = place.at;
   look.normal = Point3{sign * normal.x, sign * normal.y, sign * normal.z};
   const PointMap3 map = map_from(prepared.blockers(), look);
   std::vector<double> seen(2 * prepared.scene.surfaces.size(), 0);
@@ -61,7 +68,7 @@ std::vector<FactorEntry> entries_of(const PreparedScene3& prepared, const Face& 
 ExchangeMatrix middle_views(const PreparedScene3& prepared, std::size_t most) {
   const Scene3& scene = prepared.scene;
   const auto count = static_cast<std::uint32_t>(2 * scene.surfaces.size());
-  std::vector<std::optional<Point3>> places;
+  std::vector<std::optional<Place>> places;
   std::vector<Element> elements;
   std::size_t with_row = 0;
   for (std::uint32_t k = 0; k < count; ++k) {

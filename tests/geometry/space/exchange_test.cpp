@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -348,6 +349,150 @@ TEST(RequireEnclosed3, NamesThePairsThatAreEstimated) {
   } catch (const RequestError& error) {
     EXPECT_STREQ(error.what(), "a pair has no enclosure within 1e-09: 'a' and 'b'");
   }
+}
+
+// A box turned about an axis of no plane, in a room, its corners typed to six digits: no face of it is plane.
+std::string turned_box(bool is_typed) {
+  std::string text = R"({"hottel": 1, "dimension": 3, "materials": {"m": {}}, "closed": true, "polygons": [
+  {"name": "floor", "points": [[0,0,0],[2,0,0],[2,2,0],[0,2,0]], "material": "m"},
+  {"name": "ceiling", "points": [[0,0,2],[0,2,2],[2,2,2],[2,0,2]], "material": "m"},
+  {"name": "west", "points": [[0,0,0],[0,2,0],[0,2,2],[0,0,2]], "material": "m"},
+  {"name": "east", "points": [[2,0,0],[2,0,2],[2,2,2],[2,2,0]], "material": "m"},
+  {"name": "south", "points": [[0,0,0],[0,0,2],[2,0,2],[2,0,0]], "material": "m"},
+  {"name": "north", "points": [[0,2,0],[2,2,0],[2,2,2],[0,2,2]], "material": "m"})";
+  // The quaternion 7 + 2 i + 1 j + 3 k, of norm 63, turns by rational numbers.
+  const double r[3][3] = {{43, -38, 26}, {46, 37, -22}, {-2, 34, 53}};
+  std::vector<std::string> corners;
+  for (int k = 0; k < 8; ++k) {
+    const double at[3] = {k & 1 ? 0.31 : -0.37, k & 2 ? 0.43 : -0.4, k & 4 ? 0.57 : -0.51};
+    std::string corner;
+    for (int row = 0; row < 3; ++row) {
+      const double value = 1 + (r[row][0] * at[0] + r[row][1] * at[1] + r[row][2] * at[2]) / 63;
+      const long numerator = std::lround(value * 6300);
+      const std::string number = is_typed ? std::to_string(value) : "\"" + std::to_string(numerator) + "/6300\"";
+      corner += (row == 0 ? "[" : ",") + number;
+    }
+    corners.push_back(corner + "]");
+  }
+  const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (int f = 0; f < 6; ++f) {
+    text +=
+        ",\n  {\"name\": \"side " + std::to_string(f) + "\", \"group\": \"box\", \"material\": \"m\", \"points\": [";
+    for (int c = 0; c < 4; ++c) text += (c == 0 ? "" : ",") + corners[static_cast<std::size_t>(faces[f][c])];
+    text += "]}";
+  }
+  return text + "]}";
+}
+
+ExchangeMatrix factors_of(Scene3 scene, Granularity granularity = Granularity::kFace) {
+  return exact_exchange(prepare(std::move(scene)), {.granularity = granularity, .tolerance = 1e-12});
+}
+
+// The scene with triangles of their own where it is nearly plane.
+Scene3 cut_scene(const Scene3& scene) {
+  Scene3 result = scene;
+  result.surfaces.clear();
+  result.polygons.clear();
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const std::vector<Polygon3> facets = facets_of(scene.polygons[s]);
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+      Surface surface = scene.surfaces[s];
+      if (facets.size() > 1) surface.name += "/" + std::to_string(f);
+      result.add(surface, facets[f]);
+    }
+  }
+  return result;
+}
+
+TEST(Exchange3, NearlyPlanePolygonsAreTheirFacetsTogether) {
+  const Scene3 scene = parse_scene_3(turned_box(true), "typed.json");
+  std::size_t bent = 0;
+  for (const Polygon3& polygon : scene.polygons) bent += polygon.is_nearly_plane;
+  EXPECT_GE(bent, 2u);
+  const Scene3 cut = cut_scene(scene);
+  ASSERT_EQ(cut.surfaces.size(), 12 + bent);
+  const ExchangeMatrix whole = factors_of(scene), parts = factors_of(cut);
+  ASSERT_EQ(whole.size(), 24u);
+  // The box is solid: its backs have no area.
+  for (std::uint32_t i = 0; i < whole.size(); ++i) {
+    if (!whole.has_row(i)) continue;
+    EXPECT_NEAR(row_sum(whole, i), 1, 1e-12) << whole.name(i);
+    const auto is_part_of = [](const std::string& part, const std::string& name) {
+      return part == name || part.starts_with(name + "/");
+    };
+    double area = 0;
+    std::map<std::string, double> measures;
+    for (std::uint32_t k = 0; k < parts.size(); ++k) {
+      if (!parts.has_row(k) || !is_part_of(parts.name(k), whole.name(i))) continue;
+      const double its_area = parts.elements()[k].area.value;
+      area += its_area;
+      for (const FactorEntry& entry : parts.row(k)) {
+        const std::string to = parts.name(entry.to);
+        measures[to.substr(0, to.find('/'))] += its_area * entry.factor.value;
+      }
+    }
+    EXPECT_NEAR(whole.elements()[i].area.value, area, 4e-16 * area);
+    for (const FactorEntry& entry : whole.row(i)) {
+      EXPECT_NEAR(entry.factor.value, measures[whole.name(entry.to)] / area, 1e-12)
+          << whole.name(i) << ' ' << whole.name(entry.to);
+      EXPECT_LE(entry.visibility, 1);
+    }
+    EXPECT_EQ(whole.row(i).size(), measures.size()) << whole.name(i);
+  }
+  // What was meant is plane, and the factors are those of it, but for the digits.
+  const Scene3 meant = parse_scene_3(turned_box(false), "meant.json");
+  for (const Polygon3& polygon : meant.polygons) EXPECT_FALSE(polygon.is_nearly_plane);
+  const ExchangeMatrix exact = factors_of(meant);
+  for (std::uint32_t i = 0; i < 12; ++i)
+    for (const FactorEntry& entry : exact.row(i))
+      EXPECT_NEAR(entry_of(whole, exact.name(i), exact.name(entry.to)).factor.value, entry.factor.value, 1e-5);
+}
+
+TEST(Exchange3, ElementsOfNearlyPlanePolygonsAreThoseOfTheirFacets) {
+  Scene3 scene = parse_scene_3(turned_box(true), "typed.json");
+  const ExchangeMatrix whole = factors_of(scene);
+  for (Surface& surface : scene.surfaces) surface.elements = 2;
+  const ExchangeMatrix parts = factors_of(scene, Granularity::kElement);
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const std::string& name = scene.surfaces[s].name;
+    if (name == "west") continue;
+    const std::uint32_t count = scene.polygons[s].is_nearly_plane ? 8 : 4;
+    double area = 0, seen = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const auto element = parts.find(name + "#" + std::to_string(k));
+      ASSERT_TRUE(element.has_value()) << name << ' ' << k;
+      EXPECT_NEAR(row_sum(parts, *element), 1, 1e-11);
+      const double its_area = parts.elements()[*element].area.value;
+      area += its_area;
+      for (const FactorEntry& entry : parts.row(*element))
+        if (parts.name(entry.to).starts_with("west")) seen += its_area * entry.factor.value;
+    }
+    EXPECT_FALSE(parts.find(name + "#" + std::to_string(count)).has_value());
+    EXPECT_NEAR(area, whole.elements()[*whole.find(name)].area.value, 1e-15);
+    double factor = 0;
+    for (const FactorEntry& entry : whole.row(*whole.find(name)))
+      if (whole.name(entry.to) == "west") factor = entry.factor.value;
+    EXPECT_NEAR(seen / area, factor, 1e-12) << name;
+  }
+}
+
+// One quad bent inward sees itself.
+TEST(Exchange3, ANearlyPlanePolygonMaySeeItself) {
+  const ExchangeMatrix bent = factors_of(parse_scene_3(
+      R"({"hottel": 1, "dimension": 3, "materials": {"m": {}}, "polygons": [
+      {"name": "quad", "points": [[0,0,0.0001],[2,0,0],[2,2,0.0001],[0,2,0]], "material": "m"}]})",
+      "scene.json"));
+  // Two triangles with the diagonal from the first corner in common, which is the higher one: a roof from above.
+  EXPECT_EQ(bent.row(*bent.find("quad")).size(), 1u);
+  const ExchangeMatrix valley = factors_of(parse_scene_3(
+      R"({"hottel": 1, "dimension": 3, "materials": {"m": {}}, "polygons": [
+      {"name": "quad", "points": [[0,0,0],[2,0,0.0001],[2,2,0],[0,2,0.0001]], "material": "m"}]})",
+      "scene.json"));
+  ASSERT_EQ(valley.row(*valley.find("quad")).size(), 2u);
+  const FactorEntry& self = entry_of(valley, "quad", "quad");
+  EXPECT_GT(self.factor.value, 0);
+  EXPECT_LT(self.factor.value, 1e-4);
+  EXPECT_NEAR(row_sum(valley, *valley.find("quad")), 1, 1e-12);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 using ::testing::StartsWith;
 
 Polygon3 polygon(std::vector<Point3> points) { return {std::move(points), {}}; }
@@ -118,8 +119,12 @@ TEST(Triangulator, WhatIsPlaneOrCannotBeCutIsLeft) {
   EXPECT_THAT(triangles_of_not_plane(polygon({a, b, d, c})), IsEmpty());  // crosses itself, and has no area from above
   EXPECT_THAT(triangles_of_not_plane(polygon({a, b, c, a, d})), IsEmpty());
   EXPECT_THAT(triangles_of_not_plane(polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {1, -1, 0}})), IsEmpty());
+  // A hole that is cut out, and one that is not in it.
   EXPECT_THAT(
       triangles_of_not_plane({{{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}}, {{{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}}}),
+      SizeIs(7));
+  EXPECT_THAT(
+      triangles_of_not_plane({{{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}}, {{{5, 1, 0}, {6, 1, 0}, {5, 2, 0}}}}),
       IsEmpty());
   // Twice around.
   EXPECT_THAT(triangles_of_not_plane(polygon(

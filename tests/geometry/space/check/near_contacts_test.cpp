@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "geometry/space/check/contact_findings.h"
+#include "geometry/space/scene/near_plane.h"
 #include "tests/geometry/space/check/small_scene.h"
 
 namespace hottel {
@@ -161,7 +162,9 @@ TEST(Shapes3, DuplicatesNeedlesAndBentPolygonsAreTold) {
   add(scene, "splinter", {{0, 0, 0}, {1, 0, 0}, {q("1/2"), kGap, 0}});
   EXPECT_THAT(told(scene, shape_findings(scene)), ElementsAre("note needle splinter"));
   scene = empty_scene();
-  add(scene, "bent", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, q("1/8")}});
+  add(scene, "bent", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, q("1/1000000")}});
+  EXPECT_THAT(told(scene, shape_findings(scene)), IsEmpty()) << "it is no polygon";
+  ASSERT_TRUE(accept_nearly_plane(scene.polygons[0], q("1/1000000")));
   const Findings3 findings = shape_findings(scene);
   EXPECT_THAT(told(scene, findings), ElementsAre("note not-plane bent"));
 }
