@@ -2,11 +2,16 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "cli/command.h"
 #include "cli/deck_output.h"
 #include "cli/mesh_output.h"
 #include "cli/scene_input.h"
+#include "geometry/name.h"
+#include "geometry/space/scene/near_plane.h"
+#include "io/scene/exact_decimal.h"
 #include "io/scene/plane/svg_reader.h"
 #include "io/scene/scene_json.h"
 #include "io/scene/space/mesh_reader.h"
@@ -39,7 +44,24 @@ void convert_drawing(const ConvertOptions& options, Streams& streams) {
       fmt::format("{} edges; {}", scene.surfaces.size(), reflectivities(materials, kSvgReflectivity, "a drawing")));
 }
 
+// What was plane but for the spacing of binary floats may be too far off for the digits of their decimals.
+void note_lost_planes(const Scene3& scene, Streams& streams) {
+  FinestDigit3 finest;
+  for (const Polygon3& polygon : scene.polygons)
+    for (const Point3& p : corners_of(polygon))
+      for (const Rational* coordinate : {&p.x, &p.y, &p.z})
+        if (const auto decimal = exact_decimal_text(*coordinate)) finest.take(*decimal);
+  std::vector<std::string> lost;
+  for (std::size_t s = 0; s < scene.polygons.size(); ++s)
+    if (Polygon3 polygon = scene.polygons[s]; polygon.is_nearly_plane && !accept_nearly_plane(polygon, finest.unit()))
+      lost.push_back(scene.surfaces[s].name);
+  if (!lost.empty())
+    streams.note(fmt::format("as decimals, which have more digits, these are not plane: {}; --triangulate reads them",
+                             listed_names(lost)));
+}
+
 void write_as_mesh(const ConvertOptions& options, MeshFormat3 format, const Scene3& scene, Streams& streams) {
+  if (format != MeshFormat3::kStl) note_lost_planes(scene, streams);
   naming_file(options.in, [&] { write_mesh(options.out, format, scene, streams); });
 }
 
@@ -48,6 +70,7 @@ void convert_mesh(const ConvertOptions& options, Streams& streams) {
   const MeshScene3 mesh = read_mesh_scene_3(options.in, options.polygons.triangulates ? &triangulator : nullptr);
   note_cuts(triangulator, streams);
   if (const auto format = mesh_format_3(options.out)) return write_as_mesh(options, *format, mesh.scene, streams);
+  note_lost_planes(mesh.scene, streams);
   streams.write(options.out, naming_file(options.in, [&] { return write_scene_3(mesh.scene); }));
   if (!mesh.invented.empty())
     streams.note(fmt::format("{} polygons; {}", mesh.scene.surfaces.size(),
@@ -59,6 +82,7 @@ void convert_scene(const ConvertOptions& options, Streams& streams) {
   if (format)
     return write_as_mesh(options, *format, read_scene_noting_3(options.in, options.polygons, streams), streams);
   const Scene scene = read_scene_noting(options.in, options.polygons, streams);
+  if (const auto* space = std::get_if<Scene3>(&scene)) note_lost_planes(*space, streams);
   streams.write(options.out, naming_file(options.in, [&] {
                   const auto* plane = std::get_if<Scene2>(&scene);
                   return plane ? write_scene_2(*plane) : write_scene_3(std::get<Scene3>(scene));

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "tests/cli/program.h"
 
@@ -196,6 +198,85 @@ TEST(Space, WhatIsNotPlaneBecomesTrianglesWhereAskedFor) {
   const Outcome fixed = place.run("hottel check room.json --triangulate --fix fixed.json --within 1e-6");
   EXPECT_EQ(fixed.code, 0) << fixed.err;
   EXPECT_EQ(place.run("hottel factors fixed.json --quiet").code, 0);
+}
+
+// A room whose ceiling is off its plane by the last digit of the file.
+constexpr const char* kNearlyPlane = R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5}},
+  "closed": true, "polygons": [
+    {"name": "floor", "points": [[0,0,0], [1,0,0], [1,1,0], [0,1,0]], "material": "m"},
+    {"name": "ceiling", "points": [[0,0,1], [0,1,1], [1,1,1.0001], [1,0,1]], "material": "m"},
+    {"name": "west", "points": [[0,0,0], [0,1,0], [0,1,1], [0,0,1]], "material": "m"},
+    {"name": "east", "points": [[1,0,0], [1,0,1], [1,1,1.0001], [1,1,0]], "material": "m"},
+    {"name": "south", "points": [[0,0,0], [0,0,1], [1,0,1], [1,0,0]], "material": "m"},
+    {"name": "north", "points": [[0,1,0], [1,1,0], [1,1,1.0001], [0,1,1]], "material": "m"}]})";
+
+TEST(Space, WhatRoundingHasBentIsTakenAsItStands) {
+  const Workplace place;
+  place.write("room.json", kNearlyPlane);
+  const Outcome factors = place.run("hottel factors room.json");
+  EXPECT_EQ(factors.code, 0) << factors.err;
+  std::map<std::string, double> sums;
+  for (const std::string& line : lines_of(factors.out)) {
+    if (line.starts_with("from,")) continue;
+    const std::size_t comma = line.find(',');
+    sums[line.substr(0, comma)] += std::stod(line.substr(line.find(',', comma + 1) + 1));
+  }
+  EXPECT_EQ(sums.size(), 6u);
+  for (const auto& [name, sum] : sums) EXPECT_NEAR(sum, 1, 1e-14) << name;
+  // Its corner is lifted: it has a ridge, seen from above, and sees itself from below.
+  EXPECT_THAT(factors.out, HasSubstr("\nceiling,ceiling,"));
+  EXPECT_EQ(place.run("hottel factors room.json --triangulate").out, factors.out);
+  const Outcome check = place.run("hottel check room.json");
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_THAT(check.out + check.err, HasSubstr("'ceiling' is not plane: (0, 0, 1) lies "));
+  EXPECT_EQ(place.run("hottel plan room.json").code, 0);
+  for (const char* at : {"0.9,0.2", "0.2,0.9", "0.5,0.5"}) {
+    const Outcome seen = place.run(std::string("hottel visibility room.json --on ceiling --at ") + at);
+    EXPECT_EQ(seen.code, 0) << seen.err;
+    EXPECT_THAT(seen.out, HasSubstr("floor"));
+  }
+  EXPECT_EQ(place.run("hottel visibility room.json --on ceiling --at 0.25,0.5,1.000025").code, 0);
+  EXPECT_EQ(place.run("hottel visibility room.json --on ceiling --at 0.25,0.5,1").code, 2);
+  EXPECT_EQ(place.run("hottel visibility room.json --from ceiling --to floor").code, 0);
+  EXPECT_EQ(place.run("hottel factors room.json --elements 2 --per element").code, 0);
+  for (const char* file : {"room.obj", "room.ply", "room.off", "again.json"}) {
+    EXPECT_EQ(place.run(std::string("hottel convert room.json ") + file).code, 0);
+    const Outcome again = place.run(std::string("hottel factors --matrix factor ") + file);
+    EXPECT_EQ(again.code, 0) << file << again.err;
+    EXPECT_EQ(lines_of(again.out).size(), 14u) << file;
+  }
+  // A deck has triangles, combined.
+  EXPECT_EQ(place.run("hottel convert room.json room.vs3").code, 0);
+  EXPECT_EQ(lines_of(place.run("hottel factors --matrix factor room.vs3").out).size(), 14u);
+  EXPECT_EQ(place.run("hottel check room.json --fix fixed.json --within 1e-6").code, 0);
+  EXPECT_EQ(place.run("hottel factors fixed.json").out, factors.out);
+  std::string more = kNearlyPlane;
+  for (std::size_t at; (at = more.find("1.0001")) != std::string::npos;) more.replace(at, 6, "1.0003");
+  place.write("more.json", more);
+  EXPECT_EQ(place.run("hottel factors more.json").code, 3) << "this is more than 1e-4 of its diameter";
+}
+
+TEST(Space, BinaryFloatsHaveTheirSpacingAndDecimalsDoNot) {
+  const Workplace place;
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  // Of a plane that leans by a third along x and a seventh along y.
+  for (const auto& [x, y] :
+       {std::pair(0.1F, 0.2F), std::pair(1.3F, 0.1F), std::pair(1.2F, 1.7F), std::pair(0.3F, 1.1F)})
+    for (const float value : {x, y, x / 3 + y / 7}) bytes.append(reinterpret_cast<const char*>(&value), 4);
+  bytes += '\4';
+  for (const std::int32_t index : {0, 1, 2, 3}) bytes.append(reinterpret_cast<const char*>(&index), 4);
+  place.write("leaning.ply", bytes);
+  const Outcome check = place.run("hottel check leaning.ply");
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_THAT(check.out + check.err, HasSubstr("is not plane"));
+  EXPECT_EQ(place.run("hottel factors leaning.ply").code, 0);
+  const Outcome convert = place.run("hottel convert leaning.ply leaning.json");
+  EXPECT_EQ(convert.code, 0);
+  EXPECT_THAT(convert.err, HasSubstr("as decimals, which have more digits, these are not plane: 'leaning[0]'"));
+  EXPECT_EQ(place.run("hottel factors leaning.json").code, 3);
+  EXPECT_EQ(place.run("hottel factors leaning.json --triangulate").code, 0);
 }
 
 TEST(Space, MeshesAndDecksThatAreNotPlaneBecomeTrianglesToo) {

@@ -38,6 +38,10 @@ struct Mesh3 {
   std::vector<MeshName3> groups, materials;
   std::map<std::string, Material> library;  // of all its MTL files, by name
   bool has_library = false;                 // it names an MTL file
+  // What the last digit of coordinates stands for: that of a decimal number, 0 where there is none; or, where they are
+  // binary floating-point numbers, how many binary digits these have.
+  Rational unit;
+  int float_digits = 0;
 };
 
 }  // namespace hottel

@@ -4,6 +4,7 @@
 
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
+#include "geometry/space/scene/near_plane.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -58,10 +59,12 @@ void MeshAdder3::add(const Mesh3& mesh, const MeshEntry3& entry) {
     surface.elements = entry.elements;
     surface.group = *groups[group];
     surface.line = entry.line > 0 ? entry.line : face.line;
-    Polygon3 polygon = scaled(face.polygon, entry.scale);
+    Polygon3 polygon = face.polygon;
+    accept_nearly_plane(polygon, mesh.float_digits > 0 ? float_spacing(polygon, mesh.float_digits) : mesh.unit);
+    const auto [problem, hint] = polygon_problem(polygon);
+    polygon = scaled(std::move(polygon), entry.scale);
     if (triangulator_ != nullptr && triangulator_->add(scene_, surface, polygon)) continue;
-    if (const auto& [problem, hint] = polygon_problem(face.polygon); !problem.empty())
-      refuse("face " + quoted_name(surface.name) + " " + problem, hint);
+    if (!problem.empty()) refuse("face " + quoted_name(surface.name) + " " + problem, hint);
     scene_.add(std::move(surface), std::move(polygon));
   }
 }

@@ -35,6 +35,7 @@ struct MeshEntry3 {
 //       become groups of the scene, numbered by their first faces
 //   (2) a material is the one that the scene had of that name before any mesh, else that of the mesh's MTL files; only
 //       those that faces have are added. Meshes may share one, if it is the same in both files
+//   (3) faces that are plane but for the last digits of the file are nearly plane (accept_nearly_plane)
 class MeshAdder3 {
  public:
   // Faces that are not plane are refused, or cut by the triangulator. REQUIRES that both outlive this, and that the

@@ -13,6 +13,7 @@
 
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
+#include "geometry/space/scene/near_plane.h"
 #include "io/scene/exact_decimal.h"
 #include "io/scene/space/mesh_pieces.h"
 #include "kernel/decimal.h"
@@ -303,6 +304,7 @@ class MeshWriter3 {
         polygon.points.push_back(moved == moved_.end() ? *points_[corner] : moved->second);
       }
       if (!is_moved) continue;
+      accept_nearly_plane(polygon, 0);
       const std::string problem = polygon_problem(polygon).text;
       if (problem.empty()) continue;
       if (broken.empty()) why = problem;

@@ -6,6 +6,7 @@
 
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
+#include "geometry/space/scene/near_plane.h"
 #include "io/scene/mtl_reader.h"
 #include "io/scene/obj_statements.h"
 #include "kernel/support/failure.h"
@@ -35,6 +36,7 @@ class ObjReader3 {
   Mesh3 read() {
     while (at_.next()) read_statement();
     if (mesh_.faces.empty()) throw InputError({mesh_.file, 0}, "has no faces");
+    mesh_.unit = finest_.unit();
     return std::move(mesh_);
   }
 
@@ -65,6 +67,7 @@ class ObjReader3 {
       at_.refuse("a vertex has " + std::to_string(words.size()) + " numbers; it must have three, x y z");
     std::vector<Rational> numbers;
     for (const std::string_view word : words) numbers.push_back(at_.number(word, "coordinate"));
+    for (std::size_t k = 0; k < 3; ++k) finest_.take(words[k]);
     if (words.size() % 3 == 1 && numbers[3] != 1)
       at_.refuse("a vertex has the weight " + quoted_name(words[3]) + "; only curves have weights other than 1");
     points_.push_back({std::move(numbers[0]), std::move(numbers[1]), std::move(numbers[2])});
@@ -149,6 +152,7 @@ class ObjReader3 {
   const TextSource& files_;
   Mesh3 mesh_;
   std::vector<Point3> points_;
+  FinestDigit3 finest_;  // of these
   Current group_, material_;
   std::unordered_map<std::string, std::uint32_t> group_index_, material_index_;
   std::vector<std::filesystem::path> libraries_;

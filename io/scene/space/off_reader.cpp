@@ -1,6 +1,7 @@
 #include "io/scene/space/off_reader.h"
 
 #include "geometry/name.h"
+#include "geometry/space/scene/near_plane.h"
 #include "io/scene/text_words.h"
 #include "kernel/support/failure.h"
 
@@ -35,6 +36,7 @@ class OffReader3 {
     for (std::size_t k = 0; k < faces; ++k) read_face(k, faces);
     if (const auto word = words_.next()) words_.refuse("after the last face there is " + quoted_name(*word));
     if (mesh_.faces.empty()) throw InputError({mesh_.file, 0}, "has no faces");
+    mesh_.unit = finest_.unit();
     return std::move(mesh_);
   }
 
@@ -70,6 +72,7 @@ class OffReader3 {
       const auto word = words_.next();
       if (!word) words_.refuse("the file ends within vertex " + std::to_string(k) + " of " + std::to_string(vertices_));
       *coordinate = words_.number(*word, "coordinate");
+      finest_.take(*word);
     }
     if (has_more_than_points_) words_.rest_of_line();
     points_.push_back(std::move(point));
@@ -102,6 +105,7 @@ class OffReader3 {
   bool has_more_than_points_ = false;  // in the lines of vertices
   std::size_t vertices_ = 0;
   std::vector<Point3> points_;
+  FinestDigit3 finest_;  // of these
 };
 
 }  // namespace

@@ -3,9 +3,11 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "geometry/name.h"
+#include "geometry/space/scene/near_plane.h"
 #include "io/scene/binary_values.h"
 #include "io/scene/ply_header.h"
 #include "io/scene/text_words.h"
@@ -39,7 +41,14 @@ class TextBody {
   }
   void begin(const Item& item) { item_ = item; }
 
-  Rational coordinate(const PlyProperty& property) { return words_.number(word(), property.name); }
+  Rational coordinate(const PlyProperty& property) {
+    const std::string_view text = word();
+    Rational value = words_.number(text, property.name);
+    finest_.take(text);
+    return value;
+  }
+  // What was told of the digits of coordinates.
+  void tell_digits(Mesh3& mesh) const { mesh.unit = finest_.unit(); }
   std::int64_t integer(PlyType, const PlyProperty& property) { return words_.integer(word(), property.name); }
   void pass_over(PlyType, std::uint64_t count) {
     for (; count > 0; --count) word();
@@ -63,6 +72,7 @@ class TextBody {
   TextWords words_;
   const std::string& file_;
   Item item_;
+  FinestDigit3 finest_;
 };
 
 // The rest of a binary file.
@@ -89,9 +99,17 @@ class BinaryBody {
   Rational coordinate(const PlyProperty& property) {
     if (is_integer(property.type)) return Rational(static_cast<long>(integer(property.type, property)));
     require(property.type, 1);
+    const int digits =
+        property.type == PlyType::kFloat32 ? std::numeric_limits<float>::digits : std::numeric_limits<double>::digits;
+    float_digits_ = float_digits_ == 0 ? digits : std::min(float_digits_, digits);
     const double value = property.type == PlyType::kFloat32 ? values_.take<float>() : values_.take<double>();
     if (!std::isfinite(value)) refuse(property.name + " of " + item_.text() + " is not finite");
     return Rational(value);
+  }
+  // Integers have the unit 1.
+  void tell_digits(Mesh3& mesh) const {
+    mesh.unit = 1;
+    mesh.float_digits = float_digits_;
   }
   std::int64_t integer(PlyType type, const PlyProperty&) {
     require(type, 1);
@@ -138,6 +156,7 @@ class BinaryBody {
   const std::string& file_;
   std::size_t at_, begin_ = 0;  // of the last value, of the item
   Item item_;
+  int float_digits_ = 0;
 };
 
 // A face as it is listed: its vertices may stand after it.
@@ -171,6 +190,7 @@ class BodyReader {
     if (faces_.empty()) throw InputError({mesh_.file, 0}, "has no faces");
     mesh_.faces.reserve(faces_.size());
     for (ListedFace& listed : faces_) add(listed);
+    body_.tell_digits(mesh_);
     return std::move(mesh_);
   }
 

@@ -2,8 +2,11 @@
 
 #include <filesystem>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "geometry/name.h"
+#include "geometry/space/scene/near_plane.h"
 #include "io/scene/json_fields.h"
 #include "io/scene/space/mesh_reader.h"
 #include "io/scene/table_reader.h"
@@ -52,11 +55,21 @@ class SpaceReader3 {
     require_kind(list, JsonKind::kArray, {"polygons"});
     scene_.surfaces.reserve(list.size());
     scene_.polygons.reserve(list.size());
-    table_.read_list(list, "polygons", "polygon",
-                     [&](const JsonValue& value, const std::string& name) { read_polygon(value, name); });
+    std::vector<std::pair<Surface, Polygon3>> found;
+    FinestDigit3 finest;
+    table_.read_list(list, "polygons", "polygon", [&](const JsonValue& value, const std::string& name) {
+      found.push_back(read_polygon(value, name, finest));
+    });
+    for (auto& [surface, polygon] : found) {
+      accept_nearly_plane(polygon, finest.unit());
+      if (triangulator_ == nullptr || !triangulator_->add(scene_, surface, polygon))
+        scene_.add(std::move(surface), std::move(polygon));
+    }
   }
 
-  void read_polygon(const JsonValue& value, const std::string& default_name) {
+  // The digits of its coordinates are told to `finest`.
+  std::pair<Surface, Polygon3> read_polygon(const JsonValue& value, const std::string& default_name,
+                                            FinestDigit3& finest) {
     constexpr std::array<std::string_view, 3> kMore{"holes", "group", "obstruction"};
     SceneEntry entry = table_.read_entry(value, default_name, "polygon", kMore);
     if (entry.behind && !entry.more[1])
@@ -66,20 +79,25 @@ class SpaceReader3 {
     Polygon3 polygon;
     polygon.points.reserve(entry.points.size());
     for (const JsonValue item : entry.points.items())
-      polygon.points.push_back(read_point(item, {entry.owner, "point"}));
-    if (const JsonValue holes = entry.more[0]) read_holes(holes, entry.owner, polygon);
+      polygon.points.push_back(read_corner(item, {entry.owner, "point"}, finest));
+    if (const JsonValue holes = entry.more[0]) read_holes(holes, entry.owner, finest, polygon);
     entry.surface.name = std::move(entry.name);
     entry.surface.line = value.line();
-    if (triangulator_ == nullptr || !triangulator_->add(scene_, entry.surface, polygon))
-      scene_.add(std::move(entry.surface), std::move(polygon));
+    return {std::move(entry.surface), std::move(polygon)};
   }
 
-  void read_holes(const JsonValue& holes, const std::string& owner, Polygon3& polygon) const {
+  Point3 read_corner(const JsonValue& value, const Subject& subject, FinestDigit3& finest) const {
+    Point3 point = read_point(value, subject);
+    for (const JsonValue coordinate : value.items()) finest.take(coordinate.text());
+    return point;
+  }
+
+  void read_holes(const JsonValue& holes, const std::string& owner, FinestDigit3& finest, Polygon3& polygon) const {
     require_kind(holes, JsonKind::kArray, {owner, "holes"});
     for (const JsonValue hole : holes.items()) {
       require_kind(hole, JsonKind::kArray, {owner, "hole"});
       auto& points = polygon.holes.emplace_back();
-      for (const JsonValue item : hole.items()) points.push_back(read_point(item, {owner, "point of a hole"}));
+      for (const JsonValue item : hole.items()) points.push_back(read_corner(item, {owner, "point of a hole"}, finest));
     }
   }
 

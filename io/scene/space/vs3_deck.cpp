@@ -9,6 +9,7 @@
 
 #include "geometry/name.h"
 #include "geometry/number.h"
+#include "geometry/space/scene/near_plane.h"
 #include "io/scene/space/vs3_statements.h"
 #include "kernel/decimal.h"
 
@@ -72,6 +73,7 @@ class DeckReader3 {
   Vs3Deck3 read() {
     while (at_.next()) read_statement();
     if (deck_.records.empty()) at_.refuse("the deck has no surfaces");
+    deck_.unit = finest_.unit();
     return std::move(deck_);
   }
 
@@ -156,8 +158,11 @@ class DeckReader3 {
                  " comes next");
     const std::string owner = "vertex " + std::to_string(number);
     Point3 point;
-    for (auto [coordinate, name] : {std::pair{&point.x, ": x"}, {&point.y, ": y"}, {&point.z, ": z"}})
-      *coordinate = at_.number(at_.word(owner + name), owner + name);
+    for (auto [coordinate, name] : {std::pair{&point.x, ": x"}, {&point.y, ": y"}, {&point.z, ": z"}}) {
+      const std::string_view word = at_.word(owner + name);
+      *coordinate = at_.number(word, owner + name);
+      finest_.take(word);
+    }
     vertices_.push_back(std::move(point));
   }
 
@@ -254,7 +259,8 @@ class DeckReader3 {
   Vs3Deck3 deck_;
   bool has_vertices_ = true;  // F 3
   std::vector<Point3> vertices_;
-  std::string owner_;  // of the record, for messages
+  FinestDigit3 finest_;  // of these
+  std::string owner_;    // of the record, for messages
 };
 
 }  // namespace

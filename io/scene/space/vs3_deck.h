@@ -31,6 +31,7 @@ struct Vs3Deck3 {
   bool wants_script_f = false;          // emit
   std::vector<std::string> not_obeyed;  // other controls that it sets, as it spells them, each once
   bool has_inexact_angles = false;      // (3)
+  Rational unit;                        // what the last digit of the vertices of F 3 stands for; 0: they have none
 };
 
 // Returns the records of a deck, of the form `F 3` or `F 3a`. docs/coming_from_view3d.md has all that is read.

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "geometry/name.h"
+#include "geometry/space/scene/near_plane.h"
 #include "io/files/text_file.h"
 #include "io/scene/space/vs3_deck.h"
 #include "kernel/decimal.h"
@@ -29,6 +30,7 @@ class SceneOfDeck3 {
     scene().about = deck_.title;
     scene().closed = deck_.is_enclosure;
     name_records();
+    accept_digits();
     for (std::size_t k = 0; k < records_.size(); ++k) check(k);
     cut_bases();
     for (std::size_t k = 0; k < records_.size(); ++k) add(k);
@@ -60,6 +62,16 @@ class SceneOfDeck3 {
       const bool is_alone = !name.empty() && uses[name] == 1;
       names_.push_back(is_alone ? name : (name.empty() ? "O" : name) + "~" + std::to_string(k + 1));
     }
+  }
+
+  // What lies on another one, or has others on it, is exactly plane.
+  void accept_digits() {
+    std::vector<char> is_base(deck_.records.size(), 0);
+    for (const Vs3Record3& record : deck_.records)
+      if (record.base >= 1 && record.base <= is_base.size()) is_base[record.base - 1] = 1;
+    for (std::size_t k = 0; k < is_base.size(); ++k)
+      if (Vs3Record3& record = deck_.records[k]; is_base[k] == 0 && record.base == 0)
+        accept_nearly_plane(record.polygon, deck_.unit);
   }
 
   void check(std::size_t k) const {
@@ -181,7 +193,7 @@ class SceneOfDeck3 {
       note("surfaces of different emittances are combined; a row of theirs is told with the emittance of the last");
   }
 
-  const Vs3Deck3 deck_;
+  Vs3Deck3 deck_;
   const std::vector<Vs3Record3>& records_;
   Triangulator3* triangulator_;
   Vs3Scene3 result_;
