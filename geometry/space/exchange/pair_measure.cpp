@@ -196,7 +196,12 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
   // Something is seen: however little, it is not nothing.
   constexpr double kLittle = 0x1p-200;
   result.measure = std::clamp(result.measure, kLittle * alone.bounds.upper, alone.bounds.upper);
-  if (!(result.error <= request.tolerance * least))
+  const bool has_failed = !(result.error <= request.tolerance * least) || !(result.residual <= result.residual_bound);
+  if (has_failed && alone.bounds.upper <= request.tolerance * least) {
+    // So little goes at most that it need not be known: patches that see each other at grazing angles, and needles.
+    result.error = alone.bounds.upper;
+    result.residual = 0;
+  } else if (!(result.error <= request.tolerance * least))
     result.problem = "the integral along edges did not converge";
   else if (!(result.residual <= result.residual_bound))
     result.problem = "the residual of translation is not zero";

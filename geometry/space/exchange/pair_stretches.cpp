@@ -11,6 +11,7 @@ namespace {
 
 // Rounding of doubles is far below this part of a length.
 constexpr double kSlack = 1e-9;
+constexpr double kSureNormal = 1e-11;  // of which the error is that part of it
 
 Rational quotient(const Integer& numerator, const Integer& denominator) {
   Rational result(numerator, denominator);
@@ -202,6 +203,8 @@ class StretchFinder {
 
   void find_planes() {
     for (const PairSetting3::HullPlane& plane : setting_.hull) {
+      const BoundedVector& bounded = plane.plane.normal;
+      if (!(bounded.error <= kSureNormal * bounded.size)) continue;  // of points that all but coincide
       const Direction3 a = place(plane.plane.p), b = place(plane.plane.q), c = place(plane.plane.r);
       Direction3 normal = cross(b - a, c - a);
       const double size = length(normal);

@@ -38,15 +38,18 @@ struct ArcShape {
   double sine, cosine;
 };
 
-ArcShape shape_of(const Direction3& normal, const Direction3& b, const Direction3& e) {
-  const Direction3 unit = (1 / std::sqrt(dot(normal, normal))) * normal;
-  return {unit, dot(unit, cross(b, e - b)), dot(b, e)};
+// Of a vector that is zero, as it may be at an end of a piece, nothing.
+Direction3 unit(const Direction3& a) {
+  const double square = dot(a, a);
+  return square > 0 ? (1 / std::sqrt(square)) * a : Direction3{};
 }
 
-Direction3 unit_at(const MovingVector3& vector, double from, double offset) {
-  const Direction3 d = vector.at(from, offset);
-  return (1 / std::sqrt(dot(d, d))) * d;
+ArcShape shape_of(const Direction3& normal, const Direction3& b, const Direction3& e) {
+  const Direction3 n = unit(normal);
+  return {n, dot(n, cross(b, e - b)), dot(b, e)};
 }
+
+Direction3 unit_at(const MovingVector3& vector, double from, double offset) { return unit(vector.at(from, offset)); }
 
 }  // namespace
 
@@ -95,8 +98,7 @@ Direction3 StretchPiece3::lambda(double from, double offset, double* rounding) c
   at.clear();
   double spread = 0;
   for (const MovingVector3& corner : corners) {
-    const Direction3 d = corner.at(from, offset);
-    at.push_back((1 / std::sqrt(dot(d, d))) * d);
+    at.push_back(unit_at(corner, from, offset));
     const Direction3 apart = at.back() - at.front();
     spread = std::max(spread, dot(apart, apart));
   }
@@ -113,7 +115,10 @@ Direction3 StretchPiece3::lambda(double from, double offset, double* rounding) c
     for (const Arc& arc : arcs) {
       const ArcShape shape = shape_of(planes[arc.plane].at(from, offset), at[arc.begin], at[arc.end]);
       double angle = std::atan2(shape.sine, shape.cosine);
-      if (shape.cosine < 0 && shape.sine * arc.turn < 0) angle += 2 * std::numbers::pi * arc.turn;
+      if (shape.cosine < 0 && arc.turn != 0) {  // the sine may have been lost, sign and all
+        angle = std::atan2(arc.turn * shape.sine, shape.cosine);
+        angle = arc.turn * (angle < 0 ? angle + 2 * std::numbers::pi : angle);
+      }
       sum = sum + (arc.count * angle / 2) * shape.normal;
     }
   }

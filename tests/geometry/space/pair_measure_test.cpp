@@ -262,6 +262,36 @@ TEST(PairMeasure3Sweep, ATriangleStandsInAWallNextToItsFoot) {
   }
 }
 
+// Scenes of the storm in which two corners all but coincide, which the pair or its hull then has to tell apart.
+TEST(PairMeasure3Sweep, CornersThatAllButCoincideAreToldApart) {
+  for (int k = 40; k <= 100; k += 3) {
+    const Rational h = two_to_minus(k);
+    // A corner next to a side of the patch, in frames where doubles have its digits and where they do not: from the
+    // foot of the one between, that side is half a turn.
+    const auto turned = [](const Points& points) {
+      Points result;
+      for (const Point3& p : points) {
+        const Rational x = (3 * p.x - 4 * p.y) / 5, y = (4 * p.x + 3 * p.y) / 5;
+        result.push_back({x, (5 * y - 12 * p.z) / 13, (12 * y + 5 * p.z) / 13});
+      }
+      return result;
+    };
+    const std::vector<Points> near{
+        {{0, 0, 0}, {2, 0, 0}, {1, 2, 0}}, {{1, 0, 0}, {1, 2, 0}, {0, 0, 1}}, {{0, 0, 1}, {1 + h, 1, 0}, {1, 2, 0}}};
+    const PairMeasure3 here = Pair(near).measure();
+    const Pair away({turned(near[0]), turned(near[1]), turned(near[2])});
+    EXPECT_EQ(here.problem, "") << k;
+    EXPECT_NEAR(away.factor(), Pair(near).factor(), 2e-12) << k;
+    // Two that share a side but for h, nearly in one plane: next to nothing goes from one to the other.
+    const Pair grazing({{{0, 0, 0}, {0, -1, -1}, {3, 1, 0}},
+                        {{0, -2, -2}, {0, -1, -1}, {3, 1, h}},
+                        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
+    const PairMeasure3 little = grazing.measure();
+    EXPECT_EQ(little.problem, "") << k;
+    EXPECT_LE(little.measure, std::ldexp(100.0, -k) * grazing.area(grazing.patch(0))) << k;
+  }
+}
+
 TEST(PairMeasure3Sweep, ADihedralClosesAroundABlocker) {
   // Two squares with a common edge, a small angle apart, and a needle between them that hides nothing in the limit.
   for (int k = 1; k <= 50; k += 7) {

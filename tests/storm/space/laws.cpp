@@ -154,12 +154,21 @@ std::string rays_are_broken(const Subject3& subject) {
   return wrong;
 }
 
+// Of the angle that their planes make.
+double sine_between(const SpacePolygon& a, const SpacePolygon& b) {
+  const auto normal = [](const SpacePolygon& polygon) { return oracle::FlatPlane(oracle::to_doubles(polygon)).normal; };
+  return oracle::length(cross(normal(a), normal(b)));
+}
+
 std::string quadrature_is_broken(const Subject3& subject) {
   constexpr double kAsked = 1e-7;
-  constexpr double kUndecided = 1e-5;  // its errors are estimates: in narrow wedges both ways may be off by more
+  constexpr double kUndecided = 1e-5;    // its errors are estimates: in narrow wedges both ways may be off by more
+  constexpr double kNarrowWedge = 1e-3;  // sine: what is lost, in a strip as narrow along the borders, no point may see
   constexpr std::uint64_t kMostPoints = 200'000;
   constexpr std::size_t kMostPolygons = 6;  // with more it takes seconds
   if (subject.polygons().size() > kMostPolygons) return "";
+  if (const double sine = sine_between(subject.polygons()[0], subject.polygons()[1]); sine > 0 && sine < kNarrowWedge)
+    return "";
   const oracle::FlatPair pair = oracle::first_pair(subject.polygons());
   const oracle::QuadratureResult there = oracle::exchange_by_quadrature(pair, kAsked, kMostPoints);
   const oracle::QuadratureResult back = oracle::exchange_by_quadrature(pair.reversed(), kAsked, kMostPoints);
@@ -303,8 +312,7 @@ double sensitivity(const Polygons3& polygons) {
     for (std::size_t c = 0; c < flat.size(); ++c) outline += oracle::length(flat[(c + 1) % flat.size()] - flat[c]);
     lengths += outline;
     for (const std::size_t patch : {0, 1}) {
-      const oracle::FlatPolygon other = oracle::to_doubles(polygons[patch]);
-      const double sine = oracle::length(cross(oracle::FlatPlane(flat).normal, oracle::FlatPlane(other).normal));
+      const double sine = sine_between(polygons[k], polygons[patch]);
       if (sine > 0) lengths += outline / 2 / sine;
     }
   }
