@@ -23,19 +23,11 @@ void require_what_space_has(const FactorsOptions& options) {
   if (!options.picture.empty()) refuse("--picture");
 }
 
-double tolerance_of(const FactorsOptions& options) {
-  if (!options.tolerance) return SimulationRequest3().tolerance;
-  const double tolerance = to_double(number_of(*options.tolerance, "--tolerance"));
-  if (!(tolerance > 0 && std::isfinite(tolerance)))
-    throw UsageError("--tolerance is beyond the range of doubles: '" + *options.tolerance + "'");
-  return tolerance;
-}
-
-SimulationRequest3 request_of(const FactorsOptions& options) {
+FactorsRequest3 request_of(const FactorsOptions& options) {
   return {.granularity = options.per(),
           .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
           .wants_measures = options.matrix == "exchange",
-          .tolerance = tolerance_of(options),
+          .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
           .must_be_enclosed = options.guarantee == "enclosed",
           .memory = options.memory};
 }
@@ -44,7 +36,7 @@ SimulationRequest3 request_of(const FactorsOptions& options) {
 
 void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams& streams) {
   require_what_space_has(options);
-  const SimulationRequest3 request = request_of(options);
+  const FactorsRequest3 request = request_of(options);
   options.elements.apply_to(scene);
   require_room_for(options, [&](DenseFormat format) {
     const ElementCounts3 counts = element_counts(scene, request.granularity);
@@ -53,7 +45,7 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
   if (options.elements.is_given() && request.granularity != Granularity::kElement)
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");
-  const Simulation3 simulation(std::move(scene), request);
+  const Simulation3 simulation(std::move(scene), {.factors = request});
 
   FactorsFiles files(options, streams);
   const auto computed = simulation.factors(streams.stages());

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "cli/command.h"
 #include "geometry/plane/scene/division.h"
 #include "geometry/space/scene/division.h"
@@ -82,6 +84,16 @@ Rational number_of(const std::string& text, const std::string& option) {
   const auto value = parse_rational(text);
   if (!value) throw UsageError(option + " takes numbers such as 0.25 or 1/3, not '" + text + "'");
   return *value;
+}
+
+double tolerance_of(const std::optional<std::string>& option, double usual) {
+  if (!option) return usual;
+  const Rational exact = number_of(*option, "--tolerance");
+  if (exact <= 0) throw UsageError("--tolerance must be a positive number, not '" + *option + "'");
+  const double tolerance = to_double(exact);
+  if (!(tolerance > 0 && std::isfinite(tolerance)))
+    throw UsageError("--tolerance is beyond the range of doubles: '" + *option + "'");
+  return tolerance;
 }
 
 std::vector<std::string> parts_at_commas(const std::string& text) {

@@ -55,6 +55,9 @@ std::filesystem::path output_folder(const std::string& option, const std::string
 // The number of an option. Throws UsageError, naming the option, for what parse_rational does not read.
 Rational number_of(const std::string& text, const std::string& option);
 
+// The number of an option --tolerance, or what is usual. Throws UsageError unless it is a positive double.
+double tolerance_of(const std::optional<std::string>& option, double usual);
+
 // The parts of a text between commas: one more than it has commas.
 std::vector<std::string> parts_at_commas(const std::string& text);
 

@@ -1,11 +1,12 @@
-// hottel solve: radiosities with proven bounds, light in space, a picture of it.
+// hottel solve: radiosities with proven bounds, light between faces in the plane, a picture of it.
 #include <fmt/format.h>
 
 #include <filesystem>
 
 #include "cli/command.h"
 #include "cli/methods.h"
-#include "cli/scene_input.h"
+#include "cli/solve_in_space.h"
+#include "cli/solve_options.h"
 #include "cli/views.h"
 #include "geometry/near_names.h"
 #include "io/files/disk_space.h"
@@ -23,36 +24,6 @@
 
 namespace hottel {
 namespace {
-
-struct SolveOptions {
-  std::string scene, out;
-  std::string method = "exact", solver = "auto", simulate = "auto";
-  std::optional<int> iterations;
-  std::optional<double> until;
-  std::string grid, illumination = "point", tone = "log", views;
-  double exposure = 1;
-  std::uint32_t size = 0;
-  bool no_picture = false, no_illumination = false;
-  std::optional<std::uint64_t> memory;
-  ElementOptions elements;
-  bool json = false;
-};
-
-// The solver asked for. With --iterations or --until, auto is one that iterates: cg, or bicgstab where rows of other
-// methods need not be symmetric.
-Solver solver_of(const SolveOptions& options) {
-  const auto solver = solver_named(options.solver);
-  if (!solver) {
-    std::vector<std::string> known;
-    for (int k = 0; k <= static_cast<int>(Solver::kShooting); ++k) known.push_back(to_string(static_cast<Solver>(k)));
-    throw UnknownName("there is no solver called '" + options.solver + "'", options.solver, known);
-  }
-  if (!options.iterations && !options.until) return *solver;
-  if (*solver == Solver::kCholesky || *solver == Solver::kLu)
-    throw UsageError("--iterations and --until do not apply to " + options.solver + ", which is direct");
-  if (*solver == Solver::kAuto) return options.method == "exact" ? Solver::kCg : Solver::kBicgstab;
-  return *solver;
-}
 
 // Throws RequestError where the light of a grid needs more memory or disk than there is.
 void require_room_for(const Grid2& grid, int channels, const SolveOptions& options,
@@ -76,7 +47,7 @@ Request request_of(const SolveOptions& options) {
   Request request;
   SimulationRequest2& asked = request.simulation;
   asked.method = all_methods_2().make(options.method);
-  asked.solver = solver_of(options);
+  asked.solver = solver_of(options, options.method == "exact");
   asked.iterations = options.iterations;
   asked.until = options.until;
   asked.everything = options.simulate == "everything";
@@ -135,9 +106,8 @@ struct Outputs {
   }
 };
 
-// The scene as it is asked for, read and ready to be simulated.
-Simulation2 simulation_of(const SolveOptions& options, Request request) {
-  Scene2 scene = read_scene_2(options.scene);
+// The scene as it is asked for, ready to be simulated.
+Simulation2 simulation_of(const SolveOptions& options, Scene2 scene, Request request) {
   options.elements.apply_to(scene);
   const Grid2 grid = grid_of(scene, options.grid);
   if (request.simulation.wants_light) require_room_for(grid, channel_count(scene), options, request.directory);
@@ -196,11 +166,12 @@ void write_results(const SolveOptions& options, const Simulation2& simulation, c
                   options.memory.value_or(0), streams, *outputs.views);
 }
 
-ExitCode solve(const SolveOptions& options, Streams& streams) {
-  const Request request = request_of(options);
+void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& request, double seconds_to_read,
+                    Streams& streams) {
+  if (options.tolerance)
+    throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
   Stopwatch watch;
-  const Simulation2 simulation = simulation_of(options, request);
-  const double seconds_to_read = watch.lap();
+  const Simulation2 simulation = simulation_of(options, std::move(scene), request);
   const std::shared_ptr<const Plan> plan = simulation.plan();
   streams.note(plan_text(*plan));
   Outputs outputs(options, request);
@@ -215,7 +186,7 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   seconds["write"] = watch.lap();
   const SolveReport report{options.scene,
                            plan.get(),
-                           &results.factors->report.counts,
+                           factor_counts(results.factors->report.counts),
                            results.solution.get(),
                            &fluxes,
                            seconds,
@@ -231,6 +202,17 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
   streams.note(solve_text(report) + small_scene_text(simulation.scene(), matrix, *results.solution) + "\nin " +
                request.directory.string() + ":" + outputs.names() +
                (outputs.views ? "\nwhat the cells see: " + options.views : ""));
+}
+
+ExitCode solve(const SolveOptions& options, Streams& streams) {
+  const Request request = request_of(options);
+  Stopwatch watch;
+  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  const double seconds_to_read = watch.lap();
+  if (auto* space = std::get_if<Scene3>(&scene))
+    solve_in_space(options, std::move(*space), seconds_to_read, streams);
+  else
+    solve_in_plane(options, std::move(std::get<Scene2>(scene)), request, seconds_to_read, streams);
   return ExitCode::kDone;
 }
 
@@ -272,12 +254,17 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
 void add_solve(Commands& commands) {
   const auto options = std::make_shared<SolveOptions>();
   CLI::App& command = commands.add(
-      "solve", "Radiosities with proven bounds, the light in the rooms, and a picture of it",
+      "solve",
+      "Radiosities with proven bounds, the light in the rooms, and a picture of it\n\n"
+      "In space: radiosities and net fluxes. Their bounds hold for the scene where all view factors are enclosed, "
+      "else\n"
+      "for the factors as computed; light between the faces and pictures are of the plane so far.",
       {"hottel solve scenes/showcase/apartment.json -o /tmp/apartment",
        "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --grid 64x64 --tone max --size 320",
        "hottel solve scenes/showcase/museum.json -o /tmp/museum --no-illumination",
        "hottel solve scenes/showcase/apartment.json -o /tmp/apartment --grid 32x32 --views /tmp/views.mtx",
-       "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --solver jacobi --iterations 20 --json"},
+       "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --solver jacobi --iterations 20 --json",
+       "hottel solve scenes/space/cube.json -o /tmp/cube"},
       [options](Streams& streams) { return solve(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_option("-o", options->out, "the folder to write into, created; without it ./STEM-hottel/")
@@ -306,6 +293,11 @@ void add_solve(Commands& commands) {
       ->check(CLI::IsMember({"auto", "everything"}))
       ->capture_default_str();
   options->elements.add_to(command);
+  options->polygons.add_to(command);
+  command
+      .add_option("--tolerance", options->tolerance,
+                  "in space: what each pair may be off, relative to the smaller of both areas (1e-9)")
+      ->type_name("T");
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));

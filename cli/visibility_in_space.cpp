@@ -138,7 +138,7 @@ VisibilityAnswer pair_in_space(const Simulation3& simulation, const std::string&
   const std::optional<Face> face_from = face_or_sky(from), face_to = face_or_sky(to);
   return naming_file(scene.file, [&] {
     return pair_answer(scene, from, to,
-                       pair_report(*simulation.prepared(), face_from, face_to, simulation.request().tolerance));
+                       pair_report(*simulation.prepared(), face_from, face_to, simulation.request().factors.tolerance));
   });
 }
 

@@ -70,6 +70,12 @@ std::string findings_text(const std::string& file, const std::vector<ReportedFin
   return text;
 }
 
+std::string finding_note(Severity severity, const std::string& kind, const std::string& message,
+                         const std::string& suggestion) {
+  return fmt::format("{}: {}: {}{}", to_string(severity), kind, message,
+                     suggestion.empty() ? "" : " (" + suggestion + ")");
+}
+
 std::string check_text(const std::string& file, const std::vector<ReportedFinding>& findings, std::size_t most) {
   std::size_t count[3] = {0, 0, 0};
   for (const ReportedFinding& finding : findings) ++count[static_cast<int>(finding.severity)];

@@ -43,6 +43,10 @@ std::string check_json(const std::vector<ReportedFinding>& findings, const Repai
 // and PLACE are left out where there is none. Of one kind at most `most` are shown, the rest is counted.
 std::string findings_text(const std::string& file, const std::vector<ReportedFinding>& findings, std::size_t most);
 
+// Returns a finding as a sentence for the notes of a report: "warning: KIND: MESSAGE (SUGGESTION)".
+std::string finding_note(Severity severity, const std::string& kind, const std::string& message,
+                         const std::string& suggestion);
+
 // Returns the same and a closing line that counts errors, warnings and notes.
 std::string check_text(const std::string& file, const std::vector<ReportedFinding>& findings, std::size_t most);
 

@@ -27,6 +27,18 @@ nlohmann::ordered_json report_head(const std::string& scene, const Plan& plan) {
 
 }  // namespace
 
+FactorCounts factor_counts(const ExchangeReport& report) {
+  return {report.surfaces,
+          report.elements,
+          report.vertices,
+          report.pairs,
+          {{"double", report.tiers.by_tier[0]},
+           {"double_double", report.tiers.by_tier[1]},
+           {"ball", report.tiers.by_tier[2]},
+           {"root_sum", report.tiers.by_tier[3]}},
+          report.closure_is_exact};
+}
+
 std::string plan_json(const std::string& scene, const Plan& plan) { return report_head(scene, plan).dump(2) + "\n"; }
 
 std::string plan_text(const Plan& plan) {
@@ -43,16 +55,13 @@ std::string plan_text(const Plan& plan) {
 
 std::string solve_json(const SolveReport& report) {
   nlohmann::ordered_json json = report_head(report.scene, *report.plan);
-  const ExchangeReport& exchange = *report.exchange;
+  const FactorCounts& factors = report.factors;
   const RadiositySolution& solution = *report.solution;
-  json["counts"] = {{"surfaces", exchange.surfaces},
-                    {"elements", exchange.elements},
-                    {"vertices", exchange.vertices},
-                    {"pairs", exchange.pairs}};
-  json["tiers"] = {{"double", exchange.tiers.by_tier[0]},
-                   {"double_double", exchange.tiers.by_tier[1]},
-                   {"ball", exchange.tiers.by_tier[2]},
-                   {"root_sum", exchange.tiers.by_tier[3]}};
+  json["counts"] = {{"surfaces", factors.surfaces},
+                    {"elements", factors.elements},
+                    {"vertices", factors.vertices},
+                    {"pairs", factors.pairs}};
+  for (const auto& [tier, count] : factors.tiers) json["tiers"][tier] = count;
   json["seconds"] = report.seconds;
   if (solution.factorizations > 0) {
     json["solver"] = {{"name", to_string(solution.used)},
@@ -62,7 +71,7 @@ std::string solve_json(const SolveReport& report) {
     for (std::size_t c = 0; c < solution.channels.size(); ++c)
       json["solver"]["residual_history"][solution.channel_names[c]] = solution.channels[c].residual_history;
   }
-  json["closure"] = {{"max_defect", solution.closure_defect}, {"exact", exchange.closure_is_exact}};
+  json["closure"] = {{"max_defect", solution.closure_defect}, {"exact", factors.closure_is_exact}};
   json["reciprocity"] = {{"max_defect", solution.reciprocity_defect}};
   json["energy"] = {{"emitted", solution.energy.emitted},
                     {"absorbed", solution.energy.absorbed},
@@ -101,10 +110,10 @@ std::string flux_text(const std::vector<NetFlux>& groups) {
 }  // namespace
 
 std::string solve_text(const SolveReport& report) {
-  const ExchangeReport& exchange = *report.exchange;
+  const FactorCounts& factors = report.factors;
   const RadiositySolution& solution = *report.solution;
-  std::string text = fmt::format("{} surfaces, {} elements, {} vertices, {} visible pairs\n", exchange.surfaces,
-                                 exchange.elements, exchange.vertices, exchange.pairs);
+  std::string text = fmt::format("{} surfaces, {} elements, {} vertices, {} visible pairs\n", factors.surfaces,
+                                 factors.elements, factors.vertices, factors.pairs);
   text += solution.factorizations == 0
               ? "radiosity is emission: nothing had to be solved\n"
               : fmt::format(

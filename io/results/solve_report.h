@@ -1,9 +1,11 @@
 // What `solve` plans and what it came to, as JSON and as text for people.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/exchange_report.h"
@@ -16,11 +18,20 @@ namespace hottel {
 std::string plan_text(const Plan& plan);
 std::string plan_json(const std::string& scene, const Plan& plan);
 
+// What is told of the view factors that a solution rests on, whatever the dimension: which means settled how many
+// numbers or signs, in the order of their cost.
+struct FactorCounts {
+  std::uint64_t surfaces = 0, elements = 0, vertices = 0, pairs = 0;
+  std::vector<std::pair<const char*, std::uint64_t>> tiers{};
+  bool closure_is_exact = false;
+};
+FactorCounts factor_counts(const ExchangeReport& report);
+
 // Everything that is said about one run of `solve`. REQUIRES that none of the pointers is null when it is written.
 struct SolveReport {
   std::string scene;
   const Plan* plan = nullptr;
-  const ExchangeReport* exchange = nullptr;
+  FactorCounts factors{};
   const RadiositySolution* solution = nullptr;
   const NetFluxes* fluxes = nullptr;
   std::map<std::string, double> seconds{};         // of stages that ran, and of no others

@@ -84,12 +84,8 @@ void add_groups(const Scene3& scene, PlanDraft& draft) {
             "every polygon is a group of its own");
 }
 
-// Effects of the light: nobody computes it in space yet.
+// Light between the faces, which nobody computes in space yet.
 void add_light(const Scene3& scene, const PlanRequest& request, PlanDraft& draft) {
-  draft.add_missing(Plan::kInterreflection, draft.reflects(), "some faces reflect",
-                    "every reflectivity is 0: radiosity is emission");
-  draft.add_missing(Plan::kUnreachable, draft.reflects(), "rooms that no light reaches",
-                    "every reflectivity is 0: nothing is solved");
   draft.add_missing(Plan::kIllumination, request.grid_cells > 0, "light between the faces", "no grid is asked for");
   draft.add_missing(Plan::kPicture, scene.camera.has_value(), "what the camera sees", "the scene has no camera");
   draft.add_lights();
@@ -119,6 +115,8 @@ Plan plan_scene(const Scene3& scene, const PlanRequest& request) {
   draft.add_subdivision();
   add_groups(scene, draft);
   draft.add_channels();
+  draft.add_interreflection(static_cast<double>(faces.rows()));
+  draft.add_unreachable(is_room);
   add_light(scene, request, draft);
   return draft.take();
 }

@@ -140,18 +140,4 @@ Findings2 sight_findings(const PreparedScene2& prepared, const ExchangeMatrix& m
   return findings;
 }
 
-void require_closed(const Scene2& scene, const ExchangeMatrix& matrix) {
-  if (!scene.closed) return;
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    const Element& element = matrix.elements()[i];
-    if (element.is_back || !matrix.has_row(i)) continue;
-    const Rounded sky = matrix.factor(i, matrix.sky());
-    if (sky.value == 0 && sky.side == 0) continue;
-    const Surface& surface = scene.surfaces[element.surface];
-    throw RequestError(
-        fmt::format("{}:{}: the scene promises to be closed, but the front of '{}' sees the sky (F = {})", scene.file,
-                    surface.line, surface.name, shortest(sky.value)));
-  }
-}
-
 }  // namespace hottel

@@ -19,8 +19,4 @@ inline constexpr double kLeakPart = 1.0 / 64;
 // REQUIRES: `prepared` is not divided; the exact matrix of the scene, by faces or by elements.
 Findings2 sight_findings(const PreparedScene2& prepared, const ExchangeMatrix& matrix);
 
-// Throws RequestError, naming the first front, where a scene promises to be closed and a front with a material sees the
-// sky. REQUIRES the exact matrix of the scene.
-void require_closed(const Scene2& scene, const ExchangeMatrix& matrix);
-
 }  // namespace hottel

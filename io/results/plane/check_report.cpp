@@ -43,8 +43,7 @@ std::string findings_text(const Scene2& scene, const Findings2& findings, std::s
 std::vector<std::string> finding_notes(const Findings2& findings) {
   std::vector<std::string> notes;
   for (const Finding2& finding : findings)
-    notes.push_back(fmt::format("{}: {}: {}{}", to_string(finding.severity), finding.kind, finding.message,
-                                finding.suggestion.empty() ? "" : " (" + finding.suggestion + ")"));
+    notes.push_back(finding_note(finding.severity, finding.kind, finding.message, finding.suggestion));
   return notes;
 }
 

@@ -31,6 +31,17 @@ std::string check_json(const Scene3& scene, const Findings3& findings, const Rep
   return check_json(reported(scene, findings), repair);
 }
 
+std::string findings_text(const Scene3& scene, const Findings3& findings, std::size_t most) {
+  return findings_text(scene.file, reported(scene, findings), most);
+}
+
+std::vector<std::string> finding_notes(const Findings3& findings) {
+  std::vector<std::string> notes;
+  for (const Finding3& finding : findings)
+    notes.push_back(finding_note(finding.severity, finding.kind, finding.message, finding.suggestion));
+  return notes;
+}
+
 std::string check_text(const Scene3& scene, const Findings3& findings, std::size_t most) {
   return check_text(scene.file, reported(scene, findings), most);
 }

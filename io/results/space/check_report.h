@@ -3,14 +3,19 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "geometry/space/check/finding.h"
 #include "io/results/finding_report.h"
 
 namespace hottel {
 
-// As check_json and check_text of io/results/finding_report.h. Coordinates are [x,y,z].
+// As check_json, check_text and findings_text of io/results/finding_report.h. Coordinates are [x,y,z].
 std::string check_json(const Scene3& scene, const Findings3& findings, const RepairReport* repair = nullptr);
 std::string check_text(const Scene3& scene, const Findings3& findings, std::size_t most = kMostOfAKind);
+std::string findings_text(const Scene3& scene, const Findings3& findings, std::size_t most = kMostOfAKind);
+
+// Each finding as finding_note says it.
+std::vector<std::string> finding_notes(const Findings3& findings);
 
 }  // namespace hottel

@@ -9,6 +9,17 @@
 #include "kernel/version.h"
 
 namespace hottel {
+FactorCounts factor_counts(const ExchangeReport3& report) {
+  return {report.surfaces,
+          report.elements,
+          report.vertices,
+          report.pairs,
+          {{"filter", report.signs.by_tier[0]},
+           {"combinatorial", report.signs.by_tier[1]},
+           {"exact", report.signs.by_tier[2]}},
+          false};
+}
+
 std::string factors_json(const FactorsReport3& report) {
   const ExchangeReport3& counts = report.counts;
   nlohmann::ordered_json json;
@@ -20,9 +31,7 @@ std::string factors_json(const FactorsReport3& report) {
                     {"pairs", counts.pairs},       {"hidden", counts.hidden},     {"clear", counts.clear},
                     {"mixed", counts.mixed},       {"maps", counts.maps},         {"pieces", counts.pieces},
                     {"nodes", counts.nodes}};
-  json["tiers"] = {{"filter", counts.signs.by_tier[0]},
-                   {"combinatorial", counts.signs.by_tier[1]},
-                   {"exact", counts.signs.by_tier[2]}};
+  for (const auto& [tier, count] : factor_counts(counts).tiers) json["tiers"][tier] = count;
   json["seconds"] = counts.seconds;
   json["closure"] = {{"max_defect", counts.max_defect}, {"exact", false}};
   json["bounds"] = {{"guarantee", to_string(report.guarantee)},

@@ -5,6 +5,7 @@
 
 #include "geometry/element.h"
 #include "geometry/space/exchange/exchange_report.h"
+#include "io/results/solve_report.h"
 #include "kernel/enclosure.h"
 
 namespace hottel {
@@ -17,6 +18,9 @@ struct FactorsReport3 {
   Guarantee guarantee = Guarantee::kEstimated;  // of the matrix: the weakest there is
   ExchangeReport3 counts;
 };
+
+// What a solution says of the factors it rests on; tiers: filter, combinatorial, exact.
+FactorCounts factor_counts(const ExchangeReport3& report);
 
 // Returns the report as one JSON object and a final newline: `counts`, `tiers` (filter, combinatorial, exact),
 // `seconds`, `closure`, `bounds`.

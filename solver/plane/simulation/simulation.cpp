@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/plane/check/sight_findings.h"
+#include "geometry/closed_promise.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
@@ -19,9 +19,8 @@
 #include "solver/plane/light/solved_light.h"
 #include "solver/plane/methods/method_catalogue.h"
 #include "solver/plane/scene_plan.h"
-#include "solver/radiosity/a_priori_bounds.h"
-#include "solver/radiosity/matrix_checks.h"
 #include "solver/radiosity/radiosity_sources.h"
+#include "solver/radiosity/scene_radiosities.h"
 
 namespace hottel {
 namespace {
@@ -218,25 +217,8 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
     require_closed(scene, matrix);
   else
     require_not_negative(matrix, *prepared, *input.method);
-  const auto system = input.system->get(progress);
-  return naming_file(scene.file, [&] {
-    RadiositySolution solution =
-        system->solve(sources_of(matrix, scene.materials, scene.sky_emission), telling("radiosity", progress));
-    if (const auto place = solution.seconds.find("radiosity"); place != solution.seconds.end())
-      place->second += system->seconds();
-    require_doubles(matrix, scene.sky_emission, solution);
-    std::vector<std::string> notes = factors->report.notes;
-    if (matrix.guarantee() == Guarantee::kEnclosed) {
-      notes.push_back("the bounds hold for all factors within their enclosures that sum to 1");
-      set_a_priori_bounds(matrix, scene.materials, scene.sky_emission, solution);
-    }
-    if (solution.guarantee == Guarantee::kEstimated)
-      notes.push_back(
-          "view factors are estimates: the bounds are those of the radiosities of these factors, and say "
-          "nothing of the scene");
-    solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
-    return solution;
-  });
+  return scene_radiosities(*input.system->get(progress), scene, factors->report.notes,
+                           telling("radiosity", progress));
 }
 
 ElementTable2 table_of(const PreparedScene2& prepared, Granularity granularity) {

@@ -2,9 +2,12 @@
 
 #include <utility>
 
+#include "geometry/closed_promise.h"
 #include "geometry/space/exchange/exchange.h"
 #include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
+#include "solver/radiosity/radiosity_sources.h"
+#include "solver/radiosity/scene_radiosities.h"
 #include "solver/space/scene_plan.h"
 
 namespace hottel {
@@ -14,7 +17,7 @@ template <class T>
 using StagePtr = std::shared_ptr<Stage<T>>;
 using ScenePtr = std::shared_ptr<const Scene3>;
 
-ComputedFactors3 make_factors(const PreparedScene3& prepared, const SimulationRequest3& request,
+ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsRequest3& request,
                               const StageProgress& progress) {
   return naming_file(prepared.scene.file, [&] {
     ComputedFactors3 result;
@@ -50,38 +53,71 @@ struct Simulation3::Version {
   StagePtr<PreparedScene3> prepared;
   StagePtr<ComputedFactors3> factors;
   StagePtr<std::vector<ElementPair>> hidden;
+  StagePtr<RadiositySolver> system;
+  StagePtr<RadiositySolution> radiosities;
 
-  Version(ScenePtr its_scene, const SimulationRequest3& its_request, StagePtr<Plan> its_plan,
-          StagePtr<PreparedScene3> its_prepared)
-      : scene(std::move(its_scene)),
-        request(its_request),
-        plan(std::move(its_plan)),
-        prepared(std::move(its_prepared)) {
+  // Of another request of the scene, or of the first.
+  Version(ScenePtr its_scene, const SimulationRequest3& its_request, const Version* other)
+      : scene(std::move(its_scene)), request(its_request) {
+    const bool keeps_factors = other != nullptr && other->request.factors == request.factors;
+    const bool keeps_system = keeps_factors && other->request.system == request.system;
+    plan = other != nullptr && other->request.plan == request.plan ? other->plan : plan_stage(scene, request.plan);
+    prepared = other != nullptr ? other->prepared : prepared_stage(scene);
+    if (keeps_factors) {
+      factors = other->factors;
+      hidden = other->hidden;
+    } else {
+      set_factors();
+    }
+    if (keeps_system) {
+      system = other->system;
+      radiosities = other->radiosities;
+    } else {
+      set_system();
+    }
+  }
+
+ private:
+  void set_factors() {
     factors = std::make_shared<Stage<ComputedFactors3>>(
-        "view factors", [ready = prepared, asked = request](const StageProgress& progress) {
+        "view factors", [ready = prepared, asked = request.factors](const StageProgress& progress) {
           return make_factors(*ready->get(progress), asked, progress);
         });
     hidden = std::make_shared<Stage<std::vector<ElementPair>>>(
-        "hidden pairs", [ready = prepared, made = factors, asked = request](const StageProgress& progress) {
+        "hidden pairs", [ready = prepared, made = factors, asked = request.factors](const StageProgress& progress) {
           const auto there = ready->get(progress);
           const auto computed = made->get(progress);
           return naming_file(there->scene.file,
                              [&] { return hidden_pairs(*there, asked.granularity, computed->matrix); });
         });
   }
+
+  void set_system() {
+    system = std::make_shared<Stage<RadiositySolver>>(
+        "radiosity", [its = scene, made = factors, asked = request.system](const StageProgress& progress) {
+          const auto computed = made->get(progress);
+          require_closed(*its, computed->matrix);
+          return naming_file(its->file, [&] {
+            return RadiositySolver(std::shared_ptr<const ExchangeMatrix>(computed, &computed->matrix),
+                                   reflectivities_of(its->materials),
+                                   {.solver = asked.solver, .iterations = asked.iterations, .until = asked.until});
+          });
+        });
+    radiosities = std::make_shared<Stage<RadiositySolution>>(
+        "radiosity", [its = scene, ready = system](const StageProgress& progress) {
+          const auto solver = ready->get(progress);
+          return scene_radiosities(*solver, *its, {}, [&](double fraction) { progress("radiosity", fraction); });
+        });
+  }
 };
 
 Simulation3::Simulation3(Scene3 scene, SimulationRequest3 request) {
   validate(scene);
-  const auto shared = std::make_shared<const Scene3>(std::move(scene));
-  version_ = std::make_shared<const Version>(shared, request, plan_stage(shared, request.plan), prepared_stage(shared));
+  version_ = std::make_shared<const Version>(std::make_shared<const Scene3>(std::move(scene)), request, nullptr);
 }
 
 Simulation3 Simulation3::with_request(const SimulationRequest3& request) const {
-  if (request == version_->request) return *this;
-  const ScenePtr& scene = version_->scene;
-  auto plan = request.plan == version_->request.plan ? version_->plan : plan_stage(scene, request.plan);
-  return Simulation3(std::make_shared<const Version>(scene, request, std::move(plan), version_->prepared));
+  return Simulation3(std::make_shared<const Version>(version_->scene, request, version_.get()));
 }
 
 const Scene3& Simulation3::scene() const { return *version_->scene; }
@@ -95,6 +131,12 @@ std::shared_ptr<const PreparedScene3> Simulation3::prepared(const StageProgress&
 }
 std::shared_ptr<const ComputedFactors3> Simulation3::factors(const StageProgress& progress) const {
   return version_->factors->get(progress);
+}
+std::shared_ptr<const RadiositySolver> Simulation3::system(const StageProgress& progress) const {
+  return version_->system->get(progress);
+}
+std::shared_ptr<const RadiositySolution> Simulation3::radiosities(const StageProgress& progress) const {
+  return version_->radiosities->get(progress);
 }
 std::shared_ptr<const std::vector<ElementPair>> Simulation3::hidden(const StageProgress& progress) const {
   return version_->hidden->get(progress);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
@@ -10,17 +11,35 @@
 #include "geometry/space/exchange/prepared_scene.h"
 #include "kernel/support/stage.h"
 #include "solver/plan.h"
+#include "solver/radiosity/radiosity_options.h"
+#include "solver/radiosity/radiosity_solution.h"
+#include "solver/radiosity/radiosity_solver.h"
 
 namespace hottel {
 
-// What is asked, with what is taken where nothing is said.
-struct SimulationRequest3 {
+// What is asked of view factors, with what is taken where nothing is said.
+struct FactorsRequest3 {
   Granularity granularity = Granularity::kFace;
   bool wants_visibility = false, wants_measures = false;  // beside the factors
   double tolerance = 1e-9;                                // as ExchangeRequest takes it
   bool must_be_enclosed = false;                          // a pair without an enclosure within it is refused
   std::uint64_t memory = 0;                               // bytes, as memory_allowed() takes it
-  PlanRequest plan{};                                     // what of it the plan reckons with
+  friend bool operator==(const FactorsRequest3&, const FactorsRequest3&) = default;
+};
+
+// How radiosities are solved for, as in RadiosityOptions.
+struct SystemRequest3 {
+  Solver solver = Solver::kAuto;
+  std::optional<int> iterations = {};
+  std::optional<double> until = {};
+  friend bool operator==(const SystemRequest3&, const SystemRequest3&) = default;
+};
+
+// What is asked.
+struct SimulationRequest3 {
+  FactorsRequest3 factors{};
+  SystemRequest3 system{};
+  PlanRequest plan{};  // what of it the plan reckons with
   friend bool operator==(const SimulationRequest3&, const SimulationRequest3&) = default;
 };
 
@@ -32,7 +51,7 @@ struct ComputedFactors3 {
 
 // One version of a scene and what is asked of it, with what follows, in stages:
 //
-//   prepared <- factors <- hidden pairs;   plan beside them
+//   prepared <- factors <- system <- radiosities;   plan, and hidden pairs after the factors, beside them
 //
 // A version never changes. What is asked for is made at the first call, with what it needs before it, and returned as a
 // shared value that outlives the version.
@@ -41,11 +60,11 @@ struct ComputedFactors3 {
 //       cancelled before, on any number of threads. (`seconds` in reports are what was measured)
 //   (2) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
 //       kernel/support/stage.h says
-//   (3) another request of the same scene shares what is prepared, and the plan where that is asked for alike; the same
-//       request shares everything
+//   (3) another request of the same scene shares what is prepared, and plan, factors and what follows from them where
+//       these are asked for alike
 //
 // RequestErrors name the scene's file: where the memory does not suffice, a pair cannot be measured, or one without an
-// enclosure must have one.
+// enclosure must have one; where `closed` is broken, there is no solution, or none in doubles.
 class Simulation3 {
  public:
   // Throws InputError naming file, line and surface unless the scene is valid (validate).
@@ -55,10 +74,12 @@ class Simulation3 {
   const Scene3& scene() const;
   const SimulationRequest3& request() const;
 
-  // The stages. progress: as Stage::get() takes it; it is told of "view factors".
+  // The stages. progress: as Stage::get() takes it; it is told of "view factors" and "radiosity".
   std::shared_ptr<const Plan> plan(const StageProgress& progress = {}) const;
   std::shared_ptr<const PreparedScene3> prepared(const StageProgress& progress = {}) const;
   std::shared_ptr<const ComputedFactors3> factors(const StageProgress& progress = {}) const;
+  std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
+  std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;
   // The pairs that are hidden (hidden_pairs of exchange.h).
   std::shared_ptr<const std::vector<ElementPair>> hidden(const StageProgress& progress = {}) const;
 

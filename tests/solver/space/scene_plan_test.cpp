@@ -93,13 +93,15 @@ TEST(Plan3, TellsWhatTheTableOfTheSceneSays) {
 TEST(Plan3, SaysWhatIsNotSimulatedYetWhateverIsAskedFor) {
   for (const bool everything : {false, true}) {
     const Plan plan = plan_scene(scene_file("cube.json"), {.everything = everything, .grid_cells = 9});
-    for (const char* name : {Plan::kInterreflection, Plan::kUnreachable, Plan::kIllumination, Plan::kPicture}) {
+    for (const char* name : {Plan::kIllumination, Plan::kPicture}) {
       const PlannedEffect effect = effect_of(plan, name);
       EXPECT_FALSE(effect.used) << name;
       EXPECT_FALSE(effect.is_simulated) << name;
       EXPECT_THAT(effect.reason, HasSubstr("not simulated by this version")) << name;
     }
     EXPECT_FALSE(plan.uses(Plan::kLights));
+    EXPECT_TRUE(plan.uses(Plan::kInterreflection));
+    EXPECT_EQ(plan.uses(Plan::kUnreachable), everything);  // one room: light reaches all of it
   }
   const Plan plain = plan_scene(scene_of(kFloor), {});
   EXPECT_TRUE(effect_of(plain, Plan::kPicture).is_simulated);  // there is no camera: nothing is missing

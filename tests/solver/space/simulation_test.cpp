@@ -18,7 +18,7 @@ using ::testing::StartsWith;
 Scene3 cube() { return read_scene_3(std::string(HOTTEL_SOURCE_DIR) + "/scenes/space/cube.json"); }
 
 TEST(Simulation3, EveryValueIsThatOfTheFunctionBehindIt) {
-  const Simulation3 simulation(cube(), {.wants_visibility = true, .wants_measures = true});
+  const Simulation3 simulation(cube(), {.factors = {.wants_visibility = true, .wants_measures = true}});
   const auto factors = simulation.factors();
   const ExchangeMatrix expected = exact_exchange(*simulation.prepared(), {.wants_measures = true});
   ASSERT_EQ(factors->matrix.entry_count(), expected.entry_count());
@@ -37,15 +37,23 @@ TEST(Simulation3, AStageIsMadeOnceAndSharedWithOtherRequests) {
   EXPECT_EQ(simulation.factors(), simulation.factors());
   const Simulation3 again = simulation.with_request(simulation.request());
   EXPECT_EQ(again.factors(), simulation.factors());
-  const Simulation3 looser = simulation.with_request({.tolerance = 1e-3});
+  EXPECT_EQ(again.radiosities(), simulation.radiosities());
+  const Simulation3 looser = simulation.with_request({.factors = {.tolerance = 1e-3}});
   EXPECT_EQ(looser.prepared(), simulation.prepared());
   EXPECT_NE(looser.factors(), simulation.factors());
+  EXPECT_NE(looser.radiosities(), simulation.radiosities());
+  const Simulation3 other = simulation.with_request({.system = {.solver = Solver::kLu}});
+  EXPECT_EQ(other.factors(), simulation.factors());
+  EXPECT_EQ(other.hidden(), simulation.hidden());
+  EXPECT_NE(other.system(), simulation.system());
+  EXPECT_EQ(other.radiosities()->used, Solver::kLu);
+  EXPECT_EQ(simulation.with_request({.plan = {.everything = true}}).radiosities(), simulation.radiosities());
 }
 
 TEST(Simulation3, ThePlanIsMadeWithoutFactorsAndShared) {
   const Simulation3 simulation(cube());
   EXPECT_FALSE(simulation.plan()->uses(Plan::kOcclusion));
-  EXPECT_EQ(simulation.with_request({.tolerance = 1e-3}).plan(), simulation.plan());
+  EXPECT_EQ(simulation.with_request({.factors = {.tolerance = 1e-3}}).plan(), simulation.plan());
   const Simulation3 all = simulation.with_request({.plan = {.everything = true}});
   EXPECT_TRUE(all.plan()->uses(Plan::kOcclusion));
   EXPECT_EQ(all.prepared(), simulation.prepared());
@@ -53,7 +61,7 @@ TEST(Simulation3, ThePlanIsMadeWithoutFactorsAndShared) {
 
 TEST(Simulation3, RefusalsNameTheFile) {
   const std::string file = cube().file;
-  const Simulation3 small(cube(), {.memory = 100});
+  const Simulation3 small(cube(), {.factors = {.memory = 100}});
   try {
     small.factors();
     FAIL();

@@ -1,0 +1,87 @@
+#include "cli/solve_in_space.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "io/files/output_file.h"
+#include "io/results/solve_report.h"
+#include "io/results/space/check_report.h"
+#include "io/results/space/factors_report.h"
+#include "kernel/support/stopwatch.h"
+#include "solver/space/check/lost_light.h"
+#include "solver/space/simulation/simulation.h"
+
+namespace hottel {
+namespace {
+
+void require_what_space_has(const SolveOptions& options) {
+  const auto refuse = [](const std::string& option) {
+    throw UsageError(option + " is of scenes in the plane; this version does not have it in space");
+  };
+  const SolveOptions usual;
+  if (options.method != usual.method) refuse("--method " + options.method);
+  if (options.grid != usual.grid) refuse("--grid");
+  if (options.illumination != usual.illumination) refuse("--illumination");
+  if (options.tone != usual.tone) refuse("--tone");
+  if (options.exposure != usual.exposure) refuse("--exposure");
+  if (options.size != usual.size) refuse("--size");
+  if (options.views != usual.views) refuse("--views");
+}
+
+SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) {
+  const bool is_divided = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                      [](const Surface& surface) { return surface.elements > 1; });
+  return {.factors = {.granularity = is_divided ? Granularity::kElement : Granularity::kFace,
+                      .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
+                      .memory = options.memory.value_or(0)},
+          .system = {.solver = solver_of(options, false), .iterations = options.iterations, .until = options.until},
+          .plan = {.everything = options.simulate == "everything", .grid_cells = 0}};
+}
+
+}  // namespace
+
+void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to_read, Streams& streams) {
+  require_what_space_has(options);
+  options.elements.apply_to(scene);
+  const SimulationRequest3 request = request_of(options, scene);
+  const Simulation3 simulation(std::move(scene), request);
+  const auto plan = simulation.plan();
+  streams.note(plan_text(*plan));
+
+  // Opened before the work: a path that cannot be written is found at once.
+  const std::filesystem::path directory = output_folder(options.out, options.scene);
+  const OutputFolder folder(directory);
+  OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), json(directory / "report.json");
+  const auto factors = simulation.factors(streams.stages());
+  const Findings3 lost_light = lost_light_warnings(simulation.scene(), factors->matrix);
+  if (!lost_light.empty()) streams.note(findings_text(simulation.scene(), lost_light));
+  const auto solution = simulation.radiosities(streams.stages());
+
+  Stopwatch watch;
+  const NetFluxes fluxes(simulation.scene(), factors->matrix, *solution);
+  write_radiosity_csv(simulation.scene(), factors->matrix, *solution,
+                      [&csv](std::string_view text) { csv.write(text); });
+  write_flux_csv(fluxes, solution->channel_names, [&flux](std::string_view text) { flux.write(text); });
+  std::map<std::string, double> seconds = factors->report.seconds;
+  seconds.insert(solution->seconds.begin(), solution->seconds.end());
+  seconds["read"] = seconds_to_read;
+  seconds["write"] = watch.lap();
+  const SolveReport report{.scene = options.scene,
+                           .plan = plan.get(),
+                           .factors = factor_counts(factors->report),
+                           .solution = solution.get(),
+                           .fluxes = &fluxes,
+                           .seconds = seconds,
+                           .warnings = finding_notes(lost_light)};
+  json.write(solve_json(report));
+  // All files are whole before the first one takes its name.
+  for (OutputFile* file : {&csv, &flux, &json}) file->finish();
+  if (options.json) streams.write("", solve_json(report));
+  for (OutputFile* file : {&csv, &flux, &json}) file->commit();
+  streams.note(solve_text(report) + small_scene_text(simulation.scene(), factors->matrix, *solution) + "\nin " +
+               directory.string() + ": radiosity.csv flux.csv report.json");
+}
+
+}  // namespace hottel

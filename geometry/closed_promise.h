@@ -1,0 +1,13 @@
+// The promise of a scene to be closed.
+#pragma once
+
+#include "geometry/exchange_matrix.h"
+#include "geometry/scene_table.h"
+
+namespace hottel {
+
+// Throws RequestError, naming the first front, where a scene promises to be closed and a front with a material sees the
+// sky: where it has an entry, however small. REQUIRES the exact matrix of the scene.
+void require_closed(const SceneTable& scene, const ExchangeMatrix& matrix);
+
+}  // namespace hottel

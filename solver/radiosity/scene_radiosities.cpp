@@ -1,0 +1,32 @@
+#include "solver/radiosity/scene_radiosities.h"
+
+#include <utility>
+
+#include "kernel/support/naming_file.h"
+#include "solver/radiosity/a_priori_bounds.h"
+#include "solver/radiosity/matrix_checks.h"
+
+namespace hottel {
+
+RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTable& scene,
+                                    std::vector<std::string> notes, const std::function<void(double)>& progress) {
+  const ExchangeMatrix& matrix = system.matrix();
+  return naming_file(scene.file, [&] {
+    RadiositySolution solution = system.solve(sources_of(matrix, scene.materials, scene.sky_emission), progress);
+    if (const auto place = solution.seconds.find("radiosity"); place != solution.seconds.end())
+      place->second += system.seconds();
+    require_doubles(matrix, scene.sky_emission, solution);
+    if (matrix.guarantee() == Guarantee::kEnclosed) {
+      notes.push_back("the bounds hold for all factors within their enclosures that sum to 1");
+      set_a_priori_bounds(matrix, scene.materials, scene.sky_emission, solution);
+    }
+    if (solution.guarantee == Guarantee::kEstimated)
+      notes.push_back(
+          "view factors are estimates: the bounds are those of the radiosities of these factors, and say "
+          "nothing of the scene");
+    solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
+    return solution;
+  });
+}
+
+}  // namespace hottel

@@ -1,0 +1,26 @@
+// The radiosities of a scene, and what is to be said of them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "geometry/scene_table.h"
+#include "solver/radiosity/radiosity_solution.h"
+#include "solver/radiosity/radiosity_solver.h"
+
+namespace hottel {
+
+// Solves a system for what the materials and the sky of a scene emit.
+//
+//   (1) where factors are enclosed and none is estimated, bounds are narrowed by those that hold whatever the factors
+//       are (set_a_priori_bounds)
+//   (2) the notes are those given, then what follows of the guarantee, then those of the solver; the seconds of the
+//       system are among those of the radiosities
+//
+// REQUIRES the system of the scene's reflectivities and a matrix of its elements. Throws RequestError, naming the
+// scene's file, as RadiositySolver and require_doubles do.
+RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTable& scene,
+                                    std::vector<std::string> notes, const std::function<void(double)>& progress);
+
+}  // namespace hottel

@@ -1,0 +1,198 @@
+// hottel solve in space: radiosities of closed forms, channels, thermal rooms, promises, and what is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.h"
+
+namespace hottel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using testing_cli::contents;
+using testing_cli::lines_of;
+using testing_cli::Outcome;
+using testing_cli::Workplace;
+
+std::string scene_file(const std::string& name) { return std::string(HOTTEL_SOURCE_DIR) + "/scenes/space/" + name; }
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> result;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) result.push_back(cell);
+  return result;
+}
+
+struct Radiosity {
+  double value, lower, upper;
+};
+
+// Of radiosity.csv, by face, element and channel: "floor#0 all".
+std::map<std::string, Radiosity> radiosities(const std::string& csv) {
+  std::map<std::string, Radiosity> result;
+  for (const std::string& line : lines_of(csv)) {
+    const std::vector<std::string> cell = cells(line);
+    if (cell[0] == "face") continue;
+    result[cell[0] + "#" + cell[1] + " " + cell[2]] = {std::stod(cell[6]), std::stod(cell[7]), std::stod(cell[8])};
+  }
+  return result;
+}
+
+void expect_radiosity(const Radiosity& radiosity, double truth, double slack = 1e-14) {
+  EXPECT_LE(radiosity.lower, truth * (1 + slack));
+  EXPECT_GE(radiosity.upper, truth * (1 - slack));
+  EXPECT_NEAR(radiosity.value, truth, 1e-12 * truth);
+}
+
+// A cube, each face with its material.
+std::string cube(const std::string& materials, const std::vector<std::string>& of_faces, const std::string& more = "") {
+  const std::vector<std::string> points{"[0,0,0],[1,0,0],[1,1,0],[0,1,0]", "[0,0,1],[0,1,1],[1,1,1],[1,0,1]",
+                                        "[0,0,0],[0,0,1],[1,0,1],[1,0,0]", "[0,1,0],[1,1,0],[1,1,1],[0,1,1]",
+                                        "[0,0,0],[0,1,0],[0,1,1],[0,0,1]", "[1,0,0],[1,0,1],[1,1,1],[1,1,0]"};
+  std::string text = R"({"hottel": 1, "dimension": 3, "materials": )" + materials + R"(, "polygons": [)";
+  for (std::size_t k = 0; k < of_faces.size(); ++k)
+    text += (k == 0 ? "" : ",\n") + std::string(R"({"name": "face)") + std::to_string(k) + R"(", "points": [)" +
+            points[k] + R"(], "material": ")" + of_faces[k] + R"("})";
+  return text + "]" + more + "}";
+}
+
+// The white faces of scenes/space/cube.json reflect 0.7, the ceiling 0.1 and sends 10: by symmetry three unknowns.
+TEST(SolveInSpace, RadiositiesOfACubeAreThoseOfItsClosedForms) {
+  const Workplace place;
+  place.write("cube.json", contents(scene_file("cube.json")));
+  const Outcome outcome = place.run("hottel solve cube.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(place.path("cube-hottel")))
+    names.insert(entry.path().filename().string());
+  EXPECT_THAT(names, ElementsAre("flux.csv", "radiosity.csv", "report.json"));
+
+  using std::numbers::pi, std::numbers::sqrt2;
+  const double a = (std::log(4.0 / 3) + 4 * sqrt2 * std::atan(1 / sqrt2) - pi) / pi, b = (1 - a) / 4;
+  double floor = 0, ceiling = 10, side = 0;
+  for (int k = 0; k < 2000; ++k) {
+    ceiling = 10 + 0.1 * (a * floor + 4 * b * side);
+    floor = 0.7 * (a * ceiling + 4 * b * side);
+    side = 0.7 * (b * ceiling + b * floor + (a + 2 * b) * side);
+  }
+  const auto found = radiosities(place.read("cube-hottel/radiosity.csv"));
+  ASSERT_EQ(found.size(), 6u);
+  expect_radiosity(found.at("floor#0 all"), floor);
+  expect_radiosity(found.at("ceiling#0 all"), ceiling);
+  for (const char* name : {"front", "rear", "left", "right"})
+    expect_radiosity(found.at(name + std::string("#0 all")), side);
+
+  // Nothing stands between: all factors are enclosed, and so are the radiosities of the scene.
+  const auto report = nlohmann::json::parse(place.read("cube-hottel/report.json"));
+  EXPECT_EQ(report["bounds"]["guarantee"], "enclosed");
+  EXPECT_LT(report["bounds"]["max_relative_width"].get<double>(), 1e-10);
+  EXPECT_NEAR(report["energy"]["emitted"].get<double>(), 10, 1e-14);
+  EXPECT_NEAR(report["energy"]["absorbed"].get<double>(), 10, 1e-11);
+  EXPECT_EQ(report["energy"]["to_sky"], 0);
+  EXPECT_EQ(report["counts"]["pairs"], 15);
+  EXPECT_GT(report["tiers"]["filter"].get<long>(), 0);
+  EXPECT_THAT(place.run("hottel solve cube.json --json --quiet").out, HasSubstr("\"guarantee\": \"enclosed\""));
+}
+
+TEST(SolveInSpace, InAFurnaceAllRadiositiesAreOne) {
+  const Workplace place;
+  place.write("furnace.json",
+              cube(R"({"m": {"reflectivity": 0.75, "emission": 1}, "n": {"reflectivity": 0.5, "emission": 2}})",
+                   {"m", "n", "m", "n", "m", "m"}, R"(, "closed": true)"));
+  for (const char* solver : {"auto", "lu", "gauss-seidel", "shooting"}) {
+    const Outcome outcome = place.run(std::string("hottel solve furnace.json -o out --solver ") + solver);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const auto& [name, radiosity] : radiosities(place.read("out/radiosity.csv"))) {
+      EXPECT_LE(radiosity.lower, 4) << name;
+      EXPECT_GE(radiosity.upper, 4) << name;
+      EXPECT_NEAR(radiosity.value, 4, 1e-9) << name;
+    }
+  }
+}
+
+// All at one temperature: nobody gains or loses, whatever it reflects and whatever stands in the room.
+TEST(SolveInSpace, IsothermalRoomsHaveNoNetFlux) {
+  const Workplace place;
+  auto room = nlohmann::json::parse(contents(scene_file("two_boxes.json")));
+  double reflectivity = 0.1;
+  for (auto& material : room["materials"]) {
+    material = {{"emissivity", 1 - reflectivity}, {"temperature", 300}};
+    reflectivity += 0.2;
+  }
+  room["closed"] = true;
+  place.write("room.json", room.dump());
+  const Outcome outcome = place.run("hottel solve room.json -o out");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const double black = 5.670374419e-8 * std::pow(300.0, 4);
+  for (const std::string& line : lines_of(place.read("out/flux.csv"))) {
+    const std::vector<std::string> cell = cells(line);
+    if (cell[0] == "per") continue;
+    EXPECT_NEAR(std::stod(cell[4]), 0, 1e-11 * black * std::stod(cell[3])) << line;
+  }
+  for (const auto& [name, radiosity] : radiosities(place.read("out/radiosity.csv")))
+    EXPECT_NEAR(radiosity.value, black, 1e-11 * black) << name;
+  // What is seen past boxes is estimated: the bounds are those of these factors.
+  EXPECT_THAT(outcome.err, HasSubstr("view factors are estimates"));
+  EXPECT_EQ(nlohmann::json::parse(place.read("out/report.json"))["bounds"]["guarantee"], "estimated");
+}
+
+TEST(SolveInSpace, HasChannelsElementsAndASky) {
+  const Workplace place;
+  place.write("open.json", cube(R"({"m": {"reflectivity": [0.5, 0.25, 0]}})", {"m"}, R"(, "sky": {"emission": 2})"));
+  const Outcome outcome = place.run("hottel solve open.json -o out --elements 2");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto found = radiosities(place.read("out/radiosity.csv"));
+  ASSERT_EQ(found.size(), 12u);
+  for (int k = 0; k < 4; ++k) {
+    const std::string name = "face0#" + std::to_string(k);
+    expect_radiosity(found.at(name + " r"), 1);
+    expect_radiosity(found.at(name + " g"), 0.5);
+    EXPECT_EQ(found.at(name + " b").value, 0);
+  }
+}
+
+TEST(SolveInSpace, APromiseThatIsBrokenIsAnErrorAndABlackBackAWarning) {
+  const Workplace place;
+  place.write("open.json",
+              cube(R"({"m": {"reflectivity": 0.5, "emission": 1}})", {"m", "m", "m", "m", "m"}, R"(, "closed": true)"));
+  const Outcome broken = place.run("hottel solve open.json");
+  EXPECT_EQ(broken.code, 1);
+  EXPECT_THAT(broken.err, HasSubstr("the scene promises to be closed, but the front of 'face0' sees the sky (F = "));
+  // A plate in a room with its black back to the lamp.
+  place.write("plate.json", R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5, "emission": 1}},
+    "polygons": [{"name": "lamp", "points": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], "material": "m"},
+                 {"name": "plate", "points": [[0,0,1],[1,0,1],[1,1,1],[0,1,1]], "material": "m"}]})");
+  const Outcome plate = place.run("hottel solve plate.json -o out");
+  EXPECT_EQ(plate.code, 0) << plate.err;
+  EXPECT_THAT(plate.err, HasSubstr("warning: black-back"));
+  EXPECT_THAT(plate.err, HasSubstr("the back of 'plate' is black"));
+  EXPECT_THAT(place.read("out/report.json"), HasSubstr("warning: black-back"));
+}
+
+TEST(SolveInSpace, WhatIsOfThePlaneIsRefused) {
+  const Workplace place;
+  place.write("cube.json", contents(scene_file("cube.json")));
+  for (const char* option : {"--method center", "--grid 8x8", "--illumination average", "--tone max", "--exposure 2",
+                             "--size 100", "--views views.mtx"}) {
+    const Outcome outcome = place.run(std::string("hottel solve cube.json ") + option);
+    EXPECT_EQ(outcome.code, 2) << option;
+    EXPECT_THAT(outcome.err, HasSubstr("is of scenes in the plane; this version does not have it in space")) << option;
+  }
+  EXPECT_EQ(place.files(), std::vector<std::string>{"cube.json"});
+  EXPECT_EQ(place.run("hottel solve cube.json --no-illumination --no-picture -o out").code, 0);
+}
+
+}  // namespace
+}  // namespace hottel
