@@ -102,7 +102,8 @@ TEST(SolveInSpace, RadiositiesOfACubeAreThoseOfItsClosedForms) {
   EXPECT_NEAR(report["energy"]["absorbed"].get<double>(), 10, 1e-11);
   EXPECT_EQ(report["energy"]["to_sky"], 0);
   EXPECT_EQ(report["counts"]["pairs"], 15);
-  EXPECT_GT(report["tiers"]["filter"].get<long>(), 0);
+  EXPECT_EQ(report["tiers"].size(), 3u);
+  EXPECT_TRUE(report["tiers"].contains("filter"));
   EXPECT_THAT(place.run("hottel solve cube.json --json --quiet").out, HasSubstr("\"guarantee\": \"enclosed\""));
 }
 
@@ -125,7 +126,8 @@ TEST(SolveInSpace, InAFurnaceAllRadiositiesAreOne) {
 // All at one temperature: nobody gains or loses, whatever it reflects and whatever stands in the room.
 TEST(SolveInSpace, IsothermalRoomsHaveNoNetFlux) {
   const Workplace place;
-  auto room = nlohmann::json::parse(contents(scene_file("two_boxes.json")));
+  ASSERT_EQ(place.run("hottel generate room-turned --n 3 --seed 1 -o turned.json").code, 0);
+  auto room = nlohmann::json::parse(place.read("turned.json"));
   double reflectivity = 0.1;
   for (auto& material : room["materials"]) {
     material = {{"emissivity", 1 - reflectivity}, {"temperature", 300}};
