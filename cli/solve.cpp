@@ -256,9 +256,9 @@ void add_solve(Commands& commands) {
   CLI::App& command = commands.add(
       "solve",
       "Radiosities with proven bounds, the light in the rooms, and a picture of it\n\n"
-      "In space: radiosities and net fluxes. Their bounds hold for the scene where all view factors are enclosed, "
-      "else\n"
-      "for the factors as computed; light between the faces and pictures are of the plane so far.",
+      "In space: radiosities, net fluxes, and what the scene's camera sees (render.png), or one chosen for it. Bounds\n"
+      "hold for the scene where all view factors are enclosed, else for the factors as computed. Light between the\n"
+      "faces is of the plane so far.",
       {"hottel solve scenes/showcase/apartment.json -o /tmp/apartment",
        "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --grid 64x64 --tone max --size 320",
        "hottel solve scenes/showcase/museum.json -o /tmp/museum --no-illumination",

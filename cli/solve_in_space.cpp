@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "io/files/output_file.h"
 #include "io/results/solve_report.h"
 #include "io/results/space/check_report.h"
 #include "io/results/space/factors_report.h"
+#include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/space/check/lost_light.h"
 #include "solver/space/simulation/simulation.h"
+#include "viewer/picture/space/render_picture.h"
 
 namespace hottel {
 namespace {
@@ -24,9 +28,6 @@ void require_what_space_has(const SolveOptions& options) {
   if (options.method != usual.method) refuse("--method " + options.method);
   if (options.grid != usual.grid) refuse("--grid");
   if (options.illumination != usual.illumination) refuse("--illumination");
-  if (options.tone != usual.tone) refuse("--tone");
-  if (options.exposure != usual.exposure) refuse("--exposure");
-  if (options.size != usual.size) refuse("--size");
   if (options.views != usual.views) refuse("--views");
 }
 
@@ -44,6 +45,7 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
 
 void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to_read, Streams& streams) {
   require_what_space_has(options);
+  const bool wants_picture = !options.no_picture && !options.no_illumination;
   options.elements.apply_to(scene);
   const SimulationRequest3 request = request_of(options, scene);
   const Simulation3 simulation(std::move(scene), request);
@@ -54,6 +56,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const std::filesystem::path directory = output_folder(options.out, options.scene);
   const OutputFolder folder(directory);
   OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), json(directory / "report.json");
+  std::optional<OutputFile> png;
+  if (wants_picture) png.emplace(directory / "render.png");
   const auto factors = simulation.factors(streams.stages());
   const Findings3 lost_light = lost_light_warnings(simulation.scene(), factors->matrix);
   if (!lost_light.empty()) streams.note(findings_text(simulation.scene(), lost_light));
@@ -68,20 +72,35 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   seconds.insert(solution->seconds.begin(), solution->seconds.end());
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
+  std::optional<double> scale;
+  if (png) {
+    const RenderedPicture3 picture = naming_file(options.scene, [&] {
+      return render_picture_3(
+          *simulation.prepared(), request.factors.granularity, *solution,
+          {.tone = *tone_of(options.tone), .exposure = options.exposure, .wanted_width = options.size});
+    });
+    png->write(picture.bytes);
+    scale = picture.scale;
+    seconds["picture"] = watch.lap();
+  }
   const SolveReport report{.scene = options.scene,
                            .plan = plan.get(),
                            .factors = factor_counts(factors->report),
                            .solution = solution.get(),
                            .fluxes = &fluxes,
                            .seconds = seconds,
+                           .picture_scale = scale,
                            .warnings = finding_notes(lost_light)};
   json.write(solve_json(report));
   // All files are whole before the first one takes its name.
-  for (OutputFile* file : {&csv, &flux, &json}) file->finish();
+  std::vector<OutputFile*> files{&csv, &flux};
+  if (png) files.push_back(&*png);
+  files.push_back(&json);
+  for (OutputFile* file : files) file->finish();
   if (options.json) streams.write("", solve_json(report));
-  for (OutputFile* file : {&csv, &flux, &json}) file->commit();
+  for (OutputFile* file : files) file->commit();
   streams.note(solve_text(report) + small_scene_text(simulation.scene(), factors->matrix, *solution) + "\nin " +
-               directory.string() + ": radiosity.csv flux.csv report.json");
+               directory.string() + ": radiosity.csv flux.csv " + (png ? "render.png " : "") + "report.json");
 }
 
 }  // namespace hottel

@@ -22,6 +22,7 @@ namespace {
 constexpr double kSecondsPerPair = 2.0e-5;
 constexpr double kSecondsPerSky = 1.0e-3;
 constexpr double kSecondsPerHiding = 3.0e-4;
+constexpr double kSecondsPerPixel = 1.5e-7;
 // Pairs of faces that are looked at to tell how many face each other.
 constexpr std::size_t kMostLookedAt = 2000;
 
@@ -84,10 +85,13 @@ void add_groups(const Scene3& scene, PlanDraft& draft) {
             "every polygon is a group of its own");
 }
 
-// Light between the faces, which nobody computes in space yet.
+// Light between the faces, which nobody computes in space yet, and on them.
 void add_light(const Scene3& scene, const PlanRequest& request, PlanDraft& draft) {
   draft.add_missing(Plan::kIllumination, request.grid_cells > 0, "light between the faces", "no grid is asked for");
-  draft.add_missing(Plan::kPicture, scene.camera.has_value(), "what the camera sees", "the scene has no camera");
+  const Camera3 usual, &camera = scene.camera ? *scene.camera : usual;
+  draft.add(Plan::kPicture, !scene.surfaces.empty(),
+            scene.camera ? "what the camera sees" : "what a camera chosen for the scene sees", "the scene is empty",
+            static_cast<double>(camera.width) * camera.height * kSecondsPerPixel);
   draft.add_lights();
 }
 

@@ -26,7 +26,7 @@ TEST(PlanInSpace, ListsEffectsWithReasonsAndSeconds) {
   EXPECT_EQ(text.err, "");
   EXPECT_EQ(lines_of(text.out).size(), 13u);
   EXPECT_THAT(text.out, HasSubstr("  occlusion               used        17 polygons that may hide each other"));
-  EXPECT_THAT(text.out, HasSubstr("  picture                 not yet     not simulated by this version"));
+  EXPECT_THAT(text.out, HasSubstr("  picture                 used        what the camera sees"));
 
   const auto json = nlohmann::json::parse(place.run("hottel plan --json " + scene_file("two_boxes.json")).out);
   EXPECT_EQ(json["hottel"], 1);

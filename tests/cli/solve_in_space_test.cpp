@@ -77,7 +77,7 @@ TEST(SolveInSpace, RadiositiesOfACubeAreThoseOfItsClosedForms) {
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(place.path("cube-hottel")))
     names.insert(entry.path().filename().string());
-  EXPECT_THAT(names, ElementsAre("flux.csv", "radiosity.csv", "report.json"));
+  EXPECT_THAT(names, ElementsAre("flux.csv", "radiosity.csv", "render.png", "report.json"));
 
   using std::numbers::pi, std::numbers::sqrt2;
   const double a = (std::log(4.0 / 3) + 4 * sqrt2 * std::atan(1 / sqrt2) - pi) / pi, b = (1 - a) / 4;
@@ -183,17 +183,50 @@ TEST(SolveInSpace, APromiseThatIsBrokenIsAnErrorAndABlackBackAWarning) {
   EXPECT_THAT(place.read("out/report.json"), HasSubstr("warning: black-back"));
 }
 
+TEST(SolveInSpace, ThePictureHasTheSizeAndTheToneAskedFor) {
+  const Workplace place;
+  place.write("cube.json", contents(scene_file("cube.json")));
+  ASSERT_EQ(place.run("hottel solve cube.json -o log").code, 0);
+  ASSERT_EQ(place.run("hottel solve cube.json -o small --size 120").code, 0);
+  ASSERT_EQ(place.run("hottel solve cube.json -o bright --tone max --exposure 3").code, 0);
+  const auto side = [&](const std::string& file, std::size_t at) {
+    const std::string bytes = place.read(file);
+    EXPECT_TRUE(bytes.starts_with("\x89PNG"));
+    return static_cast<unsigned char>(bytes[at + 2]) * 256 + static_cast<unsigned char>(bytes[at + 3]);
+  };
+  for (const std::size_t at : {16, 20}) {
+    EXPECT_EQ(side("log/render.png", at), 600);
+    EXPECT_EQ(side("small/render.png", at), 120);
+  }
+  EXPECT_NE(place.read("log/render.png"), place.read("bright/render.png"));
+  const auto report = nlohmann::json::parse(place.read("bright/report.json"));
+  // The lamp is the brightest thing in it.
+  const double lamp = radiosities(place.read("bright/radiosity.csv")).at("ceiling#0 all").value;
+  EXPECT_NEAR(report["picture"]["scale"].get<double>() * lamp, 3, 1e-12);
+  ASSERT_EQ(place.run("hottel generate room-boxes --n 1 --seed 1 -o box.json").code, 0);
+  auto box = nlohmann::json::parse(place.read("box.json"));
+  std::vector<double> middle(3, 0);
+  for (std::size_t k = 6; k < 12; ++k)
+    for (const auto& point : box["polygons"][k]["points"])
+      for (std::size_t c = 0; c < 3; ++c) middle[c] += point[c].get<double>() / 24;
+  box["camera"] = {{"eye", middle}, {"target", {9, 9, 9}}};
+  place.write("box.json", box.dump());
+  const Outcome blind = place.run("hottel solve box.json -o blind");
+  EXPECT_EQ(blind.code, 1);
+  EXPECT_THAT(blind.err, HasSubstr("the camera's eye is in the solid"));
+}
+
 TEST(SolveInSpace, WhatIsOfThePlaneIsRefused) {
   const Workplace place;
   place.write("cube.json", contents(scene_file("cube.json")));
-  for (const char* option : {"--method center", "--grid 8x8", "--illumination average", "--tone max", "--exposure 2",
-                             "--size 100", "--views views.mtx"}) {
+  for (const char* option : {"--method center", "--grid 8x8", "--illumination average", "--views views.mtx"}) {
     const Outcome outcome = place.run(std::string("hottel solve cube.json ") + option);
     EXPECT_EQ(outcome.code, 2) << option;
     EXPECT_THAT(outcome.err, HasSubstr("is of scenes in the plane; this version does not have it in space")) << option;
   }
   EXPECT_EQ(place.files(), std::vector<std::string>{"cube.json"});
   EXPECT_EQ(place.run("hottel solve cube.json --no-illumination --no-picture -o out").code, 0);
+  EXPECT_FALSE(std::filesystem::exists(place.path("out/render.png")));
 }
 
 }  // namespace
