@@ -11,6 +11,7 @@
 #include "io/results/solve_report.h"
 #include "io/results/space/check_report.h"
 #include "io/results/space/factors_report.h"
+#include "io/results/space/radiosity_vtu.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/space/check/lost_light.h"
@@ -55,7 +56,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   // Opened before the work: a path that cannot be written is found at once.
   const std::filesystem::path directory = output_folder(options.out, options.scene);
   const OutputFolder folder(directory);
-  OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), json(directory / "report.json");
+  OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), json(directory / "report.json"),
+      vtu(directory / "radiosity.vtu");
   std::optional<OutputFile> png;
   if (wants_picture) png.emplace(directory / "render.png");
   const auto factors = simulation.factors(streams.stages());
@@ -68,6 +70,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   write_radiosity_csv(simulation.scene(), factors->matrix, *solution,
                       [&csv](std::string_view text) { csv.write(text); });
   write_flux_csv(fluxes, solution->channel_names, [&flux](std::string_view text) { flux.write(text); });
+  write_radiosity_vtu(*simulation.prepared(), request.factors.granularity, factors->matrix, *solution,
+                      [&vtu](std::string_view text) { vtu.write(text); });
   std::map<std::string, double> seconds = factors->report.seconds;
   seconds.insert(solution->seconds.begin(), solution->seconds.end());
   seconds["read"] = seconds_to_read;
@@ -93,14 +97,15 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
                            .warnings = finding_notes(lost_light)};
   json.write(solve_json(report));
   // All files are whole before the first one takes its name.
-  std::vector<OutputFile*> files{&csv, &flux};
+  std::vector<OutputFile*> files{&csv, &flux, &vtu};
   if (png) files.push_back(&*png);
   files.push_back(&json);
   for (OutputFile* file : files) file->finish();
   if (options.json) streams.write("", solve_json(report));
   for (OutputFile* file : files) file->commit();
   streams.note(solve_text(report) + small_scene_text(simulation.scene(), factors->matrix, *solution) + "\nin " +
-               directory.string() + ": radiosity.csv flux.csv " + (png ? "render.png " : "") + "report.json");
+               directory.string() + ": radiosity.csv flux.csv radiosity.vtu " + (png ? "render.png " : "") +
+               "report.json");
 }
 
 }  // namespace hottel

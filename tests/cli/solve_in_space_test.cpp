@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <pugixml.hpp>
 #include <set>
 #include <sstream>
 #include <string>
@@ -27,7 +28,7 @@ using testing_cli::Workplace;
 
 std::string scene_file(const std::string& name) { return std::string(HOTTEL_SOURCE_DIR) + "/scenes/space/" + name; }
 
-std::vector<std::string> cells(const std::string& line) {
+std::vector<std::string> cells_of_line(const std::string& line) {
   std::vector<std::string> result;
   std::istringstream stream(line);
   for (std::string cell; std::getline(stream, cell, ',');) result.push_back(cell);
@@ -42,7 +43,7 @@ struct Radiosity {
 std::map<std::string, Radiosity> radiosities(const std::string& csv) {
   std::map<std::string, Radiosity> result;
   for (const std::string& line : lines_of(csv)) {
-    const std::vector<std::string> cell = cells(line);
+    const std::vector<std::string> cell = cells_of_line(line);
     if (cell[0] == "face") continue;
     result[cell[0] + "#" + cell[1] + " " + cell[2]] = {std::stod(cell[6]), std::stod(cell[7]), std::stod(cell[8])};
   }
@@ -77,7 +78,7 @@ TEST(SolveInSpace, RadiositiesOfACubeAreThoseOfItsClosedForms) {
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(place.path("cube-hottel")))
     names.insert(entry.path().filename().string());
-  EXPECT_THAT(names, ElementsAre("flux.csv", "radiosity.csv", "render.png", "report.json"));
+  EXPECT_THAT(names, ElementsAre("flux.csv", "radiosity.csv", "radiosity.vtu", "render.png", "report.json"));
 
   using std::numbers::pi, std::numbers::sqrt2;
   const double a = (std::log(4.0 / 3) + 4 * sqrt2 * std::atan(1 / sqrt2) - pi) / pi, b = (1 - a) / 4;
@@ -105,6 +106,63 @@ TEST(SolveInSpace, RadiositiesOfACubeAreThoseOfItsClosedForms) {
   EXPECT_EQ(report["tiers"].size(), 3u);
   EXPECT_TRUE(report["tiers"].contains("filter"));
   EXPECT_THAT(place.run("hottel solve cube.json --json --quiet").out, HasSubstr("\"guarantee\": \"enclosed\""));
+}
+
+std::vector<double> numbers(const std::string& text) {
+  std::vector<double> result;
+  std::istringstream stream(text);
+  for (double value; stream >> value;) result.push_back(value);
+  return result;
+}
+
+// Of a box on an uncut floor: what it covers is cut out of the polygons of the floor.
+TEST(SolveInSpace, TheGridForParaViewHasTheSameNumbers) {
+  const Workplace place;
+  ASSERT_EQ(place.run("hottel generate room-boxes --n 2 --seed 3 -o room.json").code, 0);
+  ASSERT_EQ(place.run("hottel solve room.json -o out --no-picture").code, 0);
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(place.read("out/radiosity.vtu").c_str()));
+  const pugi::xml_node piece = document.child("VTKFile").child("UnstructuredGrid").child("Piece");
+  const auto array = [](const pugi::xml_node& parent, const char* name) {
+    return numbers(parent.find_child_by_attribute("DataArray", "Name", name).child_value());
+  };
+  const std::vector<double> points = numbers(piece.child("Points").child("DataArray").child_value());
+  const std::vector<double> ends = array(piece.child("Cells"), "offsets");
+  const pugi::xml_node data = piece.child("CellData");
+  const std::size_t cells = ends.size();
+  EXPECT_EQ(piece.attribute("NumberOfCells").as_ullong(), cells);
+  EXPECT_EQ(piece.attribute("NumberOfPoints").as_ullong() * 3, points.size());
+  EXPECT_EQ(array(piece.child("Cells"), "connectivity").size(), points.size() / 3);
+  for (const double type : array(piece.child("Cells"), "types")) EXPECT_EQ(type, 7);
+  // Areas and radiosities by surface.
+  const std::vector<double> surface = array(data, "surface"), is_back = array(data, "is_back");
+  std::map<std::size_t, double> area;
+  std::map<std::size_t, std::size_t> cell_of;
+  for (std::size_t k = 0, begin = 0; k < cells; begin = static_cast<std::size_t>(ends[k++])) {
+    EXPECT_EQ(is_back[k], 0);
+    const auto at = [&](std::size_t p, std::size_t c) { return points[3 * p + c] - points[3 * begin + c]; };
+    double normal[3] = {0, 0, 0};
+    for (std::size_t p = begin + 2; p < static_cast<std::size_t>(ends[k]); ++p)
+      for (std::size_t c = 0; c < 3; ++c)
+        normal[c] += at(p - 1, (c + 1) % 3) * at(p, (c + 2) % 3) - at(p - 1, (c + 2) % 3) * at(p, (c + 1) % 3);
+    area[static_cast<std::size_t>(surface[k])] += std::hypot(normal[0], normal[1], normal[2]) / 2;
+    cell_of[static_cast<std::size_t>(surface[k])] = k;
+  }
+  const auto scene = nlohmann::json::parse(place.read("room.json"));
+  std::size_t lines = 0;
+  for (const std::string& line : lines_of(place.read("out/radiosity.csv"))) {
+    const std::vector<std::string> cell = cells_of_line(line);
+    if (cell[0] == "face") continue;
+    std::size_t s = 0;
+    while (scene["polygons"][s]["name"] != cell[0]) ++s;
+    const std::size_t channel = cell[2] == "r" ? 0 : cell[2] == "g" ? 1 : 2;
+    ++lines;
+    EXPECT_NEAR(area.at(s), std::stod(cell[3]), 1e-13 * std::stod(cell[3])) << cell[0];
+    EXPECT_EQ(array(data, "radiosity").at(3 * cell_of.at(s) + channel), std::stod(cell[6])) << cell[0];
+    EXPECT_EQ(array(data, "lower").at(3 * cell_of.at(s) + channel), std::stod(cell[7])) << cell[0];
+    EXPECT_EQ(array(data, "net").at(3 * cell_of.at(s) + channel), std::stod(cell[10])) << cell[0];
+  }
+  EXPECT_EQ(lines, 3 * area.size());
 }
 
 TEST(SolveInSpace, InAFurnaceAllRadiositiesAreOne) {
@@ -139,7 +197,7 @@ TEST(SolveInSpace, IsothermalRoomsHaveNoNetFlux) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const double black = 5.670374419e-8 * std::pow(300.0, 4);
   for (const std::string& line : lines_of(place.read("out/flux.csv"))) {
-    const std::vector<std::string> cell = cells(line);
+    const std::vector<std::string> cell = cells_of_line(line);
     if (cell[0] == "per") continue;
     EXPECT_NEAR(std::stod(cell[4]), 0, 1e-11 * black * std::stod(cell[3])) << line;
   }

@@ -1,0 +1,28 @@
+// Radiosities in space as a file for ParaView and others that read VTK's formats.
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "geometry/element.h"
+#include "geometry/exchange_matrix.h"
+#include "geometry/space/exchange/prepared_scene.h"
+#include "solver/radiosity/radiosity_solution.h"
+
+namespace hottel {
+
+// Writes an unstructured grid (VTK's XML, as text): a convex polygon for each patch that an element with a row is made
+// of, those of one element beside each other.
+//
+//   (1) cell data, by channel: emission, reflectivity, radiosity, lower, upper, irradiance, net: shortest decimals that
+//       read back to the same double, as in radiosity.csv; and surface, is_back, element: the number of the surface in
+//       the scene, its side, and the number of the element on it
+//   (2) corners are the nearest doubles, counter-clockwise seen from the side that the element is on; patches share
+//       none
+//
+// Whatever the sink throws stops the writing. REQUIRES the solution of this matrix, and the matrix of this scene by
+// that granularity.
+void write_radiosity_vtu(const PreparedScene3& prepared, Granularity granularity, const ExchangeMatrix& matrix,
+                         const RadiositySolution& solution, const std::function<void(std::string_view)>& sink);
+
+}  // namespace hottel
