@@ -217,8 +217,7 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
     require_closed(scene, matrix);
   else
     require_not_negative(matrix, *prepared, *input.method);
-  return scene_radiosities(*input.system->get(progress), scene, factors->report.notes,
-                           telling("radiosity", progress));
+  return scene_radiosities(*input.system->get(progress), scene, factors->report.notes, telling("radiosity", progress));
 }
 
 ElementTable2 table_of(const PreparedScene2& prepared, Granularity granularity) {
