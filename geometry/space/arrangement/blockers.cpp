@@ -47,6 +47,13 @@ Blockers3::Blockers3(const std::vector<Polygon3>& polygons) {
   add_tree();
 }
 
+Blockers3::Blockers3(Vertices3 vertices, const std::vector<std::vector<VertexId3>>& outlines)
+    : vertices_(std::move(vertices)) {
+  add_outlines(outlines);
+  add_edges();
+  add_tree();
+}
+
 void Blockers3::add_outlines(const std::vector<std::vector<VertexId3>>& outlines) {
   for (const std::vector<VertexId3>& outline : outlines) {
     IntegerVector normal;

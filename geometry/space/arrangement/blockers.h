@@ -33,6 +33,8 @@ struct DirectedEdge3 {
 class Blockers3 {
  public:
   explicit Blockers3(const std::vector<Polygon3>& polygons);
+  // The same of polygons whose corners are vertices that are known.
+  Blockers3(Vertices3 vertices, const std::vector<std::vector<VertexId3>>& outlines);
 
   std::size_t size() const { return normals_.size(); }
   const Vertices3& vertices() const { return vertices_; }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "geometry/space/exchange/stretch.h"
@@ -32,9 +31,10 @@ struct PairDetails3 {
     std::vector<Piece> pieces;
   };
 
-  std::vector<std::uint32_t> between;  // surfaces that may stand between, ascending
-  std::optional<std::uint32_t> hider;  // one that alone hides each point of a patch from each of the other one
-  std::uint32_t looked_at = 0;         // stretches, those along which nothing is seen too
+  // Surfaces that may stand between, with those that are one convex polygon with such a one, ascending.
+  std::vector<std::uint32_t> between;
+  std::vector<std::uint32_t> hiders;  // the same of one polygon that hides each point of a patch from all of the other
+  std::uint32_t looked_at = 0;        // stretches, those along which nothing is seen too
   std::vector<Stretch> stretches;
 };
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "geometry/space/arrangement/merged_blockers.h"
 #include "geometry/space/arrangement/surface_boxes.h"
 #include "geometry/space/exchange/edge_sum.h"
 #include "geometry/space/exchange/moment_origin.h"
@@ -54,16 +55,58 @@ void add_part(const PairMeasure3& part, PairMeasure3& sum) {
 void tell_between(const PairSetting3& setting, PairDetails3& details) {
   const auto& bodies = setting.bodies.bodies;
   for (std::size_t body = 2; body < bodies.size(); ++body) details.between.push_back(bodies[body].surface);
-  if (setting.sight == Sight3::kHidden && bodies.size() > 2) details.hider = bodies.back().surface;
+  if (setting.sight == Sight3::kHidden && bodies.size() > 2) details.hiders.assign(1, bodies.back().surface);
+}
+
+// Whether a point in the plane of a polygon is in its closure.
+bool holds(const Blockers3& blockers, std::uint32_t s, const WeightedPoint3& point) {
+  const Vertices3& vertices = blockers.vertices();
+  const auto corners = blockers.outline(s);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const IntegerVector& from = vertices.exact(corners[k]);
+    const IntegerVector side = difference(vertices.exact(corners[(k + 1) % corners.size()]), from);
+    const IntegerVector offset = difference(point.numerator, multiple(point.weight, from));
+    if (sgn(dot(blockers.exact_normal(s), cross(side, offset))) < 0) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
 struct PairMeasurer3::Prepared {
+  const Blockers3& polygons;
+  MergedBlockers3 merged;
   const Blockers3& blockers;
   SurfaceBoxes3 boxes;
   SurfaceStretches3 stretches;
-  explicit Prepared(const Blockers3& b) : blockers(b), boxes(b), stretches(b, boxes) {}
+  explicit Prepared(const Blockers3& p)
+      : polygons(p), merged(p), blockers(merged.blockers()), boxes(blockers), stretches(blockers, boxes) {}
+
+  // A patch as one of the surface that its polygon is part of.
+  Patch3 placed(const Patch3& patch) const {
+    Patch3 result = patch;
+    if (!patch.is_sky()) result.surface = merged.surface_of(patch.surface);
+    return result;
+  }
+
+  // Names polygons where surfaces are named.
+  void tell_polygons(PairDetails3& details) const {
+    const auto all_members = [this](std::vector<std::uint32_t>& surfaces) {
+      std::vector<std::uint32_t> result;
+      for (const std::uint32_t surface : surfaces)
+        for (const std::uint32_t polygon : merged.members(surface)) result.push_back(polygon);
+      std::sort(result.begin(), result.end());
+      surfaces = std::move(result);
+    };
+    all_members(details.between);
+    all_members(details.hiders);
+    for (PairDetails3::Stretch& stretch : details.stretches) {
+      all_members(stretch.surfaces);
+      std::erase_if(stretch.surfaces, [&](std::uint32_t s) {
+        return !holds(polygons, s, stretch.from) || !holds(polygons, s, stretch.to);
+      });
+    }
+  }
 };
 
 PairMeasurer3::PairMeasurer3(const Blockers3& blockers) : prepared_(std::make_unique<Prepared>(blockers)) {}
@@ -72,10 +115,13 @@ PairMeasurer3::~PairMeasurer3() = default;
 PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request,
                                     PairDetails3* details) const {
   const DefaultFloatingPoint environment;
+  const Patch3 first = prepared_->placed(i), second = prepared_->placed(j);
   const bool is_usual = !request.is_reversed && !request.always_along_edges &&
                         std::all_of(std::begin(request.origin_shift), std::end(request.origin_shift),
                                     [](double shift) { return shift == 0; });
-  return measure(i, j, request, is_usual ? kMostCuts : 0, details);
+  const PairMeasure3 result = measure(first, second, request, is_usual ? kMostCuts : 0, details);
+  if (details != nullptr) prepared_->tell_polygons(*details);
+  return result;
 }
 
 PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request, int cuts,

@@ -18,6 +18,8 @@ struct PairSetting3;
 // other patch holds fewer of them, and what each costs grows faster than their number. So is a pair whose integrals do
 // not converge. The measures, errors and bounds of the parts are summed.
 //
+// Neighbours in one plane hide as one polygon where their union is convex (MergedBlockers3). Patches stay as they are.
+//
 // For several threads at once: what is kept between calls is made beforehand; each call has working memory of its own.
 class PairMeasurer3 {
  public:

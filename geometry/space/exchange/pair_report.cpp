@@ -101,8 +101,8 @@ class Reporter {
     report_.sight = together(report_.sight, found.sight);
     add({found.measure, found.error, found.bounds}, report_.exchange);
     if (found.sight == Sight3::kHidden) {
-      if (from_ && to_ && details.hider) report_.hider = surface_of(*details.hider);
-      report_.is_whole &= !details.hider;
+      report_.is_whole &= details.hiders.empty();
+      if (from_ && to_ && !details.hiders.empty()) report_.hiders = surfaces_of(std::move(details.hiders));
       return;
     }
     for (const std::uint32_t piece : details.between) report_.between.push_back(surface_of(piece));
@@ -130,16 +130,21 @@ class Reporter {
 
   std::uint32_t surface_of(std::uint32_t piece) const { return prepared_.arrangement().pieces()[piece].surface; }
 
+  // Of pieces, ascending, each once.
+  std::vector<std::uint32_t> surfaces_of(std::vector<std::uint32_t> pieces) const {
+    for (std::uint32_t& piece : pieces) piece = surface_of(piece);
+    std::sort(pieces.begin(), pieces.end());
+    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+    return pieces;
+  }
+
   void take(PairDetails3 details) {
     report_.looked_at += details.looked_at;
     for (PairDetails3::Stretch& stretch : details.stretches) {
-      for (std::uint32_t& surface : stretch.surfaces) surface = surface_of(surface);
-      std::sort(stretch.surfaces.begin(), stretch.surfaces.end());
-      stretch.surfaces.erase(std::unique(stretch.surfaces.begin(), stretch.surfaces.end()), stretch.surfaces.end());
       const bool is_outline = stretch.role == StretchRole3::kOutline, is_first = (stretch.patch == 0) != is_turned_;
       PairReport3::Stretch& told = report_.stretches.emplace_back(PairReport3::Stretch{
           stretch.role, !is_outline && is_first, !is_outline && !is_first, place(stretch.from), place(stretch.to),
-          std::move(stretch.surfaces), stretch.relied, std::move(stretch.pieces)});
+          surfaces_of(std::move(stretch.surfaces)), stretch.relied, std::move(stretch.pieces)});
       for (PairDetails3::Piece& piece : told.pieces) told.measure += piece.measure *= square_;
     }
   }

@@ -44,9 +44,11 @@ struct PairReport3 {
   };
 
   Sight3 sight = Sight3::kHidden;
-  bool is_whole = false;               // nothing hides any part
-  std::vector<std::uint32_t> between;  // surfaces that may stand between, ascending
-  std::optional<std::uint32_t> hider;  // one that alone hides everything
+  bool is_whole = false;  // nothing hides any part
+  // Surfaces that may stand between, with those that are one convex polygon with such a one, ascending.
+  std::vector<std::uint32_t> between;
+  // One that hides everything, or several that do so as one convex polygon, ascending; else none.
+  std::vector<std::uint32_t> hiders;
   Estimate3 exchange, unobstructed;
   std::optional<Estimate3> visibility;
   std::optional<Rounded> area_from, area_to;        // none of the sky

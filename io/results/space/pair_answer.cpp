@@ -42,7 +42,12 @@ std::string polygons(std::size_t count) { return count == 1 ? "one polygon" : fm
 
 // Why a pair was settled as it was, in words for people.
 std::string reason(const Scene3& scene, const PairReport3& report) {
-  if (report.hider) return "'" + scene.surfaces[*report.hider].name + "' hides all of each from the other";
+  if (!report.hiders.empty()) {
+    const std::string name = "'" + scene.surfaces[report.hiders.front()].name + "'";
+    const std::size_t more = report.hiders.size() - 1;
+    if (more == 0) return name + " hides all of each from the other";
+    return fmt::format("{} and {} more in its plane hide all of each from the other", name, more);
+  }
   if (!report.is_facing()) return "no part of one is in front of the other";
   switch (report.sight) {
     case Sight3::kHidden:

@@ -113,16 +113,26 @@ TEST(PairMeasure3, WhatOnePolygonHidesIsHiddenExactly) {
 }
 
 TEST(PairMeasure3, WhatOnlySeveralHideIsHiddenExactly) {
-  // Four quarters of a wall meet in the middle: each pair of corners passes one of them.
-  const Rational half = ratio(1, 2);
-  const Pair pair({square(0, true), square(1, false), rectangle(-1, half, -1, half, half),
-                   rectangle(half, 2, -1, half, half), rectangle(-1, half, half, 2, half),
-                   rectangle(half, 2, half, 2, half)});
+  // A wall of five rectangles in a wheel: no two of them are one convex polygon.
+  const Rational quarter = ratio(1, 4), half = ratio(1, 2), most = ratio(3, 4);
+  const Pair pair({square(0, true), square(1, false), rectangle(quarter, most, quarter, most, half),
+                   rectangle(-1, most, -1, quarter, half), rectangle(most, 2, -1, most, half),
+                   rectangle(quarter, 2, most, 2, half), rectangle(-1, quarter, quarter, 2, half)});
   const PairMeasure3 result = pair.measure();
   EXPECT_EQ(result.sight, Sight3::kMixed);
   EXPECT_EQ(result.measure, 0);
   EXPECT_EQ(result.bounds, (Enclosure{0, 0}));
   EXPECT_EQ(result.problem, "");
+}
+
+TEST(PairMeasure3, NeighboursInOnePlaneHideAsOnePolygon) {
+  const Rational half = ratio(1, 2);
+  const Pair pair({square(0, true), square(1, false), rectangle(-1, half, -1, half, half),
+                   rectangle(half, 2, -1, half, half), rectangle(-1, half, half, 2, half),
+                   rectangle(half, 2, half, 2, half)});
+  const PairMeasure3 result = pair.measure();
+  EXPECT_EQ(result.sight, Sight3::kHidden);
+  EXPECT_EQ(result.bounds, (Enclosure{0, 0}));
 }
 
 TEST(PairMeasure3, ABlockerThatHidesNothingLeavesTheWhole) {

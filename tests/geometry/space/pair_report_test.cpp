@@ -60,8 +60,15 @@ constexpr const char* kScreen =
 constexpr const char* kTwoScreens =
     R"(, {"name": "west", "points": [[-9,-9,1],["1/3",-9,1],["1/3",9,1],[-9,9,1]], "material": "m"},
          {"name": "east", "points": [["1/3",-9,1],[9,-9,1],[9,9,1],["1/3",9,1]], "material": "m"})";
+// The same, one above the other.
+constexpr const char* kStaggeredScreens =
+    R"(, {"name": "west", "points": [[-9,-9,1],["1/3",-9,1],["1/3",9,1],[-9,9,1]], "material": "m"},
+         {"name": "east", "points": [["1/8",-9,"5/4"],[9,-9,"5/4"],[9,9,"5/4"],["1/8",9,"5/4"]], "material": "m"})";
 constexpr const char* kSmallScreen =
     R"(, {"name": "screen", "points": [[0,0,1],["1/2",0,1],["1/2","1/2",1],[0,"1/2",1]], "material": "m"})";
+constexpr const char* kSmallScreenInParts =
+    R"(, {"name": "screen.low", "points": [[0,0,1],["1/2",0,1],["1/2","1/2",1]], "material": "m"},
+         {"name": "screen.high", "points": [[0,0,1],["1/2","1/2",1],[0,"1/2",1]], "material": "m"})";
 // On the edge of the hull of both plates.
 constexpr const char* kGrazing =
     R"(, {"name": "screen", "points": [[1,-9,1],[9,-9,1],[9,9,1],[1,9,1]], "material": "m"})";
@@ -135,20 +142,24 @@ TEST(PairReport3, TellsHowAPairWasSettled) {
   EXPECT_EQ(away.sight, Sight3::kHidden);
   EXPECT_FALSE(away.is_facing());
   EXPECT_FALSE(away.visibility);
-  EXPECT_FALSE(away.hider);
+  EXPECT_TRUE(away.hiders.empty());
 
   const PreparedScene3 screened = plates(kScreen);
   const PairReport3 hidden = report_of(screened, "low", "high");
   EXPECT_EQ(hidden.sight, Sight3::kHidden);
-  EXPECT_EQ(hidden.hider, screened.scene.find("screen"));
+  EXPECT_THAT(hidden.hiders, ElementsAre(*screened.scene.find("screen")));
   EXPECT_EQ(hidden.exchange.bounds, (Enclosure{0, 0}));
   EXPECT_EQ(hidden.visibility->value, 0);
   EXPECT_TRUE(hidden.stretches.empty());
 
-  const PairReport3 together = report_of(plates(kTwoScreens), "low", "high");
+  const PairReport3 as_one = report_of(plates(kTwoScreens), "low", "high");
+  EXPECT_EQ(as_one.sight, Sight3::kHidden);
+  EXPECT_THAT(as_one.hiders, ElementsAre(2u, 3u));
+
+  const PairReport3 together = report_of(plates(kStaggeredScreens), "low", "high");
   EXPECT_EQ(together.sight, Sight3::kMixed);
   EXPECT_THAT(together.between, ElementsAre(2u, 3u));
-  EXPECT_FALSE(together.hider);
+  EXPECT_TRUE(together.hiders.empty());
   EXPECT_EQ(together.exchange.bounds, (Enclosure{0, 0}));
   EXPECT_FALSE(together.is_whole);
   EXPECT_TRUE(together.is_facing());
@@ -193,6 +204,26 @@ TEST(PairReport3, StretchesSayWhereTheyAre) {
               (Point3{Rational(1, 2), Rational(1, 4), 0}));
     EXPECT_THAT(stretch.surfaces, ElementsAre(2u));
   }
+}
+
+// Of polygons that hide as one, a stretch is on that which has it for an edge; the measure is that of one polygon.
+TEST(PairReport3, ScreensInPartsHideAsOneAndAreNamedByPart) {
+  const PairReport3 whole = report_of(plates(kSmallScreen), "low", "high");
+  const PairReport3 parts = report_of(plates(kSmallScreenInParts), "low", "high");
+  EXPECT_EQ(parts.exchange.value, whole.exchange.value);
+  EXPECT_EQ(parts.stretches.size(), whole.stretches.size());
+  EXPECT_THAT(parts.between, ElementsAre(2u, 3u));
+  std::set<std::uint32_t> named;
+  for (const PairReport3::Stretch& stretch : parts.stretches) {
+    if (stretch.role != StretchRole3::kOutline) continue;
+    ASSERT_EQ(stretch.surfaces.size(), 1u);
+    named.insert(stretch.surfaces.front());
+    const bool is_of_low = stretch.from.y == 0 || stretch.to.y == 0;
+    if (stretch.from.y == stretch.to.y) {
+      EXPECT_EQ(stretch.surfaces.front(), is_of_low ? 2u : 3u);
+    }
+  }
+  EXPECT_EQ(named.size(), 2u);
 }
 
 TEST(PairReport3, PiecesAreInOrderAndDifferFromTheirNeighbours) {
