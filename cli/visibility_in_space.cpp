@@ -22,9 +22,17 @@
 namespace hottel {
 namespace {
 
-// Moves a point along a normal onto that of the facets which it meets so.
-void put_on_facet(const std::vector<Polygon3>& facets, const Vector3& normal, Point3& point) {
-  for (const Polygon3& facet : facets) {
+// The facet of a polygon that has a point, or nothing.
+std::optional<Polygon3> facet_at(const Polygon3& polygon, const Point3& point) {
+  for (Polygon3& facet : facets_of(polygon))
+    if (contains(facet, point)) return std::move(facet);
+  return std::nullopt;
+}
+
+// Moves a point along the normal of a polygon onto that of its facets which it meets so.
+void put_on_facet(const Polygon3& polygon, Point3& point) {
+  const Vector3 normal = doubled_area(polygon);
+  for (const Polygon3& facet : facets_of(polygon)) {
     const Vector3 own = doubled_area(facet);
     const Rational t = dot(own, facet.points[0] - point) / dot(own, normal);
     const Point3 at{point.x + t * normal.x, point.y + t * normal.y, point.z + t * normal.z};
@@ -55,10 +63,9 @@ Look3 look_from(const Scene3& scene, const std::string& text, const std::string&
     eye = {first.x + at[0] * along.x + at[1] * across.x, first.y + at[0] * along.y + at[1] * across.y,
            first.z + at[0] * along.z + at[1] * across.z};
   }
-  const std::vector<Polygon3> facets = facets_of(polygon);
-  if (polygon.is_nearly_plane && at.size() == 2) put_on_facet(facets, doubled_area(polygon), eye);
-  const auto facet = std::find_if(facets.begin(), facets.end(), [&](const Polygon3& f) { return contains(f, eye); });
-  if (facet == facets.end()) throw UsageError("--at " + text + " is no point of '" + on + "'");
+  if (polygon.is_nearly_plane && at.size() == 2) put_on_facet(polygon, eye);
+  const std::optional<Polygon3> facet = facet_at(polygon, eye);
+  if (!facet) throw UsageError("--at " + text + " is no point of '" + on + "'");
   Vector3 normal = doubled_area(*facet);
   if (face.is_back) normal = {-normal.x, -normal.y, -normal.z};
   return {.eye = std::move(eye), .normal = Point3{normal.x, normal.y, normal.z}};
@@ -81,9 +88,7 @@ void refuse_lost_place(const Scene3& scene, const Arrangement3& arrangement, con
         return has_place(arrangement.pieces()[side.piece], side.is_back, look.eye);
       }))
     return;
-  const std::vector<Polygon3> facets = facets_of(scene.polygons[face.surface]);
-  const auto facet =
-      std::find_if(facets.begin(), facets.end(), [&](const Polygon3& f) { return contains(f, look.eye); });
+  const std::optional<Polygon3> facet = facet_at(scene.polygons[face.surface], look.eye);
   const PlaneFrame3 frame(facet->points);
   const bool is_up = frame.is_front_up(facet->points) != face.is_back;
   if (const auto mesh = arrangement.solids().behind({&frame, frame.flat(look.eye), is_up}))

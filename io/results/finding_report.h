@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/factor_changes.h"
@@ -30,6 +32,26 @@ struct ReportedFinding {
   std::string message{}, suggestion{};
 };
 
+// Returns findings of a scene of some dimension without it. coordinates(point): the nearest doubles of a place.
+template <class Finding, class Coordinates>
+std::vector<ReportedFinding> reported(const SceneTable& scene, const std::vector<Finding>& findings,
+                                      const Coordinates& coordinates) {
+  std::vector<ReportedFinding> result;
+  for (const Finding& finding : findings) {
+    ReportedFinding one{finding.severity, finding.kind};
+    for (const std::uint32_t s : finding.surfaces) one.surfaces.push_back(scene.surfaces[s].name);
+    if (!finding.surfaces.empty()) one.line = scene.surfaces[finding.surfaces.front()].line;
+    if (finding.at) {
+      one.at = coordinates(*finding.at);
+      one.place = place_text(*finding.at);
+    }
+    one.message = finding.message;
+    one.suggestion = finding.suggestion;
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
 // Of one kind so many are shown to people unless they ask for more; the rest is counted.
 inline constexpr std::size_t kMostOfAKind = 20;
 
@@ -46,6 +68,13 @@ std::string findings_text(const std::string& file, const std::vector<ReportedFin
 // Returns a finding as a sentence for the notes of a report: "warning: KIND: MESSAGE (SUGGESTION)".
 std::string finding_note(Severity severity, const std::string& kind, const std::string& message,
                          const std::string& suggestion);
+template <class Finding>
+std::vector<std::string> finding_notes(const std::vector<Finding>& findings) {
+  std::vector<std::string> notes;
+  for (const Finding& finding : findings)
+    notes.push_back(finding_note(finding.severity, finding.kind, finding.message, finding.suggestion));
+  return notes;
+}
 
 // Returns the same and a closing line that counts errors, warnings and notes.
 std::string check_text(const std::string& file, const std::vector<ReportedFinding>& findings, std::size_t most);

@@ -18,6 +18,11 @@ namespace hottel {
 // done. May throw: then the wait is over, and what it threw is thrown by who was asked.
 using StageProgress = std::function<void(std::string_view stage, double fraction)>;
 
+// Progress of one function, told as that of a stage. REQUIRES: the name outlives it.
+inline std::function<void(double)> telling(const char* stage, const StageProgress& progress) {
+  return [stage, progress](double fraction) { progress(stage, fraction); };
+}
+
 // A value of any type, made by a thread of its own. See Stage.
 class AnyStage {
  public:

@@ -32,11 +32,6 @@ std::vector<Point3> distinct_points(const std::vector<Polygon3>& polygons,
   return points;
 }
 
-// The cross product of the edges that meet at b.
-IntegerVector turn_at(const Vertices3& vertices, VertexId3 a, VertexId3 b, VertexId3 c) {
-  return cross(difference(vertices.exact(b), vertices.exact(a)), difference(vertices.exact(c), vertices.exact(b)));
-}
-
 }  // namespace
 
 Blockers3::Blockers3(const std::vector<Polygon3>& polygons) {

@@ -50,9 +50,7 @@ class Joiner {
 
   // The sign of the turn at b.
   int turn(std::uint32_t s, VertexId3 a, VertexId3 b, VertexId3 c) const {
-    const Vertices3& v = polygons_.vertices();
-    const IntegerVector across = cross(difference(v.exact(b), v.exact(a)), difference(v.exact(c), v.exact(b)));
-    return sgn(dot(polygons_.exact_normal(s), across));
+    return sgn(dot(polygons_.exact_normal(s), turn_at(polygons_.vertices(), a, b, c)));
   }
 
   // Joins one neighbour to what begins with s, if there is one: false where there is none.
@@ -98,28 +96,24 @@ class Joiner {
   std::map<Key, std::uint32_t> owner_;
 };
 
-std::vector<Outline> joined_outlines(const Blockers3& polygons, std::vector<std::uint32_t>& surface_of,
-                                     std::vector<std::vector<std::uint32_t>>& members) {
+}  // namespace
+
+MergedBlockers3::MergedBlockers3(const Blockers3& polygons) : polygons_(polygons) {
   Joiner joiner(polygons);
   std::vector<Outline> outlines;
-  surface_of.resize(polygons.size());
+  surface_of_.resize(polygons.size());
   for (std::uint32_t s = 0; s < polygons.size(); ++s) {
     const std::uint32_t first = joiner.first(s);
     if (first == s) {
-      surface_of[s] = static_cast<std::uint32_t>(outlines.size());
+      surface_of_[s] = static_cast<std::uint32_t>(outlines.size());
       outlines.push_back(std::move(joiner.outline(s)));
-      members.emplace_back();
+      members_.emplace_back();
     } else {
-      surface_of[s] = surface_of[first];
+      surface_of_[s] = surface_of_[first];
     }
-    members[surface_of[s]].push_back(s);
+    members_[surface_of_[s]].push_back(s);
   }
-  return outlines;
+  if (outlines.size() < polygons.size()) merged_.emplace(polygons.vertices(), outlines);
 }
-
-}  // namespace
-
-MergedBlockers3::MergedBlockers3(const Blockers3& polygons)
-    : blockers_(polygons.vertices(), joined_outlines(polygons, surface_of_, members_)) {}
 
 }  // namespace hottel

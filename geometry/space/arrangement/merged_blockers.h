@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,21 +18,24 @@ namespace hottel {
 //   (2) surfaces are in the order of their first members; vertices keep their numbers and coordinates
 //   (3) the choice depends on the order of the polygons and on signs alone, not on where the scene lies or its unit
 //
-// REQUIRES: no two polygons share an area of one plane.
+// REQUIRES: the polygons outlive this, and no two of them share an area of one plane.
 // COST: O(n log n); some microseconds a polygon.
 class MergedBlockers3 {
  public:
   explicit MergedBlockers3(const Blockers3& polygons);
 
-  const Blockers3& blockers() const { return blockers_; }
+  // Those given where none are merged: is_plain().
+  const Blockers3& blockers() const { return merged_ ? *merged_ : polygons_; }
+  bool is_plain() const { return !merged_; }
   std::uint32_t surface_of(std::uint32_t polygon) const { return surface_of_[polygon]; }
   // Ascending.
   std::span<const std::uint32_t> members(std::uint32_t surface) const { return members_[surface]; }
 
  private:
+  const Blockers3& polygons_;
   std::vector<std::uint32_t> surface_of_;
   std::vector<std::vector<std::uint32_t>> members_;
-  Blockers3 blockers_;
+  std::optional<Blockers3> merged_;
 };
 
 }  // namespace hottel

@@ -82,11 +82,12 @@ struct PairMeasurer3::Prepared {
   explicit Prepared(const Blockers3& p)
       : polygons(p), merged(p), blockers(merged.blockers()), boxes(blockers), stretches(blockers, boxes) {}
 
-  // A patch as one of the surface that its polygon is part of.
-  Patch3 placed(const Patch3& patch) const {
-    Patch3 result = patch;
-    if (!patch.is_sky()) result.surface = merged.surface_of(patch.surface);
-    return result;
+  // A patch as one of the surface that its polygon is part of: itself where that has the same number, else `copy`.
+  const Patch3& placed(const Patch3& patch, Patch3& copy) const {
+    if (patch.is_sky() || merged.surface_of(patch.surface) == patch.surface) return patch;
+    copy = patch;
+    copy.surface = merged.surface_of(patch.surface);
+    return copy;
   }
 
   // Names polygons where surfaces are named.
@@ -115,12 +116,13 @@ PairMeasurer3::~PairMeasurer3() = default;
 PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request,
                                     PairDetails3* details) const {
   const DefaultFloatingPoint environment;
-  const Patch3 first = prepared_->placed(i), second = prepared_->placed(j);
+  Patch3 copies[2];
+  const Patch3 &first = prepared_->placed(i, copies[0]), &second = prepared_->placed(j, copies[1]);
   const bool is_usual = !request.is_reversed && !request.always_along_edges &&
                         std::all_of(std::begin(request.origin_shift), std::end(request.origin_shift),
                                     [](double shift) { return shift == 0; });
   const PairMeasure3 result = measure(first, second, request, is_usual ? kMostCuts : 0, details);
-  if (details != nullptr) prepared_->tell_polygons(*details);
+  if (details != nullptr && !prepared_->merged.is_plain()) prepared_->tell_polygons(*details);
   return result;
 }
 

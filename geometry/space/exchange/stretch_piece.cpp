@@ -1,6 +1,7 @@
 #include "geometry/space/exchange/stretch_piece.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -28,10 +29,6 @@ double angle_over_sine_less_one(double q) {
   return kFactors[0] * q * sum;
 }
 
-}  // namespace
-
-namespace {
-
 // An arc between unit vectors on a plane with some normal.
 struct ArcShape {
   Direction3 normal;  // unit
@@ -39,17 +36,19 @@ struct ArcShape {
 };
 
 // Of a vector that is zero, as it may be at an end of a piece, nothing.
-Direction3 unit(const Direction3& a) {
+Direction3 unit_or_zero(const Direction3& a) {
   const double square = dot(a, a);
   return square > 0 ? (1 / std::sqrt(square)) * a : Direction3{};
 }
 
 ArcShape shape_of(const Direction3& normal, const Direction3& b, const Direction3& e) {
-  const Direction3 n = unit(normal);
+  const Direction3 n = unit_or_zero(normal);
   return {n, dot(n, cross(b, e - b)), dot(b, e)};
 }
 
-Direction3 unit_at(const MovingVector3& vector, double from, double offset) { return unit(vector.at(from, offset)); }
+Direction3 unit_at(const MovingVector3& vector, double from, double offset) {
+  return unit_or_zero(vector.at(from, offset));
+}
 
 }  // namespace
 

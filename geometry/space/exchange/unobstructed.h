@@ -16,6 +16,10 @@ struct UnobstructedMeasure3 {
   bool has_converged = true;  // else error is above what was asked for
 };
 
+// kUsual leaves out the last way to measure, in numbers of 320 bits: then needles a million times as long as wide may
+// not converge.
+enum class Effort3 : unsigned char { kUsual, kAll };
+
 // Returns the measure of two patches that see each other without anything between them.
 //
 //   (1) of each patch only what is in front of the other one counts; measure and bounds are 0 exactly iff one of them
@@ -27,13 +31,9 @@ struct UnobstructedMeasure3 {
 // that are small against their distance, some 1e-14 of S0. Proven means: given that log and atan2 of the library are
 // within 4 units of the last place.
 //
-// Effort3::kUsual leaves out the last way, in numbers of 320 bits: then needles a million times as long as wide may not
-// converge.
-//
 // REQUIRES tolerance > 0; areas within the range of doubles. COST: 3 to 30 microseconds; up to some hundreds where
 // edges almost touch, and where more digits are asked for than doubles have; some tens of milliseconds for needles.
 // SEE: docs/design/space/unobstructed.md.
-enum class Effort3 : unsigned char { kUsual, kAll };
 UnobstructedMeasure3 unobstructed_measure(const Vertices3& vertices, const Patch3& i, const Patch3& j, double tolerance,
                                           Effort3 effort = Effort3::kAll);
 

@@ -57,4 +57,9 @@ class Vertices3 {
   Point3 origin_;
 };
 
+// The cross product of the edges from a to b and from b to c.
+inline IntegerVector turn_at(const Vertices3& vertices, VertexId3 a, VertexId3 b, VertexId3 c) {
+  return cross(difference(vertices.exact(b), vertices.exact(a)), difference(vertices.exact(c), vertices.exact(b)));
+}
+
 }  // namespace hottel

@@ -8,6 +8,7 @@
 #include "geometry/space/scene/bent_loops.h"
 
 namespace hottel {
+
 std::vector<Polygon3> triangles_of_not_plane(const Polygon3& polygon) {
   const std::vector<std::vector<Point3>> loops = loops_of(polygon);
   if (std::any_of(loops.begin(), loops.end(), [](const auto& loop) { return loop.size() < 3; })) return {};
@@ -19,8 +20,9 @@ std::vector<Polygon3> triangles_of_not_plane(const Polygon3& polygon) {
 }
 
 bool Triangulator3::add(Scene3& scene, const Surface& surface, const Polygon3& polygon) {
+  if (polygon.is_nearly_plane) return false;
   std::vector<Polygon3> pieces = triangles_of_not_plane(polygon);
-  if (pieces.empty() || polygon.is_nearly_plane) return false;
+  if (pieces.empty()) return false;
   if (names_.empty()) first_problem_ = polygon_problem(polygon).text;
   names_.push_back(surface.name);
   triangles_ += pieces.size();

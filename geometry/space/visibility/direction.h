@@ -22,6 +22,7 @@ inline Direction3 cross(const Direction3& a, const Direction3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline double length(const Direction3& a) { return std::sqrt(dot(a, a)); }
+inline Direction3 unit(const Direction3& a) { return (1 / length(a)) * a; }
 
 // Whether two corners of a cone are nearly opposite: then they alone do not tell it.
 bool has_opposite_corners_3(std::span<const Direction3> corners);

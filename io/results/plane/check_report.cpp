@@ -1,29 +1,12 @@
 #include "io/results/plane/check_report.h"
 
-#include <fmt/format.h>
-
-#include <utility>
-
 #include "geometry/plane/check/wording.h"
 
 namespace hottel {
 namespace {
 
 std::vector<ReportedFinding> reported(const Scene2& scene, const Findings2& findings) {
-  std::vector<ReportedFinding> result;
-  for (const Finding2& finding : findings) {
-    ReportedFinding one{finding.severity, finding.kind};
-    for (const std::uint32_t s : finding.surfaces) one.surfaces.push_back(scene.surfaces[s].name);
-    if (!finding.surfaces.empty()) one.line = scene.surfaces[finding.surfaces.front()].line;
-    if (finding.at) {
-      one.at = {to_double(finding.at->x), to_double(finding.at->y)};
-      one.place = place_text(*finding.at);
-    }
-    one.message = finding.message;
-    one.suggestion = finding.suggestion;
-    result.push_back(std::move(one));
-  }
-  return result;
+  return reported(scene, findings, [](const Point2& p) { return std::vector<double>{to_double(p.x), to_double(p.y)}; });
 }
 
 }  // namespace
@@ -38,13 +21,6 @@ std::string check_text(const Scene2& scene, const Findings2& findings, std::size
 
 std::string findings_text(const Scene2& scene, const Findings2& findings, std::size_t most) {
   return findings_text(scene.file, reported(scene, findings), most);
-}
-
-std::vector<std::string> finding_notes(const Findings2& findings) {
-  std::vector<std::string> notes;
-  for (const Finding2& finding : findings)
-    notes.push_back(finding_note(finding.severity, finding.kind, finding.message, finding.suggestion));
-  return notes;
 }
 
 }  // namespace hottel

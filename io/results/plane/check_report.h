@@ -16,7 +16,4 @@ std::string check_json(const Scene2& scene, const Findings2& findings, const Rep
 std::string check_text(const Scene2& scene, const Findings2& findings, std::size_t most = kMostOfAKind);
 std::string findings_text(const Scene2& scene, const Findings2& findings, std::size_t most = kMostOfAKind);
 
-// Each finding as finding_note says it.
-std::vector<std::string> finding_notes(const Findings2& findings);
-
 }  // namespace hottel

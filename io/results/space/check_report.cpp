@@ -1,6 +1,5 @@
 #include "io/results/space/check_report.h"
 
-#include <utility>
 #include <vector>
 
 #include "geometry/space/check/wording.h"
@@ -9,20 +8,9 @@ namespace hottel {
 namespace {
 
 std::vector<ReportedFinding> reported(const Scene3& scene, const Findings3& findings) {
-  std::vector<ReportedFinding> result;
-  for (const Finding3& finding : findings) {
-    ReportedFinding one{finding.severity, finding.kind};
-    for (const std::uint32_t s : finding.surfaces) one.surfaces.push_back(scene.surfaces[s].name);
-    if (!finding.surfaces.empty()) one.line = scene.surfaces[finding.surfaces.front()].line;
-    if (finding.at) {
-      one.at = {to_double(finding.at->x), to_double(finding.at->y), to_double(finding.at->z)};
-      one.place = place_text(*finding.at);
-    }
-    one.message = finding.message;
-    one.suggestion = finding.suggestion;
-    result.push_back(std::move(one));
-  }
-  return result;
+  return reported(scene, findings, [](const Point3& p) {
+    return std::vector<double>{to_double(p.x), to_double(p.y), to_double(p.z)};
+  });
 }
 
 }  // namespace
@@ -33,13 +21,6 @@ std::string check_json(const Scene3& scene, const Findings3& findings, const Rep
 
 std::string findings_text(const Scene3& scene, const Findings3& findings, std::size_t most) {
   return findings_text(scene.file, reported(scene, findings), most);
-}
-
-std::vector<std::string> finding_notes(const Findings3& findings) {
-  std::vector<std::string> notes;
-  for (const Finding3& finding : findings)
-    notes.push_back(finding_note(finding.severity, finding.kind, finding.message, finding.suggestion));
-  return notes;
 }
 
 std::string check_text(const Scene3& scene, const Findings3& findings, std::size_t most) {

@@ -15,7 +15,4 @@ std::string check_json(const Scene3& scene, const Findings3& findings, const Rep
 std::string check_text(const Scene3& scene, const Findings3& findings, std::size_t most = kMostOfAKind);
 std::string findings_text(const Scene3& scene, const Findings3& findings, std::size_t most = kMostOfAKind);
 
-// Each finding as finding_note says it.
-std::vector<std::string> finding_notes(const Findings3& findings);
-
 }  // namespace hottel

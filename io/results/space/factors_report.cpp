@@ -9,6 +9,7 @@
 #include "kernel/version.h"
 
 namespace hottel {
+
 FactorCounts factor_counts(const ExchangeReport3& report) {
   return {report.surfaces,
           report.elements,

@@ -14,17 +14,12 @@ namespace {
 
 using Sink = std::function<void(std::string_view)>;
 
-// A polygon of the grid.
-struct Cell {
-  const ElementTable3::Part* part;
-  std::uint32_t label;
-};
-
-std::vector<Cell> cells_of(const ElementTable3& table) {
-  std::vector<Cell> cells;
+// The polygons of the grid.
+std::vector<const ElementTable3::Part*> cells_of(const ElementTable3& table) {
+  std::vector<const ElementTable3::Part*> cells;
   for (std::uint32_t label = 0; label < table.count(); ++label) {
     if (!table.has_row(label)) continue;
-    for (const ElementTable3::Part& part : table.free_parts(label)) cells.push_back({&part, label});
+    for (const ElementTable3::Part& part : table.free_parts(label)) cells.push_back(&part);
   }
   return cells;
 }
@@ -52,11 +47,11 @@ void write_radiosity_vtu(const PreparedScene3& prepared, Granularity granularity
                          const RadiositySolution& solution, const Sink& sink) {
   const Vertices3& vertices = prepared.blockers().vertices();
   const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity);
-  const std::vector<Cell> cells = cells_of(table);
+  const std::vector<const ElementTable3::Part*> cells = cells_of(table);
   std::vector<Point3> points;
   std::vector<std::size_t> ends;
-  for (const Cell& cell : cells) {
-    for (Point3& corner : corners_of(vertices, cell.part->patch)) points.push_back(std::move(corner));
+  for (const ElementTable3::Part* cell : cells) {
+    for (Point3& corner : corners_of(vertices, cell->patch)) points.push_back(std::move(corner));
     ends.push_back(points.size());
   }
   sink(
@@ -86,11 +81,11 @@ void write_radiosity_vtu(const PreparedScene3& prepared, Granularity granularity
         [&](std::size_t k) {
           std::string text;
           for (const ChannelSolution& channel : solution.channels)
-            text += (text.empty() ? "" : " ") + shortest(quantity.second(channel.elements[cells[k].label]));
+            text += (text.empty() ? "" : " ") + shortest(quantity.second(channel.elements[cells[k]->label]));
           return text;
         },
         sink);
-  const auto element = [&](std::size_t k) -> const Element& { return matrix.elements()[cells[k].label]; };
+  const auto element = [&](std::size_t k) -> const Element& { return matrix.elements()[cells[k]->label]; };
   write_array(
       "type=\"Int32\" Name=\"surface\"", cells.size(),
       [&](std::size_t k) { return std::to_string(element(k).surface); }, sink);

@@ -48,11 +48,6 @@ auto node_of(const char* name, Input input, const auto* before, Make make) {
   return Node<Input, T>{std::move(input), std::move(stage)};
 }
 
-// Progress of one function, told as that of a stage.
-std::function<void(double)> telling(const char* stage, const StageProgress& progress) {
-  return [stage, progress](double fraction) { progress(stage, fraction); };
-}
-
 // Spectra that say the same and were given alike: whether one is a scalar decides how many channels there are.
 bool is_same(const Spectrum& a, const Spectrum& b) { return a == b && a.is_scalar == b.is_scalar; }
 

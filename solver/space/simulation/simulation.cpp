@@ -27,7 +27,7 @@ ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsReque
                                     .wants_measures = request.wants_measures,
                                     .tolerance = request.tolerance,
                                     .memory = memory_allowed(request.memory),
-                                    .progress = [&](double fraction) { progress("view factors", fraction); }},
+                                    .progress = telling("view factors", progress)},
                                    &result.report);
     if (request.must_be_enclosed) require_enclosed_3(result.matrix, request.tolerance);
     return result;
@@ -106,7 +106,7 @@ struct Simulation3::Version {
     radiosities = std::make_shared<Stage<RadiositySolution>>(
         "radiosity", [its = scene, ready = system](const StageProgress& progress) {
           const auto solver = ready->get(progress);
-          return scene_radiosities(*solver, *its, {}, [&](double fraction) { progress("radiosity", fraction); });
+          return scene_radiosities(*solver, *its, {}, telling("radiosity", progress));
         });
   }
 };

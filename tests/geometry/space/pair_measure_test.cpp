@@ -132,7 +132,9 @@ TEST(PairMeasure3, NeighboursInOnePlaneHideAsOnePolygon) {
                    rectangle(half, 2, half, 2, half)});
   const PairMeasure3 result = pair.measure();
   EXPECT_EQ(result.sight, Sight3::kHidden);
+  EXPECT_EQ(result.measure, 0);
   EXPECT_EQ(result.bounds, (Enclosure{0, 0}));
+  EXPECT_EQ(result.problem, "");
 }
 
 TEST(PairMeasure3, ABlockerThatHidesNothingLeavesTheWhole) {

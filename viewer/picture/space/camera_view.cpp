@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "geometry/space/exchange/element_table.h"
@@ -12,6 +13,7 @@
 #include "geometry/space/visibility/point_map.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
+#include "viewer/picture/space/convex_cut.h"
 
 namespace hottel {
 namespace {
@@ -23,44 +25,26 @@ Direction3 rounded_way(const Point3& from, const Point3& to) {
   return {to_double(way.x), to_double(way.y), to_double(way.z)};
 }
 
-Direction3 unit(const Direction3& a) { return (1 / length(a)) * a; }
-
-// What is left of a convex polygon, or cone, where height(corner) >= 0; between(a, b, t) is the corner on the way.
-template <class Corner, class Height, class Between>
-std::vector<Corner> clipped(const std::vector<Corner>& corners, const Height& height, const Between& between) {
-  std::vector<Corner> result;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Corner &a = corners[k], &b = corners[k + 1 == corners.size() ? 0 : k + 1];
-    const double at_a = height(a), at_b = height(b);
-    if (at_a >= 0) result.push_back(a);
-    if ((at_a < 0 && at_b > 0) || (at_a > 0 && at_b < 0)) result.push_back(between(a, b, at_a / (at_a - at_b)));
-  }
-  return result;
-}
-
 Pixel on_the_way(const Pixel& a, const Pixel& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
 
 template <class Height>
 Polygon cut(const Polygon& polygon, const Height& height) {
-  return clipped(polygon, height, on_the_way);
+  return cut_convex(polygon, height, on_the_way);
 }
 
-double area_of(const Polygon& polygon) {
-  double twice = 0;
+// Twice the area, negative where it goes around clockwise.
+double doubled_area(const Polygon& polygon) {
+  double sum = 0;
   for (std::size_t k = 2; k < polygon.size(); ++k) {
     const Pixel &o = polygon[0], &a = polygon[k - 1], &b = polygon[k];
-    twice += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+    sum += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
   }
-  return std::fabs(twice) / 2;
+  return sum;
 }
 
-// The part of a convex polygon inside another one. Both go around alike.
+// The part of a convex polygon inside another one, whichever way that goes around.
 Polygon common(Polygon polygon, const Polygon& other) {
-  double turn = 0;
-  for (std::size_t k = 2; k < other.size(); ++k)
-    turn += (other[k - 1].x - other[0].x) * (other[k].y - other[0].y) -
-            (other[k - 1].y - other[0].y) * (other[k].x - other[0].x);
-  const double sign = turn < 0 ? -1 : 1;
+  const double sign = doubled_area(other) < 0 ? -1 : 1;
   for (std::size_t k = 0; k < other.size() && polygon.size() > 2; ++k) {
     const Pixel &a = other[k], &b = other[k + 1 == other.size() ? 0 : k + 1];
     polygon =
@@ -86,7 +70,7 @@ class Projection {
     const std::array<Direction3, 5> inside{forward_, half_width_ * forward_ + right_, half_width_ * forward_ - right_,
                                            half_height_ * forward_ + up_, half_height_ * forward_ - up_};
     for (const Direction3& normal : inside) {
-      corners = clipped(
+      corners = cut_convex(
           corners, [&](const Direction3& d) { return dot(d, normal); },
           [](const Direction3& a, const Direction3& b, double t) { return a + t * (b - a); });
       if (corners.size() < 3) return {};
@@ -106,33 +90,64 @@ class Projection {
   Direction3 forward_, right_, up_;
 };
 
-// What each side of each piece sends out: one value, or one for each part of it.
+// What a part of a side of a piece shows.
+struct ShownPart {
+  std::vector<double> radiosity;  // by channel; and 0
+  Polygon outline;                // in the picture
+  bool is_all = false;            // of that side: then there is no outline
+};
+
+// What the sides of pieces show to a camera.
 class Light {
  public:
-  Light(const PreparedScene3& prepared, const ElementTable3& table, const RadiositySolution& solution)
-      : solution_(solution), parts_(2 * prepared.blockers().size()) {
-    for (const ElementTable3::Part& part : table.parts()) {
-      if (part.patch.is_sky() || !table.has_row(part.label)) continue;
-      parts_[2 * part.patch.surface + (part.is_back ? 1 : 0)].push_back(&part);
-    }
+  Light(const PreparedScene3& prepared, const ElementTable3& table, const RadiositySolution& solution,
+        const Point3& eye, const Projection& projection)
+      : vertices_(prepared.blockers().vertices()),
+        table_(table),
+        solution_(solution),
+        eye_(eye),
+        projection_(projection),
+        parts_(2 * prepared.blockers().size()) {
+    for (const ElementTable3::Part& part : table.parts())
+      if (!part.patch.is_sky() && table.has_row(part.label))
+        parts_[Face{part.patch.surface, part.is_back}.number()].push_back(&part);
   }
 
-  const std::vector<const ElementTable3::Part*>& parts(const Face& face) const { return parts_[face.number()]; }
-  std::vector<double> radiosity(std::uint32_t label) const {
-    std::vector<double> value;
-    for (const ChannelSolution& channel : solution_.channels) value.push_back(channel.elements[label].radiosity);
-    return value;
+  // COST: that of the parts where another face was asked for before; else nothing.
+  const std::vector<ShownPart>& of(const Face& face) {
+    if (face == shown_face_) return shown_;
+    shown_face_ = face;
+    shown_.clear();
+    for (const ElementTable3::Part* part : parts_[face.number()]) {
+      ShownPart shown;
+      shown.is_all = parts_[face.number()].size() == 1 && table_.is_one_patch(part->label) &&
+                     table_.elements()[part->label].parts == 1;
+      if (!shown.is_all) shown.outline = picture_of(*part);
+      if (!shown.is_all && shown.outline.size() < 3) continue;
+      for (const ChannelSolution& channel : solution_.channels)
+        shown.radiosity.push_back(channel.elements[part->label].radiosity);
+      shown.radiosity.push_back(0);
+      shown_.push_back(std::move(shown));
+    }
+    return shown_;
   }
 
  private:
-  const RadiositySolution& solution_;
-  std::vector<std::vector<const ElementTable3::Part*>> parts_;  // by side of a piece
-};
+  Polygon picture_of(const ElementTable3::Part& part) const {
+    std::vector<Direction3> outline;
+    for (const Point3& p : corners_of(vertices_, part.patch)) outline.push_back(rounded_way(eye_, p));
+    return projection_.picture(std::move(outline));
+  }
 
-// Adds the polygon, and what it adds to the area that is covered.
-void add(const Polygon& polygon, const std::vector<double>& value, PixelValues3& pixels) {
-  if (polygon.size() > 2) add_polygon(polygon, value, pixels);
-}
+  const Vertices3& vertices_;
+  const ElementTable3& table_;
+  const RadiositySolution& solution_;
+  const Point3& eye_;
+  const Projection& projection_;
+  std::vector<std::vector<const ElementTable3::Part*>> parts_;  // by side of a piece
+  std::optional<Face> shown_face_;
+  std::vector<ShownPart> shown_;
+};
 
 // The part of a row of pixels within a convex polygon; from where to where pixels are covered wholly.
 struct Strip {
@@ -174,8 +189,9 @@ void add_polygon(std::span<const Pixel> corners, std::span<const double> value, 
     for (std::uint32_t x = clamped(strip.left, pixels.width); x < pixels.width && x < strip.right; ++x) {
       double covered = 1;
       if (!(x >= strip.full_left && x + 1.0 <= strip.full_right))
-        covered = area_of(cut(cut(strip.polygon, [&](const Pixel& p) { return p.x - x; }),
-                              [&](const Pixel& p) { return x + 1.0 - p.x; }));
+        covered = std::fabs(doubled_area(cut(cut(strip.polygon, [&](const Pixel& p) { return p.x - x; }),
+                                             [&](const Pixel& p) { return x + 1.0 - p.x; }))) /
+                  2;
       double* pixel = pixels.values.data() + (std::size_t{y} * pixels.width + x) * pixels.channels;
       for (std::size_t c = 0; c < pixels.channels; ++c) pixel[c] += covered * value[c];
     }
@@ -191,36 +207,25 @@ PixelValues3 camera_view_3(const PreparedScene3& prepared, Granularity granulari
   const PointMap3 map =
       map_from(prepared.blockers(), {.eye = camera.eye, .normal = Point3{forward.x, forward.y, forward.z}});
   const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity);
-  const Light light(prepared, table, solution);
   const Projection projection(camera);
+  Light light(prepared, table, solution, camera.eye, projection);
   const std::size_t channels = solution.channels.size();
 
   // The last channel is what is covered; what is not is the sky.
   PixelValues3 pixels{camera.width, camera.height, channels + 1, {}};
   pixels.values.assign(std::size_t{camera.width} * camera.height * (channels + 1), 0);
-  std::vector<double> value(channels + 1, 0);
-  for (const PointMap3::Fragment& fragment : map.fragments) {
+  std::vector<double> covered(channels + 1, 0);
+  covered.back() = 1;
+  for (const PointMap3::Fragment& fragment : map.fragments) {  // those of a face follow each other
     throw_if_interrupted();
     std::vector<Direction3> corners;
     for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) corners.push_back(map.corners[c].direction);
     const Polygon seen = projection.picture(std::move(corners));
     if (seen.size() < 3) continue;
-    std::fill(value.begin(), value.end(), 0);
-    value.back() = 1;
-    add(seen, value, pixels);
-    const auto& parts = light.parts(fragment.face);
-    for (const ElementTable3::Part* part : parts) {
-      std::vector<double> radiosity = light.radiosity(part->label);
-      radiosity.push_back(0);
-      if (parts.size() == 1 && table.is_one_patch(part->label) && granularity != Granularity::kElement) {
-        add(seen, radiosity, pixels);
-        continue;
-      }
-      std::vector<Direction3> outline;
-      for (const Point3& p : corners_of(prepared.blockers().vertices(), part->patch))
-        outline.push_back(rounded_way(camera.eye, p));
-      const Polygon shown = projection.picture(std::move(outline));
-      if (shown.size() > 2) add(common(seen, shown), radiosity, pixels);
+    add_polygon(seen, covered, pixels);
+    for (const ShownPart& part : light.of(fragment.face)) {
+      const Polygon polygon = part.is_all ? seen : common(seen, part.outline);
+      if (polygon.size() > 2) add_polygon(polygon, part.radiosity, pixels);
     }
   }
 

@@ -12,6 +12,7 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
+#include "viewer/picture/space/convex_cut.h"
 
 namespace hottel {
 namespace {
@@ -19,20 +20,11 @@ namespace {
 constexpr double kHeight = 1024, kTitle = 76;  // units of the whole, and of the heading
 constexpr Colour kSky{0.80, 0.88, 0.95};
 
-Direction3 unit(const Direction3& a) { return 1 / length(a) * a; }
-
 // The part of a piece with dot(normal, direction) >= 0.
 std::vector<Direction3> cut(const std::vector<Direction3>& piece, const Direction3& normal) {
-  std::vector<Direction3> kept;
-  for (std::size_t k = 0; k < piece.size(); ++k) {
-    const Direction3 &a = piece[k], &b = piece[(k + 1) % piece.size()];
-    const double at_a = dot(normal, a), at_b = dot(normal, b);
-    if (at_a >= 0) kept.push_back(a);
-    if ((at_a < 0) == (at_b < 0)) continue;
-    const double t = at_a / (at_a - at_b);
-    kept.push_back(unit((1 - t) * a + t * b));
-  }
-  return kept;
+  return cut_convex(
+      piece, [&](const Direction3& d) { return dot(normal, d); },
+      [](const Direction3& a, const Direction3& b, double t) { return unit((1 - t) * a + t * b); });
 }
 
 using Arc = std::pair<Direction3, Direction3>;
