@@ -13,8 +13,10 @@
 #include "cli/scene_input.h"
 #include "geometry/near_names.h"
 #include "io/files/output_file.h"
+#include "io/foreign/foreign_method.h"
 #include "io/foreign/foreign_radiosity.h"
 #include "io/foreign/plane/foreign_matrix.h"
+#include "io/foreign/space/foreign_matrix.h"
 #include "io/results/comparison_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
@@ -23,6 +25,8 @@
 #include "solver/plane/compare/method_comparison.h"
 #include "solver/plane/compare/pair_explanation.h"
 #include "solver/plane/methods/method_catalogue.h"
+#include "solver/space/compare/method_comparison.h"
+#include "solver/space/compare/pair_explanation.h"
 #include "viewer/picture/log_plot.h"
 #include "viewer/picture/plane/drawable.h"
 #include "viewer/picture/plane/error_map.h"
@@ -42,26 +46,65 @@ struct CompareOptions {
   double at_most = 0;  // seconds; 0: no limit
   std::optional<double> beyond;
   std::string map;
+  std::optional<std::string> tolerance;
   ElementOptions elements;
+  PolygonOptions polygons;
 };
 
-using Methods = std::vector<std::unique_ptr<ExchangeMethod2>>;
+// What comparing needs of the plane.
+struct Plane {
+  using Scene = Scene2;
+  using Comparison = MethodComparison2;
+  using Explainer = PairExplainer2;
+
+  static MethodCatalogue2 methods() { return all_methods_2(); }
+  static Comparison comparison(const CompareOptions& options, Scene scene, const Streams& streams) {
+    if (options.tolerance)
+      throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
+    return Comparison(Simulation2(std::move(scene)), streams.stages());
+  }
+  static void require_map(const Scene& scene) { require_drawable(scene); }
+  static std::string map(const Comparison& comparison, const MethodResult& result) {
+    return error_map_2(comparison, result, PictureFormat::kPng);
+  }
+};
+
+// What it needs of space.
+struct Space {
+  using Scene = Scene3;
+  using Comparison = MethodComparison3;
+  using Explainer = PairExplainer3;
+
+  static MethodCatalogue3 methods() { return all_methods_3(); }
+  static Comparison comparison(const CompareOptions& options, Scene scene, const Streams& streams) {
+    const double tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance);
+    return Comparison(Simulation3(std::move(scene), {.factors = {.tolerance = tolerance}}), streams.stages());
+  }
+  static void require_map(const Scene&) {
+    throw UsageError("--map is of scenes in the plane; this version does not have it in space");
+  }
+  static std::string map(const Comparison&, const MethodResult&) { return {}; }
+};
+
+template <class Prepared>
+using Methods = std::vector<std::unique_ptr<ExchangeMethod<Prepared>>>;
 
 // The names to run, each once, in the order asked for: without --methods the middle of each family's sweep; with
 // --sweep the whole sweep of each family that is named, in the variant (":normalised") it is named in.
-std::vector<std::string> names_to_run(const MethodCatalogue2& methods, const CompareOptions& options) {
+template <class Prepared>
+std::vector<std::string> names_to_run(const MethodCatalogue<Prepared>& methods, const CompareOptions& options) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   };
   std::vector<std::string> asked = options.methods;
   if (asked.empty())
-    for (const MethodFamily2& family : methods.families())
+    for (const auto& family : methods.families())
       if (!family.sweep.empty()) asked.push_back(options.sweep ? family.name : family.sweep[family.sweep.size() / 2]);
   for (const std::string& name : asked) {
     const auto [raw, normalised] = split_method_name(name);
     bool is_swept = false;
-    for (const MethodFamily2& family : methods.families())
+    for (const auto& family : methods.families())
       if (options.sweep && family.name == family_of_method(raw)) {
         for (const std::string& point : family.sweep) add(point + normalised);
         is_swept = !family.sweep.empty();
@@ -71,22 +114,24 @@ std::vector<std::string> names_to_run(const MethodCatalogue2& methods, const Com
   return names;
 }
 
-Methods methods_to_run(const MethodCatalogue2& catalogue, const CompareOptions& options) {
-  Methods methods;
+template <class Prepared>
+Methods<Prepared> methods_to_run(const MethodCatalogue<Prepared>& catalogue, const CompareOptions& options) {
+  Methods<Prepared> methods;
   for (const std::string& name : names_to_run(catalogue, options)) methods.push_back(catalogue.make(name));
   return methods;
 }
 
 // Throws UsageError where an option would change nothing.
-void require_effect(const CompareOptions& options, const MethodCatalogue2& catalogue, const Methods& methods,
-                    const std::vector<std::string>& radiosity_files) {
+template <class Prepared>
+void require_effect(const CompareOptions& options, const MethodCatalogue<Prepared>& catalogue,
+                    const Methods<Prepared>& methods, const std::vector<std::string>& radiosity_files) {
   std::vector<std::string> names;
   std::map<std::string, int> members;
   bool has_foreign = !radiosity_files.empty();
   for (const auto& method : methods) {
     names.push_back(method->info().name);
     ++members[method->info().family];
-    has_foreign = has_foreign || is_foreign_2(method->info().name);
+    has_foreign = has_foreign || is_foreign(method->info().name);
   }
   if (!options.map.empty() && std::ranges::find(names, options.map) == names.end())
     throw UnknownName("--map takes one of the methods that are compared, not '" + options.map + "'", options.map,
@@ -107,7 +152,8 @@ void require_effect(const CompareOptions& options, const MethodCatalogue2& catal
   }
 }
 
-MethodResult run(const MethodComparison2& comparison, const ExchangeMethod2& method, const CompareOptions& options) {
+template <class Comparison, class Method>
+MethodResult run(const Comparison& comparison, const Method& method, const CompareOptions& options) {
   try {
     return comparison.run(method, options.repeat);
   } catch (const RequestError& error) {
@@ -123,9 +169,10 @@ struct Outcome {
 };
 
 // Runs one method after the other. A matrix is looked at from all sides here, then dropped.
-Outcome run_all(const MethodComparison2& comparison, const Methods& methods, const CompareOptions& options,
+template <class Kind, class SomeMethods>
+Outcome run_all(const typename Kind::Comparison& comparison, const SomeMethods& methods, const CompareOptions& options,
                 const Streams& streams) {
-  const PairExplainer2 explainer(comparison.prepared(), comparison.exact());
+  const typename Kind::Explainer explainer(comparison.prepared(), comparison.exact());
   const auto progress = streams.progress("methods");
   Outcome outcome;
   std::set<std::string> slow;  // families that have taken too long
@@ -140,7 +187,7 @@ Outcome run_all(const MethodComparison2& comparison, const Methods& methods, con
     if (options.at_most > 0 && result.timing.median > options.at_most) slow.insert(info.family);
     std::ranges::move(explained_worst_pairs(explainer, comparison.exact(), result, options.worst),
                       std::back_inserter(outcome.worst));
-    if (info.name == options.map) outcome.map = error_map_2(comparison, result, PictureFormat::kPng);
+    if (info.name == options.map) outcome.map = Kind::map(comparison, result);
     add_verdict(comparison, options.beyond.value_or(kBeyond), result);
     result.matrix = {};
     result.solution.reset();
@@ -149,19 +196,19 @@ Outcome run_all(const MethodComparison2& comparison, const Methods& methods, con
   return outcome;
 }
 
-ExitCode compare(CompareOptions options, Streams& streams) {
-  const MethodCatalogue2 methods_there_are = all_methods_2();
-  options.methods = method_names(options.methods, methods_there_are);
+template <class Kind>
+ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams& streams) {
+  const auto methods_there_are = Kind::methods();
+  options.methods = method_names(options.methods, family_names(methods_there_are));
   const std::vector<std::string> radiosity_files = take_radiosity_files(options.methods);
   if (!radiosity_files.empty() && options.methods.empty()) options.methods.push_back("exact");
-  const Methods methods = methods_to_run(methods_there_are, options);
+  const auto methods = methods_to_run(methods_there_are, options);
   require_effect(options, methods_there_are, methods, radiosity_files);
 
   const std::filesystem::path directory = output_folder(options.out, options.scene);
 
-  Scene2 scene = read_scene_2(options.scene);
   options.elements.apply_to(scene);
-  if (!options.map.empty()) require_drawable(scene);
+  if (!options.map.empty()) Kind::require_map(scene);
   const std::string stem = std::filesystem::path(options.scene).stem().string();
   const OutputFolder folder(directory);
   OutputFile csv(directory / "compare.csv"), worst(directory / "worst.csv"), read(directory / "readings.csv"),
@@ -169,11 +216,11 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   std::optional<OutputFile> map;
   if (!options.map.empty()) map.emplace(directory / "errors.png");
 
-  const MethodComparison2 comparison(Simulation2(std::move(scene)), streams.stages());
+  const typename Kind::Comparison comparison = Kind::comparison(options, std::move(scene), streams);
   if (map && !comparison.exact_solution())
     throw RequestError(options.scene + ": --map draws errors of the light, and there is none to compare: " +
                        comparison.why_no_solution());
-  Outcome outcome = run_all(comparison, methods, options, streams);
+  Outcome outcome = run_all<Kind>(comparison, methods, options, streams);
   const std::vector<WorkCurve> curves = work_curves(outcome.results);
   const std::vector<WorkReading> readings = read_off(curves, kErrorsReadOff);
   const LogPlot plot = work_precision_plot(curves, "What accuracy costs: " + stem, size_text(comparison.exact()));
@@ -186,6 +233,7 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   const ComparisonReport report{options.scene,
                                 comparison.prepared().scene.surfaces.size(),
                                 comparison.prepared().seconds,
+                                comparison.reference(),
                                 comparison.exact(),
                                 comparison.exact_solution() ? "" : comparison.why_no_solution(),
                                 outcome.results,
@@ -209,16 +257,23 @@ ExitCode compare(CompareOptions options, Streams& streams) {
   return ExitCode::kDone;
 }
 
+ExitCode compare(const CompareOptions& options, Streams& streams) {
+  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (auto* const in_space = std::get_if<Scene3>(&scene))
+    return compare_in<Space>(options, std::move(*in_space), streams);
+  return compare_in<Plane>(options, std::get<Scene2>(std::move(scene)), streams);
+}
+
 }  // namespace
 
 void add_compare(Commands& commands) {
   const auto options = std::make_shared<CompareOptions>();
-  const MethodCatalogue2 methods = all_methods_2();
   CLI::App& command =
       commands.add("compare", "Methods side by side: how wrong their view factors are, and how long they take",
                    {"hottel compare scenes/analytic/square_radiosity.json --elements 4 -o /tmp/square",
                     "hottel compare scenes/analytic/strip_obstructed.json --methods exact,gauss --sweep --worst 3 -o "
-                    "/tmp/strip --json"},
+                    "/tmp/strip --json",
+                    "hottel compare scenes/space/two_boxes.json --methods center,gauss:2,hemicube:128 -o /tmp/boxes"},
                    [options](Streams& streams) { return compare(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_option("-o", options->out, "the folder to write into, created; without it ./STEM-hottel/")
@@ -227,7 +282,7 @@ void add_compare(Commands& commands) {
       .add_option("--methods", options->methods,
                   "methods to compare, each also as METHOD:normalised; a file: may hold radiosities too; without it "
                   "one of each family" +
-                      methods_text(methods))
+                      methods_text())
       ->type_name("A,B,...")
       ->allow_extra_args(false);  // what follows may be the scene
   command.add_flag("--sweep", options->sweep, "run each family that is named through its parameters");
@@ -251,9 +306,14 @@ void add_compare(Commands& commands) {
                       shortest(kBeyond) + ") and the digits written")
       ->type_name("X")
       ->check(number_not_below_zero());
-  command.add_option("--map", options->map, "draw errors.png: where this method gets the light wrong")
+  command
+      .add_option("--tolerance", options->tolerance,
+                  "in space: what A F of the exact factors may be off, relative to the smaller area (default 1e-9)")
+      ->type_name("T");
+  command.add_option("--map", options->map, "in the plane: draw errors.png, where this method gets the light wrong")
       ->type_name("METHOD");
   options->elements.add_to(command);
+  options->polygons.add_to(command);
   command.add_flag("--json", options->json, "a report on standard output as one JSON object");
 }
 

@@ -148,7 +148,8 @@ Factors factors_of(const FactorsOptions& options, const Simulation2& simulation,
   return factors;
 }
 
-void factors_in_plane(const FactorsOptions& options, Scene2 scene, SimulationRequest2 request, Streams& streams) {
+void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& streams) {
+  SimulationRequest2 request = request_of(options);
   const auto picture = options.picture.empty() ? std::nullopt : picture_format(options.picture);
   require_use_of_limits(options);
   options.elements.apply_to(scene);
@@ -191,7 +192,6 @@ bool combines(const Scene3& scene) {
 ExitCode factors(FactorsOptions options, Streams& streams) {
   take_exact_form(options);
   require_sense(options);
-  SimulationRequest2 request = request_of(options);
   options.format();
   if (!options.picture.empty() && !picture_format(options.picture))
     throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
@@ -201,7 +201,7 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   if (auto* const in_space = std::get_if<Scene3>(&scene))
     factors_in_space(options, std::move(*in_space), streams);
   else
-    factors_in_plane(options, std::get<Scene2>(std::move(scene)), std::move(request), streams);
+    factors_in_plane(options, std::get<Scene2>(std::move(scene)), streams);
   return ExitCode::kDone;
 }
 
@@ -252,7 +252,7 @@ void add_factors(Commands& commands) {
       ->type_name("FILE");
   command
       .add_option("--method", options->method,
-                  "how to compute, each also as METHOD:normalised" + methods_text(all_methods_2()))
+                  "how to compute, each also as METHOD:normalised" + methods_text())
       ->type_name("METHOD")
       ->capture_default_str();
   command

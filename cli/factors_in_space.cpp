@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/space/exchange/element_table.h"
+#include "io/foreign/space/foreign_matrix.h"
 #include "io/results/space/element_files.h"
 #include "io/results/space/factors_report.h"
 #include "kernel/support/naming_file.h"
@@ -17,15 +18,24 @@ void require_what_space_has(const FactorsOptions& options) {
   const auto refuse = [](const std::string& option) {
     throw UsageError(option + " is of scenes in the plane; this version does not have it in space");
   };
-  if (!options.is_exact()) refuse("--method " + options.method);
   if (options.wants_exact_form) refuse("--exact-form");
   if (options.script_f) refuse("--script-f");
   if (!options.picture.empty()) refuse("--picture");
+  if (options.is_exact()) return;
+  const auto refuse_of = [&options](const std::string& option) {
+    throw UsageError(option + " is of the method exact only, not of " + options.method);
+  };
+  if (options.tolerance) refuse_of("--tolerance");
+  if (options.guarantee) refuse_of("--guarantee");
+  if (options.memory > 0) refuse_of("--memory");
+  if (options.pairs == "facing") refuse_of("--pairs facing");
+  if (options.matrix == "visibility" || options.matrix == "exchange") refuse_of("--matrix " + options.matrix);
 }
 
 FactorsRequest3 request_of(const FactorsOptions& options) {
-  return {.granularity = options.per(),
-          .wants_visibility = options.matrix.empty() || options.matrix == "visibility",
+  return {.method = options.is_exact() ? nullptr : all_methods_3().make(options.method),
+          .granularity = options.per(),
+          .wants_visibility = options.is_exact() && (options.matrix.empty() || options.matrix == "visibility"),
           .wants_measures = options.matrix == "exchange",
           .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
           .must_be_enclosed = options.guarantee == "enclosed",
@@ -42,7 +52,8 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
     const ElementCounts3 counts = element_counts(scene, request.granularity);
     return dense_size(counts.all, counts.with_material, format);
   });
-  if (options.elements.is_given() && request.granularity != Granularity::kElement)
+  if (options.elements.is_given() && request.granularity != Granularity::kElement &&
+      !(request.method && request.method->works_by_elements()))
     streams.note("elements change nothing here: rows are those of whole " + options.granularity +
                  "s; --per element has a row each");
   const Simulation3 simulation(std::move(scene), {.factors = request});
@@ -61,8 +72,13 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
       });
     });
   files.finish();
-  const FactorsReport3 report{options.scene, request.granularity, request.tolerance, computed->matrix.guarantee(),
-                              computed->report};
+  const FactorsReport3 report{.scene = options.scene,
+                              .method = options.method,
+                              .granularity = request.granularity,
+                              .tolerance = request.tolerance,
+                              .guarantee = computed->matrix.guarantee(),
+                              .counts = computed->report,
+                              .notes = computed->notes};
   if (options.json) streams.write("", factors_json(report));
   files.commit();
   streams.note(factors_text(report));

@@ -3,29 +3,42 @@
 #include <algorithm>
 
 #include "io/foreign/foreign_radiosity.h"
+#include "io/foreign/foreign_method.h"
 #include "io/foreign/plane/foreign_matrix.h"
+#include "io/foreign/space/foreign_matrix.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
 
 constexpr std::string_view kFile = "file:";
+constexpr const char* kInPlane = " (in the plane)";
 
 }  // namespace
 
-std::string methods_text(const MethodCatalogue2& methods) {
+std::string methods_text() {
+  std::vector<std::pair<std::string, std::string>> lines;  // pattern: what, and where
+  const auto add = [&lines](const auto& methods, const std::string& where) {
+    for (const auto& family : methods.families()) {
+      const auto known = std::ranges::find(lines, family.pattern, &std::pair<std::string, std::string>::first);
+      if (known == lines.end())
+        lines.emplace_back(family.pattern, family.what + where);
+      else if (const std::size_t other = known->second.find(kInPlane); other != std::string::npos)
+        known->second.erase(other);
+    }
+  };
+  add(all_methods_2(), kInPlane);
+  add(all_methods_3(), " (in space)");
   std::string text;
-  for (const MethodFamily2& family : methods.families()) text += "\n  " + family.pattern + ": " + family.what;
+  for (const auto& [pattern, what] : lines) text += "\n  " + pattern + ": " + what;
   return text;
 }
 
-std::vector<std::string> method_names(const std::vector<std::string>& lists, const MethodCatalogue2& methods) {
+std::vector<std::string> method_names(const std::vector<std::string>& lists, const std::vector<std::string>& families) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& part) {
-    const bool is_method =
-        std::any_of(methods.families().begin(), methods.families().end(),
-                    [&](const MethodFamily2& family) { return family.name == family_of_method(part); });
-    if (!is_method && !names.empty() && is_foreign_2(names.back()))
+    const bool is_method = std::ranges::find(families, family_of_method(part)) != families.end();
+    if (!is_method && !names.empty() && is_foreign(names.back()))
       names.back() += "," + part;
     else if (part.empty())
       throw UsageError("--methods has an empty name; names are separated by single commas");

@@ -46,7 +46,6 @@ struct Request {
 Request request_of(const SolveOptions& options) {
   Request request;
   SimulationRequest2& asked = request.simulation;
-  asked.method = all_methods_2().make(options.method);
   asked.solver = solver_of(options, options.method == "exact");
   asked.iterations = options.iterations;
   asked.until = options.until;
@@ -112,6 +111,7 @@ Simulation2 simulation_of(const SolveOptions& options, Scene2 scene, Request req
   const Grid2 grid = grid_of(scene, options.grid);
   if (request.simulation.wants_light) require_room_for(grid, channel_count(scene), options, request.directory);
   request.simulation.grid = grid;
+  request.simulation.method = all_methods_2().make(options.method);
   return Simulation2(std::move(scene), std::move(request.simulation));
 }
 
@@ -271,7 +271,7 @@ void add_solve(Commands& commands) {
       ->type_name("DIR");
   command
       .add_option("--method", options->method,
-                  "how to compute the factors, each also as METHOD:normalised" + methods_text(all_methods_2()))
+                  "how to compute the factors, each also as METHOD:normalised" + methods_text())
       ->type_name("METHOD")
       ->capture_default_str();
   command.add_option("--solver", options->solver, "auto cholesky cg lu bicgstab jacobi gauss-seidel shooting")

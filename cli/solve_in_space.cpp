@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/files/output_file.h"
+#include "io/foreign/space/foreign_matrix.h"
 #include "io/results/solve_report.h"
 #include "io/results/space/check_report.h"
 #include "io/results/space/factors_report.h"
@@ -26,7 +27,8 @@ void require_what_space_has(const SolveOptions& options) {
     throw UsageError(option + " is of scenes in the plane; this version does not have it in space");
   };
   const SolveOptions usual;
-  if (options.method != usual.method) refuse("--method " + options.method);
+  if (options.method != usual.method && options.tolerance)
+    throw UsageError("--tolerance is of the method exact only, not of " + options.method);
   if (options.grid != usual.grid) refuse("--grid");
   if (options.illumination != usual.illumination) refuse("--illumination");
   if (options.views != usual.views) refuse("--views");
@@ -35,7 +37,8 @@ void require_what_space_has(const SolveOptions& options) {
 SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) {
   const bool is_divided = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
                                       [](const Surface& surface) { return surface.elements > 1; });
-  return {.factors = {.granularity = is_divided ? Granularity::kElement : Granularity::kFace,
+  return {.factors = {.method = options.method == "exact" ? nullptr : all_methods_3().make(options.method),
+                      .granularity = is_divided ? Granularity::kElement : Granularity::kFace,
                       .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
                       .memory = options.memory.value_or(0)},
           .system = {.solver = solver_of(options, false), .iterations = options.iterations, .until = options.until},

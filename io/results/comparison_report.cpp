@@ -64,6 +64,10 @@ std::string comparison_json(const ComparisonReport& report) {
   json["counts"] = {
       {"surfaces", report.surfaces}, {"elements", report.exact.size()}, {"entries", report.exact.entry_count()}};
   json["seconds"] = {{"prepare", report.seconds_to_prepare}};
+  if (report.reference.max > 0)
+    json["exact_may_be_off"] = {{"max_error", report.reference.max},
+                                {"rms_error", report.reference.rms},
+                                {"max_radiosity_error", report.reference.radiosity}};
   json["methods"] = Json::array();
   for (const MethodResult& each : report.results) json["methods"].push_back(method_json(each));
   json["readings"] = Json::array();
@@ -86,6 +90,9 @@ std::string comparison_text(const ComparisonReport& report) {
   std::string text =
       fmt::format("{}; prepared once for all in {:.3g} s\n\n", size_text(report.exact), report.seconds_to_prepare) +
       compare_table(report.results) + "\n";
+  if (report.reference.max > 0)
+    text += fmt::format("the exact factors may be off by {:.2g} themselves: no smaller error is told\n",
+                        report.reference.max);
   if (!report.why_no_radiosities.empty()) text += "no radiosities are compared: " + report.why_no_radiosities + "\n";
   std::vector<std::pair<std::string, std::string>> notes;  // what is said, of which methods
   for (const MethodResult& each : report.results)

@@ -9,6 +9,7 @@
 #include "geometry/exchange_matrix.h"
 #include "solver/compare/explained_pair.h"
 #include "solver/compare/method_result.h"
+#include "solver/compare/reference_errors.h"
 #include "solver/compare/work_precision.h"
 
 namespace hottel {
@@ -18,6 +19,7 @@ struct ComparisonReport {
   std::string scene;
   std::size_t surfaces = 0;
   double seconds_to_prepare = 0;
+  ReferenceErrors reference{};     // how far `exact` may be off itself
   const ExchangeMatrix& exact;     // of the elements that all methods have
   std::string why_no_radiosities;  // empty where there are exact ones
   std::span<const MethodResult> results;

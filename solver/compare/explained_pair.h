@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "solver/compare/matrix_errors.h"
+#include "solver/compare/method_result.h"
 
 namespace hottel {
 
@@ -23,5 +25,16 @@ struct ExplainedPair {
   PairError error;
   PairExplanation explanation;
 };
+
+// Returns the pairs that a result gets most wrong, the worst first, at most `count` (worst_pairs() of matrix_errors.h).
+// exact: as given to the explainer, one of PairExplainer2 and its like. REQUIRES a result with its matrix.
+template <class Explainer>
+std::vector<ExplainedPair> explained_worst_pairs(const Explainer& explainer, const ExchangeMatrix& exact,
+                                                 const MethodResult& result, std::size_t count) {
+  std::vector<ExplainedPair> explained;
+  for (const PairError& pair : worst_pairs(result.matrix, exact, count))
+    explained.push_back({result.info.name, exact.name(pair.from), exact.name(pair.to), pair, explainer.explain(pair)});
+  return explained;
+}
 
 }  // namespace hottel

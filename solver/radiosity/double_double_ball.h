@@ -33,7 +33,7 @@ struct DoubleDoubleBall {
   double upper() const;                                                 // a double not below any number in it
 };
 
-inline constexpr double kRoundoff = 0x1p-53;     // of one operation, relative
+inline constexpr double kBallRoundoff = 0x1p-53;     // of one operation, relative
 inline constexpr double kUnderflow = 0x1p-1070;  // of a few operations, absolute
 inline constexpr double kOutward = 1 + 0x1p-48;  // more than the roundings of a radius
 
@@ -42,7 +42,7 @@ inline DoubleDoubleBall sum(const DoubleDoubleBall& a, const DoubleDoubleBall& b
   double s, e;
   two_sum(a.hi, b.hi, s, e);
   const double low = e + (a.lo + b.lo);
-  const double error = 4 * kRoundoff * (std::abs(e) + std::abs(a.lo) + std::abs(b.lo));
+  const double error = 4 * kBallRoundoff * (std::abs(e) + std::abs(a.lo) + std::abs(b.lo));
   DoubleDoubleBall result;
   two_sum(s, low, result.hi, result.lo);
   result.radius = (a.radius + b.radius + error) * kOutward + kUnderflow;
@@ -58,7 +58,7 @@ inline DoubleDoubleBall product(const DoubleDoubleBall& a, const DoubleDoubleBal
   const double cross = a.hi * b.lo, other = a.lo * b.hi;
   const double low = e + (cross + other);
   const double error =
-      4 * kRoundoff * (std::abs(e) + std::abs(cross) + std::abs(other)) + std::abs(a.lo) * std::abs(b.lo);
+      4 * kBallRoundoff * (std::abs(e) + std::abs(cross) + std::abs(other)) + std::abs(a.lo) * std::abs(b.lo);
   DoubleDoubleBall result;
   two_sum(p, low, result.hi, result.lo);
   result.radius = (a.size() * b.radius + b.size() * a.radius + error) * kOutward + kUnderflow;
@@ -71,7 +71,7 @@ inline DoubleDoubleBall DoubleDoubleBall::of(const Rational& value) {
   if (std::isinf(result.hi)) return {0, 0, std::numeric_limits<double>::infinity()};
   const Rational rest = value - Rational(result.hi);
   result.lo = to_double(rest);
-  if (rest != Rational(result.lo)) result.radius = std::abs(result.lo) * (2 * kRoundoff) + kUnderflow;
+  if (rest != Rational(result.lo)) result.radius = std::abs(result.lo) * (2 * kBallRoundoff) + kUnderflow;
   return result;
 }
 

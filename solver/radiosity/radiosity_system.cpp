@@ -40,7 +40,7 @@ class DifferenceSum {
 
   DoubleDoubleBall result() const {
     // Each term of low went through at most count + 6 additions and products, and partial sums stay below low_size.
-    const double roundings = 2 * (static_cast<double>(count_) + 16) * kRoundoff * low_size_;
+    const double roundings = 2 * (static_cast<double>(count_) + 16) * kBallRoundoff * low_size_;
     const double underflow = 8 * (static_cast<double>(count_) + 1) * kUnderflow;
     DoubleDoubleBall sum{0, 0, underflow};
     two_sum(high_, low_, sum.hi, sum.lo);

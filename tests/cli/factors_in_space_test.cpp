@@ -236,14 +236,13 @@ TEST_F(FactorsInSpace, MemoryIsKeptTo) {
 }
 
 TEST_F(FactorsInSpace, WhatIsOfThePlaneIsRefused) {
-  for (const char* option : {"--method gauss:4", "--exact-form", "--exact-form floor ceiling", "--script-f",
+  for (const char* option : {"--exact-form", "--exact-form floor ceiling", "--script-f",
                              "--picture p.svg --toward floor", "--method gauss:4 --exact-form"}) {
     const Outcome outcome = place_.run(std::string("hottel factors cube.json ") + option);
     EXPECT_EQ(outcome.code, 2) << option << "\n" << outcome.err;
     EXPECT_EQ(outcome.out, "") << option;
   }
-  EXPECT_THAT(place_.run("hottel factors cube.json --method gauss:4").err,
-              HasSubstr("--method gauss:4 is of scenes in the plane"));
+  EXPECT_THAT(place_.run("hottel factors cube.json --script-f").err, HasSubstr("--script-f is of scenes in the plane"));
   for (const char* option : {"--tolerance 0", "--tolerance -1", "--tolerance x", "--tolerance 1e-400",
                              "--tolerance 1e400", "--guarantee exact", "--guarantee", "--element-size 0"})
     EXPECT_EQ(place_.run(std::string("hottel factors cube.json ") + option).code, 2) << option;

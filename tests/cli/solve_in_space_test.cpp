@@ -277,7 +277,7 @@ TEST(SolveInSpace, ThePictureHasTheSizeAndTheToneAskedFor) {
 TEST(SolveInSpace, WhatIsOfThePlaneIsRefused) {
   const Workplace place;
   place.write("cube.json", contents(scene_file("cube.json")));
-  for (const char* option : {"--method center", "--grid 8x8", "--illumination average", "--views views.mtx"}) {
+  for (const char* option : {"--grid 8x8", "--illumination average", "--views views.mtx"}) {
     const Outcome outcome = place.run(std::string("hottel solve cube.json ") + option);
     EXPECT_EQ(outcome.code, 2) << option;
     EXPECT_THAT(outcome.err, HasSubstr("is of scenes in the plane; this version does not have it in space")) << option;

@@ -12,7 +12,9 @@
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "io/files/output_file.h"
 #include "io/foreign/foreign_command.h"
-#include "io/foreign/plane/foreign_matrix.h"
+#include "geometry/plane/exchange/element_table.h"
+#include "io/foreign/foreign_method.h"
+#include "solver/plane/methods/method_catalogue.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
@@ -62,8 +64,7 @@ class ForeignRoomTest : public ::testing::Test {
 
   static MethodCatalogue2 planar() {
     MethodCatalogue2 methods;
-    methods.add(file_family_2());
-    methods.add(run_family_2());
+    add_foreign_methods<ElementMethod2>(methods);
     return methods;
   }
 

@@ -9,6 +9,7 @@
 
 #include "geometry/scene_names.h"
 #include "geometry/space/exchange/area_sum.h"
+#include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/scene/division.h"
 #include "kernel/support/failure.h"
 
@@ -265,6 +266,10 @@ std::vector<std::vector<std::array<double, 3>>> element_corners(const ElementTab
       result[label].push_back({to_double(p.x), to_double(p.y), to_double(p.z)});
   }
   return result;
+}
+
+std::vector<Element> elements_of(const PreparedScene3& prepared, Granularity granularity) {
+  return ElementTable3(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity).elements();
 }
 
 }  // namespace hottel

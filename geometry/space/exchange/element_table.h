@@ -18,6 +18,8 @@
 
 namespace hottel {
 
+struct PreparedScene3;
+
 // How many elements the table of a scene will have, and how many of them have a row. COST: linear in the corners of
 // polygons.
 struct ElementCounts3 {
@@ -101,5 +103,8 @@ class ElementTable3 {
 // Returns the corners of each element in scene coordinates, each rounded to the nearest double, in the order of the
 // elements; none of groups.
 std::vector<std::vector<std::array<double, 3>>> element_corners(const ElementTable3& table, const Vertices3& vertices);
+
+// The elements of a prepared scene, as rows and columns of a matrix stand for them. COST: that of the table.
+std::vector<Element> elements_of(const PreparedScene3& prepared, Granularity granularity);
 
 }  // namespace hottel

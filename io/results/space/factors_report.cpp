@@ -27,7 +27,18 @@ std::string factors_json(const FactorsReport3& report) {
   json["hottel"] = 1;
   json["version"] = kVersion;
   json["scene"] = report.scene;
-  json["method"] = "exact";
+  json["method"] = report.method;
+  if (!report.notes.empty()) {
+    json["counts"] = {{"surfaces", counts.surfaces},
+                      {"vertices", counts.vertices},
+                      {"elements", counts.elements},
+                      {"entries", counts.pairs}};
+    json["seconds"] = counts.seconds;
+    json["closure"] = {{"max_defect", counts.max_defect}, {"exact", false}};
+    json["bounds"] = {{"guarantee", to_string(report.guarantee)}};
+    json["notes"] = report.notes;
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  }
   json["counts"] = {{"surfaces", counts.surfaces}, {"vertices", counts.vertices}, {"elements", counts.elements},
                     {"pairs", counts.pairs},       {"hidden", counts.hidden},     {"clear", counts.clear},
                     {"mixed", counts.mixed},       {"maps", counts.maps},         {"pieces", counts.pieces},
@@ -47,6 +58,9 @@ std::string factors_text(const FactorsReport3& report) {
   const ExchangeReport3& counts = report.counts;
   double seconds = 0;
   for (const auto& [stage, time] : counts.seconds) seconds += time;
+  if (!report.notes.empty())
+    return fmt::format("{} view factors of {} {}; {:.3f} s\n{}", counts.pairs, counts.elements,
+                       plural(report.granularity), seconds, fmt::join(report.notes, "\n"));
   const std::uint64_t estimated = counts.pairs - counts.enclosed;
   std::string text =
       fmt::format("{} visible pairs of {} {}, ", counts.pairs, counts.elements, plural(report.granularity));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "geometry/element.h"
 #include "geometry/space/exchange/exchange_report.h"
@@ -12,18 +13,19 @@ namespace hottel {
 
 // Everything that is said about one run of `factors` in space.
 struct FactorsReport3 {
-  std::string scene;
+  std::string scene, method = "exact";
   Granularity granularity = Granularity::kFace;
   double tolerance = 1e-9;
   Guarantee guarantee = Guarantee::kEstimated;  // of the matrix: the weakest there is
   ExchangeReport3 counts;
+  std::vector<std::string> notes;  // of a method that is not exact
 };
 
 // What a solution says of the factors it rests on; tiers: filter, combinatorial, exact.
 FactorCounts factor_counts(const ExchangeReport3& report);
 
 // Returns the report as one JSON object and a final newline: `counts`, `tiers` (filter, combinatorial, exact),
-// `seconds`, `closure`, `bounds`.
+// `seconds`, `closure`, `bounds`; of a method that is not exact what it has of them, and `notes`.
 std::string factors_json(const FactorsReport3& report);
 
 // Returns two lines without a final newline: pairs and how close rows come to 1; what settled them, and the seconds.

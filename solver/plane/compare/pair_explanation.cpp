@@ -83,12 +83,4 @@ PairExplanation PairExplainer2::explain(const PairError& pair) const {
   return result;
 }
 
-std::vector<ExplainedPair> explained_worst_pairs(const PairExplainer2& explainer, const ExchangeMatrix& exact,
-                                                 const MethodResult& result, std::size_t count) {
-  std::vector<ExplainedPair> explained;
-  for (const PairError& pair : worst_pairs(result.matrix, exact, count))
-    explained.push_back({result.info.name, exact.name(pair.from), exact.name(pair.to), pair, explainer.explain(pair)});
-  return explained;
-}
-
 }  // namespace hottel

@@ -2,15 +2,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/element_table.h"
 #include "solver/compare/explained_pair.h"
-#include "solver/compare/matrix_errors.h"
-#include "solver/plane/compare/method_comparison.h"
 
 namespace hottel {
 
@@ -39,10 +35,5 @@ class PairExplainer2 {
   const ExchangeMatrix& exact_;
   ElementTable2 table_;
 };
-
-// Returns the pairs that a result gets most wrong, the worst first, at most `count` (worst_pairs() of matrix_errors.h).
-// exact: as given to the explainer. REQUIRES a result with its matrix.
-std::vector<ExplainedPair> explained_worst_pairs(const PairExplainer2& explainer, const ExchangeMatrix& exact,
-                                                 const MethodResult& result, std::size_t count);
 
 }  // namespace hottel

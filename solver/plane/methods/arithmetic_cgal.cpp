@@ -13,7 +13,7 @@ class CgalPoints {
   explicit CgalPoints(const Vertices2& vertices) {
     points_.reserve(vertices.size());
     // Below 1 where they are no doubles, so that squares stay in range.
-    const auto below_one_2 = [shift = -vertices.exponent()](const Rational& value) {
+    const auto below_one = [shift = -vertices.exponent()](const Rational& value) {
       return ExactKernel::FT(scaled_by_power_of_two(value, shift));
     };
     for (const VertexId v : vertices.ids()) {
@@ -22,7 +22,7 @@ class CgalPoints {
       if (vertices.approximation_error() == 0)
         points_.emplace_back(ExactKernel::FT(near.x), ExactKernel::FT(near.y));
       else
-        points_.emplace_back(below_one_2(exact.x), below_one_2(exact.y));
+        points_.emplace_back(below_one(exact.x), below_one(exact.y));
     }
   }
 

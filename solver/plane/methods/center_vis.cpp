@@ -30,7 +30,7 @@ class CenterVis2 final : public PairMethod2 {
 
  protected:
   Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const override {
-    const auto visibility = std::make_shared<const ExactVisibility2>(prepared);
+    const auto visibility = exact_visibility_2(prepared);
     const auto factors = [&geometry, visibility](std::uint32_t i, std::uint32_t j) {
       const double visible = visibility->of(i, j);
       return sum_over_runs(geometry, i, j, [visible](const ElementRun2& a, const ElementRun2& b) {
@@ -61,10 +61,10 @@ class InverseSquare2 final : public PairMethod2 {
     const double constant = to_double(local);
     if (!std::isnormal(constant) && constant_ != 0)
       throw RequestError("the inverse square of lengths in this scene is beyond the range of double");
-    const auto visibility = std::make_shared<const ExactVisibility2>(prepared);
+    const auto visibility = exact_visibility_2(prepared);
     const auto factors = [&geometry, constant, visibility](std::uint32_t i, std::uint32_t j) {
       const double visible = visibility->of(i, j);
-      PairFactors2 both;
+      PairFactors both;
       for (const ElementRun2& a : geometry.runs(i))
         for (const ElementRun2& b : geometry.runs(j)) {
           const double kernel = between_centres(a, b);  // cos cos' / (2 r)

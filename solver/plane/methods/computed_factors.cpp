@@ -25,13 +25,4 @@ ComputedFactors2 factors_by(const ExchangeMethod2& method, const PreparedScene2&
   return result;
 }
 
-void require_not_negative(const ExchangeMatrix& matrix, const PreparedScene2& prepared, const ExchangeMethod2& method) {
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (const FactorEntry& entry : matrix.row(i))
-      if (entry.factor.value < 0)
-        throw RequestError(fmt::format("{}: the method {}: a factor of '{}' is negative ({}): nothing can be solved",
-                                       prepared.scene.file, method.info().name, matrix.elements()[i].name,
-                                       shortest(entry.factor.value)));
-}
-
 }  // namespace hottel

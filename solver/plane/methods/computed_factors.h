@@ -16,7 +16,4 @@ struct ComputedFactors2 {
 ComputedFactors2 factors_by(const ExchangeMethod2& method, const PreparedScene2& prepared,
                             const ExchangeRequest& request);
 
-// Throws RequestError, naming scene, method and element, where a factor is negative: nothing can be solved then.
-void require_not_negative(const ExchangeMatrix& matrix, const PreparedScene2& prepared, const ExchangeMethod2& method);
-
 }  // namespace hottel

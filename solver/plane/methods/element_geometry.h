@@ -90,4 +90,9 @@ class ElementGeometry2 {
   std::vector<double> length_;
 };
 
+// Which elements have a row and a run to see from. REQUIRES that the geometry outlives what is returned.
+inline auto has_runs(const ElementGeometry2& geometry) {
+  return [&geometry](std::uint32_t element) { return geometry.has_row(element) && !geometry.runs(element).empty(); };
+}
+
 }  // namespace hottel

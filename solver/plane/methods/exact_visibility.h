@@ -1,49 +1,16 @@
-// Exact partial visibilities of all pairs of elements.
+// Exact partial visibilities in the plane.
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <vector>
+#include <memory>
 
 #include "geometry/plane/exchange/exchange.h"
+#include "solver/methods/exact_visibility.h"
 
 namespace hottel {
 
-// The exact Vis(i, j) of all pairs of elements, for methods that approximate only the rest of a factor.
-//
-//   (1) of(i, j) == of(j, i); it is 0 iff nothing of one sees anything of the other, decided without rounding
-//   (2) black backs, which have no row, are found by those that see them
-// Many threads may ask at once. The scene is not needed afterwards.
-class ExactVisibility2 {
- public:
-  // COST: that of the exact factors.
-  explicit ExactVisibility2(const PreparedScene2& prepared)
-      : exact_(exact_exchange(prepared, {.granularity = Granularity::kElement})), rows_that_see_(exact_.size()) {
-    for (std::uint32_t i = 0; i < exact_.size(); ++i)
-      for (const FactorEntry& entry : exact_.row(i))
-        if (entry.to != exact_.sky() && !exact_.has_row(entry.to)) rows_that_see_[entry.to].push_back(i);
-  }
-
-  // Appends the elements j with S(i, j) > 0, where one of i and j at least has a row; no others, and not the sky. COST:
-  // the number of these.
-  void append_partners(std::uint32_t i, std::vector<std::uint32_t>& elements) const {
-    for (const FactorEntry& entry : exact_.row(i))
-      if (entry.to != exact_.sky()) elements.push_back(entry.to);
-    elements.insert(elements.end(), rows_that_see_[i].begin(), rows_that_see_[i].end());
-  }
-
-  // Vis(i, j) = S / S0, correctly rounded; 0 iff S = 0. REQUIRES that one of the two has a row.
-  double of(std::uint32_t i, std::uint32_t j) const {
-    const std::uint32_t from = exact_.has_row(i) ? i : j, to = from == i ? j : i;
-    const auto row = exact_.row(from);
-    const auto entry = std::lower_bound(row.begin(), row.end(), to,
-                                        [](const FactorEntry& e, std::uint32_t column) { return e.to < column; });
-    return entry != row.end() && entry->to == to ? entry->visibility : 0;
-  }
-
- private:
-  ExchangeMatrix exact_;
-  std::vector<std::vector<std::uint32_t>> rows_that_see_;  // by element without a row
-};
+// Those of all pairs of elements, correctly rounded. COST: that of the exact factors.
+inline std::shared_ptr<const ExactVisibility> exact_visibility_2(const PreparedScene2& prepared) {
+  return std::make_shared<const ExactVisibility>(exact_exchange(prepared, {.granularity = Granularity::kElement}));
+}
 
 }  // namespace hottel

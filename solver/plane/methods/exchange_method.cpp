@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "kernel/support/stopwatch.h"
-#include "solver/plane/methods/coarsened.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/element_table.h"
+#include "solver/methods/coarsened.h"
 
 namespace hottel {
 
@@ -13,7 +15,8 @@ ExchangeMatrix ElementMethod2::compute(const PreparedScene2& prepared, const Exc
   ExchangeMatrix matrix = compute_elements(prepared, request.progress, report);
   const bool is_divided = std::ranges::any_of(prepared.division, [](std::uint32_t parts) { return parts > 1; });
   if (request.granularity == Granularity::kGroup || (request.granularity == Granularity::kFace && is_divided))
-    matrix = coarsened(matrix, prepared, request.granularity);
+    matrix = coarsened(matrix, prepared.scene, elements_of(prepare(prepared.scene, Divided2::kNo), request.granularity),
+                       request.granularity);
   const double seconds = watch.lap();
   ExchangeReport& counts = report.counts;
   counts.surfaces = prepared.scene.surfaces.size();

@@ -3,12 +3,10 @@
 // GUARANTEE: estimated. Elements that see each other wholly: the error falls like rho^(-2 n), where rho > 1 depends on
 // distance over length alone (quadrature_bounds.h); where elements touch, like a power of n.
 // REFERENCE: Gauss-Legendre quadrature (Trefethen, Approximation Theory and Approximation Practice, 2013, chapter 19).
-#include <boost/math/special_functions/legendre.hpp>
-#include <charconv>
 #include <limits>
 #include <memory>
 
-#include "kernel/support/failure.h"
+#include "solver/methods/gauss_rule.h"
 #include "solver/plane/methods/cosine_kernel.h"
 #include "solver/plane/methods/method_catalogue.h"
 #include "solver/plane/methods/pair_method.h"
@@ -20,27 +18,6 @@ namespace {
 
 constexpr int kMostPoints = 1024;
 constexpr const char* kReference = "Gauss-Legendre quadrature; Trefethen 2013, chapter 19";
-
-// Places and weights of a quadrature of [0, 1].
-struct Rule {
-  std::vector<double> place, weight;
-
-  void add(double zero, double doubled_weight) {
-    place.push_back((1 + zero) / 2);
-    weight.push_back(doubled_weight / 2);
-  }
-};
-
-Rule gauss_rule(int n) {
-  Rule rule;
-  for (const double zero : boost::math::legendre_p_zeros<double>(n)) {  // those that are not negative
-    const double slope = boost::math::legendre_p_prime(n, zero);
-    const double weight = 2 / ((1 - zero) * (1 + zero) * slope * slope);
-    if (zero > 0) rule.add(-zero, weight);
-    rule.add(zero, weight);
-  }
-  return rule;
-}
 
 class Gauss2 final : public PairMethod2 {
  public:
@@ -87,17 +64,11 @@ class Gauss2 final : public PairMethod2 {
 
  private:
   int n_;
-  Rule rule_;
+  GaussRule rule_;
 };
 
 std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {
-  int n = 0;
-  const char* const end = variant.data() + variant.size();
-  if (!variant.empty())
-    if (const auto read = std::from_chars(variant.data() + 1, end, n);
-        read.ec == std::errc() && read.ptr == end && n >= 1 && n <= kMostPoints)
-      return std::make_unique<Gauss2>(n);
-  throw UsageError("gauss:n wants a number of points from 1 to " + std::to_string(kMostPoints));
+  return std::make_unique<Gauss2>(count_of_variant("gauss", variant, kMostPoints));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 #include "kernel/int128.h"
 #include "kernel/support/failure.h"
-#include "solver/plane/methods/factor_rows.h"
+#include "solver/methods/factor_rows.h"
 #include "solver/plane/methods/method_catalogue.h"
 #include "solver/plane/methods/place_tree.h"
 #include "solver/radiosity/matrix_checks.h"
@@ -106,8 +106,8 @@ ExchangeMatrix Hemicube2::compute_elements(const PreparedScene2& prepared, const
   if (!options_.is_uniform)
     for (std::size_t k = 0; k < weight.size(); ++k) weight[k] = square.weight(k);
   const ElementTable2& table = geometry.table();
-  ExchangeMatrix matrix = matrix_by_rows(geometry, progress, [&]() -> FillRow2 {
-    return [&, buffer = std::shared_ptr(make_buffer_(options_.resolution))](std::uint32_t from, RowSums2& by) {
+  ExchangeMatrix matrix = matrix_by_rows(geometry.table().elements(), has_runs(geometry), progress, [&]() -> FillRow {
+    return [&, buffer = std::shared_ptr(make_buffer_(options_.resolution))](std::uint32_t from, RowSums& by) {
       for (const ElementRun2& run : geometry.runs(from)) {
         const CentreFrame frame(prepared.arrangement.vertices(), geometry, run);
         const auto image = buffer->draw(items_of(prepared.arrangement, table, frame), table.sky());

@@ -7,10 +7,6 @@
 
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/unobstructed.h"
-#include "kernel/support/interrupt.h"
-#include "kernel/support/parallel.h"
-#include "kernel/support/progress_count.h"
-#include "solver/plane/methods/factor_rows.h"
 #include "solver/plane/methods/open_space.h"
 
 namespace hottel {
@@ -18,63 +14,16 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 constexpr double kHalfUlp = 0x1p-53;
-constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
-
-struct LaterFactors {
-  std::uint32_t to;  // > from
-  PairFactors2 factors;
-};
-
-// Gives what the other factors leave of 1 to the sky, where the row ends; returns the row's defect.
-double close_row(std::vector<FactorEntry>& row, std::uint32_t sky, bool borders_open_space) {
-  double sum = 0;
-  for (const FactorEntry& entry : row) sum += entry.factor.value;
-  if (borders_open_space && sum < 1) {
-    row.push_back({sky, {1 - sum, 0}, kNotAsked});
-    sum += 1 - sum;
-  }
-  return std::fabs(sum - 1);
-}
 
 }  // namespace
 
 ExchangeMatrix PairMethod2::compute_elements(const PreparedScene2& prepared,
                                              const std::function<void(double)>& progress, MethodReport& report) const {
   const ElementGeometry2 geometry(prepared);
-  const Pairs pairs_of_method = pairs(prepared, geometry);
-  const std::uint32_t n = geometry.count();
-  std::vector<std::vector<LaterFactors>> later(n);
-  ProgressCount done(progress, n);
-  parallel_for(n, [&](std::size_t row) {
-    throw_if_interrupted();
-    const auto i = static_cast<std::uint32_t>(row);
-    std::vector<std::uint32_t> partners;
-    pairs_of_method.append_partners(i, partners);
-    std::sort(partners.begin(), partners.end());
-    partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
-    for (const std::uint32_t j : partners) {
-      if (j <= i || !(geometry.has_row(i) || geometry.has_row(j))) continue;
-      const PairFactors2 both = pairs_of_method.factors(i, j);
-      if (both.forth > 0 || both.back > 0) later[i].push_back({j, both});
-    }
-    done.add();
-  });
-
-  std::vector<std::vector<FactorEntry>> rows(n);
-  const auto add = [&](std::uint32_t from, std::uint32_t to, double factor) {
-    if (factor > 0 && geometry.has_row(from)) rows[from].push_back({to, {factor, 0}, kNotAsked});
-  };
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (const LaterFactors& pair : later[i]) {
-      add(i, pair.to, pair.factors.forth);
-      add(pair.to, i, pair.factors.back);
-    }
-
-  const std::vector<char> is_open = borders_open_space(prepared.arrangement, geometry.table());
-  for (std::uint32_t i = 0; i < n; ++i)
-    if (geometry.has_row(i))
-      report.row_defect = std::max(report.row_defect, close_row(rows[i], geometry.table().sky(), is_open[i] != 0));
-  return matrix_of_rows(geometry, rows);
+  return matrix_of_pairs({.elements = geometry.table().elements(),
+                          .has_row = [&geometry](std::uint32_t i) { return geometry.has_row(i); },
+                          .is_open = borders_open_space(prepared.arrangement, geometry.table())},
+                         pairs(prepared, geometry), progress, report);
 }
 
 double PairMethod2::error_of_free_runs(const Vertices2&, const ElementGeometry2&, const ElementRun2&,

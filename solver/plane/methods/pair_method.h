@@ -2,27 +2,19 @@
 #pragma once
 
 #include <functional>
-#include <memory>
-#include <vector>
+#include <optional>
+#include <utility>
 
+#include "solver/methods/pair_rows.h"
 #include "solver/plane/methods/element_geometry.h"
 #include "solver/plane/methods/exchange_method.h"
 
 namespace hottel {
 
-// The factors between two elements, both ways.
-struct PairFactors2 {
-  double forth = 0, back = 0;
-};
-
 // A method whose factor of two elements depends on these two, and on what stands between them.
 //
-// The matrix, the sky and the claims are made here: a pair that exchanges nothing is claimed to be exactly 0, one that
+// The matrix (matrix_of_pairs) and the claims are made here: a pair that exchanges nothing is claimed to be exactly 0, one that
 // nothing hides to be within error_of_free_runs(), one that is hidden in part as the method says.
-//
-//   (1) each pair is asked for once, both factors together; an entry for each that is above 0
-//   (2) what a row lacks of 1 goes to the sky where its element borders open space; other rows, and those above 1, stay
-//   (3) the matrix is the same bit for bit for any number of threads
 class PairMethod2 : public ElementMethod2 {
  public:
   const MethodInfo& info() const final { return info_; }
@@ -35,18 +27,7 @@ class PairMethod2 : public ElementMethod2 {
   ExchangeMatrix compute_elements(const PreparedScene2& prepared, const std::function<void(double)>& progress,
                                   MethodReport& report) const final;
 
-  // What is asked of a method, by several threads at once.
-  struct Pairs {
-    // Appends every element j > i whose factors with i may not be 0; others too, and in any order.
-    std::function<void(std::uint32_t i, std::vector<std::uint32_t>& partners)> append_partners;
-    // The factors of elements i < j of which one at least has a row.
-    std::function<PairFactors2(std::uint32_t i, std::uint32_t j)> factors;
-  };
-  // Partners by source->append_partners(i, partners).
-  template <class Source>
-  static auto partners_of(std::shared_ptr<const Source> source) {
-    return [source](std::uint32_t i, std::vector<std::uint32_t>& partners) { source->append_partners(i, partners); };
-  }
+  using Pairs = PairsOfElements;
   // REQUIRES that `prepared` and `geometry` outlive what is returned.
   virtual Pairs pairs(const PreparedScene2& prepared, const ElementGeometry2& geometry) const = 0;
 
@@ -67,11 +48,11 @@ class PairMethod2 : public ElementMethod2 {
 // The factors that belong to a measure S(a, b) of two runs: F_ab = S / (length of a), summed over the runs of both
 // elements. Both are 0 where the sum is not above 0.
 template <class Measure>
-PairFactors2 sum_over_runs(const ElementGeometry2& geometry, std::uint32_t i, std::uint32_t j, const Measure& measure) {
+PairFactors sum_over_runs(const ElementGeometry2& geometry, std::uint32_t i, std::uint32_t j, const Measure& measure) {
   double sum = 0;
   for (const ElementRun2& a : geometry.runs(i))
     for (const ElementRun2& b : geometry.runs(j)) sum += measure(a, b);
-  return sum > 0 ? PairFactors2{sum / geometry.length(i), sum / geometry.length(j)} : PairFactors2{};
+  return sum > 0 ? PairFactors{sum / geometry.length(i), sum / geometry.length(j)} : PairFactors{};
 }
 
 }  // namespace hottel

@@ -7,20 +7,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "geometry/plane/visibility/first_hit.h"
 #include "kernel/support/failure.h"
-#include "solver/plane/methods/factor_rows.h"
+#include "solver/methods/factor_rows.h"
+#include "solver/methods/ray_names.h"
+#include "solver/plane/methods/element_geometry.h"
 #include "solver/plane/methods/method_catalogue.h"
 #include "solver/radiosity/matrix_checks.h"
 
 namespace hottel {
 namespace {
 
-constexpr std::array<const char*, 3> kSamplings{"", ":stratified", ":sobol"};
 constexpr const char* kReference = "Howell 1998; Owen 1997";
 constexpr double kChance = 5.7e-7;  // beyond five standard deviations
 
@@ -74,7 +73,7 @@ class RayStarts {
 class Rays2 final : public ElementMethod2 {
  public:
   explicit Rays2(const RayOptions2& options) : options_(options) {
-    const std::string sampling = kSamplings[static_cast<std::size_t>(options.sampling)];
+    const std::string sampling = sampling_suffix(options.sampling);
     info_.name = fmt::format("rays:{}{}", options.rays, sampling);
     if (options.seed != RayOptions2().seed) info_.name += fmt::format(":seed={}", options.seed);
     info_.family = "rays" + sampling;
@@ -96,11 +95,11 @@ ExchangeMatrix Rays2::compute_elements(const PreparedScene2& prepared, const std
   const ElementGeometry2 geometry(prepared);
   const RayStarts starts(prepared.arrangement, geometry);
   const FirstHit2 first_hit(prepared.arrangement);
-  const RaySamples2 samples(options_.sampling, options_.rays, options_.seed);
+  const RaySamples samples(options_.sampling, options_.rays, options_.seed);
   const auto n = static_cast<double>(options_.rays);
-  const FillRow2 shoot = [&](std::uint32_t from, RowSums2& by) {
+  const FillRow shoot = [&](std::uint32_t from, RowSums& by) {
     const LocalVector2 along = geometry.runs(from).front().direction, up = geometry.runs(from).front().normal();
-    samples.for_each(from, [&](const RaySamples2::Point& point) {
+    samples.for_each(from, [&](const RaySamples::Point& point) {
       const double sine = 2 * point.turn - 1, cosine = 2 * std::sqrt(point.turn * (1 - point.turn));
       PieceRay2 ray = starts.at(from, point.position);
       ray.dx = sine * along.x + cosine * up.x;
@@ -109,13 +108,9 @@ ExchangeMatrix Rays2::compute_elements(const PreparedScene2& prepared, const std
     });
     by.divide_by(n);
   };
-  ExchangeMatrix matrix = matrix_by_rows(geometry, progress, [&] { return shoot; });
+  ExchangeMatrix matrix = matrix_by_rows(geometry.table().elements(), has_runs(geometry), progress, [&] { return shoot; });
 
-  double variance = 0;
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (const FactorEntry& entry : matrix.row(i))
-      variance = std::max(variance, entry.factor.value * (1 - entry.factor.value) / n);
-  report.standard_error = std::sqrt(variance);
+  report.standard_error = largest_standard_error(matrix, options_.rays);
   report.row_defect = closure_defect(matrix);
   report.notes.push_back(fmt::format("seed {}", options_.seed));
   return matrix;
@@ -128,43 +123,11 @@ std::optional<double> Rays2::declared_error(const PreparedScene2& prepared) cons
   const auto n = static_cast<double>(options_.rays);
   const double columns = geometry.count() + 1.0, pairs = columns * columns;
   double error = 1;
-  if (options_.sampling != Sampling2::kSobol) error = std::sqrt(std::log(2 * pairs / kChance) / (2 * n));
+  if (options_.sampling != Sampling::kSobol) error = std::sqrt(std::log(2 * pairs / kChance) / (2 * n));
   // What is seen changes across the curves on which a vertex is seen: angles that fall from one end to the other.
   const auto curves = static_cast<double>(prepared.arrangement.vertices().size());
   error = std::min(error, curves * parts_met_by_a_curve(options_.sampling, options_.rays) / n);
   return error < 1 ? std::optional(error) : std::nullopt;
-}
-
-[[noreturn]] void refuse(std::string_view variant) {
-  throw UsageError("rays" + std::string(variant) + ": expected rays:N, rays:N:stratified or rays:N:sobol, 1 <= N <= " +
-                   std::to_string(kMostRays) + ", and perhaps :seed=S");
-}
-
-std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {
-  RayOptions2 options;
-  const auto number = [variant](std::string_view text) {
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) refuse(variant);
-    return value;
-  };
-  if (variant.empty()) refuse(variant);
-  std::string_view rest = variant.substr(1);
-  const auto next_word = [&rest] {
-    const std::string_view word = rest.substr(0, rest.find(':'));
-    rest = word.size() == rest.size() ? std::string_view() : rest.substr(word.size() + 1);
-    return word;
-  };
-  options.rays = number(next_word());
-  if (options.rays < 1 || options.rays > kMostRays) refuse(variant);
-  if (rest.starts_with("stratified") || rest.starts_with("sobol")) {
-    const std::string_view word = next_word();
-    if (word != "stratified" && word != "sobol") refuse(variant);
-    options.sampling = word == "sobol" ? Sampling2::kSobol : Sampling2::kStratified;
-  }
-  if (rest.starts_with("seed=")) options.seed = number(next_word().substr(5));
-  if (!rest.empty() || variant.ends_with(':')) refuse(variant);
-  return rays_method_2(options);
 }
 
 }  // namespace
@@ -175,17 +138,16 @@ std::unique_ptr<ExchangeMethod2> rays_method_2(const RayOptions2& options) {
 }
 
 MethodFamily2 rays_family_2() {
-  std::vector<std::string> sweep;
-  for (const char* sampling : kSamplings)
-    for (const int rays : {64, 256, 1024, 4096, 16384, 65536})
-      sweep.push_back(fmt::format("rays:{}{}", rays, sampling));
   return {.name = "rays",
-          .pattern = "rays:N[:stratified|:sobol][:seed=S]",
+          .pattern = kRaysPattern,
           .what = "N random rays from each element, first hit",
           .reference = kReference,
           .guarantee = Guarantee::kEstimated,
-          .sweep = std::move(sweep),
-          .make = make};
+          .sweep = rays_sweep(),
+          .make = [](std::string_view variant) {
+            const RayVariant read = ray_variant(variant);
+            return rays_method_2({.sampling = read.sampling, .rays = read.rays, .seed = read.seed.value_or(1)});
+          }};
 }
 
 }  // namespace hottel

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "solver/plane/methods/exchange_method.h"
-#include "solver/plane/methods/ray_samples.h"
+#include "solver/methods/ray_samples.h"
 
 namespace hottel {
 
@@ -22,7 +22,7 @@ namespace hottel {
 // rays the border of what is seen runs through few of the parts that hold one ray each: a bound without any chance,
 // for scenes of few vertices.
 struct RayOptions2 {
-  Sampling2 sampling = Sampling2::kIndependent;
+  Sampling sampling = Sampling::kIndependent;
   std::uint64_t rays = 1;  // REQUIRES 1 <= rays <= kMostRays
   std::uint64_t seed = 1;
 };

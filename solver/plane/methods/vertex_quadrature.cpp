@@ -67,7 +67,7 @@ class VertexQuadrature2 final : public PairMethod2 {
       };
       return {partners_of(centres), factors};
     }
-    const auto visibility = std::make_shared<const ExactVisibility2>(prepared);
+    const auto visibility = exact_visibility_2(prepared);
     const auto factors = [&geometry, weight, nearest](std::uint32_t i, std::uint32_t j) {
       return sum_over_runs(geometry, i, j, [&](const ElementRun2& a, const ElementRun2& b) {
         return weight * a.length * b.length * sum_over_ends(a, b, nearest);

@@ -13,6 +13,7 @@
 #include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/methods/negative_factors.h"
 #include "solver/plane/light/illumination_grid.h"
 #include "solver/plane/light/light_rows.h"
 #include "solver/plane/light/sent_out.h"
@@ -211,7 +212,7 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
   if (input.method->info().guarantee == Guarantee::kExact)  // an error of another method is none of the scene
     require_closed(scene, matrix);
   else
-    require_not_negative(matrix, *prepared, *input.method);
+    require_not_negative(matrix, scene.file, input.method->info().name);
   return scene_radiosities(*input.system->get(progress), scene, factors->report.notes, telling("radiosity", progress));
 }
 

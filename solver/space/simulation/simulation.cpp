@@ -1,11 +1,15 @@
 #include "solver/space/simulation/simulation.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "geometry/closed_promise.h"
 #include "geometry/space/exchange/exchange.h"
+#include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
+#include "solver/methods/negative_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
 #include "solver/space/scene_plan.h"
@@ -17,8 +21,36 @@ template <class T>
 using StagePtr = std::shared_ptr<Stage<T>>;
 using ScenePtr = std::shared_ptr<const Scene3>;
 
+// What an approximate method makes of a scene.
+ComputedFactors3 factors_by(const ExchangeMethod3& method, const PreparedScene3& prepared,
+                            const FactorsRequest3& request, const StageProgress& progress) {
+  ComputedFactors3 result;
+  MethodReport report;
+  const std::string& name = method.info().name;
+  try {
+    result.matrix = method.compute(prepared,
+                                   {.granularity = request.granularity,
+                                    .wants_visibility = false,
+                                    .progress = telling("view factors", progress)},
+                                   report);
+  } catch (const RequestError& error) {
+    throw RequestError(fmt::format("{}: the method {}: {}", prepared.scene.file, name, error.what()));
+  }
+  result.report.surfaces = report.counts.surfaces;
+  result.report.vertices = report.counts.vertices;
+  result.report.elements = report.counts.elements;
+  result.report.pairs = report.counts.pairs;
+  result.report.max_defect = report.row_defect;
+  result.report.seconds = report.counts.seconds;
+  result.notes = {fmt::format("view factors by {}: {}, rows sum to 1 within {:.2g}", name,
+                              to_string(result.matrix.guarantee()), report.row_defect)};
+  result.notes.insert(result.notes.end(), report.notes.begin(), report.notes.end());
+  return result;
+}
+
 ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsRequest3& request,
                               const StageProgress& progress) {
+  if (request.method) return factors_by(*request.method, prepared, request, progress);
   return naming_file(prepared.scene.file, [&] {
     ComputedFactors3 result;
     result.matrix = exact_exchange(prepared,
@@ -94,9 +126,14 @@ struct Simulation3::Version {
 
   void set_system() {
     system = std::make_shared<Stage<RadiositySolver>>(
-        "radiosity", [its = scene, made = factors, asked = request.system](const StageProgress& progress) {
+        "radiosity",
+        [its = scene, made = factors, asked = request.system,
+         method = request.factors.method](const StageProgress& progress) {
           const auto computed = made->get(progress);
-          require_closed(*its, computed->matrix);
+          if (method == nullptr)  // an error of another method is none of the scene
+            require_closed(*its, computed->matrix);
+          else
+            require_not_negative(computed->matrix, its->file, method->info().name);
           return naming_file(its->file, [&] {
             return RadiositySolver(std::shared_ptr<const ExchangeMatrix>(computed, &computed->matrix),
                                    reflectivities_of(its->materials),
@@ -104,9 +141,9 @@ struct Simulation3::Version {
           });
         });
     radiosities = std::make_shared<Stage<RadiositySolution>>(
-        "radiosity", [its = scene, ready = system](const StageProgress& progress) {
+        "radiosity", [its = scene, made = factors, ready = system](const StageProgress& progress) {
           const auto solver = ready->get(progress);
-          return scene_radiosities(*solver, *its, {}, telling("radiosity", progress));
+          return scene_radiosities(*solver, *its, made->get(progress)->notes, telling("radiosity", progress));
         });
   }
 };

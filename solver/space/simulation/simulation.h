@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
@@ -14,11 +15,15 @@
 #include "solver/radiosity/radiosity_options.h"
 #include "solver/radiosity/radiosity_solution.h"
 #include "solver/radiosity/radiosity_solver.h"
+#include "solver/space/methods/exchange_method.h"
 
 namespace hottel {
 
 // What is asked of view factors, with what is taken where nothing is said.
 struct FactorsRequest3 {
+  // By which method, "exact" where there is none: visibilities, measures and limits are of the exact one alone, and so
+  // are hidden pairs.
+  std::shared_ptr<const ExchangeMethod3> method = nullptr;
   Granularity granularity = Granularity::kFace;
   bool wants_visibility = false, wants_measures = false;  // beside the factors
   double tolerance = 1e-9;                                // as ExchangeRequest takes it
@@ -47,6 +52,7 @@ struct SimulationRequest3 {
 struct ComputedFactors3 {
   ExchangeMatrix matrix;
   ExchangeReport3 report;
+  std::vector<std::string> notes;  // where the method is not exact: the first is a sentence about it
 };
 
 // One version of a scene and what is asked of it, with what follows, in stages:

@@ -16,7 +16,7 @@
 #include "kernel/support/parallel.h"
 #include "solver/plane/methods/item_buffer.h"
 #include "solver/plane/methods/method_catalogue.h"
-#include "solver/plane/methods/ray_samples.h"
+#include "solver/methods/ray_samples.h"
 
 namespace hottel {
 namespace {
@@ -180,49 +180,49 @@ TEST(Rays2, ConvergeFasterWhenStratified) {
   EXPECT_GT(order(":sobol"), 0.69);
 }
 
-TEST(RaySamples2, LieOneByOneInTheirParts) {
+TEST(RaySamples, LieOneByOneInTheirParts) {
   constexpr int kLevels = 10;
   const auto n = std::uint64_t{1} << kLevels;
-  const RaySamples2 sobol(Sampling2::kSobol, n, 3);
+  const RaySamples sobol(Sampling::kSobol, n, 3);
   for (int wide = 0; wide <= kLevels; ++wide) {
     std::set<std::pair<int, int>> parts;
-    sobol.for_each(17, [&](const RaySamples2::Point& p) {
+    sobol.for_each(17, [&](const RaySamples::Point& p) {
       parts.emplace(static_cast<int>(std::ldexp(p.position, wide)),
                     static_cast<int>(std::ldexp(p.turn, kLevels - wide)));
     });
     EXPECT_EQ(parts.size(), n) << wide;
   }
-  const RaySamples2 grid(Sampling2::kStratified, 900, 3);
+  const RaySamples grid(Sampling::kStratified, 900, 3);
   std::set<std::pair<int, int>> parts;
-  grid.for_each(17, [&](const RaySamples2::Point& p) {
+  grid.for_each(17, [&](const RaySamples::Point& p) {
     parts.emplace(static_cast<int>(30 * p.position), static_cast<int>(30 * p.turn));
   });
   EXPECT_EQ(parts.size(), 900u);
 }
 
 // The points below a falling line are as many as its area says, but for the parts that it meets.
-TEST(RaySamples2, FollowTheAreaBelowACurve) {
+TEST(RaySamples, FollowTheAreaBelowACurve) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0, 1);
-  for (const Sampling2 sampling : {Sampling2::kStratified, Sampling2::kSobol})
+  for (const Sampling sampling : {Sampling::kStratified, Sampling::kSobol})
     for (const std::uint64_t n : {1u, 2u, 7u, 64u, 1000u, 1024u, 5000u}) {
-      const RaySamples2 samples(sampling, n, 1);
+      const RaySamples samples(sampling, n, 1);
       for (std::uint32_t element = 0; element < 40; ++element) {
         const double high = unit(random), low = high * unit(random), area = (high + low) / 2;
         double below = 0;
         samples.for_each(element,
-                         [&](const RaySamples2::Point& p) { below += p.turn < high + p.position * (low - high); });
+                         [&](const RaySamples::Point& p) { below += p.turn < high + p.position * (low - high); });
         const auto all = static_cast<double>(n);
         EXPECT_LE(std::fabs(below - all * area), parts_met_by_a_curve(sampling, n)) << n;
       }
     }
 }
 
-TEST(RaySamples2, OfDifferentElementsAndSeedsDiffer) {
+TEST(RaySamples, OfDifferentElementsAndSeedsDiffer) {
   std::set<double> positions;
   for (std::uint64_t seed = 0; seed < 10; ++seed)
     for (std::uint32_t element = 0; element < 10; ++element)
-      RaySamples2(Sampling2::kIndependent, 10, seed).for_each(element, [&](const RaySamples2::Point& p) {
+      RaySamples(Sampling::kIndependent, 10, seed).for_each(element, [&](const RaySamples::Point& p) {
         EXPECT_GT(p.position, 0);
         EXPECT_LT(p.position, 1);
         positions.insert(p.position);

@@ -13,7 +13,7 @@
 #include "geometry/space/visibility/point_map.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
-#include "viewer/picture/space/convex_cut.h"
+#include "geometry/space/visibility/convex_cut.h"
 
 namespace hottel {
 namespace {

@@ -12,7 +12,7 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
-#include "viewer/picture/space/convex_cut.h"
+#include "geometry/space/visibility/convex_cut.h"
 
 namespace hottel {
 namespace {

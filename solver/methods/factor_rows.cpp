@@ -1,4 +1,4 @@
-#include "solver/plane/methods/factor_rows.h"
+#include "solver/methods/factor_rows.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,19 +9,19 @@
 
 namespace hottel {
 
-ExchangeMatrix matrix_of_rows(const ElementGeometry2& geometry, const std::vector<std::vector<FactorEntry>>& rows) {
+ExchangeMatrix matrix_of_rows(const std::vector<Element>& elements, const std::vector<std::vector<FactorEntry>>& rows) {
   std::vector<std::size_t> begin{0};
   std::vector<FactorEntry> entries;
   for (const auto& row : rows) {
     entries.insert(entries.end(), row.begin(), row.end());
     begin.push_back(entries.size());
   }
-  ExchangeMatrix matrix(geometry.table().elements(), Guarantee::kEstimated);
+  ExchangeMatrix matrix(elements, Guarantee::kEstimated);
   matrix.assign(std::move(begin), std::move(entries));
   return matrix;
 }
 
-std::vector<FactorEntry> RowSums2::take() {
+std::vector<FactorEntry> RowSums::take() {
   std::sort(touched_.begin(), touched_.end());
   std::vector<FactorEntry> row;
   for (const std::uint32_t column : touched_) {
@@ -32,24 +32,26 @@ std::vector<FactorEntry> RowSums2::take() {
   return row;
 }
 
-ExchangeMatrix matrix_by_rows(const ElementGeometry2& geometry, const std::function<void(double)>& progress,
-                              const std::function<FillRow2()>& make_fill) {
-  const std::uint32_t n = geometry.count();
+ExchangeMatrix matrix_by_rows(const std::vector<Element>& elements,
+                              const std::function<bool(std::uint32_t element)>& wants_row,
+                              const std::function<void(double)>& progress,
+                              const std::function<FillRow()>& make_fill) {
+  const std::size_t n = elements.size();
   std::vector<std::vector<FactorEntry>> rows(n);
   ProgressCount done(progress, n);
   parallel_ranges(n, 1, [&](std::size_t first, std::size_t last) {
-    const FillRow2 fill = make_fill();
-    RowSums2 by(n + std::size_t{1});
+    const FillRow fill = make_fill();
+    RowSums by(n + 1);
     for (std::size_t from = first; from != last; ++from) {
       throw_if_interrupted();
       done.add();
       const auto i = static_cast<std::uint32_t>(from);
-      if (!geometry.has_row(i) || geometry.runs(i).empty()) continue;
+      if (!wants_row(i)) continue;
       fill(i, by);
       rows[i] = by.take();
     }
   });
-  return matrix_of_rows(geometry, rows);
+  return matrix_of_rows(elements, rows);
 }
 
 }  // namespace hottel

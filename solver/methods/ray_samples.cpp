@@ -1,4 +1,4 @@
-#include "solver/plane/methods/ray_samples.h"
+#include "solver/methods/ray_samples.h"
 
 #include <algorithm>
 #include <boost/random/sobol.hpp>
@@ -33,29 +33,33 @@ std::uint64_t column_count(std::uint64_t n) { return static_cast<std::uint64_t>(
 
 }  // namespace
 
-RaySamples2::RaySamples2(Sampling2 sampling, std::uint64_t n, std::uint64_t seed)
+RaySamples::RaySamples(Sampling sampling, std::uint64_t n, std::uint64_t seed, std::uint32_t first_axis)
     : sampling_(sampling), n_(n), seed_(seed) {
-  HOTTEL_REQUIRE(n >= 1 && n <= kMostRays);
-  if (sampling == Sampling2::kStratified) columns_ = column_count(n);
-  if (sampling == Sampling2::kSobol) {
-    boost::random::sobol_engine<std::uint32_t, 32> engine(2);  // it leaves out the first point, (0, 0)
+  HOTTEL_REQUIRE(n >= 1 && n <= kMostRays && (first_axis == 0 || first_axis == 2));
+  if (sampling == Sampling::kStratified) columns_ = column_count(n);
+  if (sampling == Sampling::kSobol) {
+    boost::random::sobol_engine<std::uint32_t, 32> engine(first_axis + 2);  // it leaves out the first point, 0
     sobol_.assign(2 * n, 0);
-    for (std::size_t k = 2; k < sobol_.size(); ++k) sobol_[k] = engine();
+    for (std::size_t k = 2; k < sobol_.size(); k += 2) {
+      for (std::uint32_t axis = 0; axis < first_axis; ++axis) engine();
+      sobol_[k] = engine();
+      sobol_[k + 1] = engine();
+    }
   }
 }
 
-RaySamples2::Point RaySamples2::scrambled(std::uint64_t k, const RandomStream2& random, const Point& jitter) const {
+RaySamples::Point RaySamples::scrambled(std::uint64_t k, const RandomStream& random, const Point& jitter) const {
   const auto digits = [&](std::uint64_t axis, double below) {
     const std::uint32_t x = owen_scrambled(sobol_[2 * k + axis], static_cast<std::uint32_t>(random.bits(axis) >> 32));
-    return below_one_2((x + below) * 0x1p-32);
+    return below_one((x + below) * 0x1p-32);
   };
   return {digits(0, jitter.position), digits(1, jitter.turn)};
 }
 
-double parts_met_by_a_curve(Sampling2 sampling, std::uint64_t n) {
+double parts_met_by_a_curve(Sampling sampling, std::uint64_t n) {
   const auto all = static_cast<double>(n);
-  if (sampling == Sampling2::kIndependent) return all;
-  if (sampling == Sampling2::kStratified) {
+  if (sampling == Sampling::kIndependent) return all;
+  if (sampling == Sampling::kStratified) {
     // Each column once, and once more for each line between parts that is crossed; no column has more parts than this.
     const auto columns = static_cast<double>(column_count(n));
     return std::min(all, 2 * columns + std::ceil(all / columns));

@@ -1,4 +1,4 @@
-// Convex polygons and cones of directions, cut by lines and planes. Internal to viewer/picture/space.
+// Convex polygons and cones of directions, cut by lines and planes.
 #pragma once
 
 #include <cstddef>

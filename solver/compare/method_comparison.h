@@ -1,0 +1,103 @@
+// Approximate methods beside the exact one, on one scene of whatever dimension: how wrong, and how long.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "geometry/exchange_matrix.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/stopwatch.h"
+#include "solver/compare/method_result.h"
+#include "solver/compare/reference_errors.h"
+#include "solver/compare/timing.h"
+#include "solver/exchange_method.h"
+#include "solver/radiosity/radiosity.h"
+
+namespace hottel {
+
+// A scene with its exact factors and radiosities, ready to judge methods.
+//
+//   (1) exact() is over the elements that the surfaces ask for, with visibilities; all methods are held against it
+//   (2) where radiosities cannot be solved for, exact_solution() is nothing and why_no_solution() says why; methods are
+//       then judged by their factors alone
+//   (3) no error is told that is smaller than what the reference itself may be off (reference())
+template <class Prepared>
+class MethodComparison {
+ public:
+  // tolerance: that of the exact factors which are not correctly rounded. COST: one solution.
+  MethodComparison(std::shared_ptr<const Prepared> prepared, std::shared_ptr<const ExchangeMatrix> exact,
+                   double tolerance)
+      : prepared_(std::move(prepared)), exact_(std::move(exact)), tolerance_(tolerance) {
+    exact_solution_ = solve(*exact_, why_no_solution_);
+    reference_ = reference_errors(*exact_, tolerance, exact_solution_);
+  }
+
+  // Runs a method, times it and takes its errors. runs: as in time_repeatedly(). Of repeated runs the last one's matrix
+  // and report are kept. Seconds are the method's own where its report has them.
+  //
+  //   (1) max_radiosity_error is nothing where there is no exact solution; it is infinite, and a note says why, where
+  //       the method's matrix has none though there is an exact one
+  // Throws RequestError when the method cannot be run on the scene. COST: the runs, and one solution of its matrix.
+  MethodResult run(const ExchangeMethod<Prepared>& method, const std::optional<int>& runs = {}) const {
+    MethodResult result;
+    ExchangeRequest request{.granularity = Granularity::kElement, .wants_visibility = false};
+    if (tolerance_ > 0) request.tolerance = tolerance_;
+    result.info = method.info();
+    result.timing = time_repeatedly(
+        [&] {
+          result.report = {};
+          Stopwatch watch;
+          result.matrix = method.compute(prepared(), request, result.report);
+          const double seconds = watch.lap();
+          return result.report.seconds.value_or(seconds);
+        },
+        runs);
+    result.notes = result.report.notes;
+    result.errors = matrix_errors(result.matrix, exact());
+    result.errors.max = std::max(result.errors.max, reference_.max);
+    result.errors.rms = std::max(result.errors.rms, reference_.rms);
+    result.declared_error = method.declared_error(prepared());
+    if (!exact_solution_) return result;
+
+    std::string why_not;
+    result.solution = solve(result.matrix, why_not);
+    result.max_radiosity_error =
+        result.solution ? std::max(max_radiosity_error(*result.solution, *exact_solution_), reference_.radiosity)
+                        : std::numeric_limits<double>::infinity();
+    if (!result.solution) result.notes.push_back(why_not);
+    return result;
+  }
+
+  const Prepared& prepared() const { return *prepared_; }
+  const ExchangeMatrix& exact() const { return *exact_; }  // with visibilities
+  const ReferenceErrors& reference() const { return reference_; }
+  const std::optional<RadiositySolution>& exact_solution() const { return exact_solution_; }
+  const std::string& why_no_solution() const { return why_no_solution_; }
+  const RadiositySolution& required_solution() const {  // throws RequestError when there is none
+    if (!exact_solution_) throw RequestError("radiosities cannot be compared: " + why_no_solution_);
+    return *exact_solution_;
+  }
+
+ private:
+  std::optional<RadiositySolution> solve(const ExchangeMatrix& matrix, std::string& why_not) const {
+    try {
+      return solve_radiosity(matrix, prepared().scene.materials, prepared().scene.sky_emission);
+    } catch (const RequestError& error) {
+      why_not = error.what();
+      return std::nullopt;
+    }
+  }
+
+  std::shared_ptr<const Prepared> prepared_;
+  std::shared_ptr<const ExchangeMatrix> exact_;
+  double tolerance_;
+  std::string why_no_solution_;
+  std::optional<RadiositySolution> exact_solution_;
+  ReferenceErrors reference_;
+};
+
+}  // namespace hottel

@@ -1,0 +1,22 @@
+// Approximate methods beside the exact one, on one scene in space.
+#pragma once
+
+#include "solver/compare/method_comparison.h"
+#include "solver/space/methods/exchange_method.h"
+#include "solver/space/simulation/simulation.h"
+
+namespace hottel {
+
+// A scene in space, ready to judge methods: as MethodComparison.
+class MethodComparison3 : public MethodComparison<PreparedScene3> {
+ public:
+  // Of the simulation only the scene, the tolerance and the memory allowed matter. COST: the exact factors and one
+  // solution.
+  explicit MethodComparison3(const Simulation3& simulation, const StageProgress& progress = {});
+};
+
+// Adds the verdict in words to the notes of a result whose factors were read from a file or came from a command; does
+// nothing to others. REQUIRES a result of this comparison, with its matrix. beyond: as in VerdictOptions.
+void add_verdict(const MethodComparison3& comparison, double beyond, MethodResult& result);
+
+}  // namespace hottel

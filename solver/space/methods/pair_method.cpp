@@ -1,0 +1,56 @@
+#include "solver/space/methods/pair_method.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "kernel/support/parallel.h"
+
+namespace hottel {
+namespace {
+
+// Directions over a patch: a spiral with equal steps of the square of the sine, by the golden angle.
+constexpr int kDirections = 256;
+
+bool sees_open_space(const SegmentVisibility3& visibility, const ElementPatch3& patch) {
+  const Vector3d along = 1 / length(patch.corners[1] - patch.corners[0]) * (patch.corners[1] - patch.corners[0]);
+  const Vector3d across = cross(patch.normal, along);
+  for (int k = 0; k < kDirections; ++k) {
+    const double square = (k + 0.5) / kDirections, turn = k * std::numbers::pi * (3 - std::sqrt(5.0));
+    const double sine = std::sqrt(square), cosine = std::sqrt(1 - square);
+    if (visibility.sees_sky(centre_point(patch), cosine * patch.normal + sine * std::cos(turn) * along +
+                                                     sine * std::sin(turn) * across))
+      return true;
+  }
+  return false;
+}
+
+std::vector<char> open_elements(const ElementGeometry3& geometry, const SegmentVisibility3& visibility) {
+  std::vector<char> is_open(geometry.count(), 0);
+  parallel_for(is_open.size(), [&](std::size_t k) {
+    const auto element = static_cast<std::uint32_t>(k);
+    if (!geometry.has_row(element)) return;
+    for (const ElementPatch3& patch : geometry.patches(element))
+      if (sees_open_space(visibility, patch)) is_open[element] = 1;
+  });
+  return is_open;
+}
+
+}  // namespace
+
+ExchangeMatrix PairMethod3::compute_elements(const PreparedScene3& prepared,
+                                             const std::function<void(double)>& progress, MethodReport& report) const {
+  const ElementGeometry3 geometry(prepared);
+  const SegmentVisibility3 visibility(prepared.blockers());
+  return matrix_of_pairs({.elements = geometry.table().elements(),
+                          .has_row = [&geometry](std::uint32_t i) { return geometry.has_row(i); },
+                          .is_open = open_elements(geometry, visibility)},
+                         pairs({prepared, geometry, visibility}), progress, report);
+}
+
+std::function<void(std::uint32_t, std::vector<std::uint32_t>&)> all_later_elements(const ElementGeometry3& geometry) {
+  return [&geometry](std::uint32_t i, std::vector<std::uint32_t>& partners) {
+    for (std::uint32_t j = i + 1; j < geometry.count(); ++j) partners.push_back(j);
+  };
+}
+
+}  // namespace hottel

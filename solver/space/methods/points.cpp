@@ -1,0 +1,147 @@
+// points:n, exact factors from n x n Gauss-Legendre points of each patch: what is left is the quadrature over one area.
+// F_ij = sum_k w_k F(x_k, j), F(x, j) from the exact map of the point (geometry/space/visibility/point_map.h).
+// GUARANTEE: estimated. The error is that of the quadrature of x -> F(x, j): smooth where nothing hides a part of j, with
+// kinks where something does, singular where elements touch.
+// REFERENCE: Gauss-Legendre quadrature (Trefethen, Approximation Theory and Approximation Practice, 2013, chapter 19).
+#include <memory>
+#include <vector>
+
+#include "geometry/space/visibility/convex_cut.h"
+#include "geometry/space/visibility/point_map.h"
+#include "solver/methods/factor_rows.h"
+#include "solver/methods/gauss_rule.h"
+#include "solver/radiosity/matrix_checks.h"
+#include "solver/space/methods/method_catalogue.h"
+#include "solver/space/methods/patch_rule.h"
+
+namespace hottel {
+namespace {
+
+constexpr int kMostPoints = 64;
+constexpr double kClosed = 5e-15;  // of the sky, by roundings, where none is seen (point_map.h)
+constexpr const char* kReference = "Gauss-Legendre quadrature; Trefethen 2013, chapter 19";
+
+Direction3 direction_of(const Vector3d& way) { return unit({way.x, way.y, way.z}); }
+
+// The elements on the sides of pieces, as a point sees them.
+class SeenElements {
+ public:
+  SeenElements(const PreparedScene3& prepared, const ElementTable3& table)
+      : sides_(2 * prepared.blockers().size()) {
+    const Vertices3& vertices = prepared.blockers().vertices();
+    for (const ElementTable3::Part& part : table.parts()) {
+      if (part.patch.is_sky()) continue;
+      sides_[Face{part.patch.surface, part.is_back}.number()].push_back(
+          {part.label, rounded_corners(vertices, part.patch)});
+    }
+  }
+
+  // Adds what a point with a normal sees of a side of a piece, by element; `fragments` are those of one share.
+  void add(const Vector3d& eye, const Direction3& normal, const PointMap3& map, const PointMap3::Share& share,
+           std::span<const PointMap3::Fragment> fragments, double weight, RowSums& by) const {
+    if (!(share.factor > 0)) return;
+    const std::vector<Side>& side = sides_[share.face.number()];
+    if (side.size() == 1) return by.add(side.front().label, weight * share.factor);
+    // What roundings leave goes to all in proportion: rows sum to 1.
+    std::vector<double> seen(side.size(), 0);
+    double all = 0;
+    for (std::size_t k = 0; k < side.size(); ++k) {
+      for (const PointMap3::Fragment& fragment : fragments)
+        seen[k] += factor_of(eye, normal, map, fragment, side[k].corners);
+      all += seen[k];
+    }
+    if (!(all > 0)) return;
+    for (std::size_t k = 0; k < side.size(); ++k) by.add(side[k].label, weight * share.factor * seen[k] / all);
+  }
+
+ private:
+  struct Side {
+    std::uint32_t label;
+    std::vector<Vector3d> corners;
+  };
+
+  // Of the part of a fragment that a patch fills.
+  static double factor_of(const Vector3d& eye, const Direction3& normal, const PointMap3& map,
+                          const PointMap3::Fragment& fragment, const std::vector<Vector3d>& patch) {
+    std::vector<Direction3> cone;
+    for (std::uint32_t k = fragment.begin; k < fragment.end; ++k) cone.push_back(map.corners[k].direction);
+    // Corners of a side run counter-clockwise for who sees it: so the eye has them inside on the left.
+    for (std::size_t k = 0; k < patch.size() && cone.size() >= 3; ++k) {
+      const Vector3d plane = cross(patch[k] - eye, patch[k + 1 == patch.size() ? 0 : k + 1] - eye);
+      const Direction3 inward{-plane.x, -plane.y, -plane.z};
+      cone = cut_convex(
+          cone, [&inward](const Direction3& d) { return dot(d, inward); },
+          [](const Direction3& a, const Direction3& b, double t) { return unit(a + t * (b - a)); });
+    }
+    return cone.size() >= 3 ? std::max(0.0, std::fabs(view_factor_3(cone, normal))) : 0;
+  }
+
+  std::vector<std::vector<Side>> sides_;  // by side of a piece
+};
+
+class Points3 final : public ElementMethod3 {
+ public:
+  explicit Points3(int n)
+      : info_{"points:" + std::to_string(n), "points", static_cast<double>(n), Guarantee::kEstimated, kReference},
+        rule_(gauss_rule(n)) {}
+  const MethodInfo& info() const override { return info_; }
+
+ protected:
+  ExchangeMatrix compute_elements(const PreparedScene3& prepared, const std::function<void(double)>& progress,
+                                  MethodReport& report) const override {
+    const ElementGeometry3 geometry(prepared);
+    const SeenElements elements(prepared, geometry.table());
+    const FillRow fill = [&](std::uint32_t from, RowSums& by) {
+      for (const ElementPatch3& patch : geometry.patches(from))
+        for (const RulePoint3& point : rule_points(patch, rule_))
+          add_point(prepared, elements, patch, point, geometry.table().sky(), by);
+    };
+    ExchangeMatrix matrix =
+        matrix_by_rows(geometry.table().elements(), has_patches(geometry), progress, [&] { return fill; });
+    report.row_defect = closure_defect(matrix);
+    return matrix;
+  }
+
+ private:
+  void add_point(const PreparedScene3& prepared, const SeenElements& elements, const ElementPatch3& patch,
+                 const RulePoint3& point, std::uint32_t sky, RowSums& by) const {
+    const Blockers3& blockers = prepared.blockers();
+    const IntegerVector& front = blockers.exact_normal(patch.piece);
+    const BoundedVector& rounded_front = blockers.normal(patch.piece);
+    const int side =
+        rounded_front.x * patch.normal.x + rounded_front.y * patch.normal.y + rounded_front.z * patch.normal.z > 0 ? 1
+                                                                                                                  : -1;
+    Look3 look;
+    look.eye = exact_point(blockers.vertices(), *patch.exact, point);
+    look.normal = Point3{Rational(side * front.x), Rational(side * front.y), Rational(side * front.z)};
+    const PointMap3 map = map_from(blockers, look);
+    const double weight = patch.share * point.weight;
+    std::size_t fragment = 0;
+    for (const PointMap3::Share& share : map.shares) {  // fragments are by face, as the shares are
+      const std::size_t first = fragment;
+      while (fragment < map.fragments.size() && map.fragments[fragment].face == share.face) ++fragment;
+      elements.add(point.at, direction_of(patch.normal), map, share,
+                   std::span(map.fragments).subspan(first, fragment - first), weight, by);
+    }
+    if (map.sky_factor > kClosed) by.add(sky, weight * map.sky_factor);
+  }
+
+  MethodInfo info_;
+  GaussRule rule_;
+};
+
+}  // namespace
+
+MethodFamily3 points_family_3() {
+  return {.name = "points",
+          .pattern = "points:n",
+          .what = "exact factors from n x n Gauss points of each element",
+          .reference = kReference,
+          .guarantee = Guarantee::kEstimated,
+          .sweep = {"points:1", "points:2", "points:3", "points:4", "points:6", "points:8"},
+          .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod3> {
+            return std::make_unique<Points3>(count_of_variant("points", variant, kMostPoints));
+          }};
+}
+
+}  // namespace hottel

@@ -1,0 +1,191 @@
+// rays:N, rays:N:stratified, rays:N:sobol, each with :seed=S.
+// GUARANTEE: estimated.
+// REFERENCE: J. R. Howell, The Monte Carlo method in radiative heat transfer, 1998; A. B. Owen, Monte Carlo variance of
+// scrambled net quadrature, 1997; I. Wald et al., Embree: a kernel framework for efficient CPU ray tracing, 2014.
+#include "solver/space/methods/rays.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "kernel/support/failure.h"
+#include "solver/methods/factor_rows.h"
+#include "solver/methods/ray_names.h"
+#include "solver/radiosity/matrix_checks.h"
+#include "solver/space/methods/embree_scene.h"
+#include "solver/space/methods/method_catalogue.h"
+
+namespace hottel {
+namespace {
+
+constexpr const char* kReference = "Howell 1998; Owen 1997; Wald 2014";
+constexpr std::uint64_t kOtherSeed = 0x6a09e667f3bcc909ull;  // of places, beside that of directions
+
+// Where a ray may start: a triangle of a patch.
+struct Start {
+  const ElementPatch3* patch;
+  Vector3d corner, along, across;
+  double end;  // of the area, from the first triangle on: in (0, 1]
+};
+
+std::vector<Start> starts_on(std::span<const ElementPatch3> patches) {
+  std::vector<Start> starts;
+  double area = 0;
+  for (const ElementPatch3& patch : patches)
+    for (std::size_t k = 1; k + 1 < patch.corners.size(); ++k) {
+      const Vector3d &first = patch.corners[0], along = patch.corners[k] - first,
+                     across = patch.corners[k + 1] - first;
+      area += dot(cross(along, across), patch.normal);
+      starts.push_back({&patch, first, along, across, area});
+    }
+  for (Start& start : starts) start.end /= area;
+  starts.back().end = 1;
+  return starts;
+}
+
+// The element that is met on a side of a piece.
+class MetElements {
+ public:
+  MetElements(const PreparedScene3& prepared, const ElementTable3& table) : sides_(2 * prepared.blockers().size()) {
+    for (const ElementTable3::Part& part : table.parts())
+      if (!part.patch.is_sky())
+        sides_[Face{part.patch.surface, part.is_back}.number()].push_back(
+            {part.label, rounded_corners(prepared.blockers().vertices(), part.patch)});
+  }
+
+  // The element at a place, or that nearest to it; `nothing` where the side has none: a place within a solid.
+  std::uint32_t at(const Face& side, const Vector3d& place, const Vector3d& outward, std::uint32_t nothing) const {
+    const std::vector<Part>& parts = sides_[side.number()];
+    if (parts.size() == 1) return parts.front().label;
+    std::uint32_t best = nothing;
+    double least_outside = std::numeric_limits<double>::infinity();
+    for (const Part& part : parts) {
+      double outside = 0;  // how far the place is beyond a side of the part
+      for (std::size_t k = 0; k < part.corners.size(); ++k) {
+        const Vector3d& a = part.corners[k];
+        const Vector3d edge = part.corners[k + 1 == part.corners.size() ? 0 : k + 1] - a;
+        outside = std::max(outside, dot(cross(place - a, edge), outward) / length(edge));
+      }
+      if (outside == 0) return part.label;
+      if (outside < least_outside) {
+        least_outside = outside;
+        best = part.label;
+      }
+    }
+    return best;
+  }
+
+ private:
+  struct Part {
+    std::uint32_t label;
+    std::vector<Vector3d> corners;
+  };
+  std::vector<std::vector<Part>> sides_;
+};
+
+class Rays3 final : public ElementMethod3 {
+ public:
+  explicit Rays3(const RayOptions3& options) : options_(options) {
+    const std::string sampling = sampling_suffix(options.sampling);
+    info_.name = fmt::format("rays:{}{}", options.rays, sampling);
+    if (options.seed != RayOptions3().seed) info_.name += fmt::format(":seed={}", options.seed);
+    info_.family = "rays" + sampling;
+    info_.parameter = static_cast<double>(options.rays);
+    info_.reference = kReference;
+  }
+  const MethodInfo& info() const override { return info_; }
+
+ protected:
+  ExchangeMatrix compute_elements(const PreparedScene3& prepared, const std::function<void(double)>& progress,
+                                  MethodReport& report) const override {
+    const ElementGeometry3 geometry(prepared);
+    const EmbreeScene scene(prepared.blockers());
+    const MetElements met(prepared, geometry.table());
+    const RaySamples directions(options_.sampling, options_.rays, options_.seed);
+    const RaySamples places(options_.sampling, options_.rays, options_.seed ^ kOtherSeed, 2);
+    const FillRow shoot = [&](std::uint32_t from, RowSums& by) {
+      const std::vector<Start> starts = starts_on(geometry.patches(from));
+      const std::vector<RaySamples::Point> at = paired_places(places, from);
+      std::size_t k = 0;
+      directions.for_each(from, [&](const RaySamples::Point& direction) {
+        by.add(label_met(prepared.blockers(), scene, met, starts, at[k++], direction, geometry.table().sky()), 1);
+      });
+      by.divide_by(static_cast<double>(options_.rays));
+    };
+    ExchangeMatrix matrix =
+        matrix_by_rows(geometry.table().elements(), has_patches(geometry), progress, [&] { return shoot; });
+    report.standard_error = largest_standard_error(matrix, options_.rays);
+    report.row_defect = closure_defect(matrix);
+    report.notes.push_back(fmt::format("seed {}", options_.seed));
+    return matrix;
+  }
+
+ private:
+  // Strata of places are paired with those of directions at random; the points of a sequence in four dimensions are
+  // pairs already.
+  std::vector<RaySamples::Point> paired_places(const RaySamples& places, std::uint32_t from) const {
+    std::vector<RaySamples::Point> points;
+    points.reserve(options_.rays);
+    places.for_each(from, [&](const RaySamples::Point& point) { points.push_back(point); });
+    if (options_.sampling == Sampling::kStratified) {
+      const RandomStream random(options_.seed + kOtherSeed, from);
+      for (std::size_t k = points.size(); k > 1; --k)
+        std::swap(points[k - 1], points[static_cast<std::size_t>(random.uniform(k) * static_cast<double>(k))]);
+    }
+    return points;
+  }
+
+  static std::uint32_t label_met(const Blockers3& blockers, const EmbreeScene& scene, const MetElements& met,
+                                 const std::vector<Start>& starts, const RaySamples::Point& place,
+                                 const RaySamples::Point& direction, std::uint32_t sky) {
+    const auto start = std::find_if(starts.begin(), starts.end() - 1,
+                                    [&place](const Start& s) { return place.position < s.end; });
+    const double begin = start == starts.begin() ? 0 : (start - 1)->end;
+    const double within = std::clamp((place.position - begin) / (start->end - begin), 0.0, 1.0);
+    // Uniform over a triangle.
+    const double root = std::sqrt(within), s = root * (1 - place.turn), t = root * place.turn;
+    const Vector3d from = start->corner + s * start->along + t * start->across;
+
+    const Vector3d u = 1 / length(start->along) * start->along, v = cross(start->patch->normal, u);
+    const double sine = std::sqrt(direction.position), cosine = std::sqrt(1 - direction.position);
+    const double turn = 2 * std::numbers::pi * direction.turn;
+    const Vector3d way =
+        cosine * start->patch->normal + sine * std::cos(turn) * u + sine * std::sin(turn) * v;
+    const auto hit = scene.first_hit(from, way, start->patch->piece);
+    if (!hit) return sky;
+    const BoundedVector& rounded_front = blockers.normal(hit->piece);
+    const Vector3d front{rounded_front.x, rounded_front.y, rounded_front.z};
+    const bool is_back = dot(front, way) > 0;
+    const Vector3d outward = (is_back ? -1 : 1) / length(front) * front;
+    return met.at(Face{hit->piece, is_back}, from + hit->distance * way, outward, sky);
+  }
+
+  RayOptions3 options_;
+  MethodInfo info_;
+};
+
+}  // namespace
+
+std::unique_ptr<ExchangeMethod3> rays_method_3(const RayOptions3& options) {
+  HOTTEL_REQUIRE(options.rays >= 1 && options.rays <= kMostRays);
+  return std::make_unique<Rays3>(options);
+}
+
+MethodFamily3 rays_family_3() {
+  return {.name = "rays",
+          .pattern = kRaysPattern,
+          .what = "N random rays from each element, first hit, by Embree",
+          .reference = kReference,
+          .guarantee = Guarantee::kEstimated,
+          .sweep = rays_sweep(),
+          .make = [](std::string_view variant) {
+            const RayVariant read = ray_variant(variant);
+            return rays_method_3({.sampling = read.sampling, .rays = read.rays, .seed = read.seed.value_or(1)});
+          }};
+}
+
+}  // namespace hottel

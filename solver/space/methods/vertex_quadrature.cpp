@@ -1,0 +1,100 @@
+// Vertex to vertex: the mean of the kernel over all pairs of a corner of one patch and a corner of the other (3 x 3 on
+// triangles), times a visibility of 0 or 1. Pairs nearer than 0.005 R are dropped, R half the diagonal of the bounding
+// box.
+//   vertices            F_ij = A_j / (9 pi) sum cos cos' / r^2 V, where V = 1 iff S(i, j) > 0 exactly
+//   vertices:centroid   the same, V = 1 iff the centres see each other
+//   vertices:literal    F_ij = A_j / 9 sum cos cos' / r^2 V, as the source writes it: pi is lost
+//   vertices:literal:centroid   both
+// GUARANTEE: estimated.
+// REFERENCE: the trapezoid rule on both elements (Davis and Rabinowitz, Methods of Numerical Integration, 1984, 2.1).
+#include <memory>
+#include <numbers>
+
+#include "kernel/support/failure.h"
+#include "solver/space/methods/cosine_kernel.h"
+#include "solver/space/methods/exact_visibility.h"
+#include "solver/space/methods/method_catalogue.h"
+#include "solver/space/methods/pair_method.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::string_view kLiteral = ":literal";
+constexpr std::string_view kCentroid = ":centroid";
+constexpr const char* kReference = "trapezoid rule on both elements, visibility 0 or 1";
+constexpr double kNearest = 0.005;
+
+struct Variant {
+  bool is_literal = false;
+  bool tests_centres = false;
+
+  std::string suffix() const {
+    return std::string(is_literal ? kLiteral : "") + std::string(tests_centres ? kCentroid : "");
+  }
+};
+
+// The mean of cos cos' / (pi r^2) over all pairs of corners that are not too near.
+double mean_over_corners(const ElementPatch3& a, const ElementPatch3& b, double nearest) {
+  double sum = 0;
+  for (const Vector3d& x : a.corners)
+    for (const Vector3d& y : b.corners)
+      if (!(length(y - x) < nearest)) sum += cosine_kernel(x, a.normal, y, b.normal);
+  return sum / static_cast<double>(a.corners.size() * b.corners.size());
+}
+
+class VertexQuadrature3 final : public PairMethod3 {
+ public:
+  explicit VertexQuadrature3(const Variant& variant)
+      : PairMethod3(
+            {"vertices" + variant.suffix(), "vertices" + variant.suffix(), 0, Guarantee::kEstimated, kReference}),
+        variant_(variant) {}
+
+ protected:
+  PairsOfElements pairs(const Setting& setting) const override {
+    const double weight = variant_.is_literal ? std::numbers::pi : 1;
+    const double nearest = kNearest * setting.visibility.diagonal() / 2;
+    const auto measure = [weight, nearest](const ElementPatch3& a, const ElementPatch3& b) {
+      return weight * a.area * b.area * mean_over_corners(a, b, nearest);
+    };
+    if (variant_.tests_centres) {
+      const auto factors = [setting, measure](std::uint32_t i, std::uint32_t j) {
+        return sum_over_patches(setting.geometry, i, j, [&](const ElementPatch3& a, const ElementPatch3& b) {
+          const double all = measure(a, b);
+          return all > 0 && setting.visibility.see_each_other(centre_point(a), centre_point(b)) ? all : 0;
+        });
+      };
+      return {all_later_elements(setting.geometry), factors};
+    }
+    const auto visibility = exact_visibility_3(setting.prepared);
+    const auto factors = [&geometry = setting.geometry, visibility, measure](std::uint32_t i, std::uint32_t j) {
+      return visibility->of(i, j) > 0 ? sum_over_patches(geometry, i, j, measure) : PairFactors{};
+    };
+    return {partners_of(visibility), factors};
+  }
+
+ private:
+  Variant variant_;
+};
+
+std::unique_ptr<ExchangeMethod3> make(std::string_view variant) {
+  for (const bool is_literal : {false, true})
+    for (const bool tests_centres : {false, true})
+      if (const Variant known{is_literal, tests_centres}; known.suffix() == variant)
+        return std::make_unique<VertexQuadrature3>(known);
+  throw UsageError("the variants of vertices are literal, centroid and literal:centroid, not '" +
+                   std::string(variant.substr(1)) + "'");
+}
+
+}  // namespace
+
+MethodFamily3 vertex_quadrature_family_3() {
+  return {.name = "vertices",
+          .pattern = "vertices[:literal][:centroid]",
+          .what = "mean over pairs of corners, visibility 0 or 1, near pairs dropped",
+          .reference = kReference,
+          .guarantee = Guarantee::kEstimated,
+          .sweep = {"vertices:centroid", "vertices:literal:centroid", "vertices", "vertices:literal"},
+          .make = make};
+}
+
+}  // namespace hottel
