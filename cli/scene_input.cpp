@@ -7,7 +7,6 @@
 #include "cli/command.h"
 #include "geometry/plane/scene/division.h"
 #include "geometry/space/scene/division.h"
-#include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/light/illumination_grid.h"
 
@@ -22,13 +21,19 @@ void note_cuts(const Triangulator3& triangulator, const Streams& streams) {
   if (const std::string note = triangulator.note(); !note.empty()) streams.note(note);
 }
 
-Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams) {
+Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
+                        DeckOutput3* output) {
   Triangulator3 triangulator;
   Triangulator3* const used = options.triangulates ? &triangulator : nullptr;
   Scene scene;
   if (is_vs3(file)) {
     Vs3Scene3 deck = read_vs3_3(file, used);
     for (const std::string& note : deck.notes) streams.note(note);
+    const DeckOutput3& asked = deck.output;
+    if (output != nullptr)
+      *output = asked;
+    else if (asked.row || asked.out || asked.list != 0)
+      streams.note("row, col, out and list of the deck are for `hottel factors`: here they change nothing");
     scene = std::move(deck.scene);
   } else {
     scene = read_scene(file, used);
