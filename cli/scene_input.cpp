@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "cli/command.h"
 #include "geometry/plane/scene/division.h"
@@ -21,6 +22,20 @@ void note_cuts(const Triangulator3& triangulator, const Streams& streams) {
   if (const std::string note = triangulator.note(); !note.empty()) streams.note(note);
 }
 
+namespace {
+
+void note_unused(const DeckOutput3& output, const Streams& streams) {
+  std::string names;
+  for (const auto& [name, is_set] : {std::pair{"row", output.row.has_value()},
+                                     {"col", output.column.has_value()},
+                                     {"out", output.out.has_value()},
+                                     {"list", output.list != 0}})
+    if (is_set) names += (names.empty() ? "" : ", ") + std::string(name);
+  if (!names.empty()) streams.note(names + ": obeyed by `hottel factors` only");
+}
+
+}  // namespace
+
 Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
                         DeckOutput3* output) {
   Triangulator3 triangulator;
@@ -29,11 +44,10 @@ Scene read_scene_noting(const std::string& file, const PolygonOptions& options, 
   if (is_vs3(file)) {
     Vs3Scene3 deck = read_vs3_3(file, used);
     for (const std::string& note : deck.notes) streams.note(note);
-    const DeckOutput3& asked = deck.output;
     if (output != nullptr)
-      *output = asked;
-    else if (asked.row || asked.out || asked.list != 0)
-      streams.note("row, col, out and list of the deck are for `hottel factors`: here they change nothing");
+      *output = deck.output;
+    else
+      note_unused(deck.output, streams);
     scene = std::move(deck.scene);
   } else {
     scene = read_scene(file, used);

@@ -239,7 +239,7 @@ TEST_F(Deck, ItsRowAndColumnAreObeyed) {
   for (std::size_t k = 3; k < lines_of(market).size(); ++k) EXPECT_THAT(lines_of(market)[k], StartsWith("3 "));
   EXPECT_THAT(run("factors row.vs3 -o row.npy").err, HasSubstr("for lists and View3D's files: .npy has all"));
   for (const char* command : {"plan row.vs3", "check row.vs3", "convert row.vs3 row.json", "solve row.vs3 -o out"})
-    EXPECT_THAT(run(command).err, HasSubstr("are for `hottel factors`")) << command;
+    EXPECT_THAT(run(command).err, HasSubstr("row: obeyed by `hottel factors` only")) << command;
 }
 
 // What is combined has one row, which is that of each of its parts.
