@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -246,7 +247,12 @@ TEST_F(Deck, ItsRowAndColumnAreObeyed) {
 TEST_F(Deck, ARowOfWhatIsCombinedIsThatOfTheWhole) {
   const std::string deck = without(box_on_a_floor("C row=5\n", "M"), "0 0 .9 north", "0 3 .9 north");
   place_.write("row.vs3", deck);
-  EXPECT_EQ(numbers_of(text_of("row.vs3")[2])[4], 0);  // the lid is before the last: no row sees itself
+  // floor, ceiling, south with north, and west itself, which sees neither itself nor the gap.
+  const std::vector<double> row = numbers_of(text_of("row.vs3")[2]);
+  ASSERT_EQ(row.size(), 11u);
+  EXPECT_EQ(row[3], 0);
+  EXPECT_EQ(row[10], 0);
+  EXPECT_NEAR(std::accumulate(row.begin(), row.end(), 0.0), 1, 1e-9);
   place_.write("part.vs3", without(deck, "row=5", "row=4"));
   const Outcome outcome = run("factors part.vs3");
   EXPECT_THAT(outcome.out, HasSubstr("\nsouth,ceiling,"));
