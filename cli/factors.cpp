@@ -191,11 +191,14 @@ bool combines(const Scene3& scene) {
 
 ExitCode factors(FactorsOptions options, Streams& streams) {
   take_exact_form(options);
+  options.awaits_deck = is_vs3(options.scene);
   require_sense(options);
   options.format();
   if (!options.picture.empty() && !picture_format(options.picture))
     throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
-  Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  Scene scene = read_scene_noting(options.scene, options.polygons, streams, &options.deck);
+  options.awaits_deck = false;
+  options.format();
   if (is_vs3(options.scene) && options.per_option->count() == 0 && combines(std::get<Scene3>(scene)))
     options.granularity = "group";
   if (auto* const in_space = std::get_if<Scene3>(&scene))

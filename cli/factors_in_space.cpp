@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "cli/deck_requests.h"
 #include "geometry/space/exchange/element_table.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/space/element_files.h"
@@ -61,7 +62,8 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
   FactorsFiles files(options, streams);
   const auto computed = simulation.factors(streams.stages());
   const auto prepared = simulation.prepared();
-  FactorTable table{prepared->scene, computed->matrix, request.granularity, {}, {}};
+  FactorTable table{prepared->scene, computed->matrix, request.granularity};
+  obey_deck(options, streams, table, prepared->scene.polygons);
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = *simulation.hidden(streams.stages());
   if (files.out)
     naming_file(options.scene, [&] {

@@ -25,6 +25,8 @@ FactorsFormat FactorsOptions::format() const {
     if (ending == ".npy") return FactorsFormat::kNpy;
     if (ending == ".txt") return FactorsFormat::kView3dText;
     if (ending == ".bin") return FactorsFormat::kView3dBinary;
+    if (awaits_deck || deck.out == 0U) return FactorsFormat::kView3dText;
+    if (deck.out == 1U) return FactorsFormat::kView3dBinary;
   }
   throw UsageError(fmt::format("factors {} {}, not '{}'",
                                matrix.empty() ? "are written" : "as a dense matrix are written",

@@ -28,10 +28,13 @@ struct FactorsOptions {
   std::string channel;
   std::string picture, toward;
   std::uint64_t memory = 0;
+  bool awaits_deck = false;  // the scene is a deck that was not read yet: it may say the format of the output
+  DeckOutput3 deck;          // what it asks for
 
   bool is_exact() const { return method == "exact"; }
   Granularity per() const;
-  // By the ending of the file. Throws UsageError for one that is not known, or not for what is asked.
+  // By the ending of the file; where it is none of ours, as a deck says (out=0, out=1). Throws UsageError for one that
+  // is not known, or not for what is asked.
   FactorsFormat format() const;
 };
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "cli/command.h"
 #include "geometry/plane/scene/division.h"
 #include "geometry/space/scene/division.h"
-#include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/light/illumination_grid.h"
 
@@ -22,13 +22,32 @@ void note_cuts(const Triangulator3& triangulator, const Streams& streams) {
   if (const std::string note = triangulator.note(); !note.empty()) streams.note(note);
 }
 
-Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams) {
+namespace {
+
+void note_unused(const DeckOutput3& output, const Streams& streams) {
+  std::string names;
+  for (const auto& [name, is_set] : {std::pair{"row", output.row.has_value()},
+                                     {"col", output.column.has_value()},
+                                     {"out", output.out.has_value()},
+                                     {"list", output.list != 0}})
+    if (is_set) names += (names.empty() ? "" : ", ") + std::string(name);
+  if (!names.empty()) streams.note(names + ": obeyed by `hottel factors` only");
+}
+
+}  // namespace
+
+Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
+                        DeckOutput3* output) {
   Triangulator3 triangulator;
   Triangulator3* const used = options.triangulates ? &triangulator : nullptr;
   Scene scene;
   if (is_vs3(file)) {
     Vs3Scene3 deck = read_vs3_3(file, used);
     for (const std::string& note : deck.notes) streams.note(note);
+    if (output != nullptr)
+      *output = deck.output;
+    else
+      note_unused(deck.output, streams);
     scene = std::move(deck.scene);
   } else {
     scene = read_scene(file, used);

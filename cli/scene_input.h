@@ -13,6 +13,7 @@
 #include "geometry/plane/scene/scene.h"
 #include "geometry/space/scene/triangulator.h"
 #include "io/scene/scene_json.h"
+#include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -27,7 +28,9 @@ struct PolygonOptions {
 
 // Returns the scene of a file, as read_scene does, and tells what of a deck of View3D is read otherwise than View3D
 // does, and which polygons were cut into triangles. Throws UsageError where a scene in the plane is to have them cut.
-Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams);
+// Those who obey what a deck asks of the output take that; else it is told that they do not.
+Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
+                        DeckOutput3* output = nullptr);
 // The same for those who can use a scene in space only.
 Scene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams);
 // Tells which polygons were cut, if any were.

@@ -88,6 +88,13 @@ void refuse_lost_place(const Scene3& scene, const Arrangement3& arrangement, con
         return has_place(arrangement.pieces()[side.piece], side.is_back, look.eye);
       }))
     return;
+  for (const Mask3& mask : scene.masks)
+    if (!face.is_back && (face.surface == mask.surface || face.surface == mask.base) &&
+        contains(scene.polygons[mask.surface], look.eye)) {
+      const std::uint32_t other = face.surface == mask.surface ? mask.base : mask.surface;
+      throw RequestError("'" + on + "' at " + at + " lies on '" + scene.surfaces[other].name +
+                         "' and sees nothing else");
+    }
   const std::optional<Polygon3> facet = facet_at(scene.polygons[face.surface], look.eye);
   const PlaneFrame3 frame(facet->points);
   const bool is_up = frame.is_front_up(facet->points) != face.is_back;

@@ -84,10 +84,19 @@ void for_each_dense_row(const ExchangeMatrix& matrix, const Visit& visit) {
   }
 }
 
+// Whether a list that is empty for all has a label.
+bool is_asked(const std::vector<std::uint32_t>& only, std::uint32_t label) {
+  return only.empty() || std::binary_search(only.begin(), only.end(), label);
+}
+
 // Calls visit(from, entry, its bounds, its guarantee) for every pair that the table lists, by from, then to: those with
 // a factor, and the hidden ones with factor and visibility 0, exactly.
 template <class Visit>
-void for_each_listed(const FactorTable& table, const Visit& visit) {
+void for_each_listed(const FactorTable& table, const Visit& visit_asked) {
+  const auto visit = [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds, Guarantee guarantee) {
+    if (is_asked(table.only_rows, from) && is_asked(table.only_columns, entry.to))
+      visit_asked(from, entry, bounds, guarantee);
+  };
   auto hidden = table.hidden.begin();
   for (std::uint32_t i = 0; i < table.matrix.size(); ++i) {
     const auto hidden_before = [&](std::uint32_t to) {
@@ -120,11 +129,13 @@ std::string view3d_header(const FactorTable& table, int format, std::size_t coun
   return fmt::format("{:<30}", fmt::format("View3D 4.0.0 {} 0 {} {}", format, table.gray_channel ? 1 : 0, count));
 }
 
-// Calls visit(factors of the row to radiating faces only).
+// Calls visit(factors of the row, by label) for each of these that is asked for.
 template <class Visit>
-void for_each_radiating_row(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& faces, const Visit& visit) {
+void for_each_radiating_row(const FactorTable& table, const std::vector<std::uint32_t>& faces, const Visit& visit) {
+  const ExchangeMatrix& matrix = table.matrix;
   std::vector<double> dense(matrix.size() + 1);
   for (const std::uint32_t i : faces) {
+    if (!is_asked(table.only_rows, i)) continue;
     std::fill(dense.begin(), dense.end(), 0.0);
     for (const FactorEntry& entry : matrix.row(i)) dense[entry.to] = entry.factor.value;
     visit(dense);
@@ -162,10 +173,12 @@ void write_factors_mtx(const FactorTable& table, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   Buffer out(sink);
   const std::size_t n = matrix.size() + 1;
+  std::size_t count = 0;
+  for_each_listed(table, [&](std::uint32_t, const FactorEntry&, const Enclosure&, Guarantee) { ++count; });
   out << "%%MatrixMarket matrix coordinate real general\n"
       << (table.gray_channel ? "% gray-body exchange factors script-F" : "% view factors F")
       << "(row, column), faces as in the .faces.csv beside this file, the sky last\n"
-      << fmt::format("{} {} {}\n", n, n, matrix.entry_count() + table.hidden.size());
+      << fmt::format("{} {} {}\n", n, n, count);
   for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure&, Guarantee) {
     out << fmt::format("{} {} ", from + 1, entry.to + 1) << entry.factor.value << "\n";
   });
@@ -233,15 +246,20 @@ void write_factors_view3d_text(const FactorTable& table, const Sink& sink) {
   const std::vector<std::uint32_t> faces = radiating(matrix);
   for (const std::uint32_t i : faces) require_double(matrix.elements()[i].area.value, area_of(matrix, i));
   Buffer out(sink);
-  const auto line = [&](const auto& value_of) {
-    for (std::size_t k = 0; k < faces.size(); ++k)
-      out << fmt::format("{}{:.17g}", k == 0 ? "" : " ", value_of(faces[k]));
+  const auto line = [&](const auto& value_of, const std::vector<std::uint32_t>& only = {}) {
+    bool is_first = true;
+    for (const std::uint32_t j : faces) {
+      if (!is_asked(only, j)) continue;
+      out << fmt::format("{}{:.17g}", is_first ? "" : " ", value_of(j));
+      is_first = false;
+    }
     out << "\n";
   };
   out << view3d_header(table, 0, faces.size()) << "\n";
   line([&](std::uint32_t i) { return matrix.elements()[i].area.value; });
-  for_each_radiating_row(matrix, faces,
-                         [&](const std::vector<double>& row) { line([&](std::uint32_t j) { return row[j]; }); });
+  for_each_radiating_row(table, faces, [&](const std::vector<double>& row) {
+    line([&](std::uint32_t j) { return row[j]; }, table.only_columns);
+  });
   line([&](std::uint32_t i) { return emittance(table, i); });
   out.flush();
 }
@@ -255,8 +273,9 @@ void write_factors_view3d_binary(const FactorTable& table, const Sink& sink) {
   Buffer out(sink);
   out << view3d_header(table, 1, faces.size()) << "\r\n";
   for (const std::uint32_t i : faces) out.raw(static_cast<float>(matrix.elements()[i].area.value));
-  for_each_radiating_row(matrix, faces, [&](const std::vector<double>& row) {
-    for (const std::uint32_t j : faces) out.raw(static_cast<float>(row[j]));
+  for_each_radiating_row(table, faces, [&](const std::vector<double>& row) {
+    for (const std::uint32_t j : faces)
+      if (is_asked(table.only_columns, j)) out.raw(static_cast<float>(row[j]));
   });
   for (const std::uint32_t i : faces) out.raw(static_cast<float>(emittance(table, i)));
   out.flush();

@@ -29,6 +29,9 @@ struct FactorTable {
   const ExchangeMatrix& matrix;
   Granularity granularity = Granularity::kFace;
   std::vector<ElementPair> hidden = {};  // pairs with S = 0 < S0, sorted: zeros in the formats that list pairs
+  // Where these are not empty, of lists and of View3D's files only these rows are written, and of them these columns;
+  // ascending. Other files hold all.
+  std::vector<std::uint32_t> only_rows = {}, only_columns = {};
   std::optional<int> gray_channel = {};  // the matrix is script-F (gray_exchange.h) of this channel; else view factors
 };
 
@@ -52,7 +55,8 @@ std::string factors_sidecar(const FactorTable& table);
 // View3D's text and binary formats (4.0.0). They know surfaces that radiate only: faces with a material, in order; what
 // goes to black backs and to the sky shows as rows that sum to less than 1. Emittance = 1 - reflectivity (mean of the
 // channels; for script-F, which is marked as View3D marks it, that of its channel). The text carries 17 digits; the
-// binary format is single precision.
+// binary format is single precision. With only_rows there are fewer lines between areas and emittances than the head
+// says, and with only_columns these are shorter: what reads the whole then sees that it has a part.
 void write_factors_view3d_text(const FactorTable& table, const Sink& sink);
 void write_factors_view3d_binary(const FactorTable& table, const Sink& sink);
 

@@ -60,17 +60,21 @@ std::string points_text(const std::vector<Point3>& points) {
 void write_polygons(const Scene3& scene, std::string& out) {
   if (scene.polygons.empty()) return;
   const std::vector<std::size_t> members = group_sizes(scene);
+  auto mask = scene.masks.begin();
   JsonBlock block(out, "polygons", '[', ']');
   for (std::size_t s = 0; s < scene.polygons.size(); ++s) {
     const Surface& surface = scene.surfaces[s];
     const Group& group = scene.groups[surface.group];
     std::string holes;
     for (const auto& hole : scene.polygons[s].holes) holes += (holes.empty() ? "" : ", ") + points_text(hole);
+    std::string masks;
+    if (mask != scene.masks.end() && mask->surface == s)
+      masks = fmt::format(", \"masks\": {}", json_string(scene.surfaces[(mask++)->base].name));
     const bool is_alone = members[surface.group] == 1 && group.name == surface.name;
     block.add(fmt::format(
-        "{{\"name\": {}, {}\"points\": {}, {}{}}}", json_string(surface.name),
+        "{{\"name\": {}, {}\"points\": {}, {}{}{}}}", json_string(surface.name),
         is_alone ? "" : fmt::format("\"group\": {}, ", json_string(group.name)), points_text(scene.polygons[s].points),
-        holes.empty() ? "" : fmt::format("\"holes\": [{}], ", holes), surface_members(scene, surface)));
+        holes.empty() ? "" : fmt::format("\"holes\": [{}], ", holes), surface_members(scene, surface), masks));
   }
   block.end();
 }

@@ -1,6 +1,7 @@
 #include "geometry/space/arrangement/arrangement.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -100,6 +101,8 @@ class ClusterPieces {
 
   void make_single(bool is_near_solid) {
     const Member& member = cluster_.members.front();
+    refuse_misplaced_masks({{member.surface, member.is_front_up}},
+                           [&] { return scene_.polygons[member.surface].points.front(); });
     for (Piece3& piece : whole_pieces(member)) {
       if (is_near_solid) {
         const FlatPoint3 at = solids_.inner_point(frame_, frame_.outline(piece.polygon.points));
@@ -146,6 +149,7 @@ class ClusterPieces {
       for (const Member& member : cluster_.members)
         if (member.region.contains(at)) cell.sources.push_back({member.surface, member.is_front_up});
       if (cell.sources.empty()) continue;
+      refuse_misplaced_masks(cell.sources, [&] { return frame_.point(at); });
       if (is_near_solid) {
         cell.is_covered_up = is_covered(at, true);
         cell.is_covered_down = is_covered(at, false);
@@ -203,6 +207,19 @@ class ClusterPieces {
                          " claim the same side with different materials: they overlap around " + place_text(at),
                      {"materials " + material(side.owner) + " and " + material(*side.rival),
                       "give both the same material, or take one of the surfaces away"});
+  }
+
+  void refuse_misplaced_masks(const std::vector<PlaceSource3>& sources, const std::function<Point3()>& place) const {
+    const std::optional<MisplacedMask3> wrong = misplaced_mask(scene_, sources);
+    if (!wrong) return;
+    const auto name = [this](std::uint32_t surface) { return quoted_name(scene_.surfaces[surface].name); };
+    const auto [mask, other] = *wrong;
+    const std::uint32_t told = other.value_or(mask.surface);
+    throw InputError({scene_.file, scene_.surfaces[told].line},
+                     other ? name(told) + " and " + name(mask.surface) + " mask the same place of " + name(mask.base) +
+                                 ", around " + place_text(place())
+                           : name(told) + " is not within " + name(mask.base) + ", which it masks: around " +
+                                 place_text(place()) + " there is nothing of that");
   }
 
   void make_pieces(const PlaneTriangulation3& triangulation, const Label& label) {

@@ -51,8 +51,10 @@ struct PieceSide3 {
 //   (5) pieces are in the order of their surfaces. Where is_plain(), piece s is polygon s and nothing is covered
 //   (6) exact, whatever the coordinates
 //   (7) a nearly plane polygon is its facets: pieces are in the planes of these
+//   (8) where a mask lies on its base the fronts of both make no claim: they have no side of a piece there
 //
-// Throws InputError naming both surfaces, the side and a point of the place where claims for different materials meet.
+// Throws InputError naming both surfaces, the side and a point of the place where claims for different materials meet;
+// the mask, its base and a point where it is not within that, or beside another mask.
 // SEE: docs/design/space/arrangement.md.
 // COST: n log n, some 20 microseconds a polygon; a triangulation of each cluster of polygons that overlap, and of each
 // that a solid cuts.

@@ -5,6 +5,22 @@
 #include "kernel/support/failure.h"
 
 namespace hottel {
+namespace {
+
+bool is_there(const std::vector<PlaceSource3>& sources, std::uint32_t surface) {
+  return std::any_of(sources.begin(), sources.end(),
+                     [surface](const PlaceSource3& source) { return source.surface == surface; });
+}
+
+// Whether the front of a surface faces another one at no distance there.
+bool is_masked(const Scene3& scene, const std::vector<PlaceSource3>& sources, std::uint32_t surface) {
+  return std::any_of(scene.masks.begin(), scene.masks.end(), [&](const Mask3& mask) {
+    return (mask.surface == surface && is_there(sources, mask.base)) ||
+           (mask.base == surface && is_there(sources, mask.surface));
+  });
+}
+
+}  // namespace
 
 SideOwner3 owner_of_side(const Scene3& scene, const std::vector<PlaceSource3>& sources, bool is_up,
                          const std::function<bool(std::uint32_t group)>& is_silent) {
@@ -16,6 +32,7 @@ SideOwner3 owner_of_side(const Scene3& scene, const std::vector<PlaceSource3>& s
   for (const PlaceSource3& source : sources) {
     const Face face{source.surface, source.is_front_up != is_up};
     if (!face.is_back && is_silent(scene.surfaces[face.surface].group)) continue;
+    if (!face.is_back && is_masked(scene, sources, face.surface)) continue;
     if (!side)
       side = {face, std::nullopt};
     else if (material(face) != nullptr && material(side->owner) == nullptr)
@@ -25,6 +42,17 @@ SideOwner3 owner_of_side(const Scene3& scene, const std::vector<PlaceSource3>& s
   }
   HOTTEL_REQUIRE(side.has_value());
   return *side;
+}
+
+std::optional<MisplacedMask3> misplaced_mask(const Scene3& scene, const std::vector<PlaceSource3>& sources) {
+  for (const Mask3& mask : scene.masks) {
+    if (!is_there(sources, mask.surface)) continue;
+    if (!is_there(sources, mask.base)) return MisplacedMask3{mask, std::nullopt};
+    for (const Mask3& other : scene.masks)
+      if (other.base == mask.base && other.surface > mask.surface && is_there(sources, other.surface))
+        return MisplacedMask3{mask, other.surface};
+  }
+  return std::nullopt;
 }
 
 bool has_material_on(const Scene3& scene, const std::vector<PlaceSource3>& sources, bool is_up) {

@@ -107,6 +107,10 @@ void tell_duplicates(const Scene3& scene, const CornerTable3& corners, Findings3
     if (list.size() < 2) continue;
     Surfaces surfaces;
     for (const auto& [s, is_reversed] : list) surfaces.push_back(s);
+    const auto is_mask = [&](const Mask3& mask) {
+      return list.size() == 2 && std::minmax(mask.surface, mask.base) == std::minmax(list[0].first, list[1].first);
+    };
+    if (std::any_of(scene.masks.begin(), scene.masks.end(), is_mask)) continue;  // it says that they do
     const bool is_thin_wall = list.size() == 2 && list[0].second != list[1].second;
     findings.push_back({is_thin_wall ? Severity::kNote : Severity::kWarning, "duplicate", surfaces,
                         middle(scene.polygons[surfaces[0]]),

@@ -83,6 +83,9 @@ class GapCloser {
   GapCloser(const Scene3& scene, const Rational& distance)
       : scene_(scene), distance_(distance), squared_(distance * distance), table_(scene.polygons) {
     is_fixed_.assign(table_.points.size(), 0);
+    for (const Mask3& mask : scene.masks)
+      for (const std::uint32_t s : {mask.surface, mask.base})
+        for (const std::uint32_t c : table_.of_polygon[s]) is_fixed_[c] = 1;
   }
 
   Repair3 close() {
@@ -329,6 +332,7 @@ class GapCloser {
     for (const Surface& surface : scene_.surfaces) names.insert(surface.name);
     repair.scene.surfaces.clear();
     repair.scene.polygons.clear();
+    std::vector<std::uint32_t> now(scene_.surfaces.size());  // of those that stay as they are
     const auto keep = [&](const Surface& surface, Polygon3 polygon) {
       repair.former_names.push_back(surface.name);
       repair.scene.add(surface, std::move(polygon));
@@ -336,6 +340,7 @@ class GapCloser {
     for (std::uint32_t s = 0; s < scene_.polygons.size(); ++s) {
       const Surface& surface = scene_.surfaces[s];
       if (!is_changed(s)) {
+        now[s] = static_cast<std::uint32_t>(repair.scene.surfaces.size());
         keep(surface, scene_.polygons[s]);
         continue;
       }
@@ -366,6 +371,8 @@ class GapCloser {
                                           triangles.size(), quoted_name(piece_name(surface.name, 0)),
                                           quoted_name(piece_name(surface.name, triangles.size() - 1)))});
     }
+    repair.scene.masks.clear();
+    for (const Mask3& mask : scene_.masks) repair.scene.masks.push_back({now[mask.surface], now[mask.base]});
     return blamed;
   }
 

@@ -30,7 +30,8 @@ std::string former_name(const Repair3& repair, const Element& element);
 //   (2) a corner that lies on a polygon exactly, and stays within reach of it, lies on it afterwards
 //   (3) every polygon is one (polygon_problem). One that would not be plane any more becomes triangles (NAME[0],
 //       NAME[1], ...: triangulated); where that cannot be, none of its corners moves (not-repaired)
-//   (4) polygons without an area left are dropped; names, materials, order and all else stay
+//   (4) corners of masks and of their bases stay where they are
+//   (5) polygons without an area left are dropped; names, materials, order and all else stay
 // Edges that pass by each other are left as they are.
 // REQUIRES a valid scene and distance > 0. COST: O(n log n), and exact arithmetic near corners; once more for each
 // polygon of (3) that keeps its corners.

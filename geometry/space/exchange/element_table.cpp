@@ -11,6 +11,7 @@
 #include "geometry/space/exchange/area_sum.h"
 #include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/scene/division.h"
+#include "geometry/space/scene/plane_frame.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -63,6 +64,36 @@ std::optional<std::uint32_t> whole_piece(const Arrangement3& arrangement, const 
   const Piece3& piece = arrangement.pieces()[sides.front().piece];
   const bool is_free = piece.side(face.is_back).cover == Piece3::Cover::kFree;
   return piece.is_whole && piece.surface == face.surface && is_free ? std::optional(sides.front().piece) : std::nullopt;
+}
+
+// An element in the plane of its polygon: convex parts that share no area, each counter-clockwise.
+using FlatElement = std::vector<std::vector<FlatPoint3>>;
+
+// The elements of a polygon divided by n, in their order.
+std::vector<FlatElement> flat_elements(const Polygon3& polygon, std::uint32_t n, const Vertices3& vertices,
+                                       const PlaneFrame3& frame) {
+  std::vector<FlatElement> elements;
+  if (n > 1) {
+    const Divided divided(polygon, n, vertices);
+    for (std::uint64_t k = 0; k < divided.count(); ++k) elements.push_back({frame.outline(divided.corners(k))});
+  } else if (is_convex(polygon)) {
+    elements.push_back({frame.outline(polygon.points)});
+  } else {
+    FlatElement& element = elements.emplace_back();
+    for (const auto& [a, b, c] : triangles_of(polygon)) element.push_back(frame.outline({a, b, c}));
+  }
+  return elements;
+}
+
+// Twice the area that two elements of one plane have in common, in its coordinates.
+Rational doubled_common_area(const FlatElement& a, const FlatElement& b) {
+  Rational area;
+  for (const auto& part : a)
+    for (const auto& other : b) {
+      const std::vector<FlatPoint3> common = common_part(part, other);
+      if (!common.empty()) area += doubled_area(common);
+    }
+  return area;
 }
 
 // The vector area of a patch is half of this multiple of its surface's primitive normal.
@@ -128,7 +159,12 @@ ElementTable3::ElementTable3(const Scene3& scene, const Arrangement3& arrangemen
     while (begin_.size() <= part.label) begin_.push_back(static_cast<std::size_t>(&part - parts_.data()));
   }
   begin_.resize(std::size_t{sky()} + 2, parts_.size());
-  measure(blockers);
+  measure(blockers, add_contacts(scene, blockers.vertices()));
+}
+
+bool ElementTable3::has_contact(std::uint32_t label) const {
+  return std::any_of(contacts_.begin(), contacts_.end(),
+                     [label](const Contact& contact) { return contact.mask == label || contact.base == label; });
 }
 
 void ElementTable3::add_parts(FacePatches3 patches, std::uint32_t label) {
@@ -228,10 +264,55 @@ void ElementTable3::add_sky(const Blockers3& blockers) {
     }
 }
 
-void ElementTable3::measure(const Blockers3& blockers) {
+std::vector<ElementTable3::Share> ElementTable3::add_contacts(const Scene3& scene, const Vertices3& vertices) {
+  std::vector<Share> shares;
+  if (scene.masks.empty()) return shares;
+  const Rational square = vertices.scale() * vertices.scale();
+  // The elements of the front of a surface, in order.
+  const auto fronts = [&](std::uint32_t s) {
+    std::vector<std::uint32_t> labels;
+    for (std::uint32_t label = 0; label < count(); ++label) {
+      const Element& element = elements_[label];
+      const bool is_own =
+          is_by_group_ ? scene.surfaces[element.surface].group == scene.surfaces[s].group : element.surface == s;
+      if (!element.is_back && is_own) labels.push_back(label);
+    }
+    return labels;
+  };
+  for (const Mask3& mask : scene.masks) {
+    const PlaneFrame3 frame(scene.polygons[mask.surface].points);
+    const IntegerVector normal = primitive({frame.key()[0], frame.key()[1], frame.key()[2]});
+    // The coordinates of the frame leave out the first component that is not 0.
+    const Integer& across = normal.x != 0 ? normal.x : normal.y != 0 ? normal.y : normal.z;
+    const std::vector<std::uint32_t> masks = fronts(mask.surface), bases = fronts(mask.base);
+    const auto flat = [&](std::uint32_t s, const std::vector<std::uint32_t>& labels) {
+      const bool is_divided = !is_by_group_ && elements_[labels.front()].parts > 1;
+      return flat_elements(scene.polygons[s], is_divided ? scene.surfaces[s].elements : 1, vertices, frame);
+    };
+    const std::vector<FlatElement> of_mask = flat(mask.surface, masks), of_base = flat(mask.base, bases);
+    HOTTEL_REQUIRE(of_mask.size() == masks.size() && of_base.size() == bases.size());
+    for (std::size_t k = 0; k < masks.size(); ++k)
+      for (std::size_t l = 0; l < bases.size(); ++l) {
+        const Rational doubled = doubled_common_area(of_mask[k], of_base[l]);
+        if (doubled == 0) continue;
+        contacts_.push_back({masks[k], bases[l], {}});
+        shares.emplace_back(doubled / (2 * square * abs(across)), dot(normal, normal));
+      }
+  }
+  return shares;
+}
+
+void ElementTable3::measure(const Blockers3& blockers, const std::vector<Share>& of_contacts) {
   const Vertices3& vertices = blockers.vertices();
   const Rational of_scene = vertices.scale() * vertices.scale();
   const Rational of_doubles = scaled_by_power_of_two(1, -2 * vertices.shift());
+  std::multimap<std::uint32_t, Share> touched;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    AreaSum3 area;
+    area.add(of_contacts[k].first, of_contacts[k].second);
+    contacts_[k].extent = area.rounded(of_doubles);
+    for (const std::uint32_t label : {contacts_[k].mask, contacts_[k].base}) touched.emplace(label, of_contacts[k]);
+  }
   AreaSum3 before;
   for (std::uint32_t label = 0; label < count(); ++label) {
     AreaSum3 area;
@@ -239,7 +320,9 @@ void ElementTable3::measure(const Blockers3& blockers) {
       const IntegerVector& normal = blockers.exact_normal(part.patch.surface);
       area.add(doubled_share(part.patch, normal) / 2, dot(normal, normal));
     }
-    if (parts(label).empty()) {
+    const auto [touch, last] = touched.equal_range(label);
+    for (auto contact = touch; contact != last; ++contact) area.add(contact->second.first, contact->second.second);
+    if (parts(label).empty() && touch == last) {
       elements_[label].area = {};
       extents_.push_back({});
       before = {};

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "geometry/element.h"
@@ -40,6 +41,8 @@ ElementCounts3 element_counts(const Scene3& scene, Granularity granularity);
 //       corners of backs run the other way round, from the same first one
 //   (4) areas are of what is not covered, correctly rounded; extent() encloses them in the unit of PairMeasurer3. An
 //       element that other faces or solids leave nothing of has no patch, the area 0 and no row
+//   (5) where a mask lies on its base, elements of both see each other across no distance: contacts(). They have no
+//       patch there, but the area
 //
 // Throws RequestError for more elements than can be numbered.
 // REQUIRES: the arrangement is that of the scene, and the blockers are its pieces. COST: some 5 microseconds and 500
@@ -54,7 +57,7 @@ class ElementTable3 {
   const std::vector<Element>& elements() const { return elements_; }
   // True iff the element has a material and an area: only then are factors from it computed. The sky has none.
   bool has_row(std::uint32_t label) const {
-    return label < count() && elements_[label].material.has_value() && !parts(label).empty();
+    return label < count() && elements_[label].material.has_value() && (!parts(label).empty() || has_contact(label));
   }
 
   struct Part {
@@ -81,6 +84,15 @@ class ElementTable3 {
   }
   bool is_by_group() const { return is_by_group_; }
 
+  // An element of a mask and one of its base, with the area that they share: S of both, as extents are.
+  struct Contact {
+    std::uint32_t mask, base;
+    Rounded extent;
+  };
+  // In the order of masks. Where both are in one group they are the same.
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  bool has_contact(std::uint32_t label) const;
+
   // The area in squares of the doubles of Vertices3, as a correctly rounded double. REQUIRES label < count().
   const Rounded& extent(std::uint32_t label) const { return extents_[label]; }
 
@@ -90,12 +102,16 @@ class ElementTable3 {
   void add_groups(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers);
   void add_parts(FacePatches3 patches, std::uint32_t label);
   void add_sky(const Blockers3& blockers);
-  void measure(const Blockers3& blockers);
+  // Returns the area of each contact as an AreaSum3 takes it: a multiple of a length that is given by its square.
+  using Share = std::pair<Rational, Integer>;
+  std::vector<Share> add_contacts(const Scene3& scene, const Vertices3& vertices);
+  void measure(const Blockers3& blockers, const std::vector<Share>& of_contacts);
 
   std::vector<Element> elements_;
   std::vector<Part> parts_;
   std::unordered_map<std::uint32_t, std::vector<Part>> free_;  // of labels of which some is covered
   std::vector<std::size_t> begin_;                             // of the patches of a label
+  std::vector<Contact> contacts_;
   bool is_by_group_ = false;
   std::vector<Rounded> extents_;
 };

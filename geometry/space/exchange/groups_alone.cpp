@@ -138,6 +138,15 @@ GroupsAlone3::Measure GroupsAlone3::measure(std::uint32_t i, std::uint32_t j) co
     sum.bounds.upper += pair.bounds.upper * unit * (1 + kOutward);
     return true;
   });
+  for (const ElementTable3::Contact& contact : table_.contacts()) {
+    if (std::pair(contact.mask, contact.base) != std::pair(i, j) &&
+        std::pair(contact.base, contact.mask) != std::pair(i, j))
+      continue;
+    const double times = i == j ? 2 : 1;
+    sum.value += times * contact.extent.value;
+    sum.bounds = sum_of_nonnegative(
+        sum.bounds, {times * contact.extent.enclosure().lower, times * contact.extent.enclosure().upper});
+  }
   return sum;
 }
 

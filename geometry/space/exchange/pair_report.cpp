@@ -62,6 +62,7 @@ class Reporter {
     for (const Patch3& i : of_from)
       for (const Patch3& j : of_to)
         if (i.is_sky() || i.surface != j.surface) add_pair(i, j);
+    add_contacts();
     report_.is_whole = report_.is_whole && report_.exchange.bounds.upper > 0;
     auto& between = report_.between;
     std::sort(between.begin(), between.end());
@@ -87,10 +88,20 @@ class Reporter {
     const std::uint32_t label = face ? face->number() : table_.sky();
     for (const ElementTable3::Part& part : are_free ? table_.free_parts(label) : table_.parts(label))
       result.push_back(part.patch);
-    if (result.empty())
+    if (result.empty() && !table_.has_contact(label))
       throw RequestError(quoted_name(face_name(prepared_.scene, *face)) +
                          " has no area: it lies in solids, or others have all of its place");
     return result;
+  }
+
+  // A mask and its base see each other all over, across no distance.
+  void add_contacts() {
+    if (!from_ || !to_) return;
+    for (const ElementTable3::Contact& contact : table_.contacts()) {
+      if (std::minmax(contact.mask, contact.base) != std::minmax(from_->number(), to_->number())) continue;
+      report_.sight = together(report_.sight, Sight3::kClear);
+      add({contact.extent.value, 0, contact.extent.enclosure()}, report_.exchange);
+    }
   }
 
   void add_pair(const Patch3& i, const Patch3& j) {

@@ -216,6 +216,11 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
     result.failures.insert(result.failures.end(), some.failures.begin(), some.failures.end());
     some = {};
   }
+  for (const ElementTable3::Contact& contact : table.contacts()) {
+    const auto [i, j] = std::minmax(contact.mask, contact.base);
+    const double area = contact.extent.value;
+    result.pairs.push_back({.i = i, .j = j, .measure = area, .bounds = contact.extent.enclosure(), .alone = area});
+  }
   result.pairs = by_elements(std::move(result.pairs));
   std::stable_sort(result.failures.begin(), result.failures.end(), [](const FailedPair3& a, const FailedPair3& b) {
     return std::pair(a.i, a.j) < std::pair(b.i, b.j);

@@ -50,7 +50,8 @@ struct PairSums3 {
 //   (1) a pair is there iff S > 0; of groups with visibilities also where S = 0 < S0 of some patches: then S = 0
 //   (2) the same bit for bit for any number of threads: patches are summed in their order
 //   (3) a pair (i, i), of a group, counts both directions of a line
-//   (4) adds to the hidden, clear and mixed pairs, the maps, pieces, nodes and signs of the report
+//   (4) contacts of masks are pairs like others: whole, and as large as what they share
+//   (5) adds to the hidden, clear and mixed pairs, the maps, pieces, nodes and signs of the report
 //
 // Throws Interrupted where it is asked to stop.
 // COST: parallel; that of measuring each pair of faces that face each other, and 50 ns for each other pair.

@@ -11,11 +11,15 @@ std::optional<FacetScene3> facet_scene(const Scene3& scene) {
   FacetScene3 result{scene, {}};
   result.scene.surfaces.clear();
   result.scene.polygons.clear();
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+  std::vector<std::uint32_t> first;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    first.push_back(static_cast<std::uint32_t>(result.surface_of.size()));
     for (Polygon3& facet : facets_of(scene.polygons[s])) {
       result.scene.add(scene.surfaces[s], std::move(facet));
       result.surface_of.push_back(s);
     }
+  }
+  for (Mask3& mask : result.scene.masks) mask = {first[mask.surface], first[mask.base]};  // which are plane
   return result;
 }
 

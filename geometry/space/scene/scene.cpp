@@ -1,9 +1,47 @@
 #include "geometry/space/scene/scene.h"
 
+#include <algorithm>
+
 #include "geometry/name.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
+namespace {
+
+// What is wrong with a mask and its base, as the end of a sentence; empty when nothing is.
+std::string mask_problem(const Scene3& scene, const Mask3& mask) {
+  const std::string base = quoted_name(scene.surfaces[mask.base].name);
+  if (mask.surface == mask.base) return "masks itself";
+  if (scene.surfaces[mask.surface].is_obstruction)
+    return "masks " + base + " and is an obstruction; masks have a material";
+  if (scene.surfaces[mask.base].is_obstruction) return "masks " + base + ", an obstruction, which exchanges nothing";
+  const auto is_base = [&](const Mask3& other) { return other.surface == mask.base; };
+  if (std::any_of(scene.masks.begin(), scene.masks.end(), is_base)) return "masks " + base + ", which is a mask itself";
+  const Polygon3 &polygon = scene.polygons[mask.surface], &under = scene.polygons[mask.base];
+  const Vector3 normal = doubled_area(under);
+  const std::vector<Point3> corners = corners_of(polygon);
+  const bool is_in_plane = std::all_of(corners.begin(), corners.end(), [&](const Point3& point) {
+    return dot(normal, point - under.points.front()) == 0;
+  });
+  if (!is_in_plane || polygon.is_nearly_plane || under.is_nearly_plane)
+    return "is not exactly in the plane of " + base + ", which it masks";
+  return dot(normal, doubled_area(polygon)) < 0 ? ""
+                                                : "faces the same way as " + base + ", which it masks: masks face it";
+}
+
+void validate_masks(const Scene3& scene) {
+  const Mask3* before = nullptr;
+  for (const Mask3& mask : scene.masks) {
+    HOTTEL_REQUIRE(mask.surface < scene.surfaces.size() && mask.base < scene.surfaces.size());
+    HOTTEL_REQUIRE(before == nullptr || before->surface < mask.surface);
+    before = &mask;
+    if (const std::string problem = mask_problem(scene, mask); !problem.empty())
+      throw InputError({scene.file, scene.surfaces[mask.surface].line},
+                       "polygon " + quoted_name(scene.surfaces[mask.surface].name) + " " + problem);
+  }
+}
+
+}  // namespace
 
 std::string camera_problem(const Camera3& camera) {
   const Vector3 view = camera.target - camera.eye;
@@ -27,6 +65,7 @@ void validate(const Scene3& scene) {
                        "polygon " + quoted_name(scene.surfaces[s].name) + " " + problem,
                        hint.empty() ? std::vector<std::string>() : std::vector{hint});
   }
+  validate_masks(scene);
   if (!scene.camera) return;
   if (const std::string problem = camera_problem(*scene.camera); !problem.empty())
     throw InputError({scene.file, 0}, "camera: " + problem);

@@ -28,15 +28,25 @@ struct Camera3 {
 // is: `up` is not parallel to the direction of view, 0 < field_of_view < 180, and pixels from 1 to kMaxPixels.
 std::string camera_problem(const Camera3& camera);
 
+// A surface whose front lies on the front of another one, its base, at no distance. Where it lies these two see each
+// other, all of them, and nothing else. Its back is as any other.
+struct Mask3 {
+  std::uint32_t surface = 0, base = 0;  // indices into SceneTable::surfaces
+  friend bool operator==(const Mask3&, const Mask3&) = default;
+};
+
 // The scene, in the order of the file: polygons, then the faces of meshes.
 //
 //   (1) polygons[s] is where surfaces[s] of the table lies: as many of one as of the other
 //   (2) every polygon is one (polygon_problem): exactly plane, or nearly so, of positive area
 //   (3) the table is valid (SceneTable), and the camera has no problem
+//   (4) masks ascend by surface; a mask and its base have materials, and lie in one plane, facing each other; a base is
+//       no mask. That masks lie within their bases, and beside each other, is required by Arrangement3
 //
 // Polygons may touch, overlap and pierce each other anyhow: what that means is told by Arrangement3.
 struct Scene3 : SceneTable {
   std::vector<Polygon3> polygons;
+  std::vector<Mask3> masks;
   std::optional<Camera3> camera;
 
   // Puts a surface after all others.
@@ -46,7 +56,7 @@ struct Scene3 : SceneTable {
   }
 };
 
-// Throws InputError naming file, line and surface unless (2) and (3) hold; ContractViolation unless (1) does.
+// Throws InputError naming file, line and surface unless (2), (3) and (4) hold; ContractViolation unless (1) does.
 // COST: that of polygon_problem.
 void validate(const Scene3& scene);
 

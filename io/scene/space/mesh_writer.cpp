@@ -78,6 +78,9 @@ class MeshWriter3 {
       if (surface.is_obstruction)
         throw RequestError(quoted_name(surface.name) +
                            " is an obstruction, which a mesh cannot say: give it a material, or take it out");
+    if (!scene_.masks.empty())
+      throw RequestError(quoted_name(scene_.surfaces[scene_.masks.front().surface].name) +
+                         " is a mask, which a mesh cannot say: take it out");
     collect_faces();
     hold_points();
     switch (format_) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/name.h"
+#include "geometry/near_names.h"
 #include "geometry/space/scene/near_plane.h"
 #include "io/scene/json_fields.h"
 #include "io/scene/space/mesh_reader.h"
@@ -65,12 +66,34 @@ class SpaceReader3 {
       if (triangulator_ == nullptr || !triangulator_->add(scene_, surface, polygon))
         scene_.add(std::move(surface), std::move(polygon));
     }
+    read_masks();
+  }
+
+  // The polygons that say that they mask another one.
+  void read_masks() {
+    if (masks_.empty()) return;
+    std::unordered_map<std::string_view, std::uint32_t> index;
+    std::vector<std::string> names;
+    for (std::uint32_t s = 0; s < scene_.surfaces.size(); ++s) {
+      index.emplace(scene_.surfaces[s].name, s);
+      names.push_back(scene_.surfaces[s].name);
+    }
+    for (const auto& [mask, value] : masks_) {
+      const std::string base = read_string(value, {"polygon " + quoted_name(mask), "masks"});
+      const auto surface = index.find(mask), under = index.find(base);
+      if (surface == index.end())
+        refuse(value, "polygon " + quoted_name(mask) + " is not plane, but masks " + quoted_name(base));
+      if (under == index.end())
+        refuse(value, "polygon " + quoted_name(mask) + " masks " + quoted_name(base) + ", but there is no such polygon",
+               near_name_hints(base, names));
+      scene_.masks.push_back({surface->second, under->second});
+    }
   }
 
   // The digits of its coordinates are told to `finest`.
   std::pair<Surface, Polygon3> read_polygon(const JsonValue& value, const std::string& default_name,
                                             FinestDigit3& finest) {
-    constexpr std::array<std::string_view, 3> kMore{"holes", "group", "obstruction"};
+    constexpr std::array<std::string_view, 4> kMore{"holes", "group", "obstruction", "masks"};
     SceneEntry entry = table_.read_entry(value, default_name, "polygon", kMore);
     if (entry.behind && !entry.more[1])
       refuse(entry.behind, entry.owner + ": behind is for closed meshes: a \"mesh\", or the polygons of one \"group\"",
@@ -81,6 +104,7 @@ class SpaceReader3 {
     for (const JsonValue item : entry.points.items())
       polygon.points.push_back(read_corner(item, {entry.owner, "point"}, finest));
     if (const JsonValue holes = entry.more[0]) read_holes(holes, entry.owner, finest, polygon);
+    if (entry.more[3]) masks_.emplace_back(entry.name, entry.more[3]);
     entry.surface.name = std::move(entry.name);
     entry.surface.line = value.line();
     return {std::move(entry.surface), std::move(polygon)};
@@ -208,6 +232,7 @@ class SpaceReader3 {
 
   Scene3 scene_;
   TableReader table_;
+  std::vector<std::pair<std::string, JsonValue>> masks_;  // by name, with what they say
   const TextSource& files_;
   Triangulator3* triangulator_;
   std::unordered_map<std::string, std::uint32_t> shared_groups_;  // of "group"

@@ -12,6 +12,7 @@
 #include "geometry/space/scene/near_plane.h"
 #include "io/scene/space/vs3_statements.h"
 #include "kernel/decimal.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
@@ -73,6 +74,9 @@ class DeckReader3 {
   Vs3Deck3 read() {
     while (at_.next()) read_statement();
     if (deck_.records.empty()) at_.refuse("the deck has no surfaces");
+    if (deck_.output.column != 0 && deck_.output.row == 0)
+      throw InputError({deck_.file, deck_.output.line},
+                       "col=" + std::to_string(deck_.output.column) + " is set, but no row: it is a part of one");
     deck_.unit = finest_.unit();
     return std::move(deck_);
   }
@@ -133,13 +137,33 @@ class DeckReader3 {
       at_.refuse("the control " + quoted_name(name) + " is not known",
                  {"there are eps, maxU, maxO, minO, row, col, encl, emit, out, list, prjD, maxV and maxD"});
     const std::string subject = "control " + std::string(name);
-    const bool is_set = control->is_whole ? at_.count(value, subject) != 0 : at_.number(value, subject) != 0;
+    const std::uint32_t count = control->is_whole ? at_.count(value, subject) : 0;
+    if (!control->is_whole) at_.number(value, subject);
     if (key == "encl" || key == "emit") {
-      (key == "encl" ? deck_.is_enclosure : deck_.wants_script_f) |= is_set;
+      (key == "encl" ? deck_.is_enclosure : deck_.wants_script_f) |= count != 0;
       return;
     }
+    if (take_output_control(key, count)) return;
     const auto is_it = [&](const std::string& other) { return lower(other) == key; };
     if (std::none_of(deck_.not_obeyed.begin(), deck_.not_obeyed.end(), is_it)) deck_.not_obeyed.emplace_back(name);
+  }
+
+  // The last value of each counts.
+  bool take_output_control(const std::string& key, std::uint32_t value) {
+    Vs3Output3& output = deck_.output;
+    if (key == "row" || key == "col") {
+      (key == "row" ? output.row : output.column) = value;
+      output.line = at_.line();
+    } else if (key == "list") {
+      output.list = value;
+    } else if (key == "out") {
+      if (value > 2)
+        at_.refuse("control out is " + std::to_string(value) + ": there are 0, text, 1, binary, and 2, a sparse list");
+      output.out = value;
+    } else {
+      return false;
+    }
+    return true;
   }
 
   void read_form() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,12 +24,23 @@ struct Vs3Record3 {
   int line = 0;
 };
 
+// Controls that say what View3D tells of its factors, 0 where a deck does not set them.
+struct Vs3Output3 {
+  std::uint32_t row = 0, column = 0;  // numbers of records; 0: all
+  std::optional<std::uint32_t> out;   // 0 text, 1 binary, 2 a fork's sparse list
+  std::uint32_t list = 0;
+  int line = 0;  // where row or col is set
+
+  bool is_any() const { return row != 0 || out || list != 0; }
+};
+
 // The deck. Record k, from 0, has the number k + 1.
 struct Vs3Deck3 {
   std::string file, title;
   std::vector<Vs3Record3> records;
   bool is_enclosure = false;            // encl
   bool wants_script_f = false;          // emit
+  Vs3Output3 output;                    // row, col, out, list; no col without a row, and out at most 2
   std::vector<std::string> not_obeyed;  // other controls that it sets, as it spells them, each once
   bool has_inexact_angles = false;      // (3)
   Rational unit;                        // what the last digit of the vertices of F 3 stands for; 0: they have none

@@ -6,6 +6,7 @@
 
 #include "geometry/name.h"
 #include "geometry/space/scene/near_plane.h"
+#include "geometry/space/scene/plane_frame.h"
 #include "io/files/text_file.h"
 #include "io/scene/space/vs3_deck.h"
 #include "kernel/decimal.h"
@@ -37,6 +38,7 @@ class SceneOfDeck3 {
     if (scene().surfaces.empty())
       throw InputError({deck_.file, records_.front().line}, "nothing is left of any surface");
     validate(scene());
+    take_output();
     add_notes();
     return std::move(result_);
   }
@@ -80,10 +82,22 @@ class SceneOfDeck3 {
       if (const auto& [problem, hint] = polygon_problem(record.polygon); !problem.empty()) refuse(k, problem, hint);
     check_partner(k);
     check_base(k);
-    if (record.kind == Vs3Kind3::kMask)
-      throw InputError({deck_.file, record.line}, text_of(k) + " is a mask: M records are not read by this version",
-                       {"it looks at its base across no distance, F = 1; a scene has no place between them",
-                        "where nothing is asked of that gap write N: the base loses the area, and there is no row"});
+    if (record.base != 0) check_neighbours(k);
+  }
+
+  // A mask lies beside all others that have its base.
+  void check_neighbours(std::size_t k) const {
+    const PlaneFrame3 frame(records_[k].polygon.points);
+    for (std::size_t other = 0; other < k; ++other) {
+      const bool is_mask = records_[k].kind == Vs3Kind3::kMask || records_[other].kind == Vs3Kind3::kMask;
+      if (!is_mask || records_[other].base != records_[k].base) continue;
+      // What is not convex is left to the arrangement, which finds the same.
+      if (!is_convex(records_[k].polygon) || !is_convex(records_[other].polygon)) continue;
+      if (!common_part(frame.outline(records_[k].polygon.points), frame.outline(records_[other].polygon.points))
+               .empty())
+        refuse(k, "shares an area with " + text_of(other) + ": both lie on " + text_of(records_[k].base - 1) +
+                      ", and one of them is a mask");
+    }
   }
 
   void check_partner(std::size_t k) const {
@@ -131,7 +145,8 @@ class SceneOfDeck3 {
   void cut_bases() {
     for (std::size_t k = 0; k < records_.size(); ++k) outlines_.push_back(records_[k].polygon);
     for (const Vs3Record3& record : records_)
-      if (record.base != 0) outlines_[record.base - 1].holes.push_back(record.polygon.points);
+      if (record.base != 0 && record.kind != Vs3Kind3::kMask)
+        outlines_[record.base - 1].holes.push_back(record.polygon.points);
   }
 
   // Whether the holes cover it. Holes that overlap are refused: their surfaces do.
@@ -154,7 +169,7 @@ class SceneOfDeck3 {
     Surface surface;
     surface.name = names_[k];
     surface.line = record.line;
-    surface.is_obstruction = record.kind != Vs3Kind3::kSurface;
+    surface.is_obstruction = record.kind == Vs3Kind3::kNull || record.kind == Vs3Kind3::kObstruction;
     if (!surface.is_obstruction) surface.material = material_of(record.emittance);
     const std::size_t leader = record.combined_with == 0 ? k : record.combined_with - 1;
     const auto [group, is_new] = groups_.emplace(leader, static_cast<std::uint32_t>(scene().groups.size()));
@@ -163,6 +178,8 @@ class SceneOfDeck3 {
     if (records_[leader].emittance != record.emittance) mixes_emittances_ = true;
     if (triangulator_ != nullptr && triangulator_->add(scene(), surface, outlines_[k])) return;
     if (const auto& [problem, hint] = polygon_problem(outlines_[k]); !problem.empty()) refuse(k, problem, hint);
+    place_.emplace(k, static_cast<std::uint32_t>(scene().surfaces.size()));
+    if (record.kind == Vs3Kind3::kMask) scene().masks.push_back({place_[k], place_.at(record.base - 1)});
     scene().add(std::move(surface), std::move(outlines_[k]));
   }
 
@@ -172,6 +189,30 @@ class SceneOfDeck3 {
       scene().materials.push_back(
           {"emittance " + exact_text(emittance), Spectrum::scalar(1 - emittance), Spectrum::scalar(0)});
     return entry->second;
+  }
+
+  void take_output() {
+    const Vs3Output3& asked = deck_.output;
+    result_.output = {surface_of(asked.row, "row"), surface_of(asked.column, "col"), asked.out, asked.list};
+  }
+
+  // The surface that a control names by the number of its record; nothing for 0.
+  std::optional<std::uint32_t> surface_of(std::uint32_t number, const std::string& control) const {
+    if (number == 0) return std::nullopt;
+    const auto refuse_it = [&](const std::string& text) {
+      throw InputError({deck_.file, deck_.output.line}, control + "=" + std::to_string(number) + ": " + text);
+    };
+    if (number > records_.size()) refuse_it("the deck has " + std::to_string(records_.size()) + " surfaces");
+    const std::size_t k = number - 1;
+    const auto place = place_.find(k);
+    if (records_[k].kind == Vs3Kind3::kNull || records_[k].kind == Vs3Kind3::kObstruction)
+      refuse_it(text_of(k) + " has no row: only those of S and M records are there");
+    if (place == place_.end())
+      refuse_it(text_of(k) + " has no row: " +
+                (std::find(covered_.begin(), covered_.end(), names_[k]) == covered_.end()
+                     ? "it is cut into triangles"
+                     : "subsurfaces cover it wholly"));
+    return place->second;
   }
 
   void add_notes() {
@@ -200,6 +241,7 @@ class SceneOfDeck3 {
   std::vector<std::string> names_, covered_;
   std::vector<Polygon3> outlines_;                         // with what subsurfaces cut out
   std::unordered_map<std::size_t, std::uint32_t> groups_;  // by the record that gives the name
+  std::unordered_map<std::size_t, std::uint32_t> place_;   // of a record among the surfaces
   std::map<Rational, std::uint32_t> materials_;            // by emittance
   bool mixes_emittances_ = false;
 };

@@ -75,6 +75,9 @@ std::vector<std::string> surfaces_that_lose(const Scene3& scene) {
   const auto loses = [&](std::uint32_t s, bool is_back) {
     const Vector3 normal = doubled_area(scene.polygons[s]);
     Rational rest = dot(normal, normal);
+    if (!is_back)
+      for (const Mask3& mask : scene.masks)
+        if (mask.surface == s || mask.base == s) rest -= abs(dot(normal, doubled_area(scene.polygons[mask.surface])));
     for (const PieceSide3& side : arrangement.sides({s, is_back})) {
       const Piece3& piece = arrangement.pieces()[side.piece];
       if (piece.side(side.is_back).cover != Piece3::Cover::kFree) return true;
@@ -114,7 +117,8 @@ class DeckWriter3 {
       : scene_(scene),
         combines_groups_(combines_groups),
         leaders_(2 * scene.groups.size()),
-        base_of_(scene.surfaces.size()) {}
+        base_of_(scene.surfaces.size()),
+        record_of_(scene.surfaces.size()) {}
 
   WrittenVs3Deck3 write() {
     for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
@@ -122,7 +126,7 @@ class DeckWriter3 {
         if (base_of_[s] != 0) add_null(s);
         continue;
       }
-      add_face(s, false);
+      if (!add_mask(s)) add_face(s, false);
       if (scene_.surfaces[s].back) add_face(s, true);
     }
     for (std::size_t s = 0; s < scene_.surfaces.size(); ++s)
@@ -151,6 +155,7 @@ class DeckWriter3 {
     const std::vector<Polygon3> pieces =
         fillers.empty() ? pieces_of(scene_.polygons[s]) : std::vector{Polygon3{scene_.polygons[s].points}};
     if (pieces.size() > 1) cut_.push_back(surface.name);
+    if (!is_back && pieces.size() == 1) record_of_[s] = count_ + 1;
     const std::size_t base = is_back ? 0 : base_of_[s];
     std::size_t leader = combines_groups_ ? leaders_[2 * surface.group + is_back].value_or(0) : 0;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -160,6 +165,25 @@ class DeckWriter3 {
     }
     leaders_[2 * surface.group + is_back] = leader;
     backs_ += is_back;
+  }
+
+  // Writes the front of a surface that is a mask; false where it is none.
+  bool add_mask(std::size_t s) {
+    const auto mask =
+        std::find_if(scene_.masks.begin(), scene_.masks.end(), [s](const Mask3& other) { return other.surface == s; });
+    if (mask == scene_.masks.end()) return false;
+    const std::string own = quoted_name(scene_.surfaces[s].name), base = quoted_name(scene_.surfaces[mask->base].name);
+    if (record_of_[mask->base] == 0)
+      throw RequestError(own + " masks " + base + ", which is no single record before it: a deck cannot say that");
+    if (!is_one_record(scene_.polygons[s]) || !scene_.polygons[s].holes.empty())
+      throw RequestError(own + " masks " + base +
+                         ", and is no triangle or convex quadrilateral: a deck has such masks");
+    const std::string name = word_of(scene_.surfaces[s].name);
+    changed_names_ += name != scene_.surfaces[s].name;
+    ++count_;
+    records_ += fmt::format("M {} {}   {} 0   {}   {}\n", count_, vertices_of(scene_.polygons[s], false),
+                            record_of_[mask->base], emittance_of(s, false), name);
+    return true;
   }
 
   // Its vertices run so that it faces its base.
@@ -252,6 +276,7 @@ class DeckWriter3 {
   std::size_t count_ = 0, backs_ = 0, changed_names_ = 0;
   std::vector<std::optional<std::size_t>> leaders_;  // of the fronts and the backs of each group
   std::vector<std::size_t> base_of_;                 // the record that is the base of a surface, 0 without one
+  std::vector<std::size_t> record_of_;               // of the front of a surface, 0 where it is several
   std::map<std::size_t, Vector3> normal_of_base_;    // of obstructions
   std::map<std::string, std::size_t> numbers_;       // of vertices, by what is written of them
   std::vector<std::string> cut_;

@@ -29,10 +29,11 @@ struct WrittenVs3Deck3 {
 //   (5) what View3D would take for the end of a name is '_' in it
 //   (6) a scene that is promised to be closed has encl=1
 //   (7) polygons are as listed: overlaps are not settled, and solids cover nothing
+//   (8) a mask is an M record
 //
 // What is rounded, cut or left out is noted, and which surfaces have less than (7) says.
-// REQUIRES: validate(scene) holds. Throws RequestError for a coordinate beyond the range of doubles, InputError as
-// Arrangement3 does. COST: that of Arrangement3, and n for each hole.
+// REQUIRES: validate(scene) holds. Throws RequestError for a coordinate beyond the range of doubles, and for a mask
+// whose base is no record before it; InputError as Arrangement3 does. COST: that of Arrangement3, and n for each hole.
 WrittenVs3Deck3 write_vs3_3(const Scene3& scene, bool combines_groups);
 
 }  // namespace hottel

@@ -145,9 +145,44 @@ TEST(Vs3Reader, NullsTakeAreaFromTheirBaseAndStayOpaque) {
             "in/room.vs3:15: surface 2 'under' has no base");
 }
 
-TEST(Vs3Reader, MasksAreRefusedByName) {
-  EXPECT_EQ(refusal(kSquares + "S 1 1 2 3 4 0 0 .5 floor\nM 2 8 7 6 5 1 0 .5 bottom\n"),
-            "in/room.vs3:15: surface 2 'bottom' is a mask: M records are not read by this version");
+TEST(Vs3Reader, MasksLieOnTheirBaseWhichStaysWhole) {
+  const Scene3 scene = read(kSquares + "S 1 1 2 3 4 0 0 .5 floor\nM 2 8 7 6 5 1 0 .3 bottom\n").scene;
+  EXPECT_THAT(lines(scene),
+              ElementsAre("floor: 0,0,0 1,0,0 1,1,0 0,1,0", "bottom: 1/4,1/2,0 1/2,1/2,0 1/2,1/4,0 1/4,1/4,0"));
+  EXPECT_EQ(scene.masks, (std::vector<Mask3>{{1, 0}}));
+  EXPECT_FALSE(scene.surfaces[1].is_obstruction);
+  EXPECT_EQ(scene.materials[scene.surfaces[1].material].reflectivity.value[0], Rational(7, 10));
+  // They are kept in scene files.
+  const Scene3 again = parse_scene_3(write_scene_3(scene), "again.json");
+  EXPECT_EQ(again.masks, scene.masks);
+  EXPECT_EQ(again.polygons, scene.polygons);
+}
+
+TEST(Vs3Reader, MasksOfSubsurfacesAreInTheHoleOfTheBase) {
+  const Scene3 scene =
+      read(kSquares + "S 1 1 2 3 4 0 0 .5 wall\nS 2 5 6 7 8 1 0 .9 window\nM 3 8 7 6 5 2 0 .3 shutter\n").scene;
+  EXPECT_THAT(lines(scene)[0], HasSubstr(" | "));
+  EXPECT_EQ(scene.masks, (std::vector<Mask3>{{2, 1}}));
+}
+
+TEST(Vs3Reader, RefusesMasksThatLieOnNoneOrOnSeveral) {
+  const std::string floor = kSquares + "S 1 1 2 3 4 0 0 .5 floor\n";
+  EXPECT_EQ(refusal(floor + "M 2 5 6 7 8 1 0 .5 bottom\n"),
+            "in/room.vs3:15: surface 2 'bottom' faces the same way as its base, surface 1 'floor'; N and M face it");
+  EXPECT_EQ(refusal(floor + "M 2 8 7 6 5 0 0 .5 bottom\n"), "in/room.vs3:15: surface 2 'bottom' has no base");
+  EXPECT_EQ(refusal(floor + "M 2 12 11 10 9 1 0 .5 bottom\n"),
+            "in/room.vs3:15: surface 2 'bottom' is not in the plane of its base, surface 1 'floor': it lies 1 off");
+  EXPECT_EQ(refusal(floor + "M 2 8 7 6 5 1 1 .5 bottom\n"),
+            "in/room.vs3:15: surface 2 'bottom' is combined with another: only S records are");
+  EXPECT_EQ(refusal(floor + "M 2 8 7 6 5 3 0 .5 bottom\nO 3 1 2 3 4\n"),
+            "in/room.vs3:15: surface 2 'bottom' has the base obstruction 3, which is no S record");
+  EXPECT_EQ(refusal(floor + "M 2 8 7 6 5 1 0 .5 bottom\nM 3 5 6 7 0 2 0 .5 other\n"),
+            "in/room.vs3:16: surface 3 'other' has the base surface 2 'bottom', which is no S record");
+  const std::string both = ": both lie on surface 1 'floor', and one of them is a mask";
+  EXPECT_EQ(refusal(floor + "M 2 8 7 6 5 1 0 .5 bottom\nM 3 5 8 7 0 1 0 .5 other\n"),
+            "in/room.vs3:16: surface 3 'other' shares an area with surface 2 'bottom'" + both);
+  EXPECT_EQ(refusal(floor + "S 2 5 6 7 8 1 0 .5 mat\nM 3 5 8 7 0 1 0 .5 other\n"),
+            "in/room.vs3:16: surface 3 'other' shares an area with surface 2 'mat'" + both);
 }
 
 TEST(Vs3Reader, ObstructionsHaveNoMaterial) {
@@ -181,7 +216,7 @@ TEST(Vs3Reader, ControlsPromiseAClosedSceneOrAreSaidNotToBeObeyed) {
   const Vs3Scene3 deck =
       read("C encl=1 list=2 eps=1.e-5, maxu = 8 MAXO 8 mino=0 emit=1 EPS=1e-4 out=1 ! row=1\n" + surface);
   EXPECT_TRUE(deck.scene.closed);
-  EXPECT_THAT(deck.notes, ElementsAre(StartsWith("list, eps, maxu, MAXO, mino, out: read, not obeyed"),
+  EXPECT_THAT(deck.notes, ElementsAre(StartsWith("eps, maxu, MAXO, mino: read, not obeyed"),
                                       StartsWith("emit=1: script-F is not computed"),
                                       StartsWith("encl=1 promises that the scene is closed")));
   EXPECT_FALSE(read("C encl=0 emit=0\n" + surface).scene.closed);
@@ -190,6 +225,28 @@ TEST(Vs3Reader, ControlsPromiseAClosedSceneOrAreSaidNotToBeObeyed) {
   EXPECT_EQ(refusal("C eps=1e-4 encl\n" + surface), "in/room.vs3:1: the control 'encl' has no value");
   EXPECT_THAT(refusal("C encl=yes\n" + surface), StartsWith("in/room.vs3:1: control encl is no whole number: 'yes'"));
   EXPECT_THAT(refusal("C eps=small\n" + surface), StartsWith("in/room.vs3:1: control eps is not a number"));
+}
+
+TEST(Vs3Reader, RowAndColumnAreSurfacesOfTheScene) {
+  const std::string surfaces =
+      kSquares + "S 1 1 2 3 4 0 0 .5 low\nN 2 8 7 6 5 1 0 .5 under\nS 3 12 11 10 9 0 0 .5 high\n";
+  const DeckOutput3 all = read(surfaces).output;
+  EXPECT_FALSE(all.row || all.column || all.out || all.list != 0);
+  const DeckOutput3 some = read("C row=1 out=0 list=1\nC ROW=3, col = 1 out=1 list=0\n" + surfaces).output;
+  EXPECT_EQ(some.row, 2u);
+  EXPECT_EQ(some.column, 0u);
+  EXPECT_EQ(some.out, 1u);
+  EXPECT_EQ(some.list, 0u);
+  EXPECT_EQ(read("C row=0 col=0\n" + surfaces).output.row, std::nullopt);
+  EXPECT_EQ(refusal("T t\nC row=4\n" + surfaces), "in/room.vs3:2: row=4: the deck has 3 surfaces");
+  EXPECT_EQ(refusal("C row=2\n" + surfaces),
+            "in/room.vs3:1: row=2: surface 2 'under' has no row: only those of S and M records are there");
+  EXPECT_EQ(refusal("C col=1\n" + surfaces), "in/room.vs3:1: col=1 is set, but no row: it is a part of one");
+  EXPECT_EQ(refusal("C out=3\n" + surfaces),
+            "in/room.vs3:1: control out is 3: there are 0, text, 1, binary, and 2, a sparse list");
+  EXPECT_THAT(refusal("C row=-1\n" + surfaces), StartsWith("in/room.vs3:1: control row is no whole number: '-1'"));
+  EXPECT_EQ(refusal("C row=1\n" + kSquares + "S 1 1 2 3 4 0 0 .5 wall\nS 2 1 2 3 0 1 0 .9 a\nS 3 1 3 4 0 1 0 .1 b\n"),
+            "in/room.vs3:1: row=1: surface 1 'wall' has no row: subsurfaces cover it wholly");
 }
 
 // The room of View3D's example of this form: its corners are whole numbers.

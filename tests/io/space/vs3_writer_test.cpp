@@ -7,6 +7,7 @@
 
 #include "io/scene/scene_json.h"
 #include "io/scene/space/vs3_reader.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
@@ -73,6 +74,26 @@ TEST(Vs3Writer, WhatFillsTheHolesOfAPolygonIsItsSubsurface) {
   const WrittenVs3Deck3 deck = write_vs3_3(parse_vs3_3(text, "a.vs3").scene, false);
   EXPECT_EQ(deck.text, text);
   EXPECT_THAT(deck.notes, ElementsAre(StartsWith("black backs are not in the deck")));
+}
+
+TEST(Vs3Writer, AMaskIsAnMRecord) {
+  Scene3 scene = parse_vs3_3(
+                     "F 3\nV 1 0 0 0\nV 2 4 0 0\nV 3 4 4 0\nV 4 0 4 0\nV 5 1 1 0\nV 6 2 1 0\nV 7 2 2 0\n"
+                     "S 1 1 2 3 4 0 0 .5 floor\nM 2 5 7 6 0 1 0 .25 foot\n",
+                     "deck.vs3")
+                     .scene;
+  const WrittenVs3Deck3 deck = write_vs3_3(scene, true);
+  EXPECT_THAT(deck.text, HasSubstr("M 2  5 6 7 0   1 0   0.25   foot\n"));
+  EXPECT_THAT(deck.notes, ElementsAre(HasSubstr("black backs are not in the deck")));
+  EXPECT_EQ(parse_vs3_3(deck.text, "again.vs3").scene.masks, scene.masks);
+  // Of a base that has more corners than a record there is none.
+  scene.polygons[0].points.insert(scene.polygons[0].points.begin() + 1, {2, -1, 0});
+  try {
+    write_vs3_3(scene, true);
+    ADD_FAILURE() << "was written";
+  } catch (const RequestError& error) {
+    EXPECT_STREQ(error.what(), "'foot' masks 'floor', which is no single record before it: a deck cannot say that");
+  }
 }
 
 TEST(Vs3Writer, APolygonWithAHoleThatNothingFillsIsCut) {
