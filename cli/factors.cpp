@@ -194,7 +194,7 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   SimulationRequest2 request = request_of(options);
   options.format();
   if (!options.picture.empty() && !picture_format(options.picture))
-    throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
+    throw UsageError("a picture is written as .png, .svg or .pdf, not '" + options.picture + "'");
   Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (is_vs3(options.scene) && options.per_option->count() == 0 && combines(std::get<Scene3>(scene)))
     options.granularity = "group";
@@ -281,7 +281,7 @@ void add_factors(Commands& commands) {
       ->transform(whole_number(1));
   command
       .add_option("--picture", options->picture,
-                  "draw the scene (.png, .svg), faces coloured by their factor to --toward")
+                  "draw the scene (.png, .svg, .pdf), faces coloured by their factor to --toward")
       ->type_name("FILE");
   command.add_option("--toward", options->toward, "a face, a polyline, all whose names begin with NAME*, or sky")
       ->type_name("NAME");

@@ -205,7 +205,7 @@ const std::vector<OptionEntry>& option_entries() {
        "hottel factors $S -o f.csv --picture p.svg --toward top; md5sum p.svg",
        "hottel factors $S -o f.csv; ls",
        {{"hottel factors $S --picture p.svg", "--picture and --toward go together"},
-        {"hottel factors $S --picture p.pdf --toward top", "a picture is written as .png or .svg"},
+        {"hottel factors $S --picture p.gif --toward top", "a picture is written as .png, .svg or .pdf"},
         {"hottel factors $S --picture p.svg --toward top --per element", "--picture colours whole faces"},
         {"hottel factors $S --picture p.svg --toward top --per group", "--picture colours whole faces"}}},
       {"factors",
@@ -480,7 +480,7 @@ const std::vector<OptionEntry>& option_entries() {
        "-o",
        "hottel visibility $S --at 3,1 -o p.svg; ls",
        "hottel visibility $S --at 3,1; ls",
-       {{"hottel visibility $S --at 3,1 -o p.pdf", "a drawing is written as .svg or .png"}}},
+       {{"hottel visibility $S --at 3,1 -o p.gif", "a drawing is written as .png, .svg or .pdf"}}},
   };
   return kAll;
 }
