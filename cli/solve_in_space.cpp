@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,6 +33,22 @@ void require_what_space_has(const SolveOptions& options) {
   if (options.views != usual.views) refuse("--views");
 }
 
+// What a camera sees of what is asked for.
+std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const Shown& shown,
+                                             const Simulation3& simulation) {
+  const auto factors = simulation.factors();
+  const auto solution = simulation.radiosities();
+  RenderOptions3 asked{.tone = *tone_of(options.tone),
+                       .exposure = options.exposure,
+                       .wanted_width = options.size,
+                       .shading = options.shading == "smooth" ? Shading3::kSmooth : Shading3::kFlat};
+  if (!shown.is_light()) asked.shown = shown_values(shown, simulation.scene(), factors->matrix, *solution, "W/m²");
+  return naming_file(options.scene, [&] {
+    return std::make_unique<const RenderedView3>(*simulation.prepared(), simulation.request().factors.granularity,
+                                                 *solution, std::move(asked));
+  });
+}
+
 SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) {
   const bool is_divided = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
                                       [](const Surface& surface) { return surface.elements > 1; });
@@ -47,6 +64,8 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
 void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to_read, Streams& streams) {
   require_what_space_has(options);
   const bool wants_picture = !options.no_picture && !options.no_illumination;
+  const Shown shown = shown_of(options);
+  require_shown(shown, scene);
   options.elements.apply_to(scene);
   const SimulationRequest3 request = request_of(options, scene);
   const Simulation3 simulation(std::move(scene), request);
@@ -58,8 +77,9 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const OutputFolder folder(directory);
   OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), json(directory / "report.json"),
       vtu(directory / "radiosity.vtu");
-  std::optional<OutputFile> png;
+  std::optional<OutputFile> png, render;
   if (wants_picture) png.emplace(directory / "render.png");
+  if (!options.render.empty()) render.emplace(options.render);
   const auto factors = simulation.factors(streams.stages());
   const Findings3 lost_light = lost_light_warnings(simulation.scene(), factors->matrix);
   if (!lost_light.empty()) streams.note(findings_text(simulation.scene(), lost_light));
@@ -76,15 +96,11 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   seconds.insert(solution->seconds.begin(), solution->seconds.end());
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
-  std::optional<double> scale;
+  std::unique_ptr<const RenderedView3> view;
   if (png) {
-    const RenderedPicture3 picture = naming_file(options.scene, [&] {
-      return render_picture_3(
-          *simulation.prepared(), request.factors.granularity, *solution,
-          {.tone = *tone_of(options.tone), .exposure = options.exposure, .wanted_width = options.size});
-    });
-    png->write(picture.bytes);
-    scale = picture.scale;
+    view = view_of(options, shown, simulation);
+    png->write(view->file(PictureFormat::kPng));
+    if (render) render->write(view->file(*picture_format(options.render)));
     seconds["picture"] = watch.lap();
   }
   const SolveReport report{.scene = options.scene,
@@ -93,19 +109,21 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
                            .solution = solution.get(),
                            .fluxes = &fluxes,
                            .seconds = seconds,
-                           .picture_scale = scale,
+                           .picture_scale = view && !view->shown() ? std::optional(view->scale()) : std::nullopt,
+                           .picture_range = view ? range_of(view->shown()) : std::nullopt,
                            .warnings = finding_notes(lost_light)};
   json.write(solve_json(report));
   // All files are whole before the first one takes its name.
   std::vector<OutputFile*> files{&csv, &flux, &vtu};
   if (png) files.push_back(&*png);
+  if (render) files.push_back(&*render);
   files.push_back(&json);
   for (OutputFile* file : files) file->finish();
   if (options.json) streams.write("", solve_json(report));
   for (OutputFile* file : files) file->commit();
   streams.note(solve_text(report) + small_scene_text(simulation.scene(), factors->matrix, *solution) + "\nin " +
                directory.string() + ": radiosity.csv flux.csv radiosity.vtu " + (png ? "render.png " : "") +
-               "report.json");
+               "report.json" + (render ? "\nthe picture: " + options.render : ""));
 }
 
 }  // namespace hottel
