@@ -191,6 +191,8 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
     throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
   if (options.shading != "flat") throw UsageError("--shading is for scenes in space");
   require_shown(request.shown, scene);
+  if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
+    throw UsageError(fmt::format("--size of --show {} is {} at least", options.show, kMinPictureWidth));
   Stopwatch watch;
   const Simulation2 simulation = simulation_of(options, std::move(scene), request);
   const std::shared_ptr<const Plan> plan = simulation.plan();
@@ -298,9 +300,9 @@ void add_solve(Commands& commands) {
   CLI::App& command = commands.add(
       "solve",
       "Radiosities with proven bounds, the light in the rooms, and a picture of it\n\n"
-      "In space: radiosities, net fluxes, and what the scene's camera sees (render.png), or one chosen for it. Bounds\n"
-      "hold for the scene where all view factors are enclosed, else for the factors as computed. Light between the\n"
-      "faces is of the plane so far.",
+      "In space: radiosities, net fluxes, what the scene's camera sees (render.png), or one chosen for it, and light\n"
+      "between the faces where the scene has a grid. Bounds hold for the scene where all view factors are enclosed,\n"
+      "else for the factors as computed.",
       {"hottel solve scenes/showcase/apartment.json -o /tmp/apartment",
        "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --grid 64x64 --tone max --size 320",
        "hottel solve scenes/showcase/museum.json -o /tmp/museum --no-illumination",

@@ -1,6 +1,9 @@
 #include "cli/solve_in_space.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -8,15 +11,21 @@
 #include <utility>
 #include <vector>
 
+#include "io/files/disk_space.h"
 #include "io/files/output_file.h"
+#include "io/results/npy.h"
 #include "io/results/solve_report.h"
 #include "io/results/space/check_report.h"
 #include "io/results/space/factors_report.h"
 #include "io/results/space/radiosity_vtu.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/space/check/lost_light.h"
+#include "solver/space/light/illumination_grid.h"
 #include "solver/space/simulation/simulation.h"
+#include "viewer/picture/space/grid_picture.h"
 #include "viewer/picture/space/render_picture.h"
 
 namespace hottel {
@@ -31,6 +40,51 @@ void require_what_space_has(const SolveOptions& options) {
   if (options.grid != usual.grid) refuse("--grid");
   if (options.illumination != usual.illumination) refuse("--illumination");
   if (options.views != usual.views) refuse("--views");
+}
+
+bool wants_grid(const SolveOptions& options, const Scene3& scene) { return scene.grid && !options.no_illumination; }
+
+// The files of light on the scene's grid.
+struct GridFiles {
+  OutputFile npy, sidecar;
+  std::optional<OutputFile> png;
+
+  GridFiles(const SolveOptions& options, const std::filesystem::path& directory)
+      : npy(directory / "illumination.npy"), sidecar(directory / "illumination.npy.json") {
+    if (!options.no_picture) png.emplace(directory / "illumination.png");
+  }
+
+  void write(const SolveOptions& options, const IlluminationGrid3& light, const std::vector<std::string>& channels) {
+    const std::size_t shape[3] = {light.grid.nv, light.grid.nu, light.channels};
+    write_npy(shape, light.values, [this](std::string_view bytes) { npy.write(bytes); });
+    const auto rounded = [](const auto& p) { return std::array{to_double(p.x), to_double(p.y), to_double(p.z)}; };
+    const Grid3& grid = light.grid;
+    sidecar.write(
+        illumination_sidecar({rounded(grid.origin), rounded(grid.u), rounded(grid.v), grid.nu, grid.nv}, channels));
+    if (png)
+      png->write(grid_picture_3(
+          light, {.tone = *tone_of(options.tone), .exposure = options.exposure, .wanted_width = options.size}));
+  }
+
+  void append_to(std::vector<OutputFile*>& files) {
+    files.insert(files.end(), {&sidecar, &npy});
+    if (png) files.push_back(&*png);
+  }
+  std::string names() const {
+    return std::string("illumination.npy illumination.npy.json ") + (png ? "illumination.png " : "");
+  }
+};
+
+// Throws RequestError where light on the grid needs more memory or disk than there is.
+void require_room_for(const Scene3& scene, const SolveOptions& options, const std::filesystem::path& directory) {
+  const Grid3& grid = *scene.grid;
+  const std::uint64_t bytes =
+      std::uint64_t{grid.nu} * grid.nv * static_cast<std::uint64_t>(channel_count(scene)) * sizeof(double);
+  const std::string what = fmt::format("{}: light on {} x {} cells", options.scene, grid.nu, grid.nv);
+  const std::string advice = "; take fewer cells, or --no-illumination";
+  if (const std::uint64_t allowed = memory_allowed(options.memory.value_or(0)); bytes > allowed)
+    throw RequestError(fmt::format("{} takes {} bytes of memory; allowed are {}{}", what, bytes, allowed, advice));
+  require_space(directory / "illumination.npy", bytes, what + " takes", advice);
 }
 
 // What a camera sees of what is asked for.
@@ -56,7 +110,8 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
                       .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
                       .memory = options.memory.value_or(0)},
           .system = {.solver = solver_of(options, false), .iterations = options.iterations, .until = options.until},
-          .plan = {.everything = options.simulate == "everything", .grid_cells = 0}};
+          .plan = {.everything = options.simulate == "everything",
+                   .grid_cells = wants_grid(options, scene) ? std::uint64_t{scene.grid->nu} * scene.grid->nv : 0}};
 }
 
 }  // namespace
@@ -77,6 +132,11 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const OutputFolder folder(directory);
   OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), json(directory / "report.json"),
       vtu(directory / "radiosity.vtu");
+  std::optional<GridFiles> grid;
+  if (wants_grid(options, simulation.scene())) {
+    require_room_for(simulation.scene(), options, directory);
+    grid.emplace(options, directory);
+  }
   std::optional<OutputFile> png, render;
   if (wants_picture) png.emplace(directory / "render.png");
   if (!options.render.empty()) render.emplace(options.render);
@@ -96,6 +156,12 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   seconds.insert(solution->seconds.begin(), solution->seconds.end());
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
+  if (grid) {
+    const IlluminationGrid3 light = illuminate_points(*simulation.prepared(), request.factors.granularity, *solution,
+                                                      *simulation.scene().grid, streams.progress("illumination"));
+    grid->write(options, light, solution->channel_names);
+    seconds["illumination"] = watch.lap();
+  }
   std::unique_ptr<const RenderedView3> view;
   if (png) {
     view = view_of(options, shown, simulation);
@@ -115,6 +181,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   json.write(solve_json(report));
   // All files are whole before the first one takes its name.
   std::vector<OutputFile*> files{&csv, &flux, &vtu};
+  if (grid) grid->append_to(files);
   if (png) files.push_back(&*png);
   if (render) files.push_back(&*render);
   files.push_back(&json);
@@ -122,8 +189,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   if (options.json) streams.write("", solve_json(report));
   for (OutputFile* file : files) file->commit();
   streams.note(solve_text(report) + small_scene_text(simulation.scene(), factors->matrix, *solution) + "\nin " +
-               directory.string() + ": radiosity.csv flux.csv radiosity.vtu " + (png ? "render.png " : "") +
-               "report.json" + (render ? "\nthe picture: " + options.render : ""));
+               directory.string() + ": radiosity.csv flux.csv radiosity.vtu " + (grid ? grid->names() : "") +
+               (png ? "render.png " : "") + "report.json" + (render ? "\nthe picture: " + options.render : ""));
 }
 
 }  // namespace hottel

@@ -28,16 +28,32 @@ struct Camera3 {
 // is: `up` is not parallel to the direction of view, 0 < field_of_view < 180, and pixels from 1 to kMaxPixels.
 std::string camera_problem(const Camera3& camera);
 
+// The most cells of a grid along one of its sides.
+inline constexpr std::uint32_t kMaxGridCells3 = 16384;
+
+// Where light is asked for: nu times nv equal cells of the parallelogram from `origin` along u and along v.
+struct Grid3 {
+  Point3 origin;
+  Vector3 u, v;
+  std::uint32_t nu = 1, nv = 1;
+  friend bool operator==(const Grid3&, const Grid3&) = default;
+};
+
+// Returns what is wrong with a grid, as the end of a sentence ("u and v are parallel, or one is zero"); empty when
+// nothing is: u and v span a plane, and there are 1 to kMaxGridCells3 cells along each.
+std::string grid_problem(const Grid3& grid);
+
 // The scene, in the order of the file: polygons, then the faces of meshes.
 //
 //   (1) polygons[s] is where surfaces[s] of the table lies: as many of one as of the other
 //   (2) every polygon is one (polygon_problem): exactly plane, or nearly so, of positive area
-//   (3) the table is valid (SceneTable), and the camera has no problem
+//   (3) the table is valid (SceneTable), and neither camera nor grid has a problem
 //
 // Polygons may touch, overlap and pierce each other anyhow: what that means is told by Arrangement3.
 struct Scene3 : SceneTable {
   std::vector<Polygon3> polygons;
   std::optional<Camera3> camera;
+  std::optional<Grid3> grid;
 
   // Puts a surface after all others.
   void add(Surface surface, Polygon3 polygon) {
