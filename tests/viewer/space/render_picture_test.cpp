@@ -228,7 +228,7 @@ TEST(CameraView3, PixelsIntegrateWhatElementsShow) {
     expected[2] += linear_from_srgb(colour.b);
   }
   for (std::size_t k = 0; k < pixels.values.size(); ++k) sum[k % 3] += pixels.values[k];
-  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], expected[c] * 81 / 4, 1e-5);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], expected[c] * 81 / 4, 1e-10);
 }
 
 TEST(RenderedView3, FilesAreOfTheirKindAndTheSameEveryTime) {
