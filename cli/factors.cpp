@@ -195,7 +195,7 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
   require_sense(options);
   options.format();
   if (!options.picture.empty() && !picture_format(options.picture))
-    throw UsageError("a picture is written as .png or .svg, not '" + options.picture + "'");
+    throw UsageError("a picture is written as .png, .svg or .pdf, not '" + options.picture + "'");
   Scene scene = read_scene_noting(options.scene, options.polygons, streams, &options.deck);
   options.awaits_deck = false;
   options.format();
@@ -253,9 +253,7 @@ void add_factors(Commands& commands) {
       .add_option("-o", options->out,
                   "the file to write: .csv .mtx .npy .txt .bin; without it, or with -, csv on standard output")
       ->type_name("FILE");
-  command
-      .add_option("--method", options->method,
-                  "how to compute, each also as METHOD:normalised" + methods_text())
+  command.add_option("--method", options->method, "how to compute, each also as METHOD:normalised" + methods_text())
       ->type_name("METHOD")
       ->capture_default_str();
   command
@@ -284,7 +282,7 @@ void add_factors(Commands& commands) {
       ->transform(whole_number(1));
   command
       .add_option("--picture", options->picture,
-                  "draw the scene (.png, .svg), faces coloured by their factor to --toward")
+                  "draw the scene (.png, .svg, .pdf), faces coloured by their factor to --toward")
       ->type_name("FILE");
   command.add_option("--toward", options->toward, "a face, a polyline, all whose names begin with NAME*, or sky")
       ->type_name("NAME");

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "io/foreign/foreign_radiosity.h"
 #include "io/foreign/foreign_method.h"
+#include "io/foreign/foreign_radiosity.h"
 #include "io/foreign/plane/foreign_matrix.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "kernel/support/failure.h"

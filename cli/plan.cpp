@@ -27,9 +27,10 @@ std::shared_ptr<const Plan> plan_of(const PlanOptions& options, Scene2 scene) {
 
 std::shared_ptr<const Plan> plan_of(const PlanOptions& options, Scene3 scene) {
   if (!options.grid.empty())
-    throw UsageError("--grid is of scenes in the plane; light in space is not simulated by this version");
+    throw UsageError("--grid is of scenes in the plane; in space \"grid\" of the scene says where light is wanted");
   options.elements.apply_to(scene);
-  return Simulation3(std::move(scene)).plan();
+  const std::uint64_t cells = scene.grid ? std::uint64_t{scene.grid->nu} * scene.grid->nv : 0;
+  return Simulation3(std::move(scene), {.plan = {.everything = false, .grid_cells = cells}}).plan();
 }
 
 ExitCode plan(const PlanOptions& options, Streams& streams) {

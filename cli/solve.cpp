@@ -21,6 +21,7 @@
 #include "kernel/support/stopwatch.h"
 #include "solver/plane/simulation/simulation.h"
 #include "viewer/picture/plane/illumination_picture.h"
+#include "viewer/picture/plane/shown_picture.h"
 
 namespace hottel {
 namespace {
@@ -40,8 +41,13 @@ void require_room_for(const Grid2& grid, int channels, const SolveOptions& optio
 struct Request {
   SimulationRequest2 simulation;  // all but the grid, which needs the scene
   bool wants_picture = true;
+  Shown shown{};  // by the picture
   std::filesystem::path directory;
 };
+
+IlluminationPicture2 light_picture(const SolveOptions& options) {
+  return {.tone = *tone_of(options.tone), .exposure = options.exposure, .wanted_width = options.size};
+}
 
 Request request_of(const SolveOptions& options) {
   Request request;
@@ -63,9 +69,9 @@ Request request_of(const SolveOptions& options) {
   if (!options.views.empty()) require_sense_of_views(options.views, options.illumination);
   asked.wants_light = !options.no_illumination;
   request.wants_picture = asked.wants_light && !options.no_picture;
-  if (request.wants_picture)
-    asked.painter = light_painter_2({.tone = *tone, .exposure = options.exposure, .wanted_width = options.size},
-                                    PictureFormat::kPng);
+  request.shown = shown_of(options);
+  if (request.wants_picture && request.shown.is_light())
+    asked.painter = light_painter_2(light_picture(options), PictureFormat::kPng);
   request.directory = output_folder(options.out, options.scene);
   return request;
 }
@@ -74,7 +80,7 @@ Request request_of(const SolveOptions& options) {
 struct Outputs {
   OutputFolder folder;
   OutputFile csv, flux, json;
-  std::optional<OutputFile> npy, sidecar, png;
+  std::optional<OutputFile> npy, sidecar, png, render;
   std::optional<ViewsOutput> views;
 
   Outputs(const SolveOptions& options, const Request& request)
@@ -87,13 +93,14 @@ struct Outputs {
       sidecar.emplace(request.directory / "illumination.npy.json");
     }
     if (request.wants_picture) png.emplace(request.directory / "illumination.png");
+    if (!options.render.empty()) render.emplace(options.render);
     if (!options.views.empty()) views.emplace(options.views);
   }
 
   // In the order in which they take their names.
   std::vector<OutputFile*> all() {
     std::vector<OutputFile*> files{&csv, &flux};
-    for (std::optional<OutputFile>* file : {&sidecar, &npy, &png})
+    for (std::optional<OutputFile>* file : {&sidecar, &npy, &png, &render})
       if (*file) files.push_back(&**file);
     if (views) files.insert(files.end(), {&views->faces, &views->mtx});
     files.push_back(&json);
@@ -120,8 +127,9 @@ struct Results {
   std::shared_ptr<const ComputedFactors2> factors;
   std::shared_ptr<const Findings2> lost_light;
   std::shared_ptr<const RadiositySolution> solution;
-  std::shared_ptr<const SolvedLight2> light;  // null: not wanted
-  std::shared_ptr<const LightPicture2> picture;
+  std::shared_ptr<const SolvedLight2> light;     // null: not wanted
+  std::shared_ptr<const LightPicture2> picture;  // null: not wanted, or of something else than light
+  std::optional<ShownValues> shown;              // of something else
 };
 
 // Asks stage by stage, so that each is told of as it is there.
@@ -133,7 +141,9 @@ Results results_of(const Simulation2& simulation, const Request& request, Stream
   if (!results.lost_light->empty()) streams.note(findings_text(simulation.scene(), *results.lost_light));
   results.solution = simulation.radiosities(progress);
   if (request.simulation.wants_light) results.light = simulation.light(progress);
-  if (request.wants_picture) results.picture = simulation.picture(progress);
+  if (request.wants_picture && request.shown.is_light()) results.picture = simulation.picture(progress);
+  if (request.wants_picture && !request.shown.is_light())
+    results.shown = shown_values(request.shown, simulation.scene(), results.factors->matrix, *results.solution, "W/m");
   return results;
 }
 
@@ -147,6 +157,12 @@ std::map<std::string, double> seconds_of(const Results& results) {
 
 GridRegion region_of(const Grid2& grid) { return {to_doubles(grid.min), to_doubles(grid.max), grid.nx, grid.ny}; }
 
+std::string picture_of(const SolveOptions& options, const Simulation2& simulation, const Results& results,
+                       PictureFormat format) {
+  if (results.shown) return shown_picture_2(*simulation.prepared(), *results.shown, options.size, format);
+  return illumination_picture_2(*simulation.prepared(), results.light->grid, light_picture(options), format).bytes;
+}
+
 void write_results(const SolveOptions& options, const Simulation2& simulation, const Results& results,
                    const NetFluxes& fluxes, const Streams& streams, Outputs& outputs) {
   const RadiositySolution& solution = *results.solution;
@@ -159,7 +175,10 @@ void write_results(const SolveOptions& options, const Simulation2& simulation, c
     write_npy(shape, light.values, [&outputs](std::string_view bytes) { outputs.npy->write(bytes); });
     outputs.sidecar->write(illumination_sidecar(region_of(light.grid), solution.channel_names, options.illumination));
   }
-  if (outputs.png) outputs.png->write(results.picture->bytes);
+  if (outputs.png)
+    outputs.png->write(results.picture ? results.picture->bytes
+                                       : picture_of(options, simulation, results, PictureFormat::kPng));
+  if (outputs.render) outputs.render->write(picture_of(options, simulation, results, *picture_format(options.render)));
   if (outputs.views)
     write_views_2(*simulation.prepared(), simulation.grid(),
                   {simulation.scene(), results.factors->matrix, simulation.granularity(), {}, {}},
@@ -170,6 +189,10 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                     Streams& streams) {
   if (options.tolerance)
     throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
+  if (options.shading != "flat") throw UsageError("--shading is for scenes in space");
+  require_shown(request.shown, scene);
+  if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
+    throw UsageError(fmt::format("--size of --show {} is {} at least", options.show, kMinPictureWidth));
   Stopwatch watch;
   const Simulation2 simulation = simulation_of(options, std::move(scene), request);
   const std::shared_ptr<const Plan> plan = simulation.plan();
@@ -191,6 +214,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                            &fluxes,
                            seconds,
                            results.picture ? std::optional(results.picture->scale) : std::nullopt,
+                           range_of(results.shown),
                            results.light ? results.light->max_error : std::nullopt,
                            finding_notes(*results.lost_light)};
   outputs.json.write(solve_json(report));
@@ -201,7 +225,8 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   for (OutputFile* file : files) file->commit();
   streams.note(solve_text(report) + small_scene_text(simulation.scene(), matrix, *results.solution) + "\nin " +
                request.directory.string() + ":" + outputs.names() +
-               (outputs.views ? "\nwhat the cells see: " + options.views : ""));
+               (outputs.views ? "\nwhat the cells see: " + options.views : "") +
+               (outputs.render ? "\nthe picture: " + options.render : ""));
 }
 
 ExitCode solve(const SolveOptions& options, Streams& streams) {
@@ -238,7 +263,26 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       command.add_flag("--no-picture", options.no_picture, "no illumination.png; one that is there stays as it is");
   CLI::Option* no_illumination = command.add_flag("--no-illumination", options.no_illumination,
                                                   "no light in space: neither illumination.npy nor illumination.png");
-  for (const char* of_picture : {"--size", "--tone", "--exposure"})
+  command
+      .add_option("--show", options.show,
+                  "what the picture shows: light; or, on the faces in colours of a scale, radiosity, irradiance, net, "
+                  "temperature, sky (view factor to it), factor:NAME (view factor to a face, a group, or NAME*)")
+      ->type_name("WHAT")
+      ->capture_default_str();
+  command
+      .add_option("--channel", options.channel,
+                  "of radiosity, irradiance or net: r, g or b; without it the mean of all")
+      ->check(CLI::IsMember({"r", "g", "b"}));
+  command
+      .add_option("--shading", options.shading,
+                  "in space: flat: each element has its value; smooth: values are blended over flat surfaces")
+      ->check(CLI::IsMember({"flat", "smooth"}))
+      ->capture_default_str();
+  command
+      .add_option("--render", options.render,
+                  "the picture as this file too: .png, .svg or .pdf (in space polygons, sharp at any size)")
+      ->type_name("FILE");
+  for (const char* of_picture : {"--size", "--tone", "--exposure", "--show", "--channel", "--shading", "--render"})
     for (CLI::Option* none : {no_picture, no_illumination}) none->excludes(command.get_option(of_picture));
   command
       .add_option("--views", options.views,
@@ -256,15 +300,17 @@ void add_solve(Commands& commands) {
   CLI::App& command = commands.add(
       "solve",
       "Radiosities with proven bounds, the light in the rooms, and a picture of it\n\n"
-      "In space: radiosities, net fluxes, and what the scene's camera sees (render.png), or one chosen for it. Bounds\n"
-      "hold for the scene where all view factors are enclosed, else for the factors as computed. Light between the\n"
-      "faces is of the plane so far.",
+      "In space: radiosities, net fluxes, what the scene's camera sees (render.png), or one chosen for it, and light\n"
+      "between the faces where the scene has a grid. Bounds hold for the scene where all view factors are enclosed,\n"
+      "else for the factors as computed.",
       {"hottel solve scenes/showcase/apartment.json -o /tmp/apartment",
        "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --grid 64x64 --tone max --size 320",
        "hottel solve scenes/showcase/museum.json -o /tmp/museum --no-illumination",
        "hottel solve scenes/showcase/apartment.json -o /tmp/apartment --grid 32x32 --views /tmp/views.mtx",
        "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --solver jacobi --iterations 20 --json",
-       "hottel solve scenes/space/cube.json -o /tmp/cube"},
+       "hottel solve scenes/space/cube.json -o /tmp/cube",
+       "hottel solve scenes/space/cube.json -o /tmp/cube --elements 3 --show irradiance --shading smooth --render "
+       "/tmp/cube.pdf"},
       [options](Streams& streams) { return solve(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_option("-o", options->out, "the folder to write into, created; without it ./STEM-hottel/")

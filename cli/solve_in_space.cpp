@@ -1,22 +1,32 @@
 #include "cli/solve_in_space.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "io/files/disk_space.h"
 #include "io/files/output_file.h"
 #include "io/foreign/space/foreign_matrix.h"
+#include "io/results/npy.h"
 #include "io/results/solve_report.h"
 #include "io/results/space/check_report.h"
 #include "io/results/space/factors_report.h"
 #include "io/results/space/radiosity_vtu.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/space/check/lost_light.h"
+#include "solver/space/light/illumination_grid.h"
 #include "solver/space/simulation/simulation.h"
+#include "viewer/picture/space/grid_picture.h"
 #include "viewer/picture/space/render_picture.h"
 
 namespace hottel {
@@ -34,6 +44,67 @@ void require_what_space_has(const SolveOptions& options) {
   if (options.views != usual.views) refuse("--views");
 }
 
+bool wants_grid(const SolveOptions& options, const Scene3& scene) { return scene.grid && !options.no_illumination; }
+
+// The files of light on the scene's grid.
+struct GridFiles {
+  OutputFile npy, sidecar;
+  std::optional<OutputFile> png;
+
+  GridFiles(const SolveOptions& options, const std::filesystem::path& directory)
+      : npy(directory / "illumination.npy"), sidecar(directory / "illumination.npy.json") {
+    if (!options.no_picture) png.emplace(directory / "illumination.png");
+  }
+
+  void write(const SolveOptions& options, const IlluminationGrid3& light, const std::vector<std::string>& channels) {
+    const std::size_t shape[3] = {light.grid.nv, light.grid.nu, light.channels};
+    write_npy(shape, light.values, [this](std::string_view bytes) { npy.write(bytes); });
+    const auto rounded = [](const auto& p) { return std::array{to_double(p.x), to_double(p.y), to_double(p.z)}; };
+    const Grid3& grid = light.grid;
+    sidecar.write(
+        illumination_sidecar({rounded(grid.origin), rounded(grid.u), rounded(grid.v), grid.nu, grid.nv}, channels));
+    if (png)
+      png->write(grid_picture_3(
+          light, {.tone = *tone_of(options.tone), .exposure = options.exposure, .wanted_width = options.size}));
+  }
+
+  void append_to(std::vector<OutputFile*>& files) {
+    files.insert(files.end(), {&sidecar, &npy});
+    if (png) files.push_back(&*png);
+  }
+  std::string names() const {
+    return std::string("illumination.npy illumination.npy.json ") + (png ? "illumination.png " : "");
+  }
+};
+
+// Throws RequestError where light on the grid needs more memory or disk than there is.
+void require_room_for(const Scene3& scene, const SolveOptions& options, const std::filesystem::path& directory) {
+  const Grid3& grid = *scene.grid;
+  const std::uint64_t bytes =
+      std::uint64_t{grid.nu} * grid.nv * static_cast<std::uint64_t>(channel_count(scene)) * sizeof(double);
+  const std::string what = fmt::format("{}: light on {} x {} cells", options.scene, grid.nu, grid.nv);
+  const std::string advice = "; take fewer cells, or --no-illumination";
+  if (const std::uint64_t allowed = memory_allowed(options.memory.value_or(0)); bytes > allowed)
+    throw RequestError(fmt::format("{} takes {} bytes of memory; allowed are {}{}", what, bytes, allowed, advice));
+  require_space(directory / "illumination.npy", bytes, what + " takes", advice);
+}
+
+// What a camera sees of what is asked for.
+std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const Shown& shown,
+                                             const Simulation3& simulation) {
+  const auto factors = simulation.factors();
+  const auto solution = simulation.radiosities();
+  RenderOptions3 asked{.tone = *tone_of(options.tone),
+                       .exposure = options.exposure,
+                       .wanted_width = options.size,
+                       .shading = options.shading == "smooth" ? Shading3::kSmooth : Shading3::kFlat};
+  if (!shown.is_light()) asked.shown = shown_values(shown, simulation.scene(), factors->matrix, *solution, "W/m²");
+  return naming_file(options.scene, [&] {
+    return std::make_unique<const RenderedView3>(*simulation.prepared(), simulation.request().factors.granularity,
+                                                 *solution, std::move(asked));
+  });
+}
+
 SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) {
   const bool is_divided = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
                                       [](const Surface& surface) { return surface.elements > 1; });
@@ -42,7 +113,8 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
                       .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
                       .memory = options.memory.value_or(0)},
           .system = {.solver = solver_of(options, false), .iterations = options.iterations, .until = options.until},
-          .plan = {.everything = options.simulate == "everything", .grid_cells = 0}};
+          .plan = {.everything = options.simulate == "everything",
+                   .grid_cells = wants_grid(options, scene) ? std::uint64_t{scene.grid->nu} * scene.grid->nv : 0}};
 }
 
 }  // namespace
@@ -50,6 +122,8 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
 void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to_read, Streams& streams) {
   require_what_space_has(options);
   const bool wants_picture = !options.no_picture && !options.no_illumination;
+  const Shown shown = shown_of(options);
+  require_shown(shown, scene);
   options.elements.apply_to(scene);
   const SimulationRequest3 request = request_of(options, scene);
   const Simulation3 simulation(std::move(scene), request);
@@ -61,8 +135,14 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const OutputFolder folder(directory);
   OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), json(directory / "report.json"),
       vtu(directory / "radiosity.vtu");
-  std::optional<OutputFile> png;
+  std::optional<GridFiles> grid;
+  if (wants_grid(options, simulation.scene())) {
+    require_room_for(simulation.scene(), options, directory);
+    grid.emplace(options, directory);
+  }
+  std::optional<OutputFile> png, render;
   if (wants_picture) png.emplace(directory / "render.png");
+  if (!options.render.empty()) render.emplace(options.render);
   const auto factors = simulation.factors(streams.stages());
   const Findings3 lost_light = lost_light_warnings(simulation.scene(), factors->matrix);
   if (!lost_light.empty()) streams.note(findings_text(simulation.scene(), lost_light));
@@ -79,15 +159,17 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   seconds.insert(solution->seconds.begin(), solution->seconds.end());
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
-  std::optional<double> scale;
+  if (grid) {
+    const IlluminationGrid3 light = illuminate_points(*simulation.prepared(), request.factors.granularity, *solution,
+                                                      *simulation.scene().grid, streams.progress("illumination"));
+    grid->write(options, light, solution->channel_names);
+    seconds["illumination"] = watch.lap();
+  }
+  std::unique_ptr<const RenderedView3> view;
   if (png) {
-    const RenderedPicture3 picture = naming_file(options.scene, [&] {
-      return render_picture_3(
-          *simulation.prepared(), request.factors.granularity, *solution,
-          {.tone = *tone_of(options.tone), .exposure = options.exposure, .wanted_width = options.size});
-    });
-    png->write(picture.bytes);
-    scale = picture.scale;
+    view = view_of(options, shown, simulation);
+    png->write(view->file(PictureFormat::kPng));
+    if (render) render->write(view->file(*picture_format(options.render)));
     seconds["picture"] = watch.lap();
   }
   const SolveReport report{.scene = options.scene,
@@ -96,19 +178,22 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
                            .solution = solution.get(),
                            .fluxes = &fluxes,
                            .seconds = seconds,
-                           .picture_scale = scale,
+                           .picture_scale = view && !view->shown() ? std::optional(view->scale()) : std::nullopt,
+                           .picture_range = view ? range_of(view->shown()) : std::nullopt,
                            .warnings = finding_notes(lost_light)};
   json.write(solve_json(report));
   // All files are whole before the first one takes its name.
   std::vector<OutputFile*> files{&csv, &flux, &vtu};
+  if (grid) grid->append_to(files);
   if (png) files.push_back(&*png);
+  if (render) files.push_back(&*render);
   files.push_back(&json);
   for (OutputFile* file : files) file->finish();
   if (options.json) streams.write("", solve_json(report));
   for (OutputFile* file : files) file->commit();
   streams.note(solve_text(report) + small_scene_text(simulation.scene(), factors->matrix, *solution) + "\nin " +
-               directory.string() + ": radiosity.csv flux.csv radiosity.vtu " + (png ? "render.png " : "") +
-               "report.json");
+               directory.string() + ": radiosity.csv flux.csv radiosity.vtu " + (grid ? grid->names() : "") +
+               (png ? "render.png " : "") + "report.json" + (render ? "\nthe picture: " + options.render : ""));
 }
 
 }  // namespace hottel

@@ -4,6 +4,7 @@
 
 #include "geometry/near_names.h"
 #include "kernel/support/failure.h"
+#include "viewer/picture/picture_options.h"
 
 namespace hottel {
 
@@ -19,6 +20,22 @@ Solver solver_of(const SolveOptions& options, bool has_symmetric_rows) {
     throw UsageError("--iterations and --until do not apply to " + options.solver + ", which is direct");
   if (*solver == Solver::kAuto) return has_symmetric_rows ? Solver::kCg : Solver::kBicgstab;
   return *solver;
+}
+
+std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown) {
+  if (!shown) return std::nullopt;
+  return PictureRange{shown->name, shown->unit, shown->scale.lower, shown->scale.upper};
+}
+
+Shown shown_of(const SolveOptions& options) {
+  Shown shown = shown_by(options.show);
+  if (!options.channel.empty()) shown.channel = std::string("rgb").find(options.channel);
+  const SolveOptions usual;
+  if (!shown.is_light() && (options.tone != usual.tone || options.exposure != usual.exposure))
+    throw UsageError("--tone and --exposure are of --show light: " + options.show + " has a scale");
+  if (!options.render.empty() && !picture_format(options.render))
+    throw UsageError("a picture is written as .png, .svg or .pdf, not '" + options.render + "'");
+  return shown;
 }
 
 }  // namespace hottel

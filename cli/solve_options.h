@@ -6,7 +6,9 @@
 #include <string>
 
 #include "cli/scene_input.h"
+#include "io/results/solve_report.h"
 #include "solver/radiosity/radiosity_options.h"
+#include "viewer/picture/shown_values.h"
 
 namespace hottel {
 
@@ -18,6 +20,7 @@ struct SolveOptions {
   std::string grid, illumination = "point", tone = "log", views;
   double exposure = 1;
   std::uint32_t size = 0;
+  std::string show = "light", channel, shading = "flat", render;
   bool no_picture = false, no_illumination = false;
   std::optional<std::string> tolerance;  // in space
   std::optional<std::uint64_t> memory;
@@ -29,5 +32,12 @@ struct SolveOptions {
 // The solver asked for. With --iterations or --until, auto is one that iterates: cg, or bicgstab where rows need not be
 // symmetric. Throws UnknownName for a name that no solver has, UsageError where a direct one is to iterate.
 Solver solver_of(const SolveOptions& options, bool has_symmetric_rows);
+
+// What the picture shows, as --show and --channel ask for it. Throws UsageError for what is not there, and for options
+// of light where something else is shown; and, for --render, unless its file is a picture.
+Shown shown_of(const SolveOptions& options);
+
+// The range of what is shown, for a report; nothing of nothing.
+std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown);
 
 }  // namespace hottel

@@ -286,7 +286,7 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
   require_sense(options);
   const bool is_drawn = is_file(options.out);
   const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
-  if (is_drawn && !format) throw UsageError("a drawing is written as .svg or .png, not '" + options.out + "'");
+  if (is_drawn && !format) throw UsageError("a drawing is written as .png, .svg or .pdf, not '" + options.out + "'");
   Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (Scene3* const there = std::get_if<Scene3>(&scene)) return in_space(options, std::move(*there), format, streams);
   const std::optional<Point2> eye =
@@ -360,7 +360,7 @@ void add_visibility(Commands& commands) {
   command
       .add_option(
           "-o", options->out,
-          "draw it: .svg or .png; the answer in words is a remark then, on stderr. With --points the polygons: "
+          "draw it: .png, .svg or .pdf; the answer in words is a remark then, on stderr. With --points the polygons: "
           ".csv, .geojson, .wkt or .npz; with --events a .csv. Without it, or with -, the answer is on standard "
           "output")
       ->type_name("FILE");

@@ -40,11 +40,9 @@ void PlanDraft::add(const char* effect, bool is_needed, const std::string& why, 
                       is_used ? seconds : 0});
 }
 
-void PlanDraft::add_missing(const char* effect, bool is_needed, const std::string& why, const std::string& why_not) {
-  const bool is_missed = is_needed || request_.everything;
-  effects_.push_back({effect, false,
-                      is_missed ? "not simulated by this version: " + (is_needed ? why : why_not) : why_not, 0,
-                      !is_missed});
+void PlanDraft::add_as_asked(const char* effect, bool is_asked, const std::string& why, const std::string& why_not,
+                             double seconds) {
+  effects_.push_back({effect, is_asked, is_asked ? why : why_not, is_asked ? seconds : 0});
 }
 
 void PlanDraft::add_back_faces() {

@@ -25,8 +25,9 @@ class PlanDraft {
 
   // An effect that the scene needs, `why`, or does not, `why_not`. seconds: what it costs where it is used.
   void add(const char* effect, bool is_needed, const std::string& why, const std::string& why_not, double seconds = 0);
-  // An effect that this version does not simulate, whatever is asked for.
-  void add_missing(const char* effect, bool is_needed, const std::string& why, const std::string& why_not);
+  // An effect of which there is what was asked for: that everything is asked for makes it no more.
+  void add_as_asked(const char* effect, bool is_asked, const std::string& why, const std::string& why_not,
+                    double seconds);
 
   // Those of the scene's table. is_one_room: one closed room in which every face is seen.
   void add_back_faces();

@@ -20,8 +20,8 @@ bool is_foreign(const std::string& method);
 // What follows the colon of a variant. Throws UsageError with `what` where nothing does.
 std::string after_colon(std::string_view variant, const char* what);
 
-// What a method that reads knows of itself: where from. ElementMethod: ElementMethod2 or its like in space, beside which
-// elements_of(prepared, granularity) is there.
+// What a method that reads knows of itself: where from. ElementMethod: ElementMethod2 or its like in space, beside
+// which elements_of(prepared, granularity) is there.
 template <class ElementMethod, class Prepared>
 class ForeignMethod : public ElementMethod {
  public:
@@ -62,8 +62,7 @@ class FromCommand final : public ForeignMethod<ElementMethod, Prepared> {
       return match_foreign_matrix(read_foreign_matrix(run.output), elements_of(prepared, Granularity::kElement),
                                   report);
     } catch (const InputError& error) {
-      throw RequestError("what the command " + quoted_name(this->source()) +
-                         " wrote cannot be used: " + error.what());
+      throw RequestError("what the command " + quoted_name(this->source()) + " wrote cannot be used: " + error.what());
     }
   }
 };

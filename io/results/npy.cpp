@@ -54,4 +54,18 @@ std::string illumination_sidecar(const GridRegion& region, const std::vector<std
   return sidecar.dump(2) + "\n";
 }
 
+std::string illumination_sidecar(const PlanarRegion& region, const std::vector<std::string>& channels) {
+  Json sidecar;
+  sidecar["quantity"] = "mean irradiance";
+  sidecar["illumination"] = "point";
+  sidecar["shape"] = {region.nv, region.nu, channels.size()};
+  sidecar["order"] = "C";
+  sidecar["axes"] = {"v", "u", "channel"};
+  sidecar["region"]["origin"] = region.origin;
+  sidecar["region"]["u"] = region.u;
+  sidecar["region"]["v"] = region.v;
+  sidecar["channels"] = channels;
+  return sidecar.dump(2) + "\n";
+}
+
 }  // namespace hottel

@@ -32,4 +32,12 @@ struct GridRegion {
 std::string illumination_sidecar(const GridRegion& region, const std::vector<std::string>& channels,
                                  std::string_view way);
 
+// The same of mean irradiance at points of a plane in space: axes v, u, channel; a region of `origin`, `u` and `v`, the
+// two sides of the parallelogram that the cells are parts of.
+struct PlanarRegion {
+  std::array<double, 3> origin, u, v;
+  std::size_t nu = 0, nv = 0;  // cells
+};
+std::string illumination_sidecar(const PlanarRegion& region, const std::vector<std::string>& channels);
+
 }  // namespace hottel

@@ -80,6 +80,9 @@ std::string solve_json(const SolveReport& report) {
   json["bounds"] = {{"max_relative_width", solution.max_relative_width}, {"guarantee", to_string(solution.guarantee)}};
   if (report.illumination_max_error) json["bounds"]["illumination_max_error"] = *report.illumination_max_error;
   if (report.picture_scale) json["picture"] = {{"scale", *report.picture_scale}};
+  if (const auto& range = report.picture_range)
+    json["picture"] = {
+        {"quantity", range->quantity}, {"unit", range->unit}, {"lower", range->lower}, {"upper", range->upper}};
   json["notes"] = report.warnings;
   for (const std::string& note : solution.notes) json["notes"].push_back(note);
   return json.dump(2) + "\n";

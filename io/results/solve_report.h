@@ -27,6 +27,12 @@ struct FactorCounts {
 };
 FactorCounts factor_counts(const ExchangeReport& report);
 
+// The range of the scale of a picture, and what it is of.
+struct PictureRange {
+  std::string quantity, unit;
+  double lower = 0, upper = 0;
+};
+
 // Everything that is said about one run of `solve`. REQUIRES that none of the pointers is null when it is written.
 struct SolveReport {
   std::string scene;
@@ -36,6 +42,7 @@ struct SolveReport {
   const NetFluxes* fluxes = nullptr;
   std::map<std::string, double> seconds{};         // of stages that ran, and of no others
   std::optional<double> picture_scale{};           // what a value was multiplied by before the tone curve
+  std::optional<PictureRange> picture_range{};     // of a picture that shows something else than light
   std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
   std::vector<std::string> warnings{};             // first of the notes of the JSON object; not in the text
 };

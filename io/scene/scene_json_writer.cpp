@@ -86,6 +86,12 @@ void write_camera(const Camera3& camera, std::string& out) {
       triple(camera.up.x, camera.up.y, camera.up.z), json_number(camera.field_of_view), camera.width, camera.height);
 }
 
+void write_grid(const Grid3& grid, std::string& out) {
+  out += fmt::format(",\n  \"grid\": {{\"origin\": {}, \"u\": {}, \"v\": {}, \"cells\": [{}, {}]}}",
+                     triple(grid.origin.x, grid.origin.y, grid.origin.z), triple(grid.u.x, grid.u.y, grid.u.z),
+                     triple(grid.v.x, grid.v.y, grid.v.z), grid.nu, grid.nv);
+}
+
 }  // namespace
 
 std::string write_scene_2(const Scene2& scene) {
@@ -105,6 +111,7 @@ std::string write_scene_3(const Scene3& scene) {
   write_head(scene, 3, out);
   write_polygons(scene, out);
   write_sky(scene, out);
+  if (scene.grid) write_grid(*scene.grid, out);
   if (scene.camera) write_camera(*scene.camera, out);
   write_expectations(scene, out);
   return out + "\n}\n";

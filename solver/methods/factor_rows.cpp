@@ -34,8 +34,7 @@ std::vector<FactorEntry> RowSums::take() {
 
 ExchangeMatrix matrix_by_rows(const std::vector<Element>& elements,
                               const std::function<bool(std::uint32_t element)>& wants_row,
-                              const std::function<void(double)>& progress,
-                              const std::function<FillRow()>& make_fill) {
+                              const std::function<void(double)>& progress, const std::function<FillRow()>& make_fill) {
   const std::size_t n = elements.size();
   std::vector<std::vector<FactorEntry>> rows(n);
   ProgressCount done(progress, n);

@@ -48,7 +48,6 @@ using FillRow = std::function<void(std::uint32_t from, RowSums& by)>;
 // progress: fraction of the rows done, from any thread; may throw to stop.
 ExchangeMatrix matrix_by_rows(const std::vector<Element>& elements,
                               const std::function<bool(std::uint32_t element)>& wants_row,
-                              const std::function<void(double)>& progress,
-                              const std::function<FillRow()>& make_fill);
+                              const std::function<void(double)>& progress, const std::function<FillRow()>& make_fill);
 
 }  // namespace hottel

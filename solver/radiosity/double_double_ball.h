@@ -33,9 +33,9 @@ struct DoubleDoubleBall {
   double upper() const;                                                 // a double not below any number in it
 };
 
-inline constexpr double kBallRoundoff = 0x1p-53;     // of one operation, relative
-inline constexpr double kUnderflow = 0x1p-1070;  // of a few operations, absolute
-inline constexpr double kOutward = 1 + 0x1p-48;  // more than the roundings of a radius
+inline constexpr double kBallRoundoff = 0x1p-53;  // of one operation, relative
+inline constexpr double kUnderflow = 0x1p-1070;   // of a few operations, absolute
+inline constexpr double kOutward = 1 + 0x1p-48;   // more than the roundings of a radius
 
 // Enclosures of a + b, -a, a - b and a b. That of -a has the radius of a.       COST: about 10 ns each.
 inline DoubleDoubleBall sum(const DoubleDoubleBall& a, const DoubleDoubleBall& b) {

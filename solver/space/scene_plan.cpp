@@ -22,6 +22,8 @@ namespace {
 constexpr double kSecondsPerPair = 2.0e-5;
 constexpr double kSecondsPerSky = 1.0e-3;
 constexpr double kSecondsPerHiding = 3.0e-4;
+constexpr double kSecondsPerMap = 3.0e-6;   // of a cell, by polygon
+constexpr double kSecondsPerPart = 1.0e-6;  // of a cell, by element
 constexpr double kSecondsPerPixel = 1.5e-7;
 // Pairs of faces that are looked at to tell how many face each other.
 constexpr std::size_t kMostLookedAt = 2000;
@@ -85,9 +87,13 @@ void add_groups(const Scene3& scene, PlanDraft& draft) {
             "every polygon is a group of its own");
 }
 
-// Light between the faces, which nobody computes in space yet, and on them.
-void add_light(const Scene3& scene, const PlanRequest& request, PlanDraft& draft) {
-  draft.add_missing(Plan::kIllumination, request.grid_cells > 0, "light between the faces", "no grid is asked for");
+// Light between the faces, and on them.
+void add_light(const Scene3& scene, const PlanRequest& request, std::uint64_t rows, PlanDraft& draft) {
+  const double seconds_per_cell = static_cast<double>(scene.polygons.size()) * kSecondsPerMap +
+                                  (is_divided(scene) ? static_cast<double>(rows) * kSecondsPerPart : 0);
+  draft.add_as_asked(Plan::kIllumination, request.grid_cells > 0,
+                     "light between the faces, " + plural(request.grid_cells, "cell"), "no grid is asked for",
+                     static_cast<double>(request.grid_cells) * seconds_per_cell);
   const Camera3 usual, &camera = scene.camera ? *scene.camera : usual;
   draft.add(Plan::kPicture, !scene.surfaces.empty(),
             scene.camera ? "what the camera sees" : "what a camera chosen for the scene sees", "the scene is empty",
@@ -121,7 +127,7 @@ Plan plan_scene(const Scene3& scene, const PlanRequest& request) {
   draft.add_channels();
   draft.add_interreflection(static_cast<double>(faces.rows()));
   draft.add_unreachable(is_room);
-  add_light(scene, request, draft);
+  add_light(scene, request, faces.rows(), draft);
   return draft.take();
 }
 

@@ -238,7 +238,7 @@ const BadLine kBadLines[] = {
     {"number_of_edges_below_zero", "hottel generate room --n -5", 2, "hottel: --n"},
     {"digits_below_zero", "hottel generate room --digits -1", 2, "hottel: --digits"},
     {"lattice_below_zero", "hottel generate lattice --k -1", 2, "hottel: --k"},
-    {"drawing_of_no_picture", "hottel visibility good.json --at 1,1 -o x.pdf", 2, "hottel: a drawing is written as"},
+    {"drawing_of_no_picture", "hottel visibility good.json --at 1,1 -o x.gif", 2, "hottel: a drawing is written as"},
     {"unknown_kind", "hottel generate castle", 2, "hottel: "},
     {"point_of_one_number", "hottel visibility good.json --at 1", 2, "hottel: --at"},
     {"point_of_nobody", "hottel visibility good.json --on nobody --at 1/2", 2, "hottel: "},

@@ -38,8 +38,8 @@ TEST(CompareInSpace, WritesAllFilesAndALineForEachFamily) {
 TEST(CompareInSpace, SweepsAndTakesToleranceElementsAndFilesOfOthers) {
   const Workplace place;
   ASSERT_EQ(place.run("hottel factors '" + kCube + "' --quiet -o cube.csv").code, 0);
-  const Outcome outcome = place.run("hottel compare '" + kCube +
-                                    "' --methods exact,gauss,file:cube.csv --sweep --tolerance 1e-12 --repeat 1 -o out");
+  const Outcome outcome = place.run(
+      "hottel compare '" + kCube + "' --methods exact,gauss,file:cube.csv --sweep --tolerance 1e-12 --repeat 1 -o out");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::string csv = place.read("out/compare.csv");
   EXPECT_THAT(csv, HasSubstr("\ngauss:1,"));
@@ -59,8 +59,8 @@ TEST(CompareInSpace, FactorsByAMethodAreWrittenLikeExactOnesWithoutBounds) {
   const Outcome json = place.run("hottel factors '" + kCube + "' --method points:2 -o f.csv --json --quiet");
   ASSERT_EQ(json.code, 0) << json.err;
   EXPECT_EQ(nlohmann::json::parse(json.out)["method"], "points:2");
-  for (const std::string option : {"--tolerance 1e-6", "--guarantee enclosed", "--memory 1000000", "--pairs facing",
-                                   "--matrix visibility"}) {
+  for (const std::string option :
+       {"--tolerance 1e-6", "--guarantee enclosed", "--memory 1000000", "--pairs facing", "--matrix visibility"}) {
     const Outcome refused = place.run("hottel factors '" + kCube + "' --method gauss:2 " + option);
     EXPECT_EQ(refused.code, 2) << option;
     EXPECT_THAT(refused.err, HasSubstr("is of the method exact only, not of gauss:2")) << option;

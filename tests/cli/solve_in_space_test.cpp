@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -272,6 +273,42 @@ TEST(SolveInSpace, ThePictureHasTheSizeAndTheToneAskedFor) {
   const Outcome blind = place.run("hottel solve box.json -o blind");
   EXPECT_EQ(blind.code, 1);
   EXPECT_THAT(blind.err, HasSubstr("the camera's eye is in the solid"));
+}
+
+TEST(SolveInSpace, LightOnAPlanarGridIsWrittenAsInThePlane) {
+  const Workplace place;
+  std::string scene = contents(scene_file("cube.json"));
+  scene.replace(scene.find("\"closed\""), 8,
+                R"("grid": {"origin": [0, 0, 0.5], "u": [1, 0, 0], "v": [0, 1, 0], "cells": [3, 2]}, "closed")");
+  place.write("cube.json", scene);
+  const Outcome outcome = place.run("hottel solve cube.json -o out");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string npy = place.read("out/illumination.npy");
+  EXPECT_THAT(npy, HasSubstr("'shape': (2, 3, 1)"));
+  std::vector<double> values(6);
+  ASSERT_EQ(npy.size(), 128 + 6 * sizeof(double));
+  std::memcpy(values.data(), npy.data() + 128, 6 * sizeof(double));
+  const auto sidecar = nlohmann::json::parse(place.read("out/illumination.npy.json"));
+  EXPECT_EQ(sidecar["axes"], (std::vector<std::string>{"v", "u", "channel"}));
+  EXPECT_EQ(sidecar["region"]["origin"], (std::vector<double>{0, 0, 0.5}));
+  EXPECT_EQ(sidecar["region"]["u"], (std::vector<double>{1, 0, 0}));
+  EXPECT_EQ(sidecar["shape"], (std::vector<int>{2, 3, 1}));
+  EXPECT_TRUE(place.read("out/illumination.png").starts_with("\x89PNG"));
+  // The room is the same from both sides, and lit from above: between the radiosities of its faces.
+  const auto found = radiosities(place.read("out/radiosity.csv"));
+  for (const double value : values) {
+    EXPECT_GT(value, found.at("left#0 all").value);
+    EXPECT_LT(value, found.at("ceiling#0 all").value);
+  }
+  EXPECT_NEAR(values[0], values[2], 1e-13);
+  EXPECT_NEAR(values[0], values[3], 1e-13);
+  EXPECT_NEAR(values[1], values[4], 1e-13);
+  EXPECT_GT(values[1], values[0]);
+  EXPECT_TRUE(nlohmann::json::parse(place.read("out/report.json"))["seconds"].contains("illumination"));
+  EXPECT_THAT(place.run("hottel plan cube.json").out, HasSubstr("light between the faces, 6 cells"));
+  ASSERT_EQ(place.run("hottel solve cube.json -o none --no-illumination").code, 0);
+  EXPECT_FALSE(std::filesystem::exists(place.path("none/illumination.npy")));
+  EXPECT_FALSE(std::filesystem::exists(place.path("none/render.png")));
 }
 
 TEST(SolveInSpace, WhatIsOfThePlaneIsRefused) {

@@ -10,13 +10,13 @@
 #include <string_view>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "io/files/output_file.h"
 #include "io/foreign/foreign_command.h"
-#include "geometry/plane/exchange/element_table.h"
 #include "io/foreign/foreign_method.h"
-#include "solver/plane/methods/method_catalogue.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "solver/plane/methods/method_catalogue.h"
 
 namespace hottel {
 

@@ -41,7 +41,55 @@ TEST(CairoCanvas, WritesSvgOfTheSizeAskedFor) {
   EXPECT_THAT(svg, HasSubstr("</svg>"));
 }
 
-TEST(CairoCanvas, IsReproducible) { EXPECT_EQ(drawn(PictureFormat::kPng), drawn(PictureFormat::kPng)); }
+TEST(CairoCanvas, WritesPdfOnAPageOfThreeQuartersOfAPointAPixel) {
+  const std::string pdf = drawn(PictureFormat::kPdf);
+  EXPECT_THAT(pdf, StartsWith("%PDF-"));
+  EXPECT_THAT(pdf, HasSubstr("/MediaBox [ 0 0 90 60 ]"));
+  EXPECT_THAT(pdf, HasSubstr("%%EOF"));
+}
+
+TEST(CairoCanvas, IsReproducible) {
+  for (const PictureFormat format : {PictureFormat::kPng, PictureFormat::kSvg, PictureFormat::kPdf})
+    EXPECT_EQ(drawn(format), drawn(format));
+}
+
+// Two triangles side by side on white: each pixel of their common side is wholly covered by both together.
+TEST(CairoCanvas, NeighboursFilledAtOnceHaveNoSeam) {
+  const std::vector<Pixel> low{{0, 0}, {20, 7}, {0, 10}}, high{{20, 7}, {20, 17}, {0, 10}};
+  const auto grey_pixels = [&](bool at_once) {
+    Raster raster(20, 20, 0xFFFFFFFF);
+    CairoCanvas canvas(raster);
+    if (at_once) {
+      canvas.fill_all(Mark::kLight, std::vector{low, high}, {0, 0, 0});
+    } else {
+      canvas.fill(Mark::kLight, low, {0, 0, 0});
+      canvas.fill(Mark::kLight, high, {0, 0, 0});
+    }
+    canvas.finish();
+    int count = 0;  // in the columns of the middle, where the outer borders are far
+    for (std::uint32_t y = 8; y < 10; ++y)
+      for (std::uint32_t x = 2; x < 10; ++x) count += (raster.pixels[y * 20 + x] & 255) != 0 ? 1 : 0;
+    return count;
+  };
+  EXPECT_GT(grey_pixels(false), 0);
+  EXPECT_EQ(grey_pixels(true), 0);
+}
+
+TEST(CairoCanvas, ALayerIsSeenWithinItsPolygons) {
+  Raster raster(20, 10, 0xFFFFFFFF);
+  CairoCanvas canvas(raster);
+  canvas.begin_layer();
+  canvas.fill_rectangle(Mark::kLight, {0, 0}, {20, 10}, {0, 0, 0});
+  canvas.end_layer(std::vector<std::vector<Pixel>>{{{2, 2}, {6, 2}, {6, 6}, {2, 6}}, {{12, 2}, {18, 2}, {18, 8}}});
+  canvas.fill_rectangle(Mark::kLight, {0, 9}, {20, 10}, {1, 0, 0});  // no longer within them
+  canvas.finish();
+  const auto at = [&](std::uint32_t x, std::uint32_t y) { return raster.pixels[y * 20 + x]; };
+  EXPECT_EQ(at(4, 4), 0xFF000000);
+  EXPECT_EQ(at(17, 4), 0xFF000000);
+  EXPECT_EQ(at(9, 4), 0xFFFFFFFF);
+  EXPECT_EQ(at(4, 7), 0xFFFFFFFF);
+  EXPECT_EQ(at(0, 9), 0xFFFF0000);
+}
 
 TEST(CairoCanvas, RefusesImpossibleSizes) {
   EXPECT_THROW(CairoCanvas(PictureFormat::kPng, 0, 10), UsageError);
@@ -51,6 +99,7 @@ TEST(CairoCanvas, RefusesImpossibleSizes) {
 TEST(PictureFormat, IsChosenByTheEnding) {
   EXPECT_EQ(picture_format("a/b.png"), PictureFormat::kPng);
   EXPECT_EQ(picture_format("b.svg"), PictureFormat::kSvg);
+  EXPECT_EQ(picture_format("b.pdf"), PictureFormat::kPdf);
   EXPECT_EQ(picture_format("b.jpg"), std::nullopt);
   EXPECT_EQ(picture_format("png"), std::nullopt);
 }

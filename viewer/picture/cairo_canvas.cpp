@@ -1,9 +1,12 @@
 #include "viewer/picture/cairo_canvas.h"
 
+#include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cairo.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <new>
 #include <numbers>
 #include <utility>
@@ -15,7 +18,8 @@ namespace hottel {
 namespace {
 
 constexpr const char* kTypeface = "DejaVu Sans Condensed";  // another sans serif stands in where it is missing
-constexpr double kLeastImage = 1e-3;                        // pixels; matrices of smaller ones may have no inverse
+constexpr double kPointsAPixel = 0.75;
+constexpr double kLeastImage = 1e-3;  // pixels; matrices of smaller ones may have no inverse
 
 cairo_status_t append(void* target, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(target)->append(reinterpret_cast<const char*>(data), length);
@@ -59,6 +63,25 @@ std::string printable(std::string_view text) {
   return result;
 }
 
+// Cairo numbers the surfaces of a process; here those of a file, from 1 on.
+std::string with_own_numbers(std::string_view svg, std::string_view word) {
+  std::string result;
+  std::map<std::string, std::size_t, std::less<>> known;
+  for (std::size_t at = svg.find(word); at != std::string_view::npos; at = svg.find(word)) {
+    const std::size_t begin = at + word.size();
+    const std::size_t end = std::min(svg.find_first_not_of("0123456789", begin), svg.size());
+    result += svg.substr(0, begin);
+    const bool is_name = at > 0 && (svg[at - 1] == '"' || svg[at - 1] == '#') && end > begin;
+    const std::string_view number = svg.substr(begin, end - begin);
+    if (is_name)
+      result += std::to_string(known.try_emplace(std::string(number), known.size() + 1).first->second);
+    else
+      result += number;
+    svg.remove_prefix(end);
+  }
+  return result += svg;
+}
+
 void check_sides(std::uint32_t width, std::uint32_t height) {
   if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide)
     throw UsageError("picture: a side must be between 1 and " + std::to_string(kMaxPictureSide) + " pixels");
@@ -69,6 +92,7 @@ void check_sides(std::uint32_t width, std::uint32_t height) {
 std::optional<PictureFormat> picture_format(std::string_view file_name) {
   if (file_name.ends_with(".png")) return PictureFormat::kPng;
   if (file_name.ends_with(".svg")) return PictureFormat::kSvg;
+  if (file_name.ends_with(".pdf")) return PictureFormat::kPdf;
   return std::nullopt;
 }
 
@@ -91,6 +115,14 @@ struct CairoCanvas::State {
   void draw_on(cairo_surface_t* target);
   void draw_on(Raster& raster);
   void ink(const Colour& c) const { cairo_set_source_rgba(context, c.r, c.g, c.b, c.a); }
+  void trace(std::span<const std::vector<Pixel>> polygons) const {
+    for (const std::vector<Pixel>& polygon : polygons) {
+      if (polygon.size() < 3) continue;
+      cairo_new_sub_path(context);
+      for (const Pixel& p : polygon) cairo_line_to(context, p.x, p.y);
+      cairo_close_path(context);
+    }
+  }
   void font(const TextStyle& style) const {
     cairo_select_font_face(context, kTypeface, CAIRO_FONT_SLANT_NORMAL,
                            style.weight == TextWeight::kBold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
@@ -134,6 +166,14 @@ CairoCanvas::CairoCanvas(PictureFormat format, std::uint32_t width, std::uint32_
     cairo_svg_surface_set_document_unit(state_->surface, CAIRO_SVG_UNIT_PX);
     return;
   }
+  if (format == PictureFormat::kPdf) {
+    state_->draw_on(
+        cairo_pdf_surface_create_for_stream(append, &state_->bytes, kPointsAPixel * width, kPointsAPixel * height));
+    // The same bytes whenever they are written.
+    cairo_pdf_surface_set_metadata(state_->surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
+    cairo_scale(state_->context, kPointsAPixel, kPointsAPixel);
+    return;
+  }
   try {
     state_->own = Raster(width, height);
   } catch (const std::bad_alloc&) {
@@ -167,6 +207,12 @@ void CairoCanvas::fill(Mark, std::span<const Pixel> polygon, Colour colour) {
   state_->ink(colour);
   for (const Pixel& p : polygon) cairo_line_to(state_->context, p.x, p.y);
   cairo_close_path(state_->context);
+  cairo_fill(state_->context);
+}
+
+void CairoCanvas::fill_all(Mark, std::span<const std::vector<Pixel>> polygons, Colour colour) {
+  state_->ink(colour);
+  state_->trace(polygons);
   cairo_fill(state_->context);
 }
 
@@ -232,6 +278,17 @@ void CairoCanvas::clip(std::span<const Pixel> polygon) {
 
 void CairoCanvas::unclip() { cairo_reset_clip(state_->context); }
 
+void CairoCanvas::begin_layer() { cairo_push_group(state_->context); }
+
+// Clipped as a whole: files hold the polygons once.
+void CairoCanvas::end_layer(std::span<const std::vector<Pixel>> inside) {
+  cairo_pop_group_to_source(state_->context);
+  state_->trace(inside);
+  cairo_clip(state_->context);
+  cairo_paint(state_->context);
+  cairo_reset_clip(state_->context);
+}
+
 double CairoCanvas::text_width(std::string_view text, const TextStyle& style) const {
   state_->font(style);
   return state_->advance(printable(text));
@@ -242,6 +299,8 @@ std::string CairoCanvas::finish() {
   cairo_surface_finish(state_->surface);
   check(cairo_surface_status(state_->surface));
   if (state_->format == PictureFormat::kPng) return png_file(state_->own);
+  if (state_->format == PictureFormat::kSvg)
+    return with_own_numbers(with_own_numbers(state_->bytes, "surface"), "image");
   return std::move(state_->bytes);
 }
 

@@ -1,4 +1,4 @@
-// A canvas that draws into pixels, or becomes the bytes of a PNG or an SVG file.
+// A canvas that draws into pixels, or becomes the bytes of a PNG, an SVG or a PDF file.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ namespace hottel {
 // Draws with Cairo: antialiased, sRGB, fonts of the system.
 //
 //   (1) the same calls give the same bytes on one machine; fonts may differ on others
-//   (2) an SVG holds shapes and texts, its images as PNG data; its size in pixels is that of the canvas
+//   (2) an SVG and a PDF hold shapes and texts, and their images as pixels; the size of an SVG in pixels is that of the
+//       canvas, and a PDF is one page on which a pixel is 3/4 point
 //   (3) a polygon of fewer than three corners and an image without pixels draw nothing
 //   (4) a PNG holds what the same calls draw into an opaque black raster
 //
@@ -37,12 +38,15 @@ class CairoCanvas : public PictureCanvas {
   double height() const override;
   void stroke(Mark mark, Pixel from, Pixel to, Colour colour, double line_width) override;
   void fill(Mark mark, std::span<const Pixel> polygon, Colour colour) override;
+  void fill_all(Mark mark, std::span<const std::vector<Pixel>> polygons, Colour colour) override;
   void disc(Mark mark, Pixel centre, double radius, Colour colour) override;
   void circle(Mark mark, Pixel centre, double radius, Colour colour, double line_width) override;
   void text(Mark mark, Pixel at, std::string_view text, const TextStyle& style) override;
   void image(Mark mark, Pixel top_left, Pixel bottom_right, const Raster& raster, bool smooth) override;
   void clip(std::span<const Pixel> polygon) override;
   void unclip() override;
+  void begin_layer() override;
+  void end_layer(std::span<const std::vector<Pixel>> inside) override;
   double text_width(std::string_view text, const TextStyle& style) const override;
 
   // Returns the bytes of the file, none for a raster. Nothing can be drawn or finished afterwards. Throws RequestError

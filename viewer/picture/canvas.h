@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "viewer/picture/raster.h"
 
@@ -85,6 +86,9 @@ class PictureCanvas {
   virtual void stroke(Mark mark, Pixel from, Pixel to, Colour colour, double line_width) = 0;
   // The inside of a closed polygon; where it winds about itself more than once it is inside.
   virtual void fill(Mark mark, std::span<const Pixel> polygon, Colour colour) = 0;
+  // What is inside one of several polygons that go around in one sense, filled at once: where two of them share a side
+  // nothing shines through.
+  virtual void fill_all(Mark mark, std::span<const std::vector<Pixel>> polygons, Colour colour) = 0;
   // A filled circle; a circle of which only the line is drawn, half of its width inside the radius.
   virtual void disc(Mark mark, Pixel centre, double radius, Colour colour) = 0;
   virtual void circle(Mark mark, Pixel centre, double radius, Colour colour, double line_width) = 0;
@@ -98,6 +102,11 @@ class PictureCanvas {
   virtual void clip(std::span<const Pixel> polygon) = 0;
   // Everything is drawn again.
   virtual void unclip() = 0;
+
+  // What is drawn until end_layer() comes onto the sheet then, as far as it lies inside one of the polygons, which go
+  // around in one sense. One layer at a time, and no clip in it.
+  virtual void begin_layer() = 0;
+  virtual void end_layer(std::span<const std::vector<Pixel>> inside) = 0;
 
   // How wide text() draws, in pixels.
   virtual double text_width(std::string_view text, const TextStyle& style) const = 0;

@@ -16,6 +16,7 @@ inline constexpr Colour kSolid{0.875, 0.872, 0.868};
 inline constexpr Colour kHatch{0.755, 0.752, 0.750};
 inline constexpr Colour kUnlitSolid{0.235, 0.235, 0.250};  // in pictures of light
 inline constexpr Colour kUnlitHatch{0.330, 0.330, 0.345};
+inline constexpr Colour kSky{0.80, 0.88, 0.95};  // where there is no light to show
 // What is told apart by its colour: a face that emits, an edge that is highlighted, the light and the rays of a view.
 inline constexpr Colour kEmitter{0.98, 0.72, 0.10};
 inline constexpr Colour kTarget{0.02, 0.62, 0.83};

@@ -9,9 +9,9 @@
 namespace hottel {
 
 // What a picture is written as: pixels, or shapes that stay sharp at any size.
-enum class PictureFormat : unsigned char { kPng, kSvg };
+enum class PictureFormat : unsigned char { kPng, kSvg, kPdf };
 
-// Returns the format that the ending of a file name asks for (".png", ".svg"), or nothing.
+// Returns the format that the ending of a file name asks for (".png", ".svg", ".pdf"), or nothing.
 std::optional<PictureFormat> picture_format(std::string_view file_name);
 
 // The largest width or height of a picture, and the least width of a drawing.

@@ -11,7 +11,9 @@ namespace hottel {
 
 // Remembers every call, in order, with its mark and the clip that was in force; draws nothing.
 //
-//   (1) calls() is exactly what was asked for: nothing is merged, rounded or left out; clip() and unclip() are no calls
+//   (1) calls() is exactly what was asked for: nothing is merged, rounded or left out; clip() and unclip() are no
+//       calls; fill_all() is a fill of each polygon; what is drawn on a layer has the corners of all its polygons as
+//       clip
 //   (2) texts are taken to be 0.55 of their size wide a byte, the same on every machine
 class RecordingCanvas : public PictureCanvas {
  public:
@@ -42,6 +44,9 @@ class RecordingCanvas : public PictureCanvas {
   void fill(Mark mark, std::span<const Pixel> polygon, Colour colour) override {
     record({Kind::kFill, mark, {polygon.begin(), polygon.end()}, colour});
   }
+  void fill_all(Mark mark, std::span<const std::vector<Pixel>> polygons, Colour colour) override {
+    for (const std::vector<Pixel>& polygon : polygons) fill(mark, polygon, colour);
+  }
   void disc(Mark mark, Pixel centre, double radius, Colour colour) override {
     record({Kind::kDisc, mark, {centre}, colour, radius});
   }
@@ -65,6 +70,12 @@ class RecordingCanvas : public PictureCanvas {
   }
   void clip(std::span<const Pixel> polygon) override { clip_.assign(polygon.begin(), polygon.end()); }
   void unclip() override { clip_.clear(); }
+  void begin_layer() override { layer_ = calls_.size(); }
+  void end_layer(std::span<const std::vector<Pixel>> inside) override {
+    std::vector<Pixel> corners;
+    for (const std::vector<Pixel>& polygon : inside) corners.insert(corners.end(), polygon.begin(), polygon.end());
+    for (std::size_t k = layer_; k < calls_.size(); ++k) calls_[k].clip = corners;
+  }
   double text_width(std::string_view text, const TextStyle& style) const override {
     return 0.55 * style.size * static_cast<double>(text.size());
   }
@@ -97,6 +108,7 @@ class RecordingCanvas : public PictureCanvas {
   }
 
   std::vector<Pixel> clip_;
+  std::size_t layer_ = 0;  // the first call of it
   std::vector<Call> calls_;
 };
 

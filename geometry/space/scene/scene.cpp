@@ -55,6 +55,14 @@ std::string camera_problem(const Camera3& camera) {
   return "";
 }
 
+std::string grid_problem(const Grid3& grid) {
+  if (cross(grid.u, grid.v).is_zero()) return "u and v are parallel, or one is zero";
+  const auto is_count = [](std::uint32_t cells) { return cells >= 1 && cells <= kMaxGridCells3; };
+  if (!is_count(grid.nu) || !is_count(grid.nv))
+    return "cells must be integers from 1 to " + std::to_string(kMaxGridCells3);
+  return "";
+}
+
 void validate(const Scene3& scene) {
   HOTTEL_REQUIRE(scene.polygons.size() == scene.surfaces.size());
   validate_table(scene);
@@ -66,9 +74,10 @@ void validate(const Scene3& scene) {
                        hint.empty() ? std::vector<std::string>() : std::vector{hint});
   }
   validate_masks(scene);
-  if (!scene.camera) return;
-  if (const std::string problem = camera_problem(*scene.camera); !problem.empty())
+  if (const std::string problem = scene.camera ? camera_problem(*scene.camera) : ""; !problem.empty())
     throw InputError({scene.file, 0}, "camera: " + problem);
+  if (const std::string problem = scene.grid ? grid_problem(*scene.grid) : ""; !problem.empty())
+    throw InputError({scene.file, 0}, "grid: " + problem);
 }
 
 }  // namespace hottel

@@ -35,11 +35,26 @@ struct Mask3 {
   friend bool operator==(const Mask3&, const Mask3&) = default;
 };
 
+// The most cells of a grid along one of its sides.
+inline constexpr std::uint32_t kMaxGridCells3 = 16384;
+
+// Where light is asked for: nu times nv equal cells of the parallelogram from `origin` along u and along v.
+struct Grid3 {
+  Point3 origin;
+  Vector3 u, v;
+  std::uint32_t nu = 1, nv = 1;
+  friend bool operator==(const Grid3&, const Grid3&) = default;
+};
+
+// Returns what is wrong with a grid, as the end of a sentence ("u and v are parallel, or one is zero"); empty when
+// nothing is: u and v span a plane, and there are 1 to kMaxGridCells3 cells along each.
+std::string grid_problem(const Grid3& grid);
+
 // The scene, in the order of the file: polygons, then the faces of meshes.
 //
 //   (1) polygons[s] is where surfaces[s] of the table lies: as many of one as of the other
 //   (2) every polygon is one (polygon_problem): exactly plane, or nearly so, of positive area
-//   (3) the table is valid (SceneTable), and the camera has no problem
+//   (3) the table is valid (SceneTable), and neither camera nor grid has a problem
 //   (4) masks ascend by surface; a mask and its base have materials, and lie in one plane, facing each other; a base is
 //       no mask. That masks lie within their bases, and beside each other, is required by Arrangement3
 //
@@ -48,6 +63,7 @@ struct Scene3 : SceneTable {
   std::vector<Polygon3> polygons;
   std::vector<Mask3> masks;
   std::optional<Camera3> camera;
+  std::optional<Grid3> grid;
 
   // Puts a surface after all others.
   void add(Surface surface, Polygon3 polygon) {

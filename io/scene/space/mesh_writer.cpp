@@ -361,6 +361,7 @@ class MeshWriter3 {
     add(scene_.closed, "the promise \"closed\"");
     add(std::any_of(scene_.surfaces.begin(), scene_.surfaces.end(), [](const Surface& s) { return s.elements != 1; }),
         "elements");
+    add(scene_.grid.has_value(), "the grid");
     add(scene_.camera.has_value(), "the camera");
     add(!scene_.expect.empty(), "expectations");
     add(!scene_.about.empty(), "the text about the scene");

@@ -30,7 +30,7 @@ class SpaceReader3 {
     if (materials) table_.read_materials(materials);
     refuse_plane_only(edges, "edges");
     refuse_plane_only(polylines, "polylines");
-    if (grid) refuse(grid, "grid: light on a grid is computed in the plane only; this scene has dimension 3");
+    if (grid) read_grid(grid);
     if (lights) TableReader::refuse_lights(lights);
     if (polygons) read_polygons(polygons);
     if (mesh) read_meshes(mesh);
@@ -192,6 +192,28 @@ class SpaceReader3 {
     std::size_t k = 0;
     for (const JsonValue item : value.items()) *coordinates[k++] = read_number(item, {subject.owner, "coordinate"});
     return point;
+  }
+
+  void read_grid(const JsonValue& value) {
+    const auto [origin, u, v, cells] =
+        read_members(value, {"grid"}, std::array<std::string_view, 4>{"origin", "u", "v", "cells"});
+    require_member(origin, "origin", value, {"grid"});
+    require_member(u, "u", value, {"grid"});
+    require_member(v, "v", value, {"grid"});
+    require_member(cells, "cells", value, {"grid"});
+    Grid3 grid;
+    grid.origin = read_point(origin, {"grid", "origin"});
+    grid.u = read_point(u, {"grid", "u"}) - Point3{};
+    grid.v = read_point(v, {"grid", "v"}) - Point3{};
+    require_kind(cells, JsonKind::kArray, {"grid", "cells"});
+    if (cells.size() != 2) refuse(cells, "grid: cells must be two numbers, along u and along v");
+    std::uint32_t* count = &grid.nu;
+    for (const JsonValue item : cells.items()) {
+      *count = read_count(item, kMaxGridCells3, {"grid", "cells"});
+      count = &grid.nv;
+    }
+    if (const std::string problem = grid_problem(grid); !problem.empty()) refuse(value, "grid: " + problem);
+    scene_.grid = std::move(grid);
   }
 
   void read_camera(const JsonValue& value) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "kernel/support/stopwatch.h"
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/element_table.h"
+#include "kernel/support/stopwatch.h"
 #include "solver/methods/coarsened.h"
 
 namespace hottel {

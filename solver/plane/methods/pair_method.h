@@ -13,8 +13,8 @@ namespace hottel {
 
 // A method whose factor of two elements depends on these two, and on what stands between them.
 //
-// The matrix (matrix_of_pairs) and the claims are made here: a pair that exchanges nothing is claimed to be exactly 0, one that
-// nothing hides to be within error_of_free_runs(), one that is hidden in part as the method says.
+// The matrix (matrix_of_pairs) and the claims are made here: a pair that exchanges nothing is claimed to be exactly 0,
+// one that nothing hides to be within error_of_free_runs(), one that is hidden in part as the method says.
 class PairMethod2 : public ElementMethod2 {
  public:
   const MethodInfo& info() const final { return info_; }

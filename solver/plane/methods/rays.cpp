@@ -108,7 +108,8 @@ ExchangeMatrix Rays2::compute_elements(const PreparedScene2& prepared, const std
     });
     by.divide_by(n);
   };
-  ExchangeMatrix matrix = matrix_by_rows(geometry.table().elements(), has_runs(geometry), progress, [&] { return shoot; });
+  ExchangeMatrix matrix =
+      matrix_by_rows(geometry.table().elements(), has_runs(geometry), progress, [&] { return shoot; });
 
   report.standard_error = largest_standard_error(matrix, options_.rays);
   report.row_defect = closure_defect(matrix);

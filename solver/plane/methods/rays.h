@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "solver/plane/methods/exchange_method.h"
 #include "solver/methods/ray_samples.h"
+#include "solver/plane/methods/exchange_method.h"
 
 namespace hottel {
 

@@ -55,11 +55,10 @@ PairExplanation PairExplainer3::explain(const PairError& pair) const {
   } else if (const ElementPatch3* const b = largest(geometry_.patches(pair.to)); a != nullptr && b != nullptr) {
     const double distance = length(b->centre - a->centre);
     result.distance = unit_ * distance;
-    result.angle =
-        std::atan2(length(cross(a->normal, b->normal)), dot(a->normal, b->normal)) * 180 / std::numbers::pi;
-    result.reason += touch(*a, *b)                                            ? ", touching"
+    result.angle = std::atan2(length(cross(a->normal, b->normal)), dot(a->normal, b->normal)) * 180 / std::numbers::pi;
+    result.reason += touch(*a, *b)                                      ? ", touching"
                      : distance < std::sqrt(std::max(a->area, b->area)) ? ", near"
-                                                                              : ", far";
+                                                                        : ", far";
   }
   if (pair.value == 0 && pair.exact > 0) result.reason += ", missed";
   if (pair.value > 0 && pair.exact == 0) result.reason += ", light where there is none";

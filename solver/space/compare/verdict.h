@@ -10,8 +10,8 @@ struct PreparedScene3;
 // As judge() of solver/compare/verdict.h, of a scene in space.
 //
 // REQUIRES: both matrices are over the elements of `prepared`; the exact one has visibilities.
-// COST: a few passes over both matrices; another exact matrix, of both sides of all polygons, when something is off; and
-// a measure for each pair that is off and exchanges nothing.
+// COST: a few passes over both matrices; another exact matrix, of both sides of all polygons, when something is off;
+// and a measure for each pair that is off and exchanges nothing.
 Verdict judge(const PreparedScene3& prepared, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,
               const VerdictOptions& options);
 

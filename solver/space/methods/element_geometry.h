@@ -62,9 +62,7 @@ class ElementGeometry3 {
 
 // Which elements have a row and a patch to see from. REQUIRES that the geometry outlives what is returned.
 inline auto has_patches(const ElementGeometry3& geometry) {
-  return [&geometry](std::uint32_t element) {
-    return geometry.has_row(element) && !geometry.patches(element).empty();
-  };
+  return [&geometry](std::uint32_t element) { return geometry.has_row(element) && !geometry.patches(element).empty(); };
 }
 
 // Returns the corners of a patch in the doubles of Vertices3, each rounded once.

@@ -49,7 +49,8 @@ struct EmbreeScene::Held {
 EmbreeScene::EmbreeScene(const Blockers3& blockers) : held_(std::make_unique<Held>()) {
   const Vertices3& vertices = blockers.vertices();
   double largest = 0;
-  for (const VertexId3 v : IdRange<VertexId3>(vertices.size())) largest = std::max(largest, vertices.approximate(v).size);
+  for (const VertexId3 v : IdRange<VertexId3>(vertices.size()))
+    largest = std::max(largest, vertices.approximate(v).size);
   if (largest > 0) held_->scale = 1 / largest;
 
   held_->device = rtcNewDevice("threads=1");
@@ -81,7 +82,8 @@ EmbreeScene::EmbreeScene(const Blockers3& blockers) : held_(std::make_unique<Hel
     here[1] = static_cast<float>(place.y * held_->scale);
     here[2] = static_cast<float>(place.z * held_->scale);
   }
-  for (std::size_t k = 0; k < triangles.size(); ++k) std::copy(triangles[k].begin(), triangles[k].end(), corners + 3 * k);
+  for (std::size_t k = 0; k < triangles.size(); ++k)
+    std::copy(triangles[k].begin(), triangles[k].end(), corners + 3 * k);
   rtcSetGeometryIntersectFilterFunction(geometry, pass_over_own_piece);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(held_->scene, geometry);

@@ -199,9 +199,10 @@ std::unique_ptr<ExchangeMethod3> make(std::string_view variant) {
   HemicubeOptions3 options;
   constexpr std::string_view kUniform = ":uniform";
   const auto refuse = [variant] {
-    throw UsageError(fmt::format("hemicube{}: expected hemicube:R or hemicube:R:uniform with an even number of pixels "
-                                 "R from 2 to {}",
-                                 variant, kMostPixels));
+    throw UsageError(
+        fmt::format("hemicube{}: expected hemicube:R or hemicube:R:uniform with an even number of pixels "
+                    "R from 2 to {}",
+                    variant, kMostPixels));
   };
   std::string_view number = variant;
   options.is_uniform = number.ends_with(kUniform);
@@ -239,14 +240,14 @@ std::unique_ptr<ExchangeMethod3> hemicube_method_3(const HemicubeOptions3& optio
 }
 
 MethodFamily3 hemicube_family_3() {
-  return {.name = "hemicube",
-          .pattern = "hemicube:R[:uniform]",
-          .what = "an item buffer of R pixels on the long edges about each centre",
-          .reference = kReference,
-          .guarantee = Guarantee::kEstimated,
-          .sweep = {"hemicube:32", "hemicube:64", "hemicube:128", "hemicube:256", "hemicube:512",
-                    "hemicube:128:uniform"},
-          .make = make};
+  return {
+      .name = "hemicube",
+      .pattern = "hemicube:R[:uniform]",
+      .what = "an item buffer of R pixels on the long edges about each centre",
+      .reference = kReference,
+      .guarantee = Guarantee::kEstimated,
+      .sweep = {"hemicube:32", "hemicube:64", "hemicube:128", "hemicube:256", "hemicube:512", "hemicube:128:uniform"},
+      .make = make};
 }
 
 }  // namespace hottel

@@ -26,8 +26,8 @@ struct HemicubeOptions3 {
 // COST: that of the pixels covered, some milliseconds an element at 256 pixels; in parallel.
 std::unique_ptr<ExchangeMethod3> hemicube_method_3(const HemicubeOptions3& options);
 
-// The view factor of pixels of a hemicube from its centre: of the top first, resolution x resolution of them row by row,
-// then of one side, resolution / 2 rows from the horizon up. Those of the top and of four sides sum to 1 but for
+// The view factor of pixels of a hemicube from its centre: of the top first, resolution x resolution of them row by
+// row, then of one side, resolution / 2 rows from the horizon up. Those of the top and of four sides sum to 1 but for
 // rounding. (The usual delta form factor is the same by the midpoint rule.)
 // SEE: Cohen, Greenberg, The hemi-cube: a radiosity solution for complex environments, 1985.
 std::vector<double> hemicube_weights(std::uint32_t resolution);

@@ -31,5 +31,4 @@ std::vector<RulePoint3> rule_points(const ElementPatch3& patch, const GaussRule&
 // Returns the point in scene coordinates, exactly on the plane of the patch.
 Point3 exact_point(const Vertices3& vertices, const Patch3& patch, const RulePoint3& point);
 
-
 }  // namespace hottel

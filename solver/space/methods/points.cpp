@@ -1,8 +1,8 @@
 // points:n, exact factors from n x n Gauss-Legendre points of each patch: what is left is the quadrature over one area.
 // F_ij = sum_k w_k F(x_k, j), F(x, j) from the exact map of the point (geometry/space/visibility/point_map.h).
-// GUARANTEE: estimated. The error is that of the quadrature of x -> F(x, j): smooth where nothing hides a part of j, with
-// kinks where something does, singular where elements touch.
-// REFERENCE: Gauss-Legendre quadrature (Trefethen, Approximation Theory and Approximation Practice, 2013, chapter 19).
+// GUARANTEE: estimated. The error is that of the quadrature of x -> F(x, j): smooth where nothing hides a part of j,
+// with kinks where something does, singular where elements touch. REFERENCE: Gauss-Legendre quadrature (Trefethen,
+// Approximation Theory and Approximation Practice, 2013, chapter 19).
 #include <memory>
 #include <vector>
 
@@ -26,8 +26,7 @@ Direction3 direction_of(const Vector3d& way) { return unit({way.x, way.y, way.z}
 // The elements on the sides of pieces, as a point sees them.
 class SeenElements {
  public:
-  SeenElements(const PreparedScene3& prepared, const ElementTable3& table)
-      : sides_(2 * prepared.blockers().size()) {
+  SeenElements(const PreparedScene3& prepared, const ElementTable3& table) : sides_(2 * prepared.blockers().size()) {
     const Vertices3& vertices = prepared.blockers().vertices();
     for (const ElementTable3::Part& part : table.parts()) {
       if (part.patch.is_sky()) continue;
@@ -110,7 +109,7 @@ class Points3 final : public ElementMethod3 {
     const BoundedVector& rounded_front = blockers.normal(patch.piece);
     const int side =
         rounded_front.x * patch.normal.x + rounded_front.y * patch.normal.y + rounded_front.z * patch.normal.z > 0 ? 1
-                                                                                                                  : -1;
+                                                                                                                   : -1;
     Look3 look;
     look.eye = exact_point(blockers.vertices(), *patch.exact, point);
     look.normal = Point3{Rational(side * front.x), Rational(side * front.y), Rational(side * front.z)};

@@ -37,8 +37,7 @@ std::vector<Start> starts_on(std::span<const ElementPatch3> patches) {
   double area = 0;
   for (const ElementPatch3& patch : patches)
     for (std::size_t k = 1; k + 1 < patch.corners.size(); ++k) {
-      const Vector3d &first = patch.corners[0], along = patch.corners[k] - first,
-                     across = patch.corners[k + 1] - first;
+      const Vector3d &first = patch.corners[0], along = patch.corners[k] - first, across = patch.corners[k + 1] - first;
       area += dot(cross(along, across), patch.normal);
       starts.push_back({&patch, first, along, across, area});
     }
@@ -142,8 +141,8 @@ class Rays3 final : public ElementMethod3 {
   static std::uint32_t label_met(const Blockers3& blockers, const EmbreeScene& scene, const MetElements& met,
                                  const std::vector<Start>& starts, const RaySamples::Point& place,
                                  const RaySamples::Point& direction, std::uint32_t sky) {
-    const auto start = std::find_if(starts.begin(), starts.end() - 1,
-                                    [&place](const Start& s) { return place.position < s.end; });
+    const auto start =
+        std::find_if(starts.begin(), starts.end() - 1, [&place](const Start& s) { return place.position < s.end; });
     const double begin = start == starts.begin() ? 0 : (start - 1)->end;
     const double within = std::clamp((place.position - begin) / (start->end - begin), 0.0, 1.0);
     // Uniform over a triangle.
@@ -153,8 +152,7 @@ class Rays3 final : public ElementMethod3 {
     const Vector3d u = 1 / length(start->along) * start->along, v = cross(start->patch->normal, u);
     const double sine = std::sqrt(direction.position), cosine = std::sqrt(1 - direction.position);
     const double turn = 2 * std::numbers::pi * direction.turn;
-    const Vector3d way =
-        cosine * start->patch->normal + sine * std::cos(turn) * u + sine * std::sin(turn) * v;
+    const Vector3d way = cosine * start->patch->normal + sine * std::cos(turn) * u + sine * std::sin(turn) * v;
     const auto hit = scene.first_hit(from, way, start->patch->piece);
     if (!hit) return sky;
     const BoundedVector& rounded_front = blockers.normal(hit->piece);

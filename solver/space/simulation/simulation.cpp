@@ -28,11 +28,10 @@ ComputedFactors3 factors_by(const ExchangeMethod3& method, const PreparedScene3&
   MethodReport report;
   const std::string& name = method.info().name;
   try {
-    result.matrix = method.compute(prepared,
-                                   {.granularity = request.granularity,
-                                    .wants_visibility = false,
-                                    .progress = telling("view factors", progress)},
-                                   report);
+    result.matrix = method.compute(
+        prepared,
+        {.granularity = request.granularity, .wants_visibility = false, .progress = telling("view factors", progress)},
+        report);
   } catch (const RequestError& error) {
     throw RequestError(fmt::format("{}: the method {}: {}", prepared.scene.file, name, error.what()));
   }
@@ -126,9 +125,8 @@ struct Simulation3::Version {
 
   void set_system() {
     system = std::make_shared<Stage<RadiositySolver>>(
-        "radiosity",
-        [its = scene, made = factors, asked = request.system,
-         method = request.factors.method](const StageProgress& progress) {
+        "radiosity", [its = scene, made = factors, asked = request.system,
+                      method = request.factors.method](const StageProgress& progress) {
           const auto computed = made->get(progress);
           if (method == nullptr)  // an error of another method is none of the scene
             require_closed(*its, computed->matrix);

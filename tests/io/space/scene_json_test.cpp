@@ -85,8 +85,6 @@ TEST(SceneJson3, ReadsEveryPartOfAScene) {
 }
 
 TEST(SceneJson3, RefusesWhatBelongsToThePlaneOrIsNotThereYet) {
-  EXPECT_EQ(refusal(scene_with("\"grid\": {}")),
-            "in/scene.json:3: grid: light on a grid is computed in the plane only; this scene has dimension 3");
   EXPECT_EQ(refusal(scene_with("\"edges\": [1]")),
             "in/scene.json:3: edges belong to dimension 2; this scene has dimension 3");
   EXPECT_EQ(refusal(scene_with("\"polylines\": [1]")),
@@ -180,6 +178,20 @@ TEST(SceneJson3, RefusesWrongCameras) {
   EXPECT_THAT(refusal(with_camera(good + ", \"pixels\": [0, 5]")), HasSubstr("camera: pixels must be an integer"));
   EXPECT_THAT(refusal(with_camera(good + ", \"pixels\": [5]")), HasSubstr("two numbers, width and height"));
   EXPECT_THAT(refusal(with_camera(good + ", \"zoom\": 2")), HasSubstr("unknown key 'zoom'"));
+}
+
+TEST(SceneJson3, ReadsAGridAndRefusesWrongOnes) {
+  const auto with_grid = [](const std::string& members) { return scene_with("\"grid\": {" + members + "}"); };
+  const std::string good = R"("origin": [0, "1/3", 1], "u": [2, 0, 0], "v": [0, 0.5, 0])";
+  EXPECT_EQ(parse(with_grid(good + R"(, "cells": [4, 3])")).grid,
+            (Grid3{{0, Rational(1) / 3, 1}, {2, 0, 0}, {0, Rational(1) / 2, 0}, 4, 3}));
+  EXPECT_EQ(refusal(with_grid(good)), "in/scene.json:3: grid has no \"cells\"");
+  EXPECT_THAT(refusal(with_grid(good + ", \"cells\": [4]")), HasSubstr("two numbers, along u and along v"));
+  EXPECT_THAT(refusal(with_grid(good + ", \"cells\": [4, 0]")), HasSubstr("grid: cells must be an integer"));
+  EXPECT_THAT(refusal(with_grid(good + ", \"cells\": [4, 20000]")), HasSubstr("grid: cells must be an integer"));
+  EXPECT_THAT(refusal(with_grid(R"("origin": [0,0,0], "u": [1,2,3], "v": [2,4,6], "cells": [1,1])")),
+              HasSubstr("grid: u and v are parallel, or one is zero"));
+  EXPECT_THAT(refusal(with_grid(R"("min": [0,0], "max": [1,1], "cells": [1,1])")), HasSubstr("unknown key 'min'"));
 }
 
 TEST(SceneJson3, AddsMeshesAfterPolygons) {
@@ -369,6 +381,7 @@ void expect_same(const Scene3& a, const Scene3& b) {
   EXPECT_EQ(a.sky_emission, b.sky_emission);
   EXPECT_EQ(a.closed, b.closed);
   EXPECT_EQ(a.camera, b.camera);
+  EXPECT_EQ(a.grid, b.grid);
   EXPECT_EQ(a.expect.size(), b.expect.size());
 }
 
@@ -411,6 +424,7 @@ TEST(WriteScene3, ReadsBackToTheSameSceneWhateverTheNumbers) {
       scene.add(surface, polygon);
     }
     if (random() % 2) scene.camera = Camera3{{number(), number(), number()}, {0, 0, 0}, {0, 1, number()}, 50, 3, 4};
+    if (random() % 2) scene.grid = Grid3{{number(), number(), 1}, {1, 0, number()}, {number(), 2, 0}, 3, 4};
     validate(scene);
     expect_same(scene, parse(write_scene_3(scene)));
   }

@@ -14,9 +14,9 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "solver/methods/ray_samples.h"
 #include "solver/plane/methods/item_buffer.h"
 #include "solver/plane/methods/method_catalogue.h"
-#include "solver/methods/ray_samples.h"
 
 namespace hottel {
 namespace {

@@ -65,8 +65,7 @@ TEST(Verdict3, NamesWhatIsWrong) {
     std::vector<std::size_t> begin{0};
     std::vector<FactorEntry> entries;
     for (std::uint32_t i = 0; i < exact.size(); ++i) {
-      for (const FactorEntry& entry : exact.row(i))
-        entries.push_back({entry.to, {change(entry), 0}, entry.visibility});
+      for (const FactorEntry& entry : exact.row(i)) entries.push_back({entry.to, {change(entry), 0}, entry.visibility});
       begin.push_back(entries.size());
     }
     ExchangeMatrix matrix(exact.elements(), Guarantee::kEstimated);
@@ -79,10 +78,11 @@ TEST(Verdict3, NamesWhatIsWrong) {
   EXPECT_THAT(judged([](const FactorEntry& entry) { return entry.factor.value * std::numbers::pi; }),
               Contains(HasSubstr("pi")));
   // Occlusion forgotten.
-  EXPECT_THAT(judged([](const FactorEntry& entry) {
-                return entry.visibility > 0 ? entry.factor.value / entry.visibility : entry.factor.value;
-              }),
-              Contains(HasSubstr("visibility is all or nothing: of partly hidden pairs 85 are taken as wholly visible")));
+  EXPECT_THAT(
+      judged([](const FactorEntry& entry) {
+        return entry.visibility > 0 ? entry.factor.value / entry.visibility : entry.factor.value;
+      }),
+      Contains(HasSubstr("visibility is all or nothing: of partly hidden pairs 85 are taken as wholly visible")));
 }
 
 }  // namespace

@@ -136,7 +136,8 @@ TEST(MethodsInSpace, VerticesIsTheMeanOverCornersAndItsLiteralVariantLosesPi) {
 TEST(MethodsInSpace, QuadraturesConvergeGeometricallyWhereNothingHides) {
   double gauss_before = 1, points_before = 1;
   for (const int n : {1, 2, 4, 8}) {
-    const double gauss = std::fabs(by("gauss:" + std::to_string(n), plates(1)).factor("low", "high").value - kUnitPlates);
+    const double gauss =
+        std::fabs(by("gauss:" + std::to_string(n), plates(1)).factor("low", "high").value - kUnitPlates);
     const double points =
         std::fabs(by("points:" + std::to_string(n), plates(1)).factor("low", "high").value - kUnitPlates);
     EXPECT_LT(gauss, gauss_before) << n;
@@ -216,8 +217,7 @@ TEST(MethodsInSpace, FacesAndGroupsAreMeansOverTheirElements) {
       for (const FactorEntry& entry : elements.row(i))
         if (elements.elements()[i].surface == 0 && entry.to != elements.sky()) sum += entry.factor.value / 9;
     EXPECT_NEAR(faces.factor("low", "high").value, sum, 1e-15) << method;
-    EXPECT_EQ(by(method, divided, Granularity::kGroup).factor("low", "high").value,
-              faces.factor("low", "high").value);
+    EXPECT_EQ(by(method, divided, Granularity::kGroup).factor("low", "high").value, faces.factor("low", "high").value);
   }
 }
 
@@ -241,9 +241,9 @@ TEST(MethodsInSpace, ABlockerBetweenTheCentresHidesAllFromCenterAndAPartFromTheO
 }
 
 TEST(MethodsInSpace, NamesThatMakeNoSenseAreRefused) {
-  for (const std::string name : {"gauss", "gauss:0", "gauss:65", "points:x", "hemicube:3", "hemicube:", "hemicube:5000",
-                                 "hemicube:64:flat", "rays", "rays:0", "rays:8:sobol:seed", "vertices:middle",
-                                 "center:1", "exact:1", "center-vis:inverse-square=1"})
+  for (const std::string name :
+       {"gauss", "gauss:0", "gauss:65", "points:x", "hemicube:3", "hemicube:", "hemicube:5000", "hemicube:64:flat",
+        "rays", "rays:0", "rays:8:sobol:seed", "vertices:middle", "center:1", "exact:1", "center-vis:inverse-square=1"})
     EXPECT_THROW(catalogue().make(name), UsageError) << name;
   EXPECT_THROW(catalogue().make("strings"), UnknownName);
 }

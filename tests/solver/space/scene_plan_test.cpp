@@ -90,13 +90,18 @@ TEST(Plan3, TellsWhatTheTableOfTheSceneSays) {
   EXPECT_FALSE(cube.uses(Plan::kChannels));
 }
 
-TEST(Plan3, SaysWhatIsNotSimulatedYetWhateverIsAskedFor) {
+TEST(Plan3, LightBetweenFacesIsUsedIffThereIsAGrid) {
   for (const bool everything : {false, true}) {
     const Plan plan = plan_scene(scene_file("cube.json"), {.everything = everything, .grid_cells = 9});
     const PlannedEffect effect = effect_of(plan, Plan::kIllumination);
-    EXPECT_FALSE(effect.used);
-    EXPECT_FALSE(effect.is_simulated);
-    EXPECT_THAT(effect.reason, HasSubstr("not simulated by this version"));
+    EXPECT_TRUE(effect.used);
+    EXPECT_EQ(effect.reason, "light between the faces, 9 cells");
+    EXPECT_GT(effect.seconds_estimate, 0);
+    const PlannedEffect without =
+        effect_of(plan_scene(scene_file("cube.json"), {.everything = everything}), Plan::kIllumination);
+    EXPECT_FALSE(without.used);
+    EXPECT_EQ(without.reason, "no grid is asked for");
+    EXPECT_EQ(without.seconds_estimate, 0);
     EXPECT_THAT(effect_of(plan, Plan::kPicture).reason, HasSubstr("what the camera sees"));
     EXPECT_FALSE(plan.uses(Plan::kLights));
     EXPECT_TRUE(plan.uses(Plan::kInterreflection));

@@ -41,7 +41,8 @@ std::optional<bool> meets(const std::vector<std::array<int, 3>>& triangle, const
                        m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
     return value > 0 ? 1 : value < 0 ? -1 : 0;
   };
-  const int before = det(triangle[0], triangle[1], triangle[2], p), after = det(triangle[0], triangle[1], triangle[2], q);
+  const int before = det(triangle[0], triangle[1], triangle[2], p),
+            after = det(triangle[0], triangle[1], triangle[2], q);
   if (before == 0 || after == 0) return std::nullopt;
   if (before == after) return false;
   const int a = det(p, q, triangle[0], triangle[1]), b = det(p, q, triangle[1], triangle[2]),
@@ -80,7 +81,8 @@ TEST(SegmentVisibility3, AgreesWithIntegers) {
         if (met && *met) is_free = false;
       }
       if (!is_sure) continue;
-      const SurfacePoint3 from = at(p[0] / unit, p[1] / unit, p[2] / unit), to = at(q[0] / unit, q[1] / unit, q[2] / unit);
+      const SurfacePoint3 from = at(p[0] / unit, p[1] / unit, p[2] / unit),
+                          to = at(q[0] / unit, q[1] / unit, q[2] / unit);
       EXPECT_EQ(visibility.see_each_other(from, to), is_free) << scene << " " << k;
       EXPECT_EQ(visibility.see_each_other(to, from), is_free) << scene << " " << k;
       ++(is_free ? free : hidden);
@@ -122,8 +124,8 @@ TEST(SegmentVisibility3, NothingSlipsBetweenPolygonsThatShareAnEdge) {
 }
 
 TEST(SegmentVisibility3, APolygonHidesNothingFromItsOwnPointsAndTheSkyIsBeyondAll) {
-  const Blockers3 floor_and_roof = blockers_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}},
-                                                {{1, 1, 1}, {1, 3, 1}, {3, 3, 1}, {3, 1, 1}}});
+  const Blockers3 floor_and_roof =
+      blockers_of({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{1, 1, 1}, {1, 3, 1}, {3, 3, 1}, {3, 1, 1}}});
   const double unit =
       to_double(scaled_by_power_of_two(floor_and_roof.vertices().scale(), floor_and_roof.vertices().shift()));
   const SegmentVisibility3 visibility(floor_and_roof);

@@ -3,43 +3,32 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <vector>
 
 #include "geometry/element.h"
 #include "geometry/space/scene/scene.h"
 #include "solver/radiosity/radiosity_solution.h"
-#include "viewer/picture/canvas.h"
+#include "viewer/picture/space/pixel_values.h"
+#include "viewer/picture/space/seen_parts.h"
 
 namespace hottel {
 
 struct PreparedScene3;
 
-// Rows of pixels from top to bottom; the channels of a pixel are beside each other. [unit: that of radiosity]
-struct PixelValues3 {
-  std::uint32_t width = 0, height = 0;
-  std::size_t channels = 1;
-  std::vector<double> values;
-
-  std::span<const double> at(std::uint32_t x, std::uint32_t y) const {
-    return std::span(values).subspan((std::size_t{y} * width + x) * channels, channels);
-  }
-};
-
-// Adds `value` times the part of each pixel that a convex polygon covers. What lies outside of the picture counts
-// nothing. Exact areas, in doubles. COST: some nanoseconds a pixel, and 100 for each that the border passes.
-void add_polygon(std::span<const Pixel> polygon, std::span<const double> value, PixelValues3& pixels);
-
-// Returns the light in the picture of a camera: of each element its radiosity, of black sides 0, of the sky what it
-// emits.
+// Returns what is shown in the picture of a camera: of each element its value, or of places of it where they are
+// blended; of what has none, of black sides and of the sky what the paint says.
 //
-//   (1) a pixel is the mean over its area of what is seen there, each point by itself: what hides what is decided
-//       exactly (PointMap3), areas are in doubles. So the picture is without steps, and integrates what radiosity.csv
-//       says
-//   (2) a picture of twice the pixels, averaged by fours, is the same but for rounding
+//   (1) a pixel is the mean over its area of what is shown there, each point by itself: what hides what is decided
+//       exactly (PointMap3), areas are in doubles. So the picture is without steps
+//   (2) a picture of twice the pixels, averaged by fours, is the same but for rounding, where values are not blended
+//   (3) without blending, pixels integrate what the elements show; with it, a pixel takes the value in the middle of
+//       what it has of each triangle
 //
-// Throws RequestError where the eye is in a solid. REQUIRES a camera without a problem (camera_problem), and the
-// solution of the scene's matrix by that granularity. COST: that of a map, and of its pixels.
+// Throws RequestError where the eye is in a solid. REQUIRES a camera without a problem (camera_problem). COST: that of
+// a map, and of its pixels.
+PixelValues3 camera_view_3(const SeenScene3& scene, const Camera3& camera);
+
+// The light of a solution, each element in its radiosity as radiosity.csv says it. REQUIRES the solution of the scene's
+// matrix by that granularity.
 PixelValues3 camera_view_3(const PreparedScene3& prepared, Granularity granularity, const RadiositySolution& solution,
                            const Camera3& camera);
 

@@ -7,18 +7,17 @@
 #include <optional>
 
 #include "geometry/space/scene/scene.h"
+#include "geometry/space/visibility/convex_cut.h"
 #include "geometry/space/visibility/point_map.h"
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/palette.h"
-#include "geometry/space/visibility/convex_cut.h"
 
 namespace hottel {
 namespace {
 
 constexpr double kHeight = 1024, kTitle = 76;  // units of the whole, and of the heading
-constexpr Colour kSky{0.80, 0.88, 0.95};
 
 // The part of a piece with dot(normal, direction) >= 0.
 std::vector<Direction3> cut(const std::vector<Direction3>& piece, const Direction3& normal) {
@@ -182,7 +181,7 @@ void MapPainter3::draw_cube_side(PictureCanvas& canvas, const Side& side) const 
   const std::array<Direction3, 5> inside{out, out + right, out - right, out + up, out - up};
   const Pixel low{side.middle.x - half_side_, side.middle.y - half_side_};
   const Pixel high{side.middle.x + half_side_, side.middle.y + half_side_};
-  canvas.fill_rectangle(Mark::kFloor, low, high, kSky);
+  canvas.fill_rectangle(Mark::kFloor, low, high, palette::kSky);
   for (const MapPiece3& piece : drawing_.pieces) {
     std::vector<Direction3> corners = piece.corners;
     for (const Direction3& normal : inside) corners = cut(corners, normal);
@@ -205,7 +204,7 @@ void MapPainter3::draw_cube_side(PictureCanvas& canvas, const Side& side) const 
 
 void MapPainter3::draw_disc(PictureCanvas& canvas, const Side& disc) const {
   const double step = std::sqrt(0.8 / radius_);  // a chord is a tenth of a pixel from its arc
-  canvas.disc(Mark::kFloor, disc.middle, radius_, kSky);
+  canvas.disc(Mark::kFloor, disc.middle, radius_, palette::kSky);
   for (const MapPiece3& piece : drawing_.pieces) {
     const std::vector<Direction3> corners = cut(piece.corners, disc.axes.out);
     if (corners.size() < 3) continue;

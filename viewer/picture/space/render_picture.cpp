@@ -1,32 +1,238 @@
 #include "viewer/picture/space/render_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/visibility/convex_cut.h"
+#include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/colour_map.h"
+#include "viewer/picture/palette.h"
 #include "viewer/picture/png_file.h"
 #include "viewer/picture/raster.h"
-#include "viewer/picture/tone_curve.h"
+#include "viewer/picture/space/grown_polygon.h"
 
 namespace hottel {
+namespace {
 
-RenderedPicture3 render_picture_3(const PreparedScene3& prepared, Granularity granularity,
-                                  const RadiositySolution& solution, const RenderOptions3& options) {
+constexpr int kBands = 128;  // from black to white, or of a scale
+constexpr double kFooterUnits = 72;
+constexpr double kGrowth = 0.5, kLeastBand = 2;  // pixels
+constexpr double kLeastArea = 1e-9;              // square pixels, of shapes that are drawn
+
+Camera3 camera_of(const PreparedScene3& prepared, std::uint32_t wanted_width) {
   Camera3 camera = prepared.scene.camera ? *prepared.scene.camera : default_camera_3(prepared);
-  if (options.wanted_width > 0) {
-    const double height = std::round(static_cast<double>(camera.height) * options.wanted_width / camera.width);
-    camera.width = options.wanted_width;
+  if (wanted_width > 0) {
+    const double height = std::round(static_cast<double>(camera.height) * wanted_width / camera.width);
+    camera.width = wanted_width;
     camera.height = static_cast<std::uint32_t>(std::clamp(height, 1.0, static_cast<double>(kMaxPictureSide)));
   }
-  const PixelValues3 pixels = camera_view_3(prepared, granularity, solution, camera);
-  const ToneCurve tone(options.tone, options.exposure, pixels.values, pixels.channels);
-  Raster raster(camera.width, camera.height);
-  for (std::uint32_t y = 0; y < camera.height; ++y)
-    for (std::uint32_t x = 0; x < camera.width; ++x) {
-      const auto level = tone.levels(pixels.at(x, y));
-      raster.pixels[std::size_t{y} * camera.width + x] = 0xFF000000u | level[0] << 16 | level[1] << 8 | level[2];
+  return camera;
+}
+
+double footer_unit(const Camera3& camera) { return std::max(camera.width / 1000.0, 0.6); }
+
+PixelPolygon cut(const PixelPolygon& polygon, const AffineValue3& above, double sign) {
+  return cut_convex(
+      polygon, [&](const Pixel& p) { return sign * above.at(p); },
+      [](const Pixel& a, const Pixel& b, double t) {
+        return Pixel{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+      });
+}
+
+Pixel middle_of(const PixelPolygon& polygon) {
+  Pixel sum;
+  for (const Pixel& p : polygon) sum = {sum.x + p.x, sum.y + p.y};
+  return {sum.x / static_cast<double>(polygon.size()), sum.y / static_cast<double>(polygon.size())};
+}
+
+double diameter(const PixelPolygon& polygon) {
+  double result = 0;
+  for (const Pixel& p : polygon)
+    for (const Pixel& q : polygon) result = std::max(result, std::hypot(p.x - q.x, p.y - q.y));
+  return result;
+}
+
+// Polygons of one colour together, to be filled at once.
+template <class Filled>
+struct FillsByColour {
+  std::vector<Filled> fills;
+
+  void add(PixelPolygon polygon, const Colour& colour) {
+    const double area = pixel_area_doubled_3(polygon);
+    if (std::fabs(area) < 2 * kLeastArea) return;
+    if (area < 0) std::reverse(polygon.begin(), polygon.end());
+    const auto [place, is_new] = known_.try_emplace(pixel_of(colour), fills.size());
+    if (is_new) fills.push_back({colour, {}});
+    fills[place->second].polygons.push_back(std::move(polygon));
+  }
+
+ private:
+  std::map<std::uint32_t, std::size_t> known_;
+};
+
+}  // namespace
+
+RenderedView3::RenderedView3(const PreparedScene3& prepared, Granularity granularity, const RadiositySolution& solution,
+                             RenderOptions3 options)
+    : prepared_(prepared),
+      options_(std::move(options)),
+      camera_(camera_of(prepared, options_.wanted_width)),
+      table_(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity),
+      paint_(options_.shown ? scale_paint_3(*options_.shown) : light_paint_3(prepared.scene, solution)) {
+  if (options_.shading == Shading3::kSmooth) mesh_.emplace(prepared, table_);
+  pixels_ = camera_view_3(seen(), camera_);
+  if (options_.shown)
+    footer_ = static_cast<std::uint32_t>(std::ceil(kFooterUnits * footer_unit(camera_)));
+  else
+    tone_.emplace(options_.tone, options_.exposure, pixels_.values, pixels_.channels);
+}
+
+Colour RenderedView3::colour_of(std::span<const double> shown) const {
+  if (tone_) return (*tone_)(shown);
+  return {srgb_from_linear(shown[0]), srgb_from_linear(shown[1]), srgb_from_linear(shown[2])};
+}
+
+Colour RenderedView3::colour_of_value(std::span<const double> value) const {
+  std::vector<double> shown(paint_.shown_channels());
+  paint_.show(value, shown);
+  return colour_of(shown);
+}
+
+// Of the sum by which bands are parted.
+std::vector<double> RenderedView3::weights() const {
+  if (paint_.channels == 1) return {1};
+  return {0.2126, 0.7152, 0.0722};  // luminance, as ToneCurve has it
+}
+
+// The sums between bands, ascending.
+std::vector<double> RenderedView3::levels() const {
+  std::vector<double> result;
+  if (paint_.scale) {
+    for (int k = 1; k < kBands; ++k)
+      result.push_back(std::lerp(paint_.scale->lower, paint_.scale->upper, static_cast<double>(k) / kBands));
+    return result;
+  }
+  const auto shown = [&](double light) { return (*tone_)(std::vector<double>(paint_.channels, light)).r; };
+  double most = 0;
+  for (const double value : paint_.values) most = std::isnan(value) ? most : std::max(most, value);
+  for (int k = 1; k < kBands && shown(most) > static_cast<double>(k) / kBands; ++k) {
+    double below = 0, above = most;
+    for (int step = 0; step < 60; ++step) {
+      const double middle = below + (above - below) / 2;
+      (shown(middle) > static_cast<double>(k) / kBands ? above : below) = middle;
     }
-  return {png_file(raster), tone.scale()};
+    result.push_back(above);
+  }
+  return result;
+}
+
+// The lines between bands are every, every second, ... level, so that a band is some pixels wide.
+void RenderedView3::add_bands(const SeenPart3& part, std::span<const double> levels, std::vector<Filled>& fills) const {
+  const std::vector<double> weight = weights();
+  std::vector<double> value(paint_.channels);
+  const auto add = [&](const PixelPolygon& band) {
+    if (band.size() < 3) return;
+    part.shade->value(middle_of(band), value);
+    fills.push_back({colour_of_value(value), {band}});
+  };
+  const double high = part.shade->high(weight);
+  const auto begin = std::upper_bound(levels.begin(), levels.end(), part.shade->low(weight)) - levels.begin();
+  const auto end = std::lower_bound(levels.begin(), levels.end(), high) - levels.begin();
+  const double room = std::max(1.0, std::floor(diameter(part.outline) / kLeastBand));
+  const auto stride =
+      static_cast<std::ptrdiff_t>(std::ceil(static_cast<double>(std::max<std::ptrdiff_t>(1, end - begin)) / room));
+  PixelPolygon rest = part.outline;
+  for (std::ptrdiff_t k = (begin + stride - 1) / stride * stride; k < end && rest.size() > 2; k += stride) {
+    const AffineValue3 above = part.shade->above(weight, levels[static_cast<std::size_t>(k)]);
+    add(cut(rest, above, -1));
+    rest = cut(rest, above, 1);
+  }
+  add(rest);
+}
+
+RenderedView3::Shapes RenderedView3::shapes() const {
+  FillsByColour<Filled> above, below;
+  const std::vector<double> level = levels();
+  std::vector<double> value(paint_.channels);
+  for_each_seen_part(seen(), camera_, [&](const SeenPart3& part) {
+    const bool has_value = part.element && paint_.has_value(*part.element);
+    if (part.shade != nullptr) {
+      part.shade->value(middle_of(part.outline), value);
+      below.add(part.outline, colour_of_value(value));
+      std::vector<Filled> bands;
+      add_bands(part, level, bands);
+      for (const Filled& band : bands) above.add(band.polygons[0], band.colour);
+      return;
+    }
+    const Colour colour = has_value ? colour_of_value(paint_.value(*part.element))
+                                    : colour_of(part.element ? paint_.unknown : paint_.black);
+    below.add(part.outline, colour);
+    above.add(part.outline, colour);
+  });
+  return {std::move(above.fills), std::move(below.fills)};
+}
+
+void RenderedView3::draw(PictureCanvas& canvas) const {
+  const double right = camera_.width, bottom = camera_.height;
+  canvas.fill_rectangle(Mark::kFloor, {0, 0}, {right, bottom}, colour_of(paint_.sky));
+  const Shapes drawn = shapes();
+  std::vector<PixelPolygon> all;
+  for (const Filled& fill : drawn.below) all.insert(all.end(), fill.polygons.begin(), fill.polygons.end());
+  if (!all.empty()) {
+    canvas.begin_layer();
+    for (const Filled& fill : drawn.below) {
+      std::vector<PixelPolygon> grown;
+      for (const PixelPolygon& polygon : fill.polygons) grown.push_back(grown_polygon_3(polygon, kGrowth));
+      canvas.fill_all(Mark::kPaper, grown, fill.colour);
+    }
+    canvas.end_layer(all);
+  }
+  for (const Filled& fill : drawn.above) canvas.fill_all(Mark::kStripe, fill.polygons, fill.colour);
+  if (footer_ > 0) draw_footer(canvas);
+}
+
+void RenderedView3::draw_footer(PictureCanvas& canvas) const {
+  const double unit = footer_unit(camera_), wide = camera_.width, top = camera_.height;
+  canvas.fill_rectangle(Mark::kPaper, {0, top}, {wide, top + footer_}, palette::kPaper);
+  const double margin = std::min(16 * unit, wide / 12);
+  draw_legend(canvas, options_.shown->scale, options_.shown->title, {margin, top + 6 * unit},
+              std::min(420 * unit, wide - 2 * margin), unit);
+}
+
+std::string RenderedView3::png() const {
+  Raster raster(width(), height());
+  for (std::uint32_t y = 0; y < camera_.height; ++y)
+    for (std::uint32_t x = 0; x < camera_.width; ++x) {
+      const std::span<const double> shown = pixels_.at(x, y);
+      const std::array<std::uint8_t, 3> level =
+          tone_ ? tone_->levels(shown)
+                : std::array<std::uint8_t, 3>{srgb_level(shown[0]), srgb_level(shown[1]), srgb_level(shown[2])};
+      raster.pixels[std::size_t{y} * raster.width + x] = 0xFF000000u | level[0] << 16 | level[1] << 8 | level[2];
+    }
+  if (footer_ > 0) {
+    CairoCanvas canvas(raster);
+    draw_footer(canvas);
+    canvas.finish();
+  }
+  return png_file(raster);
+}
+
+std::string RenderedView3::file(PictureFormat format) const {
+  if (format == PictureFormat::kPng) return png();
+  CairoCanvas canvas(format, width(), height());
+  draw(canvas);
+  return canvas.finish();
+}
+
+RenderedPicture3 render_picture_3(const PreparedScene3& prepared, Granularity granularity,
+                                  const RadiositySolution& solution, const RenderOptions3& options,
+                                  PictureFormat format) {
+  const RenderedView3 view(prepared, granularity, solution, options);
+  return {view.file(format), view.scale()};
 }
 
 }  // namespace hottel

@@ -1,29 +1,101 @@
-// The light that a camera sees, as a picture.
+// What a camera sees of a solution, as a picture.
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "geometry/space/exchange/element_table.h"
+#include "viewer/picture/canvas.h"
 #include "viewer/picture/picture_options.h"
+#include "viewer/picture/shown_values.h"
 #include "viewer/picture/space/camera_view.h"
+#include "viewer/picture/tone_curve.h"
 
 namespace hottel {
 
-// How light becomes a picture.
+// kFlat: each element has one value. kSmooth: values are blended over flat surfaces (SmoothMesh3).
+enum class Shading3 : unsigned char { kFlat, kSmooth };
+
+// What is shown, and how it becomes a picture.
 struct RenderOptions3 {
-  Tone tone = Tone::kLog;
-  double exposure = 1;             // what the light is multiplied by; ToneCurve says relative to what
-  std::uint32_t wanted_width = 0;  // pixels across instead of the camera's, in its shape, where not 0
+  Tone tone = Tone::kLog;              // of the light
+  double exposure = 1;                 // what the light is multiplied by; ToneCurve says relative to what
+  std::uint32_t wanted_width = 0;      // pixels across instead of the camera's, in its shape, where not 0
+  Shading3 shading = Shading3::kFlat;  // how values run over elements
+  std::optional<ShownValues> shown{};  // instead of the light
 };
 
+// The picture of the scene's camera, or of default_camera_3.
+//
+//   (1) light has the size of the camera; a quantity on a scale has a footer below it, with bar, unit and range
+//   (2) a PNG has the pixels of camera_view_3, toned; colours of a scale are averaged as light is
+//   (3) an SVG and a PDF have polygons, each in one colour, with the colours of the PNG: what hides what is decided
+//       exactly at any size. Where values are blended, bands of 1/128 of the way from black to white, or of the scale,
+//       have one colour each, or of more where they would be less than two pixels wide; the lines between them are
+//       straight, as the values' are. Nothing shines through between neighbours: all lies on polygons of what is seen
+//       that are half a pixel larger, within the border of all of them
+class RenderedView3 {
+ public:
+  // Throws as camera_view_3 does. REQUIRES: the solution of the scene's matrix by that granularity, and values of its
+  // elements; that prepared outlives this.
+  RenderedView3(const PreparedScene3& prepared, Granularity granularity, const RadiositySolution& solution,
+                RenderOptions3 options);
+
+  std::uint32_t width() const { return camera_.width; }
+  std::uint32_t height() const { return camera_.height + footer_; }
+  // What the light was multiplied by before it was toned; of other quantities 1.
+  double scale() const { return tone_ ? tone_->scale() : 1; }
+
+  // What is shown instead of the light.
+  const std::optional<ShownValues>& shown() const { return options_.shown; }
+
+  // Returns the bytes of a file. COST: of shapes once more that of the map.
+  std::string file(PictureFormat format) const;
+  // Draws as shapes. REQUIRES a canvas of width() by height().
+  void draw(PictureCanvas& canvas) const;
+
+ private:
+  struct Filled {
+    Colour colour;
+    std::vector<PixelPolygon> polygons;
+  };
+
+  SeenScene3 seen() const { return {prepared_, table_, paint_, mesh_ ? &*mesh_ : nullptr}; }
+  Colour colour_of(std::span<const double> shown) const;
+  Colour colour_of_value(std::span<const double> value) const;
+  std::vector<double> levels() const;
+  std::vector<double> weights() const;
+  // What is drawn, and what lies below it: each part of what is seen in one colour.
+  struct Shapes {
+    std::vector<Filled> above, below;
+  };
+  Shapes shapes() const;
+  void add_bands(const SeenPart3& part, std::span<const double> levels, std::vector<Filled>& fills) const;
+  void draw_footer(PictureCanvas& canvas) const;
+  std::string png() const;
+
+  const PreparedScene3& prepared_;
+  RenderOptions3 options_;
+  Camera3 camera_;
+  ElementTable3 table_;
+  ElementPaint3 paint_;
+  std::optional<SmoothMesh3> mesh_;
+  PixelValues3 pixels_;
+  std::optional<ToneCurve> tone_;  // of light
+  std::uint32_t footer_ = 0;
+};
+
+// One file of it, and its scale.
 struct RenderedPicture3 {
-  std::string bytes;  // of a PNG file
-  double scale = 1;   // what values were multiplied by before they were toned
+  std::string bytes;
+  double scale = 1;
 };
-
-// Returns the picture of the scene's camera, or of default_camera_3, each element in its radiosity (camera_view_3).
-// Throws as camera_view_3 does.
 RenderedPicture3 render_picture_3(const PreparedScene3& prepared, Granularity granularity,
-                                  const RadiositySolution& solution, const RenderOptions3& options);
+                                  const RadiositySolution& solution, const RenderOptions3& options,
+                                  PictureFormat format = PictureFormat::kPng);
 
 }  // namespace hottel

@@ -182,7 +182,7 @@ void Desk2::quit() {
 
 void Desk2::save_picture(const std::filesystem::path& file) const {
   const auto format = picture_format(file.string());
-  if (!format) throw UsageError("a picture ends in .png or .svg, not '" + file.string() + "'");
+  if (!format) throw UsageError("a picture ends in .png, .svg or .pdf, not '" + file.string() + "'");
   CairoCanvas canvas(*format, size_.width, size_.height);
   draw_marks(canvas);
   write_output_file(file, canvas.finish());

@@ -71,8 +71,8 @@ class Desk2 {
   const std::optional<Prompt>& prompt() const { return prompt_; }
   Pixel pixel_of(const Place2& place) const { return camera_.at(place, size_); }
 
-  // Writes what is seen without any text about it to a file that ends in .png or .svg. Throws UsageError for another
-  // ending, OutputError.
+  // Writes what is seen without any text about it to a file that ends in .png, .svg or .pdf. Throws UsageError for
+  // another ending, OutputError.
   void save_picture(const std::filesystem::path& file) const;
   void save_as(const std::filesystem::path& file);  // throws as SceneFile2::write
 

@@ -755,7 +755,7 @@ TEST(Desk2, WritesPicturesOfWhatIsSeen) {
   EXPECT_EQ(hand.desk->prompt()->text, "room.png");
   hand.play("key ctrl+u\ntype " + hand.path("seen.gif").string() + "\nkey enter");
   ASSERT_TRUE(hand.desk->prompt());
-  EXPECT_THAT(hand.desk->prompt()->problem, HasSubstr(".png or .svg"));
+  EXPECT_THAT(hand.desk->prompt()->problem, HasSubstr(".png, .svg or .pdf"));
   hand.play("key ctrl+u\ntype " + svg.string() + "\nkey enter\npicture " + png.string());
   EXPECT_THAT(read_text_file(svg), HasSubstr("<svg"));
   EXPECT_THAT(read_text_file(png), StartsWith("\x89PNG"));

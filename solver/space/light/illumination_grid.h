@@ -1,0 +1,47 @@
+// Light between the faces in space, on a planar grid of points.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "geometry/element.h"
+#include "geometry/space/scene/scene.h"
+#include "solver/radiosity/radiosity_solution.h"
+
+namespace hottel {
+
+struct PreparedScene3;
+
+// A value for each cell and channel, in C order (nv, nu, channels): index 0 is the cell at the origin, and cells along
+// u follow each other. NaN in all channels: the centre of the cell is in a solid.
+struct IlluminationGrid3 {
+  Grid3 grid;
+  std::uint32_t channels = 1;
+  std::vector<double> values;
+  double seconds = 0;  // what it took
+
+  double at(std::uint32_t iu, std::uint32_t iv, std::uint32_t channel = 0) const {
+    return values[(std::size_t{iv} * grid.nu + iu) * channels + channel];
+  }
+};
+
+// Returns the mean irradiance at the centre of each cell: 1/4 pi times the integral over all directions of the
+// radiosity seen there, which is the mean over them.                          [unit: that of radiosity]
+//
+//   (1) what is seen is decided exactly, from the exact centre (PointMap3); solid angles are in doubles. A cell does
+//   not
+//       depend on the others
+//   (2) directions to the sky carry its emission; black sides are 0. A centre on a face sees both half spaces
+//   (3) never below the least nor above the largest radiosity seen but for rounding: some 1e-15 of it
+//   (4) the same bits for any number of threads
+//
+// progress: fraction done; may throw to stop. Throws Interrupted when asked to stop. REQUIRES the solution of the
+// scene's matrix by that granularity. COST: that of a map a cell, and for each face that is seen and divided the
+// product of its fragments and elements.
+IlluminationGrid3 illuminate_points(const PreparedScene3& prepared, Granularity granularity,
+                                    const RadiositySolution& solution, const Grid3& grid,
+                                    const std::function<void(double)>& progress = {});
+
+}  // namespace hottel

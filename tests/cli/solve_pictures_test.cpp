@@ -1,0 +1,158 @@
+// hottel solve --show, --render, --shading: what the pictures show, in space and in the plane, and what is refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "tests/cli/program.h"
+
+namespace hottel {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+using testing_cli::contents;
+using testing_cli::lines_of;
+using testing_cli::Outcome;
+using testing_cli::Workplace;
+
+std::string scene_file(const std::string& name) { return std::string(HOTTEL_SOURCE_DIR) + "/scenes/" + name; }
+
+// A column of radiosity.csv.
+std::vector<double> column(const std::string& csv, std::size_t index, const std::string& channel = "") {
+  std::vector<double> result;
+  for (const std::string& line : lines_of(csv)) {
+    std::vector<std::string> cell;
+    std::istringstream stream(line);
+    for (std::string text; std::getline(stream, text, ',');) cell.push_back(text);
+    if (cell[0] != "face" && (channel.empty() || cell[2] == channel)) result.push_back(std::stod(cell[index]));
+  }
+  return result;
+}
+
+void expect_range(const nlohmann::json& report, const std::vector<double>& values) {
+  EXPECT_EQ(report["picture"]["lower"].get<double>(), *std::min_element(values.begin(), values.end()));
+  EXPECT_EQ(report["picture"]["upper"].get<double>(), *std::max_element(values.begin(), values.end()));
+}
+
+constexpr std::size_t kRadiosity = 6, kIrradiance = 9, kNet = 10;
+
+TEST(SolvePictures, ShowTheDoublesOfTheTable) {
+  const Workplace place;
+  place.write("cube.json", contents(scene_file("space/cube.json")));
+  place.write("square.json", contents(scene_file("analytic/square_radiosity.json")));
+  for (const auto& [scene, picture, unit] :
+       {std::tuple{"cube.json", "render.png", "W/m²"}, std::tuple{"square.json --grid 4x4", "illumination.png", "W/m"}})
+    for (const auto& [word, index] :
+         {std::pair{"radiosity", kRadiosity}, std::pair{"irradiance", kIrradiance}, std::pair{"net", kNet}}) {
+      const std::string line = std::string("hottel solve ") + scene + " -o out --elements 2 --show " + word;
+      const Outcome outcome = place.run(line);
+      ASSERT_EQ(outcome.code, 0) << line << outcome.err;
+      const auto report = nlohmann::json::parse(place.read("out/report.json"));
+      expect_range(report, column(place.read("out/radiosity.csv"), index));
+      EXPECT_EQ(report["picture"]["unit"], unit);
+      EXPECT_THAT(place.read(std::string("out/") + picture), StartsWith("\x89PNG"));
+    }
+}
+
+TEST(SolvePictures, OfOneChannelAreItsDoubles) {
+  const Workplace place;
+  place.write("boxes.json", contents(scene_file("space/two_boxes.json")));
+  ASSERT_EQ(place.run("hottel solve boxes.json -o out --tolerance 1e-5 --show irradiance --channel b").code, 0);
+  const auto report = nlohmann::json::parse(place.read("out/report.json"));
+  expect_range(report, column(place.read("out/radiosity.csv"), kIrradiance, "b"));
+  EXPECT_EQ(report["picture"]["quantity"], "irradiance, b");
+}
+
+// A hot plate and one that nobody heats, before a sky.
+constexpr const char* kPlates = R"({"hottel": 1, "dimension": 3, "sky": {"emission": 3}, "materials": {
+  "hot": {"emissivity": 0.5, "temperature": 400}, "warm": {"emissivity": 0.9, "temperature": 293.15}}, "polygons": [
+  {"name": "low", "points": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], "material": "hot", "back": "warm"},
+  {"name": "high", "points": [[0,0,1],[0,1,1],[1,1,1],[1,0,1]], "material": "warm"}]})";
+
+TEST(SolvePictures, ShowTemperaturesAndViewFactors) {
+  const Workplace place;
+  place.write("plates.json", kPlates);
+  const auto picture = [&](const std::string& word) {
+    const Outcome outcome = place.run("hottel solve plates.json -o out --show " + word);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return nlohmann::json::parse(place.read("out/report.json"))["picture"];
+  };
+  const auto warm = picture("temperature");
+  EXPECT_EQ(warm["lower"], 293.15);
+  EXPECT_EQ(warm["upper"], 400);
+  EXPECT_EQ(warm["unit"], "K");
+  const auto sky = picture("sky");
+  EXPECT_EQ(sky["upper"], 1);
+  EXPECT_EQ(sky["quantity"], "view factor to the sky");
+  // Opposite squares at the distance of their side: F = 0.19982489569838730.
+  EXPECT_NEAR(sky["lower"].get<double>(), 1 - 0.19982489569838730, 1e-12);
+  EXPECT_NEAR(picture("factor:high")["upper"].get<double>(), 0.19982489569838730, 1e-12);
+  EXPECT_EQ(picture("factor:high:back")["upper"], 0);
+}
+
+TEST(SolvePictures, WhatIsNotThereIsRefused) {
+  const Workplace place;
+  place.write("cube.json", contents(scene_file("space/cube.json")));
+  place.write("square.json", contents(scene_file("analytic/square_radiosity.json")));
+  for (const char* scene : {"cube.json", "square.json"})
+    for (const auto& [options, message] :
+         {std::pair{"--show heat", "nothing that can be shown is called 'heat'"},
+          std::pair{"--show temperature", "no face of "}, std::pair{"--show factor:nobody", "is called 'nobody'"},
+          std::pair{"--show net --tone linear", "--tone and --exposure are of --show light"},
+          std::pair{"--show sky --channel r", "--channel goes with --show radiosity, irradiance or net"},
+          std::pair{"--channel r", "--channel goes with"}, std::pair{"--show net --channel r", "has one channel"},
+          std::pair{"--render room.gif", "a picture is written as .png, .svg or .pdf"},
+          std::pair{"--render x.svg --no-picture", "excludes"}}) {
+      const Outcome outcome = place.run(std::string("hottel solve ") + scene + " -o out " + options);
+      EXPECT_EQ(outcome.code, 2) << scene << ' ' << options << '\n' << outcome.err;
+      EXPECT_THAT(outcome.err, HasSubstr(message)) << scene << ' ' << options;
+    }
+  EXPECT_THAT(place.run("hottel solve cube.json --show factor:cieling -o out").err, HasSubstr("ceiling"));
+  EXPECT_THAT(place.run("hottel solve square.json --shading smooth -o out").err, HasSubstr("for scenes in space"));
+  EXPECT_THAT(place.run("hottel solve square.json --show net --size 50 -o out").err, HasSubstr("is 200 at least"));
+  EXPECT_FALSE(std::filesystem::exists(place.path("out")));
+}
+
+TEST(SolvePictures, AreWrittenToAnotherFileToo) {
+  const Workplace place;
+  place.write("cube.json", contents(scene_file("space/cube.json")));
+  place.write("square.json", contents(scene_file("analytic/square_radiosity.json")));
+  for (const char* scene : {"cube.json", "square.json --grid 8x8"})
+    for (const char* show : {"light", "irradiance"}) {
+      const auto line = [&](const std::string& file) {
+        return std::string("hottel solve ") + scene + " -o out --show " + show + " --render " + file;
+      };
+      ASSERT_EQ(place.run(line("p.svg")).code, 0);
+      EXPECT_THAT(place.read("p.svg"), StartsWith("<?xml"));
+      ASSERT_EQ(place.run(line("p.pdf")).code, 0);
+      EXPECT_THAT(place.read("p.pdf"), StartsWith("%PDF"));
+      ASSERT_EQ(place.run(line("p.png")).code, 0);
+      const std::string usual = scene[0] == 'c' ? "out/render.png" : "out/illumination.png";
+      EXPECT_EQ(place.read("p.png"), place.read(usual));
+    }
+}
+
+TEST(SolvePictures, SmoothOnesBlendElements) {
+  const Workplace place;
+  place.write("cube.json", contents(scene_file("space/cube.json")));
+  const auto picture = [&](const std::string& options) {
+    EXPECT_EQ(place.run("hottel solve cube.json -o out --size 80 " + options).code, 0);
+    return place.read("out/render.png");
+  };
+  EXPECT_NE(picture("--elements 3 --shading smooth"), picture("--elements 3"));
+  EXPECT_EQ(picture("--elements 3 --shading flat"), picture("--elements 3"));
+  EXPECT_EQ(picture("--shading smooth"), picture(""));  // one element a surface: nothing to blend
+}
+
+}  // namespace
+}  // namespace hottel

@@ -1,0 +1,176 @@
+// What pictures show of a solution: radiosities, temperatures, view factors, and what is refused.
+#include "viewer/picture/shown_values.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "geometry/near_names.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
+#include "solver/radiosity/grey_temperature.h"
+#include "solver/space/simulation/simulation.h"
+
+namespace hottel {
+namespace {
+
+using testing::HasSubstr;
+
+Material grey(const Rational& emissivity, const Rational& temperature) {
+  Material material;
+  set_grey_body(Spectrum::scalar(emissivity), Spectrum::scalar(temperature), material);
+  return material;
+}
+
+TEST(GreyTemperature, IsTheOneThatWasTyped) {
+  for (const char* typed : {"300", "0.1", "1/3", "293.15", "1e-9", "5778", "0"})
+    for (const char* emissivity : {"1", "0.3", "1/7", "1e-12"})
+      EXPECT_EQ(grey_temperature(grey(*parse_rational(emissivity), *parse_rational(typed))), *parse_rational(typed))
+          << typed;
+}
+
+TEST(GreyTemperature, IsNothingForALampOrAWhiteWall) {
+  Material lamp;
+  lamp.reflectivity = Spectrum::scalar(Rational(1, 10));
+  lamp.emission = Spectrum::scalar(10);
+  EXPECT_EQ(grey_temperature(lamp), std::nullopt);
+  EXPECT_EQ(grey_temperature(grey(0, 300)), std::nullopt);
+  lamp.reflectivity = Spectrum::scalar(1);  // emits and absorbs nothing
+  EXPECT_EQ(grey_temperature(lamp), std::nullopt);
+}
+
+TEST(GreyTemperature, IsOneForAllChannels) {
+  Material material;
+  set_grey_body({{1, Rational(1, 2), 0}, false}, Spectrum::scalar(400), material);
+  EXPECT_EQ(grey_temperature(material), Rational(400));
+  set_grey_body(Spectrum::scalar(1), {{400, 400, 500}, false}, material);
+  EXPECT_EQ(grey_temperature(material), std::nullopt);
+}
+
+TEST(BlackTemperature, IsTheFourthRoot) {
+  EXPECT_NEAR(black_temperature(5.670374419e-8 * 81 * 1e8), 300, 1e-12);
+  EXPECT_EQ(black_temperature(0), 0);
+}
+
+TEST(Shown, IsNamedByItsWord) {
+  EXPECT_TRUE(shown_by("light").is_light());
+  EXPECT_EQ(shown_by("net").quantity, Quantity::kNet);
+  EXPECT_EQ(shown_by("sky"), (Shown{Quantity::kFactor, "sky", std::nullopt}));
+  EXPECT_EQ(shown_by("factor:wall:back"), (Shown{Quantity::kFactor, "wall:back", std::nullopt}));
+  for (const char* word : {"heat", "factor", "factor:", "Net", ""}) {
+    try {
+      shown_by(word);
+      ADD_FAILURE() << word;
+    } catch (const UnknownName& error) {
+      EXPECT_THAT(error.what(), HasSubstr("light, radiosity, irradiance, net, temperature, sky, or factor:NAME"));
+    }
+  }
+}
+
+// Two plates of side 1 at distance 1 before a sky, one of them hot; the other reradiates.
+constexpr const char* kPlates = R"({"hottel": 1, "dimension": 3, "sky": {"emission": 3}, "materials": {
+  "hot": {"emissivity": 0.5, "temperature": 400}, "adiabatic": {"reflectivity": 1}}, "polygons": [
+  {"name": "low", "group": "plates", "points": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], "material": "hot", "back": "hot"},
+  {"name": "high", "group": "plates", "points": [[0,0,1],[0,1,1],[1,1,1],[1,0,1]], "material": "adiabatic"}]})";
+
+struct Solved {
+  Simulation3 simulation;
+  explicit Solved(const std::string& text) : simulation(parse_scene_3(text, "plates.json")) {}
+
+  ShownValues shown(const Shown& what) const {
+    require_shown(what, simulation.scene());
+    return shown_values(what, simulation.scene(), simulation.factors()->matrix, *simulation.radiosities(), "W/m²");
+  }
+  const ElementRadiosity& element(std::uint32_t i, std::size_t channel = 0) const {
+    return simulation.radiosities()->channels[channel].elements[i];
+  }
+};
+
+// Elements: low, low:back, high, high:back; the last one is black.
+TEST(ShownValues, AreTheDoublesOfTheTables) {
+  const Solved solved(kPlates);
+  const ShownValues radiosity = solved.shown({Quantity::kRadiosity});
+  const ShownValues irradiance = solved.shown({Quantity::kIrradiance}), net = solved.shown({Quantity::kNet});
+  ASSERT_EQ(radiosity.elements.size(), 4u);
+  for (const std::uint32_t i : {0u, 1u, 2u}) {
+    EXPECT_EQ(radiosity.elements[i], solved.element(i).radiosity);
+    EXPECT_EQ(irradiance.elements[i], solved.element(i).irradiance);
+    EXPECT_EQ(net.elements[i], solved.element(i).radiosity - solved.element(i).irradiance);
+  }
+  EXPECT_EQ(radiosity.elements[3], std::nullopt);
+  EXPECT_EQ(net.scale.lower, std::min({*net.elements[0], *net.elements[1], *net.elements[2]}));
+  EXPECT_EQ(net.scale.upper, std::max({*net.elements[0], *net.elements[1], *net.elements[2]}));
+  EXPECT_EQ(net.unit, "W/m²");
+  EXPECT_THAT(net.title, HasSubstr("net flux [W/m²]: "));
+}
+
+TEST(ShownValues, FactorsGoToTheSkyAFaceOrAGroup) {
+  const Solved solved(kPlates);
+  // Opposite squares at the distance of their side.
+  const double opposite =
+      (std::log(4.0 / 3) + 4 * std::numbers::sqrt2 * std::atan(1 / std::numbers::sqrt2) - std::numbers::pi) /
+      std::numbers::pi;
+  const ShownValues sky = solved.shown(shown_by("sky"));
+  EXPECT_NEAR(*sky.elements[0], 1 - opposite, 1e-12);
+  EXPECT_EQ(sky.elements[1], 1);
+  EXPECT_EQ(sky.unit, "1");
+  EXPECT_EQ(sky.scale.upper, 1);
+  EXPECT_EQ(*sky.elements[0], solved.simulation.factors()->matrix.factor("low", "sky").value);
+  const ShownValues high = solved.shown(shown_by("factor:high"));
+  EXPECT_NEAR(*high.elements[0], opposite, 1e-12);
+  EXPECT_EQ(high.elements[2], 0);
+  EXPECT_EQ(solved.shown(shown_by("factor:plates")).elements[0], high.elements[0]);
+  EXPECT_EQ(solved.shown(shown_by("factor:hi*")).elements[0], high.elements[0]);
+  EXPECT_EQ(solved.shown(shown_by("factor:high:back")).elements[0], 0);
+  EXPECT_THROW(solved.shown(shown_by("factor:hihg")), UnknownName);
+  EXPECT_THROW(solved.shown(shown_by("factor:hihg:back")), UnknownName);
+}
+
+TEST(ShownValues, ATemperatureIsThatOfTheMaterialOrOfWhatIsSentBack) {
+  const Solved solved(kPlates);
+  const ShownValues shown = solved.shown({Quantity::kTemperature});
+  EXPECT_EQ(shown.elements[0], 400);
+  EXPECT_EQ(shown.elements[1], 400);
+  const double radiosity = solved.element(2).radiosity;
+  EXPECT_NEAR(5.670374419e-8 * std::pow(*shown.elements[2], 4), radiosity, 1e-12 * radiosity);
+  EXPECT_EQ(shown.unit, "K");
+  EXPECT_EQ(shown.scale.upper, 400);
+}
+
+TEST(ShownValues, FacesWithoutATemperatureHaveNoValue) {
+  std::string text = kPlates;
+  text.replace(text.find(R"({"reflectivity": 1})"), 19, R"({"reflectivity": 0.5, "emission": 1})");
+  EXPECT_EQ(Solved(text).shown({Quantity::kTemperature}).elements[2], std::nullopt);
+  // Nothing in the scene has one, but 0 K.
+  text.replace(text.find("400"), 3, "0");
+  try {
+    Solved(text).shown({Quantity::kTemperature});
+    ADD_FAILURE();
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no face of plates.json has one"));
+  }
+}
+
+TEST(ShownValues, OfThreeChannelsAreTheirMeanOrOne) {
+  std::string text = kPlates;
+  text.replace(text.find(R"({"reflectivity": 1})"), 19, R"({"reflectivity": [1, 0.5, 0]})");
+  const Solved solved(text);
+  const ShownValues mean = solved.shown({Quantity::kIrradiance});
+  EXPECT_DOUBLE_EQ(
+      *mean.elements[0],
+      (solved.element(0, 0).irradiance + solved.element(0, 1).irradiance + solved.element(0, 2).irradiance) / 3);
+  EXPECT_THAT(mean.title, HasSubstr("irradiance, mean of r, g, b [W/m²]"));
+  const ShownValues green = solved.shown({Quantity::kIrradiance, "", 1});
+  EXPECT_EQ(green.elements[0], solved.element(0, 1).irradiance);
+  EXPECT_THAT(green.title, HasSubstr("irradiance, g [W/m²]"));
+  EXPECT_THROW(Solved(kPlates).shown({Quantity::kIrradiance, "", 1}), UsageError);
+  EXPECT_THROW(solved.shown({Quantity::kTemperature, "", 1}), UsageError);
+  EXPECT_THROW(solved.shown({Quantity::kLight, "", 1}), UsageError);
+}
+
+}  // namespace
+}  // namespace hottel

@@ -1,0 +1,20 @@
+// A quantity of a solution as a picture: a plan whose faces are coloured by it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "viewer/picture/plane/scene_picture.h"
+#include "viewer/picture/shown_values.h"
+
+namespace hottel {
+
+// The plan of a scene with the values on its faces, or on their elements; with scale, unit and range. width: in
+// pixels; 0: the usual one.
+ScenePicture2 shown_plan_2(const ShownValues& values, std::uint32_t width);
+
+// Returns the bytes of the picture file. REQUIRES values by faces or elements, of the scene as it is prepared.
+std::string shown_picture_2(const PreparedScene2& prepared, const ShownValues& values, std::uint32_t width,
+                            PictureFormat format);
+
+}  // namespace hottel

@@ -1,0 +1,168 @@
+#include "viewer/picture/shown_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "geometry/near_names.h"
+#include "geometry/scene_names.h"
+#include "kernel/support/failure.h"
+#include "solver/radiosity/grey_temperature.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::string_view kToward = "factor:";
+constexpr std::array<std::pair<const char*, Quantity>, 5> kWords{{{"light", Quantity::kLight},
+                                                                  {"radiosity", Quantity::kRadiosity},
+                                                                  {"irradiance", Quantity::kIrradiance},
+                                                                  {"net", Quantity::kNet},
+                                                                  {"temperature", Quantity::kTemperature}}};
+
+bool has_channels(Quantity quantity) {
+  return quantity == Quantity::kRadiosity || quantity == Quantity::kIrradiance || quantity == Quantity::kNet;
+}
+
+// The faces that factors go to, by number; empty: the sky.
+std::vector<bool> targets_of(const SceneTable& scene, const std::string& toward) {
+  if (toward == "sky") return {};
+  std::vector<bool> targets(2 * scene.surfaces.size(), false);
+  if (toward.ends_with(":back")) {
+    targets[face_of(scene, toward).number()] = true;
+  } else {
+    for (const std::uint32_t s : surfaces_matching(scene, toward)) targets[Face{s, false}.number()] = true;
+  }
+  return targets;
+}
+
+bool is_white(const Material& material) {
+  return std::all_of(material.reflectivity.value.begin(), material.reflectivity.value.end(),
+                     [](const Rational& value) { return value == 1; }) &&
+         material.emission.is_zero();
+}
+
+double of_channel(Quantity quantity, const ElementRadiosity& element) {
+  switch (quantity) {
+    case Quantity::kIrradiance:
+      return element.irradiance;
+    case Quantity::kNet:
+      return element.net();
+    default:
+      return element.radiosity;
+  }
+}
+
+double mean(Quantity quantity, const RadiositySolution& solution, std::uint32_t element) {
+  double sum = 0;
+  for (const ChannelSolution& channel : solution.channels) sum += of_channel(quantity, channel.elements[element]);
+  return sum / static_cast<double>(solution.channels.size());
+}
+
+// By material, where it says a temperature.
+std::vector<std::optional<double>> temperatures_of(const SceneTable& scene) {
+  std::vector<std::optional<double>> result;
+  for (const Material& material : scene.materials) {
+    const auto exact = grey_temperature(material);
+    result.push_back(exact ? std::optional(to_double(*exact)) : std::nullopt);
+  }
+  return result;
+}
+
+std::string name_of(const Shown& shown, const RadiositySolution& solution) {
+  std::string name;
+  switch (shown.quantity) {
+    case Quantity::kFactor:
+      return "view factor to " + (shown.toward == "sky" ? "the sky" : shown.toward);
+    case Quantity::kTemperature:
+      return "temperature";
+    case Quantity::kNet:
+      name = "net flux";
+      break;
+    default:
+      name = shown.quantity == Quantity::kIrradiance ? "irradiance" : "radiosity";
+  }
+  if (solution.channels.size() == 1) return name;
+  return name + (shown.channel ? ", " + solution.channel_names[*shown.channel] : ", mean of r, g, b");
+}
+
+}  // namespace
+
+Shown shown_by(const std::string& word) {
+  for (const auto& [name, quantity] : kWords)
+    if (word == name) return {quantity, "", std::nullopt};
+  if (word == "sky") return {Quantity::kFactor, "sky", std::nullopt};
+  if (word.starts_with(kToward) && word.size() > kToward.size())
+    return {Quantity::kFactor, word.substr(kToward.size()), std::nullopt};
+  std::vector<std::string> known{"sky"};
+  for (const auto& [name, quantity] : kWords) known.emplace_back(name);
+  throw UnknownName(
+      "nothing that can be shown is called '" + word +
+          "': light, radiosity, irradiance, net, temperature, sky, or factor:NAME for the view factor to NAME",
+      word, known);
+}
+
+void require_shown(const Shown& shown, const SceneTable& scene) {
+  if (shown.channel && !has_channels(shown.quantity))
+    throw UsageError("--channel goes with --show radiosity, irradiance or net");
+  if (shown.channel && channel_count(scene) == 1)
+    throw UsageError(scene.file + " has one channel for all: there is no --channel to choose");
+  if (shown.quantity == Quantity::kFactor) targets_of(scene, shown.toward);
+  if (shown.quantity != Quantity::kTemperature) return;
+  const std::vector<std::optional<double>> temperatures = temperatures_of(scene);
+  const auto is_warm = [&](std::optional<std::uint32_t> material) {
+    return material && temperatures[*material] && *temperatures[*material] > 0;
+  };
+  if (std::none_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
+        return is_warm(surface.material_of(false)) || is_warm(surface.material_of(true));
+      }))
+    throw UsageError("--show temperature: no face of " + scene.file +
+                     " has one; materials with \"emissivity\" and \"temperature\" have");
+}
+
+ShownValues shown_values(const Shown& shown, const SceneTable& scene, const ExchangeMatrix& matrix,
+                         const RadiositySolution& solution, const std::string& unit) {
+  HOTTEL_REQUIRE(!shown.is_light());
+  const std::vector<bool> targets =
+      shown.quantity == Quantity::kFactor ? targets_of(scene, shown.toward) : std::vector<bool>();
+  const std::vector<std::optional<double>> temperatures = temperatures_of(scene);
+  const auto factor = [&](std::uint32_t i) {
+    if (shown.toward == "sky") return matrix.factor(i, matrix.sky()).value;
+    double sum = 0;
+    for (const FactorEntry& entry : matrix.row(i)) {
+      if (entry.to == matrix.sky()) continue;
+      const Element& to = matrix.elements()[entry.to];
+      if (targets[Face{to.surface, to.is_back}.number()]) sum += entry.factor.value;
+    }
+    return sum;
+  };
+  const auto value = [&](std::uint32_t i) -> std::optional<double> {
+    const std::uint32_t material = *matrix.elements()[i].material;
+    if (shown.quantity == Quantity::kFactor) return factor(i);
+    if (shown.quantity != Quantity::kTemperature)
+      return shown.channel ? of_channel(shown.quantity, solution.channels[*shown.channel].elements[i])
+                           : mean(shown.quantity, solution, i);
+    if (is_white(scene.materials[material])) return black_temperature(mean(Quantity::kRadiosity, solution, i));
+    return temperatures[material];
+  };
+
+  ShownValues result;
+  result.elements.resize(matrix.size());
+  bool is_first = true;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (matrix.has_row(i)) result.elements[i] = value(i);
+    if (!result.elements[i]) continue;
+    result.scale.lower = is_first ? *result.elements[i] : std::min(result.scale.lower, *result.elements[i]);
+    result.scale.upper = is_first ? *result.elements[i] : std::max(result.scale.upper, *result.elements[i]);
+    is_first = false;
+  }
+  result.name = name_of(shown, solution);
+  result.unit = shown.quantity == Quantity::kFactor ? "1" : shown.quantity == Quantity::kTemperature ? "K" : unit;
+  result.title = fmt::format("{}{}: {:.6g} to {:.6g}", result.name, result.unit == "1" ? "" : " [" + result.unit + "]",
+                             result.scale.lower, result.scale.upper);
+  return result;
+}
+
+}  // namespace hottel

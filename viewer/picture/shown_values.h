@@ -1,0 +1,59 @@
+// What a picture of a solution shows, as a value of each element.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/exchange_matrix.h"
+#include "geometry/scene_table.h"
+#include "solver/radiosity/radiosity_solution.h"
+#include "viewer/picture/picture_options.h"
+
+namespace hottel {
+
+// kLight: the light itself, in its colours. All others: one number of each element, as a colour of a scale.
+enum class Quantity : unsigned char { kLight, kRadiosity, kIrradiance, kNet, kTemperature, kFactor };
+
+// What is asked for.
+struct Shown {
+  Quantity quantity = Quantity::kLight;
+  std::string toward{};                  // of kFactor: "sky", or what `factor:` names
+  std::optional<std::size_t> channel{};  // of radiosity, irradiance, net; nothing: the mean of all
+
+  bool is_light() const { return quantity == Quantity::kLight; }
+  friend bool operator==(const Shown&, const Shown&) = default;
+};
+
+// Returns what a word of --show asks for: light, radiosity, irradiance, net, temperature, sky, or factor:NAME. Throws
+// UnknownName for other words.
+Shown shown_by(const std::string& word);
+
+// Throws UsageError where a scene has nothing of the kind: a temperature where no face that emits has one, a channel
+// where there is one only, or of what has none; UnknownName for names that are not there. COST: some of the names.
+void require_shown(const Shown& shown, const SceneTable& scene);
+
+// Values as a picture shows them.
+struct ShownValues {
+  std::vector<std::optional<double>> elements;  // by element of the matrix; nothing for those without a row or a value
+  ColourScale scale;                            // from the least value to the largest
+  std::string title;                            // of the scale, with unit and range: "irradiance [W/m²]: 1.2 to 34.5"
+  std::string name, unit;                       // "irradiance", "W/m²"; "1" where there is none
+};
+
+// Returns the values of a quantity that is not the light.
+//
+//   (1) radiosity, irradiance and net are the doubles of radiosity.csv, where there are three channels and none was
+//       asked for their mean
+//   (2) a temperature is that of the surface, which its material says (grey_temperature); where a face neither absorbs
+//       nor emits (reflectivity 1), the one it would have by itself: that of a black body with its radiosity. Faces
+//       whose material has no temperature have no value
+//   (3) a factor is the double of factors.csv from the element to the sky, to the face NAME or NAME:back, or the sum of
+//       those to the fronts of a group, or of all whose names begin with NAME*
+//
+// `unit`: of radiosities. REQUIRES what require_shown takes; the solution of this matrix, of this scene.
+ShownValues shown_values(const Shown& shown, const SceneTable& scene, const ExchangeMatrix& matrix,
+                         const RadiositySolution& solution, const std::string& unit);
+
+}  // namespace hottel

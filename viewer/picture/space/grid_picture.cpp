@@ -1,0 +1,42 @@
+#include "viewer/picture/space/grid_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "viewer/picture/palette.h"
+#include "viewer/picture/png_file.h"
+#include "viewer/picture/raster.h"
+#include "viewer/picture/tone_curve.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kLongerSide = 800;
+
+double length(const Vector3& v) { return std::hypot(to_double(v.x), to_double(v.y), to_double(v.z)); }
+
+std::uint32_t pixels_a_cell(double wanted, std::uint32_t cells) {
+  return static_cast<std::uint32_t>(
+      std::clamp(std::round(wanted / cells), 1.0, std::floor(static_cast<double>(kMaxPictureSide) / cells)));
+}
+
+}  // namespace
+
+std::string grid_picture_3(const IlluminationGrid3& light, const GridPicture3& picture) {
+  const double u = length(light.grid.u), v = length(light.grid.v);
+  const double scale = picture.wanted_width > 0 ? picture.wanted_width / u : kLongerSide / std::max(u, v);
+  const std::uint32_t across = pixels_a_cell(scale * u, light.grid.nu), up = pixels_a_cell(scale * v, light.grid.nv);
+  const ToneCurve tone(picture.tone, picture.exposure, light.values, light.channels);
+  Raster raster(across * light.grid.nu, up * light.grid.nv);
+  for (std::uint32_t y = 0; y < raster.height; ++y)
+    for (std::uint32_t x = 0; x < raster.width; ++x) {
+      const std::size_t cell = std::size_t{(raster.height - 1 - y) / up} * light.grid.nu + x / across;
+      const auto value = std::span(light.values).subspan(cell * light.channels, light.channels);
+      raster.pixels[std::size_t{y} * raster.width + x] =
+          pixel_of(std::isnan(value[0]) ? palette::kUnlitSolid : tone(value));
+    }
+  return png_file(raster);
+}
+
+}  // namespace hottel

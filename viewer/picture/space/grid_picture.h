@@ -1,0 +1,22 @@
+// Light on a planar grid in space as a picture.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "solver/space/light/illumination_grid.h"
+#include "viewer/picture/picture_options.h"
+
+namespace hottel {
+
+struct GridPicture3 {
+  Tone tone = Tone::kLog;
+  double exposure = 1;             // what the light is multiplied by; ToneCurve says relative to what
+  std::uint32_t wanted_width = 0;  // pixels across, rounded to whole pixels a cell; 0: the longer side has about 800
+};
+
+// Returns the bytes of a PNG: u to the right, v upwards, as long as they are; each cell is the same number of whole
+// pixels in the colour of its value, grey where it is in a solid.
+std::string grid_picture_3(const IlluminationGrid3& light, const GridPicture3& picture);
+
+}  // namespace hottel

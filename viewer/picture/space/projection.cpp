@@ -1,0 +1,49 @@
+#include "viewer/picture/space/projection.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/space/visibility/convex_cut.h"
+
+namespace hottel {
+
+Direction3 rounded_way(const Point3& from, const Point3& to) {
+  const Vector3 way = to - from;
+  return {to_double(way.x), to_double(way.y), to_double(way.z)};
+}
+
+Projection3::Projection3(const Camera3& camera) : width_(camera.width), height_(camera.height) {
+  forward_ = unit(rounded_way(camera.eye, camera.target));
+  const Direction3 up{to_double(camera.up.x), to_double(camera.up.y), to_double(camera.up.z)};
+  right_ = unit(cross(forward_, up));
+  up_ = cross(right_, forward_);
+  half_height_ = std::tan(to_double(camera.field_of_view) * (std::numbers::pi / 360));
+  half_width_ = half_height_ * width_ / height_;
+}
+
+PixelPolygon Projection3::picture(std::vector<Direction3> corners) const {
+  const std::array<Direction3, 5> inside{forward_, half_width_ * forward_ + right_, half_width_ * forward_ - right_,
+                                         half_height_ * forward_ + up_, half_height_ * forward_ - up_};
+  for (const Direction3& normal : inside) {
+    corners = cut_convex(
+        corners, [&](const Direction3& d) { return dot(d, normal); },
+        [](const Direction3& a, const Direction3& b, double t) { return a + t * (b - a); });
+    if (corners.size() < 3) return {};
+  }
+  PixelPolygon result;
+  for (const Direction3& d : corners) {
+    const double out = dot(d, forward_);
+    if (!(out > 0)) return {};  // seen from the side
+    result.push_back(
+        {(dot(d, right_) / out / half_width_ + 1) * width_ / 2, (1 - dot(d, up_) / out / half_height_) * height_ / 2});
+  }
+  return result;
+}
+
+AffineValue3 Projection3::dot_with(const Direction3& m) const {
+  const double right = half_width_ * dot(m, right_), up = half_height_ * dot(m, up_);
+  return {2 * right / width_, -2 * up / height_, dot(m, forward_) - right + up};
+}
+
+}  // namespace hottel

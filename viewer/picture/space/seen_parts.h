@@ -1,0 +1,68 @@
+// What a camera sees, as polygons of its picture.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/scene/scene.h"
+#include "viewer/picture/space/element_paint.h"
+#include "viewer/picture/space/pixel_values.h"
+#include "viewer/picture/space/projection.h"
+#include "viewer/picture/space/smooth_mesh.h"
+
+namespace hottel {
+
+struct PreparedScene3;
+
+// How values run over a flat triangle in a picture: those of its corners, blended in space.
+class Shade3 {
+ public:
+  // Of the triangle of the ends of three ways from the eye, with a value each of as many channels.
+  Shade3(const Projection3& projection, const std::array<Direction3, 3>& ways,
+         const std::array<std::span<const double>, 3>& values);
+
+  // The value at a place, for which there is room; within those of the corners.
+  void value(const Pixel& at, std::span<double> result) const;
+  // A number for each place that is >= 0 where the value of the channels, each times its weight, sums up to at least
+  // `level`: a straight line parts the triangle.
+  AffineValue3 above(std::span<const double> weights, double level) const;
+  // The least and the largest of that sum.
+  double low(std::span<const double> weights) const;
+  double high(std::span<const double> weights) const;
+
+ private:
+  std::vector<AffineValue3> over_;  // by channel: the value times what it is over
+  AffineValue3 under_;              // not negative in the triangle
+  std::array<std::vector<double>, 3> corners_;
+};
+
+// A polygon of the picture in which one element is seen, or black.
+struct SeenPart3 {
+  PixelPolygon outline;                  // convex
+  std::optional<std::uint32_t> element;  // nothing: a side without a row
+  const Shade3* shade = nullptr;         // how its value runs; null: it is that of the element all over
+};
+
+// What is looked at.
+struct SeenScene3 {
+  const PreparedScene3& prepared;
+  const ElementTable3& table;
+  const ElementPaint3& paint;         // of the elements of the table
+  const SmoothMesh3* mesh = nullptr;  // null: every element has one value
+};
+
+// Calls take(part) for all that a camera sees but the sky.
+//
+//   (1) no two parts share an area, and together with the sky they are the picture: what hides what is decided exactly
+//       (PointMap3), places are in doubles
+//   (2) with a mesh, values are blended over triangles of parts, as it says
+//
+// Throws RequestError where the eye is in a solid, Interrupted when asked to stop. REQUIRES a camera without a problem.
+void for_each_seen_part(const SeenScene3& scene, const Camera3& camera,
+                        const std::function<void(const SeenPart3&)>& take);
+
+}  // namespace hottel
