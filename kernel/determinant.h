@@ -69,6 +69,10 @@ struct BoundedVector {
 // 2^-1000 where doubles underflow. REQUIRES: the result is below 2^200.
 BoundedVector rounded(const IntegerVector& a, long shift);
 
+// Returns a / b * 2^-shift in doubles, b > 0, off by at most 2^-50 of itself, however long a and b are: either may be
+// larger than any double. 0 or infinite where the result is below or above all normal doubles.
+double rounded_quotient(const Integer& a, const Integer& b, long shift);
+
 namespace detail {
 inline constexpr double kUnit = 0x1p-53;         // largest relative error of one operation
 inline constexpr double kUnderflow = 0x1p-1000;  // above the sum of all absolute errors of products that underflow

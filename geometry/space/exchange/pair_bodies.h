@@ -57,8 +57,8 @@ struct PairBodies3 {
   std::uint32_t add(const Blockers3& blockers, std::uint32_t surface);
   // Takes the last one away.
   void drop_last();
-  // The power of two that the doubles of points are multiplied with.
-  double unit() const { return std::ldexp(1.0, static_cast<int>(-shift_)); }
+  // The doubles of points are multiplied with 2^-shift().
+  long shift() const { return shift_; }
 
   // Where a point lies of the plane of a body: +1 before its front, -1 behind, 0 on it.
   int side(std::uint32_t point, std::uint32_t body) const;

@@ -46,7 +46,7 @@ class StretchFinder {
       : bodies_(setting.bodies),
         setting_(setting),
         stretches_(stretches),
-        unit_ratio_(std::ldexp(1 / setting.bodies.unit(), static_cast<int>(-vertices.shift()))) {
+        unit_ratio_(std::ldexp(1.0, static_cast<int>(setting.bodies.shift() - vertices.shift()))) {
     for (std::uint32_t body = 2; body < bodies_.bodies.size(); ++body) numbers_[bodies_.bodies[body].surface] = body;
   }
 
