@@ -167,6 +167,7 @@ MovingPlanes3::Values MovingPlanes3::height(std::uint32_t body) {
   const std::uint32_t anchor = b.corners.front();
   const BoundedValue product = dot(b.normal, toward_[anchor]);
   const double weight = bodies_.points[anchor].approximate_weight;
+  if (!std::isfinite(weight)) return {0, weight};
   return {product.value / weight, (product.error + 3 * kUnit * std::fabs(product.value)) / weight};
 }
 

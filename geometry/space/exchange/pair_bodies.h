@@ -9,6 +9,7 @@
 
 #include "geometry/space/arrangement/blockers.h"
 #include "geometry/space/arrangement/patch.h"
+#include "geometry/space/visibility/direction.h"
 
 namespace hottel {
 
@@ -23,7 +24,7 @@ struct PairBodies3 {
     const IntegerVector* numerator;  // integer form times weight: of the vertices, or of a patch
     const Integer* denominator;      // the weight
     BoundedVector approximate;       // the numerator times a power of two, one for all points; 1 where every one fits
-    double approximate_weight = 1;
+    double approximate_weight = 1;   // infinite where no double is as large: then signs are found from integers
 
     const IntegerVector& exact() const { return *numerator; }
     const Integer& weight() const { return *denominator; }
@@ -59,6 +60,8 @@ struct PairBodies3 {
   void drop_last();
   // The doubles of points are multiplied with 2^-shift().
   long shift() const { return shift_; }
+  // Where a point is, in the unit of these doubles, however long its numbers are.
+  Direction3 place(std::uint32_t point) const;
 
   // Where a point lies of the plane of a body: +1 before its front, -1 behind, 0 on it.
   int side(std::uint32_t point, std::uint32_t body) const;

@@ -197,6 +197,7 @@ class StretchFinder {
   // In doubles of Vertices3.
   Direction3 place(std::uint32_t number) const {
     const PairBodies3::Point& p = bodies_.points[number];
+    if (!std::isfinite(p.approximate_weight)) return unit_ratio_ * bodies_.place(number);
     const double scale = unit_ratio_ / p.approximate_weight;
     return {scale * p.approximate.x, scale * p.approximate.y, scale * p.approximate.z};
   }

@@ -15,10 +15,9 @@ constexpr double kThin = 1e-4;
 
 StretchHull3::StretchHull3(const PairBodies3& bodies) : bodies_(bodies) {
   double largest = 0;
-  for (const PairBodies3::Point& p : bodies.points) {
-    const double w = p.approximate_weight;
-    places_.push_back({p.approximate.x / w, p.approximate.y / w, p.approximate.z / w});
-    largest = std::max(largest, p.approximate.size / w);
+  for (std::uint32_t point = 0; point < bodies.points.size(); ++point) {
+    const Direction3& p = places_.emplace_back(bodies.place(point));
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   }
   slack_ = kSlack * largest;
 }
