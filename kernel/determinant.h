@@ -120,15 +120,17 @@ inline BoundedValue dot(const BoundedVector& a, const BoundedVector& b) {
 
 inline constexpr int kUndecided = 2;
 
+// The sign of the real number, or kUndecided.
+inline int sign_of(const BoundedValue& number) {
+  if (number.value > number.error) return 1;
+  if (number.value < -number.error) return -1;
+  return number.error == 0 ? 0 : kUndecided;
+}
+
 // The sign of the scalar product of the real vectors, or kUndecided.
 //
 //   (1) never wrong, whatever the numbers within both error bounds are
 //   (2) small integers are always decided, zero included
-inline int filtered_sign(const BoundedVector& a, const BoundedVector& b) {
-  const BoundedValue product = dot(a, b);
-  if (product.value > product.error) return 1;
-  if (product.value < -product.error) return -1;
-  return product.error == 0 ? 0 : kUndecided;
-}
+inline int filtered_sign(const BoundedVector& a, const BoundedVector& b) { return sign_of(dot(a, b)); }
 
 }  // namespace hottel
