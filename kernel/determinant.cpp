@@ -88,4 +88,10 @@ BoundedVector rounded(const IntegerVector& a, long shift) {
   return result;
 }
 
+double rounded_quotient(const Integer& a, const Integer& b, long shift) {
+  long of_a, of_b;
+  const double top = mpz_get_d_2exp(&of_a, a.get_mpz_t()), bottom = mpz_get_d_2exp(&of_b, b.get_mpz_t());
+  return top == 0 ? 0 : std::ldexp(top / bottom, static_cast<int>(std::clamp(of_a - of_b - shift, -2000L, 2000L)));
+}
+
 }  // namespace hottel

@@ -69,6 +69,10 @@ struct BoundedVector {
 // 2^-1000 where doubles underflow. REQUIRES: the result is below 2^200.
 BoundedVector rounded(const IntegerVector& a, long shift);
 
+// Returns a / b * 2^-shift in doubles, b > 0, off by at most 2^-50 of itself, however long a and b are: either may be
+// larger than any double. 0 or infinite where the result is below or above all normal doubles.
+double rounded_quotient(const Integer& a, const Integer& b, long shift);
+
 namespace detail {
 inline constexpr double kUnit = 0x1p-53;         // largest relative error of one operation
 inline constexpr double kUnderflow = 0x1p-1000;  // above the sum of all absolute errors of products that underflow
@@ -116,15 +120,17 @@ inline BoundedValue dot(const BoundedVector& a, const BoundedVector& b) {
 
 inline constexpr int kUndecided = 2;
 
+// The sign of the real number, or kUndecided.
+inline int sign_of(const BoundedValue& number) {
+  if (number.value > number.error) return 1;
+  if (number.value < -number.error) return -1;
+  return number.error == 0 ? 0 : kUndecided;
+}
+
 // The sign of the scalar product of the real vectors, or kUndecided.
 //
 //   (1) never wrong, whatever the numbers within both error bounds are
 //   (2) small integers are always decided, zero included
-inline int filtered_sign(const BoundedVector& a, const BoundedVector& b) {
-  const BoundedValue product = dot(a, b);
-  if (product.value > product.error) return 1;
-  if (product.value < -product.error) return -1;
-  return product.error == 0 ? 0 : kUndecided;
-}
+inline int filtered_sign(const BoundedVector& a, const BoundedVector& b) { return sign_of(dot(a, b)); }
 
 }  // namespace hottel

@@ -33,6 +33,21 @@ TEST(BoundedVector, HoldsTheRoundedIntegers) {
   }
 }
 
+// As long as they may be.
+TEST(RoundedQuotient, IsThatOfTheIntegers) {
+  std::mt19937_64 engine(3);
+  for (int n = 0; n < 2000; ++n) {
+    const Integer a = random_vector(engine, 120).x, b = abs(random_vector(engine, 120).x) + 1;
+    const long shift = static_cast<long>(engine() % 200);
+    const unsigned long more = n % 2 == 0 ? 0 : 3000 + engine() % 3000;
+    const double quotient = rounded_quotient(a << more, b << more, shift);
+    const Rational real = scaled_by_power_of_two(Rational(a) / b, -shift);
+    EXPECT_LE(abs(Rational(quotient) - real), scaled_by_power_of_two(abs(real), -50));
+    EXPECT_EQ(rounded_quotient(a << more, b, shift + static_cast<long>(more)), quotient);
+  }
+  EXPECT_EQ(rounded_quotient(0, 7, -5000), 0);
+}
+
 TEST(BoundedVector, CrossProductsAreWithinTheirBounds) {
   std::mt19937_64 engine(2);
   for (int n = 0; n < 5000; ++n) {

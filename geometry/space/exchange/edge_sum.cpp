@@ -28,16 +28,8 @@ Direction3 integral(int n, const StretchPiece3& piece, double low, double high, 
 
 // numerator / denominator * 2^-shift, to the last digits.
 Direction3 ratio(const IntegerVector& numerator, const Integer& denominator, long shift) {
-  long places;
-  const double divisor = mpz_get_d_2exp(&places, denominator.get_mpz_t());
-  const auto of_one = [&](const Integer& value) {
-    long exponent;
-    const double mantissa = mpz_get_d_2exp(&exponent, value.get_mpz_t());
-    return mantissa == 0
-               ? 0.0
-               : std::ldexp(mantissa / divisor, static_cast<int>(std::clamp(exponent - places - shift, -2000L, 2000L)));
-  };
-  return {of_one(numerator.x), of_one(numerator.y), of_one(numerator.z)};
+  return {rounded_quotient(numerator.x, denominator, shift), rounded_quotient(numerator.y, denominator, shift),
+          rounded_quotient(numerator.z, denominator, shift)};
 }
 
 WeightedPoint3 end_of(const Stretch3& s) {

@@ -12,9 +12,12 @@ constexpr unsigned kFractionBits = 128;
 long double in_long_double(Integer value, long bits) {
   long double sum = 0;
   for (int part = 0; part < 3 && value != 0; ++part) {
-    const double leading = value.get_d();  // towards zero, below 2^1000
-    sum += std::ldexp(static_cast<long double>(leading), static_cast<int>(-bits));
-    value -= Integer(leading);
+    long exponent;
+    const double leading = mpz_get_d_2exp(&exponent, value.get_mpz_t());  // towards zero
+    sum += std::ldexp(static_cast<long double>(leading), static_cast<int>(exponent - bits));
+    const Integer digits(std::ldexp(leading, 53));
+    value -= exponent >= 53 ? Integer(digits << static_cast<unsigned long>(exponent - 53))
+                            : Integer(digits >> static_cast<unsigned long>(53 - exponent));
   }
   return sum;
 }

@@ -33,14 +33,9 @@ MomentOrigin3::MomentOrigin3(const PairBodies3& bodies, const double (&shift)[3]
 // The square of the longest way from the first corner of a patch, about.
 double MomentOrigin3::extent(std::uint32_t patch) const {
   const std::vector<std::uint32_t>& corners = bodies_.bodies[patch].corners;
-  const auto place = [this](std::uint32_t point) {
-    const PairBodies3::Point& p = bodies_.points[point];
-    const double w = p.approximate_weight;
-    return Direction3{p.approximate.x / w, p.approximate.y / w, p.approximate.z / w};
-  };
   double most = 0;
   for (const std::uint32_t corner : corners) {
-    const Direction3 way = place(corner) - place(corners.front());
+    const Direction3 way = bodies_.place(corner) - bodies_.place(corners.front());
     most = std::max(most, dot(way, way));
   }
   return most;

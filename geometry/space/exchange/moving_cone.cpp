@@ -25,11 +25,8 @@ void MovingCutter3::set_fragment(const Cone& cone, int facing, MovingFragment3& 
 
 MovingCutter3::Extremes MovingCutter3::find_signs(const MovingFragment3& fragment, PlaneSide3 side) {
   Extremes result;
-  signs_.resize(fragment.size());
-  for (std::size_t k = 0; k < fragment.size(); ++k) {
-    const int sign = planes_.sign(fragment[k], side);
-    planes_.rely(fragment[k], side, sign);
-    signs_[k] = static_cast<signed char>(sign);
+  planes_.find_signs(fragment, side, signs_);
+  for (const signed char sign : signs_) {
     result.has_positive |= sign > 0;
     result.has_negative |= sign < 0;
   }
@@ -49,18 +46,15 @@ MovingCutter3::Cut MovingCutter3::clip(MovingFragment3& fragment, PlaneSide3 sid
 bool MovingCutter3::separates(const MovingFragment3& fragment, const Cone& cone, std::uint32_t place) {
   if (place < cone.sides.size()) {
     const PlaneSide3 side = cone.sides[place];
-    if (std::any_of(fragment.begin(), fragment.end(),
-                    [&](const MovingCorner3& corner) { return planes_.sign(corner, side) > 0; }))
-      return false;
+    if (planes_.is_any_positive(fragment, side)) return false;
     find_signs(fragment, side);
     return true;
   }
   const PlaneSide3 plane = fragment[place - cone.sides.size()].plane;
   const PlaneSide3 side = cone.is_antipodal ? plane.opposite() : plane;
   const std::vector<std::uint32_t>& corners = planes_.bodies().bodies[cone.body].corners;
-  const auto sign = [&](std::uint32_t point) { return planes_.sign(point, false, side); };
-  if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t point) { return sign(point) > 0; })) return false;
-  for (const std::uint32_t point : corners) planes_.rely(point, side, sign(point));
+  if (planes_.is_any_positive(corners, side)) return false;
+  planes_.rely(corners, side);
   return true;
 }
 

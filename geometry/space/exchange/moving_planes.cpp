@@ -167,6 +167,7 @@ MovingPlanes3::Values MovingPlanes3::height(std::uint32_t body) {
   const std::uint32_t anchor = b.corners.front();
   const BoundedValue product = dot(b.normal, toward_[anchor]);
   const double weight = bodies_.points[anchor].approximate_weight;
+  if (!std::isfinite(weight)) return {0, weight};
   return {product.value / weight, (product.error + 3 * kUnit * std::fabs(product.value)) / weight};
 }
 
@@ -322,30 +323,6 @@ bool MovingPlanes3::is_small(PlaneId3 id) const {
 
 bool MovingPlanes3::is_small(const MovingCorner3& corner) const {
   return is_small(corner.first.plane) && is_small(corner.second.plane);
-}
-
-int MovingPlanes3::sign(const MovingCorner3& corner, PlaneSide3 side) {
-  int result = filtered_sign(corner.direction.first, normal(side.plane).first);
-  if (result == kUndecided)
-    result = settled_sign(corner, side.plane);
-  else
-    counts_.count(SignTier::kFilter);
-  return side.is_opposite ? -result : result;
-}
-
-int MovingPlanes3::sign(std::uint32_t point, bool is_antipode, PlaneSide3 side) {
-  const int turn = side.is_opposite != is_antipode ? -1 : 1;
-  const int result = filtered_sign(toward_[point], normal(side.plane).first);
-  if (result != kUndecided) {
-    counts_.count(SignTier::kFilter);
-    return turn * result;
-  }
-  if (passes_through(planes_[side.plane.index()], point)) {
-    counts_.count(SignTier::kCombinatorial);
-    return 0;
-  }
-  counts_.count(SignTier::kExact);
-  return turn * dot_sign(exact_toward(point), exact_normal(side.plane));
 }
 
 }  // namespace hottel

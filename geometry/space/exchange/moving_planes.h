@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -72,15 +73,16 @@ class MovingPlanes3 {
   MovingCorner3 corner_at(std::uint32_t point, bool is_antipode, PlaneSide3 plane) const;
   MovingCorner3 corner(PlaneSide3 first, PlaneSide3 second);
 
-  int sign(const MovingCorner3& corner, PlaneSide3 side);
-  // Of the direction to a point, or of the opposite one.
-  int sign(std::uint32_t point, bool is_antipode, PlaneSide3 side);
+  // Whether some corner, or some point, is on the positive side. Not relied on.
+  bool is_any_positive(std::span<const MovingCorner3> corners, PlaneSide3 side);
+  bool is_any_positive(std::span<const std::uint32_t> points, PlaneSide3 side);
+  // The signs of corners. Relied on, each.
+  void find_signs(std::span<const MovingCorner3> corners, PlaneSide3 side, std::vector<signed char>& signs);
+  // Relies on those of points.
+  void rely(std::span<const std::uint32_t> points, PlaneSide3 side);
   // The sign of the angle from one direction to another, about the normal of a plane in which both are: +1 where it is
   // less than half a turn, -1 where it is more, 0 where it is just that or none. Exact; not relied on.
   int angle_sign(const MovingCorner3& from, PlaneId3 plane, const MovingCorner3& to);
-  // Relies on a sign that was found.
-  void rely(const MovingCorner3& corner, PlaneSide3 side, int sign);
-  void rely(std::uint32_t point, PlaneSide3 side, int sign);
 
   // The normal of a plane, and the direction of a corner, good to the last digits for all t between low and high, but
   // for what is close to an end: where doubles lose them, taken from integers, about the t at which they are shortest.
@@ -141,6 +143,9 @@ class MovingPlanes3 {
   bool is_one_face(PlaneId3 a, PlaneId3 b) const;
   bool is_zero_by_identity(const MovingCorner3& corner, PlaneId3 plane) const;
   int settled_sign(const MovingCorner3& corner, PlaneId3 plane);
+  int sign(std::uint32_t point, PlaneId3 plane, const BoundedVector& normal);
+  // Relies on a sign; `value` is the product of direction and normal.
+  void rely(const MovingCorner3& corner, PlaneId3 plane, const MovingVector3& normal, BoundedValue value, int sign);
   bool is_small(PlaneId3 plane) const;
   bool is_small(const MovingCorner3& corner) const;
   const std::array<Integer, 3>& exact_determinant(const MovingCorner3& corner, PlaneId3 plane);  // until the next call

@@ -62,9 +62,10 @@ void PairBodies3::add_patch(const Blockers3& blockers, const Patch3& patch) {
     const double weight = patch.weight.get_d();
     const auto may_be_same = [&](const Point& p) {
       const double slack = 1e-9 * (weight * p.approximate.size + p.approximate_weight * approximate.size);
-      return std::fabs(weight * p.approximate.x - p.approximate_weight * approximate.x) <= slack &&
-             std::fabs(weight * p.approximate.y - p.approximate_weight * approximate.y) <= slack &&
-             std::fabs(weight * p.approximate.z - p.approximate_weight * approximate.z) <= slack;
+      // Not a number where weights are infinite: then all may be.
+      return !(std::fabs(weight * p.approximate.x - p.approximate_weight * approximate.x) > slack) &&
+             !(std::fabs(weight * p.approximate.y - p.approximate_weight * approximate.y) > slack) &&
+             !(std::fabs(weight * p.approximate.z - p.approximate_weight * approximate.z) > slack);
     };
     const auto is_same = [&](const Point& p) {
       return may_be_same(p) && is_at(multiple(p.weight(), corner), patch.weight, p.exact());
@@ -124,6 +125,15 @@ BoundedVector PairBodies3::way(std::uint32_t p, std::uint32_t q) const {
 IntegerVector PairBodies3::exact_way(std::uint32_t p, std::uint32_t q) const {
   const Point &from = points[p], &to = points[q];
   return difference(multiple(from.weight(), to.exact()), multiple(to.weight(), from.exact()));
+}
+
+Direction3 PairBodies3::place(std::uint32_t point) const {
+  const Point& p = points[point];
+  const BoundedVector& a = p.approximate;
+  const double w = p.approximate_weight;
+  if (std::isfinite(w)) return {a.x / w, a.y / w, a.z / w};
+  return {rounded_quotient(p.exact().x, p.weight(), shift_), rounded_quotient(p.exact().y, p.weight(), shift_),
+          rounded_quotient(p.exact().z, p.weight(), shift_)};
 }
 
 int PairBodies3::side(std::uint32_t point, std::uint32_t body) const {

@@ -9,6 +9,7 @@
 
 #include "geometry/space/arrangement/blockers.h"
 #include "geometry/space/arrangement/patch.h"
+#include "geometry/space/visibility/direction.h"
 
 namespace hottel {
 
@@ -23,7 +24,7 @@ struct PairBodies3 {
     const IntegerVector* numerator;  // integer form times weight: of the vertices, or of a patch
     const Integer* denominator;      // the weight
     BoundedVector approximate;       // the numerator times a power of two, one for all points; 1 where every one fits
-    double approximate_weight = 1;
+    double approximate_weight = 1;   // infinite where no double is as large: then signs are found from integers
 
     const IntegerVector& exact() const { return *numerator; }
     const Integer& weight() const { return *denominator; }
@@ -57,8 +58,10 @@ struct PairBodies3 {
   std::uint32_t add(const Blockers3& blockers, std::uint32_t surface);
   // Takes the last one away.
   void drop_last();
-  // The power of two that the doubles of points are multiplied with.
-  double unit() const { return std::ldexp(1.0, static_cast<int>(-shift_)); }
+  // The doubles of points are multiplied with 2^-shift().
+  long shift() const { return shift_; }
+  // Where a point is, in the unit of these doubles, however long its numbers are.
+  Direction3 place(std::uint32_t point) const;
 
   // Where a point lies of the plane of a body: +1 before its front, -1 behind, 0 on it.
   int side(std::uint32_t point, std::uint32_t body) const;

@@ -1,6 +1,7 @@
 #include "geometry/space/exchange/pair_setting.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hottel {
 namespace {
@@ -8,9 +9,9 @@ namespace {
 Box3 box_of(const Vertices3& vertices, const Patch3& patch) {
   Box3 box;
   for (const IntegerVector& corner : patch.corners) {
-    const double weight = patch.weight.get_d();
-    BoundedVector p = rounded(corner, vertices.shift());
-    p = {p.x / weight, p.y / weight, p.z / weight, p.size / weight, 0};
+    const auto place = [&](const Integer& value) { return rounded_quotient(value, patch.weight, vertices.shift()); };
+    BoundedVector p{place(corner.x), place(corner.y), place(corner.z)};
+    p.size = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
     p.error = 0x1p-50 * p.size;
     box.include(p);
   }

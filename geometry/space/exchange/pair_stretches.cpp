@@ -46,7 +46,7 @@ class StretchFinder {
       : bodies_(setting.bodies),
         setting_(setting),
         stretches_(stretches),
-        unit_ratio_(std::ldexp(1 / setting.bodies.unit(), static_cast<int>(-vertices.shift()))) {
+        unit_ratio_(std::ldexp(1.0, static_cast<int>(setting.bodies.shift() - vertices.shift()))) {
     for (std::uint32_t body = 2; body < bodies_.bodies.size(); ++body) numbers_[bodies_.bodies[body].surface] = body;
   }
 
@@ -197,6 +197,7 @@ class StretchFinder {
   // In doubles of Vertices3.
   Direction3 place(std::uint32_t number) const {
     const PairBodies3::Point& p = bodies_.points[number];
+    if (!std::isfinite(p.approximate_weight)) return unit_ratio_ * bodies_.place(number);
     const double scale = unit_ratio_ / p.approximate_weight;
     return {scale * p.approximate.x, scale * p.approximate.y, scale * p.approximate.z};
   }

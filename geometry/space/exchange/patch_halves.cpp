@@ -1,11 +1,26 @@
 #include "geometry/space/exchange/patch_halves.h"
 
+#include <algorithm>
+
 namespace hottel {
 namespace {
 
-double squared_distance(const IntegerVector& a, const IntegerVector& b) {
-  const IntegerVector way = difference(a, b);
-  return dot(way, way).get_d();
+// The place of the longest side; of equals, as doubles tell, the first.
+std::size_t longest_side(const std::vector<IntegerVector>& corners) {
+  std::vector<IntegerVector> ways;
+  long top = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    ways.push_back(difference(corners[k], corners[(k + 1) % corners.size()]));
+    top = std::max(top, bits(ways.back()));
+  }
+  std::size_t longest = 0;
+  double most = 0;
+  for (std::size_t k = 0; k < ways.size(); ++k)
+    if (const double length = rounded_quotient(dot(ways[k], ways[k]), 1, 2 * top); length > most) {
+      most = length;
+      longest = k;
+    }
+  return longest;
 }
 
 }  // namespace
@@ -13,13 +28,7 @@ double squared_distance(const IntegerVector& a, const IntegerVector& b) {
 std::array<Patch3, 2> halves_of(const Patch3& patch) {
   const std::vector<IntegerVector>& corners = patch.corners;
   const std::size_t n = corners.size();
-  std::size_t longest = 0;
-  double most = 0;
-  for (std::size_t k = 0; k < n; ++k)
-    if (const double length = squared_distance(corners[k], corners[(k + 1) % n]); length > most) {
-      most = length;
-      longest = k;
-    }
+  const std::size_t longest = longest_side(corners);
   const auto middle = [&](std::size_t k) { return sum(corners[k], corners[(k + 1) % n]); };
   const std::size_t opposite = (longest + (n + 1) / 2) % n;
   const IntegerVector from = middle(longest);

@@ -1,4 +1,4 @@
-// How far signs that were relied on keep (MovingPlanes3).
+// Signs beside planes, and how far those that were relied on keep (MovingPlanes3).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,10 +20,7 @@ int MovingPlanes3::facing(std::uint32_t body) {
   const std::uint32_t anchor = b.corners.front();
   const BoundedVector& w = toward_[anchor];
   const BoundedValue product = dot(b.normal, w);
-  int sign = product.value > product.error    ? 1
-             : product.value < -product.error ? -1
-             : product.error == 0             ? 0
-                                              : kUndecided;
+  int sign = sign_of(product);
   counts_.count(sign == kUndecided ? SignTier::kExact : SignTier::kFilter);
   if (sign == kUndecided) sign = sgn(exact_height(body));
   const auto exact = [&] {
@@ -59,29 +56,81 @@ bool MovingPlanes3::is_zero_for_every_t(const MovingCorner3& corner, PlaneId3 pl
   return c[1] == 0 && c[2] == 0;
 }
 
-void MovingPlanes3::rely(std::uint32_t point, PlaneSide3 side, int sign) {
-  rely(corner_at(point, false, side), {side.plane, false}, side.is_opposite ? -sign : sign);
+int MovingPlanes3::sign(std::uint32_t point, PlaneId3 plane, const BoundedVector& normal) {
+  const int result = filtered_sign(toward_[point], normal);
+  if (result != kUndecided) {
+    counts_.count(SignTier::kFilter);
+    return result;
+  }
+  if (passes_through(planes_[plane.index()], point)) {
+    counts_.count(SignTier::kCombinatorial);
+    return 0;
+  }
+  counts_.count(SignTier::kExact);
+  return dot_sign(exact_toward(point), exact_normal(plane));
 }
 
-void MovingPlanes3::rely(const MovingCorner3& corner, PlaneSide3 side, int sign) {
-  const MovingVector3 &v = corner.direction, &m = normal(side.plane);
+bool MovingPlanes3::is_any_positive(std::span<const MovingCorner3> corners, PlaneSide3 side) {
+  const BoundedVector& m = normal(side.plane).first;
+  const int positive = side.is_opposite ? -1 : 1;
+  return std::any_of(corners.begin(), corners.end(), [&](const MovingCorner3& corner) {
+    const int sign = filtered_sign(corner.direction.first, m);
+    if (sign == kUndecided) return settled_sign(corner, side.plane) == positive;
+    counts_.count(SignTier::kFilter);
+    return sign == positive;
+  });
+}
+
+bool MovingPlanes3::is_any_positive(std::span<const std::uint32_t> points, PlaneSide3 side) {
+  const BoundedVector& m = normal(side.plane).first;
+  const int positive = side.is_opposite ? -1 : 1;
+  return std::any_of(points.begin(), points.end(),
+                     [&](std::uint32_t point) { return sign(point, side.plane, m) == positive; });
+}
+
+void MovingPlanes3::find_signs(std::span<const MovingCorner3> corners, PlaneSide3 side,
+                               std::vector<signed char>& signs) {
+  const MovingVector3& m = normal(side.plane);
+  signs.resize(corners.size());
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const MovingCorner3& corner = corners[k];
+    const BoundedValue value = dot(corner.direction.first, m.first);
+    int sign = sign_of(value);
+    if (sign == kUndecided)
+      sign = settled_sign(corner, side.plane);
+    else
+      counts_.count(SignTier::kFilter);
+    rely(corner, side.plane, m, value, sign);
+    signs[k] = static_cast<signed char>(side.is_opposite ? -sign : sign);
+  }
+}
+
+void MovingPlanes3::rely(std::span<const std::uint32_t> points, PlaneSide3 side) {
+  const MovingVector3& m = normal(side.plane);
+  for (const std::uint32_t point : points) {
+    const MovingCorner3 corner = corner_at(point, false, side);
+    rely(corner, side.plane, m, dot(corner.direction.first, m.first), sign(point, side.plane, m.first));
+  }
+}
+
+void MovingPlanes3::rely(const MovingCorner3& corner, PlaneId3 plane, const MovingVector3& m, BoundedValue value,
+                         int sign) {
+  const MovingVector3& v = corner.direction;
   const Direction3 v0 = plain(v.first), m0 = plain(m.first);
-  const BoundedValue value = dot(v.first, m.first);
   const bool is_linear = corner.point != MovingCorner3::kNoPoint;
   const std::array<double, 3> c{value.value, dot(v.second, m0) + dot(v0, m.second),
                                 is_linear ? 0 : dot(v.third, m0) + dot(v.second, m.second)};
   const auto bound = [&](int a, int b) { return 32 * kUnit * v.terms[a] * m.terms[b]; };
   const std::array<double, 3> e{value.error, bound(1, 0) + bound(0, 1), is_linear ? 0 : bound(2, 0) + bound(1, 1)};
   if (is_far_from_zero(c, e)) return;
-  if (is_zero_by_identity(corner, side.plane) || is_about_one_body(corner, side.plane)) return;
+  if (is_zero_by_identity(corner, plane) || is_about_one_body(corner, plane)) return;
   if (sign == 0) {
     if (is_unlucky_) return;
     is_unlucky_ = std::fabs(c[1]) > e[1] || std::fabs(c[2]) > e[2];
-    if (!is_unlucky_) is_unlucky_ = !is_zero_for_every_t(corner, side.plane);
+    if (!is_unlucky_) is_unlucky_ = !is_zero_for_every_t(corner, plane);
     return;
   }
-  if (side.is_opposite) sign = -sign;
-  if (!narrow(c, e, sign, kRootError)) narrow_exactly(exact_determinant(corner, side.plane), sign);
+  if (!narrow(c, e, sign, kRootError)) narrow_exactly(exact_determinant(corner, plane), sign);
 }
 
 // The polynomial whose sign is relied on, in integers.

@@ -11,27 +11,22 @@ constexpr double kSlack = 1e-10;
 // Planes through points that are nearly on one line are not used.
 constexpr double kThin = 1e-4;
 
-double to_double(const Integer& value, const Integer& weight, double unit) {
-  return value.get_d() / weight.get_d() * unit;
-}
-
 }  // namespace
 
 StretchHull3::StretchHull3(const PairBodies3& bodies) : bodies_(bodies) {
   double largest = 0;
-  for (const PairBodies3::Point& p : bodies.points) {
-    const double w = p.approximate_weight;
-    places_.push_back({p.approximate.x / w, p.approximate.y / w, p.approximate.z / w});
-    largest = std::max(largest, p.approximate.size / w);
+  for (std::uint32_t point = 0; point < bodies.points.size(); ++point) {
+    const Direction3& p = places_.emplace_back(bodies.place(point));
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   }
   slack_ = kSlack * largest;
 }
 
 void StretchHull3::take(const Stretch3& stretch, double low, double high, std::uint32_t patch) {
-  const double unit = bodies_.unit();
+  const long shift = bodies_.shift();
   const auto place = [&](const IntegerVector& p) {
-    return Direction3{to_double(p.x, stretch.weight, unit), to_double(p.y, stretch.weight, unit),
-                      to_double(p.z, stretch.weight, unit)};
+    return Direction3{rounded_quotient(p.x, stretch.weight, shift), rounded_quotient(p.y, stretch.weight, shift),
+                      rounded_quotient(p.z, stretch.weight, shift)};
   };
   const Direction3 from = place(stretch.from), way = place(stretch.way);
   hull_.assign({from + low * way, from + high * way});

@@ -162,6 +162,28 @@ TEST(PairMeasure3, ASmallBlockerInTheMiddleIsNotNothing) {
 }
 
 // Property (4).
+// Doubles hold numbers of 1024 bits.
+TEST(PairMeasure3, NumbersMayBeLongerThanAnyDouble) {
+  const std::vector<Points> room =
+      joined({square(0, true), square(1, false)}, {{{ratio(1, 2), 0, 0}, {1, ratio(1, 2), 0}, {1, 1, ratio(1, 2)}},
+                                                   {{0, 0, ratio(1, 3)}, {ratio(1, 3), 0, ratio(2, 3)}, {0, 1, 0}}});
+  const Pair pair(room);
+  const double expected = pair.factor();
+  Integer factor;
+  mpz_ui_pow_ui(factor.get_mpz_t(), 3, 700);
+  Patch3 first = pair.patch(0), second = pair.patch(1);
+  for (Patch3* patch : {&first, &second}) {
+    patch->weight = factor;
+    for (IntegerVector& corner : patch->corners) corner = multiple(factor, corner);
+    const PairMeasure3 long_patch = pair.measurer().measure(first, second, Pair::tight());
+    EXPECT_EQ(long_patch.problem, "");
+    EXPECT_NEAR(long_patch.measure / pair.area(pair.patch(0)), expected, 1e-15);
+  }
+  std::vector<Points> near = room;
+  near[3][0].x += 1 / Rational(factor);  // all vertices are multiples of this number but for one
+  EXPECT_NEAR(Pair(near).factor(), expected, 1e-15);
+}
+
 TEST(PairMeasure3, ATolerancePastDoublesIsAProblem) {
   const Pair pair({square(0, true), square(1, false), rectangle(0, ratio(1, 2), 0, ratio(1, 2), ratio(1, 2))});
   PairRequest3 request;
