@@ -29,8 +29,6 @@ void require_what_space_has(const FactorsOptions& options) {
   if (options.tolerance) refuse_of("--tolerance");
   if (options.guarantee) refuse_of("--guarantee");
   if (options.memory > 0) refuse_of("--memory");
-  if (options.pairs == "facing") refuse_of("--pairs facing");
-  if (options.matrix == "visibility" || options.matrix == "exchange") refuse_of("--matrix " + options.matrix);
 }
 
 FactorsRequest3 request_of(const FactorsOptions& options) {

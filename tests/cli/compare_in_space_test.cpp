@@ -45,7 +45,7 @@ TEST(CompareInSpace, SweepsAndTakesToleranceElementsAndFilesOfOthers) {
   EXPECT_THAT(csv, HasSubstr("\ngauss:1,"));
   EXPECT_THAT(csv, HasSubstr("\ngauss:6,"));
   EXPECT_THAT(csv, HasSubstr("\nfile:cube.csv,"));
-  EXPECT_THAT(outcome.err, HasSubstr("file:cube.csv: 30 "));
+  EXPECT_THAT(outcome.err, HasSubstr("file:cube.csv: all 30 pairs agree with the exact factors"));
 }
 
 TEST(CompareInSpace, FactorsByAMethodAreWrittenLikeExactOnesWithoutBounds) {
@@ -59,12 +59,16 @@ TEST(CompareInSpace, FactorsByAMethodAreWrittenLikeExactOnesWithoutBounds) {
   const Outcome json = place.run("hottel factors '" + kCube + "' --method points:2 -o f.csv --json --quiet");
   ASSERT_EQ(json.code, 0) << json.err;
   EXPECT_EQ(nlohmann::json::parse(json.out)["method"], "points:2");
-  for (const std::string option :
-       {"--tolerance 1e-6", "--guarantee enclosed", "--memory 1000000", "--pairs facing", "--matrix visibility"}) {
+  for (const std::string option : {"--tolerance 1e-6", "--guarantee enclosed", "--memory 1000000"}) {
     const Outcome refused = place.run("hottel factors '" + kCube + "' --method gauss:2 " + option);
     EXPECT_EQ(refused.code, 2) << option;
     EXPECT_THAT(refused.err, HasSubstr("is of the method exact only, not of gauss:2")) << option;
   }
+  for (const std::string option : {"--pairs facing", "--matrix visibility", "--script-f"})
+    EXPECT_EQ(place.run("hottel factors '" + kCube + "' --method gauss:2 " + option).code, 2) << option;
+  // A F: of faces of area 1 the factors themselves.
+  EXPECT_EQ(place.run("hottel factors '" + kCube + "' --method gauss:2 --matrix exchange").out,
+            place.run("hottel factors '" + kCube + "' --method gauss:2 --matrix factor").out);
   EXPECT_EQ(place.run("hottel factors '" + kCube + "' --method strings").code, 2);
 }
 

@@ -27,7 +27,7 @@ void pass_over_own_piece(const RTCFilterFunctionNArguments* arguments) {
 
 }  // namespace
 
-struct EmbreeScene::Held {
+struct EmbreeScene3::Held {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::vector<std::uint32_t> piece_of;
@@ -46,7 +46,7 @@ struct EmbreeScene::Held {
   }
 };
 
-EmbreeScene::EmbreeScene(const Blockers3& blockers) : held_(std::make_unique<Held>()) {
+EmbreeScene3::EmbreeScene3(const Blockers3& blockers) : held_(std::make_unique<Held>()) {
   const Vertices3& vertices = blockers.vertices();
   double largest = 0;
   for (const VertexId3 v : IdRange<VertexId3>(vertices.size()))
@@ -92,10 +92,10 @@ EmbreeScene::EmbreeScene(const Blockers3& blockers) : held_(std::make_unique<Hel
   held_->require(true);
 }
 
-EmbreeScene::~EmbreeScene() = default;
+EmbreeScene3::~EmbreeScene3() = default;
 
-std::optional<RayHit3> EmbreeScene::first_hit(const Vector3d& from, const Vector3d& way,
-                                              std::uint32_t own_piece) const {
+std::optional<RayHit3> EmbreeScene3::first_hit(const Vector3d& from, const Vector3d& way,
+                                               std::uint32_t own_piece) const {
   Context context{};
   rtcInitIntersectContext(&context.base);
   context.piece_of = held_->piece_of.data();

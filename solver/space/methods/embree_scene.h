@@ -17,11 +17,11 @@ struct RayHit3 {
 };
 
 // The pieces of a scene, cut into triangles in single precision. For several threads at once.
-class EmbreeScene {
+class EmbreeScene3 {
  public:
   // Throws RequestError where Embree has no memory, or cannot run on this processor.
-  explicit EmbreeScene(const Blockers3& blockers);
-  ~EmbreeScene();
+  explicit EmbreeScene3(const Blockers3& blockers);
+  ~EmbreeScene3();
 
   // Returns what a ray meets first, another piece than its own; nothing where it meets none. way: of length 1.
   std::optional<RayHit3> first_hit(const Vector3d& from, const Vector3d& way, std::uint32_t own_piece) const;

@@ -164,7 +164,7 @@ class Hemicube3 final : public ElementMethod3 {
 
  private:
   std::vector<double> weights_of_pixels() const {
-    std::vector<double> weights = hemicube_weights(options_.resolution);
+    std::vector<double> weights = hemicube_weights_3(options_.resolution);
     const double pixels = 3.0 * options_.resolution * options_.resolution;
     if (options_.is_uniform) std::fill(weights.begin(), weights.end(), 1 / pixels);
     return weights;
@@ -218,7 +218,7 @@ std::unique_ptr<ExchangeMethod3> make(std::string_view variant) {
 
 }  // namespace
 
-std::vector<double> hemicube_weights(std::uint32_t resolution) {
+std::vector<double> hemicube_weights_3(std::uint32_t resolution) {
   const auto at = [resolution](std::uint32_t k) { return (2.0 * k - resolution) / resolution; };
   std::vector<double> weights;
   const auto add = [&](const Direction3& normal, std::uint32_t row, std::uint32_t column) {

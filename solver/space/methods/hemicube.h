@@ -30,6 +30,6 @@ std::unique_ptr<ExchangeMethod3> hemicube_method_3(const HemicubeOptions3& optio
 // row, then of one side, resolution / 2 rows from the horizon up. Those of the top and of four sides sum to 1 but for
 // rounding. (The usual delta form factor is the same by the midpoint rule.)
 // SEE: Cohen, Greenberg, The hemi-cube: a radiosity solution for complex environments, 1985.
-std::vector<double> hemicube_weights(std::uint32_t resolution);
+std::vector<double> hemicube_weights_3(std::uint32_t resolution);
 
 }  // namespace hottel

@@ -102,7 +102,7 @@ class Rays3 final : public ElementMethod3 {
   ExchangeMatrix compute_elements(const PreparedScene3& prepared, const std::function<void(double)>& progress,
                                   MethodReport& report) const override {
     const ElementGeometry3 geometry(prepared);
-    const EmbreeScene scene(prepared.blockers());
+    const EmbreeScene3 scene(prepared.blockers());
     const MetElements met(prepared, geometry.table());
     const RaySamples directions(options_.sampling, options_.rays, options_.seed);
     const RaySamples places(options_.sampling, options_.rays, options_.seed ^ kOtherSeed, 2);
@@ -138,7 +138,7 @@ class Rays3 final : public ElementMethod3 {
     return points;
   }
 
-  static std::uint32_t label_met(const Blockers3& blockers, const EmbreeScene& scene, const MetElements& met,
+  static std::uint32_t label_met(const Blockers3& blockers, const EmbreeScene3& scene, const MetElements& met,
                                  const std::vector<Start>& starts, const RaySamples::Point& place,
                                  const RaySamples::Point& direction, std::uint32_t sky) {
     const auto start =
