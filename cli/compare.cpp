@@ -30,6 +30,7 @@
 #include "viewer/picture/log_plot.h"
 #include "viewer/picture/plane/drawable.h"
 #include "viewer/picture/plane/error_map.h"
+#include "viewer/picture/space/error_map.h"
 
 namespace hottel {
 namespace {
@@ -80,10 +81,10 @@ struct Space {
     const double tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance);
     return Comparison(Simulation3(std::move(scene), {.factors = {.tolerance = tolerance}}), streams.stages());
   }
-  static void require_map(const Scene&) {
-    throw UsageError("--map is of scenes in the plane; this version does not have it in space");
+  static void require_map(const Scene&) {}
+  static std::string map(const Comparison& comparison, const MethodResult& result) {
+    return error_map_3(comparison, result, PictureFormat::kPng);
   }
-  static std::string map(const Comparison&, const MethodResult&) { return {}; }
 };
 
 template <class Prepared>
@@ -310,7 +311,7 @@ void add_compare(Commands& commands) {
       .add_option("--tolerance", options->tolerance,
                   "in space: what A F of the exact factors may be off, relative to the smaller area (default 1e-9)")
       ->type_name("T");
-  command.add_option("--map", options->map, "in the plane: draw errors.png, where this method gets the light wrong")
+  command.add_option("--map", options->map, "draw errors.png: where this method gets the light wrong")
       ->type_name("METHOD");
   options->elements.add_to(command);
   options->polygons.add_to(command);

@@ -48,6 +48,15 @@ TEST(CompareInSpace, SweepsAndTakesToleranceElementsAndFilesOfOthers) {
   EXPECT_THAT(outcome.err, HasSubstr("file:cube.csv: all 30 pairs agree with the exact factors"));
 }
 
+TEST(CompareInSpace, DrawsWhereAMethodIsWrong) {
+  const Workplace place;
+  const Outcome outcome =
+      place.run("hottel compare '" + kCube + "' --elements 2 --methods exact,center --repeat 1 --map center -o out");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(place.read("out/errors.png"), StartsWith("\x89PNG"));
+  EXPECT_EQ(place.run("hottel compare '" + kCube + "' --methods exact --map center -o out").code, 2);
+}
+
 TEST(CompareInSpace, FactorsByAMethodAreWrittenLikeExactOnesWithoutBounds) {
   const Workplace place;
   const Outcome outcome = place.run("hottel factors '" + kCube + "' --method gauss:2");

@@ -16,26 +16,13 @@
 #include "solver/radiosity/matrix_checks.h"
 #include "solver/space/methods/element_geometry.h"
 #include "solver/space/methods/method_catalogue.h"
+#include "solver/space/methods/side_elements.h"
 
 namespace hottel {
 namespace {
 
 constexpr std::uint32_t kMostPixels = 4096;
 constexpr const char* kReference = "Cohen and Greenberg 1985";
-
-// A side of a piece, or a part of one, with the element that is seen there.
-struct Item {
-  std::vector<Vector3d> corners;
-  std::uint32_t piece, label;
-};
-
-std::vector<Item> items_of(const PreparedScene3& prepared, const ElementTable3& table) {
-  std::vector<Item> items;
-  for (const ElementTable3::Part& part : table.parts())
-    if (!part.patch.is_sky())
-      items.push_back({rounded_corners(prepared.blockers().vertices(), part.patch), part.patch.surface, part.label});
-  return items;
-}
 
 // One side of the hemicube: a camera at its centre. A direction out + x right + y up is on it where -1 <= x <= 1 and
 // -1 <= y <= 1, on the sides of the half cube 0 <= y.
@@ -149,7 +136,7 @@ class Hemicube3 final : public ElementMethod3 {
   ExchangeMatrix compute_elements(const PreparedScene3& prepared, const std::function<void(double)>& progress,
                                   MethodReport& report) const override {
     const ElementGeometry3 geometry(prepared);
-    const std::vector<Item> items = items_of(prepared, geometry.table());
+    const SideElements3 items(prepared, geometry.table());
     const std::vector<double> weights = weights_of_pixels();
     ExchangeMatrix matrix =
         matrix_by_rows(geometry.table().elements(), has_patches(geometry), progress, [&]() -> FillRow {
@@ -170,19 +157,24 @@ class Hemicube3 final : public ElementMethod3 {
     return weights;
   }
 
-  void look(const ElementPatch3& patch, const std::vector<Item>& items, const std::vector<double>& weights,
+  static void draw(const ElementPatch3& patch, const CubeSide& side, const SidePart3& item, SideBuffer& buffer) {
+    const auto& corners = item.corners;
+    const Vector3d out = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    if (!(dot(out, corners[0] - patch.centre) < 0)) return;  // seen from behind
+    thread_local std::vector<Vector3d> seen;
+    seen.clear();
+    for (std::size_t k = corners.size(); k-- > 0;) seen.push_back(side.seen(corners[k] - patch.centre));
+    buffer.draw(seen, side.first_row, item.label);
+  }
+
+  void look(const ElementPatch3& patch, const SideElements3& items, const std::vector<double>& weights,
             std::uint32_t sky, SideBuffer& buffer, RowSums& by) const {
     const std::uint32_t resolution = options_.resolution;
-    std::vector<Vector3d> seen;
     for (const CubeSide& side : sides_over(patch, resolution)) {
       buffer.clear(sky);
-      for (const Item& item : items) {
-        if (item.piece == patch.piece) continue;
-        const Vector3d to_first = item.corners[0] - patch.centre;
-        if (!(dot(cross(item.corners[1] - item.corners[0], item.corners[2] - item.corners[0]), to_first) < 0)) continue;
-        seen.clear();
-        for (std::size_t k = item.corners.size(); k-- > 0;) seen.push_back(side.seen(item.corners[k] - patch.centre));
-        buffer.draw(seen, side.first_row, item.label);
+      for (std::uint32_t number = 0; number < items.all().size(); ++number) {
+        if (Face::of(number).surface == patch.piece) continue;
+        for (const SidePart3& item : items.all()[number]) draw(patch, side, item, buffer);
       }
       const std::size_t first = std::size_t{side.first_row} * resolution;
       const std::size_t offset = side.first_row == 0 ? 0 : std::size_t{resolution} * resolution - first;

@@ -13,6 +13,7 @@
 #include "solver/radiosity/matrix_checks.h"
 #include "solver/space/methods/method_catalogue.h"
 #include "solver/space/methods/patch_rule.h"
+#include "solver/space/methods/side_elements.h"
 
 namespace hottel {
 namespace {
@@ -23,60 +24,38 @@ constexpr const char* kReference = "Gauss-Legendre quadrature; Trefethen 2013, c
 
 Direction3 direction_of(const Vector3d& way) { return unit({way.x, way.y, way.z}); }
 
-// The elements on the sides of pieces, as a point sees them.
-class SeenElements {
- public:
-  SeenElements(const PreparedScene3& prepared, const ElementTable3& table) : sides_(2 * prepared.blockers().size()) {
-    const Vertices3& vertices = prepared.blockers().vertices();
-    for (const ElementTable3::Part& part : table.parts()) {
-      if (part.patch.is_sky()) continue;
-      sides_[Face{part.patch.surface, part.is_back}.number()].push_back(
-          {part.label, rounded_corners(vertices, part.patch)});
-    }
+// Of the part of a fragment that a part of its side fills.
+double factor_of(const Vector3d& eye, const Direction3& normal, const PointMap3& map,
+                 const PointMap3::Fragment& fragment, const std::vector<Vector3d>& part) {
+  std::vector<Direction3> cone;
+  for (std::uint32_t k = fragment.begin; k < fragment.end; ++k) cone.push_back(map.corners[k].direction);
+  for (std::size_t k = 0; k < part.size() && cone.size() >= 3; ++k) {
+    const Vector3d plane = cross(part[k + 1 == part.size() ? 0 : k + 1] - eye, part[k] - eye);
+    const Direction3 inward{plane.x, plane.y, plane.z};
+    cone = cut_convex(
+        cone, [&inward](const Direction3& d) { return dot(d, inward); },
+        [](const Direction3& a, const Direction3& b, double t) { return unit(a + t * (b - a)); });
   }
+  return cone.size() >= 3 ? std::fabs(view_factor_3(cone, normal)) : 0;
+}
 
-  // Adds what a point with a normal sees of a side of a piece, by element; `fragments` are those of one share.
-  void add(const Vector3d& eye, const Direction3& normal, const PointMap3& map, const PointMap3::Share& share,
-           std::span<const PointMap3::Fragment> fragments, double weight, RowSums& by) const {
-    if (!(share.factor > 0)) return;
-    const std::vector<Side>& side = sides_[share.face.number()];
-    if (side.size() == 1) return by.add(side.front().label, weight * share.factor);
-    // What roundings leave goes to all in proportion: rows sum to 1.
-    std::vector<double> seen(side.size(), 0);
-    double all = 0;
-    for (std::size_t k = 0; k < side.size(); ++k) {
-      for (const PointMap3::Fragment& fragment : fragments)
-        seen[k] += factor_of(eye, normal, map, fragment, side[k].corners);
-      all += seen[k];
-    }
-    if (!(all > 0)) return;
-    for (std::size_t k = 0; k < side.size(); ++k) by.add(side[k].label, weight * share.factor * seen[k] / all);
+// Adds what a point with a normal sees of a side of a piece, by element; `fragments` are those of one share.
+void add_share(const Vector3d& eye, const Direction3& normal, const PointMap3& map, const PointMap3::Share& share,
+               std::span<const PointMap3::Fragment> fragments, std::span<const SidePart3> side, double weight,
+               RowSums& by) {
+  if (!(share.factor > 0)) return;
+  if (side.size() == 1) return by.add(side.front().label, weight * share.factor);
+  // What roundings leave goes to all in proportion: rows sum to 1.
+  std::vector<double> seen(side.size(), 0);
+  double all = 0;
+  for (std::size_t k = 0; k < side.size(); ++k) {
+    for (const PointMap3::Fragment& fragment : fragments)
+      seen[k] += factor_of(eye, normal, map, fragment, side[k].corners);
+    all += seen[k];
   }
-
- private:
-  struct Side {
-    std::uint32_t label;
-    std::vector<Vector3d> corners;
-  };
-
-  // Of the part of a fragment that a patch fills.
-  static double factor_of(const Vector3d& eye, const Direction3& normal, const PointMap3& map,
-                          const PointMap3::Fragment& fragment, const std::vector<Vector3d>& patch) {
-    std::vector<Direction3> cone;
-    for (std::uint32_t k = fragment.begin; k < fragment.end; ++k) cone.push_back(map.corners[k].direction);
-    // Corners of a side run counter-clockwise for who sees it: so the eye has them inside on the left.
-    for (std::size_t k = 0; k < patch.size() && cone.size() >= 3; ++k) {
-      const Vector3d plane = cross(patch[k] - eye, patch[k + 1 == patch.size() ? 0 : k + 1] - eye);
-      const Direction3 inward{-plane.x, -plane.y, -plane.z};
-      cone = cut_convex(
-          cone, [&inward](const Direction3& d) { return dot(d, inward); },
-          [](const Direction3& a, const Direction3& b, double t) { return unit(a + t * (b - a)); });
-    }
-    return cone.size() >= 3 ? std::max(0.0, std::fabs(view_factor_3(cone, normal))) : 0;
-  }
-
-  std::vector<std::vector<Side>> sides_;  // by side of a piece
-};
+  if (!(all > 0)) return;
+  for (std::size_t k = 0; k < side.size(); ++k) by.add(side[k].label, weight * share.factor * seen[k] / all);
+}
 
 class Points3 final : public ElementMethod3 {
  public:
@@ -89,7 +68,7 @@ class Points3 final : public ElementMethod3 {
   ExchangeMatrix compute_elements(const PreparedScene3& prepared, const std::function<void(double)>& progress,
                                   MethodReport& report) const override {
     const ElementGeometry3 geometry(prepared);
-    const SeenElements elements(prepared, geometry.table());
+    const SideElements3 elements(prepared, geometry.table());
     const FillRow fill = [&](std::uint32_t from, RowSums& by) {
       for (const ElementPatch3& patch : geometry.patches(from))
         for (const RulePoint3& point : rule_points(patch, rule_))
@@ -102,7 +81,7 @@ class Points3 final : public ElementMethod3 {
   }
 
  private:
-  void add_point(const PreparedScene3& prepared, const SeenElements& elements, const ElementPatch3& patch,
+  void add_point(const PreparedScene3& prepared, const SideElements3& elements, const ElementPatch3& patch,
                  const RulePoint3& point, std::uint32_t sky, RowSums& by) const {
     const Blockers3& blockers = prepared.blockers();
     const IntegerVector& front = blockers.exact_normal(patch.piece);
@@ -119,8 +98,8 @@ class Points3 final : public ElementMethod3 {
     for (const PointMap3::Share& share : map.shares) {  // fragments are by face, as the shares are
       const std::size_t first = fragment;
       while (fragment < map.fragments.size() && map.fragments[fragment].face == share.face) ++fragment;
-      elements.add(point.at, direction_of(patch.normal), map, share,
-                   std::span(map.fragments).subspan(first, fragment - first), weight, by);
+      add_share(point.at, direction_of(patch.normal), map, share,
+                std::span(map.fragments).subspan(first, fragment - first), elements.on(share.face), weight, by);
     }
     if (map.sky_factor > kClosed) by.add(sky, weight * map.sky_factor);
   }

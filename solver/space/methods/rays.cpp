@@ -18,6 +18,7 @@
 #include "solver/radiosity/matrix_checks.h"
 #include "solver/space/methods/embree_scene.h"
 #include "solver/space/methods/method_catalogue.h"
+#include "solver/space/methods/side_elements.h"
 
 namespace hottel {
 namespace {
@@ -46,45 +47,27 @@ std::vector<Start> starts_on(std::span<const ElementPatch3> patches) {
   return starts;
 }
 
-// The element that is met on a side of a piece.
-class MetElements {
- public:
-  MetElements(const PreparedScene3& prepared, const ElementTable3& table) : sides_(2 * prepared.blockers().size()) {
-    for (const ElementTable3::Part& part : table.parts())
-      if (!part.patch.is_sky())
-        sides_[Face{part.patch.surface, part.is_back}.number()].push_back(
-            {part.label, rounded_corners(prepared.blockers().vertices(), part.patch)});
-  }
-
-  // The element at a place, or that nearest to it; `nothing` where the side has none: a place within a solid.
-  std::uint32_t at(const Face& side, const Vector3d& place, const Vector3d& outward, std::uint32_t nothing) const {
-    const std::vector<Part>& parts = sides_[side.number()];
-    if (parts.size() == 1) return parts.front().label;
-    std::uint32_t best = nothing;
-    double least_outside = std::numeric_limits<double>::infinity();
-    for (const Part& part : parts) {
-      double outside = 0;  // how far the place is beyond a side of the part
-      for (std::size_t k = 0; k < part.corners.size(); ++k) {
-        const Vector3d& a = part.corners[k];
-        const Vector3d edge = part.corners[k + 1 == part.corners.size() ? 0 : k + 1] - a;
-        outside = std::max(outside, dot(cross(place - a, edge), outward) / length(edge));
-      }
-      if (outside == 0) return part.label;
-      if (outside < least_outside) {
-        least_outside = outside;
-        best = part.label;
-      }
+// The element at a place of a side, or that nearest to it; `nothing` where the side has none: a place within a solid.
+std::uint32_t element_at(std::span<const SidePart3> side, const Vector3d& place, const Vector3d& outward,
+                         std::uint32_t nothing) {
+  if (side.size() == 1) return side.front().label;
+  std::uint32_t best = nothing;
+  double least_outside = std::numeric_limits<double>::infinity();
+  for (const SidePart3& part : side) {
+    double outside = 0;  // how far the place is beyond a border of the part
+    for (std::size_t k = 0; k < part.corners.size(); ++k) {
+      const Vector3d& a = part.corners[k];
+      const Vector3d edge = part.corners[k + 1 == part.corners.size() ? 0 : k + 1] - a;
+      outside = std::max(outside, dot(cross(place - a, edge), outward) / length(edge));
     }
-    return best;
+    if (outside == 0) return part.label;
+    if (outside < least_outside) {
+      least_outside = outside;
+      best = part.label;
+    }
   }
-
- private:
-  struct Part {
-    std::uint32_t label;
-    std::vector<Vector3d> corners;
-  };
-  std::vector<std::vector<Part>> sides_;
-};
+  return best;
+}
 
 class Rays3 final : public ElementMethod3 {
  public:
@@ -103,7 +86,7 @@ class Rays3 final : public ElementMethod3 {
                                   MethodReport& report) const override {
     const ElementGeometry3 geometry(prepared);
     const EmbreeScene3 scene(prepared.blockers());
-    const MetElements met(prepared, geometry.table());
+    const SideElements3 sides(prepared, geometry.table());
     const RaySamples directions(options_.sampling, options_.rays, options_.seed);
     const RaySamples places(options_.sampling, options_.rays, options_.seed ^ kOtherSeed, 2);
     const FillRow shoot = [&](std::uint32_t from, RowSums& by) {
@@ -111,7 +94,7 @@ class Rays3 final : public ElementMethod3 {
       const std::vector<RaySamples::Point> at = paired_places(places, from);
       std::size_t k = 0;
       directions.for_each(from, [&](const RaySamples::Point& direction) {
-        by.add(label_met(prepared.blockers(), scene, met, starts, at[k++], direction, geometry.table().sky()), 1);
+        by.add(label_met(prepared.blockers(), scene, sides, starts, at[k++], direction, geometry.table().sky()), 1);
       });
       by.divide_by(static_cast<double>(options_.rays));
     };
@@ -138,7 +121,7 @@ class Rays3 final : public ElementMethod3 {
     return points;
   }
 
-  static std::uint32_t label_met(const Blockers3& blockers, const EmbreeScene3& scene, const MetElements& met,
+  static std::uint32_t label_met(const Blockers3& blockers, const EmbreeScene3& scene, const SideElements3& sides,
                                  const std::vector<Start>& starts, const RaySamples::Point& place,
                                  const RaySamples::Point& direction, std::uint32_t sky) {
     const auto start =
@@ -159,7 +142,7 @@ class Rays3 final : public ElementMethod3 {
     const Vector3d front{rounded_front.x, rounded_front.y, rounded_front.z};
     const bool is_back = dot(front, way) > 0;
     const Vector3d outward = (is_back ? -1 : 1) / length(front) * front;
-    return met.at(Face{hit->piece, is_back}, from + hit->distance * way, outward, sky);
+    return element_at(sides.on({hit->piece, is_back}), from + hit->distance * way, outward, sky);
   }
 
   RayOptions3 options_;
