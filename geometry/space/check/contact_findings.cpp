@@ -107,8 +107,8 @@ void tell_duplicates(const Scene3& scene, const CornerTable3& corners, Findings3
     if (list.size() < 2) continue;
     Surfaces surfaces;
     for (const auto& [s, is_reversed] : list) surfaces.push_back(s);
-    const auto is_mask = [&](const Mask3& mask) {
-      return list.size() == 2 && std::minmax(mask.surface, mask.base) == std::minmax(list[0].first, list[1].first);
+    const auto is_mask = [&those = list](const Mask3& mask) {
+      return those.size() == 2 && std::minmax(mask.surface, mask.base) == std::minmax(those[0].first, those[1].first);
     };
     if (std::any_of(scene.masks.begin(), scene.masks.end(), is_mask)) continue;  // it says that they do
     const bool is_thin_wall = list.size() == 2 && list[0].second != list[1].second;
