@@ -9,7 +9,6 @@
 #include "cli/solve_options.h"
 #include "cli/views.h"
 #include "geometry/near_names.h"
-#include "io/files/disk_space.h"
 #include "io/files/output_file.h"
 #include "io/foreign/plane/foreign_matrix.h"
 #include "io/results/npy.h"
@@ -17,7 +16,6 @@
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/memory.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plane/simulation/simulation.h"
 #include "viewer/picture/plane/illumination_picture.h"
@@ -25,17 +23,6 @@
 
 namespace hottel {
 namespace {
-
-// Throws RequestError where the light of a grid needs more memory or disk than there is.
-void require_room_for(const Grid2& grid, int channels, const SolveOptions& options,
-                      const std::filesystem::path& directory) {
-  const std::uint64_t bytes = std::uint64_t{grid.nx} * grid.ny * static_cast<std::uint64_t>(channels) * sizeof(double);
-  const std::string what = fmt::format("{}: light on {} x {} cells", options.scene, grid.nx, grid.ny);
-  const std::string advice = "; take a coarser --grid, or --no-illumination";
-  if (const std::uint64_t allowed = memory_allowed(options.memory.value_or(0)); bytes > allowed)
-    throw RequestError(fmt::format("{} takes {} bytes of memory; allowed are {}{}", what, bytes, allowed, advice));
-  require_space(directory / "illumination.npy", bytes, what + " takes", advice);
-}
 
 // What is asked for, once names and combinations of options are found to make sense.
 struct Request {
@@ -116,7 +103,9 @@ struct Outputs {
 Simulation2 simulation_of(const SolveOptions& options, Scene2 scene, Request request) {
   options.elements.apply_to(scene);
   const Grid2 grid = grid_of(scene, options.grid);
-  if (request.simulation.wants_light) require_room_for(grid, channel_count(scene), options, request.directory);
+  if (request.simulation.wants_light)
+    require_room_for_light(options, {grid.nx, grid.ny}, channel_count(scene), "take a coarser --grid",
+                           request.directory);
   request.simulation.grid = grid;
   request.simulation.method = all_methods_2().make(options.method);
   return Simulation2(std::move(scene), std::move(request.simulation));

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "io/files/disk_space.h"
 #include "io/files/output_file.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/npy.h"
@@ -20,7 +19,6 @@
 #include "io/results/space/factors_report.h"
 #include "io/results/space/radiosity_vtu.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/space/check/lost_light.h"
@@ -77,18 +75,6 @@ struct GridFiles {
   }
 };
 
-// Throws RequestError where light on the grid needs more memory or disk than there is.
-void require_room_for(const Scene3& scene, const SolveOptions& options, const std::filesystem::path& directory) {
-  const Grid3& grid = *scene.grid;
-  const std::uint64_t bytes =
-      std::uint64_t{grid.nu} * grid.nv * static_cast<std::uint64_t>(channel_count(scene)) * sizeof(double);
-  const std::string what = fmt::format("{}: light on {} x {} cells", options.scene, grid.nu, grid.nv);
-  const std::string advice = "; take fewer cells, or --no-illumination";
-  if (const std::uint64_t allowed = memory_allowed(options.memory.value_or(0)); bytes > allowed)
-    throw RequestError(fmt::format("{} takes {} bytes of memory; allowed are {}{}", what, bytes, allowed, advice));
-  require_space(directory / "illumination.npy", bytes, what + " takes", advice);
-}
-
 // What a camera sees of what is asked for.
 std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const Shown& shown,
                                              const Simulation3& simulation) {
@@ -137,7 +123,9 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       vtu(directory / "radiosity.vtu");
   std::optional<GridFiles> grid;
   if (wants_grid(options, simulation.scene())) {
-    require_room_for(simulation.scene(), options, directory);
+    const Grid3& cells = *simulation.scene().grid;
+    require_room_for_light(options, {cells.nu, cells.nv}, channel_count(simulation.scene()), "take fewer cells",
+                           directory);
     grid.emplace(options, directory);
   }
   std::optional<OutputFile> png, render;

@@ -1,9 +1,13 @@
 #include "cli/solve_options.h"
 
+#include <fmt/format.h>
+
 #include <vector>
 
 #include "geometry/near_names.h"
+#include "io/files/disk_space.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/memory.h"
 #include "viewer/picture/picture_options.h"
 
 namespace hottel {
@@ -36,6 +40,17 @@ Shown shown_of(const SolveOptions& options) {
   if (!options.render.empty() && !picture_format(options.render))
     throw UsageError("a picture is written as .png, .svg or .pdf, not '" + options.render + "'");
   return shown;
+}
+
+void require_room_for_light(const SolveOptions& options, const std::array<std::uint32_t, 2>& cells, int channels,
+                            const std::string& advice, const std::filesystem::path& directory) {
+  const std::uint64_t bytes =
+      std::uint64_t{cells[0]} * cells[1] * static_cast<std::uint64_t>(channels) * sizeof(double);
+  const std::string what = fmt::format("{}: light on {} x {} cells", options.scene, cells[0], cells[1]);
+  const std::string remedy = "; " + advice + ", or --no-illumination";
+  if (const std::uint64_t allowed = memory_allowed(options.memory.value_or(0)); bytes > allowed)
+    throw RequestError(fmt::format("{} takes {} bytes of memory; allowed are {}{}", what, bytes, allowed, remedy));
+  require_space(directory / "illumination.npy", bytes, what + " takes", remedy);
 }
 
 }  // namespace hottel

@@ -1,7 +1,9 @@
 // The options of hottel solve: what both dimensions have in common.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -32,6 +34,11 @@ struct SolveOptions {
 // The solver asked for. With --iterations or --until, auto is one that iterates: cg, or bicgstab where rows need not be
 // symmetric. Throws UnknownName for a name that no solver has, UsageError where a direct one is to iterate.
 Solver solver_of(const SolveOptions& options, bool has_symmetric_rows);
+
+// Throws RequestError where light on so many cells needs more memory or disk than there is. advice: what to do about
+// it, besides --no-illumination.
+void require_room_for_light(const SolveOptions& options, const std::array<std::uint32_t, 2>& cells, int channels,
+                            const std::string& advice, const std::filesystem::path& directory);
 
 // What the picture shows, as --show and --channel ask for it. Throws UsageError for what is not there, and for options
 // of light where something else is shown; and, for --render, unless its file is a picture.

@@ -19,6 +19,18 @@ struct PairExplanation {
   std::string reason;                // in words, e.g. "partly hidden, touching"
 };
 
+// "they do not face each other", "hidden", "partly hidden" or "in full view".
+inline std::string sight_in_words(const std::optional<double>& visibility) {
+  if (!visibility) return "they do not face each other";
+  return *visibility == 0 ? "hidden" : *visibility < 1 ? "partly hidden" : "in full view";
+}
+
+// ", missed", ", light where there is none", or nothing.
+inline std::string mistake_in_words(const PairError& pair) {
+  if (pair.value == 0 && pair.exact > 0) return ", missed";
+  return pair.value > 0 && pair.exact == 0 ? ", light where there is none" : "";
+}
+
 // A pair that a method gets most wrong, with its elements by name; "sky" for the sky.
 struct ExplainedPair {
   std::string method, from, to;

@@ -19,6 +19,14 @@
 
 namespace hottel {
 
+// What methods are held against: a scene and its exact factors by elements, with visibilities.
+template <class Prepared>
+struct ComparisonReference {
+  std::shared_ptr<const Prepared> prepared;
+  std::shared_ptr<const ExchangeMatrix> exact;
+  double tolerance = 0;  // of the exact factors that are not correctly rounded
+};
+
 // A scene with its exact factors and radiosities, ready to judge methods.
 //
 //   (1) exact() is over the elements that the surfaces ask for, with visibilities; all methods are held against it
@@ -28,12 +36,11 @@ namespace hottel {
 template <class Prepared>
 class MethodComparison {
  public:
-  // tolerance: that of the exact factors which are not correctly rounded. COST: one solution.
-  MethodComparison(std::shared_ptr<const Prepared> prepared, std::shared_ptr<const ExchangeMatrix> exact,
-                   double tolerance)
-      : prepared_(std::move(prepared)), exact_(std::move(exact)), tolerance_(tolerance) {
+  // COST: one solution.
+  explicit MethodComparison(ComparisonReference<Prepared> reference)
+      : prepared_(std::move(reference.prepared)), exact_(std::move(reference.exact)), tolerance_(reference.tolerance) {
     exact_solution_ = solve(*exact_, why_no_solution_);
-    reference_ = reference_errors(*exact_, tolerance, exact_solution_);
+    reference_ = reference_errors(*exact_, tolerance_, exact_solution_);
   }
 
   // Runs a method, times it and takes its errors. runs: as in time_repeatedly(). Of repeated runs the last one's matrix

@@ -30,6 +30,9 @@ struct MethodReport {
   std::vector<std::string> notes;         // e.g. the seed
 };
 
+// What is said first of factors by a method that is not exact. of: what is guaranteed of them.
+std::string method_sentence(const MethodInfo& info, Guarantee of, const MethodReport& report);
+
 // Seconds of wall-clock time.
 struct Timing {
   double median = 0, fastest = 0, slowest = 0;

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
+
+#include "geometry/space/visibility/direction.h"
 
 namespace hottel {
 
@@ -18,6 +22,19 @@ std::vector<Corner> cut_convex(const std::vector<Corner>& corners, const Height&
     if ((at_a < 0) != (at_b < 0)) kept.push_back(between(a, b, at_a / (at_a - at_b)));
   }
   return kept;
+}
+
+// Returns what a convex cone has in common with that of a polygon; fewer than three corners where that is nothing.
+// ways: from the eye to the corners of the polygon, of any length, counter-clockwise for who sees it from its front, as
+// the eye does.
+inline std::vector<Direction3> common_cone_3(std::vector<Direction3> cone, std::span<const Direction3> ways) {
+  for (std::size_t k = 0; k < ways.size() && cone.size() >= 3; ++k) {
+    const Direction3 inward = cross(ways[k + 1 == ways.size() ? 0 : k + 1], ways[k]);
+    cone = cut_convex(
+        cone, [&inward](const Direction3& d) { return dot(d, inward); },
+        [](const Direction3& a, const Direction3& b, double t) { return unit(a + t * (b - a)); });
+  }
+  return cone;
 }
 
 }  // namespace hottel

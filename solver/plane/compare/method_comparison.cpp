@@ -9,20 +9,18 @@
 namespace hottel {
 namespace {
 
-Simulation2 by_elements(const Simulation2& simulation) {
-  return simulation.with_request(
+ComparisonReference<PreparedScene2> reference_of(const Simulation2& simulation, const StageProgress& progress) {
+  const Simulation2 by_elements = simulation.with_request(
       {.granularity = Granularity::kElement, .wants_visibility = true, .memory = simulation.request().memory});
-}
-
-std::shared_ptr<const ExchangeMatrix> matrix_of(const Simulation2& simulation, const StageProgress& progress) {
-  const auto computed = simulation.factors(progress);
-  return {computed, &computed->matrix};
+  const auto prepared = by_elements.prepared(progress);
+  const auto computed = by_elements.factors(progress);
+  return {prepared, {computed, &computed->matrix}, 0};
 }
 
 }  // namespace
 
 MethodComparison2::MethodComparison2(const Simulation2& simulation, const StageProgress& progress)
-    : MethodComparison(by_elements(simulation).prepared(progress), matrix_of(by_elements(simulation), progress), 0) {}
+    : MethodComparison(reference_of(simulation, progress)) {}
 
 void add_verdict(const MethodComparison2& comparison, double beyond, MethodResult& result) {
   if (!result.report.written) return;

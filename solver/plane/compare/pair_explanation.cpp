@@ -41,11 +41,6 @@ double angle(const Line& a, const Line& b) {
   return std::atan2(std::abs(m[0] * n[1] - m[1] * n[0]), m[0] * n[0] + m[1] * n[1]) * 180 / std::numbers::pi;
 }
 
-std::string seen(const std::optional<double>& visibility) {
-  if (!visibility) return "they do not face each other";
-  return *visibility == 0 ? "hidden" : *visibility < 1 ? "partly hidden" : "in full view";
-}
-
 }  // namespace
 
 PairExplainer2::PairExplainer2(const PreparedScene2& prepared, const ExchangeMatrix& exact)
@@ -66,7 +61,7 @@ std::optional<double> PairExplainer2::visibility(std::uint32_t from, std::uint32
 PairExplanation PairExplainer2::explain(const PairError& pair) const {
   PairExplanation result;
   result.visibility = visibility(pair.from, pair.to);
-  result.reason = seen(result.visibility);
+  result.reason = sight_in_words(result.visibility);
   if (pair.to == exact_.sky()) {
     result.reason += " toward the sky";
   } else {
@@ -78,8 +73,7 @@ PairExplanation PairExplainer2::explain(const PairError& pair) const {
                      : *result.distance < std::max(a.length(), b.length()) ? ", near"
                                                                            : ", far";
   }
-  if (pair.value == 0 && pair.exact > 0) result.reason += ", missed";
-  if (pair.value > 0 && pair.exact == 0) result.reason += ", light where there is none";
+  result.reason += mistake_in_words(pair);
   return result;
 }
 

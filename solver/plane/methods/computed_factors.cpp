@@ -20,8 +20,7 @@ ComputedFactors2 factors_by(const ExchangeMethod2& method, const PreparedScene2&
   }
   if (!is_exact)
     result.report.notes.insert(result.report.notes.begin(),
-                               fmt::format("view factors by {}: {}, rows sum to 1 within {:.2g}", info.name,
-                                           to_string(result.matrix.guarantee()), result.report.row_defect));
+                               method_sentence(info, result.matrix.guarantee(), result.report));
   return result;
 }
 

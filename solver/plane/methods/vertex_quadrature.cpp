@@ -13,7 +13,7 @@
 #include <memory>
 #include <optional>
 
-#include "kernel/support/failure.h"
+#include "solver/methods/vertex_variant.h"
 #include "solver/plane/methods/cosine_kernel.h"
 #include "solver/plane/methods/exact_visibility.h"
 #include "solver/plane/methods/method_catalogue.h"
@@ -24,19 +24,7 @@
 namespace hottel {
 namespace {
 
-constexpr std::string_view kLiteral = ":literal";
-constexpr std::string_view kCentroid = ":centroid";
 constexpr const char* kReference = "trapezoid rule on both elements, visibility 0 or 1";
-constexpr double kNearest = 0.005;
-
-struct Variant {
-  bool is_literal = false;
-  bool tests_centres = false;
-
-  std::string suffix() const {
-    return std::string(is_literal ? kLiteral : "") + std::string(tests_centres ? kCentroid : "");
-  }
-};
 
 // Sum of cos cos' / (2 r) over the four pairs of ends.
 double sum_over_ends(const ElementRun2& a, const ElementRun2& b, double nearest) {
@@ -49,7 +37,7 @@ double sum_over_ends(const ElementRun2& a, const ElementRun2& b, double nearest)
 
 class VertexQuadrature2 final : public PairMethod2 {
  public:
-  explicit VertexQuadrature2(const Variant& variant)
+  explicit VertexQuadrature2(const VertexVariant& variant)
       : PairMethod2(
             {"vertices" + variant.suffix(), "vertices" + variant.suffix(), 0, Guarantee::kEstimated, kReference}),
         variant_(variant) {}
@@ -84,18 +72,9 @@ class VertexQuadrature2 final : public PairMethod2 {
   }
 
  private:
-  static double nearest_of(const ElementGeometry2& geometry) { return kNearest * geometry.diagonal() / 2; }
-  Variant variant_;
+  static double nearest_of(const ElementGeometry2& geometry) { return kNearestVertices * geometry.diagonal() / 2; }
+  VertexVariant variant_;
 };
-
-std::unique_ptr<ExchangeMethod2> make(std::string_view variant) {
-  for (const bool is_literal : {false, true})
-    for (const bool tests_centres : {false, true})
-      if (const Variant one{is_literal, tests_centres}; one.suffix() == variant)
-        return std::make_unique<VertexQuadrature2>(one);
-  throw UsageError("the variants of vertices are centroid, literal and literal:centroid, not '" +
-                   std::string(variant.substr(1)) + "'");
-}
 
 }  // namespace
 
@@ -106,7 +85,9 @@ MethodFamily2 vertex_quadrature_family_2() {
           .reference = kReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"vertices:centroid", "vertices", "vertices:literal:centroid", "vertices:literal"},
-          .make = make};
+          .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod2> {
+            return std::make_unique<VertexQuadrature2>(vertex_variant(variant));
+          }};
 }
 
 }  // namespace hottel

@@ -8,24 +8,21 @@
 namespace hottel {
 namespace {
 
-Simulation3 by_elements(const Simulation3& simulation) {
+ComparisonReference<PreparedScene3> reference_of(const Simulation3& simulation, const StageProgress& progress) {
   const FactorsRequest3& asked = simulation.request().factors;
-  return simulation.with_request({.factors = {.granularity = Granularity::kElement,
-                                              .wants_visibility = true,
-                                              .tolerance = asked.tolerance,
-                                              .memory = asked.memory}});
-}
-
-std::shared_ptr<const ExchangeMatrix> matrix_of(const Simulation3& simulation, const StageProgress& progress) {
-  const auto computed = simulation.factors(progress);
-  return {computed, &computed->matrix};
+  const Simulation3 by_elements = simulation.with_request({.factors = {.granularity = Granularity::kElement,
+                                                                       .wants_visibility = true,
+                                                                       .tolerance = asked.tolerance,
+                                                                       .memory = asked.memory}});
+  const auto prepared = by_elements.prepared(progress);
+  const auto computed = by_elements.factors(progress);
+  return {prepared, {computed, &computed->matrix}, asked.tolerance};
 }
 
 }  // namespace
 
 MethodComparison3::MethodComparison3(const Simulation3& simulation, const StageProgress& progress)
-    : MethodComparison(by_elements(simulation).prepared(progress), matrix_of(by_elements(simulation), progress),
-                       simulation.request().factors.tolerance) {}
+    : MethodComparison(reference_of(simulation, progress)) {}
 
 void add_verdict(const MethodComparison3& comparison, double beyond, MethodResult& result) {
   if (!result.report.written) return;

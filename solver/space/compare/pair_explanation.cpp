@@ -22,11 +22,6 @@ bool touch(const ElementPatch3& a, const ElementPatch3& b) {
   return std::ranges::any_of(a.corners, is_in_b);
 }
 
-std::string seen(const std::optional<double>& visibility) {
-  if (!visibility) return "they do not face each other";
-  return *visibility == 0 ? "hidden" : *visibility < 1 ? "partly hidden" : "in full view";
-}
-
 }  // namespace
 
 PairExplainer3::PairExplainer3(const PreparedScene3& prepared, const ExchangeMatrix& exact)
@@ -48,7 +43,7 @@ std::optional<double> PairExplainer3::visibility(std::uint32_t from, std::uint32
 PairExplanation PairExplainer3::explain(const PairError& pair) const {
   PairExplanation result;
   result.visibility = visibility(pair.from, pair.to);
-  result.reason = seen(result.visibility);
+  result.reason = sight_in_words(result.visibility);
   const ElementPatch3* const a = largest(geometry_.patches(pair.from));
   if (pair.to == exact_.sky()) {
     result.reason += " toward the sky";
@@ -60,8 +55,7 @@ PairExplanation PairExplainer3::explain(const PairError& pair) const {
                      : distance < std::sqrt(std::max(a->area, b->area)) ? ", near"
                                                                         : ", far";
   }
-  if (pair.value == 0 && pair.exact > 0) result.reason += ", missed";
-  if (pair.value > 0 && pair.exact == 0) result.reason += ", light where there is none";
+  result.reason += mistake_in_words(pair);
   return result;
 }
 

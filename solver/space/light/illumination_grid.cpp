@@ -7,6 +7,7 @@
 
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/visibility/convex_cut.h"
 #include "geometry/space/visibility/direction.h"
 #include "geometry/space/visibility/point_map.h"
 #include "kernel/support/parallel.h"
@@ -17,21 +18,6 @@ namespace hottel {
 namespace {
 
 using Cone = std::vector<Direction3>;
-
-// The part of a convex cone on the inner side of a plane through the eye.
-Cone cut(const Cone& cone, const Direction3& inward) {
-  Cone kept;
-  for (std::size_t k = 0; k < cone.size(); ++k) {
-    const Direction3 &a = cone[k], &b = cone[k + 1 == cone.size() ? 0 : k + 1];
-    const double at_a = dot(a, inward), at_b = dot(b, inward);
-    if (at_a >= 0) kept.push_back(a);
-    if ((at_a < 0) != (at_b < 0)) {
-      const double t = at_a / (at_a - at_b);
-      kept.push_back(unit(a + t * (b - a)));
-    }
-  }
-  return kept;
-}
 
 // What the sides of pieces send out, element by element.
 class SentOut {
@@ -102,9 +88,7 @@ class SentOut {
   static double fraction_of(Cone cone, const Part& part, const Direction3& eye) {
     Cone ways;
     for (const Direction3& corner : part.corners) ways.push_back(unit(corner - eye));
-    // Seen from its front a part runs counter-clockwise: to the eye its inside is left of its sides.
-    for (std::size_t k = 0; k < ways.size() && cone.size() > 2; ++k)
-      cone = cut(cone, cross(ways[k + 1 == ways.size() ? 0 : k + 1], ways[k]));
+    cone = common_cone_3(std::move(cone), ways);
     return cone.size() > 2 ? std::max(0.0, solid_angle_fraction_3(cone)) : 0;
   }
 

@@ -1,7 +1,5 @@
 #include "solver/space/methods/patch_rule.h"
 
-#include "geometry/space/exchange/face_patches.h"
-
 namespace hottel {
 namespace {
 
@@ -40,8 +38,7 @@ std::vector<RulePoint3> rule_points(const ElementPatch3& patch, const GaussRule&
   return points;
 }
 
-Point3 exact_point(const Vertices3& vertices, const Patch3& patch, const RulePoint3& point) {
-  const std::vector<Point3> corners = corners_of(vertices, patch);
+Point3 exact_point(std::span<const Point3> corners, const RulePoint3& point) {
   const Point3& first = corners[point.corner[0]];
   Point3 result = first;
   for (std::size_t k = 1; k < 4; ++k) {

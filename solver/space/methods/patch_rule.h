@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "geometry/space/point.h"
@@ -28,7 +29,7 @@ struct RulePoint3 {
 // SEE: Duffy, Quadrature over a pyramid or cube of integrands with a singularity at a vertex, 1982.
 std::vector<RulePoint3> rule_points(const ElementPatch3& patch, const GaussRule& rule);
 
-// Returns the point in scene coordinates, exactly on the plane of the patch.
-Point3 exact_point(const Vertices3& vertices, const Patch3& patch, const RulePoint3& point);
+// Returns the point in scene coordinates, exactly on the plane of its patch, from the exact corners of that.
+Point3 exact_point(std::span<const Point3> corners, const RulePoint3& point);
 
 }  // namespace hottel

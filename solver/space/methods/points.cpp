@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "geometry/space/exchange/face_patches.h"
 #include "geometry/space/visibility/convex_cut.h"
 #include "geometry/space/visibility/point_map.h"
 #include "solver/methods/factor_rows.h"
@@ -29,13 +30,12 @@ double factor_of(const Vector3d& eye, const Direction3& normal, const PointMap3&
                  const PointMap3::Fragment& fragment, const std::vector<Vector3d>& part) {
   std::vector<Direction3> cone;
   for (std::uint32_t k = fragment.begin; k < fragment.end; ++k) cone.push_back(map.corners[k].direction);
-  for (std::size_t k = 0; k < part.size() && cone.size() >= 3; ++k) {
-    const Vector3d plane = cross(part[k + 1 == part.size() ? 0 : k + 1] - eye, part[k] - eye);
-    const Direction3 inward{plane.x, plane.y, plane.z};
-    cone = cut_convex(
-        cone, [&inward](const Direction3& d) { return dot(d, inward); },
-        [](const Direction3& a, const Direction3& b, double t) { return unit(a + t * (b - a)); });
+  std::vector<Direction3> ways;
+  for (const Vector3d& corner : part) {
+    const Vector3d way = corner - eye;
+    ways.push_back({way.x, way.y, way.z});
   }
+  cone = common_cone_3(std::move(cone), ways);
   return cone.size() >= 3 ? std::fabs(view_factor_3(cone, normal)) : 0;
 }
 
@@ -70,9 +70,15 @@ class Points3 final : public ElementMethod3 {
     const ElementGeometry3 geometry(prepared);
     const SideElements3 elements(prepared, geometry.table());
     const FillRow fill = [&](std::uint32_t from, RowSums& by) {
-      for (const ElementPatch3& patch : geometry.patches(from))
-        for (const RulePoint3& point : rule_points(patch, rule_))
-          add_point(prepared, elements, patch, point, geometry.table().sky(), by);
+      for (const ElementPatch3& patch : geometry.patches(from)) {
+        const std::vector<Point3> corners = corners_of(prepared.blockers().vertices(), *patch.exact);
+        Look3 look;
+        look.normal = exact_normal(prepared.blockers(), patch);
+        for (const RulePoint3& point : rule_points(patch, rule_)) {
+          look.eye = exact_point(corners, point);
+          add_point(map_from(prepared.blockers(), look), elements, patch, point, geometry.table().sky(), by);
+        }
+      }
     };
     ExchangeMatrix matrix =
         matrix_by_rows(geometry.table().elements(), has_patches(geometry), progress, [&] { return fill; });
@@ -81,18 +87,16 @@ class Points3 final : public ElementMethod3 {
   }
 
  private:
-  void add_point(const PreparedScene3& prepared, const SideElements3& elements, const ElementPatch3& patch,
-                 const RulePoint3& point, std::uint32_t sky, RowSums& by) const {
-    const Blockers3& blockers = prepared.blockers();
+  static Point3 exact_normal(const Blockers3& blockers, const ElementPatch3& patch) {
     const IntegerVector& front = blockers.exact_normal(patch.piece);
-    const BoundedVector& rounded_front = blockers.normal(patch.piece);
-    const int side =
-        rounded_front.x * patch.normal.x + rounded_front.y * patch.normal.y + rounded_front.z * patch.normal.z > 0 ? 1
-                                                                                                                   : -1;
-    Look3 look;
-    look.eye = exact_point(blockers.vertices(), *patch.exact, point);
-    look.normal = Point3{Rational(side * front.x), Rational(side * front.y), Rational(side * front.z)};
-    const PointMap3 map = map_from(blockers, look);
+    const BoundedVector& rounded = blockers.normal(patch.piece);
+    const int side = dot(Vector3d{rounded.x, rounded.y, rounded.z}, patch.normal) > 0 ? 1 : -1;
+    return {Rational(side * front.x), Rational(side * front.y), Rational(side * front.z)};
+  }
+
+  // Adds what a point of a patch sees, by its map.
+  static void add_point(const PointMap3& map, const SideElements3& elements, const ElementPatch3& patch,
+                        const RulePoint3& point, std::uint32_t sky, RowSums& by) {
     const double weight = patch.share * point.weight;
     std::size_t fragment = 0;
     for (const PointMap3::Share& share : map.shares) {  // fragments are by face, as the shares are

@@ -10,7 +10,7 @@
 #include <memory>
 #include <numbers>
 
-#include "kernel/support/failure.h"
+#include "solver/methods/vertex_variant.h"
 #include "solver/space/methods/cosine_kernel.h"
 #include "solver/space/methods/exact_visibility.h"
 #include "solver/space/methods/method_catalogue.h"
@@ -19,19 +19,7 @@
 namespace hottel {
 namespace {
 
-constexpr std::string_view kLiteral = ":literal";
-constexpr std::string_view kCentroid = ":centroid";
 constexpr const char* kReference = "trapezoid rule on both elements, visibility 0 or 1";
-constexpr double kNearest = 0.005;
-
-struct Variant {
-  bool is_literal = false;
-  bool tests_centres = false;
-
-  std::string suffix() const {
-    return std::string(is_literal ? kLiteral : "") + std::string(tests_centres ? kCentroid : "");
-  }
-};
 
 // The mean of cos cos' / (pi r^2) over all pairs of corners that are not too near.
 double mean_over_corners(const ElementPatch3& a, const ElementPatch3& b, double nearest) {
@@ -44,7 +32,7 @@ double mean_over_corners(const ElementPatch3& a, const ElementPatch3& b, double 
 
 class VertexQuadrature3 final : public PairMethod3 {
  public:
-  explicit VertexQuadrature3(const Variant& variant)
+  explicit VertexQuadrature3(const VertexVariant& variant)
       : PairMethod3(
             {"vertices" + variant.suffix(), "vertices" + variant.suffix(), 0, Guarantee::kEstimated, kReference}),
         variant_(variant) {}
@@ -52,7 +40,7 @@ class VertexQuadrature3 final : public PairMethod3 {
  protected:
   PairsOfElements pairs(const Setting& setting) const override {
     const double weight = variant_.is_literal ? std::numbers::pi : 1;
-    const double nearest = kNearest * setting.visibility.diagonal() / 2;
+    const double nearest = kNearestVertices * setting.visibility.diagonal() / 2;
     const auto measure = [weight, nearest](const ElementPatch3& a, const ElementPatch3& b) {
       return weight * a.area * b.area * mean_over_corners(a, b, nearest);
     };
@@ -73,17 +61,8 @@ class VertexQuadrature3 final : public PairMethod3 {
   }
 
  private:
-  Variant variant_;
+  VertexVariant variant_;
 };
-
-std::unique_ptr<ExchangeMethod3> make(std::string_view variant) {
-  for (const bool is_literal : {false, true})
-    for (const bool tests_centres : {false, true})
-      if (const Variant known{is_literal, tests_centres}; known.suffix() == variant)
-        return std::make_unique<VertexQuadrature3>(known);
-  throw UsageError("the variants of vertices are literal, centroid and literal:centroid, not '" +
-                   std::string(variant.substr(1)) + "'");
-}
 
 }  // namespace
 
@@ -94,7 +73,9 @@ MethodFamily3 vertex_quadrature_family_3() {
           .reference = kReference,
           .guarantee = Guarantee::kEstimated,
           .sweep = {"vertices:centroid", "vertices:literal:centroid", "vertices", "vertices:literal"},
-          .make = make};
+          .make = [](std::string_view variant) -> std::unique_ptr<ExchangeMethod3> {
+            return std::make_unique<VertexQuadrature3>(vertex_variant(variant));
+          }};
 }
 
 }  // namespace hottel

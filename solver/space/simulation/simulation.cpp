@@ -26,14 +26,13 @@ ComputedFactors3 factors_by(const ExchangeMethod3& method, const PreparedScene3&
                             const FactorsRequest3& request, const StageProgress& progress) {
   ComputedFactors3 result;
   MethodReport report;
-  const std::string& name = method.info().name;
   try {
     result.matrix = method.compute(
         prepared,
         {.granularity = request.granularity, .wants_visibility = false, .progress = telling("view factors", progress)},
         report);
   } catch (const RequestError& error) {
-    throw RequestError(fmt::format("{}: the method {}: {}", prepared.scene.file, name, error.what()));
+    throw RequestError(fmt::format("{}: the method {}: {}", prepared.scene.file, method.info().name, error.what()));
   }
   result.report.surfaces = report.counts.surfaces;
   result.report.vertices = report.counts.vertices;
@@ -41,8 +40,7 @@ ComputedFactors3 factors_by(const ExchangeMethod3& method, const PreparedScene3&
   result.report.pairs = report.counts.pairs;
   result.report.max_defect = report.row_defect;
   result.report.seconds = report.counts.seconds;
-  result.notes = {fmt::format("view factors by {}: {}, rows sum to 1 within {:.2g}", name,
-                              to_string(result.matrix.guarantee()), report.row_defect)};
+  result.notes = {method_sentence(method.info(), result.matrix.guarantee(), report)};
   result.notes.insert(result.notes.end(), report.notes.begin(), report.notes.end());
   return result;
 }
