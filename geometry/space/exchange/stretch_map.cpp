@@ -9,7 +9,7 @@ namespace {
 
 // Where in an interval to look: not where events are likely.
 constexpr std::array<double, 8> kPlaces{0.4837, 0.3911, 0.6123, 0.2719, 0.7351, 0.1523, 0.8713, 0.5531};
-// Directions may turn within parts of a stretch as short as this: what is lost there is below the tolerances.
+// So near to an end of a piece a zero may be that of the end.
 constexpr double kHarmless = 1e-13;
 // Parts of a stretch below this are left out.
 constexpr double kLeast = 0x1p-51;
@@ -258,14 +258,16 @@ void StretchMapper3::set_signature(StretchPiece3& piece) const {
   std::erase_if(piece.signature, [](const ArcEnd3& end) { return end.count == 0; });
 }
 
-// Zeros of a vector itself are harmless: its direction goes on analytically there.
+// Where a vector is zero at an end of a piece its direction goes on analytically. Within a piece it is never zero: it
+// passes by, however close, and its direction turns over.
 void StretchMapper3::add_near_zero(const MovingVector3& vector, StretchPiece3& piece) {
   const double at = vector.base + nearest_to_zero(vector, piece.low - vector.base, piece.high - vector.base);
   const Direction3 value = vector.at(at, 0), slope = vector.second + (2 * (at - vector.base)) * vector.third;
   const double speed = std::sqrt(dot(slope, slope));
   if (!(speed > 0)) return;
   const double width = std::sqrt(dot(value, value)) / speed;
-  if (width > kHarmless && width < piece.high - piece.low) piece.near_zeros.push_back({at, width});
+  const bool is_within = at - piece.low > kHarmless && piece.high - at > kHarmless;
+  if ((width > kHarmless || is_within) && width < piece.high - piece.low) piece.near_zeros.push_back({at, width});
 }
 
 // The corner that a label tells of.

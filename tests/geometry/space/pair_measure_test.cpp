@@ -326,6 +326,19 @@ TEST(PairMeasure3Sweep, CornersThatAllButCoincideAreToldApart) {
   }
 }
 
+// From a triangle with a side in a wall, past a triangle that leans off that wall by h, to the wall 8 h further back.
+// Where the one that hides rises above that side, what is seen turns over within h.
+TEST(PairMeasure3Sweep, ABlockerRisesAcrossTheSideOfAPatch) {
+  const Points from{{0, 4, 0}, {3, 4, 2}, {0, 0, 0}};
+  const auto wall = [](const Rational& y) { return Points{{5, y, 0}, {5, y, 3}, {0, y, 3}, {0, y, 0}}; };
+  const auto leaning = [](const Rational& h) { return Points{{0, 4, 0}, {2, 4 + h, 0}, {0, 4, 3}}; };
+  const double closed = Pair({from, wall(4)}).factor() - Pair({from, leaning(0)}).factor();
+  for (int k = 4; k <= 160; k += 4) {
+    const Rational h = two_to_minus(k);
+    EXPECT_NEAR(Pair({from, wall(4 + 8 * h), leaning(h)}).factor(), closed, std::ldexp(1.0, -k) + 4e-12) << k;
+  }
+}
+
 TEST(PairMeasure3Sweep, ADihedralClosesAroundABlocker) {
   // Two squares with a common edge, a small angle apart, and a needle between them that hides nothing in the limit.
   for (int k = 1; k <= 50; k += 7) {
