@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "cli/command.h"
 #include "cli/factors_in_space.h"
 #include "cli/factors_options.h"
 #include "cli/methods.h"
+#include "cli/script_f.h"
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/scene/division.h"
@@ -15,59 +15,23 @@
 #include "io/results/factors_report.h"
 #include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
-#include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
-#include "kernel/support/stopwatch.h"
 #include "solver/plane/simulation/simulation.h"
-#include "solver/radiosity/gray_exchange.h"
 #include "viewer/picture/plane/factor_picture.h"
 
 namespace hottel {
 namespace {
 
-constexpr std::array<const char*, 3> kChannels{"r", "g", "b"};
-
-// The channel asked for; without one all materials of faces must be gray.
-int channel_of(const FactorsOptions& options, const PreparedScene2& prepared, const ExchangeMatrix& matrix) {
-  if (!options.channel.empty())
-    return static_cast<int>(std::find(kChannels.begin(), kChannels.end(), options.channel) - kChannels.begin());
-  if (const auto row = first_coloured(matrix, prepared.scene.materials)) {
-    const Element& element = matrix.elements()[*row];
-    throw RequestError(fmt::format("{}: '{}', the material of '{}', is not gray: choose --channel r, g or b",
-                                   prepared.scene.file, prepared.scene.materials[*element.material].name,
-                                   element.name));
-  }
-  return 0;
-}
-
 // What is computed of a scene, and what is said of it.
 struct Factors {
   std::shared_ptr<const PreparedScene2> prepared;
   std::shared_ptr<const ComputedFactors2> computed;  // view factors
-  std::optional<ExchangeMatrix> gray;                // script-F instead
-  int channel = 0;                                   // of script-F
+  std::optional<GrayFactors> gray;                   // script-F instead
   FactorsReport report;
 
   const ExchangeMatrix& matrix() const { return computed->matrix; }
-  const ExchangeMatrix& written() const { return gray ? *gray : matrix(); }
+  const ExchangeMatrix& written() const { return gray ? gray->matrix : matrix(); }
 };
-
-void add_script_f(const FactorsOptions& options, const Streams& streams, Factors& factors) {
-  Stopwatch watch;
-  factors.channel = channel_of(options, *factors.prepared, factors.matrix());
-  factors.gray = naming_file(options.scene, [&] {
-    return gray_exchange(factors.matrix(), factors.prepared->scene.materials,
-                         {.channel = factors.channel,
-                          .memory = memory_allowed(options.memory),
-                          .progress = streams.progress("script-F")});
-  });
-  FactorsReport::Gray gray;
-  gray.channel = options.channel.empty() ? "all" : options.channel;
-  gray.pairs = factors.gray->entry_count();
-  gray.max_relative_width = max_relative_width(*factors.gray);
-  gray.seconds = watch.lap();
-  factors.report.gray = gray;
-}
 
 // Sorts out what --exact-form took: its two names, or the scene, or both.
 void take_exact_form(FactorsOptions& options) {
@@ -144,7 +108,10 @@ Factors factors_of(const FactorsOptions& options, const Simulation2& simulation,
   factors.computed = simulation.factors(streams.stages());
   factors.prepared = simulation.prepared();
   factors.report = {options.scene, options.method, simulation.granularity(), factors.computed->report};
-  if (options.script_f) add_script_f(options, streams, factors);
+  if (options.script_f) {
+    factors.gray = gray_factors(options, factors.matrix(), factors.prepared->scene.materials, streams);
+    factors.report.gray = factors.gray->report;
+  }
   return factors;
 }
 
@@ -164,7 +131,7 @@ void factors_in_plane(const FactorsOptions& options, Scene2 scene, Streams& stre
   const Factors factors = factors_of(options, simulation, streams);
   const PreparedScene2& prepared = *factors.prepared;
   FactorTable table{prepared.scene, factors.written(), factors.report.granularity, {}, {}};
-  if (factors.gray) table.gray_channel = factors.channel;
+  if (factors.gray) table.gray_channel = factors.gray->channel;
   if (options.pairs == "facing" || options.matrix == "visibility")
     table.hidden = hidden_pairs(prepared, table.granularity, factors.matrix());
   if (picture)
@@ -189,6 +156,18 @@ bool combines(const Scene3& scene) {
   return std::any_of(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 1; });
 }
 
+// emit=1 of a deck is --script-f, unless view factors are asked for in a way that script-F has not.
+void take_emit(FactorsOptions& options, const Streams& streams) {
+  if (!options.deck.wants_script_f || options.script_f) return;
+  const std::string instead = !options.is_exact()                                    ? "--method " + options.method
+                              : options.pairs != "visible"                           ? "--pairs " + options.pairs
+                              : options.matrix.empty() || options.matrix == "factor" ? ""
+                                                                                     : "--matrix " + options.matrix;
+  options.script_f = instead.empty();
+  streams.note(instead.empty() ? "emit=1: gray-body exchange factors, script-F, are written"
+                               : "emit=1 asks for script-F; view factors are written: " + instead + " is of these");
+}
+
 ExitCode factors(FactorsOptions options, Streams& streams) {
   take_exact_form(options);
   options.awaits_deck = is_vs3(options.scene);
@@ -198,6 +177,7 @@ ExitCode factors(FactorsOptions options, Streams& streams) {
     throw UsageError("a picture is written as .png, .svg or .pdf, not '" + options.picture + "'");
   Scene scene = read_scene_noting(options.scene, options.polygons, streams, &options.deck);
   options.awaits_deck = false;
+  take_emit(options, streams);
   options.format();
   if (is_vs3(options.scene) && options.per_option->count() == 0 && combines(std::get<Scene3>(scene)))
     options.granularity = "group";

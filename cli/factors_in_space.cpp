@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "cli/deck_requests.h"
+#include "cli/script_f.h"
 #include "geometry/space/exchange/element_table.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/space/element_files.h"
@@ -20,7 +22,6 @@ void require_what_space_has(const FactorsOptions& options) {
     throw UsageError(option + " is of scenes in the plane; this version does not have it in space");
   };
   if (options.wants_exact_form) refuse("--exact-form");
-  if (options.script_f) refuse("--script-f");
   if (!options.picture.empty()) refuse("--picture");
   if (options.is_exact()) return;
   const auto refuse_of = [&options](const std::string& option) {
@@ -60,7 +61,10 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
   FactorsFiles files(options, streams);
   const auto computed = simulation.factors(streams.stages());
   const auto prepared = simulation.prepared();
-  FactorTable table{prepared->scene, computed->matrix, request.granularity};
+  std::optional<GrayFactors> gray;
+  if (options.script_f) gray = gray_factors(options, computed->matrix, prepared->scene.materials, streams);
+  FactorTable table{prepared->scene, gray ? gray->matrix : computed->matrix, request.granularity};
+  if (gray) table.gray_channel = gray->channel;
   obey_deck(options, streams, table, prepared->scene.polygons);
   if (options.pairs == "facing" || options.matrix == "visibility") table.hidden = *simulation.hidden(streams.stages());
   if (files.out)
@@ -78,7 +82,8 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
                               .tolerance = request.tolerance,
                               .guarantee = computed->matrix.guarantee(),
                               .counts = computed->report,
-                              .notes = computed->notes};
+                              .notes = computed->notes,
+                              .gray = gray ? std::optional(gray->report) : std::nullopt};
   if (options.json) streams.write("", factors_json(report));
   files.commit();
   streams.note(factors_text(report));

@@ -6,12 +6,18 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
+#include "geometry/plane/scene/division.h"
+#include "geometry/space/exchange/element_table.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
-#include "io/results/plane/reference_set.h"
+#include "io/results/reference_set.h"
+#include "io/results/space/element_files.h"
+#include "io/results/space/factors_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/naming_file.h"
 #include "solver/plane/simulation/simulation.h"
+#include "solver/space/simulation/simulation.h"
 
 namespace hottel {
 namespace {
@@ -19,15 +25,91 @@ namespace {
 struct ReferenceOptions {
   std::string directory;
   std::vector<std::string> scenes;
+  std::optional<std::string> tolerance;
 };
 
-// The factors of all elements and the radiosities of one scene.
-SceneReference2 refer(const std::string& file, const std::string& name, const Streams& streams) {
-  const Simulation2 simulation(read_scene_2(file), {.granularity = Granularity::kElement, .wants_visibility = true});
+// What factors of a set in space may be off, where nothing is said: less than others are likely to ask for.
+constexpr double kTolerance = 1e-12;
+
+// A scene, and the text of a scene file that by itself holds it.
+struct GivenScene {
+  Scene scene;
+  std::string text;
+};
+
+GivenScene given_scene(const std::string& file, const Streams& streams) {
+  bool names_files = false;
+  GivenScene given;
+  if (std::filesystem::path(file).extension() == ".json") {
+    given.text = read_text_file(file);
+    given.scene = parse_scene(given.text, file, [&](const std::filesystem::path& mesh) {
+      names_files = true;
+      return read_text_file(mesh);
+    });
+    if (!names_files) return given;
+  } else {
+    given.scene = read_scene_noting(file, {}, streams);
+  }
+  // Meshes and decks as polygons, and what these come to when they are read.
+  given.text = naming_file(file, [&] { return write_scene_3(std::get<Scene3>(given.scene)); });
+  try {
+    given.scene = parse_scene(given.text, file);
+  } catch (const InputError& error) {
+    throw RequestError(
+        file + ": as a scene file by itself, which `hottel convert` writes, it cannot be read: " + error.what());
+  }
+  return given;
+}
+
+SceneReference refer_in_plane(const std::string& name, GivenScene given, const Streams& streams) {
+  const Simulation2 simulation(std::get<Scene2>(std::move(given.scene)),
+                               {.granularity = Granularity::kElement, .wants_visibility = true});
   const auto factors = simulation.factors(streams.stages());
   const auto solution = simulation.radiosities(streams.stages());
-  return scene_reference(name, read_text_file(file), simulation.scene(), factors->matrix, factors->report.counts,
-                         *solution);
+  const Scene2& scene = simulation.scene();
+  const FactorTable table{scene, factors->matrix, Granularity::kElement};
+  return scene_reference(name, std::move(given.text),
+                         {.scene = scene,
+                          .matrix = factors->matrix,
+                          .solution = *solution,
+                          .counts = factor_counts(factors->report.counts),
+                          .write_faces = [&](const Sink& sink) {
+                            write_faces_csv(table, element_ends(scene, factors->matrix.elements()), sink);
+                          }});
+}
+
+SceneReference refer_in_space(const std::string& name, GivenScene given, double tolerance, const Streams& streams) {
+  const Simulation3 simulation(
+      std::get<Scene3>(std::move(given.scene)),
+      {.factors = {.granularity = Granularity::kElement, .wants_visibility = true, .tolerance = tolerance}});
+  const auto prepared = simulation.prepared();
+  const auto factors = simulation.factors(streams.stages());
+  const auto solution = simulation.radiosities(streams.stages());
+  const FactorTable table{prepared->scene, factors->matrix, Granularity::kElement};
+  return scene_reference(name, std::move(given.text),
+                         {.scene = prepared->scene,
+                          .matrix = factors->matrix,
+                          .solution = *solution,
+                          .counts = factor_counts(factors->report),
+                          .max_defect = factors->report.max_defect,
+                          .tolerance = tolerance,
+                          .write_faces = [&](const Sink& sink) {
+                            const ElementTable3 elements(prepared->scene, prepared->arrangement(), prepared->blockers(),
+                                                         Granularity::kElement);
+                            write_faces_csv_3(table, element_corners(elements, prepared->blockers().vertices()), sink);
+                          }});
+}
+
+// The factors of all elements and the radiosities of one scene.
+SceneReference refer(const ReferenceOptions& options, const std::string& file, const std::string& name,
+                     const Streams& streams) {
+  GivenScene given = given_scene(file, streams);
+  if (std::holds_alternative<Scene3>(given.scene))
+    return refer_in_space(name, std::move(given), tolerance_of(options.tolerance, kTolerance), streams);
+  if (options.tolerance)
+    throw UsageError("--tolerance is for scenes in space: in the plane, as " + file +
+                     " is, every factor is correctly rounded");
+  return refer_in_plane(name, std::move(given), streams);
 }
 
 // The name of a scene in the set: of its file, or of the folder of a scene.json.
@@ -43,11 +125,12 @@ ExitCode reference(const ReferenceOptions& options, Streams& streams) {
     if (!names.insert(name_of(file)).second)
       throw UsageError("two scenes are called '" + name_of(file) + "': names of scenes in a set must differ");
 
-  std::vector<SceneReference2> scenes;
+  std::vector<SceneReference> scenes;
   for (const std::string& file : options.scenes) {
-    const SceneReference2& scene = scenes.emplace_back(refer(file, name_of(file), streams));
-    streams.note(fmt::format("{}: {} elements, {} factors, bounds of radiosities within {:.1e} of the value",
-                             scene.name, scene.exchange.elements, scene.factors, scene.max_relative_width));
+    const SceneReference& scene = scenes.emplace_back(refer(options, file, name_of(file), streams));
+    streams.note(fmt::format("{}: {} elements, {} factors, {}; radiosities {}, bounds within {:.1e} of the value",
+                             scene.name, scene.counts.elements, scene.factors, to_string(scene.of_factors),
+                             to_string(scene.of_radiosities), scene.max_relative_width));
   }
   const std::vector<SetFile> files = set_files(std::move(scenes));
 
@@ -73,11 +156,16 @@ void add_reference(Commands& commands) {
   CLI::App& command = commands.add(
       "reference", "Write a set of reference solutions: scenes, factors, radiosities with bounds, checksums",
       {"hottel reference /tmp/set scenes/showcase/apartment.json scenes/analytic/square_radiosity.json",
+       "hottel reference /tmp/rooms scenes/space/two_boxes.json scenes/space/cube.json",
        "hottel compare /tmp/set/square_radiosity/scene.json --methods file:/tmp/set/square_radiosity/factors.csv "
        "-o /tmp/compared"},
       [options](Streams& streams) { return reference(*options, streams); });
   command.add_option("DIR", options->directory, "the folder to write into, created")->required();
   command.add_option("SCENES", options->scenes, "scene files; scene.json is named after its folder")->required();
+  command
+      .add_option("--tolerance", options->tolerance,
+                  "in space: what A F may be off, relative to the smaller area (default 1e-12)")
+      ->type_name("T");
 }
 
 }  // namespace hottel

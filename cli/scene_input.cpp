@@ -29,7 +29,8 @@ void note_unused(const DeckOutput3& output, const Streams& streams) {
   for (const auto& [name, is_set] : {std::pair{"row", output.row.has_value()},
                                      {"col", output.column.has_value()},
                                      {"out", output.out.has_value()},
-                                     {"list", output.list != 0}})
+                                     {"list", output.list != 0},
+                                     {"emit", output.wants_script_f}})
     if (is_set) names += (names.empty() ? "" : ", ") + std::string(name);
   if (!names.empty()) streams.note(names + ": obeyed by `hottel factors` only");
 }

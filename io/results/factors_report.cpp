@@ -28,7 +28,7 @@ std::string factors_json(const FactorsReport& report) {
   if (!report.of_method.notes.empty()) json["notes"] = report.of_method.notes;
   if (report.gray) {
     json["seconds"]["script_f"] = report.gray->seconds;
-    json["script_f"] = {{"channel", report.gray->channel}, {"max_relative_width", report.gray->max_relative_width}};
+    json["script_f"] = gray_json(*report.gray);
   }
   return json.dump(2) + "\n";
 }
@@ -48,9 +48,7 @@ std::string factors_text(const FactorsReport& report) {
       "settled by: {} without rounding, {} in 128-bit fixed point, {} by balls, {} by root sums; {:.3f} s",
       counts.pairs, counts.elements, noun, counts.tiers.by_tier[0], counts.tiers.by_tier[1], counts.tiers.by_tier[2],
       counts.tiers.by_tier[3], seconds);
-  if (report.gray)
-    text += fmt::format("\nscript-F of {} pairs, bounds within {:.1e} of the value; {:.3f} s", report.gray->pairs,
-                        report.gray->max_relative_width, report.gray->seconds);
+  if (report.gray) text += "\n" + gray_text(*report.gray);
   return text;
 }
 

@@ -5,24 +5,17 @@
 #include <string>
 
 #include "geometry/element.h"
+#include "io/results/gray_report.h"
 #include "solver/compare/method_report.h"
 
 namespace hottel {
 
 // Everything that is said about one run of `factors`.
 struct FactorsReport {
-  // Of script-F, where it was asked for.
-  struct Gray {
-    std::string channel;  // "all", "r", "g", "b"
-    std::uint64_t pairs = 0;
-    double max_relative_width = 0;
-    double seconds = 0;
-  };
-
   std::string scene, method;
   Granularity granularity = Granularity::kFace;
   MethodReport of_method{};
-  std::optional<Gray> gray{};
+  std::optional<GrayReport> gray{};  // where script-F was asked for
 
   bool is_exact() const { return method == "exact"; }
 };

@@ -4,29 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/radiosity/factor_ends.h"
 #include "solver/radiosity/irradiance.h"
 #include "solver/radiosity/printed_number.h"
 
 namespace hottel {
 namespace {
-
-// The same matrix with one end of every enclosure as its factors: doubles, and nothing is said of them.
-ExchangeMatrix matrix_of_ends(const ExchangeMatrix& matrix, double Enclosure::*end) {
-  std::vector<std::size_t> begin{0};
-  std::vector<FactorEntry> entries;
-  entries.reserve(matrix.entry_count());
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    for (std::size_t k = 0; k < matrix.row(i).size(); ++k) {
-      FactorEntry entry = matrix.row(i)[k];
-      entry.factor = {matrix.bounds(i, k).*end, 0};
-      entries.push_back(entry);
-    }
-    begin.push_back(entries.size());
-  }
-  ExchangeMatrix result(matrix.elements(), Guarantee::kEstimated);
-  result.assign(std::move(begin), std::move(entries));
-  return result;
-}
 
 // Whether sources are known so well that nothing is gained by looking at their ends.
 bool are_narrow(const ExchangeMatrix& matrix, const RadiositySources& sources) {

@@ -7,12 +7,15 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "solver/radiosity/certificate.h"
+#include "solver/radiosity/factor_ends.h"
 #include "solver/radiosity/high_precision_elimination.h"
 #include "solver/radiosity/kept_inverses.h"
+#include "solver/radiosity/radiosity_options.h"
 #include "solver/radiosity/radiosity_system.h"
 
 namespace hottel {
@@ -27,11 +30,13 @@ struct ColumnEntry {
   Enclosure bounds;
 };
 
-// The system of one channel, eliminated once, and what solves it for one column after the other.
+// The system of one channel, eliminated or factored once, and what solves it for one column after the other.
 class GraySystem {
  public:
+  // Of the factors as they are.
   GraySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
       : matrix_(matrix), system_(matrix, materials, channel), elimination_(system_), inverses_(system_) {
+    HOTTEL_REQUIRE(!system_.has_negative_factors());
     for (const Material& material : materials)
       emissivity_.push_back(ScaledBall::of(Rational(1 - material.reflectivity.value[channel])));
     // Components that lose nothing have no column: all their emissivities are 0.
@@ -41,10 +46,19 @@ class GraySystem {
       is_wanted.push_back(component.loses);
       is_any_wanted |= component.loses;
     }
-    if (is_any_wanted) inverse_ = inverses_.elimination(is_wanted);
+    if (!is_any_wanted) return;
+    if (system_.rows_are_closed()) {
+      inverse_ = inverses_.elimination(is_wanted);
+      return;
+    }
+    inverse_ = system_.size() <= kMostDenseUnknowns ? inverses_.lu(is_wanted) : inverses_.bicgstab(is_wanted);
+    dies_out_ = inverses_.light_dies_out(is_wanted, *inverse_);
   }
 
-  // The numbers of one column that are not 0, by rows.
+  // Whether light dies out, proven: only then are there columns.
+  bool dies_out() const { return dies_out_; }
+
+  // The numbers of one column that are not 0, by rows, with bounds for the factors as they are.
   std::vector<ColumnEntry> column(std::uint32_t to) const {
     std::vector<ColumnEntry> result;
     const ScaledBall source = emissivity_of(to);
@@ -55,11 +69,15 @@ class GraySystem {
       const ScaledBall emissivity = emissivity_of(i);
       if (irradiance[i].is_zero() || emissivity.is_zero()) continue;
       const ScaledBall factor = product(emissivity, product(source, irradiance[i]));
-      const Enclosure bounds{std::max(0.0, factor.lower()), std::min(emissivity.upper(), factor.upper())};
+      const double most = system_.rows_are_closed() ? std::min(emissivity.upper(), factor.upper()) : factor.upper();
+      const Enclosure bounds{std::max(0.0, factor.lower()), most};
       result.push_back({i, std::clamp(factor.nearest(), bounds.lower, bounds.upper), bounds});
     }
     return result;
   }
+
+  // What no entry of a row is above, where rows of factors sum to 1.
+  double most_of_row(std::uint32_t from) const { return emissivity_of(from).upper(); }
 
  private:
   // Of a face, a black back or the sky.
@@ -76,7 +94,7 @@ class GraySystem {
     SplitVector x{std::vector<DoubleDouble>(system_.components().size()), std::vector<DoubleDouble>(system_.size())};
     refine(system_, sources, *inverse_, x);
     CertifiedBounds bounds = certify(system_, sources, *inverse_, x);
-    elimination_.narrow(sources, {}, bounds);
+    if (system_.rows_are_closed()) elimination_.narrow(sources, {}, bounds);
     require_bounds(system_, bounds);
     for (std::size_t u = 0; u < system_.size(); ++u) result[system_.rows()[u].element] = bounds.enclosed(u);
     return result;
@@ -88,11 +106,61 @@ class GraySystem {
   std::vector<ScaledBall> emissivity_;  // by material
   KeptInverses inverses_;
   std::shared_ptr<const ApproximateInverse> inverse_;
+  bool dies_out_ = true;
 };
 
-ExchangeMatrix from_columns(const std::vector<Element>& elements,
-                            const std::vector<std::vector<ColumnEntry>>& columns) {
-  ExchangeMatrix result(elements, Guarantee::kEnclosed);
+// What ascends with every factor, as script-F does, is least for the least factors and largest for the largest.
+class EnclosedGraySystem {
+ public:
+  EnclosedGraySystem(const ExchangeMatrix& matrix, const std::vector<Material>& materials, int channel)
+      : as_given_(matrix, materials, channel) {
+    if (!as_given_.dies_out())
+      throw RequestError("no script-F: rows of the factors sum to more than 1, and light may not die out");
+    if (matrix.guarantee() != Guarantee::kEnclosed) return;
+    lower_.emplace(matrix, &Enclosure::lower, materials, channel);
+    upper_.emplace(matrix, &Enclosure::upper, materials, channel);
+  }
+
+  // The numbers of one column that may not be 0, by rows, with bounds for all factors within theirs.
+  std::vector<ColumnEntry> column(std::uint32_t to) const {
+    std::vector<ColumnEntry> middle = as_given_.column(to);
+    if (!lower_) return middle;
+    const bool has_most = upper_->system.dies_out();
+    const std::vector<ColumnEntry> least = lower_->system.column(to);
+    std::vector<ColumnEntry> result = has_most ? upper_->system.column(to) : middle;
+    const auto in = [](const std::vector<ColumnEntry>& column, std::uint32_t row) -> const ColumnEntry* {
+      const auto found = std::lower_bound(column.begin(), column.end(), row,
+                                          [](const ColumnEntry& entry, std::uint32_t r) { return entry.row < r; });
+      return found != column.end() && found->row == row ? &*found : nullptr;
+    };
+    for (ColumnEntry& entry : result) {
+      const ColumnEntry *const value = in(middle, entry.row), *const low = in(least, entry.row);
+      const double most = as_given_.most_of_row(entry.row);
+      entry.bounds = {low != nullptr ? std::min(low->bounds.lower, most) : 0,
+                      has_most ? std::min(entry.bounds.upper, most) : most};
+      entry.value = std::clamp(value != nullptr ? value->value : 0, entry.bounds.lower, entry.bounds.upper);
+    }
+    return result;
+  }
+
+ private:
+  struct Ends {
+    ExchangeMatrix matrix;
+    GraySystem system;
+    Ends(const ExchangeMatrix& of, double Enclosure::*end, const std::vector<Material>& materials, int channel)
+        : matrix(matrix_of_ends(of, end)), system(matrix, materials, channel) {}
+    Ends(const Ends&) = delete;
+    Ends& operator=(const Ends&) = delete;
+  };
+
+  GraySystem as_given_;
+  std::optional<Ends> lower_, upper_;
+};
+
+// guarantee: kEnclosed, or kEstimated, of which nothing is said but that it is a fraction.
+ExchangeMatrix from_columns(const std::vector<Element>& elements, const std::vector<std::vector<ColumnEntry>>& columns,
+                            Guarantee guarantee) {
+  ExchangeMatrix result(elements, guarantee);
   std::vector<std::size_t> begin(elements.size() + 1, 0);
   for (const auto& column : columns)
     for (const ColumnEntry& entry : column) ++begin[entry.row + 1];
@@ -106,6 +174,7 @@ ExchangeMatrix from_columns(const std::vector<Element>& elements,
       entries[place] = {j, {entry.value, 0}, std::numeric_limits<double>::quiet_NaN()};
       bounds[place] = entry.bounds;
     }
+  if (guarantee == Guarantee::kEstimated) bounds.clear();
   result.assign(std::move(begin), std::move(entries), {}, std::move(bounds));
   return result;
 }
@@ -114,9 +183,8 @@ ExchangeMatrix from_columns(const std::vector<Element>& elements,
 
 ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                              const GrayExchangeOptions& options) {
-  HOTTEL_REQUIRE(matrix.guarantee() == Guarantee::kExact);
   HOTTEL_REQUIRE(options.channel >= 0 && options.channel < 3);
-  const GraySystem system(matrix, materials, options.channel);
+  const EnclosedGraySystem system(matrix, materials, options.channel);
   std::vector<std::vector<ColumnEntry>> columns(matrix.size() + 1);
   std::atomic<std::uint64_t> pairs{0};
   for (std::size_t begin = 0; begin < columns.size(); begin += kColumnsBetweenReports) {
@@ -131,7 +199,8 @@ ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Mat
     });
     if (options.progress) options.progress(static_cast<double>(end) / static_cast<double>(columns.size()));
   }
-  return from_columns(matrix.elements(), columns);
+  const bool is_estimated = matrix.guarantee() == Guarantee::kEstimated;
+  return from_columns(matrix.elements(), columns, is_estimated ? Guarantee::kEstimated : Guarantee::kEnclosed);
 }
 
 double max_relative_width(const ExchangeMatrix& matrix) {

@@ -36,17 +36,21 @@ struct GrayExchangeOptions {
 //   (1) A_i script-F_ij = A_j script-F_ji for the real numbers behind the doubles
 //   (2) rows sum to e_i
 //   (3) without reflection script-F = F, bit for bit
-//   (4) every number lies in ExchangeMatrix::bounds(), proven, for the exact view factors and reflectivities: a few
-//       ulps wide for reflectivities up to 1 - 2^-50 and beyond
+//   (4) where no view factor is estimated every number lies in ExchangeMatrix::bounds(), proven, for the exact view
+//       factors and reflectivities: a few ulps wide for exact factors and reflectivities up to 1 - 2^-50 and beyond;
+//       for enclosed ones from what the lower ends of their bounds give to what the upper ends do. Where some are
+//       estimated script-F is that of the doubles, (1) and (2) hold as well as they close, and the guarantee is
+//       kEstimated
 //   (5) the row and the column of a face with e = 0 are 0, also where all faces that it exchanges light with have e = 0
 //       and the light would be reflected for ever
 //   (6) no entry iff the real number is 0; the same bit for bit for any number of threads
 //
-// Throws ContractViolation unless the view factors are exact, the channel is one, and the materials of the elements
-// index into `materials`; RequestError when factors are so small that no bounds can be given, and when the result takes
-// more memory than is allowed. COST: one elimination (n^3 / 3 for a component of n faces); for each column with e > 0
-// about ten passes over the matrix and five back substitutions (n^2); 80 bytes a pair of the result, which is dense
-// within each component. SEE: Hottel and Sarofim, Radiative Transfer, 1967, chapter 3; Walton, NISTIR 6925, 2002
+// Throws ContractViolation where a factor is below 0, unless the channel is one, and unless the materials of the
+// elements index into `materials`; RequestError when factors are so small that no bounds can be given, when those of
+// estimates may not let light die out, and when the result takes more memory than is allowed. COST: one elimination
+// (n^3 / 3 for a component of n faces), three where factors are enclosed; for each column with e > 0 about ten passes
+// over the matrix and five back substitutions (n^2), three times as many then; 80 bytes a pair of the result, which is
+// dense within each component. SEE: Hottel and Sarofim, Radiative Transfer, 1967, chapter 3; Walton, NISTIR 6925, 2002
 // (View3D, `emit=1`).
 ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                              const GrayExchangeOptions& options = {});

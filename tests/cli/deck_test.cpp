@@ -243,6 +243,24 @@ TEST_F(Deck, ItsRowAndColumnAreObeyed) {
     EXPECT_THAT(run(command).err, HasSubstr("row: obeyed by `hottel factors` only")) << command;
 }
 
+TEST_F(Deck, ItsEmitAsksForScriptF) {
+  place_.write("plain.vs3", box_on_a_floor("", "M"));
+  place_.write("emit.vs3", box_on_a_floor("C emit=1\n", "M"));
+  const std::vector<std::string> plain = text_of("plain.vs3"), asked = text_of("plain.vs3 --script-f"),
+                                 emit = text_of("emit.vs3");
+  EXPECT_EQ(emit, asked);
+  EXPECT_THAT(emit[0], StartsWith("View3D 4.0.0 0 0 1 "));
+  EXPECT_NE(emit[2], plain[2]);
+  // Rows sum to the emittance where the deck is closed.
+  const std::vector<double> floor = numbers_of(emit[2]), emittances = numbers_of(emit.back());
+  EXPECT_NEAR(std::accumulate(floor.begin(), floor.end(), 0.0), emittances[0], 1e-9);
+  EXPECT_THAT(run("factors emit.vs3 -o f.csv").err, HasSubstr("emit=1: gray-body exchange factors, script-F, are"));
+  EXPECT_THAT(run("factors emit.vs3 --matrix visibility -o v.csv").err,
+              HasSubstr("emit=1 asks for script-F; view factors are written: --matrix visibility is of these"));
+  EXPECT_EQ(run("factors emit.vs3 --method gauss:2 -o g.csv").code, 0);
+  EXPECT_THAT(run("solve emit.vs3 -o out").err, HasSubstr("emit: obeyed by `hottel factors` only"));
+}
+
 // What is combined has one row, which is that of each of its parts.
 TEST_F(Deck, ARowOfWhatIsCombinedIsThatOfTheWhole) {
   const std::string deck = without(box_on_a_floor("C row=5\n", "M"), "0 0 .9 north", "0 3 .9 north");

@@ -236,17 +236,37 @@ TEST_F(FactorsInSpace, MemoryIsKeptTo) {
 }
 
 TEST_F(FactorsInSpace, WhatIsOfThePlaneIsRefused) {
-  for (const char* option : {"--exact-form", "--exact-form floor ceiling", "--script-f",
-                             "--picture p.svg --toward floor", "--method gauss:4 --exact-form"}) {
+  for (const char* option : {"--exact-form", "--exact-form floor ceiling", "--picture p.svg --toward floor",
+                             "--method gauss:4 --exact-form", "--method gauss:4 --script-f"}) {
     const Outcome outcome = place_.run(std::string("hottel factors cube.json ") + option);
     EXPECT_EQ(outcome.code, 2) << option << "\n" << outcome.err;
     EXPECT_EQ(outcome.out, "") << option;
   }
-  EXPECT_THAT(place_.run("hottel factors cube.json --script-f").err, HasSubstr("--script-f is of scenes in the plane"));
   for (const char* option : {"--tolerance 0", "--tolerance -1", "--tolerance x", "--tolerance 1e-400",
                              "--tolerance 1e400", "--guarantee exact", "--guarantee", "--element-size 0"})
     EXPECT_EQ(place_.run(std::string("hottel factors cube.json ") + option).code, 2) << option;
   EXPECT_THAT(place_.files(), ElementsAre("cube.json", "screened.json", "two_boxes.json"));
+}
+
+TEST_F(FactorsInSpace, ScriptFIsEnclosedWhereFactorsAre) {
+  const std::vector<Row> cube = rows("cube.json --script-f");
+  ASSERT_EQ(cube.size(), 36u);  // all sides exchange heat, also with themselves
+  double sum = 0;
+  for (const Row& row : cube) {
+    EXPECT_EQ(row.guarantee, "enclosed");
+    EXPECT_LT(row.lower, row.upper);
+    EXPECT_TRUE(row.lower <= row.factor && row.factor <= row.upper);
+    if (row.from == "ceiling") sum += row.factor;
+  }
+  EXPECT_NEAR(sum, 0.9, 1e-9);  // its emissivity
+  const Outcome boxes = place_.run("hottel factors two_boxes.json --script-f --channel r --json -o f.csv");
+  ASSERT_EQ(boxes.code, 0) << boxes.err;
+  const auto report = nlohmann::json::parse(boxes.out);
+  EXPECT_EQ(report["script_f"]["guarantee"], "estimated");
+  EXPECT_EQ(report["script_f"]["channel"], "r");
+  EXPECT_THAT(boxes.err, HasSubstr("as good as the view factors, some of which are estimated"));
+  for (const Row& row : rows_of(place_.read("f.csv"))) EXPECT_EQ(row.guarantee, "estimated");
+  EXPECT_EQ(place_.run("hottel factors two_boxes.json --script-f").code, 1);  // which channel?
 }
 
 TEST_F(FactorsInSpace, AMeshIsASceneByItself) {

@@ -283,6 +283,12 @@ const std::vector<OptionEntry>& option_entries() {
       {"plan", "--json", "hottel plan $S --json", "hottel plan $S"},
 
       // New options of solve have their place here.
+      {"reference",
+       "--tolerance",
+       "hottel reference set $C --tolerance 1e-6 2> /dev/null; cat set/reference.json",
+       "hottel reference set $C 2> /dev/null; cat set/reference.json",
+       {{"hottel reference set $S --tolerance 1e-6", "--tolerance is for scenes in space"},
+        {"hottel reference set $C --tolerance 0", "--tolerance must be a positive number"}}},
       {"solve",
        "--size",
        "hottel solve $Q --grid 9x9 -o out --size 900; wc -c < out/illumination.png",

@@ -1,6 +1,7 @@
 // hottel reference, from outside: a set that can be checked without hottel, and that hottel agrees with.
 #include <gmock/gmock.h>
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
@@ -63,6 +64,63 @@ TEST(Reference, ABrokenPromiseToBeClosedIsRefused) {
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.err, HasSubstr("open.json:2: the scene promises to be closed, but the front of 'r[0]' sees the"));
   EXPECT_EQ(place.files(), std::vector<std::string>{"open.json"});
+}
+
+// Factors in space with their guarantees; meshes and decks as scene files that need no other file.
+TEST(Reference, HoldsScenesInSpace) {
+  const Workplace place;
+  const std::string space = kScenes + "space/";
+  const Outcome outcome =
+      place.run("hottel reference set " + space + "cube.json " + space + "room_boxes.json " + space +
+                "crate.vs3 --threads 2 && cd set && sha256sum --strict -c SHA256SUMS > /dev/null && cd .. && "
+                "hottel reference again set/cube/scene.json set/room_boxes/scene.json set/crate/scene.json --quiet "
+                "--threads 1 && diff -r set again");
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("cube: 12 elements, 30 factors, enclosed; radiosities enclosed, bounds within"));
+  EXPECT_EQ(place.read("set/cube/scene.json"), contents(space + "cube.json"));
+  EXPECT_THAT(place.read("set/room_boxes/scene.json"), testing::Not(HasSubstr("\"mesh\"")));
+  const auto manifest = nlohmann::json::parse(place.read("set/reference.json"));
+  const auto& cube = manifest["scenes"][0]["factors"];
+  EXPECT_EQ(cube["guarantee"], "enclosed");
+  EXPECT_EQ(cube["tolerance"], 1e-12);
+  EXPECT_EQ(cube["enclosed"], 30);
+  const auto& room = manifest["scenes"][1]["factors"];
+  EXPECT_EQ(room["guarantee"], "estimated");
+  EXPECT_EQ(room["enclosed"].get<int>() + room["estimated"].get<int>(),
+            manifest["scenes"][1]["counts"]["factors"].get<int>());
+  EXPECT_LT(room["max_defect"].get<double>(), 1e-11);
+  const Outcome compared = place.run(
+      "cd set/room_boxes && hottel compare scene.json --methods file:factors.csv --repeat 1 -o /dev/shm/$$ && rm -r "
+      "/dev/shm/$$");
+  EXPECT_EQ(compared.code, 0) << compared.err;
+  EXPECT_THAT(compared.err, HasSubstr("pairs agree with the exact factors"));
+}
+
+// One unit of its last digit off a plane: two triangles in one row, also as it is written.
+TEST(Reference, OfAMeshThatIsNearlyPlaneStaysSo) {
+  const Workplace place;
+  place.write("bent.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 1e-7\n0 1 0\n4 0 1 2 3\n");
+  const Outcome outcome = place.run("hottel reference set bent.off");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(place.read("set/bent/scene.json"), HasSubstr("[1, 1, 0.0000001]"));
+}
+
+// Binary floats have more digits as decimals, within which they are not plane.
+TEST(Reference, OfAMeshThatIsNotPlaneAsDecimalsIsRefused) {
+  const Workplace place;
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const auto add = [&bytes](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for (const float coordinate : {0.f, 0x1p-20f, 0.f, 1.f, 0.f, .1f, 1.f, 1.f, .3f, 0.f, 1.f, .2f}) add(coordinate);
+  bytes += '\4';
+  for (const std::int32_t corner : {0, 1, 2, 3}) add(corner);
+  place.write("bent.ply", bytes);
+  ASSERT_EQ(place.run("hottel factors bent.ply").code, 0);
+  const Outcome outcome = place.run("hottel reference set bent.ply");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("bent.ply: as a scene file by itself, which `hottel convert` writes, it cannot"));
+  EXPECT_EQ(place.files(), std::vector<std::string>{"bent.ply"});
 }
 
 TEST(Reference, NamesMustDiffer) {

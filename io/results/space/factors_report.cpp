@@ -51,6 +51,10 @@ std::string factors_json(const FactorsReport3& report) {
                     {"max_error", counts.max_error},
                     {"enclosed", counts.enclosed},
                     {"estimated", counts.pairs - counts.enclosed}};
+  if (report.gray) {
+    json["seconds"]["script_f"] = report.gray->seconds;
+    json["script_f"] = gray_json(*report.gray);
+  }
   return json.dump(2) + "\n";
 }
 
@@ -68,10 +72,12 @@ std::string factors_text(const FactorsReport3& report) {
               ? fmt::format("every factor enclosed within {} of the smaller area", shortest(report.tolerance))
               : fmt::format("{} enclosed and {} estimated within {} of the smaller area", counts.enclosed, estimated,
                             shortest(report.tolerance));
-  return text + fmt::format(
-                    "; rows close to {:.1e}\n"
-                    "patches that are hidden from each other: {}, clear: {}, with something between: {}; {:.3f} s",
-                    counts.max_defect, counts.hidden, counts.clear, counts.mixed, seconds);
+  text += fmt::format(
+      "; rows close to {:.1e}\n"
+      "patches that are hidden from each other: {}, clear: {}, with something between: {}; {:.3f} s",
+      counts.max_defect, counts.hidden, counts.clear, counts.mixed, seconds);
+  if (report.gray) text += "\n" + gray_text(*report.gray);
+  return text;
 }
 
 }  // namespace hottel

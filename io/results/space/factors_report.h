@@ -1,11 +1,13 @@
 // What computing view factors in space came to, as JSON and as text for people.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/element.h"
 #include "geometry/space/exchange/exchange_report.h"
+#include "io/results/gray_report.h"
 #include "io/results/solve_report.h"
 #include "kernel/enclosure.h"
 
@@ -18,17 +20,19 @@ struct FactorsReport3 {
   double tolerance = 1e-9;
   Guarantee guarantee = Guarantee::kEstimated;  // of the matrix: the weakest there is
   ExchangeReport3 counts;
-  std::vector<std::string> notes;  // of a method that is not exact
+  std::vector<std::string> notes;    // of a method that is not exact
+  std::optional<GrayReport> gray{};  // where script-F was asked for
 };
 
 // What a solution says of the factors it rests on; tiers: filter, combinatorial, exact.
 FactorCounts factor_counts(const ExchangeReport3& report);
 
 // Returns the report as one JSON object and a final newline: `counts`, `tiers` (filter, combinatorial, exact),
-// `seconds`, `closure`, `bounds`; of a method that is not exact what it has of them, and `notes`.
+// `seconds`, `closure`, `bounds`, `script_f`; of a method that is not exact what it has of them, and `notes`.
 std::string factors_json(const FactorsReport3& report);
 
-// Returns two lines without a final newline: pairs and how close rows come to 1; what settled them, and the seconds.
+// Returns two lines or three, without a final newline: pairs and how close rows come to 1; what settled them, and the
+// seconds; script-F.
 std::string factors_text(const FactorsReport3& report);
 
 }  // namespace hottel

@@ -140,7 +140,7 @@ class DeckReader3 {
     const std::uint32_t count = control->is_whole ? at_.count(value, subject) : 0;
     if (!control->is_whole) at_.number(value, subject);
     if (key == "encl" || key == "emit") {
-      (key == "encl" ? deck_.is_enclosure : deck_.wants_script_f) |= count != 0;
+      (key == "encl" ? deck_.is_enclosure : deck_.output.wants_script_f) |= count != 0;
       return;
     }
     if (take_output_control(key, count)) return;

@@ -29,9 +29,8 @@ struct Vs3Output3 {
   std::uint32_t row = 0, column = 0;  // numbers of records; 0: all
   std::optional<std::uint32_t> out;   // 0 text, 1 binary, 2 a fork's sparse list
   std::uint32_t list = 0;
-  int line = 0;  // where row or col is set
-
-  bool is_any() const { return row != 0 || out || list != 0; }
+  bool wants_script_f = false;  // emit
+  int line = 0;                 // where row or col is set
 };
 
 // The deck. Record k, from 0, has the number k + 1.
@@ -39,8 +38,7 @@ struct Vs3Deck3 {
   std::string file, title;
   std::vector<Vs3Record3> records;
   bool is_enclosure = false;            // encl
-  bool wants_script_f = false;          // emit
-  Vs3Output3 output;                    // row, col, out, list; no col without a row, and out at most 2
+  Vs3Output3 output;                    // row, col, out, list, emit; no col without a row, and out at most 2
   std::vector<std::string> not_obeyed;  // other controls that it sets, as it spells them, each once
   bool has_inexact_angles = false;      // (3)
   Rational unit;                        // what the last digit of the vertices of F 3 stands for; 0: they have none

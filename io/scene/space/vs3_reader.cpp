@@ -193,7 +193,8 @@ class SceneOfDeck3 {
 
   void take_output() {
     const Vs3Output3& asked = deck_.output;
-    result_.output = {surface_of(asked.row, "row"), surface_of(asked.column, "col"), asked.out, asked.list};
+    result_.output = {surface_of(asked.row, "row"), surface_of(asked.column, "col"), asked.out, asked.list,
+                      asked.wants_script_f};
   }
 
   // The surface that a control names by the number of its record; nothing for 0.
@@ -222,7 +223,6 @@ class SceneOfDeck3 {
       for (const std::string& name : deck_.not_obeyed) names += (names.empty() ? "" : ", ") + name;
       note(names + ": read, not obeyed (docs/coming_from_view3d.md says what takes their place)");
     }
-    if (deck_.wants_script_f) note("emit=1: script-F is not computed in space by this version, view factors are");
     if (deck_.is_enclosure) note("encl=1 promises that the scene is closed; rows are not rescaled");
     if (!materials_.empty() &&
         (materials_.begin()->first < Rational(1, 1000) || materials_.rbegin()->first > Rational(999, 1000)))

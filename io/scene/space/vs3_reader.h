@@ -20,6 +20,7 @@ struct DeckOutput3 {
   std::optional<std::uint32_t> row, column;  // surfaces of the scene; nothing: all
   std::optional<std::uint32_t> out;          // 0 text, 1 binary, 2 a fork's sparse list
   std::uint32_t list = 0;                    // how much is told of the rows: 0 to 3
+  bool wants_script_f = false;               // emit: gray-body exchange factors
 };
 
 // A deck as a scene, and what is read otherwise than View3D does: sentences without a full stop.

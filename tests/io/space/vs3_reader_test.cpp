@@ -216,10 +216,11 @@ TEST(Vs3Reader, ControlsPromiseAClosedSceneOrAreSaidNotToBeObeyed) {
   const Vs3Scene3 deck =
       read("C encl=1 list=2 eps=1.e-5, maxu = 8 MAXO 8 mino=0 emit=1 EPS=1e-4 out=1 ! row=1\n" + surface);
   EXPECT_TRUE(deck.scene.closed);
+  EXPECT_TRUE(deck.output.wants_script_f);
   EXPECT_THAT(deck.notes, ElementsAre(StartsWith("eps, maxu, MAXO, mino: read, not obeyed"),
-                                      StartsWith("emit=1: script-F is not computed"),
                                       StartsWith("encl=1 promises that the scene is closed")));
   EXPECT_FALSE(read("C encl=0 emit=0\n" + surface).scene.closed);
+  EXPECT_FALSE(read("C encl=0 emit=0\n" + surface).output.wants_script_f);
   EXPECT_THAT(read("C encl=0 emit=0\n" + surface).notes, IsEmpty());
   EXPECT_EQ(refusal("C enclosure=1\n" + surface), "in/room.vs3:1: the control 'enclosure' is not known");
   EXPECT_EQ(refusal("C eps=1e-4 encl\n" + surface), "in/room.vs3:1: the control 'encl' has no value");

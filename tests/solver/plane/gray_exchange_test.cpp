@@ -270,9 +270,5 @@ TEST(GrayExchange, TakesNoMoreMemoryThanIsAllowed) {
   EXPECT_THROW(gray_exchange(scene.matrix(), materials, {.memory = bytes - 1}), RequestError);
 }
 
-TEST(GrayExchange, OfAnEstimateIsRefused) {
-  EXPECT_THROW(gray_exchange(ExchangeMatrix({}, Guarantee::kEstimated), {}), ContractViolation);
-}
-
 }  // namespace
 }  // namespace hottel
