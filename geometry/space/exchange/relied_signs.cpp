@@ -164,16 +164,20 @@ bool MovingPlanes3::narrow(const std::array<double, 3>& c, const std::array<doub
                               4 * (std::fabs(c0) * e[2] + std::fabs(c2) * e[0] + e[0] * e[2]) +
                               8 * kUnit * (c1 * c1 + 4 * std::fabs(c0 * c2));
   if (square < -square_error) return true;
-  if (!(c0 > e[0]) || !(square > square_error)) return false;
+  // Far enough from a double root roots move by what the polynomial may be off there, over its slope, `root`.
+  if (!(c0 > e[0]) || !(square > 4 * square_error)) return false;
   const double root = std::sqrt(square);
-  const double q = -(c1 + std::copysign(root, c1)) / 2;
-  const auto is_beyond = [this](double r) { return r >= right_ || r <= -left_; };
+  const double q = -(c1 + std::copysign(root, c1)) / 2, q_error = e[1] / 2 + square_error / root;
   const double near = c0 / q, far = q / c2;
-  const auto is_known = [&](double r) { return e[0] + std::fabs(r) * (e[1] + std::fabs(r) * e[2]) <= accuracy * root; };
-  for (const double r : {near, far})
-    if (!std::isnan(r) && !is_beyond(r) && !is_known(r)) return false;
-  for (const double r : {near, far})
-    if (!std::isnan(r)) take_root(r);
+  const auto error_of = [&](double r) { return e[0] + std::fabs(r) * (e[1] + std::fabs(r) * e[2]); };
+  const auto is_settled = [&](double r) {
+    const double error = 2 * error_of(r) / root + 8 * kUnit * std::fabs(r);
+    return error_of(r) <= accuracy * root || r - error >= right_ || r + error <= -left_;
+  };
+  const bool is_far = std::fabs(q) - q_error > 1.001 * std::max(left_, right_) * (std::fabs(c2) + e[2]);
+  if (!is_settled(near) || !(is_far || is_settled(far))) return false;
+  take_root(near);
+  if (!is_far) take_root(far);
   return true;
 }
 
@@ -199,10 +203,11 @@ void MovingPlanes3::narrow_exactly(const std::array<Integer, 3>& c, int sign) {
   if (d2 != 0) take_root(ldexp_3(q / d2, top - e2));
 }
 
+// A root that rounding alone may keep from the one that is known, or from the end of the stretch, is that.
 void MovingPlanes3::take_root(double root) {
-  constexpr double kLeast = std::numeric_limits<double>::min();
-  if (root > 0) right_ = std::min(right_, std::max(root, kLeast));
-  if (root < 0) left_ = std::min(left_, std::max(-root, kLeast));
+  constexpr double kLeast = std::numeric_limits<double>::min(), kSame = 1 - 0x1p-51;
+  if (root > 0 && root < kSame * right_) right_ = std::max(root, kLeast);
+  if (root < 0 && -root < kSame * left_) left_ = std::max(-root, kLeast);
 }
 
 }  // namespace hottel

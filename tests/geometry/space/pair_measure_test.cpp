@@ -339,6 +339,24 @@ TEST(PairMeasure3Sweep, ABlockerRisesAcrossTheSideOfAPatch) {
   }
 }
 
+// Two triangles cross near a corner of a patch, and what is seen past both changes twice within 2 h of the end of a
+// side: roots that doubles know less well than they are apart. The residual tells what is left out, and so does the sum
+// from the other end.
+TEST(PairMeasure3Sweep, EventsNextToTheEndOfASideAreToldApart) {
+  for (int k = 3; k <= 100; k += 3) {
+    const Rational h = two_to_minus(k);
+    const Pair pair({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}},
+                     {{0, 0, 4}, {0, 2, 4}, {4, 4, 4}, {4, 0, 4}},
+                     {{1, 4, 0}, {4 - h, h, -h}, {1, 2, 2}},
+                     {{1, 1, 3}, {h, h, 0}, {4, 0, 0}}});
+    PairRequest3 back = Pair::tight();
+    back.is_reversed = true;
+    EXPECT_NEAR(pair.factor(), pair.factor(back), 1e-13) << k;
+    const PairMeasure3 result = pair.measure();
+    EXPECT_LT(result.residual, 1e-12 * std::sqrt(pair.area(pair.patch(0)))) << k;
+  }
+}
+
 TEST(PairMeasure3Sweep, ADihedralClosesAroundABlocker) {
   // Two squares with a common edge, a small angle apart, and a needle between them that hides nothing in the limit.
   for (int k = 1; k <= 50; k += 7) {
