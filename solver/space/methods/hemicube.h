@@ -15,12 +15,11 @@ namespace hottel {
 // Two errors remain: the pixels; and the centre, which stands for the mean over the element: not small for elements
 // near others, whatever the resolution.
 //
-//   (1) a pixel shows the item that is nearest in the direction of its centre; of two items that share an edge one and
-//       only one covers a centre on it
-//   (2) items are numbered by 32 bits: no batches are needed
+// Pixels are those of an ItemBuffer3 (item_buffer.h).
 struct HemicubeOptions3 {
   std::uint32_t resolution = 128;  // pixels on the long edges. REQUIRES an even number, 2 <= resolution <= 4096
   bool is_uniform = false;         // every pixel weighs the same: plain counts, wrong whatever the resolution
+  bool by_egl = false;             // pixels by OpenGL, not in software: not the same on every machine
 };
 
 // COST: that of the pixels covered, some milliseconds an element at 256 pixels; in parallel.
