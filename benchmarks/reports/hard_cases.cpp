@@ -283,7 +283,8 @@ exact method stays below 1.2e-16, half an ulp: it prints the double nearest to t
 Coordinates are typed as decimals and read exactly, so 4 - 10⁻⁶⁰ is not 4. That is where most of the story lies: a
 program that reads coordinates as doubles has closed the crack before it begins.
 
-This page and its pictures are made by `tools/hard_cases`; the numbers are in [hard_cases.csv](hard_cases.csv).
+The same [in space](hard_cases_in_space.md). This page and its pictures are made by `tools/hard_cases`; the numbers are in
+[hard_cases.csv](hard_cases.csv).
 
 )";
 
