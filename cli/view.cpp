@@ -1,7 +1,10 @@
 // hottel view: a window in which a scene is edited, and light follows.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <variant>
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
@@ -11,21 +14,24 @@
 #include "kernel/support/failure.h"
 #include "viewer/picture/png_file.h"
 #include "viewer/window/plane/desk.h"
-#include "viewer/window/plane/desk_script.h"
 #include "viewer/window/recording_window.h"
+#include "viewer/window/script_player.h"
 #include "viewer/window/sdl_window.h"
+#include "viewer/window/space/desk.h"
 
 namespace hottel {
 namespace {
 
 constexpr std::uint32_t kWidth = 1280, kHeight = 800;
 constexpr double kMostScale = 8;
+constexpr double kSecondsBetweenLooks = 1;  // at the file of the scene
 
 struct ViewOptions {
   std::string scene, screenshot, script, record, look = "light";
   std::string size;
   double scale = 1;
   std::optional<std::uint64_t> memory;
+  ElementOptions elements;
 };
 
 FrameSize size_of(const ViewOptions& options) {
@@ -50,24 +56,56 @@ class FrameFiles {
   int count_ = 0;
 };
 
+// The words of a kind of looks, one of which has to be asked for.
+template <class Look>
+void require_look(const std::string& look, int count) {
+  std::vector<std::string> known;
+  for (int k = 0; k < count; ++k) known.push_back(to_string(static_cast<Look>(k)));
+  if (std::ranges::find(known, look) == known.end())
+    throw UnknownName("there is nothing to look at called '" + look + "'", look, known);
+}
+
+// The desk of the scene, whatever its dimension. Its file is read, and may be read again.
+std::unique_ptr<Desk> desk_of(const ViewOptions& options, Window& window) {
+  std::unique_ptr<Desk> desk;
+  if (std::holds_alternative<Scene3>(read_scene(options.scene))) {
+    require_look<LookKind3>(options.look, kLooks3);
+    const auto read = [file = options.scene, elements = options.elements] {
+      Scene3 scene = read_scene_3(file);
+      elements.apply_to(scene);
+      return scene;
+    };
+    desk = std::make_unique<Desk3>(DeskSource3{options.scene, read}, window,
+                                   FactorsRequest3{.memory = options.memory.value_or(0)}, options.scale);
+  } else {
+    require_look<Look2>(options.look, kLooks2);
+    if (options.elements.is_given())
+      throw UsageError("--elements and --element-size divide the polygons of scenes in space; " + options.scene +
+                       " is in the plane");
+    desk = std::make_unique<Desk2>(options.scene, window, SimulationRequest2{.memory = options.memory.value_or(0)},
+                                   options.scale);
+  }
+  desk->command("look " + options.look);
+  return desk;
+}
+
 // Without a screen: plays the script, if there is one, and writes what is asked for.
-ExitCode play(const ViewOptions& options, const SimulationRequest2& request, Streams& streams) {
+ExitCode play(const ViewOptions& options, Streams& streams) {
   const std::string text = options.script.empty()  ? ""
                            : options.script == "-" ? read_standard_input()
                                                    : read_text_file(options.script);
   const std::string name = options.script == "-" ? "standard input" : options.script;
   const std::vector<ScriptStep> steps = parse_script(text, name);
   RecordingWindow window(size_of(options));
-  Desk2 desk(options.scene, window, request, options.scale);
-  desk.command("look " + options.look);
+  const std::unique_ptr<Desk> desk = desk_of(options, window);
   std::optional<FrameFiles> frames;
   ScriptOutputs outputs{.print = [&streams](const std::string& line) { streams.write("", line + "\n"); }};
   if (!options.record.empty()) {
     frames.emplace(options.record);
     outputs.frame = [&frames](const Raster& frame) { frames->write(frame); };
   }
-  play_script_2(steps, name, desk, window, outputs);
-  if (!options.screenshot.empty()) save_screenshot_2(window.frame(), options.screenshot);
+  play_script(steps, name, *desk, window, outputs);
+  if (!options.screenshot.empty()) save_screenshot(window.frame(), options.screenshot);
   if (frames)
     streams.note(fmt::format("{} frames, {} a second, in {}", frames->count(), kFramesPerSecond, options.record));
   return ExitCode::kDone;
@@ -76,20 +114,12 @@ ExitCode play(const ViewOptions& options, const SimulationRequest2& request, Str
 ExitCode view(const ViewOptions& options, Streams& streams) {
   if (!options.screenshot.empty() && picture_format(options.screenshot) != PictureFormat::kPng)
     throw UsageError("--screenshot writes a .png file, not '" + options.screenshot + "'");
-  if (!look_2(options.look)) {
-    std::vector<std::string> known;
-    for (int k = 0; k < kLooks2; ++k) known.push_back(to_string(static_cast<Look2>(k)));
-    throw UnknownName("there is nothing to look at called '" + options.look + "'", options.look, known);
-  }
-  const SimulationRequest2 request{.memory = options.memory.value_or(0)};
   if (options.record == "-")
     throw UsageError("a recording is many files: --record takes a folder, not standard output");
-  if (!options.script.empty() || !options.screenshot.empty() || !options.record.empty())
-    return play(options, request, streams);
+  if (!options.script.empty() || !options.screenshot.empty() || !options.record.empty()) return play(options, streams);
   const std::unique_ptr<Window> window = open_window("hottel", size_of(options));
-  Desk2 desk(options.scene, *window, request, options.scale);
-  desk.command("look " + options.look);
-  desk.run();
+  const std::unique_ptr<Desk> desk = desk_of(options, *window);
+  run_desk(*desk, *window, kSecondsBetweenLooks);
   return ExitCode::kDone;
 }
 
@@ -99,16 +129,19 @@ void add_view(Commands& commands) {
   const auto options = std::make_shared<ViewOptions>();
   CLI::App& command = commands.add(
       "view",
-      "A window: move walls, furniture and lamps, and exact light follows\n\n"
+      "A window: move walls, furniture and lamps, and exact light follows; in space: walk through the light\n\n"
       "Press h in the window for all keys. With --screenshot, --script or --record there is no window, and no display\n"
       "is needed; docs/window.md has the steps of a script.",
       {"hottel view scenes/showcase/apartment.json --screenshot /tmp/apartment.png",
-       "hottel view scenes/showcase/museum.json --look factors --size 800x600 --screenshot /tmp/museum.png"},
+       "hottel view scenes/showcase/museum.json --look factors --size 800x600 --screenshot /tmp/museum.png",
+       "hottel view scenes/space/two_boxes.json --elements 3 --screenshot /tmp/boxes.png"},
       [options](Streams& streams) { return view(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command
-      .add_option("--look", options->look,
-                  "what to show at first: light floor bands visibility factors pair errors check plan sweeps")
+      .add_option(
+          "--look", options->look,
+          "what to show at first: light floor bands visibility factors pair errors check plan sweeps; in space: "
+          "light radiosity irradiance factors errors plan sweeps")
       ->type_name("LOOK")
       ->capture_default_str();
   command.add_option("--scale", options->scale, "letters and lines S times as large")
@@ -120,6 +153,7 @@ void add_view(Commands& commands) {
   command.add_option("--screenshot", options->screenshot, "write what is seen at last (.png)")->type_name("FILE");
   command.add_option("--script", options->script, "do these steps, a line each")->type_name("FILE");
   command.add_option("--record", options->record, "write every frame as a PNG file into this folder")->type_name("DIR");
+  options->elements.add_to(command);
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));

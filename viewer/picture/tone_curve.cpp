@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "kernel/support/failure.h"
 #include "viewer/picture/colour_map.h"
@@ -20,6 +22,36 @@ std::array<double, 3> rgb(std::span<const double> value) {
 }
 
 double luminance(const std::array<double, 3>& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
+
+double exact_log(double y) { return std::log1p(y); }
+
+// log(1 + y) for y >= 0, off by less than 10^-6.
+class NearLog {
+ public:
+  NearLog() {
+    for (std::size_t k = 0; k < kSteps; ++k) {
+      log_[k] = std::log1p(static_cast<double>(k) / kSteps);
+      slope_[k] = (std::log1p(static_cast<double>(k + 1) / kSteps) - log_[k]) * kSteps;
+    }
+  }
+  double operator()(double y) const {
+    const auto bits = std::bit_cast<std::uint64_t>(1 + y);
+    const auto exponent = static_cast<int>(bits >> 52) - 1023;
+    const double part = std::bit_cast<double>((bits & kFraction) | std::bit_cast<std::uint64_t>(1.0)) - 1;
+    const auto k = static_cast<std::size_t>(part * kSteps);
+    return exponent * std::numbers::ln2 + log_[k] + slope_[k] * (part - static_cast<double>(k) / kSteps);
+  }
+
+ private:
+  static constexpr std::size_t kSteps = 512;
+  static constexpr std::uint64_t kFraction = (std::uint64_t{1} << 52) - 1;
+  std::array<double, kSteps> log_{}, slope_{};
+};
+
+std::array<std::uint8_t, 3> levels_of(const std::array<double, 3>& c) {
+  const std::uint8_t red = srgb_level(c[0]);
+  return {red, c[1] == c[0] ? red : srgb_level(c[1]), c[2] == c[0] ? red : srgb_level(c[2])};
+}
 
 }  // namespace
 
@@ -63,18 +95,20 @@ ToneCurve::ToneCurve(Tone tone, double exposure, std::span<const double> values,
   log_white_ = std::log1p(white_);
 }
 
-double ToneCurve::curve(double y) const {
+template <class Log>
+double ToneCurve::curve(double y, const Log& log_of_1_and) const {
   if (tone_ == Tone::kReinhard) return y * (1 + y / (white_ * white_)) / (1 + y);
-  return std::log1p(y) / log_white_;
+  return log_of_1_and(y) / log_white_;
 }
 
-std::array<double, 3> ToneCurve::linear(std::span<const double> value) const {
+template <class Log>
+std::array<double, 3> ToneCurve::linear(std::span<const double> value, const Log& log_of_1_and) const {
   std::array<double, 3> c = rgb(value);
   for (double& channel : c) channel *= scale_;
   if (tone_ == Tone::kReinhard || tone_ == Tone::kLog) {
     const double y = luminance(c);
     if (!(y > 0)) return {};
-    const double shown = std::min(curve(y), 1.0);
+    const double shown = std::min(curve(y, log_of_1_and), 1.0);
     for (double& channel : c) channel *= shown / y;
     const double top = *std::max_element(c.begin(), c.end());
     if (top > 1 && top > shown) {
@@ -87,14 +121,17 @@ std::array<double, 3> ToneCurve::linear(std::span<const double> value) const {
 }
 
 Colour ToneCurve::operator()(std::span<const double> value) const {
-  const std::array<double, 3> c = linear(value);
+  const std::array<double, 3> c = linear(value, exact_log);
   return {srgb_from_linear(c[0]), srgb_from_linear(c[1]), srgb_from_linear(c[2])};
 }
 
 std::array<std::uint8_t, 3> ToneCurve::levels(std::span<const double> value) const {
-  const std::array<double, 3> c = linear(value);
-  const std::uint8_t red = srgb_level(c[0]);
-  return {red, c[1] == c[0] ? red : srgb_level(c[1]), c[2] == c[0] ? red : srgb_level(c[2])};
+  return levels_of(linear(value, exact_log));
+}
+
+std::array<std::uint8_t, 3> ToneCurve::near_levels(std::span<const double> value) const {
+  static const NearLog kLog;
+  return levels_of(linear(value, kLog));
 }
 
 }  // namespace hottel

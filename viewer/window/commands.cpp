@@ -94,9 +94,9 @@ std::string key_text(const WindowEvent& event) {
          (event.held.shift ? "shift+" : "") + event.key;
 }
 
-std::string_view command_of_key(std::string_view key) {
-  const auto found = std::ranges::find(kCommands, key, &Command::key);
-  return found == std::end(kCommands) || key.empty() ? std::string_view() : found->name;
+std::string_view command_of_key(std::string_view key, std::span<const Command> of) {
+  const auto found = std::ranges::find(of, key, &Command::key);
+  return found == of.end() || key.empty() ? std::string_view() : found->name;
 }
 
 WindowEvent key_event(std::string_view text) {

@@ -19,7 +19,7 @@ struct Command {
   std::string_view help;   // a few words; "" where the line above says it too
 };
 
-// All commands and their keys, in the order of the help.
+// All commands of a scene in the plane and their keys, in the order of the help.
 std::span<const Command> commands();
 
 // What the mouse does, for the help: the gesture and a few words.
@@ -31,8 +31,8 @@ std::span<const Gesture> gestures();
 // Returns how a key is written with what is held: "ctrl+shift+z". REQUIRES: a kKey event.
 std::string key_text(const WindowEvent& event);
 
-// Returns the name of the command of a key, or nothing ("").
-std::string_view command_of_key(std::string_view key);
+// Returns the name of the command of a key, or nothing (""); of those commands.
+std::string_view command_of_key(std::string_view key, std::span<const Command> of = commands());
 
 // Reads "ctrl+shift+z" into a kKey event.
 WindowEvent key_event(std::string_view text);

@@ -15,10 +15,12 @@ namespace {
 const std::map<std::string, std::pair<std::size_t, std::size_t>>& words() {
   constexpr std::size_t kMany = 1000;
   static const std::map<std::string, std::pair<std::size_t, std::size_t>> kWords{
-      {"move", {1, 1}},  {"press", {1, 3}}, {"release", {1, 2}},  {"click", {1, 3}},      {"drag", {2, kMany}},
-      {"wheel", {2, 2}}, {"key", {1, 1}},   {"type", {1, kMany}}, {"do", {1, kMany}},     {"size", {1, 1}},
-      {"wait", {0, 0}},  {"pause", {1, 1}}, {"save", {1, 1}},     {"screenshot", {1, 1}}, {"picture", {1, 1}},
-      {"hash", {0, 0}},  {"leave", {0, 0}}, {"close", {0, 0}}};
+      {"move", {1, 1}},        {"press", {1, 3}}, {"release", {1, 2}},  {"click", {1, 3}},      {"drag", {2, kMany}},
+      {"wheel", {2, 2}},       {"key", {1, 1}},   {"type", {1, kMany}}, {"do", {1, kMany}},     {"size", {1, 1}},
+      {"wait", {0, 0}},        {"pause", {1, 1}}, {"save", {1, 1}},     {"screenshot", {1, 1}}, {"picture", {1, 1}},
+      {"hash", {0, 0}},        {"leave", {0, 0}}, {"close", {0, 0}},    {"orbit", {1, 2}},      {"turn", {1, 2}},
+      {"pan", {1, 2}},         {"zoom", {1, 1}},  {"walk", {1, 3}},     {"eye", {2, 2}},        {"pick", {1, kMany}},
+      {"material", {2, kMany}}};
   return kWords;
 }
 

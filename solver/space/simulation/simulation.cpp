@@ -68,6 +68,15 @@ StagePtr<PreparedScene3> prepared_stage(const ScenePtr& scene) {
                                                  [scene](const StageProgress&) { return prepare(*scene); });
 }
 
+// The same arrangement under a scene with other materials.
+StagePtr<PreparedScene3> prepared_stage(const ScenePtr& scene, const StagePtr<PreparedScene3>& before) {
+  return std::make_shared<Stage<PreparedScene3>>("preparation", [scene, before](const StageProgress& progress) {
+    PreparedScene3 prepared = *before->get(progress);
+    prepared.scene = *scene;
+    return prepared;
+  });
+}
+
 StagePtr<Plan> plan_stage(const ScenePtr& scene, const PlanRequest& request) {
   return std::make_shared<Stage<Plan>>("plan",
                                        [scene, request](const StageProgress&) { return plan_scene(*scene, request); });
@@ -79,7 +88,9 @@ struct Simulation3::Version {
   ScenePtr scene;
   SimulationRequest3 request;
   StagePtr<Plan> plan;
+  StagePtr<PreparedScene3> arranged;  // of the materials that it was arranged with
   StagePtr<PreparedScene3> prepared;
+  StagePtr<ComputedFactors3> measured;  // of the materials that they were measured with
   StagePtr<ComputedFactors3> factors;
   StagePtr<std::vector<ElementPair>> hidden;
   StagePtr<RadiositySolver> system;
@@ -91,8 +102,10 @@ struct Simulation3::Version {
     const bool keeps_factors = other != nullptr && other->request.factors == request.factors;
     const bool keeps_system = keeps_factors && other->request.system == request.system;
     plan = other != nullptr && other->request.plan == request.plan ? other->plan : plan_stage(scene, request.plan);
-    prepared = other != nullptr ? other->prepared : prepared_stage(scene);
+    arranged = other != nullptr ? other->arranged : prepared_stage(scene);
+    prepared = other != nullptr ? other->prepared : arranged;
     if (keeps_factors) {
+      measured = other->measured;
       factors = other->factors;
       hidden = other->hidden;
     } else {
@@ -102,8 +115,38 @@ struct Simulation3::Version {
       system = other->system;
       radiosities = other->radiosities;
     } else {
-      set_system();
+      set_system(false);
     }
+  }
+
+  // Of other materials.
+  Version(const Version& other, ScenePtr its_scene) : scene(std::move(its_scene)), request(other.request) {
+    plan = plan_stage(scene, request.plan);
+    measured = other.measured;
+    if (are_alike_as_before_3(other.scene->materials, scene->materials)) {
+      arranged = other.arranged;
+      prepared = prepared_stage(scene, arranged);
+      factors = other.factors;
+      hidden = other.hidden;
+    } else {  // it is refused, or arranged as before
+      arranged = prepared_stage(scene);
+      prepared = arranged;
+      factors = std::make_shared<Stage<ComputedFactors3>>(
+          "view factors",
+          [ready = prepared, before = measured, asked = request.factors](const StageProgress& progress) {
+            const auto there = ready->get(progress);
+            try {
+              return *before->get(progress);
+            } catch (const InputError&) {  // that one was refused
+              return make_factors(*there, asked, progress);
+            }
+          });
+      set_hidden();
+    }
+    const bool keeps_system =
+        factors == other.factors && reflectivities_of(scene->materials) == reflectivities_of(other.scene->materials);
+    if (keeps_system) system = other.system;
+    set_system(keeps_system);
   }
 
  private:
@@ -112,6 +155,11 @@ struct Simulation3::Version {
         "view factors", [ready = prepared, asked = request.factors](const StageProgress& progress) {
           return make_factors(*ready->get(progress), asked, progress);
         });
+    measured = factors;
+    set_hidden();
+  }
+
+  void set_hidden() {
     hidden = std::make_shared<Stage<std::vector<ElementPair>>>(
         "hidden pairs", [ready = prepared, made = factors, asked = request.factors](const StageProgress& progress) {
           const auto there = ready->get(progress);
@@ -121,7 +169,16 @@ struct Simulation3::Version {
         });
   }
 
-  void set_system() {
+  void set_system(bool has_system) {
+    if (!has_system) make_system();
+    radiosities = std::make_shared<Stage<RadiositySolution>>(
+        "radiosity", [its = scene, made = factors, ready = system](const StageProgress& progress) {
+          const auto solver = ready->get(progress);
+          return scene_radiosities(*solver, *its, made->get(progress)->notes, telling("radiosity", progress));
+        });
+  }
+
+  void make_system() {
     system = std::make_shared<Stage<RadiositySolver>>(
         "radiosity", [its = scene, made = factors, asked = request.system,
                       method = request.factors.method](const StageProgress& progress) {
@@ -136,11 +193,6 @@ struct Simulation3::Version {
                                    {.solver = asked.solver, .iterations = asked.iterations, .until = asked.until});
           });
         });
-    radiosities = std::make_shared<Stage<RadiositySolution>>(
-        "radiosity", [its = scene, made = factors, ready = system](const StageProgress& progress) {
-          const auto solver = ready->get(progress);
-          return scene_radiosities(*solver, *its, made->get(progress)->notes, telling("radiosity", progress));
-        });
   }
 };
 
@@ -151,6 +203,22 @@ Simulation3::Simulation3(Scene3 scene, SimulationRequest3 request) {
 
 Simulation3 Simulation3::with_request(const SimulationRequest3& request) const {
   return Simulation3(std::make_shared<const Version>(version_->scene, request, version_.get()));
+}
+
+Simulation3 Simulation3::with_materials(std::vector<Material> materials) const {
+  HOTTEL_REQUIRE(materials.size() == version_->scene->materials.size());
+  Scene3 scene = *version_->scene;
+  scene.materials = std::move(materials);
+  validate_table(scene);
+  return Simulation3(std::make_shared<const Version>(*version_, std::make_shared<const Scene3>(std::move(scene))));
+}
+
+bool are_alike_as_before_3(const std::vector<Material>& before, const std::vector<Material>& now) {
+  HOTTEL_REQUIRE(before.size() == now.size());
+  for (std::size_t a = 0; a < now.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if ((before[a] == before[b]) != (now[a] == now[b])) return false;
+  return true;
 }
 
 const Scene3& Simulation3::scene() const { return *version_->scene; }

@@ -55,6 +55,10 @@ struct ComputedFactors3 {
   std::vector<std::string> notes;  // where the method is not exact: the first is a sentence about it
 };
 
+// Whether the same materials act alike as before. Then the claims of surfaces that overlap are settled as before; else
+// the scene is refused, or arranged as before. REQUIRES as many of both.
+bool are_alike_as_before_3(const std::vector<Material>& before, const std::vector<Material>& now);
+
 // One version of a scene and what is asked of it, with what follows, in stages:
 //
 //   prepared <- factors <- system <- radiosities;   plan, and hidden pairs after the factors, beside them
@@ -68,6 +72,8 @@ struct ComputedFactors3 {
 //       kernel/support/stage.h says
 //   (3) another request of the same scene shares what is prepared, and plan, factors and what follows from them where
 //       these are asked for alike
+//   (4) a scene with other materials shares the factors, and where no reflectivity is another the system too; it is
+//       arranged anew, and takes a copy of the factors, where not the same materials are alike
 //
 // RequestErrors name the scene's file: where the memory does not suffice, a pair cannot be measured, or one without an
 // enclosure must have one; where `closed` is broken, there is no solution, or none in doubles.
@@ -76,6 +82,9 @@ class Simulation3 {
   // Throws InputError naming file, line and surface unless the scene is valid (validate).
   explicit Simulation3(Scene3 scene, SimulationRequest3 request = {});
   Simulation3 with_request(const SimulationRequest3& request) const;
+  // The scene with these materials in place of its own. Throws InputError as the constructor, ContractViolation unless
+  // there are as many.
+  Simulation3 with_materials(std::vector<Material> materials) const;
 
   const Scene3& scene() const;
   const SimulationRequest3& request() const;

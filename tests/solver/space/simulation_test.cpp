@@ -50,6 +50,52 @@ TEST(Simulation3, AStageIsMadeOnceAndSharedWithOtherRequests) {
   EXPECT_EQ(simulation.with_request({.plan = {.everything = true}}).radiosities(), simulation.radiosities());
 }
 
+// (4), and (1) of it.
+TEST(Simulation3, OtherMaterialsShareTheFactorsAndOtherEmissionsTheSystem) {
+  const Simulation3 simulation(cube());
+  const auto expect_fresh = [](const Simulation3& edited) {
+    const Simulation3 fresh(edited.scene());
+    for (std::size_t c = 0; c < fresh.radiosities()->channels.size(); ++c)
+      for (std::size_t i = 0; i < fresh.radiosities()->channels[c].elements.size(); ++i)
+        EXPECT_EQ(edited.radiosities()->channels[c].elements[i].radiosity,
+                  fresh.radiosities()->channels[c].elements[i].radiosity);
+  };
+  std::vector<Material> materials = simulation.scene().materials;
+  ASSERT_GE(materials.size(), 2u);
+  materials[0].emission = Spectrum::scalar(Rational(1) / 3);
+  const Simulation3 brighter = simulation.with_materials(materials);
+  EXPECT_EQ(brighter.factors(), simulation.factors());
+  EXPECT_EQ(brighter.system(), simulation.system());
+  EXPECT_NE(brighter.radiosities(), simulation.radiosities());
+  EXPECT_EQ(brighter.prepared()->scene.materials, materials);
+  EXPECT_EQ(brighter.prepared()->ready, simulation.prepared()->ready);
+  expect_fresh(brighter);
+  materials[0].reflectivity = Spectrum::scalar(Rational(1) / 7);
+  const Simulation3 darker = brighter.with_materials(materials);
+  EXPECT_EQ(darker.factors(), simulation.factors());
+  EXPECT_NE(darker.system(), simulation.system());
+  expect_fresh(darker);
+  materials[0] = materials[1];
+  const Simulation3 alike = darker.with_materials(materials);
+  EXPECT_EQ(alike.factors()->matrix.entry_count(), simulation.factors()->matrix.entry_count());
+  expect_fresh(alike);
+}
+
+TEST(Simulation3, MaterialsThatNoLongerAgreeOnAnOverlapAreRefused) {
+  const Simulation3 simulation(parse_scene_3(R"({"hottel": 1, "dimension": 3,
+    "materials": {"m": {"reflectivity": 0.5}, "n": {"reflectivity": 0.5}}, "polygons": [
+    {"name": "a", "points": [[0,0,0],[1,0,0],[0,1,0]], "material": "m"},
+    {"name": "b", "points": [[0,0,0],[2,0,0],[0,2,0]], "material": "n"}]})",
+                                             "overlap.json"));
+  EXPECT_NO_THROW(simulation.radiosities());
+  std::vector<Material> materials = simulation.scene().materials;
+  materials[1].emission = Spectrum::scalar(1);
+  const Simulation3 parted = simulation.with_materials(materials);
+  EXPECT_THROW(parted.factors(), InputError);
+  materials[0].emission = Spectrum::scalar(1);
+  EXPECT_NO_THROW(parted.with_materials(materials).radiosities());
+}
+
 TEST(Simulation3, ThePlanIsMadeWithoutFactorsAndShared) {
   const Simulation3 simulation(cube());
   EXPECT_FALSE(simulation.plan()->uses(Plan::kOcclusion));

@@ -44,6 +44,14 @@ template <class Take>
 void for_each_covered_pixel(std::span<const Pixel> polygon, std::uint32_t width, std::uint32_t height,
                             const Take& take);
 
+// The same for the rows [begin, end) of the picture alone.
+struct PixelRows3 {
+  std::uint32_t begin, end;
+};
+template <class Take>
+void for_each_covered_pixel(std::span<const Pixel> polygon, std::uint32_t width, const PixelRows3& rows,
+                            const Take& take);
+
 // Adds `value` times the part of each pixel that a convex polygon covers.
 void add_polygon(std::span<const Pixel> polygon, std::span<const double> value, PixelValues3& pixels);
 
@@ -62,17 +70,24 @@ struct PixelStrip3 {
 template <class Take>
 void for_each_covered_pixel(std::span<const Pixel> polygon, std::uint32_t width, std::uint32_t height,
                             const Take& take) {
+  for_each_covered_pixel(polygon, width, PixelRows3{0, height}, take);
+}
+
+template <class Take>
+void for_each_covered_pixel(std::span<const Pixel> polygon, std::uint32_t width, const PixelRows3& rows,
+                            const Take& take) {
   if (polygon.size() < 3) return;
   const auto [low, high] =
       std::minmax_element(polygon.begin(), polygon.end(), [](const Pixel& a, const Pixel& b) { return a.y < b.y; });
   const double top = low->y, bottom = high->y;
-  const auto clamped = [](double place, std::uint32_t most) {
-    return static_cast<std::uint32_t>(std::clamp(std::floor(place), 0.0, static_cast<double>(most)));
+  const auto clamped = [](double place, std::uint32_t least, std::uint32_t most) {
+    return static_cast<std::uint32_t>(
+        std::clamp(std::floor(place), static_cast<double>(least), static_cast<double>(most)));
   };
-  for (std::uint32_t y = clamped(top, height); y < height && y < bottom; ++y) {
+  for (std::uint32_t y = clamped(top, rows.begin, rows.end); y < rows.end && y < bottom; ++y) {
     const PixelStrip3 strip(polygon, y);
     if (strip.polygon.size() < 3) continue;
-    for (std::uint32_t x = clamped(strip.left, width); x < width && x < strip.right; ++x) {
+    for (std::uint32_t x = clamped(strip.left, 0, width); x < width && x < strip.right; ++x) {
       if (x >= strip.full_left && x + 1.0 <= strip.full_right)
         take(PixelCover3{x, y, 1, {x + 0.5, y + 0.5}});
       else

@@ -154,14 +154,18 @@ Shade3::Shade3(const Projection3& projection, const std::array<Direction3, 3>& w
     add(share, sign, under_);
     corners_[k].assign(values[k].begin(), values[k].end());
   }
+  for (std::size_t c = 0; c < over_.size(); ++c) {
+    const auto [low, high] = std::minmax({corners_[0][c], corners_[1][c], corners_[2][c]});
+    low_.push_back(low);
+    high_.push_back(high);
+  }
 }
 
 void Shade3::value(const Pixel& at, std::span<double> result) const {
   const double under = under_.at(at);
   for (std::size_t c = 0; c < over_.size(); ++c) {
-    const auto [low, high] = std::minmax({corners_[0][c], corners_[1][c], corners_[2][c]});
     const double blended = over_[c].at(at) / under;
-    result[c] = std::isfinite(blended) ? std::clamp(blended, low, high) : corners_[0][c];
+    result[c] = std::isfinite(blended) ? std::clamp(blended, low_[c], high_[c]) : corners_[0][c];
   }
 }
 

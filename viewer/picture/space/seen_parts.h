@@ -38,6 +38,7 @@ class Shade3 {
   std::vector<AffineValue3> over_;  // by channel: the value times what it is over
   AffineValue3 under_;              // not negative in the triangle
   std::array<std::vector<double>, 3> corners_;
+  std::vector<double> low_, high_;  // by channel, of the corners
 };
 
 // A polygon of the picture in which one element is seen, or black.

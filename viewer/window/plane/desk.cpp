@@ -10,13 +10,13 @@
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/plane/drawable.h"
+#include "viewer/window/plane/desk_script.h"
 
 namespace hottel {
 namespace {
 
 constexpr double kSecondsBetweenFileChecks = 1;
 constexpr std::uint32_t kMostPixelsPerCell = 8;
-constexpr std::size_t kEventsPerFrame = 200;
 constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 134;  // units around the scene
 
 // The face of that name in another scene: an edit may count surfaces anew.
@@ -115,16 +115,14 @@ void Desk2::settle(double seconds) {
   update();
 }
 
-void Desk2::run() {
-  while (!wants_quit_) {
-    for (std::size_t k = 0; k < kEventsPerFrame; ++k) {
-      const std::optional<WindowEvent> event = window_.next(k == 0 ? kSecondsBetweenFileChecks : 0);
-      if (!event) break;
-      handle(*event);
-    }
-    update();
-  }
+void Desk2::run() { run_desk(*this, window_, kSecondsBetweenFileChecks); }
+
+Pixel Desk2::pixel_of_place(std::span<const double> place) const {
+  if (place.size() != 2) throw UsageError("a place of a scene in the plane is X,Y");
+  return pixel_of({place[0], place[1]});
 }
+
+std::string Desk2::hashes() const { return result_hashes(looks_.state()); }
 
 // Offers a file that someone else has written.
 void Desk2::watch_file() {

@@ -13,27 +13,18 @@
 #include "kernel/support/stopwatch.h"
 #include "solver/plane/simulation/simulation_request.h"
 #include "viewer/edit/plane/scene_editor.h"
+#include "viewer/window/desk.h"
 #include "viewer/window/panel.h"
 #include "viewer/window/plane/camera.h"
 #include "viewer/window/plane/scene_file.h"
 #include "viewer/window/plane/scene_looks.h"
+#include "viewer/window/prompt.h"
 #include "viewer/window/window.h"
 
 namespace hottel {
 
 // Of texts about what is looked at, at the right: a fraction of the window's width at most.
 inline constexpr double kPanelWidth = 0.36;
-
-// A question in the window, and what is typed.
-struct Prompt {
-  std::string question;
-  std::string text{};
-  std::string problem{};  // of what was typed last
-  // What to do with the text: returns what is wrong with it, or nothing.
-  std::function<std::string(const std::string&)> answer{};
-  // Instead of a text: single keys, and what each does.
-  std::vector<std::pair<std::string, std::function<void()>>> keys{};
-};
 
 // A scene on a desk: all that a window does, without a screen.
 //
@@ -45,21 +36,20 @@ struct Prompt {
 //   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes
 //   (5) a command that can do nothing says why in message(): what a key does is seen
 // Its functions are for the thread of the window.
-class Desk2 {
+class Desk2 : public Desk {
  public:
   // Reads the file. Throws InputError. scale: of letters and lines. REQUIRES: the window outlives it.
   Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale);
 
-  // Takes one event.
-  void handle(const WindowEvent& event);
+  void handle(const WindowEvent& event) override;
   // Does what a key of that name does (commands.h), at the mouse. Throws UsageError for other names.
-  void command(std::string_view name);
-  // Takes what has come in the background, and draws and shows a frame where something has changed. Returns whether it
-  // has.
-  bool update();
-  // Waits until all that is shown is of the scene as it is now, and updates. Throws RequestError after so many seconds.
-  void settle(double seconds);
-  bool wants_quit() const { return wants_quit_; }
+  void command(std::string_view name) override;
+  bool update() override;
+  void settle(double seconds) override;
+  bool wants_quit() const override { return wants_quit_; }
+  Pixel pixel_of_place(std::span<const double> place) const override;
+  std::string hashes() const override;  // result_hashes(looks().state())
+  bool do_own_step(const ScriptStep&) override { return false; }
 
   // Takes events and updates until it wants to quit.
   void run();
@@ -71,10 +61,8 @@ class Desk2 {
   const std::optional<Prompt>& prompt() const { return prompt_; }
   Pixel pixel_of(const Place2& place) const { return camera_.at(place, size_); }
 
-  // Writes what is seen without any text about it to a file that ends in .png, .svg or .pdf. Throws UsageError for
-  // another ending, OutputError.
-  void save_picture(const std::filesystem::path& file) const;
-  void save_as(const std::filesystem::path& file);  // throws as SceneFile2::write
+  void save_picture(const std::filesystem::path& file) const override;
+  void save_as(const std::filesystem::path& file) override;  // throws as SceneFile2::write
 
  private:
   enum class Drag : unsigned char { kNone, kEdit, kPan, kBar, kRectangle };
@@ -92,7 +80,6 @@ class Desk2 {
   void click();
   Face asked_face(const Pick2& pick) const;
   void key(const WindowEvent& event);
-  void prompt_key(const WindowEvent& event);
   void touch();
   Pointer2 pointer(const HeldKeys& held = {}) const;
   Place2 place() const { return camera_.place_of(mouse_, size_); }
@@ -112,8 +99,6 @@ class Desk2 {
   void change_material(std::string_view name, bool copies_first);
   void ask_for_material(bool copies_first);
   void ask_for_coordinates();
-  void ask_for_file(const std::string& question, const std::string& text,
-                    const std::function<void(const std::string&)>& use);
   std::string save();
   void read_again();
   void quit();
@@ -131,8 +116,6 @@ class Desk2 {
   void draw_tool(PictureCanvas& canvas) const;
   void draw_problem(PictureCanvas& canvas) const;
   void draw_texts(PictureCanvas& canvas) const;
-  void draw_prompt(PictureCanvas& canvas) const;
-  void draw_help(PictureCanvas& canvas) const;
   LookDrawing2 drawing() const;
   std::string file_title() const;
   std::string head() const;

@@ -8,112 +8,18 @@
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/method_catalogue.h"
 #include "viewer/edit/decimals.h"
+#include "viewer/edit/material_edits.h"
 #include "viewer/edit/plane/scene_edits.h"
 #include "viewer/edit/plane/typed_point.h"
-#include "viewer/edit/typed_numbers.h"
 #include "viewer/picture/plane/drawable.h"
+#include "viewer/window/choices.h"
 #include "viewer/window/commands.h"
 #include "viewer/window/plane/desk.h"
 
 namespace hottel {
 namespace {
 
-constexpr std::array kTones{Tone::kLog, Tone::kReinhard, Tone::kLinear, Tone::kMax};
-constexpr std::array kSolvers{Solver::kGaussSeidel, Solver::kJacobi, Solver::kShooting, Solver::kCg, Solver::kBicgstab};
-constexpr double kExposureStep = 1.2;
 constexpr int kLampPixels = 8;  // units, half the side of a lamp
-
-// Paints, at a lightness near that of plaster.
-const std::array<Spectrum, 6>& paints() {
-  const auto colour = [](int r, int g, int b) {
-    return Spectrum{{Rational(r) / 100, Rational(g) / 100, Rational(b) / 100}, false};
-  };
-  static const std::array<Spectrum, 6> kPaints{Spectrum::scalar(Rational(4) / 5),
-                                               colour(80, 36, 24),
-                                               colour(82, 70, 34),
-                                               colour(42, 64, 40),
-                                               colour(34, 50, 76),
-                                               colour(58, 38, 64)};
-  return kPaints;
-}
-
-// The next paint after the one a material has; a material that emits emits in that colour, as strongly.
-void next_colour(Material& material) {
-  const auto& all = paints();
-  const auto found = std::ranges::find(all, material.reflectivity);
-  const Spectrum& paint = found == all.end() || found + 1 == all.end() ? all[0] : *(found + 1);
-  if (!material.emission.is_zero()) {
-    const Rational most = *std::ranges::max_element(material.emission.value);
-    const Rational lightest = *std::ranges::max_element(paint.value);
-    for (std::size_t c = 0; c < 3; ++c) material.emission.value[c] = most * paint.value[c] / lightest;
-    material.emission.is_scalar = paint.is_scalar;
-  }
-  material.reflectivity = paint;
-}
-
-void step_reflectivity(Material& material, int sign) {
-  for (Rational& value : material.reflectivity.value)
-    value = std::clamp<Rational>(value + Rational(sign) / 20, Rational(0), Rational(1));
-}
-
-// A quarter more or less, to two significant digits; from nothing to 1, and below a thousandth to nothing.
-void step_emission(Material& material, int sign) {
-  if (material.emission.is_zero()) {
-    if (sign > 0) material.emission = Spectrum::scalar(Rational(1));
-    return;
-  }
-  for (Rational& value : material.emission.value) {
-    if (value == 0) continue;
-    value = sign > 0 ? value * 5 / 4 : value * 4 / 5;
-    value = rounded_decimal(value, 2 - decades(value));
-    if (value < Rational(1) / 1000) value = 0;
-  }
-}
-
-std::string text_of(const Spectrum& spectrum) {
-  if (spectrum.is_scalar) return short_text(spectrum.value[0]);
-  return fmt::format("{} {} {}", short_text(spectrum.value[0]), short_text(spectrum.value[1]),
-                     short_text(spectrum.value[2]));
-}
-
-// Reads "reflectivity 0.5; emission 1 0.9 0.8" into a material; returns what is wrong with it.
-std::string read_material(const std::string& text, Material& material) {
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find(';', begin), text.size());
-    std::string part = text.substr(begin, end - begin);
-    begin = end + 1;
-    part.erase(0, std::min(part.find_first_not_of(' '), part.size()));
-    if (part.empty()) continue;
-    const std::size_t blank = std::min(part.find(' '), part.size());
-    const std::string word = part.substr(0, blank);
-    const bool is_emission = word == "emission";
-    if (!is_emission && word != "reflectivity") return "say 'reflectivity' or 'emission', not '" + word + "'";
-    Spectrum& spectrum = is_emission ? material.emission : material.reflectivity;
-    if (part == word + " " + text_of(spectrum)) continue;  // as it was shown, with all the digits that it has
-    const Typed<Spectrum> typed =
-        typed_spectrum(part.substr(blank), is_emission ? SpectrumKind::kQuantity : SpectrumKind::kFraction);
-    if (!typed.value) return word + ": " + typed.problem;
-    spectrum = *typed.value;
-  }
-  return "";
-}
-
-template <class Choices, class T>
-T next_of(const Choices& choices, const T& now, int step) {
-  const auto n = static_cast<int>(std::size(choices));
-  const auto found = static_cast<int>(std::find(std::begin(choices), std::end(choices), now) - std::begin(choices));
-  return choices[static_cast<std::size_t>(((found == n ? 0 : found + step) + n) % n)];
-}
-
-// The approximate methods: of each family the middle one of its sweep.
-std::vector<std::string> approximate_methods() {
-  std::vector<std::string> names;
-  const MethodCatalogue2 catalogue = methods_2();
-  for (const MethodFamily2& family : catalogue.families())
-    if (family.name != "exact" && !family.sweep.empty()) names.push_back(family.sweep[family.sweep.size() / 2]);
-  return names;
-}
 
 }  // namespace
 
@@ -177,7 +83,7 @@ void Desk2::next_choice(int step) {
     request_.solver = next_of(kSolvers, request_.solver, step);
     message_ = std::string("solver ") + to_string(request_.solver);
   } else {
-    request_.method = next_of(approximate_methods(), request_.method, step);
+    request_.method = next_of(approximate_methods(methods_2()), request_.method, step);
     message_ = "method " + request_.method;
   }
 }
@@ -270,9 +176,7 @@ void Desk2::end_tool(bool closed) {
 bool Desk2::material_command(std::string_view name) {
   const bool copies_first = name.starts_with("own ");
   if (copies_first) name.remove_prefix(4);
-  if (name != "less reflectivity" && name != "more reflectivity" && name != "less emission" &&
-      name != "more emission" && name != "colour" && name != "material")
-    return false;
+  if (name != "material" && !is_material_edit(name)) return false;
   if (!hover_.surface)
     message_ = "no edge lies under the mouse";
   else if (name == "material")
@@ -284,30 +188,27 @@ bool Desk2::material_command(std::string_view name) {
 
 void Desk2::change_material(std::string_view name, bool copies_first) {
   const Face face = asked_face(hover_);
-  const std::string changed = editor_.change_material(face, copies_first, [name](Material& material) {
-    if (name == "colour") return next_colour(material);
-    const int sign = name.starts_with("more") ? 1 : -1;
-    name.ends_with("emission") ? step_emission(material, sign) : step_reflectivity(material, sign);
-  });
+  const std::string changed =
+      editor_.change_material(face, copies_first, [name](Material& material) { edit_material(material, name); });
   if (changed.empty()) return;
   const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), face)];
-  message_ = fmt::format("{}: reflectivity {}, emission {}", changed, text_of(now.reflectivity), text_of(now.emission));
+  message_ = fmt::format("{}: reflectivity {}, emission {}", changed, spectrum_text(now.reflectivity),
+                         spectrum_text(now.emission));
 }
 
 void Desk2::ask_for_material(bool copies_first) {
   const Face face = asked_face(hover_);
   const Material& now = editor_.scene()->materials[*material_of(*editor_.scene(), face)];
-  prompt_ =
-      Prompt{.question = now.name + (copies_first ? ", for this group alone" : ""),
-             .text = fmt::format("reflectivity {}; emission {}", text_of(now.reflectivity), text_of(now.emission)),
-             .answer = [this, face, copies_first](const std::string& text) {
-               Material values;
-               const std::string problem = read_material(text, values);
-               if (!problem.empty()) return problem;
-               editor_.change_material(face, copies_first, [&text](Material& m) { read_material(text, m); });
-               scene_changed();
-               return std::string();
-             }};
+  prompt_ = Prompt{.question = now.name + (copies_first ? ", for this group alone" : ""),
+                   .text = material_text(now),
+                   .answer = [this, face, copies_first](const std::string& text) {
+                     Material values;
+                     const std::string problem = read_material(text, values);
+                     if (!problem.empty()) return problem;
+                     editor_.change_material(face, copies_first, [&text](Material& m) { read_material(text, m); });
+                     scene_changed();
+                     return std::string();
+                   }};
 }
 
 void Desk2::ask_for_coordinates() {
@@ -336,26 +237,13 @@ void Desk2::ask_for_coordinates() {
                    }};
 }
 
-void Desk2::ask_for_file(const std::string& question, const std::string& text,
-                         const std::function<void(const std::string&)>& use) {
-  prompt_ = Prompt{.question = question, .text = text, .answer = [use](const std::string& name) -> std::string {
-                     if (name.empty()) return "a name, please";
-                     try {
-                       use(name);
-                       return "";
-                     } catch (const std::runtime_error& error) {
-                       return error.what();
-                     }
-                   }};
-}
-
 bool Desk2::file_command(std::string_view name) {
   if (name == "save") {
     save();
   } else if (name == "save as") {
-    ask_for_file("save as", file_.path().string(), [this](const std::string& file) { save_as(file); });
+    prompt_ = file_prompt("save as", file_.path().string(), [this](const std::string& file) { save_as(file); });
   } else if (name == "picture") {
-    ask_for_file("picture", file_.path().stem().string() + ".png", [this](const std::string& file) {
+    prompt_ = file_prompt("picture", file_.path().stem().string() + ".png", [this](const std::string& file) {
       save_picture(file);
       message_ = "saved " + file;
     });

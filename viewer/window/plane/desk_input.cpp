@@ -66,7 +66,7 @@ void Desk2::handle(const WindowEvent& event) {
     case Kind::kKey:
       if (prompt_) {
         drops_text_ = false;
-        return prompt_key(event);
+        return answer_prompt(prompt_, event);
       }
       key(event);
       drops_text_ = prompt_ && event.key.size() == 1 && !event.held.ctrl && !event.held.alt;
@@ -181,36 +181,6 @@ void Desk2::click() {
 void Desk2::key(const WindowEvent& event) {
   const std::string_view name = command_of_key(key_text(event));
   if (!name.empty()) command(name);
-}
-
-void Desk2::prompt_key(const WindowEvent& event) {
-  if (event.key == "escape") {
-    prompt_.reset();
-    return;
-  }
-  if (!prompt_->keys.empty()) {
-    for (const auto& [key, action] : prompt_->keys)
-      if (key == event.key) {
-        const std::function<void()> act = action;
-        prompt_.reset();
-        return act();
-      }
-    return;
-  }
-  if (event.key == "backspace") {
-    std::string& text = prompt_->text;
-    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
-    if (!text.empty()) text.pop_back();
-  } else if (event.key == "u" && event.held.ctrl) {
-    prompt_->text.clear();
-  } else if (event.key == "enter") {
-    const Prompt asked = *prompt_;
-    prompt_.reset();
-    const std::string problem = asked.answer(asked.text);
-    if (problem.empty()) return;
-    prompt_ = asked;
-    prompt_->problem = problem;
-  }
 }
 
 }  // namespace hottel

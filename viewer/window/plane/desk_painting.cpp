@@ -13,6 +13,7 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
 #include "viewer/window/commands.h"
+#include "viewer/window/help.h"
 #include "viewer/window/plane/desk.h"
 
 namespace hottel {
@@ -190,50 +191,6 @@ void Desk2::draw_texts(PictureCanvas& canvas) const {
              {.corner = {gap, height - gap}, .is_bottom = true, .width = 0.8 * width}, unit_);
 }
 
-void Desk2::draw_prompt(PictureCanvas& canvas) const {
-  if (!prompt_) return;
-  Panel panel{.lines = {prompt_->question}};
-  if (prompt_->keys.empty()) panel.lines.push_back(prompt_->text + "|");
-  if (!prompt_->problem.empty()) panel.lines.push_back(prompt_->problem);
-  const double width = size_.width, height = size_.height;
-  draw_panel(canvas, panel, {.corner = {width / 2, 0.4 * height}, .is_centred = true, .width = 0.8 * width}, unit_);
-}
-
-void Desk2::draw_help(PictureCanvas& canvas) const {
-  canvas.fill_rectangle(Mark::kPaper, {0, 0}, {canvas.width(), canvas.height()}, palette::kPaper.with_alpha(0.97));
-  const double unit = std::min(unit_, std::min(canvas.width() / 1100, canvas.height() / 640));
-  const TextStyle bold{.size = 15 * unit, .colour = palette::kInk, .weight = TextWeight::kBold};
-  const TextStyle key{.size = 14 * unit, .colour = palette::kTarget, .weight = TextWeight::kBold};
-  const TextStyle plain{.size = 14 * unit, .colour = palette::kInk};
-  double x = 40 * unit, y = 40 * unit;
-  const auto line = [&](std::string_view left, double indent, std::string_view right) {
-    canvas.text(Mark::kLegend, {x, y}, left, key);
-    canvas.text(Mark::kLegend, {x + indent * unit, y}, right, plain);
-    y += 20 * unit;
-  };
-  std::string_view topic;
-  for (const Command& command : commands()) {
-    if (command.help.empty()) continue;
-    if (command.topic != topic) {
-      topic = command.topic;
-      const bool is_column = topic == "edit" || topic.starts_with("material");
-      if (is_column) x += 350 * unit;
-      y = is_column ? 40 * unit : y + (topic == "look" ? 0 : 16 * unit);
-      canvas.text(Mark::kLegend, {x, y}, topic, bold);
-      y += 24 * unit;
-    }
-    line(command.key, 100, command.help);
-  }
-  y += 16 * unit;
-  canvas.text(Mark::kLegend, {x, y}, "mouse", bold);
-  y += 24 * unit;
-  for (const Gesture& gesture : gestures()) {
-    canvas.text(Mark::kLegend, {x, y}, gesture.gesture, key);
-    canvas.text(Mark::kLegend, {x + 16 * unit, y + 17 * unit}, gesture.help, plain);
-    y += 37 * unit;
-  }
-}
-
 void Desk2::draw() {
   if (needs_base_ || base_.width != size_.width || base_.height != size_.height) draw_base();
   frame_ = base_;
@@ -241,8 +198,11 @@ void Desk2::draw() {
   draw_selection(canvas);
   draw_tool(canvas);
   draw_problem(canvas);
-  shows_help_ ? draw_help(canvas) : draw_texts(canvas);
-  draw_prompt(canvas);
+  if (shows_help_)
+    draw_help(canvas, commands(), gestures(), unit_);
+  else
+    draw_texts(canvas);
+  if (prompt_) draw_prompt(canvas, *prompt_, unit_);
   canvas.finish();
   std::string title = file_title() + " - hottel";
   if (title != title_) window_.set_title(title);

@@ -1,37 +1,11 @@
-// Scripts played on a desk.
+// What scripts ask of a desk in the plane.
 #pragma once
 
-#include <filesystem>
-#include <functional>
 #include <string>
-#include <vector>
 
-#include "viewer/window/plane/desk.h"
-#include "viewer/window/recording_window.h"
-#include "viewer/window/script.h"
+#include "viewer/window/plane/live_scene.h"
 
 namespace hottel {
-
-// Where the results of a script go.
-struct ScriptOutputs {
-  std::function<void(const std::string&)> print;  // a line of text
-  std::function<void(const Raster&)> frame = {};  // each frame of a recording; empty: nothing is recorded
-};
-
-// Frames a second of a recording.
-inline constexpr int kFramesPerSecond = 20;
-
-// Does the steps, one after the other; ends early where the window is closed.
-//
-//   (1) after each step all that the desk shows is waited for: a script does the same on every machine
-//   (2) a recording has a frame for every event, and kFramesPerSecond for a second of "pause", in which what runs in
-//       the background goes on as it does
-// REQUIRES: the desk is that of the window. Throws InputError naming the line for what makes no sense, OutputError.
-void play_script_2(const std::vector<ScriptStep>& steps, const std::string& name, Desk2& desk, RecordingWindow& window,
-                   const ScriptOutputs& outputs);
-
-// Writes a frame as a PNG file. Throws UsageError unless the file ends in .png, OutputError.
-void save_screenshot_2(const Raster& frame, const std::filesystem::path& file);
 
 // Returns a line with the SHA-256 of each file that a fresh process would write of the scene as it is: factors.csv
 // (`hottel factors`), radiosity.csv and illumination.npy (`hottel solve`); "-" for each where there is no light, or, as

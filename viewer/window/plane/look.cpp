@@ -6,7 +6,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <sstream>
 #include <thread>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
@@ -26,6 +25,7 @@
 #include "solver/plane/methods/method_catalogue.h"
 #include "solver/plane/simulation/questions.h"
 #include "viewer/picture/plane/error_map.h"
+#include "viewer/window/text_lines.h"
 
 namespace hottel {
 namespace {
@@ -33,28 +33,6 @@ namespace {
 constexpr std::array<const char*, kLooks2> kWords{"light", "floor",  "bands", "visibility", "factors",
                                                   "pair",  "errors", "check", "plan",       "sweeps"};
 constexpr auto kBetweenSweeps = std::chrono::milliseconds(100);
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-// Columns that were set apart by blanks, as for letters of one width, set apart by tabs. Blanks before the first stay.
-std::string with_tabs(const std::string& line) {
-  std::string text;
-  for (std::size_t k = 0; k < line.size(); ++k) {
-    const std::size_t end = std::min(line.find_first_not_of(' ', k), line.size());
-    if (end > k + 1 && !text.empty()) {
-      if (end < line.size()) text += '\t';
-      k = end - 1;
-    } else if (end <= k || !text.empty()) {
-      text += line[k];
-    }
-  }
-  return text;
-}
 
 std::string text_of(const Point2& p) { return fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y)); }
 

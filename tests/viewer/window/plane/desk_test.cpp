@@ -20,6 +20,7 @@
 #include "viewer/window/commands.h"
 #include "viewer/window/plane/desk_script.h"
 #include "viewer/window/recording_window.h"
+#include "viewer/window/script_player.h"
 
 namespace hottel {
 namespace {
@@ -62,8 +63,8 @@ class Hand {
   // Does the steps of a script; returns what it prints.
   std::string play(const std::string& script) {
     std::string printed;
-    play_script_2(parse_script(script, "hand.txt"), "hand.txt", *desk, window,
-                  {.print = [&printed](const std::string& line) { printed += line + "\n"; }});
+    play_script(parse_script(script, "hand.txt"), "hand.txt", *desk, window,
+                {.print = [&printed](const std::string& line) { printed += line + "\n"; }});
     return printed;
   }
 
@@ -848,13 +849,13 @@ TEST(Script, RecordsAFrameForEachEventAndTwentyASecond) {
   Hand hand;
   const auto frames_of = [&](const std::string& script) {
     int frames = 0;
-    play_script_2(parse_script(script, "s"), "s", *hand.desk, hand.window,
-                  {.print = [](const std::string&) {},
-                   .frame =
-                       [&](const Raster& frame) {
-                         EXPECT_EQ(frame, hand.window.frame());
-                         ++frames;
-                       }});
+    play_script(parse_script(script, "s"), "s", *hand.desk, hand.window,
+                {.print = [](const std::string&) {},
+                 .frame =
+                     [&](const Raster& frame) {
+                       EXPECT_EQ(frame, hand.window.frame());
+                       ++frames;
+                     }});
     return frames;
   };
   EXPECT_EQ(frames_of("key h\nkey h"), 2);

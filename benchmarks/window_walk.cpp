@@ -1,0 +1,91 @@
+// What the window of `hottel view` costs in space, at 1280 x 800 pixels: a room with two boxes and a lamp, its polygons
+// divided.
+//
+// orbit: the eye goes five degrees around, and the frame is drawn anew. emission: an edit of the lamp, until its light
+// is there and shown.
+//
+// Counters: elements; frames (a second) of the orbit; light, in ms: what the light of an edit takes, without the frame.
+#include <string>
+
+#include "benchmarks/clutter.h"
+#include "geometry/space/scene/division.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/stopwatch.h"
+#include "viewer/window/recording_window.h"
+#include "viewer/window/space/desk.h"
+
+namespace hottel::benchmarks {
+namespace {
+
+constexpr double kPatience = 600;  // seconds, for light
+constexpr const char* kScene = "scenes/space/two_boxes.json";
+
+// A desk with the light of the scene on it.
+class Walk {
+ public:
+  explicit Walk(std::uint32_t n)
+      : window_({1280, 800}),
+        desk_({kScene,
+               [n] {
+                 Scene3 scene = read_scene_3(kScene);
+                 divide_into(scene, n);
+                 return scene;
+               }},
+              window_, {}, 1) {
+    desk_.settle(kPatience);
+  }
+  Desk3& desk() { return desk_; }
+  double elements() const { return desk_.state().model->table.count(); }
+
+ private:
+  RecordingWindow window_;
+  Desk3 desk_;
+};
+
+void orbit(benchmark::State& state, std::uint32_t n) {
+  Walk walk(n);
+  Stopwatch watch;
+  double seconds = 0;
+  for (auto _ : state) {
+    watch.lap();
+    walk.desk().command("orbit left");
+    walk.desk().update();
+    const double taken = watch.lap();
+    seconds += taken;
+    state.SetIterationTime(taken);
+  }
+  state.counters["elements"] = walk.elements();
+  state.counters["frames"] = static_cast<double>(state.iterations()) / seconds;
+  state.counters["light"] = 0;
+}
+
+void emission(benchmark::State& state, std::uint32_t n) {
+  Walk walk(n);
+  Stopwatch watch;
+  double light = 0;
+  int k = 0;
+  for (auto _ : state) {
+    watch.lap();
+    const std::string text = "lamp emission " + std::to_string(1 + ++k % 50);
+    walk.desk().do_own_step({"material", {"lamp", "emission"}, text, 1});
+    walk.desk().settle(kPatience);
+    state.SetIterationTime(watch.lap());
+    light += walk.desk().state().seconds;
+  }
+  state.counters["elements"] = walk.elements();
+  state.counters["frames"] = 0;
+  state.counters["light"] = 1e3 * light / static_cast<double>(state.iterations());
+}
+
+}  // namespace
+}  // namespace hottel::benchmarks
+
+int main(int argc, char** argv) {
+  using namespace hottel::benchmarks;
+  for (const std::uint32_t n : {1u, 2u, 4u, 6u}) {
+    const std::string name = "two_boxes/divided:" + std::to_string(n);
+    add_case(name + "/orbit", [n](benchmark::State& state) { orbit(state, n); });
+    add_case(name + "/emission", [n](benchmark::State& state) { emission(state, n); });
+  }
+  return run(argc, argv);
+}

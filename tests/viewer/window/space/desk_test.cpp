@@ -1,0 +1,386 @@
+// A desk in space under a hand: events and scripts in, frames out, without a screen.
+#include "viewer/window/space/desk.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <set>
+
+#include "geometry/scene_names.h"
+#include "io/files/output_file.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
+#include "viewer/picture/space/camera_view.h"
+#include "viewer/window/recording_window.h"
+#include "viewer/window/script_player.h"
+#include "viewer/window/space/commands.h"
+
+namespace hottel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+namespace fs = std::filesystem;
+
+class Folder {
+ public:
+  Folder() {
+    std::string pattern = (fs::temp_directory_path() / "hottel-XXXXXX").string();
+    path_ = ::mkdtemp(pattern.data());
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { fs::remove_all(path_); }
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+// A room of 2 x 2 x 2 with a solid box on its floor and a lamp below its ceiling.
+constexpr const char* kRoom = R"({"hottel": 1, "dimension": 3,
+  "materials": {"white": {"reflectivity": 0.5}, "lamp": {"emission": 4, "reflectivity": 0.1},
+                "red": {"reflectivity": [0.6, 0.1, 0.1]}},
+  "polygons": [
+    {"name": "floor", "points": [[0,0,0],[2,0,0],[2,2,0],[0,2,0]], "material": "white", "elements": 2},
+    {"name": "ceiling", "points": [[0,0,2],[0,2,2],[2,2,2],[2,0,2]], "material": "white"},
+    {"name": "front", "points": [[0,0,0],[0,0,2],[2,0,2],[2,0,0]], "material": "white"},
+    {"name": "rear", "points": [[0,2,0],[2,2,0],[2,2,2],[0,2,2]], "material": "white"},
+    {"name": "left", "points": [[0,0,0],[0,2,0],[0,2,2],[0,0,2]], "material": "red"},
+    {"name": "right", "points": [[2,0,0],[2,0,2],[2,2,2],[2,2,0]], "material": "white"},
+    {"name": "lamp", "points": [[0.5,0.5,1.9],[0.5,1,1.9],[1,1,1.9],[1,0.5,1.9]], "material": "lamp"},
+    {"name": "box.bottom", "group": "box", "points": [[1,1.2,0],[1,1.6,0],[1.4,1.6,0],[1.4,1.2,0]], "material": "white"},
+    {"name": "box.top", "group": "box", "points": [[1,1.2,0.4],[1.4,1.2,0.4],[1.4,1.6,0.4],[1,1.6,0.4]], "material": "white"},
+    {"name": "box.a", "group": "box", "points": [[1,1.2,0],[1.4,1.2,0],[1.4,1.2,0.4],[1,1.2,0.4]], "material": "white"},
+    {"name": "box.b", "group": "box", "points": [[1.4,1.2,0],[1.4,1.6,0],[1.4,1.6,0.4],[1.4,1.2,0.4]], "material": "white"},
+    {"name": "box.c", "group": "box", "points": [[1.4,1.6,0],[1,1.6,0],[1,1.6,0.4],[1.4,1.6,0.4]], "material": "white"},
+    {"name": "box.d", "group": "box", "points": [[1,1.6,0],[1,1.2,0],[1,1.2,0.4],[1,1.6,0.4]], "material": "white"}],
+  "camera": {"eye": [0.9, 0.1, 1.1], "target": [1, 2, 0.9], "field_of_view": 80, "pixels": [800, 600]}})";
+
+class Hand {
+ public:
+  explicit Hand(const std::string& scene = kRoom) : window({400, 300}) {
+    std::ofstream(file()) << scene;
+    desk.emplace(DeskSource3{file(), [path = file()] { return read_scene_3(path); }}, window, FactorsRequest3{}, 1.0);
+    desk->settle(kPatience);
+  }
+
+  fs::path file() const { return folder / "room.json"; }
+  fs::path path(const std::string& name) const { return folder / name; }
+
+  // Does the steps of a script; returns what it prints.
+  std::string play(const std::string& script) {
+    std::string printed;
+    play_script(parse_script(script, "hand.txt"), "hand.txt", *desk, window,
+                {.print = [&printed](const std::string& line) { printed += line + "\n"; }});
+    return printed;
+  }
+  const Material& material(const std::string& name) const {
+    return *std::ranges::find(desk->scene()->materials, name, &Material::name);
+  }
+  std::string picked() const { return desk->request().face ? face_name(*desk->scene(), *desk->request().face) : ""; }
+
+  // All that can be asked of the desk but the frame, in which times are written.
+  std::string signature() const {
+    const Camera3 camera = desk->camera().camera({400, 300});
+    std::string text = write_scene_3(*desk->scene()) + "|" + desk->message() + "|" +
+                       (desk->prompt() ? desk->prompt()->question + desk->prompt()->text : "") + "|" +
+                       to_string(desk->request().look) + "|" + desk->request().method + "|" +
+                       to_string(desk->request().solver) + picked() + std::to_string(static_cast<int>(desk->tone())) +
+                       " " + std::to_string(desk->exposure()) + (desk->is_smooth() ? "smooth" : "flat") +
+                       (desk->wants_quit() ? " quits" : "");
+    for (const Point3& p : {camera.eye, camera.target})
+      text += " " + to_string(p.x) + " " + to_string(p.y) + " " + to_string(p.z);
+    const std::string here = (folder / "").string();
+    for (auto at = text.find(here); at != std::string::npos; at = text.find(here))
+      text.replace(at, here.size(), "HERE");
+    return text;
+  }
+
+  static constexpr double kPatience = 300;
+  Folder folder;
+  RecordingWindow window;
+  std::optional<Desk3> desk;
+};
+
+// Commands.
+
+TEST(Commands3, HaveUniqueKeysAndOneHelpEach) {
+  std::set<std::string_view> keys, names;
+  for (const Command& command : commands_3()) {
+    if (!command.key.empty()) {
+      EXPECT_TRUE(keys.insert(command.key).second) << command.key;
+      EXPECT_EQ(command_of_key(command.key, commands_3()), command.name);
+    }
+    EXPECT_NE(names.insert(command.name).second && command.help.empty() && command.topic != "walk", true)
+        << command.name;
+  }
+}
+
+// A polygon is picked and under the mouse, and was changed and undone: so every command has something to do.
+constexpr const char* kReady = "move 1,2,1.5\npick rear\nkey ]\nkey '\nkey ctrl+z\nkey h\nkey h";
+
+TEST(Desk3, DoesEachCommandByKeyAndByNameAlike) {
+  Hand by_name, by_key;
+  for (const Command& command : commands_3()) {
+    SCOPED_TRACE(std::string(command.name) + ", " + std::string(command.key));
+    if (command.name == "quit" || command.name == "save") continue;
+    for (Hand* hand : {&by_name, &by_key}) hand->play("key escape\nkey 1\nkey f\n" + std::string(kReady));
+    ASSERT_EQ(by_name.signature(), by_key.signature());
+    const std::string before = by_name.signature();
+    by_name.play("do " + std::string(command.name));
+    by_key.play("key " + std::string(command.key));
+    EXPECT_EQ(by_name.signature(), by_key.signature());
+    // These show nothing that is not there.
+    const std::set<std::string_view> quiet{"look light", "fit", "again", "help"};
+    EXPECT_EQ(by_name.signature() == before, quiet.contains(command.name));
+  }
+}
+
+TEST(Desk3, RefusesOtherNames) {
+  Hand hand;
+  const std::string before = hand.signature();
+  for (const char* name : {"", "lefty", "look", "look nothing", "own colour", "undo ", "polyline"})
+    EXPECT_THROW(hand.desk->command(name), UsageError) << name;
+  EXPECT_EQ(hand.signature(), before);
+}
+
+TEST(Desk3, SaysWhyACommandDoesNothing) {
+  Hand hand;
+  for (const auto& [command, message] : std::vector<std::pair<std::string, std::string>>{
+           {"undo", "there is nothing to undo"},
+           {"redo", "there is nothing to do again"},
+           {"colour", "no polygon with a material lies under the mouse, and none is picked"},
+           {"copy number", "there is no number to copy"}}) {
+    hand.play("do " + command);
+    EXPECT_EQ(hand.desk->message(), message) << command;
+  }
+  hand.play("pick floor");
+  for (int k = 0; k < 30; ++k) hand.desk->command("more reflectivity");
+  EXPECT_EQ(hand.desk->message(), "it goes no further");
+}
+
+// What is shown.
+
+// (1) and (2): the frame is the picture of the camera, with the light of a new simulation.
+TEST(Desk3, ShowsTheLightOfTheSceneAtRest) {
+  Hand hand;
+  Scene3 scene = read_scene_3(hand.file());
+  const Simulation3 fresh(scene, {.factors = {.granularity = Granularity::kElement}});
+  const ChannelSolution& light = hand.desk->state().radiosities->channels[0];
+  for (std::size_t i = 0; i < light.elements.size(); ++i)
+    EXPECT_EQ(light.elements[i].radiosity, fresh.radiosities()->channels[0].elements[i].radiosity);
+  const ElementPaint3 paint = light_paint_3(scene, *fresh.radiosities());
+  const LiveModel3 model(*fresh.prepared());
+  const ToneCurve tone(Tone::kLog, 1, paint.values, paint.channels);
+  const Raster raster =
+      SeenPicture3({model.prepared, model.table, paint, &model.mesh}, hand.desk->camera().camera({400, 300}))
+          .raster(&tone);
+  int same = 0, all = 0;
+  for (std::uint32_t y = 100; y < 300; ++y)  // below the texts
+    for (std::uint32_t x = 0; x < 400; ++x, ++all)
+      same += raster.pixels[y * 400 + x] == hand.desk->frame().pixels[y * 400 + x];
+  EXPECT_EQ(same, all);
+}
+
+// Before there are factors: the first frames of a window.
+TEST(Desk3, ShowsTheSceneBeforeItsLight) {
+  const Scene3 scene = parse_scene_3(kRoom, "room");
+  const LiveModel3 model(prepare(scene));
+  const ElementPaint3 paint = light_before_factors_3(scene, model.table);
+  ASSERT_EQ(paint.channels, 3u);
+  ASSERT_EQ(paint.values.size(), 3u * model.table.count());
+  std::uint32_t lamp = 0, floor = 0;
+  while (model.table.elements()[lamp].name != "lamp") ++lamp;
+  while (model.table.elements()[floor].name != "floor#0") ++floor;
+  EXPECT_GE(paint.value(lamp)[0], 4);
+  EXPECT_GT(paint.value(floor)[0], 0);
+  EXPECT_LT(paint.value(floor)[0], 4);
+}
+
+TEST(Desk3, MovesTheEye) {
+  Hand hand;
+  const EyeCamera3 home = hand.desk->camera();
+  std::set<std::string> seen;
+  for (const char* step :
+       {"orbit 10 5", "turn 10", "pan 0.1 0.1", "zoom 1.5", "walk 0.2 0.1 0.1", "key w", "key shift+left",
+        "drag @200,150 @260,170", "drag @200,150 @260,170 ctrl", "drag @200,150 @260,170 shift",
+        "drag @200,150 @260,170 right", "wheel @200,150 2", "eye 1,0.5,1 1,2,1.5"}) {
+    hand.play("key f\n" + std::string(step));
+    EXPECT_NE(hand.desk->camera(), home) << step;
+    seen.insert(hand.signature());
+  }
+  EXPECT_EQ(seen.size(), 12u) << "dragging with shift and with the right button is one thing";
+  hand.play("key f");
+  EXPECT_EQ(hand.desk->camera(), home);
+}
+
+// (3)
+TEST(Desk3, KeepsTheEyeOutOfSolids) {
+  Hand hand;
+  const EyeCamera3 before = hand.desk->camera();
+  hand.play("eye 1.2,1.4,0.2 1.2,0,0.2");
+  EXPECT_EQ(hand.desk->camera(), before);
+  EXPECT_EQ(hand.desk->message(), "there is the solid 'box'");
+}
+
+TEST(Desk3, PicksWhatIsClicked) {
+  Hand hand;
+  hand.play("click 1,2,1.5");
+  EXPECT_EQ(hand.picked(), "rear");
+  hand.play("click 0.3,1.5,0");
+  EXPECT_EQ(hand.picked(), "floor");
+  hand.play("click 1.2,1.4,0.4");
+  EXPECT_EQ(hand.picked(), "box.top");
+  const std::vector<std::string> lines = face_lines_3(*hand.desk->scene(), hand.desk->state(), {0, false}, 0);
+  EXPECT_EQ(lines[0], "floor");
+  EXPECT_THAT(lines, testing::Contains("element\t1 of 4"));
+  EXPECT_THAT(lines, testing::Contains(StartsWith("radiosity r\t0.")));
+  hand.play("key escape");
+  EXPECT_EQ(hand.picked(), "");
+  hand.play("pick left");
+  EXPECT_EQ(hand.picked(), "left");
+  EXPECT_THROW(hand.play("pick nothing"), InputError);
+}
+
+TEST(Desk3, ListsTheFactorsOfAPickedPolygonLargestFirst) {
+  Hand hand;
+  hand.play("key 5");
+  EXPECT_THAT(hand.desk->result()->lines, ElementsAre("click a polygon"));
+  hand.play("pick left");
+  Scene3 scene = read_scene_3(hand.file());
+  const ExchangeMatrix matrix = Simulation3(scene).factors()->matrix;
+  const auto lines = hand.desk->result()->lines;
+  ASSERT_EQ(lines.size(), matrix.row(*matrix.find("left")).size() + 1);
+  EXPECT_EQ(lines[0], "from left");
+  double before = 1;
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    const double value = std::stod(lines[k]);
+    EXPECT_LE(value, before);
+    before = value;
+    const std::string to = lines[k].substr(lines[k].find('\t') + 1, lines[k].rfind('\t') - lines[k].find('\t') - 1);
+    EXPECT_EQ(value, matrix.factor("left", to).value) << lines[k];
+  }
+  ASSERT_TRUE(hand.desk->result()->shown);
+  EXPECT_EQ(hand.desk->result()->shown->elements.size(), hand.desk->state().factors->matrix.size());
+}
+
+TEST(Desk3, ShowsTheErrorsOfAMethodBesideTheLight) {
+  Hand hand;
+  hand.play("key 7");
+  ASSERT_TRUE(hand.desk->result()->shown);
+  EXPECT_EQ(hand.desk->result()->lines[0], "points:2");
+  const Raster before = hand.desk->frame();
+  hand.play("drag @200,150 @100,150");
+  EXPECT_NE(hand.desk->frame(), before);
+  hand.play("key m");
+  EXPECT_THAT(hand.desk->message(), StartsWith("method "));
+  EXPECT_NE(hand.desk->result()->lines[0], "points:2");
+}
+
+TEST(Desk3, SweepsUntilTheLightIsThere) {
+  Hand hand;
+  hand.play("key 0");
+  ASSERT_TRUE(hand.desk->result()->radiosities);
+  EXPECT_EQ(hand.desk->result()->lines[0], "gauss-seidel, 50 sweeps");
+  const double there = hand.desk->state().radiosities->channels[0].elements[0].radiosity;
+  EXPECT_NEAR(hand.desk->result()->radiosities->channels[0].elements[0].radiosity, there, 1e-12);
+}
+
+// Materials.
+
+TEST(Desk3, EmissionsAndReflectivitiesAreLive) {
+  Hand hand;
+  const auto factors = hand.desk->state().factors;
+  const auto light = [&] { return hand.desk->state().radiosities->channels[0].elements[0].radiosity; };
+  const double before = light();
+  hand.play("material lamp emission 8");
+  EXPECT_EQ(hand.material("lamp").emission, Spectrum::scalar(8));
+  EXPECT_NEAR(light(), 2 * before, 1e-12);
+  EXPECT_EQ(hand.desk->state().factors, factors);
+  hand.play("move 1,2,1.5\nkey ]");
+  EXPECT_EQ(hand.material("white").reflectivity, Spectrum::scalar(Rational(55) / 100));
+  EXPECT_GT(light(), 2 * before);
+  EXPECT_EQ(hand.desk->state().factors, factors);
+  hand.play("key ctrl+z\nkey ctrl+z");
+  EXPECT_EQ(light(), before);
+  hand.play("key ctrl+y\npick lamp\nleave\nkey i\nkey ctrl+u\ntype emission 1/3\nkey enter");
+  EXPECT_EQ(hand.material("lamp").emission, Spectrum::scalar(Rational(1) / 3));
+  EXPECT_FALSE(hand.desk->prompt());
+  EXPECT_THROW(hand.play("material lamp emission -1"), InputError);
+  EXPECT_THROW(hand.play("material none emission 1"), InputError);
+}
+
+// Files.
+
+TEST(Desk3, WhatIsSavedIsWhatIsSeen) {
+  Hand hand;
+  const std::string hashes = hand.play("material lamp emission 2\nhash\nsave " + hand.path("saved.json").string());
+  EXPECT_THAT(hashes, StartsWith("factors.csv "));
+  RecordingWindow window({200, 100});
+  Desk3 fresh({hand.path("saved.json"), [&] { return read_scene_3(hand.path("saved.json")); }}, window, {}, 1);
+  fresh.settle(Hand::kPatience);
+  EXPECT_EQ(fresh.hashes() + "\n", hashes);
+  EXPECT_THROW(hand.play("save " + hand.path("saved.obj").string()), InputError);
+  EXPECT_THROW(hand.play("save " + hand.path("no/such.json").string()), OutputError);
+}
+
+TEST(Desk3, AsksBeforeChangesAreLost) {
+  Hand hand;
+  hand.play("material lamp emission 2\nclose");
+  EXPECT_FALSE(hand.desk->wants_quit());
+  ASSERT_TRUE(hand.desk->prompt());
+  EXPECT_EQ(hand.window.title(), "room.json * - hottel");
+  hand.play("key escape\ndo reload");
+  ASSERT_TRUE(hand.desk->prompt());
+  hand.play("key r");
+  EXPECT_EQ(hand.material("lamp").emission, Spectrum::scalar(4));
+  hand.play("close");
+  EXPECT_TRUE(hand.desk->wants_quit());
+}
+
+TEST(Desk3, OffersAFileThatAnotherProgramWrote) {
+  Hand hand;
+  std::string text = kRoom;
+  text.replace(text.find("\"emission\": 4"), 13, "\"emission\": 40");
+  std::ofstream(hand.file()) << text;
+  hand.desk->handle({.kind = WindowEvent::Kind::kFocus});
+  hand.desk->update();
+  ASSERT_TRUE(hand.desk->prompt());
+  hand.play("key r");
+  EXPECT_EQ(hand.material("lamp").emission, Spectrum::scalar(40));
+}
+
+TEST(Desk3, WritesPictures) {
+  Hand hand;
+  for (const char* name : {"seen.png", "seen.svg", "seen.pdf"}) {
+    hand.play("picture " + hand.path(name).string());
+    EXPECT_GT(fs::file_size(hand.path(name)), 500u);
+  }
+  EXPECT_THROW(hand.play("picture " + hand.path("seen.gif").string()), InputError);
+  EXPECT_THROW(hand.play("move 1,2"), InputError);
+  EXPECT_THROW(hand.play("move 1,-2,1"), InputError) << "behind the eye";
+  EXPECT_THROW(hand.play("zoom 0"), InputError);
+}
+
+// A scene without light is shown, and why.
+TEST(Desk3, SaysWhyThereIsNoLight) {
+  Hand hand(R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5}, "n": {}}, "polygons": [
+    {"name": "a", "points": [[0,0,0],[1,0,0],[0,1,0]], "material": "m"},
+    {"name": "b", "points": [[0,0,0],[2,0,0],[0,2,0]], "material": "n"}]})");
+  EXPECT_THAT(hand.desk->state().problem, HasSubstr("different materials"));
+  EXPECT_EQ(hand.play("hash"), "factors.csv - radiosity.csv -\n");
+  hand.play("material n reflectivity 0.5");
+  EXPECT_EQ(hand.desk->state().problem, "");
+  EXPECT_NE(hand.play("hash"), "factors.csv - radiosity.csv -\n");
+  hand.play("material n reflectivity 0.25");
+  EXPECT_THAT(hand.desk->state().problem, HasSubstr("different materials"));
+}
+
+}  // namespace
+}  // namespace hottel

@@ -1,0 +1,110 @@
+#include "viewer/edit/material_edits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "kernel/decimal.h"
+#include "kernel/support/failure.h"
+#include "viewer/edit/decimals.h"
+#include "viewer/edit/typed_numbers.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::array<std::string_view, 5> kEdits{"less reflectivity", "more reflectivity", "less emission",
+                                                 "more emission", "colour"};
+
+// Paints, at a lightness near that of plaster.
+const std::array<Spectrum, 6>& paints() {
+  const auto colour = [](int r, int g, int b) {
+    return Spectrum{{Rational(r) / 100, Rational(g) / 100, Rational(b) / 100}, false};
+  };
+  static const std::array<Spectrum, 6> kPaints{Spectrum::scalar(Rational(4) / 5),
+                                               colour(80, 36, 24),
+                                               colour(82, 70, 34),
+                                               colour(42, 64, 40),
+                                               colour(34, 50, 76),
+                                               colour(58, 38, 64)};
+  return kPaints;
+}
+
+// The next paint after the one a material has; a material that emits emits in that colour, as strongly.
+void next_colour(Material& material) {
+  const auto& all = paints();
+  const auto found = std::ranges::find(all, material.reflectivity);
+  const Spectrum& paint = found == all.end() || found + 1 == all.end() ? all[0] : *(found + 1);
+  if (!material.emission.is_zero()) {
+    const Rational most = *std::ranges::max_element(material.emission.value);
+    const Rational lightest = *std::ranges::max_element(paint.value);
+    for (std::size_t c = 0; c < 3; ++c) material.emission.value[c] = most * paint.value[c] / lightest;
+    material.emission.is_scalar = paint.is_scalar;
+  }
+  material.reflectivity = paint;
+}
+
+void step_reflectivity(Material& material, int sign) {
+  for (Rational& value : material.reflectivity.value)
+    value = std::clamp<Rational>(value + Rational(sign) / 20, Rational(0), Rational(1));
+}
+
+// A quarter more or less, to two significant digits; from nothing to 1, and below a thousandth to nothing.
+void step_emission(Material& material, int sign) {
+  if (material.emission.is_zero()) {
+    if (sign > 0) material.emission = Spectrum::scalar(Rational(1));
+    return;
+  }
+  for (Rational& value : material.emission.value) {
+    if (value == 0) continue;
+    value = sign > 0 ? value * 5 / 4 : value * 4 / 5;
+    value = rounded_decimal(value, 2 - decades(value));
+    if (value < Rational(1) / 1000) value = 0;
+  }
+}
+
+}  // namespace
+
+bool is_material_edit(std::string_view name) { return std::ranges::find(kEdits, name) != kEdits.end(); }
+
+void edit_material(Material& material, std::string_view name) {
+  HOTTEL_REQUIRE(is_material_edit(name));
+  if (name == "colour") return next_colour(material);
+  const int sign = name.starts_with("more") ? 1 : -1;
+  name.ends_with("emission") ? step_emission(material, sign) : step_reflectivity(material, sign);
+}
+
+std::string material_text(const Material& material) {
+  return fmt::format("reflectivity {}; emission {}", spectrum_text(material.reflectivity),
+                     spectrum_text(material.emission));
+}
+
+std::string spectrum_text(const Spectrum& spectrum) {
+  if (spectrum.is_scalar) return short_text(spectrum.value[0]);
+  return fmt::format("{} {} {}", short_text(spectrum.value[0]), short_text(spectrum.value[1]),
+                     short_text(spectrum.value[2]));
+}
+
+std::string read_material(const std::string& text, Material& material) {
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(';', begin), text.size());
+    std::string part = text.substr(begin, end - begin);
+    begin = end + 1;
+    part.erase(0, std::min(part.find_first_not_of(' '), part.size()));
+    if (part.empty()) continue;
+    const std::size_t blank = std::min(part.find(' '), part.size());
+    const std::string word = part.substr(0, blank);
+    const bool is_emission = word == "emission";
+    if (!is_emission && word != "reflectivity") return "say 'reflectivity' or 'emission', not '" + word + "'";
+    Spectrum& spectrum = is_emission ? material.emission : material.reflectivity;
+    if (part == word + " " + spectrum_text(spectrum)) continue;  // as it was shown, with all the digits that it has
+    const Typed<Spectrum> typed =
+        typed_spectrum(part.substr(blank), is_emission ? SpectrumKind::kQuantity : SpectrumKind::kFraction);
+    if (!typed.value) return word + ": " + typed.problem;
+    spectrum = *typed.value;
+  }
+  return "";
+}
+
+}  // namespace hottel

@@ -1,0 +1,106 @@
+#include "viewer/window/space/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hottel {
+namespace {
+
+constexpr double kLeastAngle = 1;                   // degrees between the way one looks and up or down
+constexpr double kNearest = 1e-6, kFarthest = 1e3;  // sizes of the scene
+constexpr int kBits = 30;                           // of a coordinate, below the size of the scene
+
+double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
+
+// Turned about an axis that is 1 long.
+Direction3 about(const Direction3& axis, const Direction3& v, double angle) {
+  return std::cos(angle) * v + std::sin(angle) * cross(axis, v) + (1 - std::cos(angle)) * dot(axis, v) * axis;
+}
+
+Direction3 place_of(const Point3& p) { return {to_double(p.x), to_double(p.y), to_double(p.z)}; }
+
+}  // namespace
+
+EyeCamera3::EyeCamera3(const Camera3& camera, double size)
+    : eye_(place_of(camera.eye)),
+      target_(place_of(camera.target)),
+      up_(unit({to_double(camera.up.x), to_double(camera.up.y), to_double(camera.up.z)})),
+      field_of_view_(camera.field_of_view),
+      size_(size) {
+  zoom(1);
+  turn(0, 0);
+}
+
+// The way that is looked, turned by angles, but not up or down all the way.
+Direction3 EyeCamera3::turned(double right_degrees, double up_degrees) const {
+  const Direction3 way = about(up_, forward(), radians(-right_degrees));
+  const double now = std::acos(std::clamp(dot(way, up_), -1.0, 1.0));  // from up
+  const double then = std::clamp(now - radians(up_degrees), radians(kLeastAngle), radians(180 - kLeastAngle));
+  return unit(about(unit(cross(way, up_)), way, now - then));
+}
+
+void EyeCamera3::orbit(double right, double up) { eye_ = target_ - distance() * turned(-right, -up); }
+
+void EyeCamera3::turn(double right, double up) { target_ = eye_ + distance() * turned(right, up); }
+
+void EyeCamera3::pan(double right_length, double up_length) {
+  const Direction3 way = right_length * right() + up_length * cross(right(), forward());
+  eye_ = eye_ + way;
+  target_ = target_ + way;
+}
+
+void EyeCamera3::zoom(double factor) {
+  eye_ = target_ - std::clamp(distance() / factor, kNearest * size_, kFarthest * size_) * forward();
+}
+
+void EyeCamera3::walk(double forward_length, double right_length, double up_length) {
+  const Direction3 way = forward_length * cross(up_, right()) + right_length * right() + up_length * up_;
+  eye_ = eye_ + way;
+  target_ = target_ + way;
+}
+
+double EyeCamera3::length_of_pixel(FrameSize frame) const {
+  return 2 * distance() * std::tan(radians(to_double(field_of_view_)) / 2) / frame.height;
+}
+
+Camera3 EyeCamera3::camera(FrameSize frame) const {
+  const int bits = kBits - std::ilogb(size_);
+  const auto exact = [bits](const Direction3& p) {
+    const auto coordinate = [bits](double value) {
+      return scaled_by_power_of_two(Rational(std::nearbyint(std::ldexp(value, bits))), -bits);
+    };
+    return Point3{coordinate(p.x), coordinate(p.y), coordinate(p.z)};
+  };
+  Camera3 result;
+  result.eye = exact(eye_);
+  result.target = exact(target_);
+  result.up = {Rational(up_.x), Rational(up_.y), Rational(up_.z)};
+  result.field_of_view = field_of_view_;
+  result.width = std::min(frame.width, kMaxPixels);
+  result.height = std::min(frame.height, kMaxPixels);
+  return result;
+}
+
+std::optional<Pixel> EyeCamera3::at(const Direction3& place, FrameSize frame) const {
+  const Direction3 way = place - eye_;
+  const double out = dot(way, forward());
+  if (!(out > 0)) return std::nullopt;
+  const double per_length = frame.height / (2 * std::tan(radians(to_double(field_of_view_)) / 2)) / out;
+  return Pixel{frame.width / 2.0 + dot(way, right()) * per_length,
+               frame.height / 2.0 - dot(way, cross(right(), forward())) * per_length};
+}
+
+std::optional<std::pair<Pixel, Pixel>> EyeCamera3::line(const Direction3& from, const Direction3& to,
+                                                        FrameSize frame) const {
+  const double near = kNearest * size_, out = dot(from - eye_, forward()), other = dot(to - eye_, forward());
+  if (out < near && other < near) return std::nullopt;
+  const auto cut = [&](const Direction3& a, double at_a, const Direction3& b, double at_b) {
+    return at_a >= near ? a : a + ((near - at_a) / (at_b - at_a)) * (b - a);
+  };
+  const std::optional<Pixel> a = at(cut(from, out, to, other), frame), b = at(cut(to, other, from, out), frame);
+  if (!a || !b) return std::nullopt;
+  return std::pair(*a, *b);
+}
+
+}  // namespace hottel

@@ -1,0 +1,311 @@
+#include "viewer/window/space/desk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "geometry/scene_names.h"
+#include "io/files/output_file.h"
+#include "io/results/factor_files.h"
+#include "io/results/radiosity_files.h"
+#include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
+#include "viewer/edit/material_edits.h"
+#include "viewer/edit/typed_numbers.h"
+#include "viewer/picture/space/camera_view.h"
+#include "viewer/picture/space/render_picture.h"
+#include "viewer/window/script_player.h"
+#include "viewer/window/written_hash.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kSecondsBetweenFileChecks = 1;
+
+// The longest side of the box around the scene; 1 where there is none.
+double size_of(const Scene3& scene) {
+  double size = 0;
+  for (Rational Point3::*axis : {&Point3::x, &Point3::y, &Point3::z}) {
+    std::optional<Rational> low, high;
+    for (const Polygon3& polygon : scene.polygons)
+      for (const Point3& p : polygon.points) {
+        if (!low || p.*axis < *low) low = p.*axis;
+        if (!high || p.*axis > *high) high = p.*axis;
+      }
+    if (low) size = std::max(size, to_double(*high - *low));
+  }
+  return size > 0 ? size : 1;
+}
+
+// "1,2,3" as it is typed.
+Point3 exact_place(const std::string& text) {
+  const Typed<std::vector<Rational>> typed = typed_numbers(text);
+  if (!typed.value || typed.value->size() != 3) throw UsageError("a place is X,Y,Z, not '" + text + "'");
+  return {(*typed.value)[0], (*typed.value)[1], (*typed.value)[2]};
+}
+
+SimulationRequest3 request_of(FactorsRequest3 factors) {
+  factors.granularity = Granularity::kElement;
+  factors.wants_visibility = true;
+  return {.factors = std::move(factors)};
+}
+
+}  // namespace
+
+Desk3::Desk3(DeskSource3 source, Window& window, const FactorsRequest3& factors, double scale)
+    : window_(window),
+      unit_(scale),
+      source_(std::move(source)),
+      file_(source_.file),
+      live_(request_of(factors), [&window] { window.wake(); }),
+      size_(window.size()),
+      looking_([&window] { window.wake(); }) {
+  file_.note();
+  set_scene(source_.read());
+}
+
+void Desk3::set_scene(Scene3 scene) {
+  const auto read = std::make_shared<const Scene3>(std::move(scene));
+  live_.set(read);
+  history_ = {read};
+  now_ = 0;
+  saved_ = read;
+  hover_.reset();
+  picked_.reset();
+  seen_.reset();
+  is_fitted_ = false;
+  set_request({.look = request_.look, .method = request_.method, .solver = request_.solver});
+  if (read->camera) {
+    home_ = *read->camera;
+    is_fitted_ = true;
+    fit();
+  }
+  needs_base_ = true;
+}
+
+void Desk3::fit() { camera_ = EyeCamera3(home_, size_of(*scene())); }
+
+// Moves the eye, unless that brings it into a solid.
+void Desk3::see(const EyeCamera3& camera) {
+  const auto& model = state().model;
+  if (model)
+    if (const auto mesh = model->prepared.arrangement().solids().around(camera.camera(size_).eye)) {
+      const Solids3& solids = model->prepared.arrangement().solids();
+      message_ = "there is " + solid_text(*scene(), solids.meshes()[*mesh].group);
+      return;
+    }
+  camera_ = camera;
+  needs_base_ = true;
+}
+
+bool Desk3::update() {
+  const auto lit_before = state().radiosities;
+  const bool has_come = live_.collect();
+  const bool has_looked = looking_.collect();
+  if (has_come && state().model != shown_model_) {
+    shown_model_ = state().model;
+    if (shown_model_ && !is_fitted_) {
+      home_ = default_camera_3(shown_model_->prepared);
+      is_fitted_ = true;
+      fit();
+    }
+  }
+  if (has_come || has_looked) needs_base_ = true;
+  if (state().radiosities != lit_before) ask();
+  watch_file();
+  if (!needs_base_ && !needs_frame_) return false;
+  draw();
+  window_.show(frame_);
+  return true;
+}
+
+void Desk3::settle(double seconds) {
+  update();
+  Stopwatch watch;
+  for (double waited = 0;; waited += watch.lap()) {
+    live_.wait(seconds - waited);
+    update();  // what has come may ask for what is looked at
+    if (live_.is_at_rest() && !looking_.is_busy()) return;
+    if (waited > seconds)
+      throw RequestError(fmt::format("{}: the light is not there after {} s", file_.path().string(), seconds));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+void Desk3::run() { run_desk(*this, window_, kSecondsBetweenFileChecks); }
+
+void Desk3::set_request(LookRequest3 request) {
+  if (request == request_) return;
+  request_ = std::move(request);
+  result_.reset();
+  needs_base_ = true;
+  ask();
+}
+
+// What is looked at, of the light that there is.
+void Desk3::ask() {
+  if (!needs_work(request_) || !state().radiosities) {
+    looking_.cancel();
+    result_.reset();
+    return;
+  }
+  looking_.post(
+      [this, state = state(), request = request_](const StageProgress& progress, const Background::Tell& tell) {
+        const auto apply = [this](LookResult3 result) {
+          return [this, result = std::make_shared<LookResult3>(std::move(result))] { result_ = std::move(*result); };
+        };
+        return Background::Apply(
+            apply(look_at_3(state, request, progress, [&](LookResult3 so_far) { tell(apply(std::move(so_far))); })));
+      });
+}
+
+// Offers a file that someone else has written.
+void Desk3::watch_file() {
+  until_watch_ -= since_watch_.lap();
+  if (until_watch_ > 0 || prompt_) return;
+  until_watch_ = kSecondsBetweenFileChecks;
+  if (!file_.has_changed()) return;
+  const std::string lost = is_changed() ? " (your changes are lost)" : "";
+  prompt_ = Prompt{.question = file_.path().filename().string() + " has changed on disk:  r  read it" + lost +
+                               "   escape  keep what is here",
+                   .keys = {{"r", [this] { read_again(); }}}};
+  needs_frame_ = true;
+}
+
+void Desk3::read_again() {
+  try {
+    file_.note();
+    const EyeCamera3 before = camera_;
+    const bool was_fitted = is_fitted_;
+    set_scene(source_.read());
+    if (was_fitted) {  // the eye stays where it is
+      is_fitted_ = true;
+      camera_ = before;
+    }
+    message_ = "read again";
+  } catch (const std::runtime_error& error) {
+    message_ = error.what();
+  }
+}
+
+std::string Desk3::save() {
+  try {
+    if (file_.path().extension() != ".json")
+      throw UsageError("a scene is saved as .json: use ctrl+shift+s for another name");
+    save_as(file_.path());
+    return "";
+  } catch (const std::runtime_error& error) {
+    message_ = std::string("not saved: ") + error.what();
+    return message_;
+  }
+}
+
+void Desk3::save_as(const std::filesystem::path& file) {
+  if (file.extension() != ".json") throw UsageError("a scene is saved as .json, not '" + file.string() + "'");
+  if (std::ranges::any_of(scene()->groups, [](const Group& group) { return group.behind != Behind::kByOutline; }))
+    throw RequestError("a scene whose meshes say what is \"behind\" them cannot be written");
+  write_output_file(file, write_scene_3(*scene()));
+  source_ = {file, [file] { return read_scene_3(file); }};
+  file_ = WatchedFile(file);
+  file_.note();
+  saved_ = scene();
+  message_ = "saved " + file.string();
+  needs_frame_ = true;
+}
+
+void Desk3::quit() {
+  if (!is_changed()) {
+    wants_quit_ = true;
+    return;
+  }
+  prompt_ = Prompt{.question = "unsaved changes:  s  save and quit   d  drop them and quit   escape  stay",
+                   .keys = {{"s", [this] { wants_quit_ = save().empty(); }}, {"d", [this] { wants_quit_ = true; }}}};
+}
+
+void Desk3::save_picture(const std::filesystem::path& file) const {
+  const auto format = picture_format(file.string());
+  if (!format) throw UsageError("a picture ends in .png, .svg or .pdf, not '" + file.string() + "'");
+  if (!state().radiosities)
+    throw RequestError("there is no light to draw" + (state().problem.empty() ? "" : ": " + state().problem));
+  PreparedScene3 prepared = state().model->prepared;
+  prepared.scene.camera = camera_.camera(size_);
+  RenderOptions3 options{.tone = tone_, .exposure = exposure_};
+  if (is_smooth_) options.shading = Shading3::kSmooth;
+  if (result_) options.shown = result_->shown;
+  const RadiositySolution& solution = result_ && result_->radiosities ? *result_->radiosities : *state().radiosities;
+  write_output_file(file, RenderedView3(prepared, Granularity::kElement, solution, std::move(options)).file(*format));
+}
+
+std::string Desk3::hashes() const {
+  if (!state().radiosities || state().lit != scene() || !state().problem.empty())
+    return "factors.csv - radiosity.csv -";
+  SimulationRequest3 request = state().whole->request();
+  request.factors.wants_visibility = true;
+  const auto factors = state().whole->with_request(request).factors();
+  return fmt::format("factors.csv {} radiosity.csv {}", written_hash([&](const Sink& sink) {
+                       write_factors_csv({*scene(), factors->matrix, Granularity::kFace, {}, {}}, sink);
+                     }),
+                     written_hash([&](const Sink& sink) {
+                       write_radiosity_csv(*scene(), state().factors->matrix, *state().radiosities, sink);
+                     }));
+}
+
+Pixel Desk3::pixel_of_place(std::span<const double> place) const {
+  if (place.size() != 3) throw UsageError("a place of a scene in space is X,Y,Z");
+  const std::optional<Pixel> at = camera_.at({place[0], place[1], place[2]}, size_);
+  if (!at) throw UsageError("this place is not in front of the eye");
+  return *at;
+}
+
+bool Desk3::do_own_step(const ScriptStep& step) {
+  const auto numbers = [&](std::size_t most) {
+    std::vector<double> result;
+    for (const std::string& argument : step.arguments)
+      if (!read_script_number(argument, result.emplace_back()))
+        throw UsageError("'" + step.word + "' takes numbers, not '" + argument + "'");
+    result.resize(most, 0);
+    return result;
+  };
+  EyeCamera3 camera = camera_;
+  message_.clear();
+  needs_frame_ = true;
+  if (step.word == "orbit") {
+    camera.orbit(numbers(2)[0], numbers(2)[1]);
+  } else if (step.word == "turn") {
+    camera.turn(numbers(2)[0], numbers(2)[1]);
+  } else if (step.word == "pan") {
+    camera.pan(numbers(2)[0], numbers(2)[1]);
+  } else if (step.word == "zoom") {
+    if (!(numbers(1)[0] > 0)) throw UsageError("'zoom' divides the distance by a number above 0");
+    camera.zoom(numbers(1)[0]);
+  } else if (step.word == "walk") {
+    camera.walk(numbers(3)[0], numbers(3)[1], numbers(3)[2]);
+  } else if (step.word == "pick") {
+    const Face face = face_of(*scene(), step.rest.substr(0, step.rest.find_last_not_of(" \t") + 1));
+    pick(face);
+    return true;
+  } else if (step.word == "material") {
+    std::vector<Material> materials = scene()->materials;
+    const auto found = std::ranges::find(materials, step.arguments[0], &Material::name);
+    if (found == materials.end()) throw UsageError("there is no material '" + step.arguments[0] + "'");
+    const std::string problem = read_material(step.rest.substr(step.arguments[0].size()), *found);
+    if (!problem.empty()) throw UsageError(problem);
+    change_materials(std::move(materials));
+    return true;
+  } else if (step.word == "eye") {
+    Camera3 moved = camera_.camera(size_);
+    moved.eye = exact_place(step.arguments[0]);
+    moved.target = exact_place(step.arguments[1]);
+    if (const std::string problem = camera_problem(moved); !problem.empty()) throw UsageError(problem);
+    camera = EyeCamera3(moved, camera_.size());
+  } else {
+    return false;
+  }
+  see(camera);
+  return true;
+}
+
+}  // namespace hottel

@@ -1,0 +1,164 @@
+// The window in which one walks through a scene in space: events in, frames out.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/space/scene/scene.h"
+#include "solver/space/simulation/simulation.h"
+#include "viewer/picture/picture_options.h"
+#include "viewer/picture/raster.h"
+#include "viewer/picture/space/seen_picture.h"
+#include "viewer/window/background.h"
+#include "viewer/window/desk.h"
+#include "viewer/window/prompt.h"
+#include "viewer/window/space/camera.h"
+#include "viewer/window/space/live_scene.h"
+#include "viewer/window/space/look.h"
+#include "viewer/window/watched_file.h"
+#include "viewer/window/window.h"
+
+namespace hottel {
+
+// Where the scene of a desk comes from.
+struct DeskSource3 {
+  std::filesystem::path file;
+  std::function<Scene3()> read;  // throws InputError
+};
+
+// A scene in space on a desk: all that a window does, without a screen.
+//
+//   (1) the picture is the exact map of the eye (SeenPicture3) at the size of the window: of the light as it is known,
+//       light_before_factors_3 first
+//   (2) at rest, the light is that of LiveScene3 (1)
+//   (3) the eye never gets into a solid: what would bring it there does nothing, and says so
+//   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes
+//   (5) a command that can do nothing says why in message(): what a key does is seen
+// Its functions are for the thread of the window.
+class Desk3 : public Desk {
+ public:
+  // Reads the scene. Throws InputError. scale: of letters and lines. REQUIRES: the window outlives it.
+  Desk3(DeskSource3 source, Window& window, const FactorsRequest3& factors, double scale);
+
+  void handle(const WindowEvent& event) override;
+  // Does what a key of that name does (commands_3), at the mouse. Throws UsageError for other names.
+  void command(std::string_view name) override;
+  bool update() override;
+  void settle(double seconds) override;
+  bool wants_quit() const override { return wants_quit_; }
+  Pixel pixel_of_place(std::span<const double> place) const override;
+  // factors.csv of `hottel factors`, radiosity.csv of `hottel solve`.
+  std::string hashes() const override;
+  // orbit, turn, pan, zoom, walk, eye, pick, material (docs/window.md).
+  bool do_own_step(const ScriptStep& step) override;
+
+  // Takes events and updates until it wants to quit.
+  void run();
+
+  const std::shared_ptr<const Scene3>& scene() const { return history_[now_]; }
+  const LiveState3& state() const { return live_.state(); }
+  const LookRequest3& request() const { return request_; }
+  const std::optional<LookResult3>& result() const { return result_; }
+  const EyeCamera3& camera() const { return camera_; }
+  const Raster& frame() const { return frame_; }
+  const std::string& message() const { return message_; }
+  const std::optional<Prompt>& prompt() const { return prompt_; }
+  Tone tone() const { return tone_; }
+  double exposure() const { return exposure_; }
+  bool is_smooth() const { return is_smooth_; }
+
+  void save_picture(const std::filesystem::path& file) const override;
+  void save_as(const std::filesystem::path& file) override;
+
+ private:
+  enum class Drag : unsigned char { kNone, kOrbit, kPan, kTurn, kBar };
+
+  // Events.
+  void press(const WindowEvent& event);
+  void move(const Pixel& before);
+  void release(const WindowEvent& event);
+  bool is_on_bar() const;
+  std::optional<Face> face_of_element(std::optional<std::uint32_t> element) const;
+  void pick(const Face& face);
+
+  // Commands.
+  bool look_command(std::string_view name);
+  bool walk_command(std::string_view name);
+  bool material_command(std::string_view name);
+  bool file_command(std::string_view name);
+  std::optional<std::uint32_t> material_meant();
+  void ask_for_material(std::uint32_t material);
+  void change_materials(std::vector<Material> materials);
+  void step_history(int step);
+  std::string save();
+  void read_again();
+  void quit();
+  void watch_file();
+  void set_scene(Scene3 scene);
+  bool is_changed() const { return scene() != saved_; }
+
+  // What is shown.
+  void fit();
+  void see(const EyeCamera3& camera);
+  void touch();
+  void set_request(LookRequest3 request);
+  void ask();
+  ElementPaint3 light_paint() const;
+  bool is_split() const;
+  void draw_base();
+  void draw_problem(PictureCanvas& canvas) const;
+  void draw_touched(PictureCanvas& canvas) const;
+  void draw_texts(PictureCanvas& canvas) const;
+  void draw_panels(PictureCanvas& canvas) const;
+  std::string file_title() const;
+  std::string head() const;
+  std::string number() const;
+  std::string status() const;
+  void draw();
+
+  Window& window_;
+  double unit_;
+  DeskSource3 source_;
+  WatchedFile file_;
+  LiveScene3 live_;
+  std::deque<std::shared_ptr<const Scene3>> history_;  // of materials
+  std::size_t now_ = 0;                                // in history_
+  std::shared_ptr<const Scene3> saved_;
+
+  FrameSize size_;
+  EyeCamera3 camera_;
+  Camera3 home_;
+  bool is_fitted_ = false;  // home_ is that of the scene, or chosen for it
+  LookRequest3 request_;
+  std::optional<LookResult3> result_;
+  Background looking_;
+  Tone tone_ = Tone::kLog;
+  double exposure_ = 1, split_ = 0.5;
+  bool is_smooth_ = true, shows_help_ = false, wants_quit_ = false;
+
+  Pixel mouse_{}, pressed_{};
+  bool has_mouse_ = false, has_moved_ = false;
+  bool drops_text_ = false;  // that of the key which opened a prompt
+  Drag drag_ = Drag::kNone;
+  MouseButton button_ = MouseButton::kNone;  // that drags
+  std::optional<Prompt> prompt_;
+  std::string message_, title_;
+  std::optional<std::uint32_t> hover_, picked_;  // elements of the model
+
+  std::shared_ptr<const LiveModel3> shown_model_;
+  std::optional<SeenPicture3> seen_;  // of the light; what the frame shows at the left
+  bool needs_base_ = true, needs_frame_ = true;
+  Raster base_, frame_;
+  Stopwatch since_watch_;
+  double until_watch_ = 0;
+};
+
+}  // namespace hottel

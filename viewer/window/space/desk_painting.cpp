@@ -1,0 +1,207 @@
+// The frames of a desk in space.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/scene_names.h"
+#include "kernel/support/failure.h"
+#include "viewer/picture/cairo_canvas.h"
+#include "viewer/picture/colour_map.h"
+#include "viewer/picture/palette.h"
+#include "viewer/picture/space/seen_picture.h"
+#include "viewer/window/help.h"
+#include "viewer/window/panel.h"
+#include "viewer/window/space/commands.h"
+#include "viewer/window/space/desk.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kGap = 12;          // units between boxes and the border
+constexpr double kPanelWidth = 0.4;  // of the window's width, at most
+constexpr Colour kTouched{0.02, 0.62, 0.83, 0.16}, kBar{0.992, 0.988, 0.980, 0.9};
+constexpr Colour kDimmed{0.992, 0.988, 0.980, 0.62};
+constexpr std::uint32_t kBlank = 0xFFFDFCFA;  // where nothing can be drawn
+
+Direction3 place_of(const Point3& p) { return {to_double(p.x), to_double(p.y), to_double(p.z)}; }
+
+// So far out that no canvas minds.
+Pixel within_reach(const Pixel& p) {
+  constexpr double kFar = 1e6;
+  return {std::clamp(p.x, -kFar, kFar), std::clamp(p.y, -kFar, kFar)};
+}
+
+}  // namespace
+
+bool Desk3::is_split() const { return request_.look == LookKind3::kErrors && result_ && result_->shown; }
+
+ElementPaint3 Desk3::light_paint() const {
+  if (result_ && result_->radiosities) return light_paint_3(*state().lit, *result_->radiosities);
+  if (state().radiosities) return light_paint_3(*state().lit, *state().radiosities);
+  return light_before_factors_3(*scene(), state().model->table);
+}
+
+// Everything but what is said about it.
+void Desk3::draw_base() {
+  needs_base_ = false;
+  needs_frame_ = true;
+  base_ = Raster(size_.width, size_.height, kBlank);
+  const auto& model = state().model;
+  if (!model || !is_fitted_) return;
+  try {
+    const Camera3 camera = camera_.camera(size_);
+    const auto seen_with = [&](const ElementPaint3& paint, bool is_smooth) {
+      return SeenPicture3({model->prepared, model->table, paint, is_smooth ? &model->mesh : nullptr}, camera);
+    };
+    const bool has_values = result_ && result_->shown;
+    if (has_values) {
+      const bool is_quantity = request_.look == LookKind3::kRadiosity || request_.look == LookKind3::kIrradiance;
+      seen_ = seen_with(scale_paint_3(*result_->shown), is_smooth_ && is_quantity);
+      base_ = seen_->raster(nullptr);
+    }
+    if (has_values && !is_split()) return;
+    // Toned by all elements there are, whatever is seen: so light stays the same while one walks.
+    const ElementPaint3 paint = light_paint();
+    const ToneCurve tone(tone_, exposure_, paint.values, paint.channels);
+    SeenPicture3 light = seen_with(paint, is_smooth_);
+    const Raster lit = light.raster(&tone);
+    const auto left = is_split() ? static_cast<std::ptrdiff_t>(std::clamp(split_, 0.0, 1.0) * size_.width)
+                                 : std::ptrdiff_t{size_.width};
+    for (std::size_t y = 0; y < size_.height; ++y)
+      std::copy_n(lit.pixels.begin() + static_cast<std::ptrdiff_t>(y * size_.width), left,
+                  base_.pixels.begin() + static_cast<std::ptrdiff_t>(y * size_.width));
+    if (!has_values) seen_ = std::move(light);
+  } catch (const RequestError& error) {
+    message_ = error.what();
+    seen_.reset();
+  }
+  touch();
+}
+
+// The polygon under the mouse where light is seen, and the border of the one that is picked, whatever hides it.
+void Desk3::draw_touched(PictureCanvas& canvas) const {
+  const bool is_lit = !result_ || !result_->shown;
+  if (const auto face = face_of_element(hover_); face && seen_ && is_lit && drag_ == Drag::kNone) {
+    std::vector<std::vector<Pixel>> outlines;
+    for (const SeenPicture3::Part& part : seen_->parts()) {
+      if (face_of_element(part.element) != face) continue;
+      outlines.push_back(part.outline);
+      if (pixel_area_doubled_3(part.outline) < 0) std::ranges::reverse(outlines.back());
+    }
+    if (!outlines.empty()) canvas.fill_all(Mark::kTarget, outlines, kTouched);
+  }
+  if (!request_.face) return;
+  const Polygon3& polygon = scene()->polygons[request_.face->surface];
+  const auto draw_loop = [&](const std::vector<Point3>& points) {
+    for (std::size_t k = 0; k < points.size(); ++k)
+      if (const auto line = camera_.line(place_of(points[k]), place_of(points[(k + 1) % points.size()]), size_))
+        canvas.stroke(Mark::kTarget, within_reach(line->first), within_reach(line->second), palette::kTarget,
+                      2.5 * unit_);
+  };
+  draw_loop(polygon.points);
+  for (const auto& hole : polygon.holes) draw_loop(hole);
+}
+
+void Desk3::draw_problem(PictureCanvas& canvas) const {
+  if (state().problem.empty()) return;
+  canvas.fill_rectangle(Mark::kPaper, {0, 0}, {canvas.width(), canvas.height()}, kDimmed);
+  draw_panel(canvas, {.lines = {"no light", state().problem}, .is_warning = true},
+             {.corner = {kGap * unit_, 52 * unit_}, .width = 0.45 * size_.width, .height = 0.7 * size_.height}, unit_);
+}
+
+// The name of the file, with a star where it lacks an edit.
+std::string Desk3::file_title() const { return file_.path().filename().string() + (is_changed() ? " *" : ""); }
+
+std::string Desk3::head() const {
+  std::string text = file_title() + "   " + to_string(request_.look);
+  if (!result_ || !result_->shown) text += fmt::format(", tone {} x {:.3g}", to_string(tone_), exposure_);
+  if (request_.look == LookKind3::kErrors) text += ": " + request_.method;
+  const LiveState3& now = state();
+  if (!now.stage.empty()) return text + "   " + now.stage;
+  if (!now.radiosities || !now.problem.empty()) return text;
+  return text + fmt::format("   {} elements, {:.0f} ms", now.model->table.count(), 1e3 * now.seconds);
+}
+
+// The number that can be copied: that under the mouse of what is shown, else the light there, else what is looked at.
+std::string Desk3::number() const {
+  if (hover_ && result_ && result_->shown) {
+    const std::optional<double>& value = result_->shown->elements[*hover_];
+    return value ? shortest(*value) : "";
+  }
+  if (!hover_ || !state().radiosities || (result_ && result_->radiosities)) return result_ ? result_->number : "";
+  std::string text;
+  for (const ChannelSolution& channel : state().radiosities->channels)
+    text += (text.empty() ? "" : " ") + shortest(channel.elements[*hover_].radiosity);
+  return text;
+}
+
+// What lies under the mouse.
+std::string Desk3::status() const {
+  if (!hover_) return "";
+  const Face face = *face_of_element(hover_);
+  std::string text = face_name(*scene(), face);
+  if (const auto material = scene()->surfaces[face.surface].material_of(face.is_back))
+    text += " of " + scene()->materials[*material].name;
+  const std::string value = number();
+  if (value.empty()) return text;
+  const std::string what = result_ && result_->shown         ? result_->shown->name
+                           : result_ && result_->radiosities ? "residual"
+                                                             : "radiosity";
+  return text + "   " + what + " " + value;
+}
+
+void Desk3::draw_panels(PictureCanvas& canvas) const {
+  const double gap = kGap * unit_, width = size_.width, height = size_.height;
+  double top = 52 * unit_;
+  const auto panel = [&](std::vector<std::string> lines) {
+    if (lines.empty()) return;
+    top += gap + draw_panel(canvas, {.lines = std::move(lines)},
+                            {.corner = {width - gap, top},
+                             .is_right = true,
+                             .width = kPanelWidth * width,
+                             .height = std::max(height - top - 60 * unit_, 40 * unit_)},
+                            unit_);
+  };
+  if (request_.face) panel(face_lines_3(*scene(), state(), *request_.face, picked_));
+  if (result_) panel(result_->lines);
+  if (!result_ || !result_->shown) return;
+  // The scale, on paper.
+  const double bar = std::min(420 * unit_, width - 4 * gap), low = height - 130 * unit_;
+  canvas.fill_rectangle(Mark::kPaper, {gap, low}, {gap + 1.15 * bar, low + 76 * unit_}, kBar);
+  draw_legend(canvas, result_->shown->scale, result_->shown->title, {2 * gap, low + 6 * unit_}, bar, unit_);
+}
+
+void Desk3::draw_texts(PictureCanvas& canvas) const {
+  const double gap = kGap * unit_, width = size_.width, height = size_.height;
+  if (is_split()) canvas.stroke(Mark::kLegend, {split_ * width, 0}, {split_ * width, height}, kBar, 3 * unit_);
+  draw_panel(canvas, {.lines = {head()}}, {.corner = {gap, gap}, .width = 0.7 * width}, unit_);
+  draw_panel(canvas, {.lines = {"h  help"}, .is_head_bold = false},
+             {.corner = {width - gap, gap}, .is_right = true, .width = 200 * unit_}, unit_);
+  draw_panels(canvas);
+  std::string line = message_;
+  if (const std::string now = status(); !now.empty()) line += (line.empty() ? "" : "   ") + now;
+  if (line.empty()) return;
+  draw_panel(canvas, {.lines = {line}, .is_head_bold = false},
+             {.corner = {gap, height - gap}, .is_bottom = true, .width = 0.8 * width}, unit_);
+}
+
+void Desk3::draw() {
+  if (needs_base_ || base_.width != size_.width || base_.height != size_.height) draw_base();
+  frame_ = base_;
+  CairoCanvas canvas(frame_);
+  draw_touched(canvas);
+  draw_problem(canvas);
+  if (shows_help_)
+    draw_help(canvas, commands_3(), gestures_3(), unit_);
+  else
+    draw_texts(canvas);
+  if (prompt_) draw_prompt(canvas, *prompt_, unit_);
+  canvas.finish();
+  std::string title = file_title() + " - hottel";
+  if (title != title_) window_.set_title(title);
+  title_ = std::move(title);
+  needs_frame_ = false;
+}
+
+}  // namespace hottel
