@@ -104,19 +104,6 @@ void refuse_lost_place(const Scene3& scene, const Arrangement3& arrangement, con
   throw RequestError("'" + on + "' at " + at + " is the place of another surface");
 }
 
-// From a point of a solid's face only the free side is looked at: the way to it, where one side is free and one not.
-std::optional<Vector3> free_way(const Arrangement3& arrangement, const Point3& eye) {
-  for (const Piece3& piece : arrangement.pieces()) {
-    const PlaneFrame3 frame(piece.polygon.points);
-    if (frame.height(eye) != 0 || !contains(piece.polygon, eye)) continue;
-    const bool is_front_free = has_place(piece, false, eye), is_back_free = has_place(piece, true, eye);
-    if (is_front_free == is_back_free) continue;
-    const Vector3 front = doubled_area(piece.polygon);
-    return is_front_free ? front : Vector3{-front.x, -front.y, -front.z};
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 ShownAnswer visibility_in_space(const Scene3& scene, const std::string& at, const std::string& on) {
@@ -128,13 +115,14 @@ ShownAnswer visibility_in_space(const Scene3& scene, const std::string& at, cons
   const std::optional<std::uint32_t> solid = on.empty() ? solids.around(look.eye) : std::nullopt;
   PointMap3 map;
   if (!solid) {
-    Look3 way = look;
-    if (on.empty() && !solids.is_empty())
-      if (const auto free = free_way(arrangement, look.eye)) way.normal = Point3{free->x, free->y, free->z};
-    map = with_owners(map_from(Blockers3(arrangement.polygons()), way), arrangement);
+    const std::vector<std::uint32_t> on_border =
+        on.empty() ? solids_at(solids, look.eye) : std::vector<std::uint32_t>();
+    map = map_from(Blockers3(arrangement.polygons()), look);
+    map = on_border.empty() ? with_owners(std::move(map), arrangement)
+                            : outside_solids(std::move(map), arrangement, look.eye, on_border);
   }
   VisibilityAnswer answer = solid ? answer_in_solid_3(look, scene.groups[solids.meshes()[*solid].group].name, what)
-                                  : map_answer(scene, look, map, what);
+                                  : map_answer(scene, solids, look, map, what);
   return {std::move(answer), [&scene, look, what, map = std::move(map)](PictureFormat format) {
             MapDrawing3 drawing = drawing_of(scene, look, map);
             drawing.title = "What is seen from " + what;

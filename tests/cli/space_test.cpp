@@ -67,6 +67,40 @@ TEST(Space, APointSeesEachWallOfACubeAlike) {
   for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(seen[k], 1.0 / 6, 1e-15);
 }
 
+// Every direction that does not lead into a solid is seen: of a cube half of them from a face, three quarters from an
+// edge, seven eighths from a corner; and what is within is no face's.
+TEST(Space, APointOnTheBorderOfASolidSeesAllThatIsFree) {
+  const Workplace place;
+  place.write("box.json", R"({"hottel": 1, "dimension": 3, "materials": {"w": {"reflectivity": 0.5}}, "polygons": [
+ {"name": "bot", "group": "g", "points": [[0, 0, 0], [0, 1, 0], [1, 1, 0], [1, 0, 0]], "material": "w"},
+ {"name": "top", "group": "g", "points": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], "material": "w"},
+ {"name": "sou", "group": "g", "points": [[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 1]], "material": "w"},
+ {"name": "nor", "group": "g", "points": [[1, 1, 0], [0, 1, 0], [0, 1, 1], [1, 1, 1]], "material": "w"},
+ {"name": "wes", "group": "g", "points": [[0, 1, 0], [0, 0, 0], [0, 0, 1], [0, 1, 1]], "material": "w"},
+ {"name": "eas", "group": "g", "points": [[1, 0, 0], [1, 1, 0], [1, 1, 1], [1, 0, 1]], "material": "w"},
+ {"name": "floor", "points": [[-4, -4, 0], [4, -4, 0], [4, 4, 0], [-4, 4, 0]], "material": "w"}]})");
+  // Below the edges of the box the floor is seen all around, and nothing of what the box covers.
+  for (const auto& [at, solid, floor] : {std::tuple{"0.5,0,0.5", 0.5, 0.2}, std::tuple{"0,0,0.5", 0.25, 0.3},
+                                         std::tuple{"0,0,1", 0.125, 0.3}, std::tuple{"0.5,0.5,1", 0.5, 0.0}}) {
+    const Outcome outcome = place.run(std::string("hottel visibility box.json --json --at ") + at);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto answer = nlohmann::json::parse(outcome.out);
+    ASSERT_EQ(answer["solids"].size(), 1u) << at;
+    EXPECT_EQ(answer["solids"][0]["solid"], "g") << at;
+    EXPECT_NEAR(answer["solids"][0]["fraction"].get<double>(), solid, 1e-14) << at;
+    double sum = solid + answer["sky"]["fraction"].get<double>();
+    for (const auto& face : answer["faces"]) {
+      EXPECT_EQ(face["name"], "floor") << at;
+      EXPECT_GE(face["fraction"].get<double>(), floor) << at;
+      sum += face["fraction"].get<double>();
+    }
+    EXPECT_EQ(answer["faces"].size(), floor > 0 ? 1u : 0u) << at;
+    EXPECT_NEAR(sum, 1, 1e-14) << at;
+  }
+  EXPECT_THAT(place.run("hottel visibility box.json --at 0,0,1").out, HasSubstr("(in the solid 'g')"));
+  EXPECT_EQ(place.run("hottel visibility box.json --at 0,0,1 -o seen.png").code, 0);
+}
+
 TEST(Space, APointOfAFaceHasViewFactors) {
   const Workplace place;
   const std::string scene = "'" + scene_file("cube.json") + "'";

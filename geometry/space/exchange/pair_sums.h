@@ -51,7 +51,10 @@ struct PairSums3 {
 //   (2) the same bit for bit for any number of threads: patches are summed in their order
 //   (3) a pair (i, i), of a group, counts both directions of a line
 //   (4) contacts of masks are pairs like others: whole, and as large as what they share
-//   (5) adds to the hidden, clear and mixed pairs, the maps, pieces, nodes and signs of the report
+//   (5) an element whose pair with the sky cannot be measured has what its other pairs leave of its area there, where
+//   that
+//       is known within the tolerance: its row then closes by definition
+//   (6) adds to the hidden, clear and mixed pairs, the maps, pieces, nodes and signs of the report
 //
 // Throws Interrupted where it is asked to stop.
 // COST: parallel; that of measuring each pair of faces that face each other, and 50 ns for each other pair.

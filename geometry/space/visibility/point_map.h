@@ -60,6 +60,15 @@ struct PointMap3 {
   std::vector<PlaneDefinition3> planes;  // those that fragments have
   double sky_fraction = 0, sky_factor = 0;
   SignCounts signs;
+
+  // What leads into solids, from a point of their border (outside_solids of seen_faces.h; else none): fragments, whose
+  // faces are what is met there, and what of the full sphere these are in all, by ClosedMesh3.
+  struct InSolid {
+    std::uint32_t mesh;
+    double fraction;
+  };
+  std::vector<Fragment> solid_fragments;
+  std::vector<InSolid> solids;
 };
 
 // Returns the map of what is seen from a point.

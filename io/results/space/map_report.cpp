@@ -8,6 +8,7 @@
 
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
+#include "geometry/space/arrangement/solids.h"
 #include "geometry/space/scene/scene.h"
 
 namespace hottel {
@@ -21,6 +22,13 @@ Json json_of(const Point3& p) {
           {"z", to_double(p.z)},
           {"exact", {to_string(p.x), to_string(p.y), to_string(p.z)}}};
 }
+
+std::string solid_name(const Scene3& scene, const Solids3& solids, std::uint32_t mesh) {
+  return scene.groups[solids.meshes()[mesh].group].name;
+}
+
+// What is left of 1 may be less than nothing by rounding.
+double not_negative(double rest) { return std::max(0.0, rest); }
 
 double solid_angle(double fraction) { return 4 * std::numbers::pi * fraction; }
 
@@ -53,7 +61,8 @@ Json faces_of(const Scene3& scene, const PointMap3& map, bool has_factors) {
   return faces;
 }
 
-std::string text_of(const Scene3& scene, const PointMap3& map, const std::string& what, bool has_factors) {
+std::string text_of(const Scene3& scene, const Solids3& solids, const PointMap3& map, const std::string& what,
+                    bool has_factors) {
   std::string text = "from " + what + "\n\n";
   text += has_factors ? "  view factor              fraction of the sphere   solid angle [sr]\n"
                       : "  fraction of the sphere   solid angle [sr]\n";
@@ -63,22 +72,30 @@ std::string text_of(const Scene3& scene, const PointMap3& map, const std::string
     text += fmt::format("{:<24} {:<24} {}\n", shortest(fraction), shortest(solid_angle(fraction)), name);
   };
   for (const PointMap3::Share& share : map.shares) line(share.factor, share.fraction, face_name(scene, share.face));
-  line(map.sky_factor, map.sky_fraction, "sky");
+  line(not_negative(map.sky_factor), not_negative(map.sky_fraction), "sky");
+  for (const PointMap3::InSolid& solid : map.solids)
+    line(0, solid.fraction, "(in the solid " + quoted_name(solid_name(scene, solids, solid.mesh)) + ")");
   return text + fmt::format("\n{} pieces of {} faces\n", map.fragments.size(), map.shares.size());
 }
 
 }  // namespace
 
-VisibilityAnswer map_answer(const Scene3& scene, const Look3& look, const PointMap3& map, const std::string& what) {
+VisibilityAnswer map_answer(const Scene3& scene, const Solids3& solids, const Look3& look, const PointMap3& map,
+                            const std::string& what) {
   const bool has_factors = look.normal.has_value();
   Json json{{"at", json_of(look.eye)}};
   if (has_factors) json["normal"] = json_of(*look.normal);
   json["faces"] = faces_of(scene, map, has_factors);
-  json["sky"] = {{"fraction", map.sky_fraction}, {"solid_angle", solid_angle(map.sky_fraction)}};
-  if (has_factors) json["sky"]["factor"] = map.sky_factor;
+  const double sky = not_negative(map.sky_fraction);
+  json["sky"] = {{"fraction", sky}, {"solid_angle", solid_angle(sky)}};
+  if (has_factors) json["sky"]["factor"] = not_negative(map.sky_factor);
+  for (const PointMap3::InSolid& solid : map.solids)
+    json["solids"].push_back({{"solid", solid_name(scene, solids, solid.mesh)},
+                              {"fraction", solid.fraction},
+                              {"solid_angle", solid_angle(solid.fraction)}});
   json["tiers"] = {
       {"filter", map.signs.by_tier[0]}, {"combinatorial", map.signs.by_tier[1]}, {"exact", map.signs.by_tier[2]}};
-  return {json.dump(2) + "\n", text_of(scene, map, what, has_factors)};
+  return {json.dump(2) + "\n", text_of(scene, solids, map, what, has_factors)};
 }
 
 VisibilityAnswer answer_in_solid_3(const Look3& look, const std::string& solid, const std::string& what) {

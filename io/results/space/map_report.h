@@ -9,6 +9,7 @@
 namespace hottel {
 
 struct Scene3;
+class Solids3;
 
 // The map of a point: of each face that is seen its solid angle and its pieces, as unit vectors and as points on the
 // face; of the sky its solid angle. From a point of a face, where look has a normal, also the view factors. The text
@@ -16,7 +17,9 @@ struct Scene3;
 //
 //   (1) fractions are of the full sphere; solid angles [sr] are 4 pi times that
 //   (2) faces are in the order of the scene
-VisibilityAnswer map_answer(const Scene3& scene, const Look3& look, const PointMap3& map, const std::string& what);
+//   (3) of a point on the border of solids, what leads into these is told by their names
+VisibilityAnswer map_answer(const Scene3& scene, const Solids3& solids, const Look3& look, const PointMap3& map,
+                            const std::string& what);
 
 // The same of a point in a solid: the name of its group; no face is seen, nor the sky, and irradiance is null.
 VisibilityAnswer answer_in_solid_3(const Look3& look, const std::string& solid, const std::string& what);

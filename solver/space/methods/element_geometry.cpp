@@ -1,5 +1,7 @@
 #include "solver/space/methods/element_geometry.h"
 
+#include <algorithm>
+
 namespace hottel {
 namespace {
 
@@ -49,6 +51,20 @@ ElementGeometry3::ElementGeometry3(const PreparedScene3& prepared)
     }
   }
   begin_.push_back(patches_.size());
+  contacts_.resize(table_.count());
+  for (const ElementTable3::Contact& contact : table_.contacts()) {
+    const double extent = contact.extent.value;
+    contacts_[contact.mask].push_back({contact.base, extent / area(contact.mask)});
+    contacts_[contact.base].push_back({contact.mask, extent / area(contact.base)});
+  }
+  for (std::vector<Contact>& of_element : contacts_)
+    std::sort(of_element.begin(), of_element.end(), [](const Contact& a, const Contact& b) { return a.to < b.to; });
+}
+
+double ElementGeometry3::share_of_patches(std::uint32_t element) const {
+  double share = 1;
+  for (const Contact& contact : contacts_[element]) share -= contact.factor;
+  return std::max(0.0, share);
 }
 
 }  // namespace hottel

@@ -54,15 +54,29 @@ class ElementGeometry3 {
   std::size_t number_of(const ElementPatch3& patch) const { return static_cast<std::size_t>(&patch - patches_.data()); }
   double area(std::uint32_t element) const { return table_.extent(element).value; }
 
+  // What a mask and its base exchange, which follows from their areas, whatever the method: F(mask, base) = 1 and
+  // F(base, mask) by reciprocity, where the mask lies on one element. By ascending `to`.
+  struct Contact {
+    std::uint32_t to;
+    double factor;
+  };
+  std::span<const Contact> contacts(std::uint32_t element) const { return contacts_[element]; }
+  // What of the row of an element is not that of contacts.
+  double share_of_patches(std::uint32_t element) const;
+
  private:
   ElementTable3 table_;
   std::vector<ElementPatch3> patches_;
   std::vector<std::size_t> begin_;
+  std::vector<std::vector<Contact>> contacts_;  // by element
 };
 
-// Which elements have a row and a patch to see from. REQUIRES that the geometry outlives what is returned.
+// Which elements have a row, and a patch to see from or a contact. REQUIRES that the geometry outlives what is
+// returned.
 inline auto has_patches(const ElementGeometry3& geometry) {
-  return [&geometry](std::uint32_t element) { return geometry.has_row(element) && !geometry.patches(element).empty(); };
+  return [&geometry](std::uint32_t element) {
+    return geometry.has_row(element) && (!geometry.patches(element).empty() || !geometry.contacts(element).empty());
+  };
 }
 
 // Returns the corners of a patch in the doubles of Vertices3, each rounded once.

@@ -17,6 +17,7 @@
 #include "kernel/support/failure.h"
 #include "solver/methods/factor_rows.h"
 #include "solver/radiosity/matrix_checks.h"
+#include "solver/space/methods/contact_rows.h"
 #include "solver/space/methods/element_geometry.h"
 #include "solver/space/methods/item_buffer.h"
 #include "solver/space/methods/method_catalogue.h"
@@ -58,6 +59,7 @@ class Hemicube3 final : public ElementMethod3 {
             if (shared) lock.lock();
             for (const ElementPatch3& patch : geometry.patches(from))
               look(patch, items, weights, geometry.table().sky(), *buffer, by);
+            add_contacts(geometry, from, by);
           };
         });
     report.row_defect = closure_defect(matrix);

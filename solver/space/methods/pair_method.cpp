@@ -1,5 +1,6 @@
 #include "solver/space/methods/pair_method.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -41,10 +42,27 @@ ExchangeMatrix PairMethod3::compute_elements(const PreparedScene3& prepared,
                                              const std::function<void(double)>& progress, MethodReport& report) const {
   const ElementGeometry3 geometry(prepared);
   const SegmentVisibility3 visibility(prepared.blockers());
+  const PairsOfElements seen = pairs({prepared, geometry, visibility});
+  const auto contact = [&geometry](std::uint32_t i, std::uint32_t j) -> const ElementGeometry3::Contact* {
+    const auto contacts = geometry.contacts(i);
+    const auto found =
+        std::find_if(contacts.begin(), contacts.end(), [j](const ElementGeometry3::Contact& c) { return c.to == j; });
+    return found == contacts.end() ? nullptr : &*found;
+  };
+  const PairsOfElements with_contacts{
+      .append_partners =
+          [&](std::uint32_t i, std::vector<std::uint32_t>& partners) {
+            seen.append_partners(i, partners);
+            for (const ElementGeometry3::Contact& c : geometry.contacts(i)) partners.push_back(c.to);
+          },
+      .factors = [&](std::uint32_t i, std::uint32_t j) -> PairFactors {
+        const ElementGeometry3::Contact* const forth = contact(i, j);
+        return forth == nullptr ? seen.factors(i, j) : PairFactors{forth->factor, contact(j, i)->factor};
+      }};
   return matrix_of_pairs({.elements = geometry.table().elements(),
                           .has_row = [&geometry](std::uint32_t i) { return geometry.has_row(i); },
                           .is_open = open_elements(geometry, visibility)},
-                         pairs({prepared, geometry, visibility}), progress, report);
+                         with_contacts, progress, report);
 }
 
 std::function<void(std::uint32_t, std::vector<std::uint32_t>&)> all_later_elements(const ElementGeometry3& geometry) {

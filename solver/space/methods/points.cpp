@@ -12,6 +12,7 @@
 #include "solver/methods/factor_rows.h"
 #include "solver/methods/gauss_rule.h"
 #include "solver/radiosity/matrix_checks.h"
+#include "solver/space/methods/contact_rows.h"
 #include "solver/space/methods/method_catalogue.h"
 #include "solver/space/methods/patch_rule.h"
 #include "solver/space/methods/side_elements.h"
@@ -79,6 +80,7 @@ class Points3 final : public ElementMethod3 {
           add_point(map_from(prepared.blockers(), look), elements, patch, point, geometry.table().sky(), by);
         }
       }
+      add_contacts(geometry, from, by);
     };
     ExchangeMatrix matrix =
         matrix_by_rows(geometry.table().elements(), has_patches(geometry), progress, [&] { return fill; });

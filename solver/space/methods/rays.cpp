@@ -16,6 +16,7 @@
 #include "solver/methods/factor_rows.h"
 #include "solver/methods/ray_names.h"
 #include "solver/radiosity/matrix_checks.h"
+#include "solver/space/methods/contact_rows.h"
 #include "solver/space/methods/embree_scene.h"
 #include "solver/space/methods/method_catalogue.h"
 #include "solver/space/methods/side_elements.h"
@@ -90,13 +91,16 @@ class Rays3 final : public ElementMethod3 {
     const RaySamples directions(options_.sampling, options_.rays, options_.seed);
     const RaySamples places(options_.sampling, options_.rays, options_.seed ^ kOtherSeed, 2);
     const FillRow shoot = [&](std::uint32_t from, RowSums& by) {
+      const double share = geometry.share_of_patches(from);
+      if (geometry.patches(from).empty() || share == 0) return add_contacts(geometry, from, by);
       const std::vector<Start> starts = starts_on(geometry.patches(from));
       const std::vector<RaySamples::Point> at = paired_places(places, from);
       std::size_t k = 0;
       directions.for_each(from, [&](const RaySamples::Point& direction) {
         by.add(label_met(prepared.blockers(), scene, sides, starts, at[k++], direction, geometry.table().sky()), 1);
       });
-      by.divide_by(static_cast<double>(options_.rays));
+      by.divide_by(static_cast<double>(options_.rays) / share);
+      add_contacts(geometry, from, by);
     };
     ExchangeMatrix matrix =
         matrix_by_rows(geometry.table().elements(), has_patches(geometry), progress, [&] { return shoot; });

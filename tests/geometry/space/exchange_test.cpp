@@ -163,6 +163,30 @@ TEST(Exchange3, OfAnOpenSceneTheSkyIsSeenThroughWhatIsOpen) {
   }
 }
 
+// Far from each other, or small beside the others: what the far walls of the sky exchange with these has too few
+// digits, and what all else leaves of the area has them.
+TEST(Exchange3, TheSkyIsSeenByWhatIsFarAndByWhatIsSmall) {
+  for (const char* distance : {"1e3", "1e6", "1e9", "1e12", "1e15"}) {
+    const std::string z = distance;
+    const ExchangeMatrix matrix = exact_exchange(
+        prepared(R"({"hottel": 1, "dimension": 3, "materials": {"m": {}}, "polygons": [
+  {"name": "a", "points": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], "material": "m"},
+  {"name": "b", "points": [[0, 0, )" +
+                 z + "], [0, 1, " + z + "], [1, 1, " + z + "], [1, 0, " + z + R"(]], "material": "m"}]})"),
+        {});
+    EXPECT_NEAR(entry_of(matrix, "a", "sky").factor.value, 1 - entry_of(matrix, "a", "b").factor.value, 1e-12) << z;
+    EXPECT_EQ(entry_of(matrix, "a", "b").factor.value > 0, true) << z;
+  }
+  const ExchangeMatrix matrix =
+      exact_exchange(prepared(R"({"hottel": 1, "dimension": 3, "materials": {"m": {}}, "polygons": [
+  {"name": "field", "points": [[-1000, -1000, 0], [1000, -1000, 0], [1000, 1000, 0], [-1000, 1000, 0]], "material": "m"},
+  {"name": "sensor", "points": [[0, 0, 1.5], [0.001, 0, 1.5], [0.001, 0, 1.501], [0, 0, 1.501]], "material": "m"}]})"),
+                     {});
+  EXPECT_NEAR(entry_of(matrix, "sensor", "sky").factor.value + entry_of(matrix, "sensor", "field").factor.value, 1,
+              1e-9);
+  EXPECT_NEAR(entry_of(matrix, "field", "sky").factor.value, 1, 1e-9);
+}
+
 TEST(Exchange3, AFaceAloneSeesTheSkyAlone) {
   const ExchangeMatrix matrix = exact_exchange(prepared(
       R"({"hottel": 1, "dimension": 3, "materials": {"m": {}}, "polygons": [

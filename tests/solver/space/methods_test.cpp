@@ -218,6 +218,33 @@ TEST(MethodsInSpace, ABlockerBetweenTheCentresHidesAllFromCenterAndAPartFromTheO
   EXPECT_NEAR(by("gauss:16", scene).factor("low", "high").value, exact, 5e-2 * exact);   // jumps
 }
 
+// What a mask and its base exchange follows from their areas, and the rest of both rows from the rest.
+TEST(MethodsInSpace, MasksExchangeWithTheirBasesWhatTheyDo) {
+  const Scene3 room =
+      parse_scene_3(R"({"hottel": 1, "dimension": 3, "closed": true, "materials": {"m": {}}, "polygons": [
+  {"name": "floor", "points": [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], "material": "m"},
+  {"name": "ceiling", "points": [[0, 0, 2], [0, 2, 2], [2, 2, 2], [2, 0, 2]], "material": "m"},
+  {"name": "south", "points": [[0, 0, 0], [0, 0, 2], [2, 0, 2], [2, 0, 0]], "material": "m"},
+  {"name": "north", "points": [[0, 2, 0], [2, 2, 0], [2, 2, 2], [0, 2, 2]], "material": "m"},
+  {"name": "west", "points": [[0, 0, 0], [0, 2, 0], [0, 2, 2], [0, 0, 2]], "material": "m"},
+  {"name": "east", "points": [[2, 0, 0], [2, 0, 2], [2, 2, 2], [2, 2, 0]], "material": "m"},
+  {"name": "rug", "points": [[0, 1, 0], [1, 1, 0], [1, 0, 0], [0, 0, 0]], "material": "m", "masks": "floor"}]})",
+                    "rug");
+  const ExchangeMatrix exact = by("exact", room);
+  for (const std::string method : {"center", "center-vis", "vertices", "gauss:3", "points:4", "hemicube:64",
+                                   "hemicube:64:uniform", "rays:4096", "rays:4096:normalised"}) {
+    const ExchangeMatrix matrix = by(method, room);
+    EXPECT_NEAR(matrix.factor("rug", "floor").value, 1, 1e-15) << method;
+    EXPECT_NEAR(matrix.factor("floor", "rug").value, 0.25, 1e-15) << method;
+    EXPECT_EQ(matrix.row(*matrix.find("rug")).size(), 1u) << method;
+    for (const char* wall : {"ceiling", "east", "north"})
+      EXPECT_NEAR(matrix.factor("floor", wall).value, exact.factor("floor", wall).value, 0.2) << method;
+    if (method.find("points") == 0 || method.find("rays") == 0 || method.find("hemicube:64") == 0) {
+      EXPECT_NEAR(row_sum(matrix, *matrix.find("floor")), 1, 1e-12) << method;
+    }
+  }
+}
+
 TEST(MethodsInSpace, NamesThatMakeNoSenseAreRefused) {
   for (const std::string name :
        {"gauss", "gauss:0", "gauss:65", "points:x", "hemicube:3", "hemicube:", "hemicube:5000", "hemicube:64:flat",

@@ -254,12 +254,16 @@ MapDrawing3 drawing_of(const Scene3& scene, const Look3& look, const PointMap3& 
     drawing.forward = unit({to_double(look.normal->x), to_double(look.normal->y), to_double(look.normal->z)});
     if (std::abs(drawing.forward.z) > 0.99) drawing.up = {0, 1, 0};
   }
-  for (const PointMap3::Fragment& fragment : map.fragments) {
-    MapPiece3 piece{{}, fragment.face.number()};
+  const auto in_solids = static_cast<std::uint32_t>(2 * scene.surfaces.size());
+  const auto add = [&](const PointMap3::Fragment& fragment, std::uint32_t face) {
+    MapPiece3 piece{{}, face};
     for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) piece.corners.push_back(map.corners[c].direction);
     drawing.pieces.push_back(std::move(piece));
-  }
-  drawing.colours.resize(2 * scene.surfaces.size());
+  };
+  for (const PointMap3::Fragment& fragment : map.solid_fragments) add(fragment, in_solids);
+  for (const PointMap3::Fragment& fragment : map.fragments) add(fragment, fragment.face.number());  // over these
+  drawing.colours.resize(in_solids + 1);
+  drawing.colours[in_solids] = palette::kSolid;
   for (const PointMap3::Share& share : map.shares) drawing.colours[share.face.number()] = colour_of(scene, share.face);
   return drawing;
 }

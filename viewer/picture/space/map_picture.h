@@ -72,8 +72,8 @@ class MapPainter3 {
   std::vector<std::pair<Direction3, Direction3>> lines_;  // arcs where something ends
 };
 
-// What is drawn of a map: each face in the colour of its material, darker the flatter it is seen. Forward is where the
-// normal of the look points, else along y; up is z, or y where forward is along z.
+// What is drawn of a map: each face in the colour of its material, darker the flatter it is seen; grey where solids
+// are. Forward is where the normal of the look points, else along y; up is z, or y where forward is along z.
 MapDrawing3 drawing_of(const Scene3& scene, const Look3& look, const PointMap3& map);
 
 // Returns the bytes of the picture file.
