@@ -149,9 +149,7 @@ const std::vector<HardScene3>& hard_scenes_3() {
        "F(bottom, top), aligned squares (Howell's C-11)", Granularity::kFace, "bottom", "top", duct,
        [](const Rational& d) { return from_unit_plate(upper_plate(d)); }, +1, false},
       {"far", "Plates that move apart",
-       "Two unit squares face each other at distance d, alone under the sky. What is refused is not this pair, but one "
-       "of a "
-       "plate and the sky, past the other plate.",
+       "Two unit squares face each other at distance d, alone under the sky, of which each sees all but 1 / (pi d²).",
        "F(lower, upper), aligned squares (Howell's C-11)", Granularity::kFace, "lower", "upper",
        [](const Rational& d) { return unit_plate_and(upper_plate(d)); },
        [](const Rational& d) { return from_unit_plate(upper_plate(d)); }, +1, false},

@@ -29,6 +29,9 @@ constexpr double kNextShare = 0x1p-8, kLeastShare = 0x1p-16;
 constexpr std::size_t kMostBetween = 30;
 constexpr int kMostCuts = 12, kCutsWhereItFails = 3;
 
+// What is seen is not nothing, however little it is.
+constexpr double kLittle = 0x1p-200;
+
 // Nothing hides anything: the measure is that of the two alone.
 void take_alone(const UnobstructedMeasure3& alone, PairMeasure3& result) {
   result.is_whole = true;
@@ -50,6 +53,36 @@ void add_part(const PairMeasure3& part, PairMeasure3& sum) {
   sum.pieces += part.pieces;
   sum.nodes += part.nodes;
   sum.signs += part.signs;
+}
+
+// Returns what is hidden of a pair at most: every line that is stopped leaves the patch and meets a side of something
+// between, so that no more is hidden than the patch and those sides would exchange alone.
+double most_hidden(const PairSetting3& setting, const Blockers3& blockers, const Patch3& patch, double tolerance) {
+  double sum = 0;
+  const auto& bodies = setting.bodies.bodies;
+  for (std::size_t body = 2; body < bodies.size(); ++body) {
+    Patch3 side{bodies[body].surface, {}, 1};
+    for (const VertexId3 v : blockers.outline(side.surface)) side.corners.push_back(blockers.vertices().exact(v));
+    for (int k = 0; k < 2; ++k, std::reverse(side.corners.begin(), side.corners.end()))
+      sum += unobstructed_measure(blockers.vertices(), patch, side, tolerance, Effort3::kUsual).bounds.upper;
+  }
+  constexpr double kRoundings = 0x1p-40;  // of the sum
+  return sum * (1 + kRoundings);
+}
+
+// Takes the measure of the two alone less half of what is hidden at most, and tells so, where that is allowed.
+bool take_nearly_alone(const PairSetting3& setting, const Blockers3& blockers, const Patch3& i, const Patch3& j,
+                       double allowed, double tolerance, const UnobstructedMeasure3& alone, PairMeasure3& result) {
+  if (!alone.has_converged) return false;
+  const double hidden =
+      std::min(most_hidden(setting, blockers, i, tolerance), most_hidden(setting, blockers, j, tolerance));
+  const double error = alone.error + hidden / 2;
+  if (!(error <= allowed)) return false;
+  result.measure = std::max(kLittle * alone.bounds.upper, alone.measure - hidden / 2);
+  result.error = error;
+  result.bounds = {std::max(0.0, std::nextafter(alone.bounds.lower - hidden, 0.0)), alone.bounds.upper};
+  result.residual = 0;
+  return true;
 }
 
 void tell_between(const PairSetting3& setting, PairDetails3& details) {
@@ -241,14 +274,16 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
   result.error = sum.error() / full;
   result.nodes = sum.nodes();
   if (details) sum.tell(*details);
-  // Something is seen: however little, it is not nothing.
-  constexpr double kLittle = 0x1p-200;
+  // Something is seen.
   result.measure = std::clamp(result.measure, kLittle * alone.bounds.upper, alone.bounds.upper);
   const bool has_failed = !(result.error <= request.tolerance * least) || !(result.residual <= result.residual_bound);
   if (has_failed && alone.bounds.upper <= request.tolerance * least) {
     // So little goes at most that it need not be known: patches that see each other at grazing angles, and needles.
     result.error = alone.bounds.upper;
     result.residual = 0;
+  } else if (has_failed && take_nearly_alone(setting, blockers, i, j, request.tolerance * least, request.tolerance / 4,
+                                             alone, result)) {
+    // So little is hidden at most that it need not be known: something small, far away.
   } else if (!(result.error <= request.tolerance * least))
     result.problem = "the integral along edges did not converge";
   else if (!(result.residual <= result.residual_bound))
