@@ -68,12 +68,16 @@ void require_look(const std::string& look, int count) {
 // The desk of the scene, whatever its dimension. Its file is read, and may be read again.
 std::unique_ptr<Desk> desk_of(const ViewOptions& options, Window& window) {
   std::unique_ptr<Desk> desk;
-  if (std::holds_alternative<Scene3>(read_scene(options.scene))) {
+  Scene scene = read_scene(options.scene);
+  if (Scene3* const space = std::get_if<Scene3>(&scene)) {
     require_look<LookKind3>(options.look, kLooks3);
-    const auto read = [file = options.scene, elements = options.elements] {
-      Scene3 scene = read_scene_3(file);
-      elements.apply_to(scene);
-      return scene;
+    // The scene that has been read is the first one.
+    const auto first = std::make_shared<std::optional<Scene3>>(std::move(*space));
+    const auto read = [file = options.scene, elements = options.elements, first] {
+      Scene3 now = *first ? std::move(**first) : read_scene_3(file);
+      first->reset();
+      elements.apply_to(now);
+      return now;
     };
     desk = std::make_unique<Desk3>(DeskSource3{options.scene, read}, window,
                                    FactorsRequest3{.memory = options.memory.value_or(0)}, options.scale);
@@ -83,7 +87,7 @@ std::unique_ptr<Desk> desk_of(const ViewOptions& options, Window& window) {
       throw UsageError("--elements and --element-size divide the polygons of scenes in space; " + options.scene +
                        " is in the plane");
     desk = std::make_unique<Desk2>(options.scene, window, SimulationRequest2{.memory = options.memory.value_or(0)},
-                                   options.scale);
+                                   options.scale, std::get<Scene2>(std::move(scene)));
   }
   desk->command("look " + options.look);
   return desk;

@@ -76,6 +76,34 @@ TEST_F(ViewedProgram, ADragIsSeenInTheTitleAndUndone) {
   EXPECT_EQ(place_.read("room.json"), kRoom);
 }
 
+TEST_F(ViewedProgram, AWalkThroughSpaceIsSeenAndAnEditOfLightIsInTheTitle) {
+  place_.write("cube.json", R"({"hottel": 1, "dimension": 3,
+    "materials": {"white": {"reflectivity": 0.5}, "lamp": {"emission": 1}}, "polygons": [
+    {"name": "floor", "points": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], "material": "white"},
+    {"name": "ceiling", "points": [[0,0,1],[0,1,1],[1,1,1],[1,0,1]], "material": "lamp"},
+    {"name": "rear", "points": [[0,1,0],[1,1,0],[1,1,1],[0,1,1]], "material": "white"},
+    {"name": "left", "points": [[0,0,0],[0,1,0],[0,1,1],[0,0,1]], "material": "white"}],
+    "camera": {"eye": ["1/2", -2, "1/2"], "target": ["1/2", 1, "1/2"]}})");
+  ViewProgram program = view({"cube.json"});
+  EXPECT_TRUE(gets_title(program, "cube.json - hottel"));
+  const Raster home = program.frame_at_rest();
+  EXPECT_TRUE(is_drawn(home));
+  program.keys("w w");
+  EXPECT_TRUE(program.changes_from(home));
+  const Raster nearer = program.frame_at_rest();
+  program.drag(640, 400, 700, 380);
+  EXPECT_TRUE(program.changes_from(nearer));
+  program.keys("f");
+  program.move(640, 400);
+  program.frame_at_rest();
+  program.keys("bracketright");
+  EXPECT_TRUE(gets_title(program, "cube.json * - hottel"));
+  program.keys("ctrl+z");
+  EXPECT_TRUE(gets_title(program, "cube.json - hottel"));
+  program.keys("ctrl+q");
+  expect_code(program, 0);
+}
+
 TEST_F(ViewedProgram, WhatIsSavedIsWhatAScriptSavesAndSolvesAlike) {
   place_.write("drag.txt", "drag @640,400 @700,430\nkey ctrl+s\n");
   EXPECT_EQ(place_.run("cp room.json scripted.json; hottel view scripted.json --script drag.txt").code, 0);

@@ -48,6 +48,19 @@ class NearLog {
   std::array<double, kSteps> log_{}, slope_{};
 };
 
+// srgb_level for 0 <= light <= 1, off by one at most: so steep is it nowhere that a step of the table is a level.
+class NearLevels {
+ public:
+  NearLevels() {
+    for (std::size_t k = 0; k <= kSteps; ++k) level_[k] = srgb_level(static_cast<double>(k) / kSteps);
+  }
+  std::uint8_t operator()(double light) const { return level_[static_cast<std::size_t>(light * kSteps + 0.5)]; }
+
+ private:
+  static constexpr std::size_t kSteps = 4096;
+  std::array<std::uint8_t, kSteps + 1> level_{};
+};
+
 std::array<std::uint8_t, 3> levels_of(const std::array<double, 3>& c) {
   const std::uint8_t red = srgb_level(c[0]);
   return {red, c[1] == c[0] ? red : srgb_level(c[1]), c[2] == c[0] ? red : srgb_level(c[2])};
@@ -131,7 +144,9 @@ std::array<std::uint8_t, 3> ToneCurve::levels(std::span<const double> value) con
 
 std::array<std::uint8_t, 3> ToneCurve::near_levels(std::span<const double> value) const {
   static const NearLog kLog;
-  return levels_of(linear(value, kLog));
+  static const NearLevels kLevels;
+  const std::array<double, 3> c = linear(value, kLog);
+  return {kLevels(c[0]), kLevels(c[1]), kLevels(c[2])};
 }
 
 }  // namespace hottel

@@ -10,6 +10,7 @@
 
 #include "geometry/name.h"
 #include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/exchange_rows.h"
 #include "geometry/space/exchange/facing.h"
 #include "geometry/space/exchange/groups_alone.h"
 #include "geometry/space/exchange/pair_sums.h"
@@ -75,6 +76,19 @@ struct PairEntry {
   bool is_enclosed = false;
 };
 
+Enclosure bounds_of(const ElementTable3& table, const PairSum3& pair, std::uint32_t from) {
+  const Enclosure area = table.extent(from).enclosure();
+  const double lower = pair.bounds.lower > 0 ? std::nextafter(pair.bounds.lower / area.upper, 0.0) : 0;
+  const double upper = std::nextafter(pair.bounds.upper / area.lower, kInfinity);
+  return {std::min(lower, 1.0), upper < 1 ? upper : 1.0};
+}
+
+// Within its bounds, and above 0.
+double factor_of(const ElementTable3& table, const PairSum3& pair, std::uint32_t from, const Enclosure& bounds) {
+  const double factor = pair.measure / table.extent(from).value;
+  return std::clamp(factor > 0 ? factor : std::numeric_limits<double>::denorm_min(), bounds.lower, bounds.upper);
+}
+
 class MatrixOfSums {
  public:
   MatrixOfSums(const ElementTable3& table, const std::vector<PairSum3>& pairs, std::vector<PairEntry> entries)
@@ -92,8 +106,8 @@ class MatrixOfSums {
     std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
     for_each([&](std::uint32_t from, std::uint32_t to, std::size_t k) {
       const std::size_t place = next[from]++;
-      bounds[place] = bounds_of(pairs_[k], from);
-      const double factor = factor_of(pairs_[k], from, bounds[place]);
+      bounds[place] = bounds_of(table_, pairs_[k], from);
+      const double factor = factor_of(table_, pairs_[k], from, bounds[place]);
       entries[place] = {to, {factor, 0}, to == table_.sky() ? factor : of_pair_[k].visibility};
       guarantees[place] = of_pair_[k].is_enclosed ? Guarantee::kEnclosed : Guarantee::kEstimated;
       if (with_measures) measures[place] = of_pair_[k].measure;
@@ -111,19 +125,6 @@ class MatrixOfSums {
       if (table_.has_row(i)) visit(i, j, k);
       if (j != i && table_.has_row(j)) visit(j, i, k);
     }
-  }
-
-  Enclosure bounds_of(const PairSum3& pair, std::uint32_t from) const {
-    const Enclosure area = table_.extent(from).enclosure();
-    const double lower = pair.bounds.lower > 0 ? std::nextafter(pair.bounds.lower / area.upper, 0.0) : 0;
-    const double upper = std::nextafter(pair.bounds.upper / area.lower, kInfinity);
-    return {std::min(lower, 1.0), upper < 1 ? upper : 1.0};
-  }
-
-  // Within its bounds, and above 0.
-  double factor_of(const PairSum3& pair, std::uint32_t from, const Enclosure& bounds) const {
-    const double factor = pair.measure / table_.extent(from).value;
-    return std::clamp(factor > 0 ? factor : std::numeric_limits<double>::denorm_min(), bounds.lower, bounds.upper);
   }
 
   const ElementTable3& table_;
@@ -200,37 +201,89 @@ std::vector<PairEntry> entries_of(const PreparedScene3& prepared, const ElementT
 
 }  // namespace
 
-ExchangeMatrix exact_exchange(const PreparedScene3& prepared, const ExchangeRequest& request, ExchangeReport3* report) {
+ExchangeRows3::ExchangeRows3(const PreparedScene3& prepared, const ExchangeRequest& request)
+    : prepared_(prepared),
+      request_(request),
+      most_(most_pairs(element_counts(prepared.scene, request.granularity).all, request.memory)),
+      table_(prepared.scene, prepared.arrangement(), prepared.blockers(), request.granularity),
+      has_come_(table_.count() + std::size_t{1}, 0) {
   HOTTEL_REQUIRE(request.tolerance > 0);
+  Stopwatch watch;
+  require_room_for_pairs(prepared, table_, most_, request.memory);
+  for (std::uint32_t i = 0; i < table_.count(); ++i) missing_ += table_.has_row(i) ? 1 : 0;
+  report_.seconds["prepare"] = prepared.seconds;
+  report_.seconds["label"] = watch.lap();
+}
+
+std::span<const PairSum3> ExchangeRows3::add(std::span<const std::uint32_t> labels,
+                                             const std::function<void(double)>& progress) {
   const DefaultFloatingPoint arithmetic;
   Stopwatch watch;
-  ExchangeReport3 r;
-  r.seconds["prepare"] = prepared.seconds;
-  const std::uint64_t most = most_pairs(element_counts(prepared.scene, request.granularity).all, request.memory);
-  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), request.granularity);
-  require_room_for_pairs(prepared, table, most, request.memory);
-  r.seconds["label"] = watch.lap();
+  std::vector<char> is_now(has_come_.size(), 0);
+  for (const std::uint32_t label : labels) is_now[label] = is_missing(label);
+  const PairTurn3 turn{is_now, has_come_};
+  ExchangeReport3 counts = report_;
+  PairSums3 sums = sum_pairs(prepared_, table_,
+                             {.tolerance = request_.tolerance,
+                              .wants_visibility = request_.wants_visibility,
+                              .most_pairs = most_ - std::min<std::uint64_t>(most_, pairs_.size()),
+                              .progress = progress,
+                              .turn = &turn},
+                             counts);
+  require_measured(table_, sums.failures);
+  report_ = std::move(counts);
+  report_.seconds["pairs"] += watch.lap();
+  const std::size_t before = pairs_.size();
+  if (pairs_.empty())
+    pairs_ = std::move(sums.pairs);
+  else
+    pairs_.insert(pairs_.end(), sums.pairs.begin(), sums.pairs.end());
+  for (std::uint32_t i = 0; i < table_.count(); ++i) {
+    if (is_now[i] == 0) continue;
+    has_come_[i] = 1;
+    --missing_;
+  }
+  return std::span(pairs_).subspan(before);
+}
 
-  PairSums3 sums = sum_pairs(prepared, table,
-                             {.tolerance = request.tolerance,
-                              .wants_visibility = request.wants_visibility,
-                              .most_pairs = most,
-                              .progress = request.progress},
-                             r);
-  r.seconds["pairs"] = watch.lap();
-  require_measured(table, sums.failures);
-  std::erase_if(sums.pairs, [](const PairSum3& pair) { return pair.is_zero(); });
-  r.surfaces = prepared.scene.surfaces.size();
-  r.vertices = prepared.blockers().vertices().size();
-  r.elements = table.count();
-  r.pairs = sums.pairs.size();
-  std::vector<PairEntry> entries = entries_of(prepared, table, sums.pairs, request, r);
-  r.seconds["visibility"] = watch.lap();
-  ExchangeMatrix matrix = MatrixOfSums(table, sums.pairs, std::move(entries)).make(request.wants_measures);
-  r.max_defect = closure_defect(matrix);
-  r.seconds["matrix"] = watch.lap();
-  if (report != nullptr) *report = std::move(r);
+void ExchangeRows3::add_all(const std::function<void(double)>& progress) {
+  std::vector<std::uint32_t> labels;
+  for (std::uint32_t i = 0; i < table_.count(); ++i)
+    if (is_missing(i)) labels.push_back(i);
+  add(labels, progress);
+}
+
+double ExchangeRows3::factor(const PairSum3& pair, std::uint32_t from) const {
+  return pair.is_zero() || !table_.has_row(from) ? 0 : factor_of(table_, pair, from, bounds_of(table_, pair, from));
+}
+
+std::vector<std::vector<std::array<double, 3>>> ExchangeRows3::corners() const {
+  return element_corners(table_, prepared_.blockers().vertices());
+}
+
+ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {
+  HOTTEL_REQUIRE(missing_ == 0);
+  const DefaultFloatingPoint arithmetic;
+  Stopwatch watch;
+  std::erase_if(pairs_, [](const PairSum3& pair) { return pair.is_zero(); });
+  std::ranges::sort(pairs_, {}, [](const PairSum3& pair) { return std::pair(pair.i, pair.j); });
+  report_.surfaces = prepared_.scene.surfaces.size();
+  report_.vertices = prepared_.blockers().vertices().size();
+  report_.elements = table_.count();
+  report_.pairs = pairs_.size();
+  std::vector<PairEntry> entries = entries_of(prepared_, table_, pairs_, request_, report_);
+  report_.seconds["visibility"] = watch.lap();
+  ExchangeMatrix matrix = MatrixOfSums(table_, pairs_, std::move(entries)).make(request_.wants_measures);
+  report_.max_defect = closure_defect(matrix);
+  report_.seconds["matrix"] = watch.lap();
+  if (report != nullptr) *report = std::move(report_);
   return matrix;
+}
+
+ExchangeMatrix exact_exchange(const PreparedScene3& prepared, const ExchangeRequest& request, ExchangeReport3* report) {
+  ExchangeRows3 rows(prepared, request);
+  rows.add_all(request.progress);
+  return rows.matrix(report);
 }
 
 std::vector<ElementPair> hidden_pairs(const PreparedScene3& prepared, Granularity granularity,

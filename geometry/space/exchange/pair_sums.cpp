@@ -75,6 +75,7 @@ class Measuring {
 
   void run(const Task& task, Found& found, ExchangeReport3& counts) const {
     const Part& a = table_.parts()[task.patch];
+    if (table_.parts()[task.begin].patch.is_sky() && !has_turn(a, table_.parts()[task.begin])) return;
     if (table_.parts()[task.begin].patch.is_sky() && hull_.sees_no_sky(a.patch.surface, a.is_back)) {
       counts.hidden += task.end - task.begin;
       return;
@@ -85,7 +86,7 @@ class Measuring {
       const Part& b = table_.parts()[k];
       throw_if_interrupted();
       if (!b.patch.is_sky()) {
-        if (a.patch.surface == b.patch.surface || !tasks_.is_asked(a, b)) continue;
+        if (a.patch.surface == b.patch.surface || !tasks_.is_asked(a, b) || !has_turn(a, b)) continue;
         if (before == nullptr || before->patch.surface != b.patch.surface || before->is_back != b.is_back)
           do_face = surfaces_face_each_other(prepared_.blockers(), a, b);
         before = &b;
@@ -99,6 +100,10 @@ class Measuring {
   }
 
  private:
+  bool has_turn(const Part& a, const Part& b) const {
+    return request_.turn == nullptr || request_.turn->has(a.label, b.label);
+  }
+
   // What is covered of both may see each other within a solid.
   void measure_free(const Part& a, const Part& b, Found& found, ExchangeReport3& counts) const {
     if (b.patch.is_sky() || !table_.is_partly_covered(a.label) || !table_.is_partly_covered(b.label))
@@ -265,7 +270,8 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
     some = {};
   }
   for (const ElementTable3::Contact& contact : table.contacts()) {
-    const auto [i, j] = std::minmax(contact.mask, contact.base);
+    const std::uint32_t i = std::min(contact.mask, contact.base), j = std::max(contact.mask, contact.base);
+    if (request.turn != nullptr && !request.turn->has(i, j)) continue;
     const double area = contact.extent.value;
     result.pairs.push_back({.i = i, .j = j, .measure = area, .bounds = contact.extent.enclosure(), .alone = area});
   }

@@ -32,12 +32,23 @@ struct FailedPair3 {
   std::string problem;
 };
 
+// Some pairs of all: those of which one element at least is called up, and none was before. By label, the sky last.
+struct PairTurn3 {
+  const std::vector<char>& is_now;
+  const std::vector<char>& was_before;
+
+  bool has(std::uint32_t i, std::uint32_t j) const {
+    return (is_now[i] != 0 || is_now[j] != 0) && was_before[i] == 0 && was_before[j] == 0;
+  }
+};
+
 // What is asked.
 struct PairSumRequest3 {
   double tolerance = 1e-9;        // as PairRequest3
   bool wants_visibility = false;  // PairSum3::alone and is_whole; else alone is 0 and is_whole means nothing
   std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();  // beyond: RequestError
   std::function<void(double)> progress = {};  // fraction done, from any thread; may throw to stop
+  const PairTurn3* turn = nullptr;            // these pairs alone; null: all
 };
 
 struct PairSums3 {

@@ -6,6 +6,7 @@
 
 #include "geometry/closed_promise.h"
 #include "geometry/space/exchange/exchange.h"
+#include "geometry/space/exchange/exchange_rows.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
@@ -50,14 +51,20 @@ ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsReque
   if (request.method) return factors_by(*request.method, prepared, request, progress);
   return naming_file(prepared.scene.file, [&] {
     ComputedFactors3 result;
-    result.matrix = exact_exchange(prepared,
-                                   {.granularity = request.granularity,
-                                    .wants_visibility = request.wants_visibility,
-                                    .wants_measures = request.wants_measures,
-                                    .tolerance = request.tolerance,
-                                    .memory = memory_allowed(request.memory),
-                                    .progress = telling("view factors", progress)},
-                                   &result.report);
+    const std::function<void(double)> told = telling("view factors", progress);
+    ExchangeRows3 rows(prepared, {.granularity = request.granularity,
+                                  .wants_visibility = request.wants_visibility,
+                                  .wants_measures = request.wants_measures,
+                                  .tolerance = request.tolerance,
+                                  .memory = memory_allowed(request.memory)});
+    if (request.watch == nullptr) rows.add_all(told);
+    const double all = rows.missing();
+    while (rows.missing() > 0) {
+      const std::vector<std::uint32_t> next = request.watch->next(rows);
+      const double begin = 1 - rows.missing() / all, part = static_cast<double>(next.size()) / all;
+      request.watch->have_come(rows, rows.add(next, [&](double done) { told(begin + part * done); }));
+    }
+    result.matrix = rows.matrix(&result.report);
     if (request.must_be_enclosed) require_enclosed_3(result.matrix, request.tolerance);
     return result;
   });

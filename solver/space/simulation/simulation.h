@@ -9,6 +9,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/space/exchange/exchange_report.h"
+#include "geometry/space/exchange/exchange_rows.h"
 #include "geometry/space/exchange/prepared_scene.h"
 #include "kernel/support/stage.h"
 #include "solver/plan.h"
@@ -29,7 +30,15 @@ struct FactorsRequest3 {
   double tolerance = 1e-9;                                // as ExchangeRequest takes it
   bool must_be_enclosed = false;                          // a pair without an enclosure within it is refused
   std::uint64_t memory = 0;                               // bytes, as memory_allowed() takes it
-  friend bool operator==(const FactorsRequest3&, const FactorsRequest3&) = default;
+  // Says which rows are measured first, and is told of them as they come, on the thread that measures; of the exact
+  // method. Nothing that is computed depends on it: requests are alike with and without one.
+  std::shared_ptr<RowWatch3> watch = nullptr;
+
+  friend bool operator==(const FactorsRequest3& a, const FactorsRequest3& b) {
+    return a.method == b.method && a.granularity == b.granularity && a.wants_visibility == b.wants_visibility &&
+           a.wants_measures == b.wants_measures && a.tolerance == b.tolerance &&
+           a.must_be_enclosed == b.must_be_enclosed && a.memory == b.memory;
+  }
 };
 
 // How radiosities are solved for, as in RadiosityOptions.

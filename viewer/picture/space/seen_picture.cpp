@@ -6,14 +6,15 @@
 #include <cstddef>
 #include <span>
 
+#include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "viewer/picture/colour_map.h"
 
 namespace hottel {
 namespace {
 
-constexpr std::uint32_t kRowsAtOnce = 16;  // so that their values stay in the cache
-constexpr double kLeastArea = 1e-9;        // square pixels, of what can be pointed at
+constexpr std::uint32_t kRowsAtOnce = 8;  // so that their values stay in the cache
+constexpr double kLeastArea = 1e-9;       // square pixels, of what can be pointed at
 
 // False for a polygon without an area.
 bool holds(const PixelPolygon& polygon, const Pixel& at) {
@@ -25,6 +26,11 @@ bool holds(const PixelPolygon& polygon, const Pixel& at) {
     if (area > 0 ? side < 0 : side > 0) return false;
   }
   return true;
+}
+
+std::uint32_t pixel_of(const std::array<std::uint8_t, 3>& level) {
+  return 0xFF000000u | static_cast<std::uint32_t>(level[0]) << 16 | static_cast<std::uint32_t>(level[1]) << 8 |
+         level[2];
 }
 
 }  // namespace
@@ -42,22 +48,63 @@ const SeenPicture3::Part* SeenPicture3::at(const Pixel& place) const {
 }
 
 Raster SeenPicture3::raster(const ToneCurve* tone) const {
+  HOTTEL_REQUIRE((tone == nullptr) == paint_.scale.has_value());
   Raster result(width_, height_);
   parallel_for((height_ + kRowsAtOnce - 1) / kRowsAtOnce, [&](std::size_t k) {
     const auto begin = static_cast<std::uint32_t>(k) * kRowsAtOnce;
-    draw_rows({begin, std::min(begin + kRowsAtOnce, height_)}, tone, result);
+    const PixelRows3 rows{begin, std::min(begin + kRowsAtOnce, height_)};
+    if (tone == nullptr)
+      draw_values(rows, result);
+    else if (paint_.channels == 1)
+      draw_light<1>(rows, *tone, result);
+    else
+      draw_light<3>(rows, *tone, result);
   });
   return result;
 }
 
 // As PixelValues3 are filled, with what is covered in a last channel; then toned.
-void SeenPicture3::draw_rows(const PixelRows3& rows, const ToneCurve* tone, Raster& raster) const {
-  const std::size_t shown_channels = paint_.shown_channels(), channels = shown_channels + 1;
-  std::vector<double> pixels(std::size_t{rows.end - rows.begin} * width_ * channels, 0);
-  std::vector<double> shown(channels, 1), value(paint_.channels);
+template <std::size_t Channels>
+void SeenPicture3::draw_light(const PixelRows3& rows, const ToneCurve& tone, Raster& raster) const {
+  using Light = std::array<double, Channels>;
+  std::vector<std::array<double, Channels + 1>> pixels(std::size_t{rows.end - rows.begin} * width_);
+  const auto add = [&](const PixelCover3& cover, const Light& light) {
+    auto& pixel = pixels[std::size_t{cover.y - rows.begin} * width_ + cover.x];
+    for (std::size_t c = 0; c < Channels; ++c) pixel[c] += cover.part * light[c];
+    pixel[Channels] += cover.part;
+  };
+  for (const Part& part : parts_) {
+    if (part.shade) {
+      const Shade3::Quick<Channels> shade(*part.shade);
+      for_each_covered_pixel(part.outline, width_, rows,
+                             [&](const PixelCover3& cover) { add(cover, shade.at(cover.middle)); });
+      continue;
+    }
+    Light light{};
+    if (part.element && paint_.has_value(*part.element))
+      std::ranges::copy(paint_.value(*part.element), light.begin());
+    else
+      std::ranges::copy(part.element ? paint_.unknown : paint_.black, light.begin());
+    for_each_covered_pixel(part.outline, width_, rows, [&](const PixelCover3& cover) { add(cover, light); });
+  }
+  std::uint32_t* to = raster.pixels.data() + std::size_t{rows.begin} * width_;
+  for (auto& pixel : pixels) {
+    const double sky = std::max(0.0, 1 - pixel[Channels]);
+    for (std::size_t c = 0; c < Channels; ++c) pixel[c] += sky * paint_.sky[c];
+    *to++ = pixel_of(tone.near_levels(std::span<const double>(pixel).first(Channels)));
+  }
+}
+
+// The same of colours of a scale.
+void SeenPicture3::draw_values(const PixelRows3& rows, Raster& raster) const {
+  constexpr std::size_t kColours = 3;
+  std::vector<std::array<double, kColours + 1>> pixels(std::size_t{rows.end - rows.begin} * width_);
+  std::array<double, kColours> shown{};
+  std::vector<double> value(paint_.channels);
   const auto add = [&](const PixelCover3& cover) {
-    double* pixel = pixels.data() + (std::size_t{cover.y - rows.begin} * width_ + cover.x) * channels;
-    for (std::size_t c = 0; c < channels; ++c) pixel[c] += cover.part * shown[c];
+    auto& pixel = pixels[std::size_t{cover.y - rows.begin} * width_ + cover.x];
+    for (std::size_t c = 0; c < kColours; ++c) pixel[c] += cover.part * shown[c];
+    pixel[kColours] += cover.part;
   };
   for (const Part& part : parts_) {
     if (part.shade) {
@@ -75,15 +122,11 @@ void SeenPicture3::draw_rows(const PixelRows3& rows, const ToneCurve* tone, Rast
     for_each_covered_pixel(part.outline, width_, rows, add);
   }
   std::uint32_t* to = raster.pixels.data() + std::size_t{rows.begin} * width_;
-  for (std::size_t k = 0; k < pixels.size(); k += channels) {
-    const double sky = std::max(0.0, 1 - pixels[k + shown_channels]);
-    for (std::size_t c = 0; c < shown_channels; ++c) pixels[k + c] += sky * paint_.sky[c];
-    const std::span<const double> light(pixels.data() + k, shown_channels);
-    const std::array<std::uint8_t, 3> level =
-        tone ? tone->near_levels(light)
-             : std::array<std::uint8_t, 3>{srgb_level(light[0]), srgb_level(light[1]), srgb_level(light[2])};
-    *to++ =
-        0xFF000000u | static_cast<std::uint32_t>(level[0]) << 16 | static_cast<std::uint32_t>(level[1]) << 8 | level[2];
+  for (const auto& pixel : pixels) {
+    const double sky = std::max(0.0, 1 - pixel[kColours]);
+    std::array<std::uint8_t, 3> level{};
+    for (std::size_t c = 0; c < kColours; ++c) level[c] = srgb_level(pixel[c] + sky * paint_.sky[c]);
+    *to++ = pixel_of(level);
   }
 }
 

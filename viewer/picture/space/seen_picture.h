@@ -1,6 +1,7 @@
 // What a camera sees, kept: to be drawn quickly, and asked what lies where.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -31,11 +32,13 @@ class SeenPicture3 {
   const std::vector<Part>& parts() const { return parts_; }
   // Nothing where the sky is seen. COST: linear in the parts.
   const Part* at(const Pixel& place) const;
-  // tone: of light; null where the paint has a scale.
+  // tone: of light; null where the paint has a scale. Throws ContractViolation where it is not so.
   Raster raster(const ToneCurve* tone) const;
 
  private:
-  void draw_rows(const PixelRows3& rows, const ToneCurve* tone, Raster& raster) const;
+  template <std::size_t Channels>
+  void draw_light(const PixelRows3& rows, const ToneCurve& tone, Raster& raster) const;
+  void draw_values(const PixelRows3& rows, Raster& raster) const;
 
   ElementPaint3 paint_;
   std::uint32_t width_, height_;

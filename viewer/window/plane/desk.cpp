@@ -29,13 +29,15 @@ std::optional<Face> same_face(const std::optional<Face>& face, const Scene2& bef
 
 }  // namespace
 
-Desk2::Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale)
+Desk2::Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale,
+             std::optional<Scene2> read)
     : window_(window),
       unit_(scale),
       file_(file),
-      editor_(file_.read()),
+      editor_(read ? std::move(*read) : file_.read()),
       looks_(std::move(request), [&window] { window.wake(); }),
       size_(window.size()) {
+  if (read) file_.note();
   require_drawable(*editor_.scene());
   fit();
   scene_changed();

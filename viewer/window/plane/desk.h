@@ -39,7 +39,9 @@ inline constexpr double kPanelWidth = 0.36;
 class Desk2 : public Desk {
  public:
   // Reads the file. Throws InputError. scale: of letters and lines. REQUIRES: the window outlives it.
-  Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale);
+  // read: the scene of the file, where that has been read just now.
+  Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale,
+        std::optional<Scene2> read = {});
 
   void handle(const WindowEvent& event) override;
   // Does what a key of that name does (commands.h), at the mouse. Throws UsageError for other names.

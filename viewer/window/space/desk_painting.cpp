@@ -39,6 +39,7 @@ bool Desk3::is_split() const { return request_.look == LookKind3::kErrors && res
 ElementPaint3 Desk3::light_paint() const {
   if (result_ && result_->radiosities) return light_paint_3(*state().lit, *result_->radiosities);
   if (state().radiosities) return light_paint_3(*state().lit, *state().radiosities);
+  if (state().so_far) return *state().so_far;
   return light_before_factors_3(*scene(), state().model->table);
 }
 
@@ -51,6 +52,7 @@ void Desk3::draw_base() {
   if (!model || !is_fitted_) return;
   try {
     const Camera3 camera = camera_.camera(size_);
+    live_.look_from(place_of(camera.eye));
     const auto seen_with = [&](const ElementPaint3& paint, bool is_smooth) {
       return SeenPicture3({model->prepared, model->table, paint, is_smooth ? &model->mesh : nullptr}, camera);
     };
@@ -118,6 +120,8 @@ std::string Desk3::head() const {
   if (!result_ || !result_->shown) text += fmt::format(", tone {} x {:.3g}", to_string(tone_), exposure_);
   if (request_.look == LookKind3::kErrors) text += ": " + request_.method;
   const LiveState3& now = state();
+  if (!now.stage.empty() && now.all_rows > 0)
+    return text + fmt::format("   {} of {} rows, nearest first", now.rows, now.all_rows);
   if (!now.stage.empty()) return text + "   " + now.stage;
   if (!now.radiosities || !now.problem.empty()) return text;
   return text + fmt::format("   {} elements, {:.0f} ms", now.model->table.count(), 1e3 * now.seconds);

@@ -12,6 +12,12 @@
 #include "kernel/support/interrupt.h"
 
 namespace hottel {
+namespace {
+
+constexpr int kMostSweepsSoFar = 50;
+constexpr double kLeastChange = 1e-3;  // of the largest radiosity
+
+}  // namespace
 
 LiveModel3::LiveModel3(const PreparedScene3& scene)
     : prepared(scene),
@@ -19,7 +25,12 @@ LiveModel3::LiveModel3(const PreparedScene3& scene)
       mesh(prepared, table) {}
 
 LiveScene3::LiveScene3(SimulationRequest3 request, const std::function<void()>& changed)
-    : request_(std::move(request)), preparing_(changed), lighting_(changed) {}
+    : watch_(std::make_shared<NearestRows3>(changed)),
+      request_(std::move(request)),
+      preparing_(changed),
+      lighting_(changed) {
+  request_.factors.watch = watch_;
+}
 
 void LiveScene3::set(std::shared_ptr<const Scene3> scene) {
   const bool is_same_shape = scene_ && scene_->polygons == scene->polygons && scene_->surfaces == scene->surfaces &&
@@ -34,15 +45,17 @@ void LiveScene3::set(std::shared_ptr<const Scene3> scene) {
     state_ = {};
     SimulationRequest3 whole = request_;
     whole.factors.granularity = Granularity::kFace;
+    whole.factors.watch = nullptr;
     state_.whole = simulation_->with_request(whole);
   }
   scene_ = std::move(scene);
   since_ = {};
-  is_changed_ = true;
+  is_changed_ = is_changed_ || !state_.radiosities;
   if (keeps_factors && state_.problem.empty()) {
-    if (state_.factors) light_anew();
+    state_.factors ? light_anew() : sweep_anew();
     return;
   }
+  is_changed_ = true;
   lighting_.cancel();
   state_.problem.clear();
   prepare_anew();
@@ -51,6 +64,9 @@ void LiveScene3::set(std::shared_ptr<const Scene3> scene) {
 // A tenth of a second between what is told of what runs.
 void LiveScene3::prepare_anew() {
   state_.factors = nullptr;
+  state_.so_far.reset();
+  rows_ = nullptr;
+  watch_->take();  // of the scene before
   preparing_.post([this, simulation = *simulation_](const StageProgress& go_on, const Background::Tell& tell) {
     const auto fail = [this](const std::string& problem) {
       return [this, problem] {
@@ -118,8 +134,38 @@ void LiveScene3::light_anew() {
   });
 }
 
+// Sweeps until next to nothing changes, and tells of each.
+void LiveScene3::sweep_anew() {
+  if (!rows_ || !state_.model || state_.factors) return;
+  const bool goes_on = state_.so_far && state_.so_far->channels == static_cast<std::size_t>(channel_count(*scene_));
+  lighting_.post([this, scene = scene_, model = state_.model, rows = rows_,
+                  from = goes_on ? *state_.so_far : light_before_factors_3(*scene_, state_.model->table)](
+                     const StageProgress& progress, const Background::Tell& tell) {
+    const auto show = [this](const ElementPaint3& light) {
+      return [this, light] {
+        state_.so_far = light;
+        is_changed_ = true;
+      };
+    };
+    RowSweeps3 sweeps(*scene, model->table, *rows, from);
+    for (int k = 0; k < kMostSweepsSoFar; ++k) {
+      progress("sweeps", static_cast<double>(k) / kMostSweepsSoFar);
+      if (sweeps.sweep() < kLeastChange) break;
+      tell(show(sweeps.light()));
+    }
+    return Background::Apply(show(sweeps.light()));
+  });
+}
+
 bool LiveScene3::collect() {
   preparing_.collect();
+  if (auto rows = watch_->take(); rows && state_.model && !state_.factors) {
+    rows_ = std::move(rows);
+    state_.rows = rows_->count;
+    state_.all_rows = rows_->all;
+    is_changed_ = true;
+    sweep_anew();
+  }
   lighting_.collect();
   return std::exchange(is_changed_, false);
 }
@@ -139,7 +185,7 @@ bool LiveScene3::wait(double seconds) {
 }
 
 ElementPaint3 light_before_factors_3(const Scene3& scene, const ElementTable3& table) {
-  constexpr double kAmbient = 0.75, kAbove = 0.25;
+  constexpr double kAmbient = 0.65, kAbove = 0.35;
   const Direction3 above = unit({1, -2, 3});
   ElementPaint3 paint;
   paint.channels = static_cast<std::size_t>(channel_count(scene));

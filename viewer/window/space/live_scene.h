@@ -15,6 +15,7 @@
 #include "viewer/picture/space/element_paint.h"
 #include "viewer/picture/space/smooth_mesh.h"
 #include "viewer/window/background.h"
+#include "viewer/window/space/nearest_rows.h"
 
 namespace hottel {
 
@@ -36,15 +37,20 @@ struct LiveState3 {
   std::shared_ptr<const Scene3> lit;      // the scene that the light is of
   std::optional<Simulation3> simulation;  // of that
   std::optional<Simulation3> whole;       // the same asked for whole polygons: its factors are made when asked for
-  std::string stage;                      // what runs: "view factors 43 %"; empty at rest
-  std::string problem;                    // why there is no light: one line; empty where there is
-  double seconds = 0;                     // from set() until the light was there
+  // The light of the rows that have come, while others have not: after some sweeps. Nothing before the first, and of no
+  // meaning once there are radiosities.
+  std::optional<ElementPaint3> so_far;
+  std::uint32_t rows = 0, all_rows = 0;  // that have come, of
+  std::string stage;                     // what runs: "view factors 43 %"; empty at rest
+  std::string problem;                   // why there is no light: one line; empty where there is
+  double seconds = 0;                    // from set() until the light was there
 };
 
 // Makes the light of the scene that was set last, in the background. All functions are for one thread.
 //
 //   (1) at rest, radiosities are bit for bit those of a new simulation of the scene
-//   (2) what is needed to look at the scene comes first, then its factors, then its light
+//   (2) what is needed to look at the scene comes first, then its factors, those of elements nearest to the eye first
+//       (NearestRows3), and with them light that goes around among the rows that have come, then its light
 //   (3) a scene that differs from the one before in materials alone does not disturb the factors that are there or on
 //       their way, nor the system where it differs in emissions alone, unless other materials are alike than before
 //       (are_alike_as_before_3)
@@ -57,6 +63,9 @@ class LiveScene3 {
   // Throws InputError for a scene that is none (validate).
   void set(std::shared_ptr<const Scene3> scene);
 
+  // Where the eye is: what is near comes first.
+  void look_from(const Direction3& eye) { watch_->look_from(eye); }
+
   // Takes what has come. True where something has changed.
   bool collect();
   bool is_at_rest() const;
@@ -68,13 +77,16 @@ class LiveScene3 {
  private:
   void prepare_anew();
   void light_anew();
+  void sweep_anew();
 
-  const SimulationRequest3 request_;
+  const std::shared_ptr<NearestRows3> watch_;
+  SimulationRequest3 request_;
   std::shared_ptr<const Scene3> scene_;
   std::optional<Simulation3> simulation_;
   LiveState3 state_;
   Stopwatch since_;
   bool is_changed_ = false;
+  std::shared_ptr<const RowsSoFar3> rows_;
   Background preparing_, lighting_;
 };
 

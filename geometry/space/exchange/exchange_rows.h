@@ -1,0 +1,74 @@
+// View factors of a scene in space row by row, in any order.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "geometry/exchange_matrix.h"
+#include "geometry/exchange_request.h"
+#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/exchange_report.h"
+#include "geometry/space/exchange/pair_sums.h"
+#include "geometry/space/exchange/prepared_scene.h"
+
+namespace hottel {
+
+// Measures the pairs of some elements with all others, then of others, until all are there.
+//
+//   (1) a row that has come holds the factors of that element to all that it sees
+//   (2) matrix() is that of exact_exchange, bit for bit, in whatever order and parts rows came; so are the counts
+// Throws as exact_exchange does. REQUIRES that the scene outlives it.
+class ExchangeRows3 {
+ public:
+  // Of the request progress is not called.
+  ExchangeRows3(const PreparedScene3& prepared, const ExchangeRequest& request);
+
+  const ElementTable3& table() const { return table_; }
+  // Whether the element has a row, and it is not there yet.
+  bool is_missing(std::uint32_t label) const { return table_.has_row(label) && has_come_[label] == 0; }
+  std::uint32_t missing() const { return missing_; }
+
+  // Measures all pairs of these elements that were not measured before. Returns them, until the next call. progress:
+  // fraction done, from any thread; may throw to stop: then nothing has come.
+  // COST: that of the pairs, and some ns for each pair of elements that there is.
+  std::span<const PairSum3> add(std::span<const std::uint32_t> labels,
+                                const std::function<void(double)>& progress = {});
+  // All that are missing.
+  void add_all(const std::function<void(double)>& progress = {});
+
+  // F(from, to) of a pair, as a double in its matrix.
+  double factor(const PairSum3& pair, std::uint32_t from) const;
+
+  // As element_corners.
+  std::vector<std::vector<std::array<double, 3>>> corners() const;
+
+  // REQUIRES missing() == 0; may be called once.
+  ExchangeMatrix matrix(ExchangeReport3* report = nullptr);
+
+ private:
+  const PreparedScene3& prepared_;
+  const ExchangeRequest request_;
+  const std::uint64_t most_;  // pairs
+  ElementTable3 table_;
+  ExchangeReport3 report_;
+  std::vector<char> has_come_;  // by element, the sky last
+  std::uint32_t missing_ = 0;
+  std::vector<PairSum3> pairs_;
+};
+
+// Says which rows come first, and is told when they have come.
+class RowWatch3 {
+ public:
+  virtual ~RowWatch3() = default;
+
+  // Returns some elements whose rows are missing. REQUIRES that there are some.
+  virtual std::vector<std::uint32_t> next(const ExchangeRows3& rows) = 0;
+  // They have come, with these pairs.
+  virtual void have_come(const ExchangeRows3& rows, std::span<const PairSum3> pairs) = 0;
+};
+
+}  // namespace hottel
