@@ -230,7 +230,10 @@ std::span<const PairSum3> ExchangeRows3::add(std::span<const std::uint32_t> labe
                               .progress = progress,
                               .turn = &turn},
                              counts);
-  require_measured(table_, sums.failures);
+  const auto is_of_sky = [this](const FailedPair3& failure) { return failure.j == table_.sky(); };
+  const auto of_others = std::stable_partition(sums.failures.begin(), sums.failures.end(), is_of_sky);
+  require_measured(table_, {of_others, sums.failures.end()});
+  without_sky_.insert(without_sky_.end(), sums.failures.begin(), of_others);
   report_ = std::move(counts);
   report_.seconds["pairs"] += watch.lap();
   const std::size_t before = pairs_.size();
@@ -267,6 +270,13 @@ ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {
   Stopwatch watch;
   std::erase_if(pairs_, [](const PairSum3& pair) { return pair.is_zero(); });
   std::ranges::sort(pairs_, {}, [](const PairSum3& pair) { return std::pair(pair.i, pair.j); });
+  if (!without_sky_.empty()) {
+    std::ranges::sort(without_sky_, {}, &FailedPair3::i);
+    PairSums3 sums{std::move(pairs_), std::move(without_sky_)};
+    take_rest_for_sky(table_, request_.tolerance, sums);
+    require_measured(table_, sums.failures);
+    pairs_ = std::move(sums.pairs);
+  }
   report_.surfaces = prepared_.scene.surfaces.size();
   report_.vertices = prepared_.blockers().vertices().size();
   report_.elements = table_.count();

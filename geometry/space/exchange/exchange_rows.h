@@ -21,7 +21,8 @@ namespace hottel {
 //
 //   (1) a row that has come holds the factors of that element to all that it sees
 //   (2) matrix() is that of exact_exchange, bit for bit, in whatever order and parts rows came; so are the counts
-// Throws as exact_exchange does. REQUIRES that the scene outlives it.
+//   (3) an element whose pair with the sky cannot be measured has none until all rows are there (take_rest_for_sky)
+// Throws as exact_exchange does, of pairs with the sky at the end. REQUIRES that the scene outlives it.
 class ExchangeRows3 {
  public:
   // Of the request progress is not called.
@@ -58,6 +59,7 @@ class ExchangeRows3 {
   std::vector<char> has_come_;  // by element, the sky last
   std::uint32_t missing_ = 0;
   std::vector<PairSum3> pairs_;
+  std::vector<FailedPair3> without_sky_;  // pairs with the sky that could not be measured
 };
 
 // Says which rows come first, and is told when they have come.

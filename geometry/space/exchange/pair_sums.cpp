@@ -189,9 +189,51 @@ std::vector<PairSum3> by_elements(std::vector<PairSum3> pairs) {
   return pairs;
 }
 
-// What an element does not send to anything it sends to the sky. Where that is known so within the tolerance it takes
-// the place of what could not be measured: of the sky's far walls, next to which a small thing, or one that is very far
-// from the others, is too little for doubles.
+}  // namespace
+
+PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, const PairSumRequest3& request,
+                    ExchangeReport3& report) {
+  const Measuring measuring(prepared, table, request);
+  const Tasks& tasks = measuring.tasks();
+  std::vector<Found> found(tasks.count());
+  ProgressCount progress(request.progress, tasks.count());
+  std::atomic<std::uint64_t> found_pairs{0};
+  std::mutex together;
+  parallel_ranges(tasks.count(), 1, [&](std::size_t begin, std::size_t end) {
+    ExchangeReport3 counts;
+    for (std::size_t t = begin; t < end; ++t) {
+      measuring.run(tasks[t], found[t], counts);
+      found[t].pairs.shrink_to_fit();
+      const std::size_t more = found[t].pairs.size();
+      if (found_pairs.fetch_add(more, std::memory_order_relaxed) + more > request.most_pairs)
+        throw RequestError("more than " + std::to_string(request.most_pairs) +
+                           " pairs see each other: they need more memory than is allowed");
+      progress.add();
+    }
+    const std::lock_guard lock(together);
+    add_counts(report, counts);
+  });
+
+  PairSums3 result;
+  result.pairs.reserve(found_pairs);
+  for (Found& some : found) {
+    result.pairs.insert(result.pairs.end(), some.pairs.begin(), some.pairs.end());
+    result.failures.insert(result.failures.end(), some.failures.begin(), some.failures.end());
+    some = {};
+  }
+  for (const ElementTable3::Contact& contact : table.contacts()) {
+    const std::uint32_t i = std::min(contact.mask, contact.base), j = std::max(contact.mask, contact.base);
+    if (request.turn != nullptr && !request.turn->has(i, j)) continue;
+    const double area = contact.extent.value;
+    result.pairs.push_back({.i = i, .j = j, .measure = area, .bounds = contact.extent.enclosure(), .alone = area});
+  }
+  result.pairs = by_elements(std::move(result.pairs));
+  std::stable_sort(result.failures.begin(), result.failures.end(), [](const FailedPair3& a, const FailedPair3& b) {
+    return std::pair(a.i, a.j) < std::pair(b.i, b.j);
+  });
+  return result;
+}
+
 void take_rest_for_sky(const ElementTable3& table, double tolerance, PairSums3& sums) {
   constexpr double kRounding = 0x1p-48;
   std::vector<char> has_other_failure(table.count(), 0), wants(table.count(), 0);
@@ -235,52 +277,6 @@ void take_rest_for_sky(const ElementTable3& table, double tolerance, PairSums3& 
         [](const PairSum3& a, const PairSum3& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
     sums.pairs.insert(place, rest[i]);
   }
-}
-
-}  // namespace
-
-PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, const PairSumRequest3& request,
-                    ExchangeReport3& report) {
-  const Measuring measuring(prepared, table, request);
-  const Tasks& tasks = measuring.tasks();
-  std::vector<Found> found(tasks.count());
-  ProgressCount progress(request.progress, tasks.count());
-  std::atomic<std::uint64_t> found_pairs{0};
-  std::mutex together;
-  parallel_ranges(tasks.count(), 1, [&](std::size_t begin, std::size_t end) {
-    ExchangeReport3 counts;
-    for (std::size_t t = begin; t < end; ++t) {
-      measuring.run(tasks[t], found[t], counts);
-      found[t].pairs.shrink_to_fit();
-      const std::size_t more = found[t].pairs.size();
-      if (found_pairs.fetch_add(more, std::memory_order_relaxed) + more > request.most_pairs)
-        throw RequestError("more than " + std::to_string(request.most_pairs) +
-                           " pairs see each other: they need more memory than is allowed");
-      progress.add();
-    }
-    const std::lock_guard lock(together);
-    add_counts(report, counts);
-  });
-
-  PairSums3 result;
-  result.pairs.reserve(found_pairs);
-  for (Found& some : found) {
-    result.pairs.insert(result.pairs.end(), some.pairs.begin(), some.pairs.end());
-    result.failures.insert(result.failures.end(), some.failures.begin(), some.failures.end());
-    some = {};
-  }
-  for (const ElementTable3::Contact& contact : table.contacts()) {
-    const std::uint32_t i = std::min(contact.mask, contact.base), j = std::max(contact.mask, contact.base);
-    if (request.turn != nullptr && !request.turn->has(i, j)) continue;
-    const double area = contact.extent.value;
-    result.pairs.push_back({.i = i, .j = j, .measure = area, .bounds = contact.extent.enclosure(), .alone = area});
-  }
-  result.pairs = by_elements(std::move(result.pairs));
-  std::stable_sort(result.failures.begin(), result.failures.end(), [](const FailedPair3& a, const FailedPair3& b) {
-    return std::pair(a.i, a.j) < std::pair(b.i, b.j);
-  });
-  take_rest_for_sky(table, request.tolerance, result);
-  return result;
 }
 
 std::uint64_t estimated_pairs(const PreparedScene3& prepared, const ElementTable3& table) {

@@ -62,15 +62,18 @@ struct PairSums3 {
 //   (2) the same bit for bit for any number of threads: patches are summed in their order
 //   (3) a pair (i, i), of a group, counts both directions of a line
 //   (4) contacts of masks are pairs like others: whole, and as large as what they share
-//   (5) an element whose pair with the sky cannot be measured has what its other pairs leave of its area there, where
-//   that
-//       is known within the tolerance: its row then closes by definition
-//   (6) adds to the hidden, clear and mixed pairs, the maps, pieces, nodes and signs of the report
+//   (5) adds to the hidden, clear and mixed pairs, the maps, pieces, nodes and signs of the report
 //
 // Throws Interrupted where it is asked to stop.
 // COST: parallel; that of measuring each pair of faces that face each other, and 50 ns for each other pair.
 PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, const PairSumRequest3& request,
                     ExchangeReport3& report);
+
+// Gives elements whose pair with the sky could not be measured what their other pairs leave of their areas, where that
+// is known within the tolerance, and more than its error: their rows then close by definition. Next to a small thing,
+// or one that is very far from the others, doubles have too few digits for the far walls of the sky, and enough for
+// these. REQUIRES all pairs of these elements, in order.
+void take_rest_for_sky(const ElementTable3& table, double tolerance, PairSums3& sums);
 
 // Returns about how many pairs of patches exchange light, from 512 drawn by a fixed seed and measured. The same scene
 // always gives the same estimate. It may be wrong either way.
