@@ -30,8 +30,9 @@ TEST(Space, CommandsOfThePlaneRefuseItWithThreeAndSayWhatWorks) {
   const Workplace place;
   place.write("room.json", contents(scene_file("cube.json")));
   place.write("room.obj", kTriangle);
+  place.write("p.csv", "x,y\n1,1\n");
   const std::vector<std::string> before = place.files();
-  for (const char* command : {"visibility S --events", "reference out S", "view S --screenshot a.png"})
+  for (const char* command : {"visibility S --events", "visibility S --edge floor", "visibility S --points p.csv"})
     for (const char* scene : {"room.json", "room.obj"}) {
       std::string line = std::string("hottel ") + command;
       line.replace(line.find('S'), 1, scene);
@@ -43,7 +44,7 @@ TEST(Space, CommandsOfThePlaneRefuseItWithThreeAndSayWhatWorks) {
       EXPECT_EQ(lines[0], std::string(scene) + (scene == std::string("room.json") ? ":3" : "") +
                               ": the scene is in space (dimension 3); this command works in the plane")
           << line;
-      EXPECT_THAT(lines[1], HasSubstr("`hottel convert`")) << line;
+      EXPECT_THAT(lines[1], HasSubstr("in space all commands work but for `hottel visibility` with ")) << line;
     }
   EXPECT_EQ(place.files(), before);
 }
