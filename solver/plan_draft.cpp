@@ -6,11 +6,9 @@
 #include <cmath>
 #include <utility>
 
-namespace hottel {
+#include "kernel/support/counted.h"
 
-std::string plural(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
+namespace hottel {
 
 PlanDraft::PlanDraft(const SceneTable& scene, const PlanRequest& request, SurfaceWords words)
     : scene_(scene), request_(request), words_(std::move(words)) {}
@@ -47,7 +45,7 @@ void PlanDraft::add_as_asked(const char* effect, bool is_asked, const std::strin
 
 void PlanDraft::add_back_faces() {
   const std::size_t backs = count([](const Surface& surface) { return surface.back.has_value(); });
-  add(Plan::kBackFaces, backs > 0, plural(backs, "back") + " with a material",
+  add(Plan::kBackFaces, backs > 0, counted(backs, "back") + " with a material",
       "no back has a material: backs are black and have no row");
 }
 
@@ -82,7 +80,7 @@ void PlanDraft::add_unreachable(bool is_one_room) {
 
 void PlanDraft::add_lights() { effects_.push_back({Plan::kLights, false, "the scene lists none"}); }
 
-std::string PlanDraft::count_text(std::size_t count) const { return plural(count, words_.one); }
+std::string PlanDraft::count_text(std::size_t count) const { return counted(count, words_.one); }
 
 bool PlanDraft::reflects() const {
   return has_material([](const Material& material) { return !material.reflectivity.is_zero(); });

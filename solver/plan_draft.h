@@ -57,7 +57,4 @@ class PlanDraft {
   std::vector<PlannedEffect> effects_;
 };
 
-// "1 cell", "7 cells".
-std::string plural(std::size_t count, const std::string& noun);
-
 }  // namespace hottel

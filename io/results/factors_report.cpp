@@ -35,19 +35,19 @@ std::string factors_json(const FactorsReport& report) {
 
 std::string factors_text(const FactorsReport& report) {
   const ExchangeReport& counts = report.of_method.counts;
-  const char* const noun = plural(report.granularity);
+  const std::string rows = counted(counts.elements, report.granularity);
   double seconds = 0;
   for (const auto& [stage, time] : counts.seconds) seconds += time;
   if (!report.is_exact()) {
-    std::string text = fmt::format("{} factors of {} {}; {:.3f} s", counts.pairs, counts.elements, noun, seconds);
+    std::string text = fmt::format("{} of {}; {:.3f} s", counted(counts.pairs, "factor"), rows, seconds);
     for (const std::string& note : report.of_method.notes) text += "\n" + note;
     return text;
   }
   std::string text = fmt::format(
-      "{} visible pairs of {} {}, every factor correctly rounded; rows close exactly\n"
+      "{} of {}, every factor correctly rounded; rows close exactly\n"
       "settled by: {} without rounding, {} in 128-bit fixed point, {} by balls, {} by root sums; {:.3f} s",
-      counts.pairs, counts.elements, noun, counts.tiers.by_tier[0], counts.tiers.by_tier[1], counts.tiers.by_tier[2],
-      counts.tiers.by_tier[3], seconds);
+      counted(counts.pairs, "visible pair"), rows, counts.tiers.by_tier[0], counts.tiers.by_tier[1],
+      counts.tiers.by_tier[2], counts.tiers.by_tier[3], seconds);
   if (report.gray) text += "\n" + gray_text(*report.gray);
   return text;
 }

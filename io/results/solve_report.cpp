@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "kernel/support/counted.h"
 #include "kernel/version.h"
 
 namespace hottel {
@@ -115,14 +116,16 @@ std::string flux_text(const std::vector<NetFlux>& groups) {
 std::string solve_text(const SolveReport& report) {
   const FactorCounts& factors = report.factors;
   const RadiositySolution& solution = *report.solution;
-  std::string text = fmt::format("{} surfaces, {} elements, {} vertices, {} visible pairs\n", factors.surfaces,
-                                 factors.elements, factors.vertices, factors.pairs);
-  text += solution.factorizations == 0
-              ? "radiosity is emission: nothing had to be solved\n"
-              : fmt::format(
-                    "radiosity by {}: {} unknowns in {} components, {} channel{}, bounds within {:.1e} of the value\n",
-                    to_string(solution.used), solution.unknowns, solution.components, solution.channels.size(),
-                    solution.channels.size() == 1 ? "" : "s", solution.max_relative_width);
+  std::string text =
+      fmt::format("{}, {}, {}, {}\n", counted(factors.surfaces, "surface"), counted(factors.elements, "element"),
+                  factors.vertices == 1 ? "1 vertex" : std::to_string(factors.vertices) + " vertices",
+                  counted(factors.pairs, "visible pair"));
+  text +=
+      solution.factorizations == 0
+          ? "radiosity is emission: nothing had to be solved\n"
+          : fmt::format("radiosity by {}: {} in {}, {}, bounds within {:.1e} of the value\n", to_string(solution.used),
+                        counted(solution.unknowns, "unknown"), counted(solution.components, "component"),
+                        counted(solution.channels.size(), "channel"), solution.max_relative_width);
   text +=
       fmt::format("energy: emitted {:.6g}, absorbed {:.6g}, to the sky {:.6g}, defect {:.1e}\n",
                   solution.energy.emitted, solution.energy.absorbed, solution.energy.to_sky, solution.energy.defect);

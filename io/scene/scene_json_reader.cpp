@@ -15,12 +15,11 @@ namespace {
 
 constexpr const char* kInThePlaneOnly = "the scene is in space (dimension 3); this command works in the plane";
 constexpr const char* kInSpaceOnly = "the scene is in the plane (dimension 2); this command works in space";
-// What this version does with scenes in space.
+// What is there in space.
 constexpr const char* kDoneInSpace =
-    "of scenes in space `hottel factors` computes the view factors, `hottel visibility SCENE` tells with --at X,Y,Z "
-    "what "
-    "a point sees and with --from A --to B what two faces exchange, `hottel plan` what they call for, and `hottel "
-    "convert` rewrites them";
+    "in space all commands work but for `hottel visibility` with --points, --edge or --events: with --at X,Y,Z "
+    "it tells what a point sees, with --on NAME --at S,T a point of a face, and with --from A --to B what two faces "
+    "exchange";
 
 // The value of a member of the scene, one of those allowed.
 JsonValue version(const JsonValue& root, std::string_view key, std::initializer_list<const char*> allowed) {

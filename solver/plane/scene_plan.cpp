@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernel/support/counted.h"
 #include "solver/plan_draft.h"
 
 namespace hottel {
@@ -26,7 +27,7 @@ Plan plan_scene(const Scene2& scene, const PlanRequest& request) {
   draft.add_channels();
   draft.add_interreflection(n);
   draft.add_unreachable(is_convex);
-  draft.add(Plan::kIllumination, request.grid_cells > 0, plural(request.grid_cells, "cell"), "no grid is asked for",
+  draft.add(Plan::kIllumination, request.grid_cells > 0, counted(request.grid_cells, "cell"), "no grid is asked for",
             static_cast<double>(request.grid_cells) * std::min(n, 400.0) * kSecondsPerCellAndEdge);
   draft.add_lights();
   return draft.take();

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "kernel/support/failure.h"
 #include "solver/radiosity/irradiance.h"
+#include "solver/radiosity/open_bounds.h"
 #include "solver/radiosity/printed_number.h"
 
 namespace hottel {
@@ -67,6 +70,9 @@ void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Materia
 void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Spectrum>& reflectivity,
                          const RadiositySources& sources, RadiositySolution& solution) {
   HOTTEL_REQUIRE(solution.guarantee != Guarantee::kEstimated);
+  const std::vector<std::string> before = notes_of_open_bounds(matrix, solution);
+  std::erase_if(solution.notes,
+                [&](const std::string& note) { return std::find(before.begin(), before.end(), note) != before.end(); });
   solution.max_relative_width = 0;
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
     ChannelSolution& channel = solution.channels[c];
@@ -97,6 +103,7 @@ void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Spectru
     if (is_any_moved) set_irradiances(matrix, sources, of, channel);
     solution.max_relative_width = std::max(solution.max_relative_width, channel.max_relative_width);
   }
+  for (std::string& note : notes_of_open_bounds(matrix, solution)) solution.notes.push_back(std::move(note));
 }
 
 }  // namespace hottel

@@ -9,6 +9,7 @@
 #include "solver/radiosity/enclosed_radiosity.h"
 #include "solver/radiosity/faint_radiosities.h"
 #include "solver/radiosity/matrix_checks.h"
+#include "solver/radiosity/open_bounds.h"
 
 namespace hottel {
 
@@ -54,6 +55,7 @@ RadiositySolution RadiositySolver::solve(const RadiositySources& sources,
   RadiositySolution solution = parts_->radiosity.solve(sources, options);
   solution.closure_defect = parts_->closure_defect;
   solution.reciprocity_defect = parts_->reciprocity_defect;
+  for (std::string& note : notes_of_open_bounds(matrix, solution)) solution.notes.push_back(std::move(note));
   if (matrix.guarantee() == Guarantee::kEstimated)
     solution.guarantee = Guarantee::kEstimated;
   else  // the faint radiosities of estimates are what they are: estimates

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "kernel/support/failure.h"
@@ -13,7 +12,6 @@
 namespace hottel {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kDefaultUntil = 1e-12;
 constexpr int kDefaultIterations = 10'000;
 constexpr int kDefaultShots = 100'000;
@@ -84,8 +82,6 @@ CertifiedBounds SystemSolver::solve(const Sources& sources, const ErrorTerms& te
   if (system.rows_are_closed()) kept_.wide.narrow(sources, {is_refined(), !is_refined()}, bounds);
   times.lap("certificate");
   if (system.matrix().guarantee() == Guarantee::kExact) require_bounds(system, bounds);
-  if (const auto open = std::count(bounds.upper.begin(), bounds.upper.end(), kInfinity); open > 0)
-    notes.insert(fmt::format("no upper bound could be proven for {} of {} radiosities", open, bounds.upper.size()));
   return bounds;
 }
 

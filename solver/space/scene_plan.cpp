@@ -11,6 +11,7 @@
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/facing.h"
 #include "geometry/space/scene/division.h"
+#include "kernel/support/counted.h"
 #include "solver/plan_draft.h"
 
 namespace hottel {
@@ -83,7 +84,7 @@ std::string short_count(double count) {
 void add_groups(const Scene3& scene, PlanDraft& draft) {
   const std::vector<std::size_t> sizes = group_sizes(scene);
   const auto count = static_cast<std::size_t>(std::ranges::count_if(sizes, [](std::size_t size) { return size > 1; }));
-  draft.add(Plan::kGroups, count > 0, plural(count, "group") + " of several polygons: a row each with --per group",
+  draft.add(Plan::kGroups, count > 0, counted(count, "group") + " of several polygons: a row each with --per group",
             "every polygon is a group of its own");
 }
 
@@ -92,7 +93,7 @@ void add_light(const Scene3& scene, const PlanRequest& request, std::uint64_t ro
   const double seconds_per_cell = static_cast<double>(scene.polygons.size()) * kSecondsPerMap +
                                   (is_divided(scene) ? static_cast<double>(rows) * kSecondsPerPart : 0);
   draft.add_as_asked(Plan::kIllumination, request.grid_cells > 0,
-                     "light between the faces, " + plural(request.grid_cells, "cell"), "no grid is asked for",
+                     "light between the faces, " + counted(request.grid_cells, "cell"), "no grid is asked for",
                      static_cast<double>(request.grid_cells) * seconds_per_cell);
   const Camera3 usual, &camera = scene.camera ? *scene.camera : usual;
   draft.add(Plan::kPicture, !scene.surfaces.empty(),
@@ -113,7 +114,7 @@ Plan plan_scene(const Scene3& scene, const PlanRequest& request) {
   const double pairs = faces.facing_pairs();
   PlanDraft draft(scene, request, {.one = "polygon", .across = "across polygons"});
   draft.add(Plan::kExchange, !is_empty,
-            fmt::format("{}, about {} pairs that face each other", plural(faces.rows(), "row"), short_count(pairs)),
+            fmt::format("{}, about {} pairs that face each other", counted(faces.rows(), "row"), short_count(pairs)),
             "the scene is empty", pairs * kSecondsPerPair);
   draft.add(Plan::kOcclusion, hides, draft.count_text(scene.surfaces.size()) + " that may hide each other, or the sky",
             is_empty  ? "the scene is empty"

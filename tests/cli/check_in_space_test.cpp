@@ -136,6 +136,46 @@ TEST(CheckInSpace, FixJoinsWhatSixDigitsParted) {
   EXPECT_EQ(place.read("u.json"), place.read("t.json"));
 }
 
+TEST(CheckInSpace, AClosedMeshWithItsFrontsInwardIsNotToBeClosed) {
+  // A lamp that floats in a room: a cube that shines into itself.
+  std::string polygons;
+  const auto add_cube = [&](const char* group, const char* material, char low, char high, std::size_t count) {
+    const char* const kFaces[6] = {"100110010000", "011111101001", "001101100000",
+                                   "111011010110", "011001000010", "101111110100"};
+    for (std::size_t face = 0; face < count; ++face) {
+      polygons += std::string(polygons.empty() ? "" : ", ") + R"({"name": ")" + group + std::to_string(face) +
+                  R"(", "group": ")" + group + R"(", "material": ")" + material + R"(", "points": [)";
+      for (int k = 0; k < 12; ++k) {
+        polygons += k % 3 == 0 ? (k > 0 ? ", [" : "[") : ", ";
+        polygons += kFaces[face][k] == '1' ? high : low;
+        if (k % 3 == 2) polygons += ']';
+      }
+      polygons += "]}";
+    }
+  };
+  const auto suggestions = [&](std::size_t faces_of_lamp) {
+    polygons.clear();
+    add_cube("room", "w", '0', '4', 6);
+    add_cube("lamp", "e", '1', '2', faces_of_lamp);
+    const Workplace place;
+    place.write("s.json", R"({"hottel": 1, "dimension": 3, "materials": {"w": {"reflectivity": 0.5},
+        "e": {"reflectivity": 0.2, "emission": 1}}, "polygons": [)" +
+                              polygons + "]}");
+    const Json report = Json::parse(place.run("hottel check s.json --json").out);
+    std::map<std::string, int> result;
+    for (const auto& finding : report["findings"])
+      if (finding["kind"] == "black-back" && finding["surfaces"] == Json({"lamp0"}))
+        ++result[finding["suggestion"].get<std::string>()];
+    return result;
+  };
+  EXPECT_EQ(suggestions(6), (Kinds{{"'lamp' is closed with its fronts inward: for a body list the points of each "
+                                    "polygon the other way round; else give 'lamp0' a \"back\"",
+                                    1}}));
+  EXPECT_EQ(suggestions(5), (Kinds{{"close the mesh 'lamp', its bottom too, where nothing is in it; else give 'lamp0' "
+                                    "a \"back\"",
+                                    1}}));
+}
+
 TEST(CheckInSpace, FixWithoutADistanceReversesWhatIsUpsideDown) {
   const Workplace place;
   std::string text = contents(scene_file("cube.json"));

@@ -336,7 +336,7 @@ TEST_F(Deck, IsWrittenForFacesUnlessGroupsAreAskedFor) {
   const Outcome outcome = run("convert boxes.json faces.vs3 && hottel convert boxes.json groups.vs3 --per group");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("materials that are not gray have the mean of their channels"));
-  EXPECT_THAT(outcome.err, HasSubstr("1 backs with a material are surfaces NAME-back"));
+  EXPECT_THAT(outcome.err, HasSubstr("1 back with a material is a surface NAME-back"));
   EXPECT_THAT(place_.read("faces.vs3"), HasSubstr("   0 0   0.25   low.side_1\n"));
   EXPECT_THAT(place_.read("groups.vs3"), HasSubstr("   0 9   0.25   low.side_1\n"));
   EXPECT_EQ(numbers_of(text_of("faces.vs3")[0].substr(12)).back(), 18);

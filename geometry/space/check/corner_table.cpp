@@ -108,6 +108,10 @@ std::vector<CornerTable3::Edge> CornerTable3::edges() const {
   return result;
 }
 
+bool CornerTable3::lies_on(std::uint32_t c, std::uint32_t from, std::uint32_t to) const {
+  return closest_point(Side3{points[from], points[to]}, points[c]).squared == 0;
+}
+
 double width_above(const CornerTable3& corners, std::uint32_t s) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [from, to] : corners.sides[s]) {
@@ -120,7 +124,8 @@ double width_above(const CornerTable3& corners, std::uint32_t s) {
       const double t =
           whole > 0 ? std::clamp((along.x * way.x + along.y * way.y + along.z * way.z) / whole, 0.0, 1.0) : 0;
       const double distance = std::hypot(way.x - t * along.x, way.y - t * along.y, way.z - t * along.z);
-      least = std::min(least, distance + 4 * (way.error + along.error) + 0x1p-50 * (way.size + along.size));
+      const double above = distance + 4 * (way.error + along.error) + 0x1p-50 * (way.size + along.size);
+      if (above < least && !corners.lies_on(c, from, to)) least = above;
     }
   }
   return least;

@@ -30,6 +30,8 @@ struct CornerTable3 {
 
   Box3 box_of_corner(std::uint32_t c) const;
   Box3 box_of_polygon(std::uint32_t s) const;
+  // Whether a corner lies on the side between two others, exactly.
+  bool lies_on(std::uint32_t c, std::uint32_t from, std::uint32_t to) const;
 
   // The sides of all polygons without regard to their direction, each once: its corners, and the polygons that have it.
   struct Edge {

@@ -88,8 +88,8 @@ Rational squared_width(const Polygon3& polygon) {
   for (const Side3& side : sides_of(polygon))
     for (const Point3& corner : corners_of(polygon)) {
       if (corner == side.from || corner == side.to) continue;
-      if (Rational squared = closest_point(side, corner).squared; !least || squared < *least)
-        least = std::move(squared);
+      Rational squared = closest_point(side, corner).squared;
+      if (squared != 0 && (!least || squared < *least)) least = std::move(squared);
     }
   return least.value_or(0);
 }

@@ -37,8 +37,10 @@ std::optional<Side3> closest_insides(const Side3& a, const Side3& b);
 // Where a segment that is not in the plane of a polygon meets it; nothing where it does not.
 std::optional<Point3> meeting_point(const Polygon3& polygon, const Side3& segment);
 
-// Returns the squared width of a polygon: the least distance of a corner from a side that does not end there. It is at
+// Returns the squared width of a polygon: the least distance of a corner from a side that it does not lie on. It is at
 // most the shortest side; of a needle it is little. COST: quadratic in the corners.
+//
+//   (1) above 0: a hole that touches the outline, or another hole, is no narrow place
 Rational squared_width(const Polygon3& polygon);
 
 }  // namespace hottel

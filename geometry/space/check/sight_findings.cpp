@@ -151,14 +151,23 @@ class SightTeller {
       std::string message = fmt::format("the back of {} is black: there {} loses F = {} of its light",
                                         quoted_name(scene_.surfaces[s].name), name(from), shortest(factor));
       if (faces > 1) message += fmt::format(", the most of {} faces", faces);
-      const Surface& surface = scene_.surfaces[s];
-      const bool is_of_mesh = std::count_if(scene_.surfaces.begin(), scene_.surfaces.end(),
-                                            [&](const Surface& other) { return other.group == surface.group; }) > 1;
-      add(Severity::kWarning, "black-back", {s}, std::move(message),
-          is_of_mesh ? fmt::format("close the mesh {}, its bottom too, where nothing is in it; else give {} a \"back\"",
-                                   quoted_name(scene_.groups[surface.group].name), quoted_name(surface.name))
-                     : fmt::format("give {} a \"back\"", quoted_name(surface.name)));
+      add(Severity::kWarning, "black-back", {s}, std::move(message), remedy(scene_.surfaces[s]));
     }
+  }
+
+  std::string remedy(const Surface& surface) const {
+    const std::string give = fmt::format("give {} a \"back\"", quoted_name(surface.name)),
+                      mesh = quoted_name(scene_.groups[surface.group].name);
+    const bool is_of_mesh = std::count_if(scene_.surfaces.begin(), scene_.surfaces.end(),
+                                          [&](const Surface& other) { return other.group == surface.group; }) > 1;
+    if (!is_of_mesh) return give;
+    if (meshes_.is_room[surface.group] != 0)
+      return fmt::format(
+          "{} is closed with its fronts inward: for a body list the points of each polygon the other way "
+          "round; else {}",
+          mesh, give);
+    if (meshes_.is_closed[surface.group] != 0) return give;
+    return fmt::format("close the mesh {}, its bottom too, where nothing is in it; else {}", mesh, give);
   }
 
   void tell_covered(std::uint32_t face) {

@@ -20,7 +20,8 @@ inline constexpr double kLeakPart3 = 1.0 / 64;
 //   inside-out       a warning: the fronts of a closed mesh look inward, where they see nothing but each other and
 //                    nothing emits, and others see their black backs. A note where nobody does
 //   black-back       a warning, once a back: a face with a material sees a back without one; with the largest F that is
-//                    lost and the face that loses it. Not of backs that inside-out or upside-down tells of
+//                    lost and the face that loses it. Not of backs that inside-out or upside-down tells of. What to do
+//                    depends on the group: it is to be closed, or it is, with its fronts on the wrong side
 //   sees-only-backs  a note: a face with a material sees nothing but backs without one
 //   covered          a note, a warning where it emits: nothing is left of a face with a material (it has no row)
 //   sees-only-sky    a note, of a whole group: none of its faces sees anything but the sky

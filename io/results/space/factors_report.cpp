@@ -63,11 +63,11 @@ std::string factors_text(const FactorsReport3& report) {
   double seconds = 0;
   for (const auto& [stage, time] : counts.seconds) seconds += time;
   if (!report.notes.empty())
-    return fmt::format("{} view factors of {} {}; {:.3f} s\n{}", counts.pairs, counts.elements,
-                       plural(report.granularity), seconds, fmt::join(report.notes, "\n"));
+    return fmt::format("{} of {}; {:.3f} s\n{}", counted(counts.pairs, "view factor"),
+                       counted(counts.elements, report.granularity), seconds, fmt::join(report.notes, "\n"));
   const std::uint64_t estimated = counts.pairs - counts.enclosed;
   std::string text =
-      fmt::format("{} visible pairs of {} {}, ", counts.pairs, counts.elements, plural(report.granularity));
+      fmt::format("{} of {}, ", counted(counts.pairs, "visible pair"), counted(counts.elements, report.granularity));
   text += estimated == 0
               ? fmt::format("every factor enclosed within {} of the smaller area", shortest(report.tolerance))
               : fmt::format("{} enclosed and {} estimated within {} of the smaller area", counts.enclosed, estimated,

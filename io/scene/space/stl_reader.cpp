@@ -6,6 +6,7 @@
 #include "geometry/name.h"
 #include "io/scene/binary_values.h"
 #include "io/scene/text_words.h"
+#include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -101,8 +102,8 @@ bool is_text(std::string_view bytes) {
     why += "it has " + std::to_string(bytes.size()) + " bytes where a binary one has 84 or more";
   } else {
     const std::size_t count = triangles_of(bytes);
-    why = "has " + std::to_string(bytes.size()) + " bytes, and as a binary file with " + std::to_string(count) +
-          " triangles (byte 80) it would have " + std::to_string(kFirstTriangle + kTriangleBytes * count);
+    why = "has " + std::to_string(bytes.size()) + " bytes, and as a binary file with " + counted(count, "triangle") +
+          " (byte 80) it would have " + std::to_string(kFirstTriangle + kTriangleBytes * count);
   }
   throw InputError({file, 0}, why);
 }

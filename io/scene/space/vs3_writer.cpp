@@ -257,7 +257,8 @@ class DeckWriter3 {
     note_if(has_rounded_emittance_, "emittances that are no short decimals are rounded to the nearest doubles");
     note_if(has_colours_, "materials that are not gray have the mean of their channels");
     note_if(is_clamped_, "View3D takes 0.001 for emittances below it, and 0.999 for those above");
-    note_if(backs_ > 0, fmt::format("{} backs with a material are surfaces NAME-back", backs_));
+    note_if(backs_ > 0, backs_ == 1 ? std::string("1 back with a material is a surface NAME-back")
+                                    : fmt::format("{} backs with a material are surfaces NAME-back", backs_));
     note_if(
         std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& s) { return !s.back && !s.is_obstruction; }),
         "black backs are not in the deck: View3D's surfaces have one side");

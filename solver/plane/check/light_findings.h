@@ -13,12 +13,10 @@ inline constexpr double kManyIterations = 1000;
 
 // Kinds: no-solution, beyond-doubles (errors), all-reflecting, dark, slow-convergence, no-light, unused-material.
 //
-//   (1) no-solution is told iff solve_radiosity refuses the scene for a component that reflects all light and emits
-//   (2) else beyond-doubles is told iff solve_radiosity refuses the scene, or require_doubles its solution
-//   (3) the iterations of slow-convergence are what a bound from below of the spectral radius asks for
+//   (1) errors are those of light_errors (solver/check)
+//   (2) the iterations of slow-convergence are what a bound from below of the spectral radius asks for
 // REQUIRES: the exact matrix of the scene, by faces or by elements.
-// COST: a few passes over the matrix; that of solve_radiosity (which reports to `progress`) where numbers are not
-// between 1e-60 and 1e60.
+// COST: that of light_errors, which reports to `progress`.
 Findings2 light_findings(const Scene2& scene, const ExchangeMatrix& matrix,
                          const std::function<void(double)>& progress = {});
 

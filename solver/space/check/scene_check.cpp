@@ -13,8 +13,11 @@
 #include "geometry/space/check/near_contacts.h"
 #include "geometry/space/check/sight_findings.h"
 #include "geometry/space/check/solid_findings.h"
+#include "geometry/space/check/wording.h"
 #include "geometry/space/exchange/prepared_scene.h"
 #include "kernel/support/failure.h"
+#include "solver/check/light_errors.h"
+#include "solver/check/light_fates.h"
 #include "solver/space/check/middle_views.h"
 
 namespace hottel {
@@ -78,6 +81,18 @@ std::shared_ptr<const PreparedScene3> prepared_scene(const Scene3& scene, const 
   }
 }
 
+// What `solve` would refuse; without all view factors, of what is given only.
+void tell_light_errors(const Scene3& scene, const ExchangeMatrix& matrix, bool is_whole, Findings3& findings) {
+  for (LightError& error : is_whole ? light_errors(scene, matrix, light_fates(scene, matrix), "area")
+                                    : size_errors(scene, matrix, "area")) {
+    Finding3 finding{Severity::kError, std::move(error.kind), std::move(error.surfaces)};
+    if (!finding.surfaces.empty()) finding.at = middle(scene.polygons[finding.surfaces.front()]);
+    finding.message = std::move(error.message);
+    finding.suggestion = std::move(error.suggestion);
+    findings.push_back(std::move(finding));
+  }
+}
+
 void check_light(const PreparedScene3& prepared, const Meshes3& meshes, const CheckSources3& sources,
                  SceneCheck3& check) {
   const std::size_t count = faces_with_material(prepared.scene);
@@ -93,6 +108,7 @@ void check_light(const PreparedScene3& prepared, const Meshes3& meshes, const Ch
     return;
   }
   append(check.findings, sight_findings(prepared.scene, meshes, *matrix, is_whole));
+  tell_light_errors(prepared.scene, *matrix, is_whole, check.findings);
   if (!is_whole)
     tell_unchecked(
         fmt::format("the scene has {} faces with a material, and it was looked from the middle of {} of them", count,

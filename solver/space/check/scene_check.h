@@ -19,7 +19,9 @@ inline constexpr std::size_t kMostFacesChecked3 = 200, kMostLooks3 = 300;
 // What was found, and the view factors that it took.
 //
 //   (1) findings are sorted (sort_findings); docs/check.md has their kinds
-//   (2) an error is told where the scene cannot be prepared (conflicting-claims), or its promise "closed" is broken
+//   (2) an error is told where the scene cannot be prepared (conflicting-claims), its promise "closed" is broken, or
+//       solve_radiosity, or require_doubles of its solution, refuses the factors (light_errors); where there are more
+//       faces than kMostFacesChecked3, of the last only where sizes or emissions are beyond doubles
 //   (3) factors: by faces; nothing where claims conflict, memory does not suffice, or there are more faces than
 //       kMostFacesChecked3 (light-not-checked says so, and what was looked at instead)
 struct SceneCheck3 {

@@ -131,7 +131,7 @@ TEST(Vs3Writer, BacksWithAMaterialAreSurfacesOfTheirOwn) {
   EXPECT_THAT(deck.text, HasSubstr("S 1  1 2 3 4   0 0   0.8   fin\nS 2  1 4 3 2   0 0   0.7   fin-back\n"
                                    "S 3  5 6 7 0   0 0   0.7   floor_of_it\nO 4  8 9 10 0\nEnd\n"));
   EXPECT_THAT(deck.notes, IsSupersetOf({StartsWith("materials that are not gray have the mean"),
-                                        StartsWith("1 backs with a material are surfaces NAME-back"),
+                                        StartsWith("1 back with a material is a surface NAME-back"),
                                         StartsWith("a deck does not say what surfaces and the sky emit"),
                                         StartsWith("1 names have '_'")}));
 }

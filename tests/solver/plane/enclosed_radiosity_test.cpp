@@ -218,6 +218,16 @@ TEST(EnclosedFactors, LeaveBoundsOpenWhereLightNeedNotDieOut) {
   EXPECT_EQ(solution.notes[0], "no upper bound could be proven for 2 of 4 radiosities");
 }
 
+TEST(CrudeBounds, TakeBackThatAnUpperBoundIsMissing) {
+  const ExchangeMatrix matrix = two_rooms({0.5, 0.75}, {0.5, 1.125});
+  const std::vector<Material> materials = lamps(Rational(1, 2), Rational(9, 10));
+  RadiositySolution solution = solve_radiosity(matrix, materials, {});
+  ASSERT_EQ(solution.notes.size(), 1u);
+  set_a_priori_bounds(matrix, materials, {}, solution);
+  EXPECT_EQ(solution.channels[0].elements[2].upper, 10);  // 1 / (1 - 9/10)
+  EXPECT_TRUE(solution.notes.empty()) << solution.notes[0];
+}
+
 TEST(EnclosedFactors, BoundRadiositiesOfEverySolver) {
   const ExchangeMatrix matrix = two_rooms({0.5, 0.75}, {0.25, 0.5});
   const std::vector<Material> materials = lamps(Rational(1, 2), Rational(9, 10));

@@ -151,6 +151,77 @@ TEST(SceneCheck3, WhatCannotBeComputedIsNotCheckedAndThatIsSaid) {
   EXPECT_FALSE(has_error(check.findings));
 }
 
+// A box of mirrors that shine into it, closed and with fronts inward.
+Scene3 room_of_mirrors() {
+  Scene3 scene = closed_room();
+  for (Material& material : scene.materials) material.reflectivity = Spectrum::scalar(1);
+  return scene;
+}
+
+// The kinds of the errors, and whether solve refuses the scene too.
+std::vector<std::string> errors_of(const Scene3& scene) {
+  const SceneCheck3 check = checked(scene);
+  Findings3 errors;
+  for (const Finding3& finding : check.findings)
+    if (finding.severity == Severity::kError) errors.push_back(finding);
+  bool is_refused = false;
+  try {
+    (void)Simulation3(scene).radiosities();
+  } catch (const RequestError&) {
+    is_refused = true;
+  }
+  EXPECT_EQ(is_refused, !errors.empty());
+  return told(scene, errors);
+}
+
+TEST(SceneCheck3, ARoomOfMirrorsHasNoSolutionWhenItEmits) {
+  Scene3 scene = room_of_mirrors();
+  EXPECT_THAT(errors_of(scene), ElementsAre("error no-solution bottom top front rear left right"));
+  EXPECT_EQ(checked(scene).findings[0].at, (Point3{q("1/2"), q("1/2"), 0}));
+  scene.materials[1].emission = {};
+  EXPECT_THAT(errors_of(scene), IsEmpty()) << "without a lamp radiosity is 0, the limit";
+  scene = room_of_mirrors();
+  scene.materials[1].reflectivity = Spectrum::scalar(q("1/2"));
+  EXPECT_THAT(errors_of(scene), IsEmpty()) << "the lamp absorbs";
+  scene = room_of_mirrors();
+  scene.closed = false;
+  scene.surfaces.pop_back();
+  scene.polygons.pop_back();
+  scene.groups.pop_back();
+  EXPECT_THAT(errors_of(scene), IsEmpty()) << "a way to the sky";
+}
+
+TEST(SceneCheck3, OfTwoRoomsTheOneWithoutASolutionIsNamed) {
+  Scene3 scene = closed_room();
+  add_box(scene, "far", {5, 0, 0}, {6, 1, 1}, true);
+  scene.materials.push_back({"mirror", Spectrum::scalar(1), Spectrum::scalar(q("1e-300"))});
+  for (std::size_t s = 6; s < scene.surfaces.size(); ++s) scene.surfaces[s].material = 2;
+  EXPECT_THAT(errors_of(scene),
+              ElementsAre("error no-solution far.bottom far.top far.front far.rear far.left far.right"));
+}
+
+TEST(SceneCheck3, WhatDoublesCannotTellIsAnError) {
+  for (const char* scale : {"1e-400", "1e-200", "1e-150", "1", "1e150", "1e200", "1e400"})
+    for (const char* emission : {"1e-300", "1", "1e300", "1e400"})
+      for (const char* loss : {"1e-400", "1e-200", "1/2", "1"}) {
+        Scene3 scene = closed_room();
+        for (Polygon3& polygon : scene.polygons)
+          for (Point3& p : polygon.points) p = {p.x * q(scale), p.y * q(scale), p.z * q(scale)};
+        scene.materials[0].reflectivity = Spectrum::scalar(1 - q(loss));
+        scene.materials[1].reflectivity = Spectrum::scalar(1 - q(loss));
+        scene.materials[1].emission = Spectrum::scalar(q(emission));
+        SCOPED_TRACE(std::string("scale ") + scale + ", emission " + emission + ", loss " + loss);
+        for (const std::string& error : errors_of(scene)) EXPECT_THAT(error, HasSubstr("error beyond-doubles"));
+      }
+  Scene3 scene = closed_room();
+  scene.sky_emission = Spectrum::scalar(q("1e400"));
+  EXPECT_THAT(errors_of(scene), ElementsAre("error beyond-doubles"));
+  scene = closed_room();
+  scene.materials[1].emission = Spectrum::scalar(q("1e400"));
+  EXPECT_THAT(errors_of(scene), ElementsAre("error beyond-doubles top"));
+  EXPECT_THAT(checked(scene).findings[0].message, HasSubstr("the emission of 'top' is beyond the range of doubles"));
+}
+
 TEST(SceneCheck3, OfManyFacesSomeAreLookedFromAndThatIsSaid) {
   Scene3 scene = closed_room();
   for (int k = 0; k < 40; ++k) {
@@ -160,6 +231,8 @@ TEST(SceneCheck3, OfManyFacesSomeAreLookedFromAndThatIsSaid) {
   const SceneCheck3 closed = checked(scene);
   EXPECT_THAT(told(scene, closed.findings), ElementsAre("note light-not-checked"));
   EXPECT_EQ(closed.factors, nullptr);
+  scene.materials[1].emission = Spectrum::scalar(q("1e400"));
+  EXPECT_THAT(told_of(scene), ElementsAre("error beyond-doubles top", "note light-not-checked"));
   scene.polygons[1].points.pop_back();  // half of the ceiling is left
   const SceneCheck3 open = checked(scene);
   ASSERT_TRUE(has_error(open.findings));

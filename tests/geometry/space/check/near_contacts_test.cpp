@@ -98,6 +98,16 @@ TEST(NearContacts3, NearIsAPartOfTheNarrowestWidthWhateverTheScale) {
     }
 }
 
+TEST(NearContacts3, WhatIsNearAWallWithADoorAlongTheFloorIsTold) {
+  Scene3 scene = empty_scene();
+  add(scene, "wall", {{0, 0, 0}, {4, 0, 0}, {4, 0, 3}, {0, 0, 3}});
+  scene.polygons[0].holes = {{{1, 0, 0}, {1, 0, 2}, {2, 0, 2}, {2, 0, 0}}};
+  add(scene, "shelf", {{3, kGap, 1}, {3, 1, 1}, {q("7/2"), 1, 1}, {q("7/2"), kGap, 1}});
+  EXPECT_THAT(told(scene, found(scene)),
+              ElementsAre("warning near-contact wall shelf", "warning near-contact wall shelf"));
+  EXPECT_THAT(told(scene, shape_findings(scene)), IsEmpty()) << "the door is no needle";
+}
+
 TEST(NearContacts3, WhatPiercesAFaceByALittleSticksOut) {
   Scene3 scene = empty_scene();
   add_floor(scene);

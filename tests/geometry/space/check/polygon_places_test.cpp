@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/space/check/corner_table.h"
 #include "tests/geometry/space/check/small_scene.h"
 
 namespace hottel {
@@ -21,6 +22,14 @@ Polygon3 square_with_hole() {
   Polygon3 polygon;
   polygon.points = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
   polygon.holes = {{{1, 1, 0}, {3, 1, 0}, {3, 3, 0}, {1, 3, 0}}};
+  return polygon;
+}
+
+// 4 by 3 in the plane y = 0, with a hole along its lower side.
+Polygon3 wall_with_a_door() {
+  Polygon3 polygon;
+  polygon.points = {{0, 0, 0}, {4, 0, 0}, {4, 0, 3}, {0, 0, 3}};
+  polygon.holes = {{{1, 0, 0}, {1, 0, 2}, {2, 0, 2}, {2, 0, 0}}};
   return polygon;
 }
 
@@ -81,6 +90,18 @@ TEST(PolygonPlaces3, TheWidthIsThatOfTheNarrowestPlace) {
   Polygon3 needle;
   needle.points = {{0, 0, 0}, {10, 0, 0}, {5, q("1/100"), 0}};
   EXPECT_EQ(squared_width(needle), q("1/10000"));
+}
+
+TEST(PolygonPlaces3, AHoleOnTheOutlineIsNoNarrowPlace) {
+  const Polygon3 wall = wall_with_a_door();
+  EXPECT_EQ(squared_width(wall), 1) << "of the door itself, and beside it";
+  EXPECT_NEAR(width_above(CornerTable3({wall}), 0), 1, 1e-12);
+  Polygon3 strips = wall;  // two pieces that are nowhere joined
+  strips.holes = {{{1, 0, 0}, {1, 0, 3}, {q("11/10"), 0, 3}, {q("11/10"), 0, 0}}};
+  EXPECT_EQ(squared_width(strips), q("1/100"));
+  Polygon3 nearly = wall;
+  nearly.holes[0][0].z = nearly.holes[0][3].z = q("1/1000000");
+  EXPECT_EQ(squared_width(nearly), q("1/1000000000000")) << "this one is";
 }
 
 }  // namespace
