@@ -18,6 +18,7 @@ TEST(PointRows, ArePrintedCorrectlyRounded) {
   const Workplace place;
   std::size_t rows = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(HOTTEL_SOURCE_DIR) / "scenes/analytic")) {
+    if (entry.path().extension() != ".json") continue;
     const auto scene = nlohmann::json::parse(testing_cli::contents(entry.path()));
     for (const auto& row : scene.at("expect")) {
       if (row.at("kind") != "point") continue;
