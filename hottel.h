@@ -1,5 +1,5 @@
-// The library hottel: exact view factors and light of scenes in the plane. Includes all that an outside program needs;
-// docs/library.md is the way in.
+// The library hottel: exact view factors and light of scenes in the plane and in space. Includes all that an outside
+// program needs; docs/library.md is the way in.
 #pragma once
 
 #include "geometry/exchange_matrix.h"                      // ExchangeMatrix
@@ -25,6 +25,8 @@
 #include "solver/radiosity/gray_exchange.h"                // gray_exchange
 #include "solver/radiosity/net_flux.h"                     // net_flux
 #include "solver/radiosity/radiosity_solver.h"             // RadiositySolver
+#include "solver/space/simulation/questions.h"             // view_factor, radiosity_of
+#include "solver/space/simulation/simulation.h"            // Simulation3
 #include "viewer/picture/plane/illumination_picture.h"     // illumination_picture_2, light_painter_2
 #include "viewer/picture/plane/scene_picture.h"            // scene_picture_2
 #include "viewer/picture/plane/visibility_picture.h"       // visibility_picture_2, pair_picture_2

@@ -8,6 +8,7 @@
 #include "cli/deck_requests.h"
 #include "cli/script_f.h"
 #include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/prepared_scene.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/space/element_files.h"
 #include "io/results/space/factors_report.h"

@@ -8,6 +8,7 @@
 #include "cli/scene_input.h"
 #include "geometry/plane/scene/division.h"
 #include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/prepared_scene.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
 #include "io/results/reference_set.h"

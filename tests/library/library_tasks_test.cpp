@@ -46,6 +46,21 @@ TEST_F(LibraryTasks, ASceneMadeInCode) {
   EXPECT_EQ(printed(), "F = 0.535653882522\n");
 }
 
+TEST_F(LibraryTasks, ASceneInSpace) {
+  // task
+  const Simulation3 simulation(read_scene_3("scenes/space/cube.json"), {.factors = {.tolerance = 1e-12}});
+  const KnownFactor3 f = view_factor(simulation, "floor", "ceiling");
+  std::printf("F = %.12f, proven within %.0e\n", f.value, f.bounds.upper - f.bounds.lower);
+  std::printf("B = %.9f\n", radiosity_of(simulation, "floor").radiosity);
+  // end
+  const std::string text = printed();
+  EXPECT_EQ(text.substr(0, 19), "F = 0.199824895698,") << text;
+  EXPECT_EQ(view_factor(simulation, "floor", "sky").value, 0);
+  EXPECT_EQ(view_factor(simulation, "floor", "floor").bounds.upper, 0);
+  EXPECT_THROW(view_factor(simulation, "floor:back", "sky"), UsageError);
+  EXPECT_THROW(view_factor(simulation, "nobody", "sky"), UsageError);
+}
+
 TEST_F(LibraryTasks, RadiositiesAndAnEdit) {
   // task
   const Simulation2 day(read_scene_2("scenes/analytic/square_radiosity.json"));
@@ -104,7 +119,7 @@ TEST(LibraryPage, ShowsTheTasksThatAreTestedHere) {
   const std::string root = HOTTEL_SOURCE_DIR;
   const auto tested = blocks(root + "/tests/library/library_tasks_test.cpp", "// task", "// end");
   const auto shown = blocks(root + "/docs/library.md", "```cpp", "```");
-  ASSERT_EQ(tested.size(), 5u);
+  ASSERT_EQ(tested.size(), 6u);
   EXPECT_EQ(shown, tested);
   for (const std::string& task : tested) EXPECT_LE(std::count(task.begin(), task.end(), '\n'), 5) << task;
 }

@@ -9,8 +9,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/space/exchange/exchange_report.h"
-#include "geometry/space/exchange/exchange_rows.h"
-#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/scene/scene.h"
 #include "kernel/support/stage.h"
 #include "solver/plan.h"
 #include "solver/radiosity/radiosity_options.h"
@@ -19,6 +18,9 @@
 #include "solver/space/methods/exchange_method.h"
 
 namespace hottel {
+
+class RowWatch3;
+struct PreparedScene3;
 
 // What is asked of view factors, with what is taken where nothing is said.
 struct FactorsRequest3 {

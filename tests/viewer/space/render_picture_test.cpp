@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/space/exchange/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/cairo_canvas.h"
