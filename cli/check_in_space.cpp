@@ -19,7 +19,8 @@ SceneCheck3 look_at(const Scene3& scene, const Streams& streams) {
                              .factors = [&]() -> std::shared_ptr<const ExchangeMatrix> {
                                const auto computed = simulation.factors(streams.stages());
                                return {computed, &computed->matrix};
-                             }});
+                             },
+                             .lights = [&] { return *simulation.light_shares(streams.stages()); }});
 }
 
 ExitCode exit_code(const SceneCheck3& check) { return has_error(check.findings) ? ExitCode::kUnmet : ExitCode::kDone; }

@@ -40,10 +40,23 @@ void validate_spectra(const SceneTable& table) {
   require("sky: emission", table.sky_emission, SpectrumKind::kQuantity);
 }
 
+void validate_lights(const SceneTable& table) {
+  std::unordered_map<std::string_view, int> first;
+  for (const Light& light : table.lights) {
+    if (const auto problem = light_problem(light); !problem.empty())
+      throw InputError({table.file, light.line}, "light " + quoted_name(light.name) + " " + problem);
+    if (const auto [other, is_new] = first.emplace(light.name, light.line); !is_new)
+      throw InputError({table.file, light.line},
+                       "two lights have the name " + quoted_name(light.name) +
+                           (other->second > 0 ? ", the other one in line " + std::to_string(other->second) : ""));
+  }
+}
+
 }  // namespace
 
 void validate_table(const SceneTable& table) {
   validate_spectra(table);
+  validate_lights(table);
   std::unordered_map<std::string_view, const Surface*> first;
   first.reserve(table.surfaces.size());
   for (const Surface& surface : table.surfaces) {
@@ -80,10 +93,11 @@ std::vector<std::size_t> group_sizes(const SceneTable& table) {
 }
 
 int channel_count(const SceneTable& table) {
-  const bool is_scalar = table.sky_emission.is_scalar &&
-                         std::all_of(table.materials.begin(), table.materials.end(), [](const Material& material) {
-                           return material.reflectivity.is_scalar && material.emission.is_scalar;
-                         });
+  const bool is_scalar =
+      table.sky_emission.is_scalar &&
+      std::all_of(table.materials.begin(), table.materials.end(),
+                  [](const Material& m) { return m.reflectivity.is_scalar && m.emission.is_scalar; }) &&
+      std::all_of(table.lights.begin(), table.lights.end(), [](const Light& light) { return light.power.is_scalar; });
   return is_scalar ? 1 : 3;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/light.h"
 #include "geometry/material.h"
 #include "kernel/support/failure.h"
 
@@ -79,6 +80,7 @@ struct SceneTable {
   std::vector<Material> materials;
   std::vector<Surface> surfaces;  // in the order of the file
   std::vector<Group> groups;
+  std::vector<Light> lights;  // but for where they are, which the scene of each dimension knows
   Spectrum sky_emission;
   bool closed = false;
   std::vector<Expectation> expect;
@@ -89,14 +91,15 @@ struct SceneTable {
 
 // Throws InputError naming file, line and surface unless the names of surfaces are allowed (name_problem) and unique,
 // the indices of their materials and groups are valid and their elements from 1 to kMaxElements, and spectra are in
-// their ranges (Material), of one value where they are scalars. Where two surfaces share a name, the later one is
-// refused and the line of the first is told. COST: linear.
+// their ranges (Material), of one value where they are scalars, and unless no light has a problem (light_problem) and
+// no two the same name. Where two surfaces share a name, the later one is refused and the line of the first is told.
+// COST: linear.
 void validate_table(const SceneTable& table);
 
 // Returns how many surfaces each group has. Throws ContractViolation for a surface of a group that is not there.
 std::vector<std::size_t> group_sizes(const SceneTable& table);
 
-// Returns how many channels the spectra of a scene need: 1 when the sky and all materials are scalars, else 3.
+// Returns how many channels the spectra of a scene need: 1 when the sky, all materials and lights are scalars, else 3.
 // Materials that no surface has count too.
 int channel_count(const SceneTable& table);
 

@@ -1,6 +1,7 @@
 #include "kernel/ball.h"
 
 #include <arb.h>
+#include <arb_hypgeom.h>
 #include <arf.h>
 #include <fmpq.h>
 
@@ -76,6 +77,94 @@ Ball Ball::pi(long precision) {
 Ball Ball::atan2(const Ball& y, const Ball& x, long precision) {
   Ball result;
   arb_atan2(result.hidden_->x, y.hidden_->x, x.hidden_->x, precision);
+  return result;
+}
+
+Ball Ball::whole_cosine_power(const Rational& exponent, long precision) {
+  Ball result;
+  Hidden half, upper, lower;
+  set(half.x, Rational((exponent + 1) / 2), precision);
+  arb_gamma(upper.x, half.x, precision);
+  set(half.x, Rational(exponent / 2 + 1), precision);
+  arb_rgamma(lower.x, half.x, precision);
+  arb_mul(upper.x, upper.x, lower.x, precision);
+  arb_const_sqrt_pi(lower.x, precision);
+  arb_mul(upper.x, upper.x, lower.x, precision);
+  arb_mul_2exp_si(result.hidden_->x, upper.x, -1);
+  return result;
+}
+
+namespace {
+
+// C_n(t) = (cos^(n-1) t sin t + (n - 1) C_(n-2)(t)) / n, from C_0 = t or C_1 = sin t.
+void whole_power(arb_t out, const arb_t angle, unsigned long n, long precision) {
+  arb_t sine, cosine, square, power;
+  arb_init(sine);
+  arb_init(cosine);
+  arb_init(square);
+  arb_init(power);
+  arb_sin_cos(sine, cosine, angle, precision);
+  arb_mul(square, cosine, cosine, precision);
+  arb_set(out, n % 2 == 0 ? angle : sine);
+  arb_mul(power, sine, n % 2 == 0 ? cosine : square, precision);  // cos^(k-1) sin of the next k
+  for (unsigned long k = 2 + n % 2; k <= n; k += 2) {
+    arb_mul_ui(out, out, k - 1, precision);
+    arb_add(out, out, power, precision);
+    arb_div_ui(out, out, k, precision);
+    arb_mul(power, power, square, precision);
+  }
+  arb_clear(sine);
+  arb_clear(cosine);
+  arb_clear(square);
+  arb_clear(power);
+}
+
+// Half the incomplete beta function of the square of a function of the angle.
+void half_beta(arb_t out, const arb_t root, const arb_t a, const arb_t b, long precision) {
+  arb_sqr(out, root, precision);
+  arb_hypgeom_beta_lower(out, a, b, out, 0, precision);
+  arb_mul_2exp_si(out, out, -1);
+}
+
+}  // namespace
+
+Ball Ball::cosine_power(const Ball& angle, const Rational& exponent, long precision) {
+  constexpr unsigned long kMostRecursive = 64;
+  Ball result;
+  if (exponent == 0) return angle;
+  if (exponent.get_den() == 1 && exponent <= kMostRecursive) {
+    whole_power(result.hidden_->x, angle.hidden_->x, exponent.get_num().get_ui(), precision);
+    return result;
+  }
+  Hidden sine, cosine, size, a, b, quarter;
+  arb_sin_cos(sine.x, cosine.x, angle.hidden_->x, precision);
+  arb_abs(size.x, angle.hidden_->x);
+  arb_const_pi(quarter.x, precision);
+  arb_mul_2exp_si(quarter.x, quarter.x, -2);
+  arb_set_d(a.x, 0.5);
+  set(b.x, Rational((exponent + 1) / 2), precision);
+  if (arb_lt(size.x, quarter.x)) {
+    half_beta(result.hidden_->x, sine.x, a.x, b.x, precision);
+  } else {
+    // From the other end: what is missing to pi / 2.
+    Hidden rest;
+    if (arb_is_positive(cosine.x)) {
+      half_beta(rest.x, cosine.x, b.x, a.x, precision);
+    } else {  // at most the angle that is missing, for no cosine is above 1
+      arb_mul_2exp_si(quarter.x, quarter.x, 1);
+      arb_sub(rest.x, quarter.x, size.x, precision);
+      arb_abs(rest.x, rest.x);
+      mag_t most;
+      mag_init(most);
+      arb_get_mag(most, rest.x);
+      arb_zero(rest.x);
+      mag_swap(arb_radref(rest.x), most);
+      mag_clear(most);
+    }
+    const Ball whole = whole_cosine_power(exponent, precision);
+    arb_sub(result.hidden_->x, whole.hidden_->x, rest.x, precision);
+  }
+  if (arf_sgn(arb_midref(angle.hidden_->x)) < 0) arb_neg(result.hidden_->x, result.hidden_->x);
   return result;
 }
 

@@ -33,6 +33,13 @@ class Ball {
   // Angle of the vector (x, y) in (-pi, pi].
   static Ball atan2(const Ball& y, const Ball& x, long precision);
 
+  // The integral of cos^exponent from 0 to an angle. REQUIRES: exponent >= 0; where it is above 0, an angle that lies
+  // in -pi/2..pi/2: the part of the ball beyond is cut off. Whole exponents up to 64 by the recursion, others by
+  // incomplete beta functions.
+  static Ball cosine_power(const Ball& angle, const Rational& exponent, long precision);
+  // The same up to pi/2: sqrt(pi) Gamma((n + 1) / 2) / (2 Gamma(n / 2 + 1)).
+  static Ball whole_cosine_power(const Rational& exponent, long precision);
+
   // Sum, difference, product and quotient, rounded to the precision. Where the divisor holds 0, nothing is known of
   // the quotient, and its sign() is 0.
   Ball plus(const Ball& other, long precision) const;

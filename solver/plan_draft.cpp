@@ -72,13 +72,19 @@ void PlanDraft::add_interreflection(double unknowns) {
 
 void PlanDraft::add_unreachable(bool is_one_room) {
   const bool emits = has_material([](const Material& material) { return !material.emission.is_zero(); });
-  const bool is_lit = emits || !scene_.sky_emission.is_zero();
+  const bool is_lit = emits || !scene_.sky_emission.is_zero() || !scene_.lights.empty();
   add(Plan::kUnreachable, !is_one_room || !is_lit,
       is_lit ? "rooms that no light reaches stay exactly dark and are not solved" : "nothing emits",
       "one room with light");
 }
 
-void PlanDraft::add_lights() { effects_.push_back({Plan::kLights, false, "the scene lists none"}); }
+void PlanDraft::add_lights(double seconds) {
+  const std::size_t beams = static_cast<std::size_t>(
+      std::count_if(scene_.lights.begin(), scene_.lights.end(), [](const Light& light) { return !light.is_round(); }));
+  add_as_asked(Plan::kLights, !scene_.lights.empty(),
+               counted(scene_.lights.size(), "light") + (beams > 0 ? ", " + counted(beams, "beam") : ""),
+               "the scene lists none", static_cast<double>(scene_.lights.size()) * seconds);
+}
 
 std::string PlanDraft::count_text(std::size_t count) const { return counted(count, words_.one); }
 

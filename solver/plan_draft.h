@@ -37,7 +37,7 @@ class PlanDraft {
   void add_interreflection(double unknowns);
   void add_unreachable(bool is_one_room);
   // The scene lists none: a scene that does is refused.
-  void add_lights();
+  void add_lights(double seconds);  // of one light
 
   // "1 edge", "7 edges".
   std::string count_text(std::size_t count) const;

@@ -16,6 +16,11 @@ std::string triple(const Rational& x, const Rational& y, const Rational& z) {
   return fmt::format("[{}, {}, {}]", json_number(x), json_number(y), json_number(z));
 }
 
+std::string path_text(const std::string& points, const Rational& seconds, bool closed) {
+  return fmt::format(", \"path\": {{\"points\": {}], \"seconds\": {}{}}}", points, json_number(seconds),
+                     closed ? ", \"closed\": true" : "");
+}
+
 std::string entry(const Scene2& scene, const std::string& name, const std::string& points, bool closed,
                   const Surface& surface) {
   return fmt::format("{{\"name\": {}, \"points\": {}{}, {}}}", json_string(name), points,
@@ -51,10 +56,38 @@ void write_polylines(const Scene2& scene, std::size_t first, std::string& out) {
   block.end();
 }
 
+std::string light_members(const Light& light, const LightPlace2& place) {
+  std::string text = fmt::format("\"position\": {}", point(place.position));
+  if (light.type == LightType::kSpot) text += fmt::format(", \"direction\": {}", point(place.direction));
+  if (place.rotation != 0) text += fmt::format(", \"rotation\": {}", json_number(place.rotation));
+  if (!place.path) return text;
+  std::string points;
+  for (const Point2& p : place.path->points) points += (points.empty() ? "[" : ", ") + point(p);
+  return text + path_text(points, place.path->seconds, place.path->closed);
+}
+
 std::string points_text(const std::vector<Point3>& points) {
   std::string text;
   for (const Point3& p : points) text += (text.empty() ? "[" : ", ") + triple(p.x, p.y, p.z);
   return text + "]";
+}
+
+std::string light_members(const Light& light, const LightPlace3& place) {
+  const Point3& at = place.position;
+  const Vector3 &along = place.direction, &turn = place.rotation;
+  std::string text = fmt::format("\"position\": {}", triple(at.x, at.y, at.z));
+  if (light.type == LightType::kSpot) text += fmt::format(", \"direction\": {}", triple(along.x, along.y, along.z));
+  if (!turn.is_zero()) text += fmt::format(", \"rotation\": {}", triple(turn.x, turn.y, turn.z));
+  if (!place.path) return text;
+  std::string points;
+  for (const Point3& p : place.path->points) points += (points.empty() ? "[" : ", ") + triple(p.x, p.y, p.z);
+  return text + path_text(points, place.path->seconds, place.path->closed);
+}
+
+template <class Scene>
+void write_lights_of(const Scene& scene, std::string& out) {
+  write_lights(
+      scene, [&](std::size_t k) { return light_members(scene.lights[k], scene.light_places[k]); }, out);
 }
 
 void write_polygons(const Scene3& scene, std::string& out) {
@@ -102,6 +135,7 @@ std::string write_scene_2(const Scene2& scene) {
   if (const auto& grid = scene.grid)
     out += fmt::format(",\n  \"grid\": {{\"min\": {}, \"max\": {}, \"cells\": [{}, {}]}}", point(grid->min),
                        point(grid->max), grid->nx, grid->ny);
+  write_lights_of(scene, out);
   write_expectations(scene, out);
   return out + "\n}\n";
 }
@@ -113,6 +147,7 @@ std::string write_scene_3(const Scene3& scene) {
   write_sky(scene, out);
   if (scene.grid) write_grid(*scene.grid, out);
   if (scene.camera) write_camera(*scene.camera, out);
+  write_lights_of(scene, out);
   write_expectations(scene, out);
   return out + "\n}\n";
 }

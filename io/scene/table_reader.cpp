@@ -128,9 +128,54 @@ Behind read_behind(const JsonValue& value, const Subject& subject) {
   refuse(value, subject.text() + " is " + quoted_name(text) + "; it may be \"solid\" or \"open\"");
 }
 
-void TableReader::refuse_lights(const JsonValue& lights) {
-  require_kind(lights, JsonKind::kArray, {"lights"});
-  if (lights.size() > 0) refuse(lights, "lights are not simulated by this version");
+void TableReader::read_lights(const JsonValue& list, const std::function<void(LightEntry)>& read_place) {
+  read_list(list, "lights", "light",
+            [&](const JsonValue& value, const std::string& name) { read_place(read_light(value, name)); });
+}
+
+LightEntry TableReader::read_light(const JsonValue& value, const std::string& default_name) {
+  const auto [type, name, position, direction, focus, falloff, power, rotation, path, about] =
+      read_members(value, {default_name},
+                   std::array<std::string_view, 10>{"type", "name", "position", "direction", "focus", "falloff",
+                                                    "power", "rotation", "path", "about"});
+  LightEntry entry;
+  Light& light = entry.light;
+  light.name = name ? read_string(name, {default_name, "name"}) : default_name;
+  light.line = value.line();
+  entry.owner = "light " + quoted_name(light.name);
+  require_member(type, "type", value, {entry.owner});
+  const std::string kind = read_string(type, {entry.owner, "type"});
+  if (kind != "point" && kind != "spot")
+    refuse(type, entry.owner + ": type is " + quoted_name(kind) + R"(; it may be "point" or "spot")");
+  light.type = kind == "spot" ? LightType::kSpot : LightType::kPoint;
+  if (light.type == LightType::kPoint)
+    for (const auto& [member, key] : {std::pair(direction, "direction"), {focus, "focus"}, {falloff, "falloff"}})
+      if (member) refuse(member, entry.owner + " is a point light: it has no " + key, {R"(a beam has "type": "spot")"});
+  if (light.type == LightType::kSpot) require_member(direction, "direction", value, {entry.owner});
+  require_member(power, "power", value, {entry.owner});
+  light.power = read_spectrum_in_range(power, {entry.owner, "power"}, SpectrumKind::kQuantity);
+  if (focus) light.focus = read_number(focus, {entry.owner, "focus"});
+  if (falloff) light.falloff = read_number(falloff, {entry.owner, "falloff"});
+  if (about) read_string(about, {entry.owner, "about"});
+  if (const std::string problem = light_problem(light); !problem.empty()) refuse(value, entry.owner + ": " + problem);
+  if (!path) require_member(position, "position", value, {entry.owner});
+  entry.position = position;
+  entry.direction = direction;
+  entry.rotation = rotation;
+  entry.path = path;
+  if (!path) return entry;
+  const std::string of_path = entry.owner + ": path";
+  const auto [points, seconds, closed] =
+      read_members(path, {of_path}, std::array<std::string_view, 3>{"points", "seconds", "closed"});
+  require_member(points, "points", path, {of_path});
+  require_member(seconds, "seconds", path, {of_path});
+  require_kind(points, JsonKind::kArray, {of_path, "points"});
+  if (points.size() < 2) refuse(points, of_path + " has fewer than two points");
+  entry.path_points = points;
+  entry.seconds = read_number(seconds, {of_path, "seconds"});
+  if (entry.seconds <= 0) refuse(seconds, of_path + ": seconds must be greater than 0");
+  entry.is_closed = closed && read_boolean(closed, {of_path, "closed"});
+  return entry;
 }
 
 void TableReader::read_expectations(const JsonValue& list) {

@@ -29,6 +29,16 @@ struct SceneEntry {
   Surface surface;              // without its name and line
 };
 
+// One item of "lights", but for its geometry.
+struct LightEntry {
+  Light light;
+  std::string owner;                              // for messages: "light 'torch'"
+  JsonValue position, direction, rotation, path;  // as far as they are there
+  JsonValue path_points;                          // of a path: a list
+  Rational seconds = 1;                           // of a path
+  bool is_closed = false;
+};
+
 // Fills the table of a scene. Every function throws InputError with file and line for what
 // docs/scene_format.md does not allow.
 //
@@ -68,8 +78,14 @@ class TableReader {
   SceneEntry read_entry(const JsonValue& value, const std::string& default_name, std::string_view noun,
                         std::span<const std::string_view> more = {});
 
-  // An empty list passes; lights are not simulated.
-  static void refuse_lights(const JsonValue& lights);
+  // Reads an item of "lights" but for what depends on the dimension.
+  //
+  //   (1) `type` and `power` must be there, of a spot `direction` too; a point light has neither direction nor focus
+  //       nor falloff. There is a `position` or a `path`
+  //   (2) a light without a name is called light[k]; its name is one that a surface could have
+  LightEntry read_light(const JsonValue& value, const std::string& default_name);
+  // Appends the lights of a list: read_place(entry) makes of an entry where it is, and puts both into the scene.
+  void read_lights(const JsonValue& list, const std::function<void(LightEntry)>& read_place);
 
  private:
   void read_expectation(const JsonValue& value, const std::string& owner);

@@ -107,6 +107,22 @@ void write_sky(const SceneTable& table, std::string& out) {
   if (table.closed) out += ",\n  \"closed\": true";
 }
 
+void write_lights(const SceneTable& table, const std::function<std::string(std::size_t)>& place_members,
+                  std::string& out) {
+  if (table.lights.empty()) return;
+  JsonBlock block(out, "lights", '[', ']');
+  for (std::size_t k = 0; k < table.lights.size(); ++k) {
+    const Light& light = table.lights[k];
+    const bool is_spot = light.type == LightType::kSpot;
+    std::string text = fmt::format("{{\"type\": \"{}\", \"name\": {}, {}", is_spot ? "spot" : "point",
+                                   json_string(light.name), place_members(k));
+    if (light.focus != 180) text += fmt::format(", \"focus\": {}", json_number(light.focus));
+    if (light.falloff != 0) text += fmt::format(", \"falloff\": {}", json_number(light.falloff));
+    block.add(text + fmt::format(", \"power\": {}}}", spectrum(light.power)));
+  }
+  block.end();
+}
+
 void write_expectations(const SceneTable& table, std::string& out) {
   if (table.expect.empty()) return;
   JsonBlock block(out, "expect", '[', ']');

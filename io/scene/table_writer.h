@@ -1,6 +1,8 @@
 // What the writers of scenes in the plane and in space have in common: all of a scene but its shape.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 
 #include "geometry/scene_table.h"
@@ -35,6 +37,9 @@ class JsonBlock {
 void write_head(const SceneTable& table, int dimension, std::string& out);
 // What the sky sends, and the promise that the scene is closed.
 void write_sky(const SceneTable& table, std::string& out);
+// One light for each place: place_members(k) are those members of light k that depend on the dimension.
+void write_lights(const SceneTable& table, const std::function<std::string(std::size_t)>& place_members,
+                  std::string& out);
 void write_expectations(const SceneTable& table, std::string& out);
 
 // Returns the members of a surface but for its name and shape: material, back, what is behind it, elements.

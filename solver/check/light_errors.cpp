@@ -55,11 +55,11 @@ class ErrorTeller {
   }
 
   // What is computed. Where numbers are so moderate that doubles can tell it, nothing is solved for it.
-  void tell_light(const LightFates& fates, const std::function<void(double)>& progress) {
-    if (fates.rows_are_closed && is_moderate()) return;
+  void tell_light(const LightFates& fates, const RadiositySources& sources,
+                  const std::function<void(double)>& progress) {
+    if (fates.rows_are_closed && is_moderate(sources)) return;
     try {
-      const RadiositySolution solution =
-          solve_radiosity(matrix_, scene_.materials, scene_.sky_emission, {.progress = progress});
+      const RadiositySolution solution = solve_sources(matrix_, scene_.materials, sources, {.progress = progress});
       tell_beyond(rows_where([&](std::uint32_t i) { return !is_finite(solution, i); }), "the light of",
                   "choose another unit of light, or let more of it be absorbed");
       if (errors_.empty()) tell_power(solution);
@@ -116,7 +116,7 @@ class ErrorTeller {
 
   // Light that is sent out arrives where it is absorbed by way of exchange areas and absorbing areas, each of which
   // adds to radiosity the power over its area: far from the ends of the range all of it can be told.
-  bool is_moderate() const {
+  bool is_moderate(const RadiositySources& sources) const {
     double least = std::numeric_limits<double>::infinity(), most = largest(scene_.sky_emission);
     const auto meet = [&](double value) {
       least = std::min(least, value);
@@ -126,6 +126,8 @@ class ErrorTeller {
       const Material& material = material_of(i);
       const double area = matrix_.elements()[i].area.value;
       most = std::max(most, largest(material.emission));
+      if (!sources.direct_irradiance.empty())
+        for (int c = 0; c < 3; ++c) most = std::max(most, to_double(sources.direct_irradiance[i][c].upper));
       for (const Rational& rho : material.reflectivity.value)
         if (rho != 1) meet(area * to_double(1 - rho));
       for (const FactorEntry& entry : matrix_.row(i)) meet(area * entry.factor.value);
@@ -146,12 +148,13 @@ std::vector<LightError> size_errors(const SceneTable& scene, const ExchangeMatri
   return teller.take();
 }
 
-std::vector<LightError> light_errors(const SceneTable& scene, const ExchangeMatrix& matrix, const LightFates& fates,
-                                     const char* size, const std::function<void(double)>& progress) {
+std::vector<LightError> light_errors(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                     const RadiositySources& sources, const LightFates& fates, const char* size,
+                                     const std::function<void(double)>& progress) {
   ErrorTeller teller(scene, matrix);
   if (fates.rows_are_closed) teller.tell_mirrors(fates);
   if (!teller.has_errors()) teller.tell_sizes(size);
-  if (!teller.has_errors()) teller.tell_light(fates, progress);
+  if (!teller.has_errors()) teller.tell_light(fates, sources, progress);
   return teller.take();
 }
 

@@ -28,10 +28,11 @@ std::vector<LightError> size_errors(const SceneTable& scene, const ExchangeMatri
 //   (1) no-solution is told iff solve_radiosity refuses the scene for a component that reflects all light and emits,
 //       or, where rows are not closed, because it cannot tell that light dies out
 //   (2) else beyond-doubles is told iff solve_radiosity refuses the scene, or require_doubles its solution
-// REQUIRES the matrix of the scene, by faces or by elements, and its fates.
+// REQUIRES the matrix of the scene, by faces or by elements, its sources and its fates.
 // COST: a few passes over the matrix; that of solve_radiosity (which reports to `progress`) where numbers are not
 // between 1e-60 and 1e60, or rows not closed.
-std::vector<LightError> light_errors(const SceneTable& scene, const ExchangeMatrix& matrix, const LightFates& fates,
-                                     const char* size, const std::function<void(double)>& progress = {});
+std::vector<LightError> light_errors(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                     const RadiositySources& sources, const LightFates& fates, const char* size,
+                                     const std::function<void(double)>& progress = {});
 
 }  // namespace hottel

@@ -7,10 +7,11 @@
 namespace hottel {
 namespace {
 
-void add_fates(const SceneTable& scene, const ExchangeMatrix& matrix, int channel, LightFates& fates) {
+void add_fates(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySources& given, int channel,
+               LightFates& fates) {
   const RadiositySystem system(matrix, scene.materials, channel);
   fates.rows_are_closed &= system.rows_are_closed();
-  const Sources sources = system.sources(scene.materials, scene.sky_emission, channel);
+  const Sources sources = system.sources(given, channel);
   const std::size_t count = system.components().size();
   std::vector<std::vector<std::uint32_t>> faces(count);
   std::vector<double> area(count), lost(count);
@@ -35,9 +36,9 @@ void add_fates(const SceneTable& scene, const ExchangeMatrix& matrix, int channe
 
 }  // namespace
 
-LightFates light_fates(const SceneTable& scene, const ExchangeMatrix& matrix) {
+LightFates light_fates(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySources& sources) {
   LightFates fates;
-  for (int channel = 0; channel < channel_count(scene); ++channel) add_fates(scene, matrix, channel, fates);
+  for (int channel = 0; channel < channel_count(scene); ++channel) add_fates(scene, matrix, sources, channel, fates);
   return fates;
 }
 

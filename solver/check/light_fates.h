@@ -8,6 +8,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/scene_table.h"
+#include "solver/radiosity/radiosity_sources.h"
 
 namespace hottel {
 
@@ -27,7 +28,7 @@ struct LightFates {
   bool rows_are_closed = true;
 };
 
-// REQUIRES the matrix of the scene, by faces or by elements. COST: a few passes over it.
-LightFates light_fates(const SceneTable& scene, const ExchangeMatrix& matrix);
+// REQUIRES the matrix of the scene, by faces or by elements, and its sources. COST: a few passes over it.
+LightFates light_fates(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySources& sources);
 
 }  // namespace hottel

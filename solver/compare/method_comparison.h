@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "geometry/exchange_matrix.h"
 #include "kernel/support/failure.h"
@@ -15,6 +16,7 @@
 #include "solver/compare/reference_errors.h"
 #include "solver/compare/timing.h"
 #include "solver/exchange_method.h"
+#include "solver/radiosity/direct_light.h"
 #include "solver/radiosity/radiosity.h"
 
 namespace hottel {
@@ -24,7 +26,8 @@ template <class Prepared>
 struct ComparisonReference {
   std::shared_ptr<const Prepared> prepared;
   std::shared_ptr<const ExchangeMatrix> exact;
-  double tolerance = 0;  // of the exact factors that are not correctly rounded
+  std::vector<LightShares> lights = {};  // of the elements of `exact`
+  double tolerance = 0;                  // of the exact factors that are not correctly rounded
 };
 
 // A scene with its exact factors and radiosities, ready to judge methods.
@@ -38,7 +41,10 @@ class MethodComparison {
  public:
   // COST: one solution.
   explicit MethodComparison(ComparisonReference<Prepared> reference)
-      : prepared_(std::move(reference.prepared)), exact_(std::move(reference.exact)), tolerance_(reference.tolerance) {
+      : prepared_(std::move(reference.prepared)),
+        exact_(std::move(reference.exact)),
+        lights_(std::move(reference.lights)),
+        tolerance_(reference.tolerance) {
     exact_solution_ = solve(*exact_, why_no_solution_);
     reference_ = reference_errors(*exact_, tolerance_, exact_solution_);
   }
@@ -92,7 +98,7 @@ class MethodComparison {
  private:
   std::optional<RadiositySolution> solve(const ExchangeMatrix& matrix, std::string& why_not) const {
     try {
-      return solve_radiosity(matrix, prepared().scene.materials, prepared().scene.sky_emission);
+      return solve_sources(matrix, prepared().scene.materials, sources_of(matrix, prepared().scene, lights_));
     } catch (const RequestError& error) {
       why_not = error.what();
       return std::nullopt;
@@ -101,6 +107,7 @@ class MethodComparison {
 
   std::shared_ptr<const Prepared> prepared_;
   std::shared_ptr<const ExchangeMatrix> exact_;
+  std::vector<LightShares> lights_;
   double tolerance_;
   std::string why_no_solution_;
   std::optional<RadiositySolution> exact_solution_;

@@ -11,6 +11,7 @@ namespace {
 // What the showcase and generated scenes take, on one core of the machine of benchmarks/results.
 constexpr double kSecondsPerPair = 1.0e-6;
 constexpr double kSecondsPerCellAndEdge = 2.0e-8;
+constexpr double kSecondsPerShare = 1.0e-5;
 constexpr double kTypicalVisible = 60;  // faces that one face sees in a furnished or cluttered scene
 
 }  // namespace
@@ -29,7 +30,7 @@ Plan plan_scene(const Scene2& scene, const PlanRequest& request) {
   draft.add_unreachable(is_convex);
   draft.add(Plan::kIllumination, request.grid_cells > 0, counted(request.grid_cells, "cell"), "no grid is asked for",
             static_cast<double>(request.grid_cells) * std::min(n, 400.0) * kSecondsPerCellAndEdge);
-  draft.add_lights();
+  draft.add_lights(n * kSecondsPerShare);
   return draft.take();
 }
 

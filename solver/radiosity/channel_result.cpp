@@ -45,6 +45,11 @@ ChannelResults::Numbers ChannelResults::numbers_of(const RadiositySources& given
     const RationalEnclosure& direct = given.direct_irradiance[i][channel];
     result.direct[i] = ScaledBall::around(direct.lower, direct.upper);
   }
+  const auto ball = [channel](const SourceSpectrum& source) {
+    return ScaledBall::around(source[channel].lower, source[channel].upper);
+  };
+  result.absorbed_besides = ball(given.besides.absorbed);
+  result.to_sky_besides = ball(given.besides.to_sky);
   const RationalEnclosure& sky = given.sky[channel];
   result.emitted[matrix.sky()] = ScaledBall::around(sky.lower, sky.upper);
   return result;
@@ -107,6 +112,7 @@ void ChannelResults::fill_irradiances(const Numbers& numbers, const std::vector<
     element.net_upper = std::max(element.net_upper, element.net_value);
     energy.add(i, sum(numbers.emitted[i], numbers.direct[i]), absorbed, radiosity[i], numbers.emitted[matrix.sky()]);
   }
+  energy.add_besides(numbers.absorbed_besides, numbers.to_sky_besides);
   solution.energy = energy.balance();
 }
 

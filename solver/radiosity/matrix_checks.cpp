@@ -94,6 +94,12 @@ void EnergySum::add(std::uint32_t row, const ScaledBall& emission, const ScaledB
   }
 }
 
+void EnergySum::add_besides(const ScaledBall& absorbed, const ScaledBall& to_sky) {
+  emitted_ = sum(emitted_, sum(middle(absorbed), middle(to_sky)));
+  absorbed_ = sum(absorbed_, middle(absorbed));
+  to_sky_ = sum(to_sky_, middle(to_sky));
+}
+
 EnergyBalance EnergySum::balance() const {
   const ScaledBall defect = difference(difference(emitted_, absorbed_), to_sky_);
   return {emitted_.nearest(), absorbed_.nearest(), to_sky_.nearest(), defect.nearest()};

@@ -57,6 +57,12 @@ class SourceSpectrum {
   std::shared_ptr<const Numbers> numbers_;  // none: 0
 };
 
+// Power that comes from no element and meets none that has a row.             [W; W per metre of depth in the plane]
+struct PowerBesides {
+  SourceSpectrum absorbed;  // by black backs, and in solids
+  SourceSpectrum to_sky;
+};
+
 // The sources of a radiosity system: the right side of B_i = E_i + rho_i (sum_j F_ij B_j + D_i).
 //
 //   (1) E_i is what the element sends out by itself, D_i the irradiance by light that comes from no element and not
@@ -66,6 +72,7 @@ struct RadiositySources {
   std::vector<SourceSpectrum> emission;           // E, by element of the matrix
   std::vector<SourceSpectrum> direct_irradiance;  // D, by element of the matrix; empty: none
   SourceSpectrum sky;                             // what the sky sends out
+  PowerBesides besides;                           // part of the energy, of nothing else
   bool has_channels = false;                      // red, green and blue even where every spectrum is a scalar
 
   // The same with one number of each enclosure. COST: O(n), and as many rationals as there are distinct spectra.

@@ -9,16 +9,19 @@
 namespace hottel {
 
 RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTable& scene,
-                                    std::vector<std::string> notes, const std::function<void(double)>& progress) {
+                                    std::span<const LightShares> lights, std::vector<std::string> notes,
+                                    const std::function<void(double)>& progress) {
   const ExchangeMatrix& matrix = system.matrix();
   return naming_file(scene.file, [&] {
-    RadiositySolution solution = system.solve(sources_of(matrix, scene.materials, scene.sky_emission), progress);
+    const RadiositySources sources = sources_of(matrix, scene, lights);
+    for (std::string& note : lost_light_notes(scene.lights, lights)) notes.push_back(std::move(note));
+    RadiositySolution solution = system.solve(sources, progress);
     if (const auto place = solution.seconds.find("radiosity"); place != solution.seconds.end())
       place->second += system.seconds();
     require_doubles(matrix, scene.sky_emission, solution);
     if (matrix.guarantee() == Guarantee::kEnclosed) {
       notes.push_back("the bounds hold for all factors within their enclosures that sum to 1");
-      set_a_priori_bounds(matrix, scene.materials, scene.sky_emission, solution);
+      set_a_priori_bounds(matrix, reflectivities_of(scene.materials), sources, solution);
     }
     if (solution.guarantee == Guarantee::kEstimated)
       notes.push_back(

@@ -2,25 +2,29 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "geometry/scene_table.h"
+#include "solver/radiosity/direct_light.h"
 #include "solver/radiosity/radiosity_solution.h"
 #include "solver/radiosity/radiosity_solver.h"
 
 namespace hottel {
 
-// Solves a system for what the materials and the sky of a scene emit.
+// Solves a system for what the materials, the lights and the sky of a scene emit. `lights`: the shares of each light.
 //
 //   (1) where factors are enclosed and none is estimated, bounds are narrowed by those that hold whatever the factors
 //       are (set_a_priori_bounds)
-//   (2) the notes are those given, then what follows of the guarantee, then those of the solver; the seconds of the
+//   (2) the notes are those given, then lights that are lost in solids, then what follows of the guarantee, then those
+//   of the solver; the seconds of the
 //       system are among those of the radiosities
 //
 // REQUIRES the system of the scene's reflectivities and a matrix of its elements. Throws RequestError, naming the
 // scene's file, as RadiositySolver and require_doubles do.
 RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTable& scene,
-                                    std::vector<std::string> notes, const std::function<void(double)>& progress);
+                                    std::span<const LightShares> lights, std::vector<std::string> notes,
+                                    const std::function<void(double)>& progress);
 
 }  // namespace hottel

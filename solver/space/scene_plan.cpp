@@ -23,8 +23,9 @@ namespace {
 constexpr double kSecondsPerPair = 2.0e-5;
 constexpr double kSecondsPerSky = 1.0e-3;
 constexpr double kSecondsPerHiding = 3.0e-4;
-constexpr double kSecondsPerMap = 3.0e-6;   // of a cell, by polygon
-constexpr double kSecondsPerPart = 1.0e-6;  // of a cell, by element
+constexpr double kSecondsPerMap = 3.0e-6;    // of a cell, by polygon
+constexpr double kSecondsPerPart = 1.0e-6;   // of a cell, by element
+constexpr double kSecondsPerShare = 1.0e-4;  // of a light, by polygon
 constexpr double kSecondsPerPixel = 1.5e-7;
 // Pairs of faces that are looked at to tell how many face each other.
 constexpr std::size_t kMostLookedAt = 2000;
@@ -99,7 +100,7 @@ void add_light(const Scene3& scene, const PlanRequest& request, std::uint64_t ro
   draft.add(Plan::kPicture, !scene.surfaces.empty(),
             scene.camera ? "what the camera sees" : "what a camera chosen for the scene sees", "the scene is empty",
             static_cast<double>(camera.width) * camera.height * kSecondsPerPixel);
-  draft.add_lights();
+  draft.add_lights(static_cast<double>(scene.surfaces.size()) * kSecondsPerShare);
 }
 
 }  // namespace

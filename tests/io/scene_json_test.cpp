@@ -310,14 +310,66 @@ TEST(SceneJson, RefusesSurfacesWithoutLength) {
 }
 
 TEST(SceneJson, RefusesWhatItDoesNotSimulate) {
-  EXPECT_EQ(refusal(scene_with("\"lights\": [{\"type\": \"spot\"}]")),
-            "scene.json:3: lights are not simulated by this version");
   EXPECT_EQ(refusal(scene_with("\"polygons\": [{}]")),
             "scene.json:3: polygons belong to dimension 3; this scene has dimension 2");
   EXPECT_EQ(refusal(scene_with("\"mesh\": \"a.obj\"")),
             "scene.json:3: mesh belongs to dimension 3; this scene has dimension 2");
   EXPECT_EQ(refusal(scene_with("\"camera\": {}")),
             "scene.json:3: camera belongs to dimension 3; this scene has dimension 2");
+}
+
+TEST(SceneJson, ReadsLights) {
+  const Scene2 scene = parse(scene_with(R"("lights": [
+    {"type": "spot", "name": "torch", "position": [0.5, "1/3"], "direction": [0, 2], "focus": "22.5", "falloff": 2.5,
+     "power": [1, 2, 3], "rotation": -30, "about": "turns"},
+    {"type": "point", "power": 5, "path": {"points": [[7, 7], [8, 7], [8, 8]], "seconds": 4, "closed": true}} ])"));
+  ASSERT_EQ(scene.lights.size(), 2u);
+  ASSERT_EQ(scene.light_places.size(), 2u);
+  const Light& torch = scene.lights[0];
+  EXPECT_EQ(torch.name, "torch");
+  EXPECT_EQ(torch.type, LightType::kSpot);
+  EXPECT_EQ(torch.focus, Rational(45, 2));
+  EXPECT_EQ(torch.falloff, Rational(5, 2));
+  EXPECT_EQ(torch.power.value[2], 3);
+  EXPECT_EQ(scene.light_places[0].position, (Point2{Rational(1, 2), Rational(1, 3)}));
+  EXPECT_EQ(scene.light_places[0].direction, (Point2{0, 2}));
+  EXPECT_EQ(scene.light_places[0].rotation, -30);
+  EXPECT_EQ(scene.lights[1].name, "light[1]");
+  EXPECT_TRUE(scene.lights[1].is_round());
+  ASSERT_TRUE(scene.light_places[1].path);
+  EXPECT_EQ(scene.light_places[1].position, (Point2{7, 7}));
+  EXPECT_EQ(scene.light_places[1].path->seconds, 4);
+  const Scene2 again = parse(write_scene_2(scene));
+  EXPECT_EQ(again.light_places, scene.light_places);
+  for (std::size_t k = 0; k < 2; ++k) {
+    Light read = again.lights[k];
+    read.line = scene.lights[k].line;
+    EXPECT_EQ(read, scene.lights[k]);
+  }
+}
+
+TEST(SceneJson, RefusesWrongLightsByNameAndLine) {
+  const auto light = [](const std::string& text) { return refusal(scene_with("\"lights\": [{" + text + "}]")); };
+  EXPECT_EQ(light(R"("type": "spot")"), "scene.json:3: light 'light[0]' has no \"direction\"");
+  EXPECT_EQ(light(R"("type": "lamp")"),
+            "scene.json:3: light 'light[0]': type is 'lamp'; it may be \"point\" or \"spot\"");
+  EXPECT_EQ(light(R"("type": "point", "position": [9, 9])"), "scene.json:3: light 'light[0]' has no \"power\"");
+  EXPECT_EQ(light(R"("type": "point", "power": 1)"), "scene.json:3: light 'light[0]' has no \"position\"");
+  for (const std::string key : {"direction", "focus", "falloff"})
+    EXPECT_EQ(light(R"("type": "point", "power": 1, "position": [9, 9], ")" + key + "\": 10"),
+              "scene.json:3: light 'light[0]' is a point light: it has no " + key);
+  const std::string spot = R"("type": "spot", "power": 1, "position": [9, 9], "direction": )";
+  EXPECT_EQ(light(spot + "[0, 0]"), "scene.json:3: light 'light[0]' shines nowhere: its direction is zero");
+  for (const std::string focus : {"0", "-1", "180.001"})
+    EXPECT_EQ(light(spot + "[1, 0], \"focus\": " + focus),
+              "scene.json:3: light 'light[0]': focus must be greater than 0 and at most 180 degrees");
+  EXPECT_EQ(light(spot + "[1, 0], \"falloff\": -1"), "scene.json:3: light 'light[0]': falloff must not be below 0");
+  EXPECT_EQ(light(R"("type": "point", "power": -1, "position": [9, 9])"),
+            "scene.json:3: light 'light[0]': power must not be negative");
+  EXPECT_EQ(light(R"("type": "point", "power": 1, "path": {"points": [[9, 9]], "seconds": 1})"),
+            "scene.json:3: light 'light[0]': path has fewer than two points");
+  EXPECT_EQ(light(R"("type": "point", "power": 1, "path": {"points": [[9, 9], [9, 8]], "seconds": 0})"),
+            "scene.json:3: light 'light[0]': path: seconds must be greater than 0");
 }
 
 TEST(SceneJson, RefusesGridsWithoutCells) {

@@ -1,5 +1,8 @@
 #include "geometry/plane/scene/scene.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "geometry/name.h"
 #include "geometry/number.h"
 #include "kernel/support/failure.h"
@@ -8,6 +11,30 @@ namespace hottel {
 namespace {
 
 bool has_lowest_terms(const Point2& point) { return is_in_lowest_terms(point.x) && is_in_lowest_terms(point.y); }
+
+bool is_on(const Point2& point, const Edge2& edge) {
+  const auto is_between = [](const Rational& a, const Rational& x, const Rational& b) {
+    return (a <= x && x <= b) || (b <= x && x <= a);
+  };
+  if (!is_between(edge.from.x, point.x, edge.to.x) || !is_between(edge.from.y, point.y, edge.to.y)) return false;
+  return (edge.to.x - edge.from.x) * (point.y - edge.from.y) == (edge.to.y - edge.from.y) * (point.x - edge.from.x);
+}
+
+// What is wrong with where a light is, as the end of a sentence; empty when nothing is.
+std::string place_problem(const Scene2& scene, const Light& light, const LightPlace2& place) {
+  if (!has_lowest_terms(place.position) || !has_lowest_terms(place.direction))
+    return "has a coordinate that is not in lowest terms (mpq_class::canonicalize)";
+  if (light.type == LightType::kSpot && place.direction == Point2{0, 0}) return "shines nowhere: its direction is zero";
+  for (std::size_t s = 0; s < scene.edges.size(); ++s)
+    if (is_on(place.position, scene.edges[s]))
+      return "lies on the surface " + quoted_name(scene.surfaces[s].name) + "; a light has to be beside it";
+  if (!place.path) return "";
+  if (place.path->seconds <= 0) return "has a path of no time: seconds must be greater than 0";
+  const auto& points = place.path->points;
+  if (std::adjacent_find(points.begin(), points.end(), std::not_equal_to<>()) == points.end())
+    return "has a path that leads nowhere: it needs two points that differ";
+  return "";
+}
 
 }  // namespace
 
@@ -33,6 +60,11 @@ void validate(const Scene2& scene) {
       refuse("has a coordinate that is not in lowest terms (mpq_class::canonicalize)");
     if (edge.from == edge.to) refuse("has length zero");
   }
+  HOTTEL_REQUIRE(scene.light_places.size() == scene.lights.size());
+  for (std::size_t k = 0; k < scene.lights.size(); ++k)
+    if (const auto problem = place_problem(scene, scene.lights[k], scene.light_places[k]); !problem.empty())
+      throw InputError({scene.file, scene.lights[k].line},
+                       "light " + quoted_name(scene.lights[k].name) + " " + problem);
   if (!scene.grid) return;
   if (const std::string problem = grid_problem(*scene.grid); !problem.empty())
     throw InputError({scene.file, 0}, "grid: " + problem);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/plane/point.h"
+#include "geometry/plane/scene/light_place.h"
 #include "geometry/scene_table.h"
 
 namespace hottel {
@@ -36,8 +37,10 @@ std::string grid_problem(const Grid2& grid);
 //   (1) edges[s] is where surfaces[s] of the table lies: as many of one as of the other
 //   (2) from != to for every edge; coordinates are in lowest terms
 //   (3) the table is valid (SceneTable)
+//   (4) light_places[k] is where lights[k] of the table is; no light lies on an edge, and directions are not zero
 struct Scene2 : SceneTable {
   std::vector<Edge2> edges;
+  std::vector<LightPlace2> light_places;
   std::optional<Grid2> grid;
 
   // Puts a surface after all others.
@@ -45,13 +48,19 @@ struct Scene2 : SceneTable {
     surfaces.push_back(std::move(surface));
     edges.push_back(std::move(edge));
   }
+  // Puts a light after all others.
+  void add(Light light, LightPlace2 place) {
+    lights.push_back(std::move(light));
+    light_places.push_back(std::move(place));
+  }
   // Keeps these surfaces, in this order, and no others. Materials and groups stay, used or not. REQUIRES:
   // indices of surfaces.
   void keep(const std::vector<std::uint32_t>& which);
 };
 
-// Throws InputError naming file, line and surface unless (2) and (3) hold and the grid is one (grid_problem),
-// ContractViolation unless (1) does. COST: linear.
+// Throws InputError naming file, line and surface or light unless (2), (3) and (4) hold and the grid is one
+// (grid_problem), ContractViolation unless (1) does and there are as many places as lights. COST: linear, for each
+// light.
 void validate(const Scene2& scene);
 
 // The point at t of the way from the first to the second point of an edge, exactly; t = 0 and t = 1 are its ends.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/scene_table.h"
+#include "geometry/space/scene/light_place.h"
 #include "geometry/space/scene/polygon.h"
 
 namespace hottel {
@@ -57,11 +58,13 @@ std::string grid_problem(const Grid3& grid);
 //   (3) the table is valid (SceneTable), and neither camera nor grid has a problem
 //   (4) masks ascend by surface; a mask and its base have materials, and lie in one plane, facing each other; a base is
 //       no mask. That masks lie within their bases, and beside each other, is required by Arrangement3
+//   (5) light_places[k] is where lights[k] of the table is; no light lies on a polygon, and directions are not zero
 //
 // Polygons may touch, overlap and pierce each other anyhow: what that means is told by Arrangement3.
 struct Scene3 : SceneTable {
   std::vector<Polygon3> polygons;
   std::vector<Mask3> masks;
+  std::vector<LightPlace3> light_places;
   std::optional<Camera3> camera;
   std::optional<Grid3> grid;
 
@@ -70,10 +73,15 @@ struct Scene3 : SceneTable {
     surfaces.push_back(std::move(surface));
     polygons.push_back(std::move(polygon));
   }
+  // Puts a light after all others.
+  void add(Light light, LightPlace3 place) {
+    lights.push_back(std::move(light));
+    light_places.push_back(std::move(place));
+  }
 };
 
-// Throws InputError naming file, line and surface unless (2), (3) and (4) hold; ContractViolation unless (1) does.
-// COST: that of polygon_problem.
+// Throws InputError naming file, line and surface or light unless (2) to (5) hold; ContractViolation unless (1) does
+// and there are as many places as lights. COST: that of polygon_problem, and linear for each light.
 void validate(const Scene3& scene);
 
 }  // namespace hottel

@@ -24,7 +24,7 @@ class PlaneReader {
     if (sky) table_.read_sky(sky);
     if (closed) scene_.closed = read_boolean(closed, {"closed"});
     if (grid) read_grid(grid);
-    if (lights) TableReader::refuse_lights(lights);
+    if (lights) table_.read_lights(lights, [this](const LightEntry& entry) { read_light(entry); });
     if (expect) table_.read_expectations(expect);
     validate(scene_);
     refuse_names_of_edges(scene_, polyline_line_);
@@ -93,6 +93,20 @@ class PlaneReader {
     }
     if (mesh) refuse(mesh, "mesh belongs to dimension 3; this scene has dimension 2");
     if (camera) refuse(camera, "camera belongs to dimension 3; this scene has dimension 2");
+  }
+
+  void read_light(const LightEntry& entry) {
+    LightPlace2 place;
+    if (entry.path) {
+      place.path = LightPath2{{}, entry.seconds, entry.is_closed};
+      for (const JsonValue item : entry.path_points.items())
+        place.path->points.push_back(read_point(item, {entry.owner, "point of the path"}));
+    }
+    place.position =
+        entry.position ? read_point(entry.position, {entry.owner, "position"}) : place.path->points.front();
+    if (entry.direction) place.direction = read_point(entry.direction, {entry.owner, "direction"});
+    if (entry.rotation) place.rotation = read_number(entry.rotation, {entry.owner, "rotation"});
+    scene_.add(entry.light, std::move(place));
   }
 
   void read_grid(const JsonValue& grid) {

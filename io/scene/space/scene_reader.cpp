@@ -31,7 +31,8 @@ class SpaceReader3 {
     refuse_plane_only(edges, "edges");
     refuse_plane_only(polylines, "polylines");
     if (grid) read_grid(grid);
-    if (lights) TableReader::refuse_lights(lights);
+    if (lights && lights.size() > 0) refuse(lights, "lights are not simulated in space by this version");
+    if (lights) table_.read_lights(lights, [this](const LightEntry& entry) { read_light(entry); });
     if (polygons) read_polygons(polygons);
     if (mesh) read_meshes(mesh);
     if (sky) table_.read_sky(sky);
@@ -192,6 +193,20 @@ class SpaceReader3 {
     std::size_t k = 0;
     for (const JsonValue item : value.items()) *coordinates[k++] = read_number(item, {subject.owner, "coordinate"});
     return point;
+  }
+
+  void read_light(const LightEntry& entry) {
+    LightPlace3 place;
+    if (entry.path) {
+      place.path = LightPath3{{}, entry.seconds, entry.is_closed};
+      for (const JsonValue item : entry.path_points.items())
+        place.path->points.push_back(read_point(item, {entry.owner, "point of the path"}));
+    }
+    place.position =
+        entry.position ? read_point(entry.position, {entry.owner, "position"}) : place.path->points.front();
+    if (entry.direction) place.direction = read_point(entry.direction, {entry.owner, "direction"}) - Point3{};
+    if (entry.rotation) place.rotation = read_point(entry.rotation, {entry.owner, "rotation"}) - Point3{};
+    scene_.add(entry.light, std::move(place));
   }
 
   void read_grid(const JsonValue& value) {

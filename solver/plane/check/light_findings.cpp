@@ -25,18 +25,28 @@ using Faces = std::vector<std::uint32_t>;  // elements of the matrix, ascending
 
 class LightTeller {
  public:
-  LightTeller(const Scene2& scene, const ExchangeMatrix& matrix, const std::function<void(double)>& progress)
-      : scene_(scene), matrix_(matrix), progress_(progress) {}
+  LightTeller(const Scene2& scene, const ExchangeMatrix& matrix, std::span<const LightShares> lights,
+              const std::function<void(double)>& progress)
+      : scene_(scene), matrix_(matrix), lights_(lights), progress_(progress) {}
 
   Findings2 tell() {
-    const LightFates fates = light_fates(scene_, matrix_);
+    const RadiositySources sources = sources_of(matrix_, scene_, lights_);
+    const LightFates fates = light_fates(scene_, matrix_, sources);
     for (const auto& [faces, fate] : fates.of) tell_component(faces, fate);
-    for (LightError& error : light_errors(scene_, matrix_, fates, "length", progress_))
+    for (LightError& error : light_errors(scene_, matrix_, sources, fates, "length", progress_))
       add(Severity::kError, std::move(error.kind), std::move(error.surfaces), std::move(error.message),
           std::move(error.suggestion));
     if (!scene_.surfaces.empty() && !has_source())
       add(Severity::kNote, "no-light", {}, "nothing emits: every radiosity is 0",
           "view factors do not need any light; to solve, give a material or the sky an emission");
+    for (std::size_t k = 0; k < lights_.size(); ++k)
+      if (!lights_[k].solid.empty())
+        findings_.push_back({Severity::kWarning,
+                             "light-in-solid",
+                             {},
+                             scene_.light_places[k].position,
+                             lost_light_text(scene_.lights[k], lights_[k]),
+                             "move it out, or turn the points of that solid around where a room was meant"});
     tell_materials();
     return std::move(findings_);
   }
@@ -87,6 +97,8 @@ class LightTeller {
   }
 
   bool has_source() const {
+    const auto shines = [](const Light& light) { return !light.power.is_zero(); };
+    if (std::any_of(scene_.lights.begin(), scene_.lights.end(), shines)) return true;
     return !scene_.sky_emission.is_zero() || std::any_of(scene_.surfaces.begin(), scene_.surfaces.end(), [&](auto& s) {
       return !scene_.materials[s.material].emission.is_zero() ||
              (s.back && !scene_.materials[*s.back].emission.is_zero());
@@ -108,15 +120,16 @@ class LightTeller {
 
   const Scene2& scene_;
   const ExchangeMatrix& matrix_;
+  const std::span<const LightShares> lights_;
   const std::function<void(double)>& progress_;
   Findings2 findings_;
 };
 
 }  // namespace
 
-Findings2 light_findings(const Scene2& scene, const ExchangeMatrix& matrix,
+Findings2 light_findings(const Scene2& scene, const ExchangeMatrix& matrix, std::span<const LightShares> lights,
                          const std::function<void(double)>& progress) {
-  return LightTeller(scene, matrix, progress).tell();
+  return LightTeller(scene, matrix, lights, progress).tell();
 }
 
 }  // namespace hottel

@@ -104,7 +104,9 @@ void check_light(const PreparedScene2& prepared, const FaceCover2& cover, const 
   append(check.findings, std::move(black.findings));
   check.black_backs = std::move(black.surfaces);
   append(check.findings, sight_findings(prepared, *check.factors));
-  append(check.findings, light_findings(scene, *check.factors, sources.progress));
+  append(check.findings,
+         light_findings(scene, *check.factors, sources.lights ? sources.lights() : std::vector<LightShares>(),
+                        sources.progress));
   leave_out_consequences(scene, cover, rooms.is_inside_out, check.findings);
 }
 

@@ -8,6 +8,7 @@
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/plane/check/finding.h"
+#include "solver/radiosity/direct_light.h"
 
 namespace hottel {
 
@@ -33,7 +34,8 @@ struct CheckSources2 {
   std::function<std::shared_ptr<const PreparedScene2>()> prepared;  // undivided
   // As solve has them: exact, by elements where some surface is divided. May throw RequestError: light is not checked.
   std::function<std::shared_ptr<const ExchangeMatrix>()> factors;
-  std::function<void(double)> progress = {};  // fraction of the rest done; may throw to stop
+  std::function<std::vector<LightShares>()> lights = {};  // of the elements of the factors; none: there are no lights
+  std::function<void(double)> progress = {};              // fraction of the rest done; may throw to stop
 };
 
 // Throws InputError for a "behind" that cannot be obeyed (geometry/plane/arrangement/solids.h).

@@ -14,7 +14,7 @@ ComparisonReference<PreparedScene2> reference_of(const Simulation2& simulation, 
       {.granularity = Granularity::kElement, .wants_visibility = true, .memory = simulation.request().memory});
   const auto prepared = by_elements.prepared(progress);
   const auto computed = by_elements.factors(progress);
-  return {prepared, {computed, &computed->matrix}, 0};
+  return {prepared, {computed, &computed->matrix}, *by_elements.light_shares(progress), 0};
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include "geometry/plane/scene/bounding_box.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "solver/plane/light/cell_views.h"
+#include "solver/plane/light/lit_region.h"
 
 namespace hottel {
 namespace {
@@ -67,6 +69,22 @@ IlluminationGrid2 illuminate_points(const LightRows2& rows, const Grid2& grid, c
   parallel_for(
       rows.cells(), [&](std::size_t cell) { sent_out.light(rows.row(cell), result.of_cell(cell)); }, 256);
   return result;
+}
+
+IlluminationGrid2 with_lights(const PreparedScene2& prepared, IlluminationGrid2 light) {
+  const LitRegions2 regions(prepared);
+  if (regions.is_empty()) return light;
+  const Vertices2& vertices = prepared.arrangement.vertices();
+  const Grid2& grid = light.grid;
+  std::vector<EyeCoordinate2> columns;
+  for (std::uint32_t ix = 0; ix < grid.nx; ++ix)
+    columns.emplace_back(vertices, vertices.from_scene(cell_centre(grid, ix, 0)).x);
+  parallel_for(grid.ny, [&](std::size_t iy) {
+    const EyeCoordinate2 y(vertices, vertices.from_scene(cell_centre(grid, 0, static_cast<std::uint32_t>(iy))).y);
+    for (std::uint32_t ix = 0; ix < grid.nx; ++ix)
+      regions.add(Eye2(vertices, columns[ix], y), light.of_cell(iy * grid.nx + ix));
+  });
+  return light;
 }
 
 }  // namespace hottel

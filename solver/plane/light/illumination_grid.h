@@ -34,6 +34,10 @@ IlluminationGrid2 illuminate_points(const PreparedScene2& prepared, const Grid2&
 // is a row for each cell.
 IlluminationGrid2 illuminate_points(const LightRows2& rows, const Grid2& grid, const SentOut2& sent_out);
 
+// The light of a grid, and that of the scene's lights at the centre of each cell: I / (pi r) where it is reached
+// (lit_region.h). Infinite at a light itself. The same where there are none.
+IlluminationGrid2 with_lights(const PreparedScene2& prepared, IlluminationGrid2 light);
+
 // Returns the source formula instead: sum over elements j of H_j B_j / r_j², with H_j the fraction of the element that
 // the centre sees (exact visibility) and r_j the distance to its middle, at least half the shorter side of a cell.
 // An approximation without the cosine and with the dimension of space, to be compared: it is not bounded by the largest

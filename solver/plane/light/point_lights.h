@@ -6,11 +6,13 @@
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "solver/plane/light/light_columns.h"
+#include "solver/plane/light/lit_region.h"
 #include "solver/plane/light/sent_out.h"
 
 namespace hottel {
 
-// The mean irradiance at as many points as one likes, from one solution (mean_irradiance.h).
+// The mean irradiance at as many points as one likes, from one solution (mean_irradiance.h) and the scene's lights
+// (lit_region.h).
 //
 //   (1) at() of a point is what at() of its view is, bit for bit
 //   (2) NaN in solids, in every channel
@@ -34,6 +36,7 @@ class PointLights2 {
   std::vector<std::string> channel_names_;
   LightColumns2 columns_;
   SentOut2 sent_out_;
+  std::shared_ptr<const LitRegions2> lit_;
 };
 
 }  // namespace hottel

@@ -31,7 +31,8 @@ SolvedLight2 illuminate(LightKind2 kind, const PreparedScene2& prepared, const G
   if (kind == LightKind2::kInverseSquare)
     return {illuminate_inverse_square(prepared, grid, table, by_element, channels, progress)};
   if (kind == LightKind2::kPoint)
-    return {illuminate_points(prepared, grid, table, SentOut2(table, by_element, sky), progress)};
+    return {
+        with_lights(prepared, illuminate_points(prepared, grid, table, SentOut2(table, by_element, sky), progress))};
   const FaceRadiosity2 faces(prepared.arrangement, table, by_element, sky);
   AverageIllumination2 averages = illuminate_averages(prepared, grid, faces, progress);
   return {std::move(averages.grid), averages.max_error};

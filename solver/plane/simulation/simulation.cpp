@@ -16,6 +16,7 @@
 #include "solver/methods/negative_factors.h"
 #include "solver/plane/light/illumination_grid.h"
 #include "solver/plane/light/light_rows.h"
+#include "solver/plane/light/light_shares.h"
 #include "solver/plane/light/sent_out.h"
 #include "solver/plane/light/solved_light.h"
 #include "solver/plane/methods/method_catalogue.h"
@@ -56,6 +57,21 @@ struct Spectra {
   std::vector<Spectrum> values;
   friend bool operator==(const Spectra& a, const Spectra& b) { return std::ranges::equal(a.values, b.values, is_same); }
 };
+
+Spectra powers_of(const Scene2& scene) {
+  Spectra spectra;
+  for (const Light& light : scene.lights) spectra.values.push_back(light.power);
+  return spectra;
+}
+
+// The lights but for their power, and where in the file they stand.
+std::vector<Light> beams_of(std::vector<Light> lights) {
+  for (Light& light : lights) {
+    light.power = {};
+    light.line = 0;
+  }
+  return lights;
+}
 
 Spectra emissions_of(const Scene2& scene) {
   Spectra spectra;
@@ -124,15 +140,31 @@ struct SystemInput {
   friend bool operator==(const SystemInput&, const SystemInput&) = default;
 };
 
+// What the lights shine on first. Their power is no part of it.
+struct LightSharesInput {
+  StagePtr<PreparedScene2> arrangement;
+  StagePtr<PreparedScene2> prepared;  // of the version that it is made for; not compared: what matters of it follows
+  Granularity granularity = Granularity::kFace;
+  std::vector<Light> lights;  // without power
+  std::vector<LightPlace2> places;
+  friend bool operator==(const LightSharesInput& a, const LightSharesInput& b) {
+    return a.arrangement == b.arrangement && a.granularity == b.granularity && a.lights == b.lights &&
+           a.places == b.places;
+  }
+};
+
 struct RadiositiesInput {
   StagePtr<RadiositySolver> system;
   StagePtr<ComputedFactors2> factors;
   MethodPtr method;                   // of the factors
   StagePtr<PreparedScene2> prepared;  // of the version that it is made for; not compared: what matters of it follows
   Spectra emissions;
+  StagePtr<std::vector<LightShares>> shares;  // of the power of the lights; null: there are none
+  Spectra powers;
   bool closed = false;
   friend bool operator==(const RadiositiesInput& a, const RadiositiesInput& b) {
-    return a.system == b.system && a.emissions == b.emissions && a.closed == b.closed;
+    return a.system == b.system && a.emissions == b.emissions && a.shares == b.shares && a.powers == b.powers &&
+           a.closed == b.closed;
   }
 };
 
@@ -181,6 +213,7 @@ struct CheckInput {
   ScenePtr scene;
   StagePtr<PreparedScene2> whole;  // undivided
   StagePtr<ComputedFactors2> exact_factors;
+  StagePtr<std::vector<LightShares>> shares;  // of the elements of these
   friend bool operator==(const CheckInput&, const CheckInput&) = default;
 };
 
@@ -213,7 +246,14 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
     require_closed(scene, matrix);
   else
     require_not_negative(matrix, scene.file, input.method->info().name);
-  return scene_radiosities(*input.system->get(progress), scene, factors->report.notes, telling("radiosity", progress));
+  const auto shares = input.shares ? input.shares->get(progress) : nullptr;
+  return scene_radiosities(*input.system->get(progress), scene,
+                           shares ? std::span<const LightShares>(*shares) : std::span<const LightShares>(),
+                           factors->report.notes, telling("radiosity", progress));
+}
+
+std::vector<LightShares> make_shares(const LightSharesInput& input, const StageProgress& progress) {
+  return light_shares(*input.prepared->get(progress), input.granularity);
 }
 
 ElementTable2 table_of(const PreparedScene2& prepared, Granularity granularity) {
@@ -231,7 +271,8 @@ LightRows2 make_rows(const RowsInput& input, const StageProgress& progress) {
 IlluminationGrid2 light_of_rows(const LightRows2& rows, const LightInput& input, const PreparedScene2& prepared,
                                 const RadiositySolution& solution) {
   const ElementTable2 table = table_of(prepared, input.granularity);
-  return illuminate_points(rows, input.grid, sent_out_2(table, solution, prepared.scene.sky_emission));
+  return with_lights(prepared,
+                     illuminate_points(rows, input.grid, sent_out_2(table, solution, prepared.scene.sky_emission)));
 }
 
 SolvedLight2 make_light(const LightInput& input, const StageProgress& progress) {
@@ -264,6 +305,7 @@ SceneCheck2 make_check(const CheckInput& input, const StageProgress& progress) {
                                           const auto factors = input.exact_factors->get(progress);
                                           return std::shared_ptr<const ExchangeMatrix>(factors, &factors->matrix);
                                         },
+                                    .lights = [&] { return *input.shares->get(progress); },
                                     .progress = telling("check", progress)});
 }
 
@@ -283,9 +325,11 @@ struct Simulation2::Version {
 
   Node<PlanInput, Plan> plan;
   Node<ArrangementInput, PreparedScene2> undivided, divided;  // the same one where no surface is divided
-  Node<PreparedInput, PreparedScene2> prepared, whole;        // as rows are asked for, and undivided: with this scene
+  // With this scene: as rows are asked for, undivided, and divided.
+  Node<PreparedInput, PreparedScene2> prepared, whole, parted;
   Node<FactorsInput, ComputedFactors2> factors, exact_factors;
   Node<SystemInput, RadiositySolver> system;
+  Node<LightSharesInput, std::vector<LightShares>> shares, exact_shares;  // of factors, of exact_factors
   Node<RadiositiesInput, RadiositySolution> radiosities;
   Node<RowsInput, LightRows2> rows;
   Node<LightInput, SolvedLight2> light;
@@ -348,6 +392,7 @@ void Simulation2::Version::set_arrangements(const Version* before) {
                                : undivided;
   prepared = with_values(arrangement(), scene, old(before, &Version::prepared));
   whole = with_values(undivided, scene, old(before, &Version::whole));
+  parted = with_values(divided, scene, old(before, &Version::parted));
 }
 
 const Node<ArrangementInput, PreparedScene2>& Simulation2::Version::arrangement() const {
@@ -380,11 +425,20 @@ void Simulation2::Version::set_light(const Version* before) {
                    SystemInput{factors.stage, Spectra{reflectivities_of(scene->materials)}, request.solver,
                                request.iterations, request.until, scene->file},
                    old(before, &Version::system), make_system);
+  const auto shares_of = [&](const auto& arranged, const auto& with_scene, Granularity of) {
+    return LightSharesInput{arranged.stage, with_scene.stage, of, beams_of(scene->lights), scene->light_places};
+  };
+  const LightSharesInput wanted = shares_of(arrangement(), prepared, granularity);
+  const LightSharesInput exact = shares_of(divided, parted, exact_factors.input.granularity);
+  shares = node_of("lights", wanted, old(before, &Version::shares), make_shares);
+  exact_shares = exact == wanted ? shares : node_of("lights", exact, old(before, &Version::exact_shares), make_shares);
   const RadiositiesInput to_solve{.system = system.stage,
                                   .factors = factors.stage,
                                   .method = factors.input.method,
                                   .prepared = prepared.stage,
                                   .emissions = emissions_of(*scene),
+                                  .shares = scene->lights.empty() ? nullptr : shares.stage,
+                                  .powers = powers_of(*scene),
                                   .closed = scene->closed};
   radiosities = node_of("radiosity", to_solve, old(before, &Version::radiosities), make_radiosities);
   rows = node_of("illumination", RowsInput{arrangement().stage, granularity, grid, request.memory},
@@ -404,8 +458,8 @@ void Simulation2::Version::set_findings(const Version* before) {
                          const auto scene_there = input.prepared->get(progress);
                          return lost_light_warnings(*scene_there, input.factors->get(progress)->matrix);
                        });
-  check =
-      node_of("check", CheckInput{scene, whole.stage, exact_factors.stage}, old(before, &Version::check), make_check);
+  check = node_of("check", CheckInput{scene, whole.stage, exact_factors.stage, exact_shares.stage},
+                  old(before, &Version::check), make_check);
 }
 
 Simulation2::Simulation2(Scene2 scene, SimulationRequest2 request) {
@@ -440,6 +494,9 @@ std::shared_ptr<const ComputedFactors2> Simulation2::factors(const StageProgress
 }
 std::shared_ptr<const RadiositySolver> Simulation2::system(const StageProgress& progress) const {
   return version_->system.stage->get(progress);
+}
+std::shared_ptr<const std::vector<LightShares>> Simulation2::light_shares(const StageProgress& progress) const {
+  return version_->shares.stage->get(progress);
 }
 std::shared_ptr<const RadiositySolution> Simulation2::radiosities(const StageProgress& progress) const {
   return version_->radiosities.stage->get(progress);

@@ -10,6 +10,7 @@
 #include "solver/plane/light/light_values.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "solver/plane/simulation/simulation_request.h"
+#include "solver/radiosity/direct_light.h"
 #include "solver/radiosity/radiosity_solution.h"
 #include "solver/radiosity/radiosity_solver.h"
 
@@ -20,7 +21,8 @@ struct PreparedScene2;
 
 // One version of a scene and what is asked of it, with all that follows, in stages:
 //
-//   arrangement <- factors <- system <- radiosities <- light <- picture;   plan, lost_light and check beside them
+//   arrangement <- lights, factors <- system <- radiosities <- light <- picture;   plan, lost_light and check beside
+//   them
 //
 // A version never changes. An edit makes a new one, which shares every stage whose input is the same; so undoing is
 // taking the older version, and copies are cheap. What is asked for is made at the first call, with what it needs
@@ -30,7 +32,8 @@ struct PreparedScene2;
 //         arrangement   edges, surfaces, groups, names, which materials act alike; whether elements are told apart
 //         factors       method, granularity, visibilities and measures, `everything`, memory
 //         system        reflectivities; solver, iterations, until
-//         radiosities   emissions, that of the sky, the promise `closed`
+//         lights        where they are and shine, after the arrangement
+//         radiosities   emissions, that of the sky, the power of lights, the promise `closed`
 //         rows          grid, memory: what the cells see (light_rows.h), after the arrangement
 //         light         grid, kind of light. Made from rows where they are kept: the same bits
 //         picture       painter
@@ -67,6 +70,7 @@ class Simulation2 {
   std::shared_ptr<const PreparedScene2> prepared(const StageProgress& progress = {}) const;  // with this scene
   std::shared_ptr<const ComputedFactors2> factors(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
+  std::shared_ptr<const std::vector<LightShares>> light_shares(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;
   std::shared_ptr<const LightRows2> rows(const StageProgress& progress = {}) const;
   std::shared_ptr<const SolvedLight2> light(const StageProgress& progress = {}) const;

@@ -32,7 +32,8 @@ void add_unplaced(Findings3& findings, Severity severity, const char* kind, std:
 
 void tell_materials(const Scene3& scene, Findings3& findings) {
   std::vector<char> is_used(scene.materials.size(), 0);
-  bool is_lit = !scene.sky_emission.is_zero();
+  bool is_lit = !scene.sky_emission.is_zero() || std::any_of(scene.lights.begin(), scene.lights.end(),
+                                                             [](const Light& l) { return !l.power.is_zero(); });
   for (const Surface& surface : scene.surfaces)
     for (const bool is_back : {false, true})
       if (const auto material = surface.material_of(is_back)) {
@@ -82,15 +83,32 @@ std::shared_ptr<const PreparedScene3> prepared_scene(const Scene3& scene, const 
 }
 
 // What `solve` would refuse; without all view factors, of what is given only.
-void tell_light_errors(const Scene3& scene, const ExchangeMatrix& matrix, bool is_whole, Findings3& findings) {
-  for (LightError& error : is_whole ? light_errors(scene, matrix, light_fates(scene, matrix), "area")
-                                    : size_errors(scene, matrix, "area")) {
+std::vector<LightError> errors_of(const Scene3& scene, const ExchangeMatrix& matrix,
+                                  std::span<const LightShares> lights) {
+  const RadiositySources sources = sources_of(matrix, scene, lights);
+  return light_errors(scene, matrix, sources, light_fates(scene, matrix, sources), "area");
+}
+
+void tell_light_errors(const Scene3& scene, const ExchangeMatrix& matrix, std::span<const LightShares> lights,
+                       bool is_whole, Findings3& findings) {
+  for (LightError& error : is_whole ? errors_of(scene, matrix, lights) : size_errors(scene, matrix, "area")) {
     Finding3 finding{Severity::kError, std::move(error.kind), std::move(error.surfaces)};
     if (!finding.surfaces.empty()) finding.at = middle(scene.polygons[finding.surfaces.front()]);
     finding.message = std::move(error.message);
     finding.suggestion = std::move(error.suggestion);
     findings.push_back(std::move(finding));
   }
+}
+
+void tell_lights_in_solids(const Scene3& scene, std::span<const LightShares> lights, Findings3& findings) {
+  for (std::size_t k = 0; k < lights.size(); ++k)
+    if (!lights[k].solid.empty())
+      findings.push_back({Severity::kWarning,
+                          "light-in-solid",
+                          {},
+                          scene.light_places[k].position,
+                          lost_light_text(scene.lights[k], lights[k]),
+                          "move it out, or turn that mesh around where a room was meant"});
 }
 
 void check_light(const PreparedScene3& prepared, const Meshes3& meshes, const CheckSources3& sources,
@@ -108,7 +126,9 @@ void check_light(const PreparedScene3& prepared, const Meshes3& meshes, const Ch
     return;
   }
   append(check.findings, sight_findings(prepared.scene, meshes, *matrix, is_whole));
-  tell_light_errors(prepared.scene, *matrix, is_whole, check.findings);
+  const std::vector<LightShares> lights = sources.lights ? sources.lights() : std::vector<LightShares>();
+  tell_lights_in_solids(prepared.scene, lights, check.findings);
+  tell_light_errors(prepared.scene, *matrix, lights, is_whole, check.findings);
   if (!is_whole)
     tell_unchecked(
         fmt::format("the scene has {} faces with a material, and it was looked from the middle of {} of them", count,

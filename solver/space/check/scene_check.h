@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/space/check/finding.h"
+#include "solver/radiosity/direct_light.h"
 
 namespace hottel {
 
@@ -35,6 +37,7 @@ struct SceneCheck3 {
 struct CheckSources3 {
   std::function<std::shared_ptr<const PreparedScene3>()> prepared;
   std::function<std::shared_ptr<const ExchangeMatrix>()> factors;  // by faces
+  std::function<std::vector<LightShares>()> lights = {};           // by faces; none: there are no lights
 };
 
 // Throws InputError for a "behind" that cannot be obeyed (geometry/space/arrangement/solids.h).

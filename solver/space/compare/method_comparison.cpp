@@ -16,7 +16,7 @@ ComparisonReference<PreparedScene3> reference_of(const Simulation3& simulation, 
                                                                        .memory = asked.memory}});
   const auto prepared = by_elements.prepared(progress);
   const auto computed = by_elements.factors(progress);
-  return {prepared, {computed, &computed->matrix}, asked.tolerance};
+  return {prepared, {computed, &computed->matrix}, *by_elements.light_shares(progress), asked.tolerance};
 }
 
 }  // namespace

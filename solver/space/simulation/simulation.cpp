@@ -13,6 +13,7 @@
 #include "solver/methods/negative_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
+#include "solver/space/light/scene_light_shares.h"
 #include "solver/space/scene_plan.h"
 
 namespace hottel {
@@ -100,6 +101,7 @@ struct Simulation3::Version {
   StagePtr<ComputedFactors3> measured;  // of the materials that they were measured with
   StagePtr<ComputedFactors3> factors;
   StagePtr<std::vector<ElementPair>> hidden;
+  StagePtr<std::vector<LightShares>> shares;
   StagePtr<RadiositySolver> system;
   StagePtr<RadiositySolution> radiosities;
 
@@ -115,6 +117,7 @@ struct Simulation3::Version {
       measured = other->measured;
       factors = other->factors;
       hidden = other->hidden;
+      shares = other->shares;
     } else {
       set_factors();
     }
@@ -135,6 +138,7 @@ struct Simulation3::Version {
       prepared = prepared_stage(scene, arranged);
       factors = other.factors;
       hidden = other.hidden;
+      shares = other.shares;
     } else {  // it is refused, or arranged as before
       arranged = prepared_stage(scene);
       prepared = arranged;
@@ -149,6 +153,7 @@ struct Simulation3::Version {
             }
           });
       set_hidden();
+      set_shares();
     }
     const bool keeps_system =
         factors == other.factors && reflectivities_of(scene->materials) == reflectivities_of(other.scene->materials);
@@ -164,6 +169,14 @@ struct Simulation3::Version {
         });
     measured = factors;
     set_hidden();
+    set_shares();
+  }
+
+  void set_shares() {
+    shares = std::make_shared<Stage<std::vector<LightShares>>>(
+        "lights", [ready = prepared, of = request.factors.granularity](const StageProgress& progress) {
+          return hottel::light_shares(*ready->get(progress), of);
+        });
   }
 
   void set_hidden() {
@@ -179,9 +192,10 @@ struct Simulation3::Version {
   void set_system(bool has_system) {
     if (!has_system) make_system();
     radiosities = std::make_shared<Stage<RadiositySolution>>(
-        "radiosity", [its = scene, made = factors, ready = system](const StageProgress& progress) {
+        "radiosity", [its = scene, made = factors, ready = system, of_lights = shares](const StageProgress& progress) {
           const auto solver = ready->get(progress);
-          return scene_radiosities(*solver, *its, made->get(progress)->notes, telling("radiosity", progress));
+          const auto lights = of_lights->get(progress);
+          return scene_radiosities(*solver, *its, *lights, made->get(progress)->notes, telling("radiosity", progress));
         });
   }
 
@@ -239,6 +253,9 @@ std::shared_ptr<const PreparedScene3> Simulation3::prepared(const StageProgress&
 }
 std::shared_ptr<const ComputedFactors3> Simulation3::factors(const StageProgress& progress) const {
   return version_->factors->get(progress);
+}
+std::shared_ptr<const std::vector<LightShares>> Simulation3::light_shares(const StageProgress& progress) const {
+  return version_->shares->get(progress);
 }
 std::shared_ptr<const RadiositySolver> Simulation3::system(const StageProgress& progress) const {
   return version_->system->get(progress);

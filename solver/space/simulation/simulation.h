@@ -12,6 +12,7 @@
 #include "geometry/space/scene/scene.h"
 #include "kernel/support/stage.h"
 #include "solver/plan.h"
+#include "solver/radiosity/direct_light.h"
 #include "solver/radiosity/radiosity_options.h"
 #include "solver/radiosity/radiosity_solution.h"
 #include "solver/radiosity/radiosity_solver.h"
@@ -104,6 +105,7 @@ class Simulation3 {
   std::shared_ptr<const Plan> plan(const StageProgress& progress = {}) const;
   std::shared_ptr<const PreparedScene3> prepared(const StageProgress& progress = {}) const;
   std::shared_ptr<const ComputedFactors3> factors(const StageProgress& progress = {}) const;
+  std::shared_ptr<const std::vector<LightShares>> light_shares(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;
   // The pairs that are hidden (hidden_pairs of exchange.h).

@@ -249,12 +249,12 @@ Numbers numbers_within(const ExchangeMatrix& matrix, const RadiositySources& sou
   return result;
 }
 
-struct Light {
+struct OneLight {
   std::vector<mpf_class> radiosity, irradiance;
 };
 
-Light light_of(const ExchangeMatrix& matrix, const WideFactors& factors, const std::vector<Rational>& reflectivity,
-               const Numbers& numbers) {
+OneLight light_of(const ExchangeMatrix& matrix, const WideFactors& factors, const std::vector<Rational>& reflectivity,
+                  const Numbers& numbers) {
   const std::size_t n = matrix.size();
   std::vector<std::vector<mpf_class>> a(n, std::vector<mpf_class>(n + 1, mpf_class(0, kBits)));
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -265,7 +265,7 @@ Light light_of(const ExchangeMatrix& matrix, const WideFactors& factors, const s
     }
     a[i][i] += 1;
   }
-  Light result;
+  OneLight result;
   for (const auto& row : solve_dense(std::move(a))) result.radiosity.push_back(row.front());
   for (std::uint32_t i = 0; i < n; ++i) {
     mpf_class sum = factors[i][n] * numbers.sky + numbers.direct[i];
@@ -282,7 +282,7 @@ struct WithinCheck {
   // `is_end`: the numbers are those at which the radiosities have their bounds.
   void add(const ExchangeMatrix& matrix, const WideFactors& factors, const std::vector<Rational>& reflectivity,
            const Numbers& numbers, const ChannelSolution& solution, double ElementRadiosity::*end = nullptr) {
-    const Light light = light_of(matrix, factors, reflectivity, numbers);
+    const OneLight light = light_of(matrix, factors, reflectivity, numbers);
     for (std::uint32_t i = 0; i < matrix.size(); ++i) {
       if (!matrix.has_row(i)) continue;
       const ElementRadiosity& e = solution.elements[i];

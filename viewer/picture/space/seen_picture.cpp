@@ -66,9 +66,9 @@ Raster SeenPicture3::raster(const ToneCurve* tone) const {
 // As PixelValues3 are filled, with what is covered in a last channel; then toned.
 template <std::size_t Channels>
 void SeenPicture3::draw_light(const PixelRows3& rows, const ToneCurve& tone, Raster& raster) const {
-  using Light = std::array<double, Channels>;
+  using Levels = std::array<double, Channels>;
   std::vector<std::array<double, Channels + 1>> pixels(std::size_t{rows.end - rows.begin} * width_);
-  const auto add = [&](const PixelCover3& cover, const Light& light) {
+  const auto add = [&](const PixelCover3& cover, const Levels& light) {
     auto& pixel = pixels[std::size_t{cover.y - rows.begin} * width_ + cover.x];
     for (std::size_t c = 0; c < Channels; ++c) pixel[c] += cover.part * light[c];
     pixel[Channels] += cover.part;
@@ -80,7 +80,7 @@ void SeenPicture3::draw_light(const PixelRows3& rows, const ToneCurve& tone, Ras
                              [&](const PixelCover3& cover) { add(cover, shade.at(cover.middle)); });
       continue;
     }
-    Light light{};
+    Levels light{};
     if (part.element && paint_.has_value(*part.element))
       std::ranges::copy(paint_.value(*part.element), light.begin());
     else

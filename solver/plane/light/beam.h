@@ -1,0 +1,58 @@
+// The beam of a light in the plane: which share of its power leaves between two directions.
+#pragma once
+
+#include <vector>
+
+#include "geometry/light.h"
+#include "geometry/plane/scene/light_place.h"
+#include "kernel/ball.h"
+#include "kernel/enclosure.h"
+
+namespace hottel {
+
+// The beam of a light: the directions at most Light::half_angle() away from its axis, its borders among them. The axis
+// is a rational direction turned by a rational number of degrees.
+//
+//   (1) which side of a border a rational direction lies on is decided exactly: the tangent of a rational number of
+//       degrees is rational only at multiples of 45 (Niven), where integers decide; elsewhere balls of growing
+//       precision do, which end
+//   (2) the real shares of steps that lead once around sum to 1
+//   (3) a beam of 180 degrees has no border
+//
+// Directions are vectors of any length, not zero.
+class Beam2 {
+ public:
+  // The light as it stands, its axis turned counter-clockwise by so many degrees.
+  Beam2(const Light& light, const LightPlace2& place, const Rational& turned = 0);
+
+  // The share of the power that leaves in the directions from `from` counter-clockwise to `to`, which differ: within
+  // bounds that differ by less than 2^-50 of it, or {0, 0} iff no direction between them is inside the beam.
+  // COST: some 10 µs.
+  Enclosure share(const Point2& from, const Point2& to) const;
+
+  // True iff a direction is in the beam, borders included. COST: some 100 ns but next to a border.
+  bool contains(const Point2& direction) const;
+  // The intensity in a direction over the power [1/radian], in doubles: I0 cos^n t / P; 0 outside the beam.
+  double intensity(const Point2& direction) const;
+
+ private:
+  // A place of a direction relative to the axis: below the beam, in it, above it.
+  enum class Side : signed char { kBelow = -1, kInside = 0, kAbove = 1 };
+
+  Ball raw_angle(const Point2& direction, long precision) const;
+  Ball angle(const Point2& direction, long precision) const;
+  int compare(const Point2& direction, const Rational& degrees) const;
+  int turns_to_add(const Point2& direction) const;
+  Side side(const Point2& direction) const;
+  bool passes_behind(const Point2& from, const Point2& to) const;
+  bool touches_only(const Point2& from, const Point2& to, Side first, Side last, bool is_behind) const;
+  Ball power_up_to(const Point2& direction, Side side, long precision) const;
+  Ball border_power(long precision) const;
+
+  Point2 direction_;
+  Rational turned_, half_angle_, falloff_;
+  double falloff_in_doubles_ = 0, turned_in_radians_ = 0, peak_ = 0;
+  bool is_round_;
+};
+
+}  // namespace hottel

@@ -1,0 +1,101 @@
+#include "solver/plane/light/lit_region.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/plane/predicates/eye_line.h"
+#include "geometry/plane/visibility/solid_around.h"
+
+namespace hottel {
+
+LitRegion2::LitRegion2(const PreparedScene2& prepared, const PointLocation2& location, const Light& light,
+                       const LightPlace2& place)
+    : prepared_(prepared),
+      eye_(prepared.arrangement.vertices(), prepared.arrangement.vertices().from_scene(place.position)),
+      beam_(light, place) {
+  location.look_around(eye_, view_);
+  is_in_solid_ = solid_around(prepared.arrangement, view_) != Solids2::kNone;
+  const auto& seen = view_.seen;
+  while (first_half_ < seen.size() &&
+         (first_half_ == 0 || eye_.orientation(seen[0].vertex, seen[first_half_].vertex) > 0))
+    ++first_half_;
+}
+
+// The step whose directions, its first and not its last, hold that of a point, which is not the eye. is_on_ray: it is
+// its first. REQUIRES two steps or more.
+std::size_t LitRegion2::step_towards(const Eye2& point, bool& is_on_ray) const {
+  const auto& seen = view_.seen;
+  const EyeLine2 line(eye_, point);
+  // -1 where the direction of a vertex is before that of the point, less than half a turn; 0 on its line
+  const auto turn = [&](std::size_t k) { return line.side(seen[k].vertex); };
+  const auto is_along = [&](std::size_t k) {
+    const Point2 v = prepared_.arrangement.vertices().exact(seen[k].vertex), at = eye_.exact(), to = point.exact();
+    return (v.x - at.x) * (to.x - at.x) + (v.y - at.y) * (to.y - at.y) > 0;
+  };
+  const int first = turn(0);
+  const bool is_in_first_half = first < 0 || (first == 0 && is_along(0));
+  // Vertices of one half are less than half a turn from each other, and from the point: among them the last that is
+  // not after it.
+  std::size_t low = is_in_first_half ? 0 : first_half_, high = is_in_first_half ? first_half_ : seen.size();
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (turn(middle) <= 0)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  const std::size_t step = low - 1;
+  is_on_ray = turn(step) == 0 && is_along(step);
+  return step;
+}
+
+// Whether a point in the directions of a step is hidden by what is seen there.
+bool LitRegion2::is_behind(std::size_t step, const Eye2& point) const {
+  const PieceSideId side = view_.seen[step].behind;
+  if (side == kSky) return false;
+  const Segment2& piece = prepared_.arrangement.piece(side);
+  return point.orientation(piece.a, piece.b) * eye_.orientation(piece.a, piece.b) < 0;
+}
+
+bool LitRegion2::reaches(const Eye2& point) const {
+  if (is_in_solid_) return false;
+  const std::size_t m = view_.seen.size();
+  if (m < 2 || point.exact() == eye_.exact()) return true;
+  bool is_on_ray = false;
+  const std::size_t step = step_towards(point, is_on_ray);
+  return !is_behind(step, point) || (is_on_ray && !is_behind(step == 0 ? m - 1 : step - 1, point));
+}
+
+double LitRegion2::irradiance(const Eye2& point) const {
+  const Point2 from = eye_.exact(), to = point.exact();
+  const Point2 way{to.x - from.x, to.y - from.y};
+  if (way == Point2{0, 0}) return is_in_solid_ ? 0 : std::numeric_limits<double>::infinity();
+  const double intensity = beam_.intensity(way);
+  if (intensity == 0 || !reaches(point)) return 0;
+  const double scale = to_double(prepared_.arrangement.vertices().scale());
+  return intensity / (std::numbers::pi * scale * std::hypot(to_double(way.x), to_double(way.y)));
+}
+
+LitRegions2::LitRegions2(const PreparedScene2& prepared) {
+  const Scene2& scene = prepared.scene;
+  if (scene.lights.empty()) return;
+  const PointLocation2 location(prepared.arrangement.vertices(), prepared.arrangement.triangulation());
+  for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+    regions_.push_back(std::make_unique<LitRegion2>(prepared, location, scene.lights[k], scene.light_places[k]));
+    std::array<double, 3> power;
+    for (std::size_t c = 0; c < 3; ++c) power[c] = to_double(scene.lights[k].power.value[c]);
+    power_.push_back(power);
+  }
+}
+
+void LitRegions2::add(const Eye2& point, std::span<double> result) const {
+  for (std::size_t k = 0; k < regions_.size(); ++k) {
+    const double share = regions_[k]->irradiance(point);
+    if (share == 0) continue;
+    for (std::size_t c = 0; c < result.size(); ++c)
+      if (power_[k][c] > 0) result[c] += share * power_[k][c];
+  }
+}
+
+}  // namespace hottel

@@ -1,0 +1,37 @@
+// Light that comes from no element: how the power of lights is spread over the elements, as sources of a system.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/exchange_matrix.h"
+#include "geometry/scene_table.h"
+#include "solver/radiosity/radiosity_sources.h"
+
+namespace hottel {
+
+// Which shares of its power a light sends to what it meets first: each element, black backs among them, and the sky.
+//
+//   (1) numbers within these bounds, not below 0, sum to 1
+//   (2) a light in a solid sends nothing out: all shares are 0, and `solid` is the group that makes it
+struct LightShares {
+  std::vector<Enclosure> of_element;  // by element
+  Enclosure sky{0, 0};
+  std::string solid;  // empty: it is in none
+};
+
+// Adds what lights send to the sources of a matrix: D_i = sum over lights of share times power over area, within
+// bounds; and what meets no row, to RadiositySources::besides. Channels are told apart where the power of a light is.
+// REQUIRES one entry of `shares` for each light, each of the elements of the matrix.
+void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std::span<const LightShares> shares,
+                RadiositySources& sources);
+
+// The sources of a scene: what its materials and its sky emit, and its lights.
+RadiositySources sources_of(const ExchangeMatrix& matrix, const SceneTable& scene, std::span<const LightShares> lights);
+
+// What is to be said of a light in a solid; for all lights, one text for each that is in one.
+std::string lost_light_text(const Light& light, const LightShares& shares);
+std::vector<std::string> lost_light_notes(std::span<const Light> lights, std::span<const LightShares> shares);
+
+}  // namespace hottel
