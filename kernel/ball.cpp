@@ -1,39 +1,14 @@
 #include "kernel/ball.h"
 
-#include <arb.h>
 #include <arf.h>
 #include <fmpq.h>
 
 #include <utility>
 
-#include "kernel/flint_memory.h"
+#include "kernel/ball_hidden.h"
 
 namespace hottel {
-
-struct Ball::Hidden {
-  arb_t x;
-  Hidden() {
-    return_flint_memory_at_thread_end();
-    arb_init(x);
-  }
-  Hidden(const Hidden& other) {
-    return_flint_memory_at_thread_end();
-    arb_init(x);
-    arb_set(x, other.x);
-  }
-  Hidden& operator=(const Hidden&) = delete;
-  ~Hidden() { arb_clear(x); }
-};
-
 namespace {
-
-void set(arb_t out, const Integer& value) {
-  fmpz_t z;
-  fmpz_init(z);
-  fmpz_set_mpz(z, value.get_mpz_t());
-  arb_set_fmpz(out, z);
-  fmpz_clear(z);
-}
 
 void set(arb_t out, const Rational& value, long precision) {
   fmpq_t q;
@@ -62,7 +37,7 @@ Ball Ball::of(const Rational& value, long precision) {
 
 Ball Ball::root(const Integer& radicand, long precision) {
   Ball result;
-  set(result.hidden_->x, radicand);
+  set_integer(result.hidden_->x, radicand);
   arb_sqrt(result.hidden_->x, result.hidden_->x, precision);
   return result;
 }
@@ -70,6 +45,17 @@ Ball Ball::root(const Integer& radicand, long precision) {
 Ball Ball::pi(long precision) {
   Ball result;
   arb_const_pi(result.hidden_->x, precision);
+  return result;
+}
+
+Ball Ball::sine_of_degrees(const Rational& degrees, long precision) {
+  Ball result;
+  const Rational half_turns = degrees / 180;
+  fmpq_t q;
+  fmpq_init(q);
+  fmpq_set_mpq(q, half_turns.get_mpq_t());
+  arb_sin_pi_fmpq(result.hidden_->x, q, precision);
+  fmpq_clear(q);
   return result;
 }
 
@@ -103,6 +89,12 @@ Ball Ball::over(const Ball& other, long precision) const {
   return result;
 }
 
+Ball Ball::square_root(long precision) const {
+  Ball result;
+  arb_sqrtpos(result.hidden_->x, hidden_->x, precision);
+  return result;
+}
+
 void Ball::add_product(const Ball& a, const Ball& b, long precision) {
   arb_addmul(hidden_->x, a.hidden_->x, b.hidden_->x, precision);
 }
@@ -125,6 +117,10 @@ Enclosure ends(const arb_t x, arf_rnd_t round_lower, arf_rnd_t round_upper) {
 }
 
 }  // namespace
+
+bool Ball::is_relatively_narrow(long digits) const {
+  return arb_is_zero(hidden_->x) || arb_rel_error_bits(hidden_->x) <= -digits;
+}
 
 Enclosure Ball::nearest_of_ends() const { return ends(hidden_->x, ARF_RND_NEAR, ARF_RND_NEAR); }
 

@@ -30,6 +30,9 @@ class Ball {
   static Ball root(const Integer& radicand, long precision);
   static Ball pi(long precision);
 
+  // sin(pi x / 180). Exact at multiples of 90.
+  static Ball sine_of_degrees(const Rational& degrees, long precision);
+
   // Angle of the vector (x, y) in (-pi, pi].
   static Ball atan2(const Ball& y, const Ball& x, long precision);
 
@@ -39,6 +42,9 @@ class Ball {
   Ball minus(const Ball& other, long precision) const;
   Ball times(const Ball& other, long precision) const;
   Ball over(const Ball& other, long precision) const;
+
+  // Of the numbers in the ball that are not negative.
+  Ball square_root(long precision) const;
 
   // Adds a * b, rounded once.
   void add_product(const Ball& a, const Ball& b, long precision);
@@ -52,8 +58,15 @@ class Ball {
   // Sign of (every number in the ball - value), or 0 when not settled.
   int compare(double value) const;
 
- private:
+  // True iff the ball is at most 2^-digits times as wide as every number in it is large; true of an exact zero.
+  bool is_relatively_narrow(long digits) const;
+
+  // What it is made of, for kernel/ball_hidden.h.
   struct Hidden;
+  Hidden& hidden() { return *hidden_; }
+  const Hidden& hidden() const { return *hidden_; }
+
+ private:
   std::unique_ptr<Hidden> hidden_;
 };
 
