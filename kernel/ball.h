@@ -8,6 +8,8 @@
 
 namespace hottel {
 
+struct BallNumber;
+
 // A ball that contains a real number. `precision` is in bits: that of the middle of the result.
 //
 //   (1) every operation returns a ball that contains the result for every number in its operands
@@ -61,13 +63,12 @@ class Ball {
   // True iff the ball is at most 2^-digits times as wide as every number in it is large; true of an exact zero.
   bool is_relatively_narrow(long digits) const;
 
-  // What it is made of, for kernel/ball_hidden.h.
-  struct Hidden;
-  Hidden& hidden() { return *hidden_; }
-  const Hidden& hidden() const { return *hidden_; }
+  // What it is made of, for kernel/ball_number.h.
+  BallNumber& number() { return *number_; }
+  const BallNumber& number() const { return *number_; }
 
  private:
-  std::unique_ptr<Hidden> hidden_;
+  std::unique_ptr<BallNumber> number_;
 };
 
 }  // namespace hottel

@@ -1,13 +1,11 @@
 #include "kernel/beam_arc.h"
 
-#include <acb.h>
-#include <acb_calc.h>
-#include <fmpq.h>
-
 #include <utility>
 #include <vector>
 
-#include "kernel/ball_hidden.h"
+#include "kernel/ball_number.h"
+#include "kernel/cosine_quadrature.h"
+#include "kernel/real_ball.h"
 
 namespace hottel {
 namespace {
@@ -15,189 +13,12 @@ namespace {
 // The most that falloff + 1 may be for sums of powers.
 constexpr long kMostTerms = 65;
 
-// A ball with its precision, for formulas.
-class Real {
- public:
-  explicit Real(long precision) : precision_(precision) { arb_init(x); }
-  Real(const Integer& value, long precision) : Real(precision) {
-    set_integer(x, value);
-    arb_set_round(x, x, precision);
-  }
-  Real(const Real& other) : Real(other.precision_) { arb_set(x, other.x); }
-  Real(Real&& other) noexcept : Real(other.precision_) { arb_swap(x, other.x); }
-  Real& operator=(const Real& other) {
-    arb_set(x, other.x);
-    precision_ = other.precision_;
-    return *this;
-  }
-  Real& operator=(Real&& other) noexcept {
-    arb_swap(x, other.x);
-    std::swap(precision_, other.precision_);
-    return *this;
-  }
-  ~Real() { arb_clear(x); }
-
-  long precision() const { return precision_; }
-  Real operator-() const {
-    Real result(*this);
-    arb_neg(result.x, result.x);
-    return result;
-  }
-
-  arb_t x;
-
- private:
-  long precision_;
-};
-
-Real operator+(const Real& a, const Real& b) {
-  Real result(a.precision());
-  arb_add(result.x, a.x, b.x, a.precision());
-  return result;
-}
-Real operator-(const Real& a, const Real& b) {
-  Real result(a.precision());
-  arb_sub(result.x, a.x, b.x, a.precision());
-  return result;
-}
-Real operator*(const Real& a, const Real& b) {
-  Real result(a.precision());
-  arb_mul(result.x, a.x, b.x, a.precision());
-  return result;
-}
-Real operator/(const Real& a, const Real& b) {
-  Real result(a.precision());
-  arb_div(result.x, a.x, b.x, a.precision());
-  return result;
-}
-Real times(const Real& a, long factor) {
-  Real result(a.precision());
-  arb_mul_si(result.x, a.x, factor, a.precision());
-  return result;
-}
-Real over(const Real& a, long divisor) {
-  Real result(a.precision());
-  arb_div_si(result.x, a.x, divisor, a.precision());
-  return result;
-}
-Real root(const Real& a) {
-  Real result(a.precision());
-  arb_sqrtpos(result.x, a.x, a.precision());
-  return result;
-}
-Real angle_of(const Real& y, const Real& x) {
-  Real result(x.precision());
-  arb_atan2(result.x, y.x, x.x, x.precision());
-  return result;
-}
-Real larger(const Real& a, const Real& b) {
-  Real result(a.precision());
-  arb_max(result.x, a.x, b.x, a.precision());
-  return result;
-}
-Real smaller(const Real& a, const Real& b) {
-  Real result(a.precision());
-  arb_min(result.x, a.x, b.x, a.precision());
-  return result;
-}
-
 struct Turn {
   explicit Turn(const Real& angle) : sine(angle.precision()), cosine(angle.precision()) {
     arb_sin_cos(sine.x, cosine.x, angle.x, angle.precision());
   }
   Real sine, cosine;
 };
-
-// A complex ball for the quadrature.
-class Complex {
- public:
-  Complex() { acb_init(z); }
-  Complex(const Complex&) = delete;
-  Complex& operator=(const Complex&) = delete;
-  ~Complex() { acb_clear(z); }
-  acb_t z;
-};
-
-// Sets `out` to (e^z - 1) / z, which is 1 at z = 0.
-void set_exponential_slope(acb_t out, const acb_t z, long precision) {
-  mag_t size;
-  mag_init(size);
-  acb_get_mag_lower(size, z);
-  const bool is_far = mag_cmp_2exp_si(size, -1) > 0;
-  acb_get_mag(size, z);
-  if (is_far) {
-    Complex grown;
-    acb_expm1(grown.z, z, precision);
-    acb_div(out, grown.z, z, precision);
-  } else if (mag_cmp_2exp_si(size, 1) <= 0) {
-    // 1 + z/2 (1 + z/3 (1 + ...)), and the rest: with |z| <= 2 each term is at most 2/3 of the one before it.
-    long terms = 4;
-    mag_t term;
-    mag_init(term);
-    mag_mul(term, size, size);
-    mag_mul_2exp_si(term, term, -1);
-    while (terms < 2 * precision && mag_cmp_2exp_si(term, -precision) > 0) {
-      mag_mul(term, term, size);
-      mag_div_ui(term, term, static_cast<ulong>(terms));
-      ++terms;
-    }
-    mag_clear(term);
-    Complex sum;
-    acb_one(sum.z);
-    for (long j = terms; j >= 2; --j) {
-      acb_mul(sum.z, sum.z, z, precision);
-      acb_div_ui(sum.z, sum.z, static_cast<ulong>(j), precision);
-      acb_add_ui(sum.z, sum.z, 1, precision);
-    }
-    // The first term that is left out is z^terms / (terms + 1)!; the sum of all is below three times its size.
-    mag_t rest, factorial;
-    mag_init(rest);
-    mag_init(factorial);
-    mag_pow_ui(rest, size, static_cast<ulong>(terms));
-    mag_rfac_ui(factorial, static_cast<ulong>(terms + 1));
-    mag_mul(rest, rest, factorial);
-    mag_mul_ui(rest, rest, 3);
-    acb_add_error_mag(sum.z, rest);
-    mag_clear(factorial);
-    mag_clear(rest);
-    acb_swap(out, sum.z);
-  } else {
-    // It is the mean of e^(x z) over x from 0 to 1.
-    arb_t largest, zero;
-    arb_init(largest);
-    arb_init(zero);
-    arb_max(largest, acb_realref(z), zero, precision);
-    arb_exp(largest, largest, precision);
-    arb_get_mag(size, largest);
-    acb_zero(out);
-    acb_add_error_mag(out, size);
-    arb_clear(zero);
-    arb_clear(largest);
-  }
-  mag_clear(size);
-}
-
-struct Integrand {
-  arb_srcptr c0;
-  arb_srcptr power;
-};
-
-// (1 - c^k) / (1 - c^2) at c = c0 cos u, as the quotient of means of powers: k m(k log c) / (m(log c) (1 + c)).
-int ratio_at(acb_ptr out, const acb_t u, void* parameters, slong order, slong precision) {
-  const auto& integrand = *static_cast<const Integrand*>(parameters);
-  Complex c, logarithm, scaled, slope;
-  acb_cos(c.z, u, precision);
-  acb_mul_arb(c.z, c.z, integrand.c0, precision);
-  acb_log_analytic(logarithm.z, c.z, order != 0, precision);
-  acb_mul_arb(scaled.z, logarithm.z, integrand.power, precision);
-  set_exponential_slope(slope.z, scaled.z, precision);
-  acb_mul_arb(slope.z, slope.z, integrand.power, precision);
-  set_exponential_slope(scaled.z, logarithm.z, precision);
-  acb_add_ui(c.z, c.z, 1, precision);
-  acb_mul(scaled.z, scaled.z, c.z, precision);
-  acb_div(out, slope.z, scaled.z, precision);
-  return 0;
-}
 
 // Angles from low to high, low <= high.
 struct Range {
@@ -241,9 +62,9 @@ struct BeamArcs::State {
         beyond(p) {
     if (power.get_den() == 1 && power <= kMostTerms) terms = power.get_num().get_si();
     is_right = half_angle == 90;
-    arb_swap(sine.x, Ball::sine_of_degrees(half_angle, p).hidden().x);
-    arb_swap(cosine.x, Ball::sine_of_degrees(90 - half_angle, p).hidden().x);
-    arb_set(power_ball.x, Ball::of(power, p).hidden().x);
+    arb_swap(sine.x, Ball::sine_of_degrees(half_angle, p).number().x);
+    arb_swap(cosine.x, Ball::sine_of_degrees(90 - half_angle, p).number().x);
+    arb_set(power_ball.x, Ball::of(power, p).number().x);
     if (is_right) {
       arb_one(beyond.x);
       return;
@@ -332,20 +153,7 @@ struct BeamArcs::State {
 
   // The same for any k where all angles are from -pi/3 to pi/3.
   Real inner_power(const Course& course, const Range& range) const {
-    Complex low, high, integral;
-    acb_set_arb(low.z, range.low.x);
-    acb_set_arb(high.z, range.high.x);
-    Integrand integrand{course.c0.x, power_ball.x};
-    mag_t tolerance;
-    mag_init(tolerance);
-    mag_set_ui_2exp_si(tolerance, 1, -4 * precision);
-    acb_calc_integrate_opt_t options;
-    acb_calc_integrate_opt_init(options);
-    acb_calc_integrate(integral.z, ratio_at, &integrand, low.z, high.z, precision, tolerance, options, precision);
-    mag_clear(tolerance);
-    Real result(precision);
-    arb_set(result.x, acb_realref(integral.z));
-    return result * course.s;
+    return course.s * integral_of_power_ratio(course.c0, power_ball, range.low, range.high);
   }
 
   // cos^p for the cosine of an angle from 0 to pi/2, as which rounding may have made it negative.
@@ -433,7 +241,7 @@ namespace {
 
 Ball to_ball(Real& value) {
   Ball result;
-  arb_swap(result.hidden().x, value.x);
+  arb_swap(result.number().x, value.x);
   return result;
 }
 

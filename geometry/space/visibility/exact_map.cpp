@@ -19,11 +19,11 @@ class PlaneNormals {
     HOTTEL_REQUIRE(plane.kind != PlaneDefinition3::Kind::kHorizon);
     if (plane.kind == PlaneDefinition3::Kind::kEdge)
       return primitive(cross(eye_.exact_toward(VertexId3(plane.a)), eye_.exact_toward(VertexId3(plane.b))));
-    // Polygon k is met at h_k / (N_k . w), where h_k / (N_k . w) > 0.
+    // Polygon k is met at h_k / (N_k . w) > 0: at a before b where 0 < |h_b| |N_a . w| - |h_a| |N_b . w|.
     const Integer of_a = height(plane.a), of_b = height(plane.b);
     const IntegerVector m = primitive(
         difference(multiple(of_b, blockers_.exact_normal(plane.a)), multiple(of_a, blockers_.exact_normal(plane.b))));
-    return sgn(of_a) == sgn(of_b) ? opposite(m) : m;
+    return sgn(of_a) == sgn(of_b) ? m : opposite(m);
   }
 
  private:

@@ -3,24 +3,25 @@
 
 #include <arb.h>
 
-#include "kernel/ball.h"
 #include "kernel/flint_memory.h"
+#include "kernel/rational.h"
 
 namespace hottel {
 
-struct Ball::Hidden {
+// A ball of Arb, owned.
+struct BallNumber {
   arb_t x;
-  Hidden() {
+  BallNumber() {
     return_flint_memory_at_thread_end();
     arb_init(x);
   }
-  Hidden(const Hidden& other) {
+  BallNumber(const BallNumber& other) {
     return_flint_memory_at_thread_end();
     arb_init(x);
     arb_set(x, other.x);
   }
-  Hidden& operator=(const Hidden&) = delete;
-  ~Hidden() { arb_clear(x); }
+  BallNumber& operator=(const BallNumber&) = delete;
+  ~BallNumber() { arb_clear(x); }
 };
 
 // Sets a ball to an integer, exactly.
