@@ -11,7 +11,7 @@ namespace hottel {
 namespace {
 
 // The most that falloff + 1 may be for sums of powers.
-constexpr long kMostTerms = 65;
+constexpr long kMostTerms = 1001;
 
 struct Turn {
   explicit Turn(const Real& angle) : sine(angle.precision()), cosine(angle.precision()) {

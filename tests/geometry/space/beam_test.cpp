@@ -159,5 +159,118 @@ TEST(BeamPower3, BallsHoldWhatTheOracleFindsInFiftyDigits) {
   }
 }
 
+// Two formulas: sums of powers, and a quadrature for what is next to a whole number by 1e-40.
+TEST(BeamPower3, WholeFalloffsAreNextToOthers) {
+  std::mt19937_64 engine(9);
+  const Rational little = Rational(1) / Rational(Integer("10000000000000000000000000000000000000000"));
+  int lit = 0;
+  for (int n = 0; n < 60; ++n) {
+    const ExactCone3 cone = random_cone(engine, 9, 5);
+    Beam3 beam = random_beam(engine, sum(cone.corners[0], cone.corners[1]));
+    const Rational wholes[] = {1, 2, 3, 20, 301};
+    beam.falloff = wholes[n % 5];
+    const Ball whole = BeamPower3(beam).share(cone, 120);
+    beam.falloff += little;
+    const Ball other = BeamPower3(beam).share(cone, 120);
+    const Enclosure bounds = whole.minus(other, 200).bounds();
+    EXPECT_LT(std::max(std::fabs(bounds.lower), std::fabs(bounds.upper)), 1e-34)
+        << n << " f " << beam.half_angle << " n " << beam.falloff.get_d();
+    lit += whole.sign() > 0 && whole.compare(1) < 0;
+  }
+  EXPECT_GT(lit, 15);
+}
+
+// With an angle that is not cut to 90, where n is next to 0 and the beam is of 90 degrees.
+TEST(BeamPower3, NoFalloffIsTheLimitOfLittle) {
+  std::mt19937_64 engine(10);
+  for (int n = 0; n < 40; ++n) {
+    const ExactCone3 cone = random_cone(engine, 9, 5);
+    Beam3 beam = random_beam(engine, sum(cone.corners[0], cone.corners[1]));
+    if (beam.half_angle > 90) beam.half_angle = 90;
+    beam.falloff = 0;
+    const double none = share(beam, cone);
+    beam.falloff = Rational(1) / Rational(Integer("100000000000000000000"));
+    EXPECT_NEAR(share(beam, cone), none, 2e-16) << n << " f " << beam.half_angle;
+  }
+}
+
+// A square of side 2^(1-k) at the distance 1 is as good as flat: its share is I0 times its area.
+TEST(BeamPower3, TinyConesHaveAllTheirDigits) {
+  for (const int k : {20, 60, 200}) {
+    const Integer far = Integer(1) << k;
+    const ExactCone3 cone = cone_of({{Integer(-1), Integer(-1), far},
+                                     {Integer(1), Integer(-1), far},
+                                     {Integer(1), Integer(1), far},
+                                     {Integer(-1), Integer(1), far}});
+    const double area = std::ldexp(1.0, 2 - 2 * k), off = std::ldexp(1.0, 4 - 2 * k);
+    const auto expect = [&](const Beam3& beam, double intensity) {
+      const double value = share(beam, cone);
+      EXPECT_NEAR(value / (intensity * area), 1, 1e-15 + off * 10)
+          << k << " f " << beam.half_angle << " n " << beam.falloff;
+    };
+    expect({}, 1 / (4 * kPi));
+    for (const Rational& n : {Rational(0), Rational(1), Rational(2), Rational(5, 2)}) {
+      const double exponent = to_double(n);
+      expect({{0, 0, 1}, 90, n}, (exponent + 1) / (2 * kPi));
+      expect({{1, 0, 1}, 60, n},
+             std::pow(0.5, exponent / 2) * (exponent + 1) / (2 * kPi * (1 - std::pow(0.5, exponent + 1))));
+    }
+  }
+}
+
+// A beam of 10^-1000 degrees, half of it in the cone.
+TEST(BeamPower3, BeamsMayBeAsNarrowAsTheyLike) {
+  Integer large;
+  mpz_ui_pow_ui(large.get_mpz_t(), 10, 1000);
+  for (const Rational& n : {Rational(0), Rational(1), Rational(5, 2)})
+    EXPECT_DOUBLE_EQ(share({{1, 1, 0}, Rational(1) / Rational(large), n}, kOctant), 0.5) << n;
+  // Beside its edge by as much as it is wide, nearly: in radians 10^-1000 of a degree is 0.0174.. of this unit.
+  EXPECT_EQ(share({{large, large, -1}, Rational(1) / Rational(large), 0}, kOctant), 0);
+  const double part = share({{large * 1000, large * 1000, -10}, Rational(1) / Rational(large), 0}, kOctant);
+  // The segment of a disc of radius 1 beyond the distance d.
+  const double d = 0.01 / std::sqrt(2.0) / (kPi / 180);
+  EXPECT_NEAR(part, (std::acos(d) - d * std::sqrt(1 - d * d)) / kPi, 1e-15);
+}
+
+TEST(BeamPower3, TurnsWithItsAxis) {
+  std::mt19937_64 engine(11);
+  // A rotation by 3/5, 4/5 about z and then about x, times 25.
+  const auto turned = [](const IntegerVector& a) -> IntegerVector {
+    const Integer x = 3 * a.x - 4 * a.y, y = 4 * a.x + 3 * a.y, z = 5 * a.z;
+    return {5 * x, 3 * y - 4 * z, 4 * y + 3 * z};
+  };
+  for (int n = 0; n < 60; ++n) {
+    const ExactCone3 cone = random_cone(engine, 9, 5);
+    Beam3 beam = random_beam(engine, cone.corners[0]);
+    const double before = share(beam, cone);
+    std::vector<IntegerVector> corners;
+    for (const IntegerVector& c : cone.corners) corners.push_back(turned(c));
+    const IntegerVector axis = turned({beam.axis.x.get_num(), beam.axis.y.get_num(), beam.axis.z.get_num()});
+    beam.axis = {axis.x, axis.y, axis.z};
+    EXPECT_DOUBLE_EQ(share(beam, cone_of(corners)), before) << n;
+  }
+}
+
+TEST(BeamPower3, ItsIntensityIsThatOfItsPower) {
+  EXPECT_DOUBLE_EQ(BeamPower3({}).intensity(vector(1, 2, 3)), 1 / (4 * kPi));
+  EXPECT_DOUBLE_EQ(BeamPower3({{0, 0, 2}, 60, 0}).intensity(vector(0, 1, 1)), 1 / kPi);
+  EXPECT_EQ(BeamPower3({{0, 0, 2}, 60, 0}).intensity(vector(0, 2, 1)), 0);
+  EXPECT_DOUBLE_EQ(BeamPower3({{0, 0, 2}, 60, 2}).intensity(vector(0, 1, 1)), 0.5 * 3 / (2 * kPi * (1 - 1.0 / 8)));
+  EXPECT_DOUBLE_EQ(BeamPower3({{0, 0, 2}, 180, 2}).intensity(vector(0, 1, 1)), 0.5 * 3 / (2 * kPi));  // cut to 90
+  EXPECT_EQ(BeamPower3({{0, 0, 2}, 180, 2}).intensity(vector(0, 1, 0)), 0);
+  EXPECT_EQ(BeamPower3({{0, 0, 2}, 180, 2}).intensity(vector(0, 1, -1)), 0);
+  EXPECT_DOUBLE_EQ(BeamPower3({{0, 0, 2}, 120, 0}).intensity(vector(0, 3, -1)), 1 / (3 * kPi));
+}
+
+TEST(Beam3, SaysWhatIsWrongWithIt) {
+  EXPECT_EQ(beam_problem({}), "");
+  EXPECT_NE(beam_problem({{0, 0, 0}, 20, 0}), "");
+  EXPECT_NE(beam_problem({{0, 0, 1}, 0, 0}), "");
+  EXPECT_NE(beam_problem({{0, 0, 1}, Rational(361, 2), 0}), "");
+  EXPECT_NE(beam_problem({{0, 0, 1}, 20, Rational(-1, 2)}), "");
+  EXPECT_EQ((Beam3{{0, 0, 1}, 120, 1}.reach()), 90);
+  EXPECT_EQ((Beam3{{0, 0, 1}, 120, 0}.reach()), 120);
+}
+
 }  // namespace
 }  // namespace hottel

@@ -46,7 +46,7 @@ bool sees_beside(const std::vector<SpacePolygon>& polygons, const SpacePoint& ey
     return mpq_class(static_cast<long>(engine() % 2001) - 1000, 1000) / 1'000'000'000'000;
   };
   const mpq_class nearly = 1 - mpq_class(1, 1'000'000);
-  for (int n = 0; n < 100; ++n) {
+  for (int n = 0; n < 40; ++n) {
     const SpacePoint beside{eye.x + nearly * (point.x - eye.x) + little(),
                             eye.y + nearly * (point.y - eye.y) + little(),
                             eye.z + nearly * (point.z - eye.z) + little()};

@@ -5,12 +5,16 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
+#include "tests/comparison/space/map_comparison.h"
 #include "tests/geometry/space/box_scene.h"
+#include "tests/oracle/space/nearest_polygon.h"
+#include "tests/oracle/space/random_polygons.h"
 
 namespace hottel {
 namespace {
@@ -154,6 +158,88 @@ TEST(LightShares3, InASolidAllIsLost) {
   EXPECT_TRUE(lit.shares.is_in_solid);
   EXPECT_EQ(lit.shares.lost.value, 1);
   EXPECT_EQ(lit.shares.sky.value, 0);
+}
+
+// What a square of side 2 gets of a point at the height h: asin(1 / (1 + h^2)) / pi of all directions, atan(1 / (h
+// sqrt(2 + h^2))) / pi.
+TEST(LightShares3, ALightMayBeAsNearToAFaceAsItLikes) {
+  for (const int k : {1, 10, 30, 100, 400}) {
+    const Rational height = Rational(1) / Rational(Integer(1) << k);
+    const double h = std::ldexp(1.0, -k);
+    const Lit lit = light(square(), {0, 0, 1 - height}, {});
+    EXPECT_NEAR(lit.at("square"), std::atan(1 / (h * std::sqrt(2 + h * h))) / kPi, 1e-15) << k;
+    const Lit beam = light(square(), {Rational(1, 3), Rational(1, 7), 1 - height}, {{0, 0, 1}, 89, Rational(1, 2)});
+    EXPECT_GT(beam.at("square"), 0.7) << k;
+    const Lit away = light(square(), {0, 0, 1 - height}, {{0, 0, -1}, 90, Rational(1, 2)});
+    EXPECT_EQ(away.of("square"), LightShare3{}) << k;
+  }
+}
+
+TEST(LightShares3, DoNotDependOnPlaceOrUnit) {
+  const Beam3 beam{{1, 2, 3}, 50, Rational(5, 2)};
+  const auto moved = [&beam](const Rational& scale, const Point3& by) {
+    const auto at = [&](long x, long y, long z) {
+      return Point3{by.x + scale * x, by.y + scale * y, by.z + scale * z};
+    };
+    BoxScene3 scene;
+    const Point3 a = at(-1, -1, -1), b = at(1, 1, 1);
+    scene.box("room", {a.x, a.y, a.z}, {b.x, b.y, b.z}, true);
+    scene.polygon("plate", {{at(0, 0, 0), at(1, 0, 0), at(1, 1, 1), at(0, 1, 1)}, {}});
+    const Rational third = scale / 3;
+    return light(scene, {by.x + third, by.y + third, by.z - third}, beam).shares;
+  };
+  const LightShares3 first = moved(1, {0, 0, 0}), other = moved(Rational(7, 10), {Rational(1, 3), 1'000'000'000, -5});
+  EXPECT_EQ(first.elements, other.elements);
+  EXPECT_EQ(first.sky, other.sky);
+}
+
+// What is behind the plate of what a beam lights goes to the plate.
+TEST(LightShares3, WhatIsHiddenGetsNothing) {
+  BoxScene3 scene;
+  scene.box("room", {-2, -2, -2}, {2, 2, 2}, true);
+  scene.polygon("plate", level(-1, -1, 1, 1, 1));
+  const Lit lit = light(scene, kOrigin, {{0, 0, 1}, 45, Rational(1, 3)});
+  EXPECT_EQ(lit.at("plate:back"), 1);
+  EXPECT_EQ(lit.of("room top"), LightShare3{});
+  const Lit wider = light(scene, kOrigin, {{0, 0, 1}, 54, 0});
+  const Lit alone = light(square(), kOrigin, {{0, 0, 1}, 54, 0});
+  EXPECT_DOUBLE_EQ(wider.at("plate:back"), alone.at("square"));
+  double walls = 0;
+  for (const char* name : {"top", "south", "north", "west", "east"}) walls += wider.at("room " + std::string(name));
+  EXPECT_NEAR(walls, 1 - alone.at("square"), kTiny);
+}
+
+// Directions drawn as the beam sends them, followed by the brute force.
+TEST(LightShares3, AgreeWithRaysDrawnByChance) {
+  const auto polygons = oracle::lattice_room(4, 2, 1, 1, 1);
+  BoxScene3 scene;
+  for (const Polygon3& polygon : oracle::engine_polygons(polygons))
+    scene.polygon("p" + std::to_string(scene.surfaces.size()), polygon, 0, 0);
+  const Point3 eye{Rational(17, 4), Rational(9, 2), Rational(39, 8)};
+  const oracle::RayCaster caster(polygons, {eye.x, eye.y, eye.z});
+  std::mt19937_64 engine(6);
+  for (const Beam3& beam : {Beam3{}, Beam3{{-1, 2, -2}, 70, 0}, Beam3{{2, 1, -2}, 90, Rational(3, 2)}}) {
+    const Lit lit = light(scene, eye, beam);
+    const double n = to_double(beam.falloff), f = to_double(beam.reach()) * kPi / 180;
+    const Direction3 axis = unit(Direction3{to_double(beam.axis.x), to_double(beam.axis.y), to_double(beam.axis.z)});
+    const Direction3 u = unit(cross(axis, std::fabs(axis.x) < 0.8 ? Direction3{1, 0, 0} : Direction3{0, 1, 0})),
+                     v = cross(axis, u);
+    constexpr int kRays = 3000;
+    std::vector<int> hits(polygons.size());
+    for (int k = 0; k < kRays; ++k) {
+      const auto chance = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+      const double least = n == 0 ? std::cos(f) : std::pow(std::max(0.0, std::cos(f)), n + 1), drawn = chance();
+      const double c = n == 0 ? 1 - drawn * (1 - least) : std::pow(1 - drawn * (1 - least), 1 / (n + 1));
+      const double around = 2 * kPi * chance(), s = std::sqrt(1 - c * c);
+      const Direction3 w = c * axis + s * std::cos(around) * u + s * std::sin(around) * v;
+      if (const int hit = caster({w.x, w.y, w.z}).polygon; hit >= 0) ++hits[static_cast<std::size_t>(hit)];
+    }
+    for (std::size_t p = 0; p < polygons.size(); ++p) {
+      const auto surface = static_cast<std::uint32_t>(p);
+      const double share = lit.shares.elements[2 * surface].value + lit.shares.elements[2 * surface + 1].value;
+      EXPECT_NEAR(hits[p] / static_cast<double>(kRays), share, 4.5 * std::sqrt(share / kRays) + 1e-3) << p;
+    }
+  }
 }
 
 }  // namespace
