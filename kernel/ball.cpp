@@ -1,40 +1,15 @@
 #include "kernel/ball.h"
 
-#include <arb.h>
 #include <arb_hypgeom.h>
 #include <arf.h>
 #include <fmpq.h>
 
 #include <utility>
 
-#include "kernel/flint_memory.h"
+#include "kernel/ball_number.h"
 
 namespace hottel {
-
-struct Ball::Hidden {
-  arb_t x;
-  Hidden() {
-    return_flint_memory_at_thread_end();
-    arb_init(x);
-  }
-  Hidden(const Hidden& other) {
-    return_flint_memory_at_thread_end();
-    arb_init(x);
-    arb_set(x, other.x);
-  }
-  Hidden& operator=(const Hidden&) = delete;
-  ~Hidden() { arb_clear(x); }
-};
-
 namespace {
-
-void set(arb_t out, const Integer& value) {
-  fmpz_t z;
-  fmpz_init(z);
-  fmpz_set_mpz(z, value.get_mpz_t());
-  arb_set_fmpz(out, z);
-  fmpz_clear(z);
-}
 
 void set(arb_t out, const Rational& value, long precision) {
   fmpq_t q;
@@ -46,43 +21,54 @@ void set(arb_t out, const Rational& value, long precision) {
 
 }  // namespace
 
-Ball::Ball() : hidden_(std::make_unique<Hidden>()) {}
-Ball::Ball(const Ball& other) : hidden_(std::make_unique<Hidden>(*other.hidden_)) {}
+Ball::Ball() : number_(std::make_unique<BallNumber>()) {}
+Ball::Ball(const Ball& other) : number_(std::make_unique<BallNumber>(*other.number_)) {}
 Ball::Ball(Ball&&) noexcept = default;
 Ball& Ball::operator=(Ball other) noexcept {
-  std::swap(hidden_, other.hidden_);
+  std::swap(number_, other.number_);
   return *this;
 }
 Ball::~Ball() = default;
 
 Ball Ball::of(const Rational& value, long precision) {
   Ball result;
-  set(result.hidden_->x, value, precision);
+  set(result.number_->x, value, precision);
   return result;
 }
 
 Ball Ball::root(const Integer& radicand, long precision) {
   Ball result;
-  set(result.hidden_->x, radicand);
-  arb_sqrt(result.hidden_->x, result.hidden_->x, precision);
+  set_integer(result.number_->x, radicand);
+  arb_sqrt(result.number_->x, result.number_->x, precision);
   return result;
 }
 
 Ball Ball::pi(long precision) {
   Ball result;
-  arb_const_pi(result.hidden_->x, precision);
+  arb_const_pi(result.number_->x, precision);
+  return result;
+}
+
+Ball Ball::sine_of_degrees(const Rational& degrees, long precision) {
+  Ball result;
+  const Rational half_turns = degrees / 180;
+  fmpq_t q;
+  fmpq_init(q);
+  fmpq_set_mpq(q, half_turns.get_mpq_t());
+  arb_sin_pi_fmpq(result.number_->x, q, precision);
+  fmpq_clear(q);
   return result;
 }
 
 Ball Ball::atan2(const Ball& y, const Ball& x, long precision) {
   Ball result;
-  arb_atan2(result.hidden_->x, y.hidden_->x, x.hidden_->x, precision);
+  arb_atan2(result.number_->x, y.number_->x, x.number_->x, precision);
   return result;
 }
 
 Ball Ball::whole_cosine_power(const Rational& exponent, long precision) {
   Ball result;
-  Hidden half, upper, lower;
+  BallNumber half, upper, lower;
   set(half.x, Rational((exponent + 1) / 2), precision);
   arb_gamma(upper.x, half.x, precision);
   set(half.x, Rational(exponent / 2 + 1), precision);
@@ -90,7 +76,7 @@ Ball Ball::whole_cosine_power(const Rational& exponent, long precision) {
   arb_mul(upper.x, upper.x, lower.x, precision);
   arb_const_sqrt_pi(lower.x, precision);
   arb_mul(upper.x, upper.x, lower.x, precision);
-  arb_mul_2exp_si(result.hidden_->x, upper.x, -1);
+  arb_mul_2exp_si(result.number_->x, upper.x, -1);
   return result;
 }
 
@@ -133,21 +119,21 @@ Ball Ball::cosine_power(const Ball& angle, const Rational& exponent, long precis
   Ball result;
   if (exponent == 0) return angle;
   if (exponent.get_den() == 1 && exponent <= kMostRecursive) {
-    whole_power(result.hidden_->x, angle.hidden_->x, exponent.get_num().get_ui(), precision);
+    whole_power(result.number_->x, angle.number_->x, exponent.get_num().get_ui(), precision);
     return result;
   }
-  Hidden sine, cosine, size, a, b, quarter;
-  arb_sin_cos(sine.x, cosine.x, angle.hidden_->x, precision);
-  arb_abs(size.x, angle.hidden_->x);
+  BallNumber sine, cosine, size, a, b, quarter;
+  arb_sin_cos(sine.x, cosine.x, angle.number_->x, precision);
+  arb_abs(size.x, angle.number_->x);
   arb_const_pi(quarter.x, precision);
   arb_mul_2exp_si(quarter.x, quarter.x, -2);
   arb_set_d(a.x, 0.5);
   set(b.x, Rational((exponent + 1) / 2), precision);
   if (arb_lt(size.x, quarter.x)) {
-    half_beta(result.hidden_->x, sine.x, a.x, b.x, precision);
+    half_beta(result.number_->x, sine.x, a.x, b.x, precision);
   } else {
     // From the other end: what is missing to pi / 2.
-    Hidden rest;
+    BallNumber rest;
     if (arb_is_positive(cosine.x)) {
       half_beta(rest.x, cosine.x, b.x, a.x, precision);
     } else {  // at most the angle that is missing, for no cosine is above 1
@@ -162,41 +148,47 @@ Ball Ball::cosine_power(const Ball& angle, const Rational& exponent, long precis
       mag_clear(most);
     }
     const Ball whole = whole_cosine_power(exponent, precision);
-    arb_sub(result.hidden_->x, whole.hidden_->x, rest.x, precision);
+    arb_sub(result.number_->x, whole.number_->x, rest.x, precision);
   }
-  if (arf_sgn(arb_midref(angle.hidden_->x)) < 0) arb_neg(result.hidden_->x, result.hidden_->x);
+  if (arf_sgn(arb_midref(angle.number_->x)) < 0) arb_neg(result.number_->x, result.number_->x);
   return result;
 }
 
 Ball Ball::plus(const Ball& other, long precision) const {
   Ball result;
-  arb_add(result.hidden_->x, hidden_->x, other.hidden_->x, precision);
+  arb_add(result.number_->x, number_->x, other.number_->x, precision);
   return result;
 }
 
 Ball Ball::minus(const Ball& other, long precision) const {
   Ball result;
-  arb_sub(result.hidden_->x, hidden_->x, other.hidden_->x, precision);
+  arb_sub(result.number_->x, number_->x, other.number_->x, precision);
   return result;
 }
 
 Ball Ball::times(const Ball& other, long precision) const {
   Ball result;
-  arb_mul(result.hidden_->x, hidden_->x, other.hidden_->x, precision);
+  arb_mul(result.number_->x, number_->x, other.number_->x, precision);
   return result;
 }
 
 Ball Ball::over(const Ball& other, long precision) const {
   Ball result;
-  arb_div(result.hidden_->x, hidden_->x, other.hidden_->x, precision);
+  arb_div(result.number_->x, number_->x, other.number_->x, precision);
+  return result;
+}
+
+Ball Ball::square_root(long precision) const {
+  Ball result;
+  arb_sqrtpos(result.number_->x, number_->x, precision);
   return result;
 }
 
 void Ball::add_product(const Ball& a, const Ball& b, long precision) {
-  arb_addmul(hidden_->x, a.hidden_->x, b.hidden_->x, precision);
+  arb_addmul(number_->x, a.number_->x, b.number_->x, precision);
 }
 
-int Ball::sign() const { return arb_is_positive(hidden_->x) ? 1 : arb_is_negative(hidden_->x) ? -1 : 0; }
+int Ball::sign() const { return arb_is_positive(number_->x) ? 1 : arb_is_negative(number_->x) ? -1 : 0; }
 
 namespace {
 
@@ -215,16 +207,20 @@ Enclosure ends(const arb_t x, arf_rnd_t round_lower, arf_rnd_t round_upper) {
 
 }  // namespace
 
-Enclosure Ball::nearest_of_ends() const { return ends(hidden_->x, ARF_RND_NEAR, ARF_RND_NEAR); }
+bool Ball::is_relatively_narrow(long digits) const {
+  return arb_is_zero(number_->x) || arb_rel_error_bits(number_->x) <= -digits;
+}
 
-Enclosure Ball::bounds() const { return ends(hidden_->x, ARF_RND_FLOOR, ARF_RND_CEIL); }
+Enclosure Ball::nearest_of_ends() const { return ends(number_->x, ARF_RND_NEAR, ARF_RND_NEAR); }
+
+Enclosure Ball::bounds() const { return ends(number_->x, ARF_RND_FLOOR, ARF_RND_CEIL); }
 
 int Ball::compare(double value) const {
   arf_t number;
   arf_init(number);
   arf_set_d(number, value);
-  Hidden difference;
-  arb_sub_arf(difference.x, hidden_->x, number, arb_bits(hidden_->x) + 128);
+  BallNumber difference;
+  arb_sub_arf(difference.x, number_->x, number, arb_bits(number_->x) + 128);
   arf_clear(number);
   return arb_is_positive(difference.x) ? 1 : arb_is_negative(difference.x) ? -1 : 0;
 }

@@ -8,6 +8,8 @@
 
 namespace hottel {
 
+struct BallNumber;
+
 // A ball that contains a real number. `precision` is in bits: that of the middle of the result.
 //
 //   (1) every operation returns a ball that contains the result for every number in its operands
@@ -30,6 +32,9 @@ class Ball {
   static Ball root(const Integer& radicand, long precision);
   static Ball pi(long precision);
 
+  // sin(pi x / 180). Exact at multiples of 90.
+  static Ball sine_of_degrees(const Rational& degrees, long precision);
+
   // Angle of the vector (x, y) in (-pi, pi].
   static Ball atan2(const Ball& y, const Ball& x, long precision);
 
@@ -47,6 +52,9 @@ class Ball {
   Ball times(const Ball& other, long precision) const;
   Ball over(const Ball& other, long precision) const;
 
+  // Of the numbers in the ball that are not negative.
+  Ball square_root(long precision) const;
+
   // Adds a * b, rounded once.
   void add_product(const Ball& a, const Ball& b, long precision);
 
@@ -59,9 +67,15 @@ class Ball {
   // Sign of (every number in the ball - value), or 0 when not settled.
   int compare(double value) const;
 
+  // True iff the ball is at most 2^-digits times as wide as every number in it is large; true of an exact zero.
+  bool is_relatively_narrow(long digits) const;
+
+  // What it is made of, for kernel/ball_number.h.
+  BallNumber& number() { return *number_; }
+  const BallNumber& number() const { return *number_; }
+
  private:
-  struct Hidden;
-  std::unique_ptr<Hidden> hidden_;
+  std::unique_ptr<BallNumber> number_;
 };
 
 }  // namespace hottel

@@ -1,0 +1,170 @@
+#include "geometry/space/visibility/exact_map.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/space/predicates/eye.h"
+#include "kernel/coprime_integers.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+// The normals that definitions of planes mean (PlaneDefinition3).
+class PlaneNormals {
+ public:
+  PlaneNormals(const Blockers3& blockers, const Point3& eye) : blockers_(blockers), eye_(blockers.vertices(), eye) {}
+
+  IntegerVector operator()(const PlaneDefinition3& plane) {
+    HOTTEL_REQUIRE(plane.kind != PlaneDefinition3::Kind::kHorizon);
+    if (plane.kind == PlaneDefinition3::Kind::kEdge)
+      return primitive(cross(eye_.exact_toward(VertexId3(plane.a)), eye_.exact_toward(VertexId3(plane.b))));
+    // Polygon k is met at h_k / (N_k . w) > 0: at a before b where 0 < |h_b| |N_a . w| - |h_a| |N_b . w|.
+    const Integer of_a = height(plane.a), of_b = height(plane.b);
+    const IntegerVector m = primitive(
+        difference(multiple(of_b, blockers_.exact_normal(plane.a)), multiple(of_a, blockers_.exact_normal(plane.b))));
+    return sgn(of_a) == sgn(of_b) ? m : opposite(m);
+  }
+
+ private:
+  Integer height(std::uint32_t s) {
+    return dot(blockers_.exact_normal(s), eye_.exact_toward(blockers_.outline(s).front()));
+  }
+
+  const Blockers3& blockers_;
+  Eye3 eye_;
+};
+
+ExactCone3 with_corners(std::vector<IntegerVector> inward) {
+  ExactCone3 result{std::move(inward), {}};
+  const std::size_t count = result.inward.size();
+  result.corners.reserve(count);
+  for (std::size_t k = 0; k < count; ++k)
+    result.corners.push_back(primitive(cross(result.inward[(k + count - 1) % count], result.inward[k])));
+  return result;
+}
+
+}  // namespace
+
+ExactCone3::Located ExactCone3::locate(const IntegerVector& direction) const {
+  Located result{Place::kInside, 0};
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < inward.size(); ++k) {
+    const int sign = dot_sign(inward[k], direction);
+    if (sign < 0) return {};
+    if (sign > 0) continue;
+    if (result.place == Place::kInside) {
+      result = {Place::kOnEdge, first = k};
+    } else {
+      result.place = Place::kAtCorner;
+      // The corner is where the second of two neighbours begins.
+      result.side = first == 0 && k + 1 == inward.size() ? 0 : k;
+    }
+  }
+  return result;
+}
+
+std::optional<ExactCone3> common_cone(const ExactCone3& cone, const ExactCone3& other) {
+  ExactCone3 current = cone, next;
+  std::vector<int> signs;
+  for (const IntegerVector& side : other.inward) {
+    signs.clear();
+    bool has_positive = false, has_negative = false;
+    for (const IntegerVector& corner : current.corners) {
+      signs.push_back(dot_sign(side, corner));
+      has_positive |= signs.back() > 0;
+      has_negative |= signs.back() < 0;
+    }
+    if (!has_positive) return std::nullopt;
+    if (!has_negative) continue;
+    next.inward.clear();
+    next.corners.clear();
+    const auto add = [&next](const IntegerVector& corner, const IntegerVector& inward) {
+      next.corners.push_back(corner);
+      next.inward.push_back(inward);
+    };
+    for (std::size_t k = 0; k < signs.size(); ++k) {
+      const std::size_t after = k + 1 == signs.size() ? 0 : k + 1;
+      const int here = signs[k], there = signs[after];
+      if (here > 0 || (here == 0 && there > 0)) add(current.corners[k], current.inward[k]);
+      if (here > 0 && there < 0) add(primitive(cross(current.inward[k], side)), side);
+      if (here < 0 && there > 0) add(primitive(cross(side, current.inward[k])), current.inward[k]);
+      if (here > 0 && there == 0) add(current.corners[after], side);
+    }
+    std::swap(current, next);
+  }
+  return current;
+}
+
+ExactMap3::ExactMap3(const Blockers3& blockers, const Point3& eye)
+    : blockers_(blockers), eye_(eye), map_(map_from(blockers, {.eye = eye, .normal = {}})) {
+  const Point3 p = blockers.vertices().from_scene(eye);
+  denominator_ = lcm(lcm(p.x.get_den(), p.y.get_den()), p.z.get_den());
+  const auto numerator = [this](const Rational& value) -> Integer {
+    return value.get_num() * (denominator_ / value.get_den());
+  };
+  numerator_ = {numerator(p.x), numerator(p.y), numerator(p.z)};
+
+  PlaneNormals normal_of(blockers, eye);
+  std::vector<IntegerVector> normals;
+  normals.reserve(map_.planes.size());
+  for (const PlaneDefinition3& plane : map_.planes) normals.push_back(normal_of(plane));
+  cones_.reserve(map_.fragments.size());
+  for (const PointMap3::Fragment& fragment : map_.fragments) {
+    std::vector<IntegerVector> inward;
+    for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) {
+      const PlaneSide3 side = map_.corners[c].side;
+      const IntegerVector& normal = normals[side.plane.index()];
+      inward.push_back(side.is_opposite ? opposite(normal) : normal);
+    }
+    cones_.push_back(with_corners(std::move(inward)));
+  }
+}
+
+std::vector<Point3> ExactMap3::corners_on_face(std::size_t fragment) const {
+  const std::uint32_t s = map_.fragments[fragment].face.surface;
+  const Vertices3& vertices = blockers_.vertices();
+  const IntegerVector &normal = blockers_.exact_normal(s), &v = vertices.exact(blockers_.outline(s).front());
+  // The way to the vertex, and so to the plane, in integer form times the denominator.
+  const Integer height = dot(normal, difference(multiple(denominator_, v), numerator_));
+  const Rational unit = vertices.scale() / denominator_;
+  std::vector<Point3> result;
+  for (const IntegerVector& corner : cones_[fragment].corners) {
+    Rational t(height, dot(normal, corner));
+    t.canonicalize();
+    t *= unit;
+    result.push_back({eye_.x + t * corner.x, eye_.y + t * corner.y, eye_.z + t * corner.z});
+  }
+  return result;
+}
+
+IntegerVector ExactMap3::toward(const Point3& point) const {
+  const Vector3 way = point - eye_;
+  const auto [x, y, z] = coprime_integers<3>({way.x, way.y, way.z});
+  return {x, y, z};
+}
+
+ExactCone3 ExactMap3::cone_of(const Patch3& patch) const {
+  std::vector<IntegerVector> ways;
+  for (const IntegerVector& corner : patch.corners)
+    ways.push_back(difference(multiple(denominator_, corner), multiple(patch.weight, numerator_)));
+  // Seen from its front a patch runs counter-clockwise, and so clockwise around the ways to it.
+  if (dot_sign(cross(difference(ways[1], ways[0]), difference(ways[2], ways[1])), ways[0]) < 0)
+    std::reverse(ways.begin(), ways.end());
+  std::vector<IntegerVector> inward;
+  for (std::size_t k = 0; k < ways.size(); ++k)
+    inward.push_back(primitive(cross(ways[k], ways[k + 1 == ways.size() ? 0 : k + 1])));
+  return with_corners(std::move(inward));
+}
+
+int ExactMap3::nearness(const Point3& point, std::uint32_t polygon) const {
+  const Vertices3& vertices = blockers_.vertices();
+  const IntegerVector &normal = blockers_.exact_normal(polygon),
+                      &v = vertices.exact(blockers_.outline(polygon).front());
+  const Point3 p = vertices.from_scene(point);
+  const Integer at_eye = dot(normal, difference(numerator_, multiple(denominator_, v)));
+  const Rational at_point = normal.x * (p.x - v.x) + normal.y * (p.y - v.y) + normal.z * (p.z - v.z);
+  return sgn(at_point) * sgn(at_eye);
+}
+
+}  // namespace hottel

@@ -1,0 +1,75 @@
+// The map of a point with its planes and corners as integers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/face.h"
+#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/patch.h"
+#include "geometry/space/point.h"
+#include "geometry/space/visibility/point_map.h"
+
+namespace hottel {
+
+// A convex cone of directions with inner points, less than a half space, exactly: where inward[k] . w > 0 for all k.
+//
+//   (1) at least three sides, in order, counter-clockwise seen against the directions; corner k is a positive multiple
+//       of inward[k - 1] x inward[k], and edge k goes along side k from corner k to the next one
+struct ExactCone3 {
+  std::vector<IntegerVector> inward, corners;
+
+  // Where a direction lies: kOnEdge and kAtCorner with the edge, or with the one that begins at the corner.
+  enum class Place : unsigned char { kOutside, kInside, kOnEdge, kAtCorner };
+  struct Located {
+    Place place = Place::kOutside;
+    std::size_t side = 0;
+  };
+  Located locate(const IntegerVector& direction) const;  // REQUIRES a direction that is not zero
+};
+
+// Returns what two cones have in common, or nothing where that has no inner direction.
+// COST: an integer product for each side of one and corner of the other.
+std::optional<ExactCone3> common_cone(const ExactCone3& cone, const ExactCone3& other);
+
+// What is seen from a point, for questions that need more than doubles.
+//
+//   (1) fragments are those of map_from(): cone(k) is that of map().fragments[k]; map().fragments[k].face is a side of
+//       a polygon of the blockers
+//   (2) corners_on_face(k) are where the rays to the corners of a fragment meet its face, exactly
+//   (3) nothing depends on the unit of length, but for corners_on_face()
+//
+// For several threads at once. REQUIRES that the blockers outlive this.
+// COST: that of map_from(), and some ten microseconds a fragment.
+class ExactMap3 {
+ public:
+  ExactMap3(const Blockers3& blockers, const Point3& eye);
+
+  const Blockers3& blockers() const { return blockers_; }
+  const Point3& eye() const { return eye_; }
+  const PointMap3& map() const { return map_; }
+  std::size_t size() const { return cones_.size(); }
+  const ExactCone3& cone(std::size_t fragment) const { return cones_[fragment]; }
+  std::vector<Point3> corners_on_face(std::size_t fragment) const;
+
+  // The vector from the eye to a point, times a positive rational: coprime integers; zero for the eye.
+  IntegerVector toward(const Point3& point) const;
+
+  // The cone of a convex patch that lies on a polygon in whose plane the eye is not.
+  ExactCone3 cone_of(const Patch3& patch) const;
+
+  // Where a point lies of the plane of a polygon that is seen: +1 on the side of the eye, -1 beyond, 0 on it.
+  int nearness(const Point3& point, std::uint32_t polygon) const;
+
+ private:
+  const Blockers3& blockers_;
+  Point3 eye_;
+  IntegerVector numerator_;  // the eye in integer form = numerator / denominator
+  Integer denominator_;
+  PointMap3 map_;
+  std::vector<ExactCone3> cones_;
+};
+
+}  // namespace hottel

@@ -1,0 +1,85 @@
+#include "solver/space/light/light_shares.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/visibility/exact_map.h"
+#include "kernel/support/parallel.h"
+
+namespace hottel {
+namespace {
+
+constexpr long kPrecision = 192;
+
+LightShare3 share_of(const Ball& ball) {
+  const Enclosure ends = ball.nearest_of_ends(), bounds = ball.bounds();
+  if (!(bounds.lower > 0)) return {0, {0, std::max(0.0, bounds.upper)}};
+  return {ends.lower + (ends.upper - ends.lower) / 2, {bounds.lower, std::min(1.0, bounds.upper)}};
+}
+
+// The patches on each side of a piece that light can fall on.
+class SideParts {
+ public:
+  SideParts(const ElementTable3& table, std::size_t pieces) : sides_(2 * pieces) {
+    for (const ElementTable3::Part& part : table.parts())
+      if (!part.patch.is_sky()) sides_[Face{part.patch.surface, part.is_back}.number()].push_back(&part);
+  }
+
+  const std::vector<const ElementTable3::Part*>& operator[](const Face& side) const { return sides_[side.number()]; }
+
+ private:
+  std::vector<std::vector<const ElementTable3::Part*>> sides_;
+};
+
+using Shares = std::vector<std::pair<std::uint32_t, Ball>>;  // by label
+
+}  // namespace
+
+LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& table, const Point3& position,
+                          const Beam3& beam) {
+  return light_shares(prepared, table, ExactMap3(prepared.blockers(), position), BeamPower3(beam));
+}
+
+LightShares3 light_shares(const PreparedScene3& prepared, const ElementTable3& table, const ExactMap3& map,
+                          const BeamPower3& beam) {
+  LightShares3 result;
+  result.elements.resize(table.count());
+  if (prepared.arrangement().solids().around(map.eye())) {
+    result.lost = {1, {1, 1}};
+    result.is_in_solid = true;
+    return result;
+  }
+  const SideParts sides(table, prepared.blockers().size());
+  const std::vector<PointMap3::Fragment>& fragments = map.map().fragments;
+  std::vector<Shares> shares(fragments.size());
+  parallel_for(
+      fragments.size(),
+      [&](std::size_t f) {
+        const auto& parts = sides[fragments[f].face];
+        const auto is_other = [&parts](const ElementTable3::Part* part) { return part->label != parts[0]->label; };
+        if (std::none_of(parts.begin(), parts.end(), is_other)) {
+          shares[f].emplace_back(parts.empty() ? table.sky() : parts[0]->label, beam.share(map.cone(f)));
+          return;
+        }
+        for (const ElementTable3::Part* part : parts)
+          if (const std::optional<ExactCone3> common = common_cone(map.cone(f), map.cone_of(part->patch)))
+            shares[f].emplace_back(part->label, beam.share(*common));
+      },
+      1);
+  std::vector<Ball> sums(std::size_t{table.count()} + 1);
+  Ball rest = Ball::of(1, kPrecision);
+  for (const Shares& of_fragment : shares)
+    for (const auto& [label, share] : of_fragment) {
+      sums[label] = sums[label].plus(share, kPrecision);
+      rest = rest.minus(share, kPrecision);
+    }
+  for (std::uint32_t label = 0; label < table.count(); ++label) result.elements[label] = share_of(sums[label]);
+  result.lost = share_of(sums[table.sky()]);
+  result.sky = share_of(rest);
+  return result;
+}
+
+}  // namespace hottel
