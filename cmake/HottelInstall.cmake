@@ -29,3 +29,8 @@ install(FILES "${PROJECT_BINARY_DIR}/hottel-config.cmake" "${PROJECT_BINARY_DIR}
         DESTINATION "${package_directory}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/CHANGES.md" "${PROJECT_SOURCE_DIR}/README.md"
         DESTINATION "${CMAKE_INSTALL_DOCDIR}" OPTIONAL)
+# What the README points to, where it points to it.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" "${PROJECT_SOURCE_DIR}/scenes" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/benchmarks" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.csv" PATTERN "*.svg" PATTERN "*.png")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/tests/install/outside" DESTINATION "${CMAKE_INSTALL_DOCDIR}/tests/install")
