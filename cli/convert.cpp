@@ -50,7 +50,7 @@ void convert_drawing(const ConvertOptions& options, Streams& streams) {
 }
 
 void convert_map(const ConvertOptions& options, Streams& streams) {
-  const Scene2 scene = read_map_2(options.in, options.front == "outside" ? MapSide::kOutside : MapSide::kInside);
+  const Scene2 scene = read_map_2(options.in, options.front == "outside" ? MapSide2::kOutside : MapSide2::kInside);
   streams.write(options.out, naming_file(options.in, [&] { return write_scene_2(scene); }));
   std::vector<std::string> materials;
   for (const Material& material : scene.materials) materials.push_back(material.name);

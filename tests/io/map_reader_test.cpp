@@ -17,7 +17,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Scene2 parse(const std::string& text, MapSide side = MapSide::kInside) { return parse_map_2(text, "map", side); }
+Scene2 parse(const std::string& text, MapSide2 side = MapSide2::kInside) { return parse_map_2(text, "map", side); }
 std::string refusal(const std::string& text) {
   return refusal_by([&] { parse(text); });
 }
@@ -54,7 +54,7 @@ TEST(MapReader, OutlinesLookInwardAndHolesOutwardInWhateverSenseTheyAreListed_2)
   for (const char* outline : {"(0 0, 4 0, 4 3, 0 3, 0 0)", "(0 0, 0 3, 4 3, 4 0, 0 0)"})
     for (const char* hole : {"(1 1, 2 1, 2 2, 1 2, 1 1)", "(1 1, 1 2, 2 2, 2 1, 1 1)"}) {
       const std::string text = std::string("POLYGON (") + outline + ", " + hole + ")";
-      const Scene2 inside = parse(text), outside = parse(text, MapSide::kOutside);
+      const Scene2 inside = parse(text), outside = parse(text, MapSide2::kOutside);
       EXPECT_EQ(doubled_area(inside, 0), -24);
       EXPECT_EQ(doubled_area(inside, 1), 2);
       EXPECT_EQ(doubled_area(outside, 0), 24);

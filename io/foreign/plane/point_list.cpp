@@ -41,7 +41,7 @@ std::vector<Point2> points_of_csv(std::string_view text, const std::string& name
       throw InputError(reader.where(), "a point has two coordinates x,y, not " + std::to_string(fields.size()));
     const std::string_view x = trimmed(fields[0]), y = trimmed(fields[1]);
     if (is_first && upper_case(x) == "X" && upper_case(y) == "Y") continue;
-    points.push_back({coordinate_of(x, reader.where()), coordinate_of(y, reader.where())});
+    points.push_back({coordinate_of_2(x, reader.where()), coordinate_of_2(y, reader.where())});
   }
   return points;
 }
@@ -106,7 +106,7 @@ class GeoJsonPoints {
 
 class WellKnownPoints {
  public:
-  WellKnownPoints(WellKnownText& text, std::vector<Point2>& points) : text_(text), points_(points) {}
+  WellKnownPoints(WellKnownText2& text, std::vector<Point2>& points) : text_(text), points_(points) {}
 
   void read_all() {
     while (text_.skip_blanks()) read_geometry(0);
@@ -137,7 +137,7 @@ class WellKnownPoints {
     }
   }
 
-  WellKnownText& text_;
+  WellKnownText2& text_;
   std::vector<Point2>& points_;
 };
 
@@ -154,7 +154,7 @@ std::vector<Point2> read_points_2(std::string_view text, const std::string& name
     const JsonDocument document(content, name);
     GeoJsonPoints(points).read(document.root());
   } else if (is_word && !is_header) {
-    WellKnownText well_known(content, name);
+    WellKnownText2 well_known(content, name);
     WellKnownPoints(well_known, points).read_all();
   } else {
     points = points_of_csv(content, name);

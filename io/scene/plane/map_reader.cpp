@@ -24,7 +24,7 @@ struct Feature {
   int name_line = 0;
   std::string material = kMapMaterial, back;
   std::uint32_t elements = 1;
-  MapSide side = MapSide::kInside;
+  MapSide2 side = MapSide2::kInside;
 };
 
 using Ring = std::vector<PolylinePoint2>;
@@ -60,7 +60,7 @@ class Map {
     const Rational area = doubled_area(ring);
     if (area == 0) throw InputError(where, "a ring of a polygon has no area");
     // The front is on the right: clockwise looks inward.
-    const bool looks_inward = is_hole == (feature.side == MapSide::kOutside);
+    const bool looks_inward = is_hole == (feature.side == MapSide2::kOutside);
     if ((area < 0) != looks_inward) std::reverse(ring.begin() + 1, ring.end());
     add(std::move(ring), true, feature);
   }
@@ -181,7 +181,7 @@ class GeoJsonMap {
         const std::string side = word();
         if (side != "inside" && side != "outside")
           refuse(value, "property: front is " + quoted_name(side) + "; it may be \"inside\" or \"outside\"");
-        feature.side = side == "outside" ? MapSide::kOutside : MapSide::kInside;
+        feature.side = side == "outside" ? MapSide2::kOutside : MapSide2::kInside;
       }
     }
     return feature;
@@ -225,7 +225,7 @@ class GeoJsonMap {
 
 class WellKnownMap {
  public:
-  WellKnownMap(WellKnownText& text, Map& map, const Feature& feature) : text_(text), map_(map), feature_(feature) {}
+  WellKnownMap(WellKnownText2& text, Map& map, const Feature& feature) : text_(text), map_(map), feature_(feature) {}
 
   void read_all() {
     while (text_.skip_blanks()) read_geometry(0);
@@ -283,7 +283,7 @@ class WellKnownMap {
     });
   }
 
-  WellKnownText& text_;
+  WellKnownText2& text_;
   Map& map_;
   const Feature& feature_;
 };
@@ -294,7 +294,7 @@ bool is_map_2(const std::filesystem::path& file) {
   return file.extension() == ".geojson" || file.extension() == ".wkt";
 }
 
-Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, MapSide side) {
+Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, MapSide2 side) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   Map map(name_for_messages);
   Feature feature;
@@ -305,7 +305,7 @@ Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, 
     const JsonDocument document(text, name_for_messages);
     GeoJsonMap(map).read(document.root(), feature);
   } else {
-    WellKnownText well_known(text, name_for_messages);
+    WellKnownText2 well_known(text, name_for_messages);
     WellKnownMap(well_known, map, feature).read_all();
   }
   Scene2 scene = map.scene();
@@ -313,7 +313,7 @@ Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, 
   return scene;
 }
 
-Scene2 read_map_2(const std::filesystem::path& file, MapSide side) {
+Scene2 read_map_2(const std::filesystem::path& file, MapSide2 side) {
   return parse_map_2(read_text_file(file), file.string(), side);
 }
 

@@ -17,15 +17,15 @@ inline const Rational kMapReflectivity{1, 2};
 bool is_map_2(const std::filesystem::path& file);
 
 // On which side of its outline a polygon is seen from.
-enum class MapSide : unsigned char { kInside, kOutside };
+enum class MapSide2 : unsigned char { kInside, kOutside };
 
 // Returns the scene of a map. GeoJSON: Polygon, MultiPolygon, LineString, MultiLineString, GeometryCollection, Feature,
 // FeatureCollection; well-known text: the same geometries in capitals, any number of them.
 //
 //   (1) every ring and every line is a polyline, in the order of the file; coordinates have exactly the values typed
 //   (2) a polygon is a place to be in: its outline looks inward, and its holes, which are solid, look outward, into it.
-//       With MapSide::kOutside, or the property "front": "outside" of a feature, it is a building: the other way round,
-//       solid but for its courtyards. The sense in which rings are listed does not matter
+//       With MapSide2::kOutside, or the property "front": "outside" of a feature, it is a building: the other way
+//       round, solid but for its courtyards. The sense in which rings are listed does not matter
 //   (3) the front of a line is its right side; its back is black, or the property "back" of a feature
 //   (4) the property "material" names the material, "back" that of the back, "elements" divides every piece
 //   (5) names are the property "name", or else the "id" of a feature; else polyline[k], k from 0 among all polylines.
@@ -34,9 +34,9 @@ enum class MapSide : unsigned char { kInside, kOutside };
 //   (6) points, positions of three coordinates, geometries that are null, rings that are not closed, have fewer than
 //       three corners or no area, and curves are refused: nothing is dropped
 // Throws InputError with file and line.                                                              COST: linear.
-Scene2 read_map_2(const std::filesystem::path& file, MapSide side = MapSide::kInside);
+Scene2 read_map_2(const std::filesystem::path& file, MapSide2 side = MapSide2::kInside);
 
 // The same for a text in memory: GeoJSON where it begins with '{'.
-Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, MapSide side = MapSide::kInside);
+Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, MapSide2 side = MapSide2::kInside);
 
 }  // namespace hottel

@@ -11,13 +11,13 @@
 namespace hottel {
 
 // Returns the exact value of a coordinate as parse_rational reads it. Throws InputError.
-Rational coordinate_of(std::string_view text, const FileLine& where);
+Rational coordinate_of_2(std::string_view text, const FileLine& where);
 
 // Reads a text from its beginning to its end. What is not as expected throws InputError with the line.
-class WellKnownText {
+class WellKnownText2 {
  public:
   // REQUIRES texts that outlive this.
-  WellKnownText(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  WellKnownText2(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
   // Goes to the next character that is no blank; false at the end.
   bool skip_blanks();
