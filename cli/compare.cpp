@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -156,7 +157,12 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
 template <class Comparison, class Method>
 MethodResult run(const Comparison& comparison, const Method& method, const CompareOptions& options) {
   try {
-    return comparison.run(method, options.repeat);
+    if (family_of_method(method.info().name) != "file") return comparison.run(method, options.repeat);
+    // What it takes to read a file says nothing of what it took to compute it.
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    MethodResult result = comparison.run(method, 1);
+    result.timing = {kUnknown, kUnknown, kUnknown, 0};
+    return result;
   } catch (const RequestError& error) {
     throw RequestError(fmt::format("{}: the method {}: {}", options.scene, method.info().name, error.what()));
   }

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +14,13 @@
 #include "geometry/name.h"
 #include "geometry/space/scene/near_plane.h"
 #include "io/scene/exact_decimal.h"
+#include "io/scene/plane/map_reader.h"
 #include "io/scene/plane/svg_reader.h"
 #include "io/scene/scene_json.h"
 #include "io/scene/space/mesh_reader.h"
 #include "io/scene/space/vs3_reader.h"
+#include "io/scene/table_writer.h"
+#include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 
@@ -23,7 +28,7 @@ namespace hottel {
 namespace {
 
 struct ConvertOptions {
-  std::string in, out, per;
+  std::string in, out, per, front = "inside";
   PolygonOptions polygons;
 };
 
@@ -40,17 +45,28 @@ void convert_drawing(const ConvertOptions& options, Streams& streams) {
   streams.write(options.out, naming_file(options.in, [&] { return write_scene_2(scene); }));
   std::vector<std::string> materials;
   for (const Material& material : scene.materials) materials.push_back(material.name);
-  streams.note(
-      fmt::format("{} edges; {}", scene.surfaces.size(), reflectivities(materials, kSvgReflectivity, "a drawing")));
+  streams.note(fmt::format("{}; {}", counted(scene.surfaces.size(), "edge"),
+                           reflectivities(materials, kSvgReflectivity, "a drawing")));
 }
 
-// What was plane but for the spacing of binary floats may be too far off for the digits of their decimals.
-void note_lost_planes(const Scene3& scene, Streams& streams) {
+void convert_map(const ConvertOptions& options, Streams& streams) {
+  const Scene2 scene = read_map_2(options.in, options.front == "outside" ? MapSide2::kOutside : MapSide2::kInside);
+  streams.write(options.out, naming_file(options.in, [&] { return write_scene_2(scene); }));
+  std::vector<std::string> materials;
+  for (const Material& material : scene.materials) materials.push_back(material.name);
+  streams.note(fmt::format("{}; {}", counted(scene.surfaces.size(), "edge"),
+                           reflectivities(materials, kMapReflectivity, "a map")));
+}
+
+// What was plane but for the spacing of binary floats may be too far off for the digits that are written. number_text:
+// how the file holds a coordinate; nothing where it is no decimal.
+void note_lost_planes(const Scene3& scene,
+                      const std::function<std::optional<std::string>(const Rational&)>& number_text, Streams& streams) {
   FinestDigit3 finest;
   for (const Polygon3& polygon : scene.polygons)
     for (const Point3& p : corners_of(polygon))
       for (const Rational* coordinate : {&p.x, &p.y, &p.z})
-        if (const auto decimal = exact_decimal_text(*coordinate)) finest.take(*decimal);
+        if (const auto text = number_text(*coordinate)) finest.take(*text);
   std::vector<std::string> lost;
   for (std::size_t s = 0; s < scene.polygons.size(); ++s)
     if (Polygon3 polygon = scene.polygons[s]; polygon.is_nearly_plane && !accept_nearly_plane(polygon, finest.unit()))
@@ -60,8 +76,15 @@ void note_lost_planes(const Scene3& scene, Streams& streams) {
                              listed_names(lost)));
 }
 
+// A scene file has fractions where they are shorter, and a fraction has no last digit.
+std::string scene_number(const Rational& value) {
+  std::string text = json_number(value);
+  std::erase(text, '"');
+  return text;
+}
+
 void write_as_mesh(const ConvertOptions& options, MeshFormat3 format, const Scene3& scene, Streams& streams) {
-  if (format != MeshFormat3::kStl) note_lost_planes(scene, streams);
+  if (format != MeshFormat3::kStl) note_lost_planes(scene, exact_decimal_text, streams);
   naming_file(options.in, [&] { write_mesh(options.out, format, scene, streams); });
 }
 
@@ -70,10 +93,10 @@ void convert_mesh(const ConvertOptions& options, Streams& streams) {
   const MeshScene3 mesh = read_mesh_scene_3(options.in, options.polygons.triangulates ? &triangulator : nullptr);
   note_cuts(triangulator, streams);
   if (const auto format = mesh_format_3(options.out)) return write_as_mesh(options, *format, mesh.scene, streams);
-  note_lost_planes(mesh.scene, streams);
+  note_lost_planes(mesh.scene, scene_number, streams);
   streams.write(options.out, naming_file(options.in, [&] { return write_scene_3(mesh.scene); }));
   if (!mesh.invented.empty())
-    streams.note(fmt::format("{} polygons; {}", mesh.scene.surfaces.size(),
+    streams.note(fmt::format("{}; {}", counted(mesh.scene.surfaces.size(), "polygon"),
                              reflectivities(mesh.invented, kMeshReflectivity, "the mesh")));
 }
 
@@ -82,7 +105,7 @@ void convert_scene(const ConvertOptions& options, Streams& streams) {
   if (format)
     return write_as_mesh(options, *format, read_scene_noting_3(options.in, options.polygons, streams), streams);
   const Scene scene = read_scene_noting(options.in, options.polygons, streams);
-  if (const auto* space = std::get_if<Scene3>(&scene)) note_lost_planes(*space, streams);
+  if (const auto* space = std::get_if<Scene3>(&scene)) note_lost_planes(*space, scene_number, streams);
   streams.write(options.out, naming_file(options.in, [&] {
                   const auto* plane = std::get_if<Scene2>(&scene);
                   return plane ? write_scene_2(*plane) : write_scene_3(std::get<Scene3>(scene));
@@ -96,7 +119,14 @@ ExitCode convert(const ConvertOptions& options, Streams& streams) {
   if (!makes_mesh && !makes_deck && options.out != "-" && std::filesystem::path(options.out).extension() != ".json")
     throw UsageError(std::string("convert writes a scene (.json, or - for standard output), a mesh (") + kMeshEndings3 +
                      ") or a deck of View3D (.vs3), not '" + options.out + "'");
-  if (ending == ".svg") {
+  if (options.front != "inside" && !is_map_2(options.in))
+    throw UsageError("--front is of the polygons of a map (.geojson, .wkt)");
+  if (is_map_2(options.in)) {
+    if (options.polygons.triangulates) throw UsageError("--triangulate cuts polygons in space; a map is in the plane");
+    if (makes_mesh || makes_deck)
+      throw UsageError("a map is in the plane and becomes a scene (.json), not a mesh or a deck");
+    convert_map(options, streams);
+  } else if (ending == ".svg") {
     if (options.polygons.triangulates)
       throw UsageError("--triangulate cuts polygons in space; a drawing is in the plane");
     if (makes_mesh || makes_deck)
@@ -109,7 +139,7 @@ ExitCode convert(const ConvertOptions& options, Streams& streams) {
   } else if (ending == ".json" || is_vs3(options.in)) {
     convert_scene(options, streams);
   } else {
-    throw UsageError(std::string("convert reads a drawing (.svg), a mesh (") + kMeshEndings3 +
+    throw UsageError(std::string("convert reads a drawing (.svg), a map (.geojson, .wkt), a mesh (") + kMeshEndings3 +
                      "), a deck of View3D (.vs3) or a scene (.json), not '" + options.in + "'");
   }
   return ExitCode::kDone;
@@ -121,12 +151,15 @@ void add_convert(Commands& commands) {
   const auto options = std::make_shared<ConvertOptions>();
   CLI::App& command = commands.add(
       "convert",
-      "Read a drawing or a mesh as a scene, rewrite a scene, or write it as a mesh\n\n"
+      "Read a drawing, a map or a mesh as a scene, rewrite a scene, or write it as a mesh\n\n"
       "From an .svg: lines, polylines, polygons, rects and paths of straight pieces, exactly, y pointing up. The "
       "front\n"
       "of a line is its right side as drawn (a rect is a room); data-front=\"left\" turns it round. Names are ids,\n"
       "materials classes or data-material, data-back is the material of the back. Curves, styles that move, resize or\n"
       "hide, other data- keys and whatever else cannot be read exactly are refused, never dropped.\n"
+      "From a .geojson or .wkt: polygons with their holes, and lines, exactly. A polygon is a room and its holes are "
+      "solid;\n"
+      "--front outside makes it a building with courtyards.\n"
       "From an .obj: its faces as polygons in space, exactly; groups, and the materials of its .mtl files (Kd, Ke).\n"
       "From a .ply, .off or .stl, text or binary (.off: text): its faces, exactly; colours and normals are passed "
       "over.\n"
@@ -136,13 +169,16 @@ void add_convert(Commands& commands) {
       "exactly; STL has floats and triangles. What the file does not hold, or not exactly, is told on stderr.\n"
       "From a .vs3: a deck of View3D. To a .vs3: a deck for it, with pieces of three or four corners.",
       {"hottel convert scenes/drawings/two_rooms.svg /tmp/two_rooms.json",
+       "hottel convert scenes/drawings/hall.wkt /tmp/hall.json",
        "hottel convert scenes/space/room_boxes.obj /tmp/room_boxes.json",
        "hottel convert scenes/space/two_boxes.json /tmp/two_boxes.ply",
        "hottel convert scenes/space/partition.vs3 /tmp/partition.json",
        "hottel convert scenes/space/two_boxes.json /tmp/two_boxes.vs3 --per group",
        "hottel convert scenes/analytic/triangle_345.json -"},
       [options](Streams& streams) { return convert(*options, streams); });
-  command.add_option("IN", options->in, "drawing (.svg), mesh (.obj, .ply, .off, .stl), deck (.vs3) or scene (.json)")
+  command
+      .add_option("IN", options->in,
+                  "drawing (.svg), map (.geojson, .wkt), mesh (.obj, .ply, .off, .stl), deck (.vs3) or scene (.json)")
       ->required();
   command.add_option("OUT", options->out, "the scene (.json; - is standard output), mesh or deck to write")->required();
   command
@@ -150,6 +186,11 @@ void add_convert(Commands& commands) {
                   "of a deck (.vs3): group combines the surfaces of a group (cmb), as is the default where IN is one; "
                   "face does not")
       ->check(CLI::IsMember({"face", "group"}));
+  command
+      .add_option("--front", options->front,
+                  "of the polygons of a map: inside, they are rooms with solid holes; outside, solid with courtyards")
+      ->check(CLI::IsMember({"inside", "outside"}))
+      ->capture_default_str();
   options->polygons.add_to(command);
 }
 

@@ -23,7 +23,10 @@ void require_what_space_has(const FactorsOptions& options) {
     throw UsageError(option + " is of scenes in the plane; this version does not have it in space");
   };
   if (options.wants_exact_form) refuse("--exact-form");
-  if (!options.picture.empty()) refuse("--picture");
+  if (!options.picture.empty())
+    throw UsageError(
+        "--picture and --toward draw scenes in the plane; in space `hottel solve --show factor:NAME` or "
+        "`--show sky` does");
   if (options.is_exact()) return;
   const auto refuse_of = [&options](const std::string& option) {
     throw UsageError(option + " is of the method exact only, not of " + options.method);

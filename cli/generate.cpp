@@ -14,6 +14,7 @@
 #include "geometry/space/generate/generators.h"
 #include "io/scene/scene_json.h"
 #include "io/scene/space/mesh_reader.h"
+#include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -107,7 +108,7 @@ ExitCode generate_in_space(const GenerateOptions& options, const GeneratorKind3&
     write_mesh(options.out, *format, scene, streams);
   else
     streams.write(options.out, write_scene_3(scene));
-  streams.note(fmt::format("{} polygons", scene.surfaces.size()));
+  streams.note(counted(scene.surfaces.size(), "polygon"));
   return ExitCode::kDone;
 }
 
@@ -117,7 +118,7 @@ ExitCode generate(const GenerateOptions& options, Streams& streams) {
   require_scene_ending("generate", options.out);
   const Scene2 scene = generate_2(request_of(options));
   streams.write(options.out, write_scene_2(scene));
-  streams.note(fmt::format("{} edges", scene.surfaces.size()));
+  streams.note(counted(scene.surfaces.size(), "edge"));
   return ExitCode::kDone;
 }
 

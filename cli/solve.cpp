@@ -67,14 +67,15 @@ Request request_of(const SolveOptions& options) {
 struct Outputs {
   OutputFolder folder;
   OutputFile csv, flux, json;
-  std::optional<OutputFile> npy, sidecar, png, render;
+  std::optional<OutputFile> temperature, npy, sidecar, png, render;
   std::optional<ViewsOutput> views;
 
-  Outputs(const SolveOptions& options, const Request& request)
+  Outputs(const SolveOptions& options, const Request& request, const SceneTable& scene)
       : folder(request.directory),
         csv(request.directory / "radiosity.csv"),
         flux(request.directory / "flux.csv"),
         json(request.directory / "report.json") {
+    if (has_temperatures(scene)) temperature.emplace(request.directory / "temperature.csv");
     if (request.simulation.wants_light) {
       npy.emplace(request.directory / "illumination.npy");
       sidecar.emplace(request.directory / "illumination.npy.json");
@@ -87,15 +88,15 @@ struct Outputs {
   // In the order in which they take their names.
   std::vector<OutputFile*> all() {
     std::vector<OutputFile*> files{&csv, &flux};
-    for (std::optional<OutputFile>* file : {&sidecar, &npy, &png, &render})
+    for (std::optional<OutputFile>* file : {&temperature, &sidecar, &npy, &png, &render})
       if (*file) files.push_back(&**file);
     if (views) files.insert(files.end(), {&views->faces, &views->mtx});
     files.push_back(&json);
     return files;
   }
   std::string names() const {
-    return std::string(" radiosity.csv flux.csv") + (npy ? " illumination.npy illumination.npy.json" : "") +
-           (png ? " illumination.png" : "") + " report.json";
+    return std::string(" radiosity.csv flux.csv") + (temperature ? " temperature.csv" : "") +
+           (npy ? " illumination.npy illumination.npy.json" : "") + (png ? " illumination.png" : "") + " report.json";
   }
 };
 
@@ -158,6 +159,9 @@ void write_results(const SolveOptions& options, const Simulation2& simulation, c
   write_radiosity_csv(simulation.scene(), results.factors->matrix, solution,
                       [&outputs](std::string_view text) { outputs.csv.write(text); });
   write_flux_csv(fluxes, solution.channel_names, [&outputs](std::string_view text) { outputs.flux.write(text); });
+  if (outputs.temperature)
+    write_temperature_csv(simulation.scene(), results.factors->matrix, solution,
+                          [&outputs](std::string_view text) { outputs.temperature->write(text); });
   if (outputs.npy) {
     const IlluminationGrid2& light = results.light->grid;
     const std::size_t shape[3] = {light.grid.ny, light.grid.nx, light.channels};
@@ -186,7 +190,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   const Simulation2 simulation = simulation_of(options, std::move(scene), request);
   const std::shared_ptr<const Plan> plan = simulation.plan();
   streams.note(plan_text(*plan));
-  Outputs outputs(options, request);
+  Outputs outputs(options, request, simulation.scene());
   const Results results = results_of(simulation, request, streams);
   const ExchangeMatrix& matrix = results.factors->matrix;
   const NetFluxes fluxes(simulation.scene(), matrix, *results.solution);
@@ -205,6 +209,8 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                            results.picture ? std::optional(results.picture->scale) : std::nullopt,
                            range_of(results.shown),
                            results.light ? results.light->max_error : std::nullopt,
+                           insulated_groups(simulation.scene(), matrix, *results.solution),
+                           simulation.scene().unit,
                            finding_notes(*results.lost_light)};
   outputs.json.write(solve_json(report));
   // All files are whole before the first one takes its name.
@@ -250,8 +256,9 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
   size->type_name("W")->check(CLI::Range(1u, kMaxPictureSide));
   CLI::Option* no_picture =
       command.add_flag("--no-picture", options.no_picture, "no illumination.png; one that is there stays as it is");
-  CLI::Option* no_illumination = command.add_flag("--no-illumination", options.no_illumination,
-                                                  "no light in space: neither illumination.npy nor illumination.png");
+  CLI::Option* no_illumination =
+      command.add_flag("--no-illumination", options.no_illumination,
+                       "no light between the faces: neither illumination.npy nor illumination.png");
   command
       .add_option("--show", options.show,
                   "what the picture shows: light; or, on the faces in colours of a scale, radiosity, irradiance, net, "

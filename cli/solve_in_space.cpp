@@ -121,6 +121,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const OutputFolder folder(directory);
   OutputFile csv(directory / "radiosity.csv"), flux(directory / "flux.csv"), json(directory / "report.json"),
       vtu(directory / "radiosity.vtu");
+  std::optional<OutputFile> temperature;
+  if (has_temperatures(simulation.scene())) temperature.emplace(directory / "temperature.csv");
   std::optional<GridFiles> grid;
   if (wants_grid(options, simulation.scene())) {
     const Grid3& cells = *simulation.scene().grid;
@@ -141,6 +143,9 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   write_radiosity_csv(simulation.scene(), factors->matrix, *solution,
                       [&csv](std::string_view text) { csv.write(text); });
   write_flux_csv(fluxes, solution->channel_names, [&flux](std::string_view text) { flux.write(text); });
+  if (temperature)
+    write_temperature_csv(simulation.scene(), factors->matrix, *solution,
+                          [&temperature](std::string_view text) { temperature->write(text); });
   write_radiosity_vtu(*simulation.prepared(), request.factors.granularity, factors->matrix, *solution,
                       [&vtu](std::string_view text) { vtu.write(text); });
   std::map<std::string, double> seconds = factors->report.seconds;
@@ -168,10 +173,13 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
                            .seconds = seconds,
                            .picture_scale = view && !view->shown() ? std::optional(view->scale()) : std::nullopt,
                            .picture_range = view ? range_of(view->shown()) : std::nullopt,
+                           .insulated = insulated_groups(simulation.scene(), factors->matrix, *solution),
+                           .unit = simulation.scene().unit,
                            .warnings = finding_notes(lost_light)};
   json.write(solve_json(report));
   // All files are whole before the first one takes its name.
   std::vector<OutputFile*> files{&csv, &flux, &vtu};
+  if (temperature) files.push_back(&*temperature);
   if (grid) grid->append_to(files);
   if (png) files.push_back(&*png);
   if (render) files.push_back(&*render);
@@ -180,8 +188,9 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   if (options.json) streams.write("", solve_json(report));
   for (OutputFile* file : files) file->commit();
   streams.note(solve_text(report) + small_scene_text(simulation.scene(), factors->matrix, *solution) + "\nin " +
-               directory.string() + ": radiosity.csv flux.csv radiosity.vtu " + (grid ? grid->names() : "") +
-               (png ? "render.png " : "") + "report.json" + (render ? "\nthe picture: " + options.render : ""));
+               directory.string() + ": radiosity.csv flux.csv radiosity.vtu " +
+               (temperature ? "temperature.csv " : "") + (grid ? grid->names() : "") + (png ? "render.png " : "") +
+               "report.json" + (render ? "\nthe picture: " + options.render : ""));
 }
 
 }  // namespace hottel

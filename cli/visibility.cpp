@@ -1,5 +1,6 @@
 // hottel visibility: what points see, what a point of a face receives, what two faces see of each other, what some
 // point of a face sees, and the lines along which it changes.
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <span>
@@ -249,6 +250,18 @@ ExitCode events(const VisibilityOptions& options, Streams& streams) {
   return ExitCode::kDone;
 }
 
+constexpr std::size_t kLinesBesideADrawing = 12;
+
+// The beginning of a long answer: who wants all of it leaves out the drawing.
+std::string shortened(const std::string& text) {
+  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  if (lines <= kLinesBesideADrawing) return text;
+  std::size_t end = 0;
+  for (std::size_t k = 0; k < kLinesBesideADrawing; ++k) end = text.find('\n', end) + 1;
+  return text.substr(0, end) + "... and " + std::to_string(lines - kLinesBesideADrawing) +
+         " more lines: without -o, or with --json, the whole answer is on standard output\n";
+}
+
 // The answer goes where it is asked for, the drawing into its file.
 ExitCode show(const ShownAnswer& shown, const VisibilityOptions& options, std::optional<PictureFormat> format,
               Streams& streams) {
@@ -261,7 +274,7 @@ ExitCode show(const ShownAnswer& shown, const VisibilityOptions& options, std::o
   if (options.json)
     streams.write("", shown.answer.json);
   else if (format)
-    streams.note(shown.answer.text);
+    streams.note(shortened(shown.answer.text));
   else
     streams.write("", shown.answer.text);
   if (drawing) drawing->commit();
@@ -360,7 +373,7 @@ void add_visibility(Commands& commands) {
   command
       .add_option(
           "-o", options->out,
-          "draw it: .png, .svg or .pdf; the answer in words is a remark then, on stderr. With --points the polygons: "
+          "draw it: .png, .svg or .pdf; the beginning of the answer is on stderr then. With --points the polygons: "
           ".csv, .geojson, .wkt or .npz; with --events a .csv. Without it, or with -, the answer is on standard "
           "output")
       ->type_name("FILE");

@@ -29,13 +29,30 @@ std::string_view spectrum_problem(const Spectrum& spectrum, SpectrumKind kind) {
   return is_in_range ? "" : is_fraction ? "must be from 0 to 1" : "must not be negative";
 }
 
+bool Material::is_adiabatic() const { return reflectivity == Spectrum::scalar(1) && emission.is_zero(); }
+
+Spectrum black_emission(const Spectrum& temperature) {
+  Spectrum result{{}, temperature.is_scalar};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Rational& t = temperature.value[c];
+    result.value[c] = stefan_boltzmann() * t * t * t * t;
+  }
+  return result;
+}
+
+void set_insulated(Material& material) {
+  material.reflectivity = Spectrum::scalar(1);
+  material.emission = Spectrum();
+  material.called_insulated = true;
+}
+
 void set_grey_body(const Spectrum& emissivity, const Spectrum& temperature, Material& material) {
+  const Spectrum black = black_emission(temperature);
   material.reflectivity.is_scalar = emissivity.is_scalar;
   material.emission.is_scalar = emissivity.is_scalar && temperature.is_scalar;
   for (std::size_t c = 0; c < 3; ++c) {
-    const Rational& t = temperature.value[c];
     material.reflectivity.value[c] = 1 - emissivity.value[c];
-    material.emission.value[c] = emissivity.value[c] * stefan_boltzmann() * t * t * t * t;
+    material.emission.value[c] = emissivity.value[c] * black.value[c];
   }
 }
 

@@ -26,10 +26,17 @@ struct Spectrum {
 // checks these ranges. Emissivity e and temperature T are read as reflectivity 1 - e and emission e sigma T⁴, exactly.
 //
 //   (1) the default is black and emits nothing
+//   (2) an insulated material (no heat leaves it but by radiation) is one with reflectivity 1 and emission 0 that was
+//       called so: it acts as any such, and is written as it was called. Where the values are others the word is void
 struct Material {
   std::string name;
   Spectrum reflectivity;
   Spectrum emission;
+  bool called_insulated = false;
+
+  // Whether it sends back all that arrives, in all channels, and nothing of its own.
+  bool is_adiabatic() const;
+  bool is_insulated() const { return called_insulated && is_adiabatic(); }
 
   // The name is not compared: two materials are equal when they act alike.
   friend bool operator==(const Material& a, const Material& b) {
@@ -44,6 +51,12 @@ std::string material_name_problem(std::string_view name);
 enum class SpectrumKind : bool { kFraction, kQuantity };
 // Returns what is wrong with a spectrum, as the end of a sentence ("must be from 0 to 1"); empty when nothing is.
 std::string_view spectrum_problem(const Spectrum& spectrum, SpectrumKind kind);
+
+// Returns what a black body of this temperature [K] sends out: sigma T⁴, exactly.                               [W/m²]
+Spectrum black_emission(const Spectrum& temperature);
+
+// Makes a material insulated: reflectivity 1 and emission 0, of one value for all channels.
+void set_insulated(Material& material);
 
 // Makes a material a grey body: reflectivity 1 - e and emission e sigma T⁴, exactly, sigma = 5.670374419e-8 W/(m² K⁴).
 void set_grey_body(const Spectrum& emissivity, const Spectrum& temperature, Material& material);

@@ -16,6 +16,15 @@ std::optional<std::uint32_t> SceneTable::find(const std::string& name) const {
   return std::nullopt;
 }
 
+std::string_view unit_problem(std::string_view unit) {
+  if (unit.empty()) return "must not be empty";
+  if (has_control_character(unit)) return "must not contain a control character";
+  if (unit.size() > kMaxUnitLength) return "must not be longer than 16 bytes";
+  return "";
+}
+
+std::string length_unit(const SceneTable& table) { return table.unit.empty() ? "m" : table.unit; }
+
 namespace {
 
 // In its range, in lowest terms, and of one value where it says so.
@@ -57,6 +66,8 @@ void validate_lights(const SceneTable& table) {
 void validate_table(const SceneTable& table) {
   validate_spectra(table);
   validate_lights(table);
+  if (const auto problem = table.unit.empty() ? "" : unit_problem(table.unit); !problem.empty())
+    throw InputError({table.file, 0}, "unit " + std::string(problem));
   std::unordered_map<std::string_view, const Surface*> first;
   first.reserve(table.surfaces.size());
   for (const Surface& surface : table.surfaces) {

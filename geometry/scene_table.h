@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -74,6 +75,7 @@ struct Expectation {
 //
 //   (1) names are not empty, unique after expansion, none is "sky"; see docs/scene_format.md
 //   (2) every material and group index is valid; an obstruction has no material, on either side
+//   (3) the unit is a name and nothing more: no number is converted (unit_problem)
 struct SceneTable {
   std::string file;  // for messages; may be a description when the scene was not read from a file
   std::string about;
@@ -84,10 +86,18 @@ struct SceneTable {
   Spectrum sky_emission;
   bool closed = false;
   std::vector<Expectation> expect;
+  std::string unit;  // what one unit of length is called where lengths are shown; empty: m
 
   // Returns the index of the first surface of exactly that name, or nothing. COST: linear.
   std::optional<std::uint32_t> find(const std::string& name) const;
 };
+
+// The most bytes that the name of a unit may have.
+inline constexpr std::size_t kMaxUnitLength = 16;
+// Returns why a unit of length may not be called so, as the end of a sentence ("must not be empty"); empty when it may.
+std::string_view unit_problem(std::string_view unit);
+// Returns what lengths of the scene are in, for people: its unit, or m.
+std::string length_unit(const SceneTable& table);
 
 // Throws InputError naming file, line and surface unless the names of surfaces are allowed (name_problem) and unique,
 // the indices of their materials and groups are valid and their elements from 1 to kMaxElements, and spectra are in

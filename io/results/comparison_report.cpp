@@ -9,6 +9,7 @@
 
 #include "io/results/factor_files.h"
 #include "kernel/rational.h"
+#include "kernel/support/counted.h"
 #include "kernel/version.h"
 
 namespace hottel {
@@ -45,12 +46,17 @@ std::string compare_table(std::span<const MethodResult> results) {
   std::string text =
       fmt::format("{:<{}}  {:<9} {:>12} {:>17} {:>10} {:>10} {:>10} {:>10}\n", "method", widest, "guarantee", "seconds",
                   "fastest..slowest", "max error", "rms error", "closure", "radiosity");
-  for (const MethodResult& each : results)
-    text += fmt::format("{:<{}}  {:<9} {:>12.3g} {:>17} {:>10.2g} {:>10.2g} {:>10.2g} {:>10}\n", each.info.name, widest,
-                        to_string(each.info.guarantee), each.timing.median,
-                        fmt::format("{:.2g}..{:.2g}", each.timing.fastest, each.timing.slowest), each.errors.max,
-                        each.errors.rms, each.errors.closure,
-                        each.max_radiosity_error ? fmt::format("{:.2g}", *each.max_radiosity_error) : "-");
+  const auto number = [](double value, int digits) {
+    return std::isnan(value) ? std::string("-") : fmt::format("{:.{}g}", value, digits);
+  };
+  for (const MethodResult& each : results) {
+    const Timing& timing = each.timing;  // of what is read from a file there is none
+    text += fmt::format("{:<{}}  {:<9} {:>12} {:>17} {:>10} {:>10} {:>10} {:>10}\n", each.info.name, widest,
+                        to_string(each.info.guarantee), number(timing.median, 3),
+                        std::isnan(timing.median) ? "-" : fmt::format("{:.2g}..{:.2g}", timing.fastest, timing.slowest),
+                        number(each.errors.max, 2), number(each.errors.rms, 2), number(each.errors.closure, 2),
+                        each.max_radiosity_error ? number(*each.max_radiosity_error, 2) : "-");
+  }
   return text;
 }
 
@@ -83,7 +89,7 @@ std::string comparison_json(const ComparisonReport& report) {
 std::string size_text(const ExchangeMatrix& matrix) {
   std::uint32_t rows = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) rows += matrix.has_row(i) ? 1 : 0;
-  return fmt::format("{} elements, {} view factors", rows, matrix.entry_count());
+  return counted(rows, "element") + ", " + counted(matrix.entry_count(), "view factor");
 }
 
 std::string comparison_text(const ComparisonReport& report) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "geometry/name.h"
 #include "kernel/support/counted.h"
 #include "kernel/version.h"
 
@@ -84,6 +85,14 @@ std::string solve_json(const SolveReport& report) {
   if (const auto& range = report.picture_range)
     json["picture"] = {
         {"quantity", range->quantity}, {"unit", range->unit}, {"lower", range->lower}, {"upper", range->upper}};
+  for (const InsulatedGroup& group : report.insulated)
+    json["insulated"].push_back({{"name", group.name},
+                                 {"channel", group.channel},
+                                 {"coldest", group.coldest},
+                                 {"warmest", group.warmest},
+                                 {"lower", group.lower},
+                                 {"upper", group.upper}});
+  if (!report.unit.empty()) json["unit"] = report.unit;
   json["notes"] = report.warnings;
   for (const std::string& note : solution.notes) json["notes"].push_back(note);
   return json.dump(2) + "\n";
@@ -91,7 +100,7 @@ std::string solve_json(const SolveReport& report) {
 
 namespace {
 
-constexpr std::size_t kFluxesInText = 6;
+constexpr std::size_t kFluxesInText = 6, kInsulatedInText = 6;
 
 // The groups with the largest net flux, summed over the channels.
 std::string flux_text(const std::vector<NetFlux>& groups) {
@@ -108,6 +117,22 @@ std::string flux_text(const std::vector<NetFlux>& groups) {
   for (std::size_t k = 0; k < shown; ++k)
     text += fmt::format("{} {} {:.6g}", k == 0 ? "" : ",", largest[k].second, largest[k].first);
   if (shown < largest.size()) text += fmt::format(" and {} more in flux.csv", largest.size() - shown);
+  return text + "\n";
+}
+
+// What the insulated faces come to: "insulated: 'wall' 287.312 K, 'roof' 265.1 to 271.88 K".
+std::string insulated_text(const std::vector<InsulatedGroup>& groups) {
+  if (groups.empty()) return "";
+  std::string text = "insulated:";
+  for (std::size_t k = 0; k < std::min(groups.size(), kInsulatedInText); ++k) {
+    const InsulatedGroup& group = groups[k];
+    const std::string coldest = fmt::format("{:.6g}", group.coldest), warmest = fmt::format("{:.6g}", group.warmest);
+    text += fmt::format("{} {}{} {} K", k == 0 ? "" : ",", quoted_name(group.name),
+                        group.channel == "all" ? "" : " (" + group.channel + ")",
+                        coldest == warmest ? coldest : coldest + " to " + warmest);
+  }
+  if (groups.size() > kInsulatedInText)
+    text += fmt::format(" and {} more in temperature.csv", groups.size() - kInsulatedInText);
   return text + "\n";
 }
 
@@ -129,7 +154,7 @@ std::string solve_text(const SolveReport& report) {
   text +=
       fmt::format("energy: emitted {:.6g}, absorbed {:.6g}, to the sky {:.6g}, defect {:.1e}\n",
                   solution.energy.emitted, solution.energy.absorbed, solution.energy.to_sky, solution.energy.defect);
-  text += flux_text(report.fluxes->groups);
+  text += flux_text(report.fluxes->groups) + insulated_text(report.insulated);
   if (report.illumination_max_error)
     text += fmt::format("illumination: averages over cells, each within {:.1e} for these radiosities\n",
                         *report.illumination_max_error);
@@ -143,25 +168,52 @@ std::string solve_text(const SolveReport& report) {
   return text + fmt::format(", all {:.3f}\n", total);
 }
 
-std::string small_scene_text(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution) {
-  if (matrix.elements().size() > 2 * kFacesOnAScreen || scene.surfaces.size() > kFacesOnAScreen) return "";
-  std::string text = fmt::format("\n{:<16}", "factor to");
-  for (const Element& element : matrix.elements()) text += fmt::format("{:>14.14}", element.name);
-  text += fmt::format("{:>14}\n", matrix.name(matrix.sky()));
-  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    if (!matrix.has_row(i)) continue;
-    text += fmt::format("{:<16.16}", matrix.elements()[i].name);
-    for (std::uint32_t j = 0; j <= matrix.sky(); ++j) text += fmt::format("{:>14.10g}", matrix.factor(i, j).value);
+namespace {
+
+// How many characters a text in UTF-8 has.
+std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+// Rows of cells in columns as wide as their widest cell, two blanks apart; the first to the left, the others to the
+// right.
+std::string in_columns(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], characters(row[k]));
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const std::string blanks(widths[k] - characters(row[k]), ' ');
+      text += k == 0 ? row[k] + (row.size() > 1 ? blanks : "") : "  " + blanks + row[k];
+    }
     text += "\n";
   }
-  text += fmt::format("\n{:<16}{:>8}{:>24}{:>24}{:>24}\n", "radiosity", "channel", "lower", "value", "upper");
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (std::size_t c = 0; matrix.has_row(i) && c < solution.channels.size(); ++c) {
-      const ElementRadiosity& r = solution.channels[c].elements[i];
-      text += fmt::format("{:<16.16}{:>8}{:>24}{:>24}{:>24}\n", matrix.elements()[i].name, solution.channel_names[c],
-                          shortest(r.lower), shortest(r.radiosity), shortest(r.upper));
-    }
   return text;
+}
+
+}  // namespace
+
+std::string small_scene_text(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution) {
+  if (matrix.elements().size() > 2 * kFacesOnAScreen || scene.surfaces.size() > kFacesOnAScreen) return "";
+  std::vector<std::vector<std::string>> factors{{"factor to"}};
+  for (std::uint32_t j = 0; j <= matrix.sky(); ++j) factors[0].push_back(matrix.name(j));
+  std::vector<std::vector<std::string>> radiosities{{"radiosity", "channel", "lower", "value", "upper"}};
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    factors.push_back({matrix.name(i)});
+    for (std::uint32_t j = 0; j <= matrix.sky(); ++j)
+      factors.back().push_back(fmt::format("{:.10g}", matrix.factor(i, j).value));
+    for (std::size_t c = 0; c < solution.channels.size(); ++c) {
+      const ElementRadiosity& r = solution.channels[c].elements[i];
+      radiosities.push_back(
+          {matrix.name(i), solution.channel_names[c], shortest(r.lower), shortest(r.radiosity), shortest(r.upper)});
+    }
+  }
+  return "\n" + in_columns(factors) + "\n" + in_columns(radiosities);
 }
 
 }  // namespace hottel

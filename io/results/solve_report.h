@@ -10,6 +10,7 @@
 
 #include "geometry/exchange_report.h"
 #include "io/results/radiosity_files.h"
+#include "io/results/temperature_files.h"
 #include "solver/plan.h"
 
 namespace hottel {
@@ -44,11 +45,14 @@ struct SolveReport {
   std::optional<double> picture_scale{};           // what a value was multiplied by before the tone curve
   std::optional<PictureRange> picture_range{};     // of a picture that shows something else than light
   std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
+  std::vector<InsulatedGroup> insulated{};         // in the order of radiosity.csv
+  std::string unit{};                              // of lengths; empty where the scene does not say
   std::vector<std::string> warnings{};             // first of the notes of the JSON object; not in the text
 };
 
 // Returns the report as one JSON object (the contract's report.json) and a final newline, and as text for people:
-// sizes, solver, energy, the six largest net fluxes, notes, seconds. The fluxes are not in the JSON object.
+// sizes, solver, energy, the six largest net fluxes, up to six insulated groups, notes, seconds. The fluxes are not in
+// the JSON object.
 std::string solve_json(const SolveReport& report);
 std::string solve_text(const SolveReport& report);
 

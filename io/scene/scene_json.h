@@ -16,8 +16,9 @@ namespace hottel {
 // A scene of either dimension.
 using Scene = std::variant<Scene2, Scene3>;
 
-// Returns the scene of a file: of JSON, in the plane or in space as its "dimension" says; or of a mesh (mesh_format_3)
-// or a deck of View3D (.vs3), which are in space. Polygons that are not plane are refused, or cut by the triangulator.
+// Returns the scene of a file: of JSON, in the plane or in space as its "dimension" says; of a map (.geojson, .wkt),
+// which is in the plane; or of a mesh (mesh_format_3) or a deck of View3D (.vs3), which are in space. Polygons that are
+// not plane are refused, or cut by the triangulator.
 //
 //   (1) every number has exactly the value that is typed; validate(scene) holds
 //   (2) surfaces are in the order of the file: edges, then the pieces of polylines; or polygons, then faces of meshes

@@ -3,6 +3,7 @@
 #include "geometry/name.h"
 #include "io/scene/exact_json.h"
 #include "io/scene/json_fields.h"
+#include "io/scene/plane/map_reader.h"
 #include "io/scene/plane/scene_reader.h"
 #include "io/scene/scene_json.h"
 #include "io/scene/space/mesh_reader.h"
@@ -55,6 +56,10 @@ Scene parse(std::string_view text, const std::string& name, const TextSource& fi
 
 Scene read(const std::filesystem::path& file, std::optional<int> wanted, Triangulator3* triangulator = nullptr) {
   const std::string name = file.string();
+  if (is_map_2(file)) {
+    if (wanted == 3) throw InputError({name, 0}, kInSpaceOnly);
+    return read_map_2(file);
+  }
   if (!is_vs3(file) && !mesh_format_3(file))
     return parse(read_text_file(file), name, read_text_file, wanted, triangulator);
   if (wanted == 2) throw InputError({name, 0}, kInThePlaneOnly, {kDoneInSpace});

@@ -18,12 +18,19 @@ Spectrum read_spectrum_in_range(const JsonValue& value, const Subject& subject, 
 
 Material read_material(const JsonValue& key, const JsonValue& value) {
   const std::string owner = "material " + quoted_name(key.text());
-  const auto [about, reflectivity, emission, emissivity, temperature] =
-      read_members(value, {owner},
-                   std::array<std::string_view, 5>{"about", "reflectivity", "emission", "emissivity", "temperature"});
+  const auto [about, reflectivity, emission, emissivity, temperature, insulated] = read_members(
+      value, {owner},
+      std::array<std::string_view, 6>{"about", "reflectivity", "emission", "emissivity", "temperature", "insulated"});
   Material material;
   material.name = key.text();
   if (about) read_string(about, {owner, "about"});
+  if (insulated && read_boolean(insulated, {owner, "insulated"})) {
+    if (reflectivity || emission || emissivity || temperature)
+      refuse(value, owner + " is insulated, which is reflectivity 1 and emission 0: it has no other values",
+             {"its temperature is what comes out: hottel solve writes temperature.csv"});
+    set_insulated(material);
+    return material;
+  }
   if ((reflectivity || emission) && (emissivity || temperature))
     refuse(value, owner + " has both reflectivity or emission and emissivity or temperature",
            {"give either reflectivity and emission, or emissivity and temperature"});
@@ -67,8 +74,19 @@ void TableReader::read_materials(const JsonValue& materials) {
 }
 
 void TableReader::read_sky(const JsonValue& sky) {
-  const auto [emission] = read_members(sky, {"sky"}, std::array<std::string_view, 1>{"emission"});
+  const auto [emission, temperature] =
+      read_members(sky, {"sky"}, std::array<std::string_view, 2>{"emission", "temperature"});
+  if (emission && temperature)
+    refuse(sky, "sky has both emission and temperature", {"give one: a temperature T means the emission sigma T^4"});
   if (emission) table_.sky_emission = read_spectrum_in_range(emission, {"sky", "emission"}, SpectrumKind::kQuantity);
+  if (temperature)
+    table_.sky_emission =
+        black_emission(read_spectrum_in_range(temperature, {"sky", "temperature"}, SpectrumKind::kQuantity));
+}
+
+void TableReader::read_unit(const JsonValue& unit) {
+  table_.unit = read_string(unit, {"unit"});
+  if (const auto problem = unit_problem(table_.unit); !problem.empty()) refuse(unit, "unit " + std::string(problem));
 }
 
 void TableReader::read_list(const JsonValue& list, std::string_view key, const std::string& noun,

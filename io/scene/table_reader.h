@@ -16,9 +16,9 @@
 namespace hottel {
 
 // The members that a scene may have, in this order; what belongs to the other dimension is refused by its reader.
-inline constexpr std::array<std::string_view, 14> kSceneKeys{"hottel",    "dimension", "about",  "materials", "edges",
+inline constexpr std::array<std::string_view, 15> kSceneKeys{"hottel",    "dimension", "about",  "materials", "edges",
                                                              "polylines", "polygons",  "mesh",   "sky",       "closed",
-                                                             "grid",      "camera",    "lights", "expect"};
+                                                             "grid",      "camera",    "lights", "expect",    "unit"};
 
 // One item of "edges", "polylines" or "polygons", but for its points.
 struct SceneEntry {
@@ -51,11 +51,14 @@ class TableReader {
   explicit TableReader(SceneTable& table) : table_(table) {}
 
   // Appends the materials of an object. Reflectivities and emissivities are from 0 to 1, emissions and temperatures not
-  // below 0; a grey body of emissivity e and temperature T has reflectivity 1 - e and emission e sigma T⁴. REQUIRES
-  // that the document outlives this: names are looked up in its texts.
+  // below 0; a grey body of emissivity e and temperature T has reflectivity 1 - e and emission e sigma T⁴; an insulated
+  // material has reflectivity 1 and no other key. REQUIRES that the document outlives this: names are looked up in its
+  // texts.
   void read_materials(const JsonValue& materials);
-  // Sets the emission of the sky, which is not below 0; the sky stays dark without one.
+  // Sets the emission of the sky, which is not below 0, or sigma T⁴ of its temperature; without one it stays dark.
   void read_sky(const JsonValue& sky);
+  // Sets what one unit of length is called.
+  void read_unit(const JsonValue& unit);
   // Appends what the scene says of its own answers: numbers are checked to be numbers and kept as typed.
   void read_expectations(const JsonValue& list);
 

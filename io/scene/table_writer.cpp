@@ -49,8 +49,12 @@ void write_materials(const SceneTable& table, std::string& out) {
       if (value.is_zero() && value.is_scalar) return;
       members += fmt::format("{}\"{}\": {}", members.empty() ? "" : ", ", key, spectrum(value));
     };
-    add("reflectivity", m.reflectivity);
-    add("emission", m.emission);
+    if (m.is_insulated()) {
+      members = "\"insulated\": true";
+    } else {
+      add("reflectivity", m.reflectivity);
+      add("emission", m.emission);
+    }
     block.add(fmt::format("{}: {{{}}}", json_string(m.name), members));
   }
   block.end();
@@ -98,6 +102,7 @@ void JsonBlock::end() {
 void write_head(const SceneTable& table, int dimension, std::string& out) {
   out += fmt::format("{{\n  \"hottel\": 1,\n  \"dimension\": {}", dimension);
   if (!table.about.empty()) out += fmt::format(",\n  \"about\": {}", json_string(table.about));
+  if (!table.unit.empty()) out += fmt::format(",\n  \"unit\": {}", json_string(table.unit));
   write_materials(table, out);
 }
 

@@ -33,7 +33,8 @@ class JsonBlock {
 
 // Each appends members of the scene to `out`; what has its default is left out.
 
-// The opening brace, the versions, the text for people, and the materials. REQUIRES unique names of materials.
+// The opening brace, the versions, the text for people, the unit, and the materials. REQUIRES unique names of
+// materials.
 void write_head(const SceneTable& table, int dimension, std::string& out);
 // What the sky sends, and the promise that the scene is closed.
 void write_sky(const SceneTable& table, std::string& out);

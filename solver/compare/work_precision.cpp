@@ -42,6 +42,7 @@ std::string duration(double seconds) {
 std::vector<WorkCurve> work_curves(std::span<const MethodResult> results) {
   std::vector<WorkCurve> curves;
   for (const MethodResult& result : results) {
+    if (std::isnan(result.timing.median)) continue;
     auto curve = std::find_if(curves.begin(), curves.end(),
                               [&](const WorkCurve& each) { return each.family == result.info.family; });
     if (curve == curves.end()) curve = curves.insert(curve, WorkCurve{result.info.family, {}});
@@ -86,8 +87,8 @@ std::vector<WorkReading> read_off(std::span<const WorkCurve> curves, std::span<c
 
 std::string to_sentence(const WorkReading& reading) {
   if (reading.family.empty())
-    return fmt::format("at an error of {:g} exact ({}) stands alone: no other method reaches it", reading.error,
-                       duration(reading.exact_seconds));
+    return fmt::format("at an error of {:g} exact ({}) stands alone: no other method that is timed reaches it",
+                       reading.error, duration(reading.exact_seconds));
   const double ratio = reading.seconds / reading.exact_seconds, times = std::max(ratio, 1 / ratio);
   const std::string verdict = times < kAsFast
                                   ? "takes about as long as"

@@ -20,6 +20,7 @@ const std::vector<std::pair<const char*, const char*>>& option_scenes() {
       {"bent.json", R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5}}, "polygons": [
   {"name": "a", "points": [[0, 0, 0], [1, 0, 0], [1, 1, 0.01], [0, 1, 0]], "material": "m"},
   {"name": "b", "points": [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]], "material": "m"}]})"},
+      {"yard.wkt", "POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0), (1 1, 2 1, 2 2, 1 1))\n"},
       {"hash.txt", "hash\n"},
       {"picture.txt", "picture seen.svg\n"},
   };
@@ -68,6 +69,11 @@ const std::vector<OptionEntry>& option_entries() {
        "hottel convert bent.json - --triangulate; echo $?",
        "hottel convert bent.json -; echo $?",
        {{"hottel convert $S - --triangulate", "--triangulate cuts polygons in space"}}},
+      {"convert",
+       "--front",
+       "hottel convert yard.wkt - --front outside",
+       "hottel convert yard.wkt -",
+       {{"hottel convert $S out.json --front outside", "--front is of the polygons of a map"}}},
       {"convert",
        "--per",
        "hottel convert grouped.json out.vs3 --per group; cat out.vs3",

@@ -52,5 +52,17 @@ if(NOT count EQUAL public_headers)
   message(FATAL_ERROR "${count} headers are installed; ${public_headers} are expected (see the top of this test):\n${list}")
 endif()
 
+# What the installed README points to is there.
+file(GLOB readme "${work}/prefix/share/doc/*/README.md")
+get_filename_component(doc "${readme}" DIRECTORY)
+file(READ "${readme}" text)
+string(REGEX MATCHALL "\\]\\([^)#]+" links "${text}")
+foreach(link IN LISTS links)
+  string(SUBSTRING "${link}" 2 -1 link)
+  if(NOT link MATCHES "^https?:" AND NOT EXISTS "${doc}/${link}")
+    message(FATAL_ERROR "The installed README points to ${link}, which is not installed")
+  endif()
+endforeach()
+
 # The installed program runs.
 run("${work}/prefix/bin/hottel" --version)

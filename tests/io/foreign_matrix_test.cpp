@@ -290,11 +290,11 @@ TEST_F(ForeignMatrixTest, RefusesWhatIsNoNumberAndWhatBreaksOff) {
   EXPECT_THAT(why("f.mtx", market + "4 4 4000000000\n"), StartsWith("f.mtx:3: breaks off"));
   EXPECT_EQ(why("f.mtx", "%%MatrixMarket matrix coordinate complex general\n1 1 0\n"),
             "f.mtx:1: the numbers must be real or integer, not 'complex'");
-  EXPECT_EQ(why("f.mtx", "4 4 1\n1 2 0.5\n"), "f.mtx: is no file of view factors that is known");
+  EXPECT_EQ(why("f.mtx", "4 4 1\n1 2 0.5\n"), "f.mtx: holds no view factors in a format that hottel reads");
   EXPECT_EQ(why("f.mtx", "%%MatrixMarket matrix array real symmetric\n4 3\n"),
             "f.mtx:2: a symmetric matrix must be square");
 
-  EXPECT_EQ(why("f.npy", "NUMPY"), "f.npy: is no file of view factors that is known");
+  EXPECT_EQ(why("f.npy", "NUMPY"), "f.npy: holds no view factors in a format that hottel reads");
   std::string array = numpy<double>("<f8", false, 4, 4, number);
   EXPECT_EQ(why("f.npy", array.substr(0, array.size() - 1)),
             "f.npy: has 127 bytes of numbers; 4 x 4 of 8 bytes are expected");

@@ -111,6 +111,38 @@ TEST(SceneJson, NumbersBeyondTheRangeOfDoubleAreReadExactly) {
   EXPECT_EQ(x_of("\"1e4096\""), Rational("1" + std::string(4096, '0')));
 }
 
+TEST(SceneJson, ASkyOfATemperatureSendsSigmaTToTheFourth) {
+  const Scene2 scene = parse(scene_with("\"sky\": {\"temperature\": \"541/2\"}"));
+  const Rational t(541, 2);
+  EXPECT_EQ(scene.sky_emission.value[0], *parse_rational("5.670374419e-8") * t * t * t * t);
+  EXPECT_TRUE(scene.sky_emission.is_scalar);
+  EXPECT_EQ(refusal(scene_with("\"sky\": {\"temperature\": 1, \"emission\": 0}")),
+            "scene.json:3: sky has both emission and temperature");
+  EXPECT_EQ(refusal(scene_with("\"sky\": {\"temperature\": -1}")),
+            "scene.json:3: sky: temperature must not be negative");
+}
+
+TEST(SceneJson, AnInsulatedMaterialReflectsAllAndStaysInsulated) {
+  const Scene2 scene = parse(R"({"hottel": 1, "dimension": 2, "materials": {
+    "a": {"insulated": true}, "b": {"insulated": false, "reflectivity": 1}}})");
+  EXPECT_EQ(scene.materials[0], scene.materials[1]);
+  EXPECT_TRUE(scene.materials[0].is_insulated());
+  EXPECT_FALSE(scene.materials[1].is_insulated());
+  EXPECT_TRUE(scene.materials[0].reflectivity.is_scalar && scene.materials[0].emission.is_scalar);
+  const std::string text = write_scene_2(scene);
+  EXPECT_NE(text.find("\"a\": {\"insulated\": true}"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"b\": {\"reflectivity\": 1}"), std::string::npos) << text;
+}
+
+TEST(SceneJson, AUnitIsANameAndKept) {
+  const Scene2 scene = parse(scene_with("\"unit\": \"mm\""));
+  EXPECT_EQ(scene.unit, "mm");
+  EXPECT_EQ(parse(write_scene_2(scene)).unit, "mm");
+  EXPECT_EQ(refusal(scene_with("\"unit\": \"\"")), "scene.json:3: unit must not be empty");
+  EXPECT_EQ(refusal(scene_with("\"unit\": 1")), "scene.json:3: unit must be a string, not a number");
+  EXPECT_EQ(refusal(scene_with("\"unit\": \"a\\nb\"")), "scene.json:3: unit must not contain a control character");
+}
+
 TEST(SceneJson, EmissivityAndTemperatureMakeAGreyBodyExactly) {
   const Scene2 scene = parse(R"({"hottel": 1, "dimension": 2, "materials": {
     "steel": {"emissivity": 0.3, "temperature": 900}, "cold": {"emissivity": [0.1, 0.2, 1]}}})");
@@ -173,8 +205,7 @@ TEST(SceneJson, RefusesUnknownKeysAtEveryLevel) {
             "scene.json:5: polyline 'a' has the unknown key 'x'");
   EXPECT_EQ(refusal("{\"hottel\": 1, \"dimension\": 2, \"materials\": {\"m\": {\"rho\": 1}}}"),
             "scene.json:1: material 'm' has the unknown key 'rho'");
-  EXPECT_EQ(refusal(scene_with("\"sky\": {\"temperature\": 1}")),
-            "scene.json:3: sky has the unknown key 'temperature'");
+  EXPECT_EQ(refusal(scene_with("\"sky\": {\"colour\": 1}")), "scene.json:3: sky has the unknown key 'colour'");
   EXPECT_EQ(refusal(scene_with("\"grid\": {\"origin\": 1}")), "scene.json:3: grid has the unknown key 'origin'");
   EXPECT_EQ(refusal(scene_with("\"expect\": [{\"x\": 1}]")), "scene.json:3: expectation[0] has the unknown key 'x'");
 }

@@ -25,6 +25,9 @@ constexpr std::array<OklabPolar, 6> kStations{{
     {0.88, 0.165, 456},
 }};
 
+// The map of what has a sign: from paper to blue below 0 and to red above. The hues of the ends hold all the way.
+constexpr OklabPolar kMiddle{0.95, 0, 0}, kBelowZero{0.45, 0.15, 262}, kAboveZero{0.45, 0.15, 30};
+
 OklabPolar between(const OklabPolar& a, const OklabPolar& b, double t) {
   return {std::lerp(a.lightness, b.lightness, t), std::lerp(a.chroma, b.chroma, t), std::lerp(a.hue, b.hue, t)};
 }
@@ -128,6 +131,21 @@ double ColourScale::position(double value) const {
   return std::clamp((value / 2 - lower / 2) / span, 0.0, 1.0);
 }
 
+Colour signed_map_colour(double position) {
+  const double t = std::clamp(position, -1.0, 1.0);
+  const OklabPolar& end = t < 0 ? kBelowZero : kAboveZero;
+  return colour_of(between({kMiddle.lightness, kMiddle.chroma, end.hue}, end, std::abs(t)));
+}
+
+Colour scale_colour(const ColourScale& scale, double value) {
+  return scale.about_zero ? signed_map_colour(scale.signed_position(value)) : map_colour(scale.position(value));
+}
+
+double ColourScale::signed_position(double value) const {
+  const double most = std::max(std::abs(lower), std::abs(upper));
+  return most > 0 ? std::clamp(value / most, -1.0, 1.0) : 0;
+}
+
 std::vector<double> ColourScale::ticks(int limit) const {
   if (!(lower < upper) || limit < 2) return {lower};
   if (logarithmic) {
@@ -167,7 +185,10 @@ double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::s
 
   constexpr std::uint32_t kShades = 256;
   Raster shades(kShades, 1);
-  for (std::uint32_t k = 0; k < kShades; ++k) shades.pixels[k] = pixel_of(map_colour((k + 0.5) / kShades));
+  for (std::uint32_t k = 0; k < kShades; ++k)
+    shades.pixels[k] =
+        pixel_of(scale.about_zero ? scale_colour(scale, std::lerp(scale.lower, scale.upper, (k + 0.5) / kShades))
+                                  : map_colour((k + 0.5) / kShades));
   canvas.image(Mark::kLegend, {corner.x, bar_top}, {corner.x + bar_width, bar_top + bar_height}, shades, true);
 
   double wide = std::max(bar_width, canvas.text_width(title, heading));

@@ -38,6 +38,14 @@ double lightness(const Colour& colour);
 //   (2) readable for colour-blind eyes and in grey print, since (1) alone carries the order
 Colour map_colour(double position);
 
+// Returns the colour of a position in [-1, 1], positions outside clamped: blue, through paper at 0, to red.
+//
+//   (1) lightness(signed_map_colour(t)) is linear in |t| and falls: -t and t are equally dark, the hue tells the sign
+Colour signed_map_colour(double position);
+
+// Returns the colour of a value on a scale: map_colour of its position, or signed_map_colour where colours part at 0.
+Colour scale_colour(const ColourScale& scale, double value);
+
 // Returns the values as labels with just the digits that tell them apart: "0", "0.05", "0.1", or "1e-06".
 std::vector<std::string> tick_labels(const std::vector<double>& ticks);
 

@@ -25,14 +25,19 @@ enum class Tone : unsigned char { kLinear, kReinhard, kLog, kMax };
 const char* to_string(Tone tone);
 std::optional<Tone> tone_of(std::string_view name);
 
-// How values become positions.
+// How values become positions, or, of what has a sign, how far they are from 0.
 struct ColourScale {
   double lower = 0, upper = 1;
   bool logarithmic = false;
+  bool about_zero = false;  // colours part at 0, as far on both sides; excludes logarithmic
 
   // Returns where the value lies between lower and upper, clamped to [0, 1]; the position of lower when they are equal.
   // REQUIRES lower <= upper, both finite; logarithmic: lower > 0. A value <= 0 on a logarithmic scale has position 0.
   double position(double value) const;
+
+  // Returns the value over the largest distance of lower and upper from 0, clamped to [-1, 1]; 0 when both are 0.
+  // REQUIRES finite ends.
+  double signed_position(double value) const;
 
   // Returns the values for labels: multiples of 1, 2 or 5 times a power of ten inside [lower, upper], ascending, at
   // most limit of them; logarithmic: whole decades, every few of them when there are many, or the linear ones when

@@ -38,12 +38,6 @@ std::vector<bool> targets_of(const SceneTable& scene, const std::string& toward)
   return targets;
 }
 
-bool is_white(const Material& material) {
-  return std::all_of(material.reflectivity.value.begin(), material.reflectivity.value.end(),
-                     [](const Rational& value) { return value == 1; }) &&
-         material.emission.is_zero();
-}
-
 double of_channel(Quantity quantity, const ElementRadiosity& element) {
   switch (quantity) {
     case Quantity::kIrradiance:
@@ -113,13 +107,14 @@ void require_shown(const Shown& shown, const SceneTable& scene) {
   if (shown.quantity != Quantity::kTemperature) return;
   const std::vector<std::optional<double>> temperatures = temperatures_of(scene);
   const auto is_warm = [&](std::optional<std::uint32_t> material) {
-    return material && temperatures[*material] && *temperatures[*material] > 0;
+    return material &&
+           (scene.materials[*material].is_insulated() || (temperatures[*material] && *temperatures[*material] > 0));
   };
   if (std::none_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
         return is_warm(surface.material_of(false)) || is_warm(surface.material_of(true));
       }))
     throw UsageError("--show temperature: no face of " + scene.file +
-                     " has one; materials with \"emissivity\" and \"temperature\" have");
+                     " has one; materials with \"emissivity\" and \"temperature\" have, or \"insulated\" ones");
 }
 
 ShownValues shown_values(const Shown& shown, const SceneTable& scene, const ExchangeMatrix& matrix,
@@ -144,7 +139,7 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
     if (shown.quantity != Quantity::kTemperature)
       return shown.channel ? of_channel(shown.quantity, solution.channels[*shown.channel].elements[i])
                            : mean(shown.quantity, solution, i);
-    if (is_white(scene.materials[material])) return black_temperature(mean(Quantity::kRadiosity, solution, i));
+    if (scene.materials[material].is_adiabatic()) return black_temperature(mean(Quantity::kRadiosity, solution, i));
     return temperatures[material];
   };
 
@@ -158,6 +153,7 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
     result.scale.upper = is_first ? *result.elements[i] : std::max(result.scale.upper, *result.elements[i]);
     is_first = false;
   }
+  result.scale.about_zero = shown.quantity == Quantity::kNet;
   result.name = name_of(shown, solution);
   result.unit = shown.quantity == Quantity::kFactor ? "1" : shown.quantity == Quantity::kTemperature ? "K" : unit;
   result.title = fmt::format("{}{}: {:.6g} to {:.6g}", result.name, result.unit == "1" ? "" : " [" + result.unit + "]",

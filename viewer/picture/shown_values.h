@@ -30,8 +30,9 @@ struct Shown {
 // UnknownName for other words.
 Shown shown_by(const std::string& word);
 
-// Throws UsageError where a scene has nothing of the kind: a temperature where no face that emits has one, a channel
-// where there is one only, or of what has none; UnknownName for names that are not there. COST: some of the names.
+// Throws UsageError where a scene has nothing of the kind: a temperature where no face is warm by its material or
+// insulated, a channel where there is one only, or of what has none; UnknownName for names that are not there. COST:
+// some of the names.
 void require_shown(const Shown& shown, const SceneTable& scene);
 
 // Values as a picture shows them.
@@ -51,6 +52,7 @@ struct ShownValues {
 //       whose material has no temperature have no value
 //   (3) a factor is the double of factors.csv from the element to the sky, to the face NAME or NAME:back, or the sum of
 //       those to the fronts of a group, or of all whose names begin with NAME*
+//   (4) the colours of a net flux part at 0: faces that gain and faces that lose are told apart at sight
 //
 // `unit`: of radiosities. REQUIRES what require_shown takes; the solution of this matrix, of this scene.
 ShownValues shown_values(const Shown& shown, const SceneTable& scene, const ExchangeMatrix& matrix,

@@ -72,6 +72,9 @@ SceneBuilder2& SceneBuilder2::add_material(const std::string& name, const Materi
       (is_given(options.emissivity) || is_given(options.temperature)))
     reader.refuse(owner + " has both reflectivity or emission and emissivity or temperature",
                   {"give either reflectivity and emission, or emissivity and temperature"});
+  if (options.insulated && (is_given(options.reflectivity) || is_given(options.emission) ||
+                            is_given(options.emissivity) || is_given(options.temperature)))
+    reader.refuse(owner + " is insulated, which is reflectivity 1 and emission 0: it has no other values");
   if (is_given(options.temperature) && !is_given(options.emissivity))
     reader.refuse(owner + " has a temperature but no emissivity");
   Material material;
@@ -79,7 +82,9 @@ SceneBuilder2& SceneBuilder2::add_material(const std::string& name, const Materi
   const auto read = [&](const char* part, const TypedSpectrum& spectrum, SpectrumKind kind) {
     return reader.spectrum(owner + ": " + part, spectrum, kind);
   };
-  if (is_given(options.emissivity)) {
+  if (options.insulated) {
+    set_insulated(material);
+  } else if (is_given(options.emissivity)) {
     set_grey_body(read("emissivity", options.emissivity, SpectrumKind::kFraction),
                   read("temperature", options.temperature, SpectrumKind::kQuantity), material);
   } else {
@@ -132,6 +137,12 @@ SceneBuilder2& SceneBuilder2::set_sky(const TypedSpectrum& emission) {
   return *this;
 }
 
+SceneBuilder2& SceneBuilder2::set_sky_temperature(const TypedSpectrum& temperature) {
+  scene_.sky_emission =
+      black_emission(Reader(scene_.file).spectrum("sky: temperature", temperature, SpectrumKind::kQuantity));
+  return *this;
+}
+
 SceneBuilder2& SceneBuilder2::set_grid(const TypedPoint2& min, const TypedPoint2& max, std::uint32_t nx,
                                        std::uint32_t ny) {
   const Reader reader(scene_.file);
@@ -148,6 +159,13 @@ SceneBuilder2& SceneBuilder2::set_closed(bool closed) {
 
 SceneBuilder2& SceneBuilder2::set_about(std::string about) {
   scene_.about = std::move(about);
+  return *this;
+}
+
+SceneBuilder2& SceneBuilder2::set_unit(std::string unit) {
+  if (const auto problem = unit_problem(unit); !problem.empty())
+    Reader(scene_.file).refuse("unit " + std::string(problem));
+  scene_.unit = std::move(unit);
   return *this;
 }
 

@@ -33,6 +33,7 @@ struct TypedSpectrum {
 struct MaterialOptions {
   TypedSpectrum reflectivity = {}, emission = {};
   TypedSpectrum emissivity = {}, temperature = {};
+  bool insulated = false;  // reflectivity 1 and emission 0; excludes all others
 };
 
 // What edges and polylines may have beside points and a material, as in a scene file.
@@ -72,11 +73,15 @@ class SceneBuilder2 {
                               const std::string& material, const PolylineOptions2& options = {});
   // What the sky sends out; it is dark where nothing is said.
   SceneBuilder2& set_sky(const TypedSpectrum& emission);
+  // The same by its temperature [K]: it sends out sigma T⁴.
+  SceneBuilder2& set_sky_temperature(const TypedSpectrum& temperature);
   // Where light is asked for.
   SceneBuilder2& set_grid(const TypedPoint2& min, const TypedPoint2& max, std::uint32_t nx, std::uint32_t ny);
   // Whether it is promised that no front with a material sees the sky.
   SceneBuilder2& set_closed(bool closed = true);
   SceneBuilder2& set_about(std::string about);
+  // What one unit of length is called where lengths are shown; nothing is converted.
+  SceneBuilder2& set_unit(std::string unit);
 
   // The scene, valid. The builder keeps what it has: more may be added, and another scene made.
   Scene2 build() const;

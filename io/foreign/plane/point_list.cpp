@@ -6,6 +6,7 @@
 #include "geometry/name.h"
 #include "io/foreign/csv_reader.h"
 #include "io/scene/json_fields.h"
+#include "io/scene/plane/well_known_text.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -28,13 +29,6 @@ std::string upper_case(std::string_view word) {
   return result;
 }
 
-Rational number_of(std::string_view text, const FileLine& where) {
-  if (const auto value = parse_rational(text)) return *value;
-  throw InputError(where, "a coordinate is not a number: " + quoted_name(text),
-                   {"numbers are written like 12, -0.1, 2.5e-3 or 4/3, with an exponent of at most " +
-                    std::to_string(kMaxNumberExponent)});
-}
-
 // ---- csv
 
 std::vector<Point2> points_of_csv(std::string_view text, const std::string& name) {
@@ -47,7 +41,7 @@ std::vector<Point2> points_of_csv(std::string_view text, const std::string& name
       throw InputError(reader.where(), "a point has two coordinates x,y, not " + std::to_string(fields.size()));
     const std::string_view x = trimmed(fields[0]), y = trimmed(fields[1]);
     if (is_first && upper_case(x) == "X" && upper_case(y) == "Y") continue;
-    points.push_back({number_of(x, reader.where()), number_of(y, reader.where())});
+    points.push_back({coordinate_of_2(x, reader.where()), coordinate_of_2(y, reader.where())});
   }
   return points;
 }
@@ -110,107 +104,41 @@ class GeoJsonPoints {
 
 // ---- well-known text
 
-class WellKnownText {
+class WellKnownPoints {
  public:
-  WellKnownText(std::string_view text, const std::string& name, std::vector<Point2>& points)
-      : text_(text), name_(name), points_(points) {}
+  WellKnownPoints(WellKnownText2& text, std::vector<Point2>& points) : text_(text), points_(points) {}
 
   void read_all() {
-    while (skip_blanks()) read_geometry(0);
+    while (text_.skip_blanks()) read_geometry(0);
   }
 
  private:
-  bool skip_blanks() {
-    for (; at_ < text_.size() && kBlanks.find(text_[at_]) != std::string_view::npos; ++at_)
-      if (text_[at_] == '\n') ++line_;
-    return at_ < text_.size();
-  }
-  FileLine here() const { return {name_, line_}; }
-  [[noreturn]] void refuse_here(const std::string& expected) const {
-    const std::string found =
-        at_ < text_.size() ? quoted_name(text_.substr(at_, text_.find_first_of(" \t\r\n", at_ + 1) - at_)) : "the end";
-    throw InputError(here(), expected + " is expected, not " + found);
-  }
-  // The word that stands here, in capitals; empty where there is none.
-  std::string word() {
-    skip_blanks();
-    const std::size_t begin = at_;
-    while (at_ < text_.size() && is_letter(text_[at_])) ++at_;
-    return upper_case(text_.substr(begin, at_ - begin));
-  }
-  bool takes(char c) {
-    if (!skip_blanks() || text_[at_] != c) return false;
-    ++at_;
-    return true;
-  }
-  void expect(char c) {
-    if (!takes(c)) refuse_here(std::string("'") + c + "'");
-  }
-  Rational number() {
-    if (!skip_blanks()) refuse_here("a coordinate");
-    const std::size_t end = std::min(text_.find_first_of(" \t\r\n,()", at_), text_.size());
-    if (end == at_) refuse_here("a coordinate");
-    const std::string_view token = text_.substr(at_, end - at_);
-    at_ = end;
-    return number_of(token, here());
-  }
-  void read_position() {
-    Point2 point;
-    point.x = number();
-    point.y = number();
-    if (skip_blanks() && text_[at_] != ')' && text_[at_] != ',')
-      throw InputError(here(), "a position in the plane has two coordinates");
-    points_.push_back(std::move(point));
-  }
-  template <class Read>
-  void read_list(const Read& read_item) {
-    do read_item();
-    while (takes(','));
-    expect(')');
-  }
-  // True where a list begins, false for EMPTY.
-  bool begins() {
-    skip_blanks();
-    if (at_ < text_.size() && is_letter(text_[at_])) {
-      const FileLine where = here();
-      const std::string found = word();
-      if (found == "EMPTY") return false;
-      if (found == "Z" || found == "M" || found == "ZM")
-        throw InputError(where, "a position in the plane has two coordinates: " + found + " is not understood");
-      throw InputError(where, "'(' or EMPTY is expected, not " + quoted_name(found));
-    }
-    expect('(');
-    return true;
-  }
   void read_geometry(int depth) {
-    skip_blanks();
-    const FileLine where = here();
-    const std::string type = word();
-    if (type.empty()) refuse_here("POINT, MULTIPOINT or GEOMETRYCOLLECTION");
+    text_.skip_blanks();
+    const FileLine where = text_.here();
+    const std::string type = text_.word();
+    if (type.empty()) text_.refuse_here("POINT, MULTIPOINT or GEOMETRYCOLLECTION");
     if (type != "POINT" && type != "MULTIPOINT" && type != "GEOMETRYCOLLECTION")
       throw InputError(where, quoted_name(type) + " is no list of points",
                        {"understood: POINT, MULTIPOINT, GEOMETRYCOLLECTION; or a csv of lines x,y"});
     if (depth == kMaxJsonDepth) throw InputError(where, "collections are nested too deep");
-    if (!begins()) return;
+    if (!text_.begins()) return;
     if (type == "POINT") {
-      read_position();
-      expect(')');
+      points_.push_back(text_.position());
+      text_.expect(')');
     } else if (type == "MULTIPOINT") {
-      read_list([this] {
-        const bool is_wrapped = takes('(');
-        read_position();
-        if (is_wrapped) expect(')');
+      text_.read_list([this] {
+        const bool is_wrapped = text_.takes('(');
+        points_.push_back(text_.position());
+        if (is_wrapped) text_.expect(')');
       });
     } else {
-      read_list([this, depth] { read_geometry(depth + 1); });
+      text_.read_list([this, depth] { read_geometry(depth + 1); });
     }
   }
 
-  std::string_view text_;
-  const std::string& name_;
+  WellKnownText2& text_;
   std::vector<Point2>& points_;
-  std::size_t at_ = 0;
-  int line_ = 1;
 };
 
 }  // namespace
@@ -226,7 +154,8 @@ std::vector<Point2> read_points_2(std::string_view text, const std::string& name
     const JsonDocument document(content, name);
     GeoJsonPoints(points).read(document.root());
   } else if (is_word && !is_header) {
-    WellKnownText(content, name, points).read_all();
+    WellKnownText2 well_known(content, name);
+    WellKnownPoints(well_known, points).read_all();
   } else {
     points = points_of_csv(content, name);
   }

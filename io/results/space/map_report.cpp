@@ -10,6 +10,7 @@
 #include "geometry/scene_names.h"
 #include "geometry/space/arrangement/solids.h"
 #include "geometry/space/scene/scene.h"
+#include "kernel/support/counted.h"
 
 namespace hottel {
 namespace {
@@ -75,7 +76,7 @@ std::string text_of(const Scene3& scene, const Solids3& solids, const PointMap3&
   line(not_negative(map.sky_factor), not_negative(map.sky_fraction), "sky");
   for (const PointMap3::InSolid& solid : map.solids)
     line(0, solid.fraction, "(in the solid " + quoted_name(solid_name(scene, solids, solid.mesh)) + ")");
-  return text + fmt::format("\n{} pieces of {} faces\n", map.fragments.size(), map.shares.size());
+  return text + "\n" + counted(map.fragments.size(), "piece") + " of " + counted(map.shares.size(), "face") + "\n";
 }
 
 }  // namespace

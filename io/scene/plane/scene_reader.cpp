@@ -15,7 +15,7 @@ class PlaneReader {
 
   Scene2 read(const JsonValue& root) {
     const auto [hottel, dimension, about, materials, edges, polylines, polygons, mesh, sky, closed, grid, camera,
-                lights, expect] = read_members(root, {"the scene"}, kSceneKeys);
+                lights, expect, unit] = read_members(root, {"the scene"}, kSceneKeys);
     if (about) scene_.about = read_string(about, {"about"});
     if (materials) table_.read_materials(materials);
     if (edges) read_shapes(edges, "edges", "edge", &PlaneReader::read_edge);
@@ -26,6 +26,7 @@ class PlaneReader {
     if (grid) read_grid(grid);
     if (lights) table_.read_lights(lights, [this](const LightEntry& entry) { read_light(entry); });
     if (expect) table_.read_expectations(expect);
+    if (unit) table_.read_unit(unit);
     validate(scene_);
     refuse_names_of_edges(scene_, polyline_line_);
     return std::move(scene_);

@@ -365,6 +365,7 @@ class MeshWriter3 {
     add(scene_.camera.has_value(), "the camera");
     add(!scene_.expect.empty(), "expectations");
     add(!scene_.about.empty(), "the text about the scene");
+    add(!scene_.unit.empty(), "the unit of length");
     if (!lost.empty()) result_.notes.push_back("also not in the file: " + lost);
   }
 

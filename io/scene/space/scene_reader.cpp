@@ -25,7 +25,7 @@ class SpaceReader3 {
 
   Scene3 read(const JsonValue& root) {
     const auto [hottel, dimension, about, materials, edges, polylines, polygons, mesh, sky, closed, grid, camera,
-                lights, expect] = read_members(root, {"the scene"}, kSceneKeys);
+                lights, expect, unit] = read_members(root, {"the scene"}, kSceneKeys);
     if (about) scene_.about = read_string(about, {"about"});
     if (materials) table_.read_materials(materials);
     refuse_plane_only(edges, "edges");
@@ -39,6 +39,7 @@ class SpaceReader3 {
     if (closed) scene_.closed = read_boolean(closed, {"closed"});
     if (camera) read_camera(camera);
     if (expect) table_.read_expectations(expect);
+    if (unit) table_.read_unit(unit);
     validate(scene_);
     refuse_groups_of_one_name();
     return std::move(scene_);

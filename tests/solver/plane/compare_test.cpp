@@ -178,7 +178,8 @@ TEST(WorkReading, NamesTheCheapestFamilyAndTheFactor) {
       "at an error of 0.01 exact (4 s) is 1.26 times slower than the cheapest method that reaches it, m (3.16 s)");
   EXPECT_EQ(to_sentence(readings[1]),
             "at an error of 0.001 exact (4 s) is 2.5 times faster than the cheapest method that reaches it, m (10 s)");
-  EXPECT_EQ(to_sentence(readings[3]), "at an error of 1e-09 exact (4 s) stands alone: no other method reaches it");
+  EXPECT_EQ(to_sentence(readings[3]),
+            "at an error of 1e-09 exact (4 s) stands alone: no other method that is timed reaches it");
   EXPECT_TRUE(read_off(std::span(curves).subspan(1), std::array{0.1}).empty());
 }
 

@@ -45,7 +45,7 @@ std::optional<Colour> ScenePicturePainter2::colour(std::uint32_t run) const {
     const FaceColouring2& colouring = *picture_.colouring;
     const auto value = by_elements(picture_) ? value_of(colouring.elements, runs_.element(run))
                                              : value_of(face.is_back ? colouring.back : colouring.front, face.surface);
-    return value ? std::optional(map_colour(colouring.scale.position(*value))) : std::nullopt;
+    return value ? std::optional(scale_colour(colouring.scale, *value)) : std::nullopt;
   }
   return scene_.materials[*material].emission.is_zero() ? std::nullopt : std::optional(palette::kEmitter);
 }

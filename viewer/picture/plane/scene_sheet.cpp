@@ -65,6 +65,7 @@ SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const SheetText2& text,
                          const std::vector<std::array<double, 2>>& extra_points)
     : title_(text.title),
       subtitle_(text.subtitle),
+      length_unit_(length_unit(prepared.scene)),
       unit_(unit_of(text.width)),
       frame_(prepared.scene, extra_points, text.width, margins(text, unit_, footer)),
       corners_(prepared.scene, frame_),
@@ -77,7 +78,8 @@ SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const SheetText2& text,
 }
 
 SceneSheet2::SceneSheet2(const PreparedScene2& prepared, const Frame2& frame, double unit, double footer)
-    : unit_(unit),
+    : length_unit_(length_unit(prepared.scene)),
+      unit_(unit),
       frame_(frame),
       corners_(prepared.scene, frame_),
       outlines_(prepared.scene, corners_),
@@ -174,7 +176,8 @@ void SceneSheet2::draw_scale_bar(PictureCanvas& canvas) const {
   for (const double x : {left, (left + right) / 2, right})
     canvas.stroke(Mark::kScaleBar, {x, y - (x == left || x == right ? tick : tick / 2)}, {x, y}, palette::kInk, pen);
   const TextStyle style{.size = 14 * unit_, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre};
-  canvas.text(Mark::kScaleBar, {(left + right) / 2, y + 21 * unit_}, fmt::format("{:.6g} m", length), style);
+  canvas.text(Mark::kScaleBar, {(left + right) / 2, y + 21 * unit_}, fmt::format("{:.6g} {}", length, length_unit_),
+              style);
 }
 
 }  // namespace hottel

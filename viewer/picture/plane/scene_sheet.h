@@ -58,8 +58,8 @@ class SceneSheet2 {
   void draw_walls(PictureCanvas& canvas, const std::vector<bool>& hidden = {}) const;
   // Paper behind a footer that lies over the drawing, translucent; nothing where there is room kept free for it.
   void draw_footer_paper(PictureCanvas& canvas) const;
-  // A bar of a round length (1, 2 or 5 times a power of ten, in metres) at the right of the footer; at most a quarter
-  // of the drawing's width.
+  // A bar of a round length (1, 2 or 5 times a power of ten, in the unit of the scene) at the right of the footer; at
+  // most a quarter of the drawing's width.
   void draw_scale_bar(PictureCanvas& canvas) const;
   // The top of the footer's content, and its ends.
   double footer_top() const { return footer_top_; }
@@ -73,7 +73,7 @@ class SceneSheet2 {
   void draw_outside_faces(PictureCanvas& canvas, std::size_t level, const Ground& ground) const;
   void draw_text(PictureCanvas& canvas, const std::string& text, double base_line, TextStyle style) const;
 
-  std::string title_, subtitle_;
+  std::string title_, subtitle_, length_unit_;
   double unit_;
   Frame2 frame_;
   Corners2 corners_;

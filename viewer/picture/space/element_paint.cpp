@@ -1,5 +1,6 @@
 #include "viewer/picture/space/element_paint.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -19,21 +20,33 @@ std::vector<double> shown_of(const Colour& colour) {
   return {light.begin(), light.end()};
 }
 
-// map_colour in linear light; between its stations off by less than a millionth.
-std::array<double, 3> linear_map_colour(double position) {
-  constexpr std::size_t kStations = 5 * 2000;  // the stations of the map are among them
-  static const std::vector<std::array<double, 3>> stations = [] {
-    std::vector<std::array<double, 3>> result;
+// A map of colours in linear light, from a table; between its stations off by less than a millionth.
+class LinearMap {
+ public:
+  // map: of positions from lower to 1.
+  LinearMap(Colour (*map)(double), double lower) : lower_(lower) {
     for (std::size_t k = 0; k <= kStations; ++k)
-      result.push_back(linear(map_colour(static_cast<double>(k) / static_cast<double>(kStations))));
+      stations_.push_back(linear(map(std::lerp(lower, 1.0, static_cast<double>(k) / static_cast<double>(kStations)))));
+  }
+
+  std::array<double, 3> operator()(double position) const {
+    const double place = (position - lower_) / (1 - lower_) * static_cast<double>(kStations);
+    const std::size_t k = std::min(static_cast<std::size_t>(place), kStations - 1);
+    std::array<double, 3> result{};
+    for (std::size_t c = 0; c < 3; ++c)
+      result[c] = std::lerp(stations_[k][c], stations_[k + 1][c], place - static_cast<double>(k));
     return result;
-  }();
-  const double place = position * static_cast<double>(kStations);
-  const std::size_t k = std::min(static_cast<std::size_t>(place), kStations - 1);
-  std::array<double, 3> result{};
-  for (std::size_t c = 0; c < 3; ++c)
-    result[c] = std::lerp(stations[k][c], stations[k + 1][c], place - static_cast<double>(k));
-  return result;
+  }
+
+ private:
+  static constexpr std::size_t kStations = 5 * 2000;  // the stations of the map are among them
+  double lower_;
+  std::vector<std::array<double, 3>> stations_;
+};
+
+std::array<double, 3> linear_scale_colour(const ColourScale& scale, double value) {
+  static const LinearMap map(map_colour, 0), signed_map(signed_map_colour, -1);
+  return scale.about_zero ? signed_map(scale.signed_position(value)) : map(scale.position(value));
 }
 
 }  // namespace
@@ -45,7 +58,7 @@ void ElementPaint3::show(std::span<const double> value, std::span<double> shown)
     std::copy(value.begin(), value.end(), shown.begin());
     return;
   }
-  const std::array<double, 3> colour = linear_map_colour(scale->position(value[0]));
+  const std::array<double, 3> colour = linear_scale_colour(*scale, value[0]);
   std::copy(colour.begin(), colour.end(), shown.begin());
 }
 

@@ -1,7 +1,9 @@
 #include "viewer/window/plane/scene_file.h"
 
 #include "io/files/output_file.h"
+#include "io/scene/plane/map_reader.h"
 #include "io/scene/scene_json.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 
@@ -12,6 +14,8 @@ Scene2 SceneFile2::read() {
 
 void SceneFile2::write(const Scene2& scene) {
   validate(scene);
+  if (is_map_2(path()))
+    throw RequestError(path().string() + " is a map, which holds no materials and no light: save as a .json");
   write_output_file(path(), write_scene_2(scene));
   note();
 }

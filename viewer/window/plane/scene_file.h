@@ -15,8 +15,8 @@ class SceneFile2 : public WatchedFile {
 
   // Returns the scene of the file. Throws InputError.
   Scene2 read();
-  // Writes the scene, whole or not at all. Throws OutputError, RequestError where it cannot be written, InputError for
-  // a scene that is none (validate).
+  // Writes the scene, whole or not at all. Throws OutputError, RequestError where it cannot be written or the file is a
+  // map, InputError for a scene that is none (validate).
   void write(const Scene2& scene);
   // The same to another file, which is the scene's from now on.
   void write_as(const std::filesystem::path& path, const Scene2& scene);

@@ -1,0 +1,72 @@
+#include "io/results/temperature_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include "geometry/scene_names.h"
+#include "io/results/factor_files.h"
+#include "kernel/support/failure.h"
+#include "solver/radiosity/grey_temperature.h"
+
+namespace hottel {
+
+bool has_temperatures(const SceneTable& scene) {
+  const ElementTemperatures temperatures(scene.materials);
+  const auto is_known = [&](std::optional<std::uint32_t> material) {
+    return material && temperatures.is_known(*material);
+  };
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
+    return is_known(surface.material_of(false)) || is_known(surface.material_of(true));
+  });
+}
+
+void write_temperature_csv(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
+                           const std::function<void(std::string_view)>& sink) {
+  for (const ChannelSolution& channel : solution.channels) HOTTEL_REQUIRE(channel.elements.size() == matrix.size());
+  const ElementTemperatures temperatures(scene.materials);
+  sink("face,element,channel,temperature,lower,upper\n");
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const Element& element = matrix.elements()[i];
+    const std::string face = csv_field(face_name(scene, {element.surface, element.is_back}));
+    for (std::size_t c = 0; c < solution.channels.size(); ++c) {
+      const auto found = temperatures.of(*element.material, solution.channels[c].elements[i]);
+      if (!found) continue;
+      sink(fmt::format("{},{},{},{},{},{}\n", face, element.part, solution.channel_names[c], shortest(found->value),
+                       shortest(found->lower), shortest(found->upper)));
+    }
+  }
+}
+
+std::vector<InsulatedGroup> insulated_groups(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                             const RadiositySolution& solution) {
+  for (const ChannelSolution& channel : solution.channels) HOTTEL_REQUIRE(channel.elements.size() == matrix.size());
+  const ElementTemperatures temperatures(scene.materials);
+  std::vector<InsulatedGroup> result;
+  std::unordered_map<std::string, std::size_t> place_of;  // of a name, the first of its channels
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const Element& element = matrix.elements()[i];
+    if (!scene.materials[*element.material].is_insulated()) continue;
+    std::string name = scene.groups[scene.surfaces[element.surface].group].name + (element.is_back ? ":back" : "");
+    const auto [known, is_new] = place_of.emplace(std::move(name), result.size());
+    for (std::size_t c = 0; c < solution.channels.size(); ++c) {
+      const BoundedTemperature t = *temperatures.of(*element.material, solution.channels[c].elements[i]);
+      if (is_new) {
+        result.push_back({known->first, solution.channel_names[c], t.value, t.value, t.lower, t.upper});
+        continue;
+      }
+      InsulatedGroup& group = result[known->second + c];
+      group.coldest = std::min(group.coldest, t.value);
+      group.warmest = std::max(group.warmest, t.value);
+      group.lower = std::min(group.lower, t.lower);
+      group.upper = std::max(group.upper, t.upper);
+    }
+  }
+  return result;
+}
+
+}  // namespace hottel

@@ -1,0 +1,86 @@
+#include "io/scene/plane/well_known_text.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "geometry/name.h"
+
+namespace hottel {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n";
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+}  // namespace
+
+Rational coordinate_of_2(std::string_view text, const FileLine& where) {
+  if (const auto value = parse_rational(text)) return *value;
+  throw InputError(where, "a coordinate is not a number: " + quoted_name(text),
+                   {"numbers are written like 12, -0.1, 2.5e-3 or 4/3, with an exponent of at most " +
+                    std::to_string(kMaxNumberExponent)});
+}
+
+bool WellKnownText2::skip_blanks() {
+  for (; at_ < text_.size() && kBlanks.find(text_[at_]) != std::string_view::npos; ++at_)
+    if (text_[at_] == '\n') ++line_;
+  return at_ < text_.size();
+}
+
+void WellKnownText2::refuse_here(const std::string& expected) const {
+  const std::string found =
+      at_ < text_.size() ? quoted_name(text_.substr(at_, text_.find_first_of(" \t\r\n", at_ + 1) - at_)) : "the end";
+  throw InputError(here(), expected + " is expected, not " + found);
+}
+
+std::string WellKnownText2::word() {
+  skip_blanks();
+  std::string result;
+  for (; at_ < text_.size() && is_letter(text_[at_]); ++at_)
+    result += static_cast<char>(std::toupper(static_cast<unsigned char>(text_[at_])));
+  return result;
+}
+
+bool WellKnownText2::takes(char c) {
+  if (!skip_blanks() || text_[at_] != c) return false;
+  ++at_;
+  return true;
+}
+
+void WellKnownText2::expect(char c) {
+  if (!takes(c)) refuse_here(std::string("'") + c + "'");
+}
+
+bool WellKnownText2::begins() {
+  skip_blanks();
+  if (at_ < text_.size() && is_letter(text_[at_])) {
+    const FileLine where = here();
+    const std::string found = word();
+    if (found == "EMPTY") return false;
+    if (found == "Z" || found == "M" || found == "ZM")
+      throw InputError(where, "a position in the plane has two coordinates: " + found + " is not understood");
+    throw InputError(where, "'(' or EMPTY is expected, not " + quoted_name(found));
+  }
+  expect('(');
+  return true;
+}
+
+Point2 WellKnownText2::position() {
+  Point2 point;
+  point.x = number();
+  point.y = number();
+  if (skip_blanks() && text_[at_] != ')' && text_[at_] != ',')
+    throw InputError(here(), "a position in the plane has two coordinates");
+  return point;
+}
+
+Rational WellKnownText2::number() {
+  if (!skip_blanks()) refuse_here("a coordinate");
+  const std::size_t end = std::min(text_.find_first_of(" \t\r\n,()", at_), text_.size());
+  if (end == at_) refuse_here("a coordinate");
+  const std::string_view token = text_.substr(at_, end - at_);
+  at_ = end;
+  return coordinate_of_2(token, here());
+}
+
+}  // namespace hottel

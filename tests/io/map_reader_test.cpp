@@ -1,0 +1,120 @@
+// Maps as scenes: what read_map_2 promises (io/scene/plane/map_reader.h), by number.
+#include "io/scene/plane/map_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/scene/scene_json.h"
+#include "tests/refusal.h"
+
+namespace hottel {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Scene2 parse(const std::string& text, MapSide2 side = MapSide2::kInside) { return parse_map_2(text, "map", side); }
+std::string refusal(const std::string& text) {
+  return refusal_by([&] { parse(text); });
+}
+
+// Twice the area of a polyline that closes, positive counter-clockwise.
+Rational doubled_area(const Scene2& scene, std::uint32_t group) {
+  Rational sum = 0;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+    if (scene.surfaces[s].group == group) {
+      const Edge2& e = scene.edges[s];
+      sum += e.from.x * e.to.y - e.to.x * e.from.y;
+    }
+  return sum;
+}
+
+std::vector<std::string> names_of(const Scene2& scene) {
+  std::vector<std::string> names;
+  for (const Group& group : scene.groups) names.push_back(group.name);
+  return names;
+}
+
+constexpr const char* kHall = "POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0),\n(1 1, 2 1, 2 2, 1 2, 1 1))";
+
+TEST(MapReader, CoordinatesAreExactAndRingsArePolylinesInTheOrderOfTheFile_1) {
+  const Scene2 scene = parse("POLYGON ((0.1 1/3, 4e0 0.1, 4 3, 0.1 1/3)) LINESTRING (0 0, 1 1, 2 0)");
+  EXPECT_THAT(names_of(scene), ElementsAre("polyline[0]", "polyline[1]"));
+  ASSERT_EQ(scene.surfaces.size(), 5u);
+  EXPECT_EQ(scene.edges[0].from, (Point2{Rational(1, 10), Rational(1, 3)}));
+  EXPECT_EQ(scene.edges[4].to, (Point2{2, 0}));
+  EXPECT_EQ(scene.surfaces[3].name, "polyline[1][0]");
+}
+
+TEST(MapReader, OutlinesLookInwardAndHolesOutwardInWhateverSenseTheyAreListed_2) {
+  for (const char* outline : {"(0 0, 4 0, 4 3, 0 3, 0 0)", "(0 0, 0 3, 4 3, 4 0, 0 0)"})
+    for (const char* hole : {"(1 1, 2 1, 2 2, 1 2, 1 1)", "(1 1, 1 2, 2 2, 2 1, 1 1)"}) {
+      const std::string text = std::string("POLYGON (") + outline + ", " + hole + ")";
+      const Scene2 inside = parse(text), outside = parse(text, MapSide2::kOutside);
+      EXPECT_EQ(doubled_area(inside, 0), -24);
+      EXPECT_EQ(doubled_area(inside, 1), 2);
+      EXPECT_EQ(doubled_area(outside, 0), 24);
+      EXPECT_EQ(doubled_area(outside, 1), -2);
+      EXPECT_EQ(inside.edges[0].from, (Point2{0, 0}));
+    }
+}
+
+TEST(MapReader, FeaturesNameFrontsMaterialsAndElements_2_3_4_5) {
+  const Scene2 scene = parse(R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "id": "way/7", "properties": {"front": "outside", "material": "brick", "elements": 3, "height": 9},
+     "geometry": {"type": "Polygon", "coordinates": [[[0,0],[1,0],[1,1],[0,0]]]}},
+    {"type": "Feature", "id": 12, "properties": {"name": "quay", "back": "stone"},
+     "geometry": {"type": "MultiLineString", "coordinates": [[[5,5],[6,5]], [[6,6],["13/2",6]]]}},
+    {"type": "Feature", "properties": null,
+     "geometry": {"type": "GeometryCollection", "geometries": [
+       {"type": "MultiPolygon", "coordinates": [[[[9,9],[9,8],[8,9],[9,9]]]]}]}}]})");
+  EXPECT_THAT(names_of(scene), ElementsAre("way/7", "quay", "quay~2", "polyline[3]"));
+  EXPECT_EQ(doubled_area(scene, 0), 1);
+  EXPECT_EQ(scene.materials[scene.surfaces[0].material].name, "brick");
+  EXPECT_EQ(scene.surfaces[0].elements, 3u);
+  EXPECT_EQ(scene.surfaces[0].back, std::nullopt);
+  EXPECT_EQ(scene.materials[*scene.surfaces[3].back].name, "stone");
+  EXPECT_EQ(scene.materials[scene.surfaces[3].material].name, "white");
+  EXPECT_EQ(scene.materials[0].reflectivity, Spectrum::scalar(Rational(1, 2)));
+  EXPECT_EQ(scene.edges[4].to.x, Rational(13, 2));
+  EXPECT_EQ(doubled_area(scene, 3), -1);
+}
+
+TEST(MapReader, SaysTheSameInBothFormats) {
+  EXPECT_EQ(write_scene_2(parse(kHall)),
+            write_scene_2(parse(R"({"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,3],[0,3],[0,0]],
+                                    [[1,1],[2,1],[2,2],[1,2],[1,1]]]})")));
+  EXPECT_EQ(write_scene_2(parse(kHall)), write_scene_2(parse_scene_2(write_scene_2(parse(kHall)), "map")));
+}
+
+TEST(MapReader, RefusesWhatIsNoWallByItsLine_6) {
+  for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
+           {"\nPOINT (1 2)", "map:2: 'POINT' has no walls"},
+           {"POLYGON ((0 0, 4 0, 4 3))", "map:1: a ring of a polygon is not closed"},
+           {"POLYGON ((0 0, 4 0,\n 0 0))", "map:1: a ring of a polygon has fewer than three corners"},
+           {"POLYGON ((0 0, 1 1, 2 2, 0 0))", "map:1: a ring of a polygon has no area"},
+           {"POLYGON Z ((0 0 0, 1 1 1, 2 2 2, 0 0 0))", "Z is not understood"},
+           {"LINESTRING (0 0)", "map:1: a line has fewer than two points"},
+           {"LINESTRING (0 0,\n1 1,\n1 1)", "map:2:"},
+           {"LINESTRING (0 0, x 1)", "map:1: a coordinate is not a number: 'x'"},
+           {"CIRCULARSTRING (0 0, 1 1, 2 0)", "has no walls"},
+           {"POLYGON EMPTY", "map: there is no line and no polygon in it"},
+           {" ", "map: the file is empty"},
+           {"{\"type\": \"Point\",\n \"coordinates\": [1, 2]}", "map:1: 'Point' has no walls"},
+           {"{\"type\": \"LineString\",\n \"coordinates\": [[1, 2],\n[3, 4, 5]]}",
+            "map:3: a position in the plane has two"},
+           {R"({"type": "Feature", "geometry": null})", "its geometry is null"},
+           {R"({"type": "Feature", "properties": {"front": "left"}, "geometry": {"type": "LineString"}})",
+            "front is 'left'"},
+           {R"({"type": "Feature", "id": "a#b", "geometry": {"type": "LineString", "coordinates": [[0,0],[1,1]]}})",
+            "map:1: the name 'a#b' must not contain '#'"},
+           {R"({"coordinates": []})", "has no \"type\""}})
+    EXPECT_THAT(refusal(text), HasSubstr(message)) << text;
+}
+
+}  // namespace
+}  // namespace hottel

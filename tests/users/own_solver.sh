@@ -1,0 +1,23 @@
+#!/bin/sh -e
+# A researcher with view factors of a program of his own: how wrong are they, where, and why?
+#
+#   tests/users/own_solver.sh PROGRAM SOURCES        works in the current folder
+program=$(realpath "$1")
+scene=$(realpath "$2")/scenes/analytic/strip_obstructed.json
+fail() { echo "own_solver: $*" >&2; exit 1; }
+
+# The program of his own is off by one per cent everywhere.
+"$program" factors "$scene" --quiet -o exact.csv
+awk -F, 'BEGIN { OFS = "," } NR == 1 { print $1, $2, $3 } NR > 1 { print $1, $2, sprintf("%.17g", 1.01 * $3) }' \
+  exact.csv > own.csv
+"$program" compare "$scene" --methods exact,file:own.csv,rays:1024 --repeat 1 -o compared 2> said
+
+# Its worst error is a hundredth of the largest factor; it has no time; rows sum to 1.01.
+awk -F, 'NR == FNR { if (FNR > 1 && $3 > most) most = $3; next }
+         $1 == "file:own.csv" { seen = 1; e = $4 - most / 100; c = $6 - 0.01
+                                if ($3 != "" || e*e > 1e-30 || c*c > 1e-28) { print $0; exit 1 } }
+         $1 == "exact" && ($3 == "" || $4 != 0) { print $0; exit 1 }
+         END { exit !seen }' exact.csv compared/compare.csv || fail "compare.csv says something else"
+if grep -q 'reaches it, file' said; then fail "a file is called fast"; fi
+grep -q '^file:own.csv: ' said || fail "there is no verdict: $(cat said)"
+grep -q '^file:own.csv,' compared/worst.csv || fail "the worst pairs are not named"
