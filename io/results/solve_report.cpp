@@ -84,6 +84,7 @@ std::string solve_json(const SolveReport& report) {
   if (const auto& range = report.picture_range)
     json["picture"] = {
         {"quantity", range->quantity}, {"unit", range->unit}, {"lower", range->lower}, {"upper", range->upper}};
+  if (report.store) json["store"] = nlohmann::ordered_json::parse(store_json(*report.store));
   json["notes"] = report.warnings;
   for (const std::string& note : solution.notes) json["notes"].push_back(note);
   return json.dump(2) + "\n";
@@ -133,6 +134,7 @@ std::string solve_text(const SolveReport& report) {
   if (report.illumination_max_error)
     text += fmt::format("illumination: averages over cells, each within {:.1e} for these radiosities\n",
                         *report.illumination_max_error);
+  if (report.store) text += store_text(*report.store) + "\n";
   for (const std::string& note : solution.notes) text += "note: " + note + "\n";
   text += "seconds:";
   double total = 0;

@@ -10,6 +10,7 @@
 
 #include "geometry/exchange_report.h"
 #include "io/results/radiosity_files.h"
+#include "io/results/store_report.h"
 #include "solver/plan.h"
 
 namespace hottel {
@@ -44,6 +45,7 @@ struct SolveReport {
   std::optional<double> picture_scale{};           // what a value was multiplied by before the tone curve
   std::optional<PictureRange> picture_range{};     // of a picture that shows something else than light
   std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
+  std::optional<StoreReport> store{};              // where factors were kept
   std::vector<std::string> warnings{};             // first of the notes of the JSON object; not in the text
 };
 
