@@ -87,5 +87,6 @@ void add_reference(Commands& commands);
 void add_generate(Commands& commands);
 void add_convert(Commands& commands);
 void add_view(Commands& commands);
+void add_store(Commands& commands);
 
 }  // namespace hottel

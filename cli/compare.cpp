@@ -12,6 +12,7 @@
 #include "cli/command.h"
 #include "cli/methods.h"
 #include "cli/scene_input.h"
+#include "cli/store_option.h"
 #include "geometry/near_names.h"
 #include "io/files/output_file.h"
 #include "io/foreign/foreign_method.h"
@@ -51,6 +52,7 @@ struct CompareOptions {
   std::optional<std::string> tolerance;
   ElementOptions elements;
   PolygonOptions polygons;
+  StoreOption store;
 };
 
 // What comparing needs of the plane.
@@ -60,10 +62,11 @@ struct Plane {
   using Explainer = PairExplainer2;
 
   static MethodCatalogue2 methods() { return all_methods_2(); }
-  static Comparison comparison(const CompareOptions& options, Scene scene, const Streams& streams) {
+  static Comparison comparison(const CompareOptions& options, Scene scene, const std::shared_ptr<FactorStore>& store,
+                               const Streams& streams) {
     if (options.tolerance)
       throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
-    return Comparison(Simulation2(std::move(scene)), streams.stages());
+    return Comparison(Simulation2(std::move(scene), {.store = store}), streams.stages());
   }
   static void require_map(const Scene& scene) { require_drawable(scene); }
   static std::string map(const Comparison& comparison, const MethodResult& result) {
@@ -78,9 +81,11 @@ struct Space {
   using Explainer = PairExplainer3;
 
   static MethodCatalogue3 methods() { return all_methods_3(); }
-  static Comparison comparison(const CompareOptions& options, Scene scene, const Streams& streams) {
+  static Comparison comparison(const CompareOptions& options, Scene scene, const std::shared_ptr<FactorStore>& store,
+                               const Streams& streams) {
     const double tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance);
-    return Comparison(Simulation3(std::move(scene), {.factors = {.tolerance = tolerance}}), streams.stages());
+    return Comparison(Simulation3(std::move(scene), {.factors = {.tolerance = tolerance, .store = store}}),
+                      streams.stages());
   }
   static void require_map(const Scene&) {}
   static std::string map(const Comparison& comparison, const MethodResult& result) {
@@ -223,7 +228,8 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
   std::optional<OutputFile> map;
   if (!options.map.empty()) map.emplace(directory / "errors.png");
 
-  const typename Kind::Comparison comparison = Kind::comparison(options, std::move(scene), streams);
+  const std::shared_ptr<FactorStore> store = options.store.open("exact");
+  const typename Kind::Comparison comparison = Kind::comparison(options, std::move(scene), store, streams);
   if (map && !comparison.exact_solution())
     throw RequestError(options.scene + ": --map draws errors of the light, and there is none to compare: " +
                        comparison.why_no_solution());
@@ -260,7 +266,9 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
   for (OutputFile* file : files) file->commit();
   std::string names;
   for (const OutputFile* file : files) names += " " + std::filesystem::path(file->name()).filename().string();
-  streams.note(comparison_text(report) + "\nin " + directory.string() + ":" + names);
+  const auto kept = options.store.report(store);
+  streams.note(comparison_text(report) + (kept ? "\nexact factors: " + store_text(*kept) : "") + "\nin " +
+               directory.string() + ":" + names);
   return ExitCode::kDone;
 }
 
@@ -321,6 +329,7 @@ void add_compare(Commands& commands) {
       ->type_name("METHOD");
   options->elements.add_to(command);
   options->polygons.add_to(command);
+  options->store.add_to(command);
   command.add_flag("--json", options->json, "a report on standard output as one JSON object");
 }
 

@@ -100,7 +100,8 @@ SimulationRequest2 request_of(const FactorsOptions& options) {
           .granularity = options.per(),
           .wants_visibility = options.is_exact() && (options.matrix.empty() || options.matrix == "visibility"),
           .wants_measures = options.matrix == "exchange",
-          .memory = options.memory};
+          .memory = options.memory,
+          .store = options.store.open(options.method)};
 }
 
 Factors factors_of(const FactorsOptions& options, const Simulation2& simulation, const Streams& streams) {
@@ -108,6 +109,7 @@ Factors factors_of(const FactorsOptions& options, const Simulation2& simulation,
   factors.computed = simulation.factors(streams.stages());
   factors.prepared = simulation.prepared();
   factors.report = {options.scene, options.method, simulation.granularity(), factors.computed->report};
+  factors.report.store = options.store.report(simulation.request().store);
   if (options.script_f) {
     factors.gray = gray_factors(options, factors.matrix(), factors.prepared->scene.materials, streams);
     factors.report.gray = factors.gray->report;
@@ -257,6 +259,7 @@ void add_factors(Commands& commands) {
           ->check(CLI::IsMember({"visible", "facing"}))
           ->capture_default_str();
   add_quantity_options(command, *options);
+  options->store.add_to(command);
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));

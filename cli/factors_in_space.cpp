@@ -43,7 +43,8 @@ FactorsRequest3 request_of(const FactorsOptions& options) {
           .wants_measures = options.matrix == "exchange",
           .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
           .must_be_enclosed = options.guarantee == "enclosed",
-          .memory = options.memory};
+          .memory = options.memory,
+          .store = options.store.open(options.method)};
 }
 
 }  // namespace
@@ -87,7 +88,8 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
                               .guarantee = computed->matrix.guarantee(),
                               .counts = computed->report,
                               .notes = computed->notes,
-                              .gray = gray ? std::optional(gray->report) : std::nullopt};
+                              .gray = gray ? std::optional(gray->report) : std::nullopt,
+                              .store = options.store.report(request.store)};
   if (options.json) streams.write("", factors_json(report));
   files.commit();
   streams.note(factors_text(report));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/scene_input.h"
+#include "cli/store_option.h"
 #include "cli/streams.h"
 #include "io/results/factor_files.h"
 
@@ -22,6 +23,7 @@ struct FactorsOptions {
   std::optional<std::string> tolerance, guarantee;
   ElementOptions elements;
   PolygonOptions polygons;
+  StoreOption store;
   std::vector<std::string> exact_form;
   const CLI::Option *exact_form_option = nullptr, *pairs_option = nullptr, *per_option = nullptr;
   bool wants_exact_form = false, json = false, script_f = false;

@@ -109,6 +109,7 @@ Simulation2 simulation_of(const SolveOptions& options, Scene2 scene, Request req
                            request.directory);
   request.simulation.grid = grid;
   request.simulation.method = all_methods_2().make(options.method);
+  request.simulation.store = options.store.open(options.method);
   return Simulation2(std::move(scene), std::move(request.simulation));
 }
 
@@ -211,6 +212,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                            results.light ? results.light->max_error : std::nullopt,
                            insulated_groups(simulation.scene(), matrix, *results.solution),
                            simulation.scene().unit,
+                           options.store.report(simulation.request().store),
                            finding_notes(*results.lost_light)};
   outputs.json.write(solve_json(report));
   // All files are whole before the first one takes its name.
@@ -340,6 +342,7 @@ void add_solve(Commands& commands) {
       .add_option("--tolerance", options->tolerance,
                   "in space: what each pair may be off, relative to the smaller of both areas (1e-9)")
       ->type_name("T");
+  options->store.add_to(command);
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")
       ->type_name("BYTES")
       ->transform(whole_number(1));

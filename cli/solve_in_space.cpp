@@ -97,7 +97,8 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
   return {.factors = {.method = options.method == "exact" ? nullptr : all_methods_3().make(options.method),
                       .granularity = is_divided ? Granularity::kElement : Granularity::kFace,
                       .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
-                      .memory = options.memory.value_or(0)},
+                      .memory = options.memory.value_or(0),
+                      .store = options.store.open(options.method)},
           .system = {.solver = solver_of(options, false), .iterations = options.iterations, .until = options.until},
           .plan = {.everything = options.simulate == "everything",
                    .grid_cells = wants_grid(options, scene) ? std::uint64_t{scene.grid->nu} * scene.grid->nv : 0}};
@@ -175,6 +176,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
                            .picture_range = view ? range_of(view->shown()) : std::nullopt,
                            .insulated = insulated_groups(simulation.scene(), factors->matrix, *solution),
                            .unit = simulation.scene().unit,
+                           .store = options.store.report(request.factors.store),
                            .warnings = finding_notes(lost_light)};
   json.write(solve_json(report));
   // All files are whole before the first one takes its name.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cli/scene_input.h"
+#include "cli/store_option.h"
 #include "io/results/solve_report.h"
 #include "solver/radiosity/radiosity_options.h"
 #include "viewer/picture/shown_values.h"
@@ -28,6 +29,7 @@ struct SolveOptions {
   std::optional<std::uint64_t> memory;
   ElementOptions elements;
   PolygonOptions polygons;
+  StoreOption store;
   bool json = false;
 };
 

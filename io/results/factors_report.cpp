@@ -26,6 +26,7 @@ std::string factors_json(const FactorsReport& report) {
   json["closure"] = {{"max_defect", 0}, {"exact", counts.closure_is_exact}};
   if (!report.is_exact()) json["closure"]["max_defect"] = report.of_method.row_defect;
   if (!report.of_method.notes.empty()) json["notes"] = report.of_method.notes;
+  if (report.store) json["store"] = nlohmann::ordered_json::parse(store_json(*report.store));
   if (report.gray) {
     json["seconds"]["script_f"] = report.gray->seconds;
     json["script_f"] = gray_json(*report.gray);
@@ -41,13 +42,14 @@ std::string factors_text(const FactorsReport& report) {
   if (!report.is_exact()) {
     std::string text = fmt::format("{} of {}; {:.3f} s", counted(counts.pairs, "factor"), rows, seconds);
     for (const std::string& note : report.of_method.notes) text += "\n" + note;
-    return text;
+    return text + (report.store ? "\n" + store_text(*report.store) : "");
   }
   std::string text = fmt::format(
       "{} of {}, every factor correctly rounded; rows close exactly\n"
       "settled by: {} without rounding, {} in 128-bit fixed point, {} by balls, {} by root sums; {:.3f} s",
       counted(counts.pairs, "visible pair"), rows, counts.tiers.by_tier[0], counts.tiers.by_tier[1],
       counts.tiers.by_tier[2], counts.tiers.by_tier[3], seconds);
+  if (report.store) text += "\n" + store_text(*report.store);
   if (report.gray) text += "\n" + gray_text(*report.gray);
   return text;
 }

@@ -6,6 +6,7 @@
 
 #include "geometry/element.h"
 #include "io/results/gray_report.h"
+#include "io/results/store_report.h"
 #include "solver/compare/method_report.h"
 
 namespace hottel {
@@ -15,7 +16,8 @@ struct FactorsReport {
   std::string scene, method;
   Granularity granularity = Granularity::kFace;
   MethodReport of_method{};
-  std::optional<GrayReport> gray{};  // where script-F was asked for
+  std::optional<GrayReport> gray{};    // where script-F was asked for
+  std::optional<StoreReport> store{};  // where factors were kept
 
   bool is_exact() const { return method == "exact"; }
 };

@@ -93,6 +93,7 @@ std::string solve_json(const SolveReport& report) {
                                  {"lower", group.lower},
                                  {"upper", group.upper}});
   if (!report.unit.empty()) json["unit"] = report.unit;
+  if (report.store) json["store"] = nlohmann::ordered_json::parse(store_json(*report.store));
   json["notes"] = report.warnings;
   for (const std::string& note : solution.notes) json["notes"].push_back(note);
   return json.dump(2) + "\n";
@@ -158,6 +159,7 @@ std::string solve_text(const SolveReport& report) {
   if (report.illumination_max_error)
     text += fmt::format("illumination: averages over cells, each within {:.1e} for these radiosities\n",
                         *report.illumination_max_error);
+  if (report.store) text += store_text(*report.store) + "\n";
   for (const std::string& note : solution.notes) text += "note: " + note + "\n";
   text += "seconds:";
   double total = 0;

@@ -11,6 +11,7 @@
 #include "geometry/exchange_report.h"
 #include "io/results/radiosity_files.h"
 #include "io/results/temperature_files.h"
+#include "io/results/store_report.h"
 #include "solver/plan.h"
 
 namespace hottel {
@@ -47,6 +48,7 @@ struct SolveReport {
   std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
   std::vector<InsulatedGroup> insulated{};         // in the order of radiosity.csv
   std::string unit{};                              // of lengths; empty where the scene does not say
+  std::optional<StoreReport> store{};              // where factors were kept
   std::vector<std::string> warnings{};             // first of the notes of the JSON object; not in the text
 };
 

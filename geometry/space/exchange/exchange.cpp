@@ -221,7 +221,7 @@ std::span<const PairSum3> ExchangeRows3::add(std::span<const std::uint32_t> labe
   Stopwatch watch;
   std::vector<char> is_now(has_come_.size(), 0);
   for (const std::uint32_t label : labels) is_now[label] = is_missing(label);
-  const PairTurn3 turn{is_now, has_come_};
+  const PairTurn3 turn{is_now, has_come_, known_.elements() == 0 ? nullptr : &known_};
   ExchangeReport3 counts = report_;
   PairSums3 sums = sum_pairs(prepared_, table_,
                              {.tolerance = request_.tolerance,
@@ -254,6 +254,26 @@ void ExchangeRows3::add_all(const std::function<void(double)>& progress) {
   for (std::uint32_t i = 0; i < table_.count(); ++i)
     if (is_missing(i)) labels.push_back(i);
   add(labels, progress);
+}
+
+void ExchangeRows3::take(std::vector<PairSum3> pairs, PairRanges known) {
+  HOTTEL_REQUIRE(pairs_.empty() && known.elements() == table_.count());
+  pairs_ = std::move(pairs);
+  known_ = std::move(known);
+  if (!known_.has_all()) return;
+  for (std::uint32_t i = 0; i < table_.count(); ++i) has_come_[i] = table_.has_row(i) ? 1 : 0;
+  missing_ = 0;
+}
+
+std::vector<ColumnRange> ExchangeRows3::unknown_before(std::uint32_t label) const {
+  if (known_.elements() == 0) return {{label, table_.count() + 1}};
+  return known_.missing(label);
+}
+
+std::vector<std::uint32_t> ExchangeRows3::without_sky() const {
+  std::vector<std::uint32_t> result;
+  for (const FailedPair3& failure : without_sky_) result.push_back(failure.i);
+  return result;
 }
 
 double ExchangeRows3::factor(const PairSum3& pair, std::uint32_t from) const {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
@@ -41,6 +42,17 @@ class ExchangeRows3 {
   // All that are missing.
   void add_all(const std::function<void(double)>& progress = {});
 
+  // Takes pairs that were measured before, by another object of the same scene and request: they are not measured
+  // again, and not among those that add() returns. known: which pairs these are; those of them that are not in the list
+  // exchange nothing. Where it has all pairs, all rows have come. REQUIRES that nothing was added or taken before.
+  void take(std::vector<PairSum3> pairs, PairRanges known);
+  // All pairs that were taken or have come, in no order. REQUIRES that matrix() was not called.
+  std::span<const PairSum3> pairs() const { return pairs_; }
+  // Which columns of a row from the element on, the sky among them, were not known from elsewhere.
+  std::vector<ColumnRange> unknown_before(std::uint32_t label) const;
+  // Elements whose pair with the sky could not be measured.
+  std::vector<std::uint32_t> without_sky() const;
+
   // F(from, to) of a pair, as a double in its matrix.
   double factor(const PairSum3& pair, std::uint32_t from) const;
 
@@ -59,6 +71,7 @@ class ExchangeRows3 {
   std::vector<char> has_come_;  // by element, the sky last
   std::uint32_t missing_ = 0;
   std::vector<PairSum3> pairs_;
+  PairRanges known_;                      // from elsewhere
   std::vector<FailedPair3> without_sky_;  // pairs with the sky that could not be measured
 };
 

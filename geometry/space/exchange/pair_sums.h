@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/pair_ranges.h"
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange_report.h"
 #include "geometry/space/exchange/prepared_scene.h"
@@ -32,13 +33,17 @@ struct FailedPair3 {
   std::string problem;
 };
 
-// Some pairs of all: those of which one element at least is called up, and none was before. By label, the sky last.
+// Some pairs of all: those of which one element at least is called up, and none was before, and that are not known from
+// elsewhere. By label, the sky last.
 struct PairTurn3 {
   const std::vector<char>& is_now;
   const std::vector<char>& was_before;
+  const PairRanges* known = nullptr;  // null: none are
 
+  // REQUIRES i <= j.
   bool has(std::uint32_t i, std::uint32_t j) const {
-    return (is_now[i] != 0 || is_now[j] != 0) && was_before[i] == 0 && was_before[j] == 0;
+    return (is_now[i] != 0 || is_now[j] != 0) && was_before[i] == 0 && was_before[j] == 0 &&
+           (known == nullptr || !known->has(i, j));
   }
 };
 

@@ -37,6 +37,7 @@ std::string factors_json(const FactorsReport3& report) {
     json["closure"] = {{"max_defect", counts.max_defect}, {"exact", false}};
     json["bounds"] = {{"guarantee", to_string(report.guarantee)}};
     json["notes"] = report.notes;
+    if (report.store) json["store"] = nlohmann::ordered_json::parse(store_json(*report.store));
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   }
   json["counts"] = {{"surfaces", counts.surfaces}, {"vertices", counts.vertices}, {"elements", counts.elements},
@@ -51,6 +52,7 @@ std::string factors_json(const FactorsReport3& report) {
                     {"max_error", counts.max_error},
                     {"enclosed", counts.enclosed},
                     {"estimated", counts.pairs - counts.enclosed}};
+  if (report.store) json["store"] = nlohmann::ordered_json::parse(store_json(*report.store));
   if (report.gray) {
     json["seconds"]["script_f"] = report.gray->seconds;
     json["script_f"] = gray_json(*report.gray);
@@ -63,8 +65,9 @@ std::string factors_text(const FactorsReport3& report) {
   double seconds = 0;
   for (const auto& [stage, time] : counts.seconds) seconds += time;
   if (!report.notes.empty())
-    return fmt::format("{} of {}; {:.3f} s\n{}", counted(counts.pairs, "view factor"),
-                       counted(counts.elements, report.granularity), seconds, fmt::join(report.notes, "\n"));
+    return fmt::format("{} of {}; {:.3f} s\n{}{}", counted(counts.pairs, "view factor"),
+                       counted(counts.elements, report.granularity), seconds, fmt::join(report.notes, "\n"),
+                       report.store ? "\n" + store_text(*report.store) : "");
   const std::uint64_t estimated = counts.pairs - counts.enclosed;
   std::string text =
       fmt::format("{} of {}, ", counted(counts.pairs, "visible pair"), counted(counts.elements, report.granularity));
@@ -76,6 +79,7 @@ std::string factors_text(const FactorsReport3& report) {
       "; rows close to {:.1e}\n"
       "patches that are hidden from each other: {}, clear: {}, with something between: {}; {:.3f} s",
       counts.max_defect, counts.hidden, counts.clear, counts.mixed, seconds);
+  if (report.store) text += "\n" + store_text(*report.store);
   if (report.gray) text += "\n" + gray_text(*report.gray);
   return text;
 }

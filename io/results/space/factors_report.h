@@ -9,6 +9,7 @@
 #include "geometry/space/exchange/exchange_report.h"
 #include "io/results/gray_report.h"
 #include "io/results/solve_report.h"
+#include "io/results/store_report.h"
 #include "kernel/enclosure.h"
 
 namespace hottel {
@@ -20,8 +21,9 @@ struct FactorsReport3 {
   double tolerance = 1e-9;
   Guarantee guarantee = Guarantee::kEstimated;  // of the matrix: the weakest there is
   ExchangeReport3 counts;
-  std::vector<std::string> notes;    // of a method that is not exact
-  std::optional<GrayReport> gray{};  // where script-F was asked for
+  std::vector<std::string> notes;      // of a method that is not exact
+  std::optional<GrayReport> gray{};    // where script-F was asked for
+  std::optional<StoreReport> store{};  // where factors were kept
 };
 
 // What a solution says of the factors it rests on; tiers: filter, combinatorial, exact.

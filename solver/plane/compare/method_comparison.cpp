@@ -10,8 +10,10 @@ namespace hottel {
 namespace {
 
 ComparisonReference<PreparedScene2> reference_of(const Simulation2& simulation, const StageProgress& progress) {
-  const Simulation2 by_elements = simulation.with_request(
-      {.granularity = Granularity::kElement, .wants_visibility = true, .memory = simulation.request().memory});
+  const Simulation2 by_elements = simulation.with_request({.granularity = Granularity::kElement,
+                                                           .wants_visibility = true,
+                                                           .memory = simulation.request().memory,
+                                                           .store = simulation.request().store});
   const auto prepared = by_elements.prepared(progress);
   const auto computed = by_elements.factors(progress);
   return {prepared, {computed, &computed->matrix}, *by_elements.light_shares(progress), 0};

@@ -21,6 +21,7 @@
 #include "solver/plane/light/solved_light.h"
 #include "solver/plane/methods/method_catalogue.h"
 #include "solver/plane/scene_plan.h"
+#include "solver/plane/simulation/kept_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
 
@@ -127,6 +128,7 @@ struct FactorsInput {
   Granularity granularity = Granularity::kFace;
   bool wants_visibility = false, wants_measures = false, everything = false;
   std::uint64_t memory = 0;
+  std::shared_ptr<FactorStore> store = nullptr;  // no number depends on it
   friend bool operator==(const FactorsInput&, const FactorsInput&) = default;
 };
 
@@ -219,13 +221,14 @@ struct CheckInput {
 
 ComputedFactors2 make_factors(const FactorsInput& input, const StageProgress& progress) {
   const auto prepared = input.arrangement->get(progress);
-  return factors_by(*input.method, *prepared,
-                    {.granularity = input.granularity,
-                     .wants_visibility = input.wants_visibility,
-                     .wants_measures = input.wants_measures,
-                     .always_sweeps = input.everything,
-                     .memory = memory_allowed(input.memory),
-                     .progress = telling("view factors", progress)});
+  const ExchangeRequest asked{.granularity = input.granularity,
+                              .wants_visibility = input.wants_visibility,
+                              .wants_measures = input.wants_measures,
+                              .always_sweeps = input.everything,
+                              .memory = memory_allowed(input.memory),
+                              .progress = telling("view factors", progress)};
+  return input.store ? kept_factors_2(*input.store, *input.method, *prepared, asked)
+                     : factors_by(*input.method, *prepared, asked);
 }
 
 RadiositySolver make_system(const SystemInput& input, const StageProgress& progress) {
@@ -410,11 +413,13 @@ void Simulation2::Version::set_factors(const Version* before) {
                             .wants_visibility = request.wants_visibility,
                             .wants_measures = request.wants_measures,
                             .everything = request.everything,
-                            .memory = request.memory};
+                            .memory = request.memory,
+                            .store = request.store};
   const FactorsInput exact{.arrangement = divided.stage,
                            .method = exact_method(),
                            .granularity = is_divided(*scene) ? Granularity::kElement : Granularity::kFace,
-                           .memory = request.memory};
+                           .memory = request.memory,
+                           .store = request.store};
   factors = node_of("view factors", wanted, old(before, &Version::factors), make_factors);
   exact_factors =
       exact == wanted ? factors : node_of("view factors", exact, old(before, &Version::exact_factors), make_factors);

@@ -13,6 +13,8 @@
 
 namespace hottel {
 
+class FactorStore;
+
 // A picture of light, as a painter makes it: the bytes of a file, or whatever its painter says.
 struct LightPicture2 {
   std::string bytes;
@@ -46,6 +48,8 @@ struct SimulationRequest2 {
   bool keeps_rows = false;  // what the cells see is kept: light after an edit of materials needs no further look
   std::shared_ptr<const LightPainter2> painter = {};  // null: no picture can be asked for
   std::uint64_t memory = 0;                           // bytes, as memory_allowed() takes it
+  // Where factors are read that were kept, and kept that were computed. Nothing that is computed depends on it.
+  std::shared_ptr<FactorStore> store = {};
 
   friend bool operator==(const SimulationRequest2&, const SimulationRequest2&) = default;
 };

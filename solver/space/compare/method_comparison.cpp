@@ -13,7 +13,8 @@ ComparisonReference<PreparedScene3> reference_of(const Simulation3& simulation, 
   const Simulation3 by_elements = simulation.with_request({.factors = {.granularity = Granularity::kElement,
                                                                        .wants_visibility = true,
                                                                        .tolerance = asked.tolerance,
-                                                                       .memory = asked.memory}});
+                                                                       .memory = asked.memory,
+                                                                       .store = asked.store}});
   const auto prepared = by_elements.prepared(progress);
   const auto computed = by_elements.factors(progress);
   return {prepared, {computed, &computed->matrix}, *by_elements.light_shares(progress), asked.tolerance};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
 #include "geometry/closed_promise.h"
@@ -10,11 +11,13 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
+#include "kernel/support/stopwatch.h"
 #include "solver/methods/negative_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
 #include "solver/space/light/scene_light_shares.h"
 #include "solver/space/scene_plan.h"
+#include "solver/space/simulation/kept_factors.h"
 
 namespace hottel {
 namespace {
@@ -49,15 +52,24 @@ ComputedFactors3 factors_by(const ExchangeMethod3& method, const PreparedScene3&
 
 ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsRequest3& request,
                               const StageProgress& progress) {
-  if (request.method) return factors_by(*request.method, prepared, request, progress);
+  const ExchangeRequest asked{.granularity = request.granularity,
+                              .wants_visibility = request.wants_visibility,
+                              .wants_measures = request.wants_measures,
+                              .tolerance = request.tolerance,
+                              .memory = memory_allowed(request.memory)};
+  if (request.method) {
+    const auto compute = [&] { return factors_by(*request.method, prepared, request, progress); };
+    return request.store ? kept_factors_3(*request.store, *request.method, prepared, asked, compute) : compute();
+  }
   return naming_file(prepared.scene.file, [&] {
     ComputedFactors3 result;
     const std::function<void(double)> told = telling("view factors", progress);
-    ExchangeRows3 rows(prepared, {.granularity = request.granularity,
-                                  .wants_visibility = request.wants_visibility,
-                                  .wants_measures = request.wants_measures,
-                                  .tolerance = request.tolerance,
-                                  .memory = memory_allowed(request.memory)});
+    ExchangeRows3 rows(prepared, asked);
+    Stopwatch watch;
+    std::optional<StoreTable> table;
+    if (request.store) table = store_table_3(rows, prepared, asked);
+    const std::uint64_t taken = table ? take_kept(*request.store, *table, asked, rows) : 0;
+    double seconds = watch.lap();
     if (request.watch == nullptr) rows.add_all(told);
     const double all = rows.missing();
     while (rows.missing() > 0) {
@@ -65,7 +77,11 @@ ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsReque
       const double begin = 1 - rows.missing() / all, part = static_cast<double>(next.size()) / all;
       request.watch->have_come(rows, rows.add(next, [&](double done) { told(begin + part * done); }));
     }
+    watch.lap();
+    if (table) keep_rows(*request.store, *table, asked, rows, taken);
+    seconds += watch.lap();
     result.matrix = rows.matrix(&result.report);
+    if (table) result.report.seconds["store"] = seconds;
     if (request.must_be_enclosed) require_enclosed_3(result.matrix, request.tolerance);
     return result;
   });

@@ -20,6 +20,7 @@
 
 namespace hottel {
 
+class FactorStore;
 class RowWatch3;
 struct PreparedScene3;
 
@@ -36,6 +37,8 @@ struct FactorsRequest3 {
   // Says which rows are measured first, and is told of them as they come, on the thread that measures; of the exact
   // method. Nothing that is computed depends on it: requests are alike with and without one.
   std::shared_ptr<RowWatch3> watch = nullptr;
+  // Where factors are read that were kept, and kept that were computed. Nothing that is computed depends on it.
+  std::shared_ptr<FactorStore> store = nullptr;
 
   friend bool operator==(const FactorsRequest3& a, const FactorsRequest3& b) {
     return a.method == b.method && a.granularity == b.granularity && a.wants_visibility == b.wants_visibility &&

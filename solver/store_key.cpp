@@ -1,0 +1,46 @@
+#include "solver/store_key.h"
+
+#include <bit>
+
+#include "kernel/version.h"
+
+namespace hottel {
+
+StoreKey::StoreKey(std::string_view kind) {
+  add(kind);
+  add(kVersion);
+}
+
+void StoreKey::add(std::string_view text) {
+  text_ += std::to_string(text.size());
+  text_ += ':';
+  text_ += text;
+}
+
+void StoreKey::add_bits(double number) { add_count(std::bit_cast<std::uint64_t>(number)); }
+
+void StoreKey::add_table(const SceneTable& scene) {
+  add_count(scene.groups.size());
+  for (const Group& group : scene.groups) {
+    add(group.name);
+    add_count(static_cast<std::uint64_t>(group.behind));
+  }
+  add_count(scene.surfaces.size());
+  for (const Surface& surface : scene.surfaces) {
+    add(surface.name);
+    add_count(surface.group);
+    add_count(std::uint64_t{surface.is_obstruction} + (surface.material_of(false) ? 2U : 0U) +
+              (surface.material_of(true) ? 4U : 0U));
+  }
+}
+
+void StoreKey::add_elements(const std::vector<std::string>& ids) {
+  add_count(ids.size());
+  for (const std::string& id : ids) add(id);
+}
+
+void StoreKey::add_division(const SceneTable& scene) {
+  for (const Surface& surface : scene.surfaces) add_count(surface.elements);
+}
+
+}  // namespace hottel
