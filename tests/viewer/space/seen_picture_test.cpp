@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "geometry/space/exchange/prepared_scene.h"
 #include "io/scene/scene_json.h"
@@ -74,6 +75,41 @@ TEST_F(SeenPicture, TellsWhatLiesWhere) {
   EXPECT_EQ(face_at(3, 60), "left");
   EXPECT_EQ(face_at(157, 60), "right");
   EXPECT_EQ(picture.at({-5, 60}), nullptr);
+}
+
+// (4)
+TEST_F(SeenPicture, ShowsAnotherPaintAsIfMadeOfIt) {
+  ElementPaint3 other = paint;
+  for (std::size_t k = 0; k < other.values.size(); ++k) other.values[k] *= 1 + 0.1 * static_cast<double>(k % 7);
+  other.sky.assign(other.sky.size(), 0.25);
+  ElementPaint3 scaled = other;
+  scaled.channels = 1;
+  scaled.values.resize(scaled.values.size() / other.channels);
+  scaled.scale = ColourScale{0, 2, false};
+  scaled.unknown = scaled.black = scaled.sky = {0.1, 0.2, 0.3};
+  ElementPaint3 scaled_anew = scaled;
+  for (double& value : scaled_anew.values) value *= 1.5;
+  ElementPaint3 unknown = other;
+  std::fill_n(unknown.values.begin(), unknown.channels, std::numeric_limits<double>::quiet_NaN());
+  const ToneCurve tone(Tone::kLog, 1, other.values, other.channels);
+  for (const bool is_smooth : {false, true}) {
+    const SmoothMesh3* mesh_or_none = is_smooth ? &mesh : nullptr;
+    const auto made_of = [&](const ElementPaint3& of) {
+      return SeenPicture3({prepared, table, of, mesh_or_none}, camera);
+    };
+    SeenPicture3 picture = made_of(paint);
+    ASSERT_TRUE(picture.show(other, mesh_or_none));
+    EXPECT_EQ(picture.raster(&tone).pixels, made_of(other).raster(&tone).pixels);
+    ASSERT_TRUE(picture.show(paint, mesh_or_none));  // from what it has kept by now
+    EXPECT_EQ(picture.raster(&tone).pixels, made_of(paint).raster(&tone).pixels);
+    EXPECT_FALSE(picture.show(scaled, mesh_or_none)) << "other channels";
+    EXPECT_FALSE(picture.show(unknown, mesh_or_none)) << "no value of an element";
+    EXPECT_EQ(picture.raster(&tone).pixels, made_of(paint).raster(&tone).pixels);
+
+    SeenPicture3 on_scale = made_of(scaled);
+    ASSERT_TRUE(on_scale.show(scaled_anew, mesh_or_none));
+    EXPECT_EQ(on_scale.raster(nullptr).pixels, made_of(scaled_anew).raster(nullptr).pixels);
+  }
 }
 
 TEST(ToneCurve, NearLevelsAreNear) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "geometry/space/exchange/prepared_scene.h"
@@ -62,10 +63,11 @@ struct PixelBox {
 // A part of a side of a piece as it would be seen if nothing hid it.
 struct SidePart {
   std::uint32_t element = 0;
-  PixelPolygon outline;         // in the picture
-  PixelBox box;                 // of the outline
-  std::optional<Shade3> shade;  // nothing: one value
-  bool is_all = false;          // of that side: then there is no outline
+  PixelPolygon outline;                    // in the picture
+  PixelBox box;                            // of the outline
+  std::optional<Shade3> shade;             // nothing: one value
+  std::array<std::uint32_t, 2> corners{};  // of the mesh
+  bool is_all = false;                     // of that side: then there is no outline
 };
 
 // The sides of pieces before a camera.
@@ -108,7 +110,7 @@ class Sides {
       if (outline.size() < 3) return;
     }
     const PixelBox box(outline);
-    side_.push_back({part.label, std::move(outline), box, std::nullopt, is_all});
+    side_.push_back({part.label, std::move(outline), box, std::nullopt, {}, is_all});
   }
 
   // From the middle of a part to each of its sides.
@@ -126,8 +128,11 @@ class Sides {
       if (outline.size() < 3) continue;
       const PixelBox box(outline);
       side_.push_back(
-          {element, std::move(outline), box,
+          {element,
+           std::move(outline),
+           box,
            Shade3(projection_, {middle, ways_[a], ways_[b]}, {scene_.paint.value(element), value(a), value(b)}),
+           {a, b},
            false});
     }
   }
@@ -146,24 +151,30 @@ class Sides {
 
 Shade3::Shade3(const Projection3& projection, const std::array<Direction3, 3>& ways,
                const std::array<std::span<const double>, 3>& values)
-    : over_(values[0].size()) {
+    : channels_(values[0].size()) {
+  HOTTEL_REQUIRE(channels_ <= kMostChannels);
   for (std::size_t k = 0; k < 3; ++k) {
-    const AffineValue3 share = projection.dot_with(cross(ways[(k + 1) % 3], ways[(k + 2) % 3]));
     const double sign = dot(ways[k], cross(ways[(k + 1) % 3], ways[(k + 2) % 3])) < 0 ? -1 : 1;
-    for (std::size_t c = 0; c < over_.size(); ++c) add(share, sign * values[k][c], over_[c]);
-    add(share, sign, under_);
-    corners_[k].assign(values[k].begin(), values[k].end());
+    add(projection.dot_with(cross(ways[(k + 1) % 3], ways[(k + 2) % 3])), sign, share_[k]);
+    add(share_[k], 1, under_);
   }
-  for (std::size_t c = 0; c < over_.size(); ++c) {
-    const auto [low, high] = std::minmax({corners_[0][c], corners_[1][c], corners_[2][c]});
-    low_.push_back(low);
-    high_.push_back(high);
+  set(values);
+}
+
+void Shade3::set(const std::array<std::span<const double>, 3>& values) {
+  over_ = {};
+  for (std::size_t k = 0; k < 3; ++k) {
+    HOTTEL_REQUIRE(values[k].size() == channels_);
+    std::copy(values[k].begin(), values[k].end(), corners_[k].begin());
+    for (std::size_t c = 0; c < channels_; ++c) add(share_[k], values[k][c], over_[c]);
   }
+  for (std::size_t c = 0; c < channels_; ++c)
+    std::tie(low_[c], high_[c]) = std::minmax({corners_[0][c], corners_[1][c], corners_[2][c]});
 }
 
 void Shade3::value(const Pixel& at, std::span<double> result) const {
   const double under = under_.at(at);
-  for (std::size_t c = 0; c < over_.size(); ++c) {
+  for (std::size_t c = 0; c < channels_; ++c) {
     const double blended = over_[c].at(at) / under;
     result[c] = std::isfinite(blended) ? std::clamp(blended, low_[c], high_[c]) : corners_[0][c];
   }
@@ -202,12 +213,13 @@ void for_each_seen_part(const SeenScene3& scene, const Camera3& camera,
     PixelPolygon seen = projection.picture(std::move(corners));
     if (seen.size() < 3) continue;
     const std::vector<SidePart>& parts = sides.of(fragment.face);
-    if (parts.empty()) take({std::move(seen), std::nullopt, nullptr});
+    if (parts.empty()) take({std::move(seen), std::nullopt, nullptr, {}});
     const PixelBox box(seen);
     for (const SidePart& part : parts) {
       if (!part.is_all && !part.box.meets(box)) continue;
       PixelPolygon polygon = part.is_all ? seen : common(seen, part.outline);
-      if (polygon.size() > 2) take({std::move(polygon), part.element, part.shade ? &*part.shade : nullptr});
+      if (polygon.size() > 2)
+        take({std::move(polygon), part.element, part.shade ? &*part.shade : nullptr, part.corners});
     }
   }
 }

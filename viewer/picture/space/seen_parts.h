@@ -24,9 +24,14 @@ struct PreparedScene3;
 // How values run over a flat triangle in a picture: those of its corners, blended in space.
 class Shade3 {
  public:
-  // Of the triangle of the ends of three ways from the eye, with a value each of as many channels.
+  static constexpr std::size_t kMostChannels = 3;
+
+  // Of the triangle of the ends of three ways from the eye, with a value each of as many channels, three at most.
   Shade3(const Projection3& projection, const std::array<Direction3, 3>& ways,
          const std::array<std::span<const double>, 3>& values);
+
+  // Gives the corners other values: then it is, bit for bit, what a new one of them would be.
+  void set(const std::array<std::span<const double>, 3>& values);
 
   // The value at a place, for which there is room; within those of the corners.
   void value(const Pixel& at, std::span<double> result) const;
@@ -65,10 +70,14 @@ class Shade3 {
   double high(std::span<const double> weights) const;
 
  private:
-  std::vector<AffineValue3> over_;  // by channel: the value times what it is over
-  AffineValue3 under_;              // not negative in the triangle
-  std::array<std::vector<double>, 3> corners_;
-  std::vector<double> low_, high_;  // by channel, of the corners
+  using Values = std::array<double, kMostChannels>;
+
+  std::size_t channels_ = 0;
+  std::array<AffineValue3, 3> share_;               // of each corner, over their sum
+  std::array<AffineValue3, kMostChannels> over_{};  // by channel: the value times that sum
+  AffineValue3 under_;                              // the sum; not negative in the triangle
+  std::array<Values, 3> corners_{};
+  Values low_{}, high_{};  // by channel, of the corners
 };
 
 // A polygon of the picture in which one element is seen, or black.
@@ -76,6 +85,8 @@ struct SeenPart3 {
   PixelPolygon outline;                  // convex
   std::optional<std::uint32_t> element;  // nothing: a side without a row
   const Shade3* shade = nullptr;         // how its value runs; null: it is that of the element all over
+  // Of the mesh, where there is a shade: that runs between them and the middle of the part.
+  std::array<std::uint32_t, 2> corners{};
 };
 
 // What is looked at.

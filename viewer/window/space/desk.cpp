@@ -75,7 +75,8 @@ void Desk3::set_scene(Scene3 scene) {
   saved_ = read;
   hover_.reset();
   picked_.reset();
-  seen_.reset();
+  light_.reset();
+  values_.reset();
   is_fitted_ = false;
   set_request({.look = request_.look, .method = request_.method, .solver = request_.solver});
   if (read->camera) {
@@ -102,7 +103,6 @@ void Desk3::see(const EyeCamera3& camera) {
 }
 
 bool Desk3::update() {
-  const auto lit_before = state().radiosities;
   const bool has_come = live_.collect();
   const bool has_looked = looking_.collect();
   if (has_come && state().model != shown_model_) {
@@ -114,7 +114,7 @@ bool Desk3::update() {
     }
   }
   if (has_come || has_looked) needs_base_ = true;
-  if (state().radiosities != lit_before) ask();
+  if (state().radiosities != asked_of_) ask();
   watch_file();
   if (!needs_base_ && !needs_frame_) return false;
   draw();
@@ -147,6 +147,7 @@ void Desk3::set_request(LookRequest3 request) {
 
 // What is looked at, of the light that there is.
 void Desk3::ask() {
+  asked_of_ = state().radiosities;
   if (!needs_work(request_) || !state().radiosities) {
     looking_.cancel();
     result_.reset();

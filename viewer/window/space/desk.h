@@ -80,6 +80,13 @@ class Desk3 : public Desk {
 
  private:
   enum class Drag : unsigned char { kNone, kOrbit, kPan, kTurn, kBar };
+  // What the camera sees, to be shown anew where nothing but values has changed.
+  struct Seen {
+    std::shared_ptr<const LiveModel3> model;
+    Camera3 camera;
+    bool is_smooth = false;
+    SeenPicture3 picture;
+  };
 
   // Events.
   void press(const WindowEvent& event);
@@ -113,6 +120,10 @@ class Desk3 : public Desk {
   void ask();
   ElementPaint3 light_paint() const;
   bool is_split() const;
+  // What lies under the mouse is of it: the values, where there are some, else the light.
+  const SeenPicture3* seen() const { return values_ ? &values_->picture : light_ ? &light_->picture : nullptr; }
+  const SeenPicture3& see(const ElementPaint3& paint, bool is_smooth, std::optional<Seen>& kept) const;
+  void draw_seen();
   void draw_base();
   void draw_problem(PictureCanvas& canvas) const;
   void draw_touched(PictureCanvas& canvas) const;
@@ -139,6 +150,7 @@ class Desk3 : public Desk {
   bool is_fitted_ = false;  // home_ is that of the scene, or chosen for it
   LookRequest3 request_;
   std::optional<LookResult3> result_;
+  std::shared_ptr<const RadiositySolution> asked_of_;  // the light that what is looked at was last asked of
   Background looking_;
   Tone tone_ = Tone::kLog;
   double exposure_ = 1, split_ = 0.5;
@@ -154,7 +166,7 @@ class Desk3 : public Desk {
   std::optional<std::uint32_t> hover_, picked_;  // elements of the model
 
   std::shared_ptr<const LiveModel3> shown_model_;
-  std::optional<SeenPicture3> seen_;  // of the light; what the frame shows at the left
+  std::optional<Seen> light_, values_;  // values_: nothing where light alone is shown
   bool needs_base_ = true, needs_frame_ = true;
   Raster base_, frame_;
   Stopwatch since_watch_;

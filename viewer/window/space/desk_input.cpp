@@ -19,7 +19,7 @@ double distance(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a
 
 // Finds what lies under the mouse.
 void Desk3::touch() {
-  const SeenPicture3::Part* part = has_mouse_ && seen_ ? seen_->at(mouse_) : nullptr;
+  const SeenPicture3::Part* part = has_mouse_ && seen() ? seen()->at(mouse_) : nullptr;
   hover_ = part != nullptr ? part->element : std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/scene_names.h"
 #include "kernel/support/failure.h"
@@ -43,40 +44,55 @@ ElementPaint3 Desk3::light_paint() const {
   return light_before_factors_3(*scene(), state().model->table);
 }
 
+// What the camera sees, painted: kept pictures of it take another paint, where that will do.
+const SeenPicture3& Desk3::see(const ElementPaint3& paint, bool is_smooth, std::optional<Seen>& kept) const {
+  const auto& model = state().model;
+  const SmoothMesh3* mesh = is_smooth ? &model->mesh : nullptr;
+  const Camera3 camera = camera_.camera(size_);
+  const bool is_kept = kept && kept->model == model && kept->camera == camera && kept->is_smooth == is_smooth &&
+                       kept->picture.show(paint, mesh);
+  if (!is_kept)
+    kept.emplace(Seen{model, camera, is_smooth, SeenPicture3({model->prepared, model->table, paint, mesh}, camera)});
+  return kept->picture;
+}
+
+void Desk3::draw_seen() {
+  live_.look_from(place_of(camera_.camera(size_).eye));
+  if (result_ && result_->shown) {
+    const bool is_quantity = request_.look == LookKind3::kRadiosity || request_.look == LookKind3::kIrradiance;
+    base_ = see(scale_paint_3(*result_->shown), is_smooth_ && is_quantity, values_).raster(nullptr);
+    if (!is_split()) return;
+  } else {
+    values_.reset();
+  }
+  // Toned by all elements there are, whatever is seen: so light stays the same while one walks.
+  const ElementPaint3 paint = light_paint();
+  const ToneCurve tone(tone_, exposure_, paint.values, paint.channels);
+  Raster lit = see(paint, is_smooth_, light_).raster(&tone);
+  if (!is_split()) {
+    base_ = std::move(lit);
+    return;
+  }
+  const auto left = static_cast<std::ptrdiff_t>(std::clamp(split_, 0.0, 1.0) * size_.width);
+  for (std::size_t y = 0; y < size_.height; ++y)
+    std::copy_n(lit.pixels.begin() + static_cast<std::ptrdiff_t>(y * size_.width), left,
+                base_.pixels.begin() + static_cast<std::ptrdiff_t>(y * size_.width));
+}
+
 // Everything but what is said about it.
 void Desk3::draw_base() {
   needs_base_ = false;
   needs_frame_ = true;
-  base_ = Raster(size_.width, size_.height, kBlank);
-  const auto& model = state().model;
-  if (!model || !is_fitted_) return;
   try {
-    const Camera3 camera = camera_.camera(size_);
-    live_.look_from(place_of(camera.eye));
-    const auto seen_with = [&](const ElementPaint3& paint, bool is_smooth) {
-      return SeenPicture3({model->prepared, model->table, paint, is_smooth ? &model->mesh : nullptr}, camera);
-    };
-    const bool has_values = result_ && result_->shown;
-    if (has_values) {
-      const bool is_quantity = request_.look == LookKind3::kRadiosity || request_.look == LookKind3::kIrradiance;
-      seen_ = seen_with(scale_paint_3(*result_->shown), is_smooth_ && is_quantity);
-      base_ = seen_->raster(nullptr);
-    }
-    if (has_values && !is_split()) return;
-    // Toned by all elements there are, whatever is seen: so light stays the same while one walks.
-    const ElementPaint3 paint = light_paint();
-    const ToneCurve tone(tone_, exposure_, paint.values, paint.channels);
-    SeenPicture3 light = seen_with(paint, is_smooth_);
-    const Raster lit = light.raster(&tone);
-    const auto left = is_split() ? static_cast<std::ptrdiff_t>(std::clamp(split_, 0.0, 1.0) * size_.width)
-                                 : std::ptrdiff_t{size_.width};
-    for (std::size_t y = 0; y < size_.height; ++y)
-      std::copy_n(lit.pixels.begin() + static_cast<std::ptrdiff_t>(y * size_.width), left,
-                  base_.pixels.begin() + static_cast<std::ptrdiff_t>(y * size_.width));
-    if (!has_values) seen_ = std::move(light);
+    if (state().model && is_fitted_)
+      draw_seen();
+    else
+      base_ = Raster(size_.width, size_.height, kBlank);
   } catch (const RequestError& error) {
     message_ = error.what();
-    seen_.reset();
+    light_.reset();
+    values_.reset();
+    base_ = Raster(size_.width, size_.height, kBlank);
   }
   touch();
 }
@@ -84,9 +100,9 @@ void Desk3::draw_base() {
 // The polygon under the mouse where light is seen, and the border of the one that is picked, whatever hides it.
 void Desk3::draw_touched(PictureCanvas& canvas) const {
   const bool is_lit = !result_ || !result_->shown;
-  if (const auto face = face_of_element(hover_); face && seen_ && is_lit && drag_ == Drag::kNone) {
+  if (const auto face = face_of_element(hover_); face && seen() != nullptr && is_lit && drag_ == Drag::kNone) {
     std::vector<std::vector<Pixel>> outlines;
-    for (const SeenPicture3::Part& part : seen_->parts()) {
+    for (const SeenPicture3::Part& part : seen()->parts()) {
       if (face_of_element(part.element) != face) continue;
       outlines.push_back(part.outline);
       if (pixel_area_doubled_3(part.outline) < 0) std::ranges::reverse(outlines.back());

@@ -316,6 +316,19 @@ TEST(Desk3, EmissionsAndReflectivitiesAreLive) {
   EXPECT_THROW(hand.play("material none emission 1"), InputError);
 }
 
+// The parts that are seen are kept while materials change: the frame is that of a desk that has seen nothing before.
+TEST(Desk3, AnEditShowsWhatAFreshDeskWouldShow) {
+  for (const std::string look : {"key 1", "key 3"}) {  // light, irradiance
+    Hand hand;
+    hand.play(look + "\nmaterial lamp emission 9 1 4\nmaterial white reflectivity 0.7");
+    Hand fresh(write_scene_3(*hand.desk->scene()));
+    fresh.play(look);
+    for (std::size_t y = 100; y < 220; ++y)  // between the texts, in which times are written
+      for (std::size_t x = 0; x < 400; ++x)
+        ASSERT_EQ(hand.desk->frame().pixels[y * 400 + x], fresh.desk->frame().pixels[y * 400 + x]) << x << " " << y;
+  }
+}
+
 // Files.
 
 TEST(Desk3, WhatIsSavedIsWhatIsSeen) {
