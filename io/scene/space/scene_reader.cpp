@@ -31,7 +31,6 @@ class SpaceReader3 {
     refuse_plane_only(edges, "edges");
     refuse_plane_only(polylines, "polylines");
     if (grid) read_grid(grid);
-    if (lights && lights.size() > 0) refuse(lights, "lights are not simulated in space by this version");
     if (lights) table_.read_lights(lights, [this](const LightEntry& entry) { read_light(entry); });
     if (polygons) read_polygons(polygons);
     if (mesh) read_meshes(mesh);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "kernel/support/failure.h"
 #include "solver/plane/light/average_illumination.h"
 
 namespace hottel {
@@ -24,6 +25,9 @@ std::optional<LightKind2> light_kind_2(std::string_view word) {
 
 SolvedLight2 illuminate(LightKind2 kind, const PreparedScene2& prepared, const Grid2& grid, Granularity granularity,
                         const RadiositySolution& solution, const std::function<void(double)>& progress) {
+  if (kind != LightKind2::kPoint && !prepared.scene.lights.empty())
+    throw RequestError(std::string("light by \"") + to_string(kind) +
+                       "\" does not know the scene's lights; \"point\" does");
   const auto channels = static_cast<std::uint32_t>(solution.channels.size());
   const std::vector<double> by_element = radiosity_by_element_2(solution);
   const std::vector<double> sky = sky_by_channel_2(prepared.scene.sky_emission, channels);

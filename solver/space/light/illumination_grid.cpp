@@ -13,6 +13,7 @@
 #include "kernel/support/parallel.h"
 #include "kernel/support/progress_count.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/space/light/scene_lights.h"
 
 namespace hottel {
 namespace {
@@ -106,6 +107,7 @@ IlluminationGrid3 illuminate_points(const PreparedScene3& prepared, Granularity 
                                     const std::function<void(double)>& progress) {
   Stopwatch watch;
   const SentOut sent_out(prepared, granularity, solution);
+  const SceneLights3 lights(prepared);
   IlluminationGrid3 result{grid, static_cast<std::uint32_t>(solution.channels.size()), {}};
   const std::size_t cells = std::size_t{grid.nu} * grid.nv;
   result.values.assign(cells * result.channels, std::numeric_limits<double>::quiet_NaN());
@@ -117,8 +119,11 @@ IlluminationGrid3 illuminate_points(const PreparedScene3& prepared, Granularity 
         const Rational t = Rational(2 * (cell / grid.nu) + 1) / Rational(2 * std::size_t{grid.nv});
         const Point3 centre{grid.origin.x + s * grid.u.x + t * grid.v.x, grid.origin.y + s * grid.u.y + t * grid.v.y,
                             grid.origin.z + s * grid.u.z + t * grid.v.z};
-        if (!prepared.arrangement().solids().around(centre))
-          sent_out.mean(centre, {result.values.data() + cell * result.channels, result.channels});
+        if (!prepared.arrangement().solids().around(centre)) {
+          const std::span<double> here(result.values.data() + cell * result.channels, result.channels);
+          sent_out.mean(centre, here);
+          lights.add(centre, here);
+        }
         count.add(1);
       },
       4);

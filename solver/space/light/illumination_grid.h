@@ -28,13 +28,14 @@ struct IlluminationGrid3 {
 };
 
 // Returns the mean irradiance at the centre of each cell: 1/4 pi times the integral over all directions of the
-// radiosity seen there, which is the mean over them.                          [unit: that of radiosity]
+// radiosity seen there, which is the mean over them; and that of lights, I / (4 r^2) where they reach. [unit: that of
+// radiosity]
 //
 //   (1) what is seen is decided exactly, from the exact centre (PointMap3); solid angles are in doubles. A cell does
 //   not
 //       depend on the others
 //   (2) directions to the sky carry its emission; black sides are 0. A centre on a face sees both half spaces
-//   (3) never below the least nor above the largest radiosity seen but for rounding: some 1e-15 of it
+//   (3) without lights never below the least nor above the largest radiosity seen but for rounding: some 1e-15 of it
 //   (4) the same bits for any number of threads
 //
 // progress: fraction done; may throw to stop. Throws Interrupted when asked to stop. REQUIRES the solution of the

@@ -5,9 +5,13 @@
 
 #include "geometry/element.h"
 #include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/visibility/beam.h"
 #include "solver/radiosity/direct_light.h"
 
 namespace hottel {
+
+// The beam of a light as it stands.
+Beam3 beam_of(const Light& light, const LightPlace3& place);
 
 // Returns the shares of each light as it stands: Phi_i / P. The elements are those of a matrix of that granularity.
 //

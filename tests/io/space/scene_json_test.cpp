@@ -89,7 +89,7 @@ TEST(SceneJson3, RefusesWhatBelongsToThePlaneOrIsNotThereYet) {
             "in/scene.json:3: edges belong to dimension 2; this scene has dimension 3");
   EXPECT_EQ(refusal(scene_with("\"polylines\": [1]")),
             "in/scene.json:3: polylines belong to dimension 2; this scene has dimension 3");
-  EXPECT_EQ(refusal(scene_with("\"lights\": [{}]")), "in/scene.json:3: lights are not simulated by this version");
+  EXPECT_EQ(refusal(scene_with("\"lights\": [{}]")), "in/scene.json:3: light 'light[0]' has no \"type\"");
   const std::string polygon = std::string("{\"name\": \"a\", \"material\": \"m\", ") + kTriangle;
   for (const char* behind : {"solid", "open"}) {
     const std::string tail = std::string("\"behind\": \"") + behind + "\"}";
