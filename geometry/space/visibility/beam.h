@@ -50,9 +50,8 @@ std::string beam_problem(const Beam3& beam);
 // multiples of 30 and 45 only (Niven), so what balls do not tell apart is compared as rationals.
 //
 // For several threads at once.
-// COST: share: some ten microseconds a corner and half a microsecond more for each whole n up to 1000; for other n up to some
-// milliseconds for each that is in the beam.
-// SEE: docs/design/space/lights.md; kernel/beam_arc.h.
+// COST: share: some ten microseconds a corner and half a microsecond more for each whole n up to 1000; for other n up
+// to some milliseconds for each that is in the beam. SEE: docs/design/space/lights.md; kernel/beam_arc.h.
 class BeamPower3 {
  public:
   // REQUIRES a beam without a problem.
