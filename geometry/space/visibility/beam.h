@@ -38,9 +38,9 @@ std::string beam_problem(const Beam3& beam);
 //
 //   (1) side(w) is +1, 0, -1 for directions within the open beam, on its border, beyond: exactly. Of a beam to all
 //       directions, +1
-//   (2) share(cone) is a ball around the part of P that goes into the cone, at most 2^-digits of it wide; exactly 0,
-//   the
-//       number, iff the open beam and the cone have no common inner direction
+//   (2) share(cone) is a ball around the part of P that goes into the cone, at most 2^-digits of it wide where 4096
+//       bits are enough for that, as they are for shares down to 10^-500; exactly 0, the number, where the open beam
+//       and the cone have no common inner direction
 //   (3) meets(cone) is exact, and kNothing iff the share is 0
 //   (4) shares of cones that are turned or mirrored together with the axis are those of the cones before
 //   (5) intensity(w) is I / P in doubles, for directions of any length: off by a few ulps, and some n ulps more where n
@@ -50,8 +50,8 @@ std::string beam_problem(const Beam3& beam);
 // multiples of 30 and 45 only (Niven), so what balls do not tell apart is compared as rationals.
 //
 // For several threads at once.
-// COST: share: some ten microseconds a corner and half a microsecond more for each whole n up to 1000; for other n up to some
-// milliseconds for each that is in the beam.
+// COST: share: some ten microseconds a corner and half a microsecond more for each whole n up to 1000; for other n up
+// to some milliseconds for each that is in the beam.
 // SEE: docs/design/space/lights.md; kernel/beam_arc.h.
 class BeamPower3 {
  public:

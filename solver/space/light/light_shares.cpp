@@ -14,9 +14,12 @@ namespace {
 
 constexpr long kPrecision = 192;
 
+// How wide a ball around 0 is may depend on what a thread has computed before: nodes of rules are kept.
+constexpr double kNextToNothing = 0x1p-90;
+
 LightShare3 share_of(const Ball& ball) {
   const Enclosure ends = ball.nearest_of_ends(), bounds = ball.bounds();
-  if (!(bounds.lower > 0)) return {0, {0, std::max(0.0, bounds.upper)}};
+  if (!(bounds.lower > 0)) return {0, {0, bounds.upper > 0 ? std::max(kNextToNothing, bounds.upper) : 0}};
   return {ends.lower + (ends.upper - ends.lower) / 2, {bounds.lower, std::min(1.0, bounds.upper)}};
 }
 

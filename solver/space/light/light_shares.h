@@ -27,7 +27,8 @@ struct LightShare3 {
 //   (1) the light that falls on an element is P * elements[label].value: D = that / area of the element. Labels are
 //       those of the table; black backs are elements too
 //   (2) bounds are proven, and at most some 2^-50 of the share wide; shares are never negative. 0 and its bounds are
-//       exact where no light comes: beyond the beam, hidden, in the plane of the face, behind its back
+//       exact where no light comes: beyond the beam, hidden, in the plane of the face, behind its back. Of the sky they
+//       are from 0 to 2^-90 where it is not seen
 //   (3) the real numbers sum to 1, over all elements, the sky and what is lost; the bounds of their sum hold it
 //   (4) shares do not depend on translation, nor on the unit of length, nor on threads
 //

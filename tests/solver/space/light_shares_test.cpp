@@ -76,7 +76,7 @@ TEST(LightShares3, AWallOfACubeGetsASixthFromItsMiddle) {
   for (const char* name : {"bottom", "top", "south", "north", "west", "east"})
     EXPECT_NEAR(lit.at("room " + std::string(name)), 1.0 / 6, kTiny) << name;
   EXPECT_EQ(lit.shares.sky.value, 0);
-  EXPECT_LT(lit.shares.sky.bounds.upper, 1e-30);
+  EXPECT_LE(lit.shares.sky.bounds.upper, 0x1p-90);
 }
 
 TEST(LightShares3, FrontsAndBacksAreMetFromTheirSides) {
@@ -148,6 +148,24 @@ TEST(LightShares3, ElementsShareWhatTheirFaceGets) {
       }
       EXPECT_NEAR(sum, faces.shares.elements[k].value, 1e-15);
     }
+  }
+}
+
+// Nine squares in the order of elements: from the first vertex, along the first side first.
+TEST(LightShares3, AnElementGetsWhatAPolygonInItsPlaceGets) {
+  Scene3 divided = square();
+  divided.surfaces[0].elements = 3;
+  BoxScene3 tiles;
+  for (int k = 0; k < 9; ++k) {
+    const Rational x0 = -1 + Rational(2 * (k / 3)) / 3, x1 = x0 + Rational(2, 3);
+    const Rational y0 = -1 + Rational(2 * (k % 3)) / 3, y1 = y0 + Rational(2, 3);
+    tiles.polygon("tile" + std::to_string(k), {{{x0, y0, 1}, {x0, y1, 1}, {x1, y1, 1}, {x1, y0, 1}}, {}});
+  }
+  const Point3 position{Rational(1, 5), Rational(1, 9), Rational(1, 2)};
+  for (const Beam3& beam : {Beam3{}, Beam3{{1, 2, 3}, 50, 0}, Beam3{{1, 2, 3}, 90, Rational(5, 2)}}) {
+    const Lit elements = light(divided, position, beam, Granularity::kElement), polygons = light(tiles, position, beam);
+    for (int k = 0; k < 9; ++k)
+      EXPECT_DOUBLE_EQ(elements.at("square#" + std::to_string(k)), polygons.at("tile" + std::to_string(k))) << k;
   }
 }
 
