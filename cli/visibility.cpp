@@ -21,6 +21,7 @@
 #include "io/results/plane/polygon_files.h"
 #include "io/results/plane/visibility_report.h"
 #include "io/scene/scene_json.h"
+#include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/parallel.h"
@@ -250,16 +251,26 @@ ExitCode events(const VisibilityOptions& options, Streams& streams) {
   return ExitCode::kDone;
 }
 
-constexpr std::size_t kLinesBesideADrawing = 12;
+constexpr int kLinesOfAPart = 6;
 
-// The beginning of a long answer: who wants all of it leaves out the drawing.
+// A long answer with the beginning of each of its parts, which blank lines divide: who wants all of it leaves out the
+// drawing.
 std::string shortened(const std::string& text) {
-  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-  if (lines <= kLinesBesideADrawing) return text;
-  std::size_t end = 0;
-  for (std::size_t k = 0; k < kLinesBesideADrawing; ++k) end = text.find('\n', end) + 1;
-  return text.substr(0, end) + "... and " + std::to_string(lines - kLinesBesideADrawing) +
-         " more lines: without -o, or with --json, the whole answer is on standard output\n";
+  std::string result;
+  std::size_t left_out = 0;
+  int in_part = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    in_part = end - begin == 1 ? 0 : in_part + 1;
+    if (in_part <= kLinesOfAPart)
+      result += text.substr(begin, end - begin);
+    else if (++left_out; in_part == kLinesOfAPart + 1)
+      result += "  ...\n";
+    begin = end;
+  }
+  if (left_out == 0) return text;
+  return result + counted(left_out, "line") +
+         " left out: without -o, or with --json, the whole answer is on standard output\n";
 }
 
 // The answer goes where it is asked for, the drawing into its file.
@@ -373,7 +384,7 @@ void add_visibility(Commands& commands) {
   command
       .add_option(
           "-o", options->out,
-          "draw it: .png, .svg or .pdf; the beginning of the answer is on stderr then. With --points the polygons: "
+          "draw it: .png, .svg or .pdf; the answer in short is on stderr then. With --points the polygons: "
           ".csv, .geojson, .wkt or .npz; with --events a .csv. Without it, or with -, the answer is on standard "
           "output")
       ->type_name("FILE");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -54,7 +55,8 @@ std::vector<InsulatedGroup> insulated_groups(const SceneTable& scene, const Exch
     std::string name = scene.groups[scene.surfaces[element.surface].group].name + (element.is_back ? ":back" : "");
     const auto [known, is_new] = place_of.emplace(std::move(name), result.size());
     for (std::size_t c = 0; c < solution.channels.size(); ++c) {
-      const BoundedTemperature t = *temperatures.of(*element.material, solution.channels[c].elements[i]);
+      const BoundedTemperature t = temperatures.of(*element.material, solution.channels[c].elements[i])
+                                       .value_or(BoundedTemperature{0, 0, std::numeric_limits<double>::infinity()});
       if (is_new) {
         result.push_back({known->first, solution.channel_names[c], t.value, t.value, t.lower, t.upper});
         continue;

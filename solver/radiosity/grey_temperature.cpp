@@ -90,7 +90,11 @@ ElementTemperatures::ElementTemperatures(const std::vector<Material>& materials)
 std::optional<BoundedTemperature> ElementTemperatures::of(std::uint32_t material,
                                                           const ElementRadiosity& element) const {
   if (!is_adiabatic_[material]) return typed_[material];
-  return black_temperature(element.radiosity, {std::max(element.lower, 0.0), element.upper});
+  if (!(element.radiosity >= 0)) return std::nullopt;
+  // Where little is proven, as of factors that do not close, bounds may be open, or none at all.
+  const double lower = element.lower > 0 ? std::min(element.lower, element.radiosity) : 0;
+  const double upper = std::isnan(element.upper) ? HUGE_VAL : std::max(element.upper, element.radiosity);
+  return black_temperature(element.radiosity, {lower, upper});
 }
 
 }  // namespace hottel

@@ -44,8 +44,8 @@ class ElementTemperatures {
 
   // Whether there is something to tell of it: it is warm, or insulated.
   bool is_known(std::uint32_t material) const { return is_known_[material] != 0; }
-  // Of an element of this material in one channel; nothing where it has none. Bounds hold where those of the radiosity
-  // do.
+  // Of an element of this material in one channel; nothing where it has none, as where a foreign matrix makes a
+  // radiosity negative. Bounds hold where those of the radiosity do.
   std::optional<BoundedTemperature> of(std::uint32_t material, const ElementRadiosity& element) const;
 
  private:

@@ -165,7 +165,7 @@ TEST(Space, AMeshWithoutMaterialsIsGivenSomeAndItIsSaid) {
   EXPECT_THAT(outcome.out,
               HasSubstr("{\"name\": \"table[0]\", \"group\": \"table\", \"points\": [[0, 0, 0], [1, 0, 0], "
                         "[0, 0.1, 0]], \"material\": \"oak\"}"));
-  EXPECT_EQ(outcome.err, "1 polygons; reflectivity 0.5 for: oak (the mesh does not say; edit \"materials\")\n");
+  EXPECT_EQ(outcome.err, "1 polygon; reflectivity 0.5 for: oak (the mesh does not say; edit \"materials\")\n");
 }
 
 TEST(Space, WrongMeshesEndWithThreeAndNameFileLineAndFace) {
