@@ -18,6 +18,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/plane/simulation/simulation.h"
+#include "solver/store_plan.h"
 #include "viewer/picture/plane/illumination_picture.h"
 #include "viewer/picture/plane/shown_picture.h"
 
@@ -189,7 +190,8 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
     throw UsageError(fmt::format("--size of --show {} is {} at least", options.show, kMinPictureWidth));
   Stopwatch watch;
   const Simulation2 simulation = simulation_of(options, std::move(scene), request);
-  const std::shared_ptr<const Plan> plan = simulation.plan();
+  std::shared_ptr<const Plan> plan = simulation.plan();
+  if (options.store.is_given()) plan = std::make_shared<const Plan>(plan_with_store(*plan, false, options.method));
   streams.note(plan_text(*plan));
   Outputs outputs(options, request, simulation.scene());
   const Results results = results_of(simulation, request, streams);

@@ -23,6 +23,7 @@
 #include "kernel/support/stopwatch.h"
 #include "solver/space/check/lost_light.h"
 #include "solver/space/simulation/simulation.h"
+#include "solver/store_plan.h"
 #include "viewer/picture/space/grid_picture.h"
 #include "viewer/picture/space/render_picture.h"
 
@@ -119,7 +120,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   options.elements.apply_to(scene);
   const SimulationRequest3 request = request_of(options, scene);
   const Simulation3 simulation(std::move(scene), request);
-  const auto plan = simulation.plan();
+  std::shared_ptr<const Plan> plan = simulation.plan();
+  if (options.store.is_given()) plan = std::make_shared<const Plan>(plan_with_store(*plan, true, options.method));
   streams.note(plan_text(*plan));
 
   // Opened before the work: a path that cannot be written is found at once.

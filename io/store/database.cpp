@@ -71,8 +71,15 @@ bool require_store(const std::string& file, MayCreate may_create) {
   if (!stream) refuse("cannot be opened: " + std::string(std::strerror(errno)));
   std::array<unsigned char, kHeaderBytes> header{};
   const bool is_whole = std::fread(header.data(), 1, header.size(), stream.get()) == header.size();
-  std::uint32_t application = 0;
-  for (std::size_t k = 68; k < 72; ++k) application = application << 8 | header[k];
+  const auto word = [&header](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t k = at; k < at + 4; ++k) value = value << 8 | header[k];
+    return value;
+  };
+  const std::uint32_t application = word(68);
+  // A database without a table is what is left of one whose making was ended.
+  const bool has_no_table = application == 0 && word(28) <= 1 && word(40) == 0 && word(60) == 0;
+  if (is_whole && std::memcmp(header.data(), kMagic.data(), kMagic.size()) == 0 && has_no_table) return false;
   if (!is_whole || std::memcmp(header.data(), kMagic.data(), kMagic.size()) != 0 || application != kApplication)
     refuse("is no store of factors");
   return true;

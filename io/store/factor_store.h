@@ -19,7 +19,8 @@ inline constexpr std::uint64_t kUsualStoreLimit = std::uint64_t{1} << 30;
 //   (1) every record has a checksum over itself and over what it is of: a byte that was changed anywhere is found, and
 //       the record is as good as not there; or it had no meaning
 //   (2) any number of processes may read and write one file
-//   (3) an empty file is an empty store; any other that is none is refused and left alone
+//   (3) an empty file is an empty store, and so is a database without a table; any other that is none is refused and
+//       left alone
 //
 // Throws InputError or OutputError as Database does (database.h).
 std::shared_ptr<FactorStore> open_factor_store(const std::filesystem::path& file);

@@ -139,19 +139,21 @@ double partial_visibility(double measure, double alone) {
   return quotient > 0 ? std::min(quotient, most) : quotient <= 0 ? std::numeric_limits<double>::denorm_min() : most;
 }
 
-std::vector<double> visibilities(const PreparedScene3& prepared, const ElementTable3& table,
-                                 const std::vector<PairSum3>& pairs, double tolerance) {
-  std::vector<double> result(pairs.size(), 1);
+// Measures S0 of the pairs that need it, of elements of several patches: the others have it, or nothing hides anything.
+void measure_groups_alone(const PreparedScene3& prepared, const ElementTable3& table, double tolerance,
+                          std::span<PairSum3> pairs) {
   const GroupsAlone3 groups(prepared, table, tolerance);
   parallel_for(pairs.size(), [&](std::size_t k) {
-    const PairSum3& pair = pairs[k];
-    if (pair.j == table.sky() || pair.is_whole) return;
-    if (table.is_one_patch(pair.i) && table.is_one_patch(pair.j))
-      result[k] = partial_visibility(pair.measure, pair.alone);
-    else if (!groups.is_undisturbed(pair.i, pair.j))
-      result[k] = partial_visibility(pair.measure, groups.measure(pair.i, pair.j).value);
+    PairSum3& pair = pairs[k];
+    const bool is_known = pair.j == table.sky() || pair.is_zero() || pair.is_whole || pair.alone != 0;
+    if (is_known || (table.is_one_patch(pair.i) && table.is_one_patch(pair.j))) return;
+    pair.is_whole = groups.is_undisturbed(pair.i, pair.j);
+    if (!pair.is_whole) pair.alone = groups.measure(pair.i, pair.j).value;
   });
-  return result;
+}
+
+double visibility_of(const ElementTable3& table, const PairSum3& pair) {
+  return pair.j == table.sky() || pair.is_whole ? 1 : partial_visibility(pair.measure, pair.alone);
 }
 
 // The smaller of both areas, in the unit of PairMeasurer3. The sky has none.
@@ -187,12 +189,12 @@ std::vector<PairEntry> entries_of(const PreparedScene3& prepared, const ElementT
   const Vertices3& vertices = prepared.blockers().vertices();
   const Rational unit = scaled_by_power_of_two(vertices.scale(), vertices.shift());
   const double of_scene = to_double(unit * unit);
-  std::vector<double> visibility(pairs.size(), std::numeric_limits<double>::quiet_NaN());
-  if (request.wants_visibility) visibility = visibilities(prepared, table, pairs, request.tolerance);
   std::vector<PairEntry> entries;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const double area = smaller_area(table, pairs[k]);
-    entries.push_back({visibility[k], pairs[k].measure * of_scene, is_enclosed(pairs[k], request.tolerance * area)});
+    const double visibility =
+        request.wants_visibility ? visibility_of(table, pairs[k]) : std::numeric_limits<double>::quiet_NaN();
+    entries.push_back({visibility, pairs[k].measure * of_scene, is_enclosed(pairs[k], request.tolerance * area)});
     report.enclosed += entries.back().is_enclosed;
     report.max_error = std::max(report.max_error, pairs[k].error / area);
   }
@@ -284,6 +286,11 @@ std::vector<std::vector<std::array<double, 3>>> ExchangeRows3::corners() const {
   return element_corners(table_, prepared_.blockers().vertices());
 }
 
+void ExchangeRows3::measure_alone() {
+  const DefaultFloatingPoint arithmetic;
+  if (request_.wants_visibility) measure_groups_alone(prepared_, table_, request_.tolerance, pairs_);
+}
+
 ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {
   HOTTEL_REQUIRE(missing_ == 0);
   const DefaultFloatingPoint arithmetic;
@@ -301,6 +308,7 @@ ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {
   report_.vertices = prepared_.blockers().vertices().size();
   report_.elements = table_.count();
   report_.pairs = pairs_.size();
+  measure_alone();
   std::vector<PairEntry> entries = entries_of(prepared_, table_, pairs_, request_, report_);
   report_.seconds["visibility"] = watch.lap();
   ExchangeMatrix matrix = MatrixOfSums(table_, pairs_, std::move(entries)).make(request_.wants_measures);

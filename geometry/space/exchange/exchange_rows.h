@@ -46,6 +46,9 @@ class ExchangeRows3 {
   // again, and not among those that add() returns. known: which pairs these are; those of them that are not in the list
   // exchange nothing. Where it has all pairs, all rows have come. REQUIRES that nothing was added or taken before.
   void take(std::vector<PairSum3> pairs, PairRanges known);
+  // Where visibilities are wanted: measures elements of several patches as if nothing else were there, all pairs that
+  // have come and not again. matrix() does so too.
+  void measure_alone();
   // All pairs that were taken or have come, in no order. REQUIRES that matrix() was not called.
   std::span<const PairSum3> pairs() const { return pairs_; }
   // Which columns of a row from the element on, the sky among them, were not known from elsewhere.

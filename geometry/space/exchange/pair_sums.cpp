@@ -225,7 +225,9 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
     const std::uint32_t i = std::min(contact.mask, contact.base), j = std::max(contact.mask, contact.base);
     if (request.turn != nullptr && !request.turn->has(i, j)) continue;
     const double area = contact.extent.value;
-    result.pairs.push_back({.i = i, .j = j, .measure = area, .bounds = contact.extent.enclosure(), .alone = area});
+    const bool are_patches = table.is_one_patch(i) && table.is_one_patch(j);
+    result.pairs.push_back(
+        {.i = i, .j = j, .measure = area, .bounds = contact.extent.enclosure(), .alone = are_patches ? area : 0});
   }
   result.pairs = by_elements(std::move(result.pairs));
   std::stable_sort(result.failures.begin(), result.failures.end(), [](const FailedPair3& a, const FailedPair3& b) {

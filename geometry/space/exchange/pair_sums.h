@@ -20,8 +20,9 @@ struct PairSum3 {
   std::uint32_t i, j;
   double measure = 0, error = 0;  // |measure - S| <= error, an estimate; may be 0 where S is not
   Enclosure bounds{0, 0};         // of S, proven
-  double alone = 0;               // S0 where each patch is measured with nothing else there; 0 of the sky and of groups
-  bool is_whole = true;           // nothing hides any patch from another: S = S0
+  double alone =
+      0;  // S0 where each patch is measured with nothing else there; 0 of the sky; of groups until measure_alone()
+  bool is_whole = true;  // nothing hides any patch from another: S = S0
 
   bool is_zero() const { return bounds.upper == 0; }  // S = 0
   friend bool operator==(const PairSum3&, const PairSum3&) = default;

@@ -7,7 +7,6 @@
 #include "kernel/support/stopwatch.h"
 #include "solver/kept_pairs.h"
 #include "solver/kept_report.h"
-#include "solver/space/simulation/simulation.h"
 #include "solver/store_key.h"
 
 namespace hottel {

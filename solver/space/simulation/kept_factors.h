@@ -4,12 +4,11 @@
 #include <functional>
 
 #include "geometry/space/exchange/exchange_rows.h"
+#include "solver/space/methods/computed_factors.h"
 #include "solver/space/methods/exchange_method.h"
 #include "solver/store.h"
 
 namespace hottel {
-
-struct ComputedFactors3;
 
 // What is kept of a scene's exact factors: each pair serves whatever run has both of its elements, and the tolerance.
 StoreTable store_table_3(const ExchangeRows3& rows, const PreparedScene3& prepared, const ExchangeRequest& request);

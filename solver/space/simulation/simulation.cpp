@@ -78,6 +78,8 @@ ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsReque
       request.watch->have_come(rows, rows.add(next, [&](double done) { told(begin + part * done); }));
     }
     watch.lap();
+    if (table) rows.measure_alone();  // so that it is kept
+    watch.lap();
     if (table) keep_rows(*request.store, *table, asked, rows, taken);
     seconds += watch.lap();
     result.matrix = rows.matrix(&result.report);

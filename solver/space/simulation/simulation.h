@@ -17,6 +17,7 @@
 #include "solver/radiosity/radiosity_solution.h"
 #include "solver/radiosity/radiosity_solver.h"
 #include "solver/space/light/illumination_grid.h"
+#include "solver/space/methods/computed_factors.h"
 #include "solver/space/methods/exchange_method.h"
 
 namespace hottel {
@@ -85,13 +86,6 @@ struct SimulationRequest3 {
   LightRequest3 light{};
   PlanRequest plan{};  // what of it the plan reckons with
   friend bool operator==(const SimulationRequest3&, const SimulationRequest3&) = default;
-};
-
-// View factors and how they came about.
-struct ComputedFactors3 {
-  ExchangeMatrix matrix;
-  ExchangeReport3 report;
-  std::vector<std::string> notes;  // where the method is not exact: the first is a sentence about it
 };
 
 // Whether the same materials act alike as before. Then the claims of surfaces that overlap are settled as before; else

@@ -1,0 +1,253 @@
+// Factors from a store against factors without one: bit for bit.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <bit>
+#include <cmath>
+#include <filesystem>
+
+#include "io/scene/scene_json.h"
+#include "io/store/factor_store.h"
+#include "solver/plane/methods/method_catalogue.h"
+#include "solver/plane/simulation/simulation.h"
+#include "solver/space/methods/method_catalogue.h"
+#include "solver/space/simulation/simulation.h"
+#include "solver/store.h"
+
+namespace hottel {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StoreFile {
+ public:
+  StoreFile() {
+    std::string pattern = (fs::temp_directory_path() / "hottel-kept-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~StoreFile() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  std::shared_ptr<FactorStore> open() const { return open_factor_store(folder_ / "store"); }
+
+ private:
+  fs::path folder_;
+};
+
+bool is_same(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
+}
+
+// Everything that a matrix says.
+void expect_same(const ExchangeMatrix& a, const ExchangeMatrix& b) {
+  ASSERT_EQ(a.size(), b.size());
+  ASSERT_EQ(a.entry_count(), b.entry_count());
+  EXPECT_EQ(a.guarantee(), b.guarantee());
+  std::size_t different = 0;
+  for (std::uint32_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(a.row(i).size(), b.row(i).size());
+    ASSERT_EQ(a.measures(i).size(), b.measures(i).size());
+    EXPECT_EQ(a.elements()[i].name, b.elements()[i].name);
+    for (std::size_t k = 0; k < a.row(i).size(); ++k) {
+      const FactorEntry &x = a.row(i)[k], &y = b.row(i)[k];
+      const Enclosure p = a.bounds(i, k), q = b.bounds(i, k);
+      different += x.to != y.to || !is_same(x.factor.value, y.factor.value) || x.factor.side != y.factor.side ||
+                   !is_same(x.visibility, y.visibility) || !is_same(p.lower, q.lower) || !is_same(p.upper, q.upper) ||
+                   a.guarantee(i, k) != b.guarantee(i, k) ||
+                   (!a.measures(i).empty() && !is_same(a.measures(i)[k], b.measures(i)[k]));
+    }
+  }
+  EXPECT_EQ(different, 0U);
+}
+
+Scene2 plane_scene(const std::string& name) { return read_scene_2(HOTTEL_SOURCE_DIR "/scenes/" + name); }
+Scene3 space_scene(const std::string& name) { return read_scene_3(HOTTEL_SOURCE_DIR "/scenes/space/" + name); }
+
+void divide(SceneTable& scene, std::uint32_t elements) {
+  for (Surface& surface : scene.surfaces) surface.elements = elements;
+}
+
+const std::vector<std::string> kPlaneScenes = {"showcase/apartment.json", "showcase/maze.json", "showcase/museum.json",
+                                               "analytic/square_radiosity.json", "analytic/strip_obstructed.json"};
+
+void expect_kept(const Scene2& scene, SimulationRequest2 request) {
+  const StoreFile file;
+  const auto alone = Simulation2(scene, request).factors();
+  for (int run = 0; run < 2; ++run) {
+    request.store = file.open();
+    const auto factors = Simulation2(scene, request).factors();
+    expect_same(alone->matrix, factors->matrix);
+    EXPECT_EQ(alone->report.notes, factors->report.notes);
+    EXPECT_EQ(alone->report.row_defect, factors->report.row_defect);
+    EXPECT_EQ(alone->report.counts.pairs, factors->report.counts.pairs);
+    EXPECT_EQ(alone->report.counts.vertices, factors->report.counts.vertices);
+    const StoreUse use = request.store->use();
+    EXPECT_EQ(run == 0 ? use.read : use.computed, 0U);
+    EXPECT_GT(run == 0 ? use.computed : use.read, 0U);
+  }
+}
+
+void expect_kept(const Scene3& scene, SimulationRequest3 request) {
+  const StoreFile file;
+  const auto alone = Simulation3(scene, request).factors();
+  for (int run = 0; run < 2; ++run) {
+    request.factors.store = file.open();
+    const auto factors = Simulation3(scene, request).factors();
+    expect_same(alone->matrix, factors->matrix);
+    EXPECT_EQ(alone->notes, factors->notes);
+    EXPECT_EQ(alone->report.pairs, factors->report.pairs);
+    EXPECT_EQ(alone->report.max_error, factors->report.max_error);
+    EXPECT_EQ(alone->report.max_defect, factors->report.max_defect);
+    const StoreUse use = request.factors.store->use();
+    EXPECT_EQ(run == 0 ? use.read : use.computed, 0U);
+    EXPECT_GT(run == 0 ? use.computed : use.read, 0U);
+  }
+}
+
+TEST(KeptFactors, OfThePlaneAreThoseOfNoStore) {
+  for (const std::string& name : kPlaneScenes)
+    for (const Granularity granularity : {Granularity::kFace, Granularity::kElement, Granularity::kGroup})
+      for (const bool wants_all : {false, true}) {
+        SCOPED_TRACE(name);
+        Scene2 scene = plane_scene(name);
+        if (granularity == Granularity::kElement) divide(scene, 2);
+        expect_kept(scene, {.granularity = granularity, .wants_visibility = wants_all, .wants_measures = wants_all});
+      }
+}
+
+TEST(KeptFactors, OfEveryMethodOfThePlaneAreThoseOfNoStore) {
+  const MethodCatalogue2 methods = methods_2();
+  for (const MethodFamily2& family : methods.families()) {
+    const std::string& name = family.sweep.front();
+    for (const std::string& variant : {name, name + ":normalised"}) {
+      SCOPED_TRACE(variant);
+      Scene2 scene = plane_scene("showcase/museum.json");
+      divide(scene, 2);
+      for (const Granularity granularity : {Granularity::kElement, Granularity::kFace})
+        expect_kept(scene, {.method = methods.make(variant), .granularity = granularity});
+    }
+  }
+}
+
+TEST(KeptFactors, OfSpaceAreThoseOfNoStore) {
+  for (const char* name : {"cube.json", "two_boxes.json", "attic.json", "duct.json", "cornell_box.json"})
+    for (const Granularity granularity : {Granularity::kFace, Granularity::kElement, Granularity::kGroup})
+      for (const bool wants_all : {false, true}) {
+        SCOPED_TRACE(name);
+        Scene3 scene = space_scene(name);
+        if (granularity == Granularity::kElement) divide(scene, 2);
+        expect_kept(
+            scene,
+            {.factors = {.granularity = granularity, .wants_visibility = wants_all, .wants_measures = wants_all}});
+      }
+}
+
+TEST(KeptFactors, OfEveryMethodOfSpaceAreThoseOfNoStore) {
+  Scene3 scene = space_scene("two_boxes.json");
+  divide(scene, 2);
+  const MethodCatalogue3 methods = methods_3();
+  for (const MethodFamily3& family : methods.families()) {
+    const std::string& name = family.sweep.front();
+    for (const std::string& variant : {name, name + ":normalised"}) {
+      if (variant == "exact") continue;  // as a method it has bounds of its own, and is not kept; without one it is
+      SCOPED_TRACE(variant);
+      for (const Granularity granularity : {Granularity::kElement, Granularity::kFace})
+        expect_kept(scene, {.factors = {.method = methods.make(variant), .granularity = granularity}});
+    }
+  }
+}
+
+// What a run has in common with those before it is read, and nothing else.
+TEST(KeptFactors, ServeRunsWithOtherElements) {
+  const StoreFile file;
+  std::uint64_t read = 0, computed = 0;
+  const auto run = [&](const Scene3& scene, Granularity granularity, bool wants_visibility) {
+    const FactorsRequest3 asked{.granularity = granularity, .wants_visibility = wants_visibility};
+    FactorsRequest3 kept = asked;
+    kept.store = file.open();
+    expect_same(Simulation3(scene, {.factors = asked}).factors()->matrix,
+                Simulation3(scene, {.factors = kept}).factors()->matrix);
+    read = kept.store->use().read;
+    computed = kept.store->use().computed;
+  };
+  Scene3 scene = space_scene("two_boxes.json");
+  run(scene, Granularity::kElement, true);
+  EXPECT_EQ(read, 0U);
+  const std::uint64_t all = computed;
+  run(scene, Granularity::kElement, true);
+  EXPECT_TRUE(read == all && computed == 0);
+  run(scene, Granularity::kFace, false);  // the same elements by name
+  EXPECT_TRUE(read == all && computed == 0);
+  scene.surfaces[0].elements = 2;
+  run(scene, Granularity::kElement, true);
+  EXPECT_TRUE(read > all / 2 && read < all && computed > 0) << read << " and " << computed << " of " << all;
+  scene.surfaces[1].elements = 3;
+  run(scene, Granularity::kElement, false);
+  EXPECT_TRUE(read > 0 && computed > 0);
+  scene.surfaces[0].elements = 1;
+  scene.surfaces[1].elements = 1;
+  run(scene, Granularity::kElement, false);
+  EXPECT_TRUE(read == all && computed == 0);
+  run(scene, Granularity::kGroup, false);  // rows of their own
+  EXPECT_EQ(read, 0U);
+
+  // In the plane all that is missing is missing for all.
+  Scene2 plane = plane_scene("showcase/museum.json");
+  const auto in_plane = [&](const Scene2& now) {
+    SimulationRequest2 request{.granularity = Granularity::kElement};
+    const auto alone = Simulation2(now, request).factors();
+    request.store = file.open();
+    expect_same(alone->matrix, Simulation2(now, request).factors()->matrix);
+    read = request.store->use().read;
+    computed = request.store->use().computed;
+  };
+  in_plane(plane);
+  plane.surfaces[0].elements = 3;
+  in_plane(plane);
+  EXPECT_EQ(read, 0U);
+  plane.surfaces[0].elements = 1;
+  in_plane(plane);
+  EXPECT_EQ(computed, 0U);
+}
+
+TEST(KeptFactors, DependOnGeometryAndNotOnColours) {
+  const StoreFile file;
+  const auto computed = [&](const Scene3& scene, double tolerance = 1e-9) {
+    const auto store = file.open();
+    const FactorsRequest3 asked{.tolerance = tolerance};
+    FactorsRequest3 kept = asked;
+    kept.store = store;
+    expect_same(Simulation3(scene, {.factors = asked}).factors()->matrix,
+                Simulation3(scene, {.factors = kept}).factors()->matrix);
+    return store->use().computed;
+  };
+  const Scene3 scene = space_scene("two_boxes.json");
+  EXPECT_GT(computed(scene), 0U);
+  Scene3 other = scene;
+  for (Material& material : other.materials) material.reflectivity.value[0] = Rational(1, 3);
+  for (Material& material : other.materials) material.reflectivity.is_scalar = false;
+  for (Material& material : other.materials) material.name += "'";
+  other.sky_emission.value[1] = 7;
+  other.sky_emission.is_scalar = false;
+  other.file = "elsewhere";
+  other.camera.reset();
+  EXPECT_EQ(computed(other), 0U) << "colours";
+  EXPECT_GT(computed(scene, 1e-8), 0U) << "tolerance";
+  other = scene;
+  for (Polygon3& polygon : other.polygons)
+    for (Point3& point : polygon.points) point.z *= Rational(101, 100);
+  EXPECT_GT(computed(other), 0U) << "a place";
+  other = scene;
+  other.surfaces.front().back = 0;
+  EXPECT_GT(computed(other), 0U) << "a back with a material";
+  other = scene;
+  other.surfaces.front().name += "'";
+  EXPECT_GT(computed(other), 0U) << "a name";
+  other = scene;
+  for (Group& group : other.groups) group.behind = Behind::kOpen;
+  EXPECT_GT(computed(other), 0U) << "solids";
+}
+
+}  // namespace
+}  // namespace hottel
