@@ -64,9 +64,10 @@ ForeignMatrix read_as_written(const std::filesystem::path& file, std::string_vie
     case ForeignKind::kUnknown:
       break;
   }
-  throw InputError({name, 0}, text.empty() ? "is empty" : "holds no view factors in a format that hottel reads",
-                   {"hottel reads csv, Matrix Market (%%MatrixMarket), NumPy (.npy) and View3D's text and binary output",
-                    "each is told by its first bytes, csv by the ending .csv"});
+  throw InputError(
+      {name, 0}, text.empty() ? "is empty" : "holds no view factors in a format that hottel reads",
+      {"hottel reads csv, Matrix Market (%%MatrixMarket), NumPy (.npy) and View3D's text and binary output",
+       "each is told by its first bytes, csv by the ending .csv"});
 }
 
 }  // namespace
