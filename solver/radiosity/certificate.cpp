@@ -126,8 +126,9 @@ Correction solve_by_component(const RadiositySystem& system, const ApproximateIn
 }
 
 std::vector<double> refine(const RadiositySystem& system, const Sources& sources, const ApproximateInverse& inverse,
-                           SplitVector& x) {
+                           SplitVector& x, std::vector<DoubleDoubleBall>* last) {
   std::vector<double> history;
+  if (last != nullptr) last->assign(system.size(), {});
   const std::size_t count = system.components().size();
   std::vector<char> is_open = sources.is_lit;
   std::vector<double> best(count, kInfinity), relative(count, 0);
@@ -138,6 +139,7 @@ std::vector<double> refine(const RadiositySystem& system, const Sources& sources
     for (std::size_t i = 0; i < r.size(); ++i) {
       const std::uint32_t c = system.rows()[i].component;
       if (!is_open[c]) continue;
+      if (last != nullptr) (*last)[i] = r[i];  // x of a component that is no longer open stays
       largest[c] = std::max(largest[c], std::abs(r[i].hi));
       if (r[i].hi != 0) excess[c] = std::max(excess[c], std::abs(r[i].hi) / r[i].radius);
       right_side[i] = r[i].hi;
@@ -168,9 +170,11 @@ ScaledBall CertifiedBounds::enclosed(std::size_t unknown) const {
 }
 
 CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, const ApproximateInverse& inverse,
-                        const SplitVector& x, const ErrorTerms& terms) {
+                        const SplitVector& x, const ErrorTerms& terms, const std::vector<DoubleDoubleBall>* residual) {
   const std::size_t n = system.size();
-  const std::vector<DoubleDoubleBall> r = system.residual(&sources, x, sources.is_lit, terms);
+  std::vector<DoubleDoubleBall> made;
+  if (residual == nullptr) made = system.residual(&sources, x, sources.is_lit, terms);
+  const std::vector<DoubleDoubleBall>& r = residual != nullptr ? *residual : made;
   const PositiveVector positive =
       positive_vector(system, inverse, sources.is_lit, near_one(system, sources.is_lit, r), {});
 

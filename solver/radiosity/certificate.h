@@ -23,10 +23,11 @@ struct CertifiedBounds {
 Correction solve_by_component(const RadiositySystem& system, const ApproximateInverse& inverse, std::vector<double> r);
 
 // Adds corrections to x, in each component until its residual is below its own error bound, or no longer falls. Returns
-// max |residual| before each correction and after the last, each relative to the largest source of its component.
+// max |residual| before each correction and after the last, each relative to the largest source of its component;
+// `last` gets the enclosed residual of the x that it leaves.
 // COST: one residual and one inner solve a step; two or three steps after an elimination.
 std::vector<double> refine(const RadiositySystem& system, const Sources& sources, const ApproximateInverse& inverse,
-                           SplitVector& x);
+                           SplitVector& x, std::vector<DoubleDoubleBall>* last = nullptr);
 
 // Encloses the solution of A B = E, given x near it.
 //
@@ -40,9 +41,12 @@ std::vector<double> refine(const RadiositySystem& system, const Sources& sources
 //   (2) no wider than Sources::range; else infinite upper bounds in components where A v > 0 could not be proven;
 //       infinite ones on both sides everywhere when some factor is negative
 //   (3) never wrong, but possibly infinite, when a reflectivity is so near 1 that the loss underflows
-// COST: two matrix passes and one inner solve; up to twice as much again a further round when A v > 0 is not settled.
+// `residual`: that of x with these terms, where it is known (null: it is not).
+// COST: two matrix passes, one where the residual is known, and one inner solve; up to twice as much again a further
+// round when A v > 0 is not settled.
 CertifiedBounds certify(const RadiositySystem& system, const Sources& sources, const ApproximateInverse& inverse,
-                        const SplitVector& x, const ErrorTerms& terms = {});
+                        const SplitVector& x, const ErrorTerms& terms = {},
+                        const std::vector<DoubleDoubleBall>* residual = nullptr);
 
 // True iff the spectral radius of rho F is proven to be below 1 in all wanted components. COST: as certify().
 bool spectral_radius_is_below_one(const RadiositySystem& system, const ApproximateInverse& inverse,

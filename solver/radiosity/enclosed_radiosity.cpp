@@ -89,6 +89,7 @@ RadiositySolution EnclosedRadiosity::solve(const RadiositySources& sources, cons
   int solved = 0;
   const auto progress = [&](double fraction) { options.progress((solved + fraction) / 3); };
   RadiosityOptions as_asked = options, by_default;
+  by_default.serves_many = options.serves_many;
   if (options.progress) as_asked.progress = by_default.progress = progress;
 
   RadiositySolution solution = as_given_.solve(sources_at(End::kMiddle), as_asked, false);

@@ -1,8 +1,10 @@
 #include "solver/radiosity/kept_inverses.h"
 
 #include <atomic>
+#include <utility>
 
 #include "solver/radiosity/certificate.h"
+#include "solver/radiosity/single_precision_lu.h"
 
 namespace hottel {
 
@@ -10,9 +12,14 @@ namespace hottel {
 struct KeptInverses::Plain {
   enum class Known : char { kNot, kNo, kYes };
 
+  Plain(const std::vector<char>& wanted, PlainSystem of) : is_wanted(wanted), system(std::move(of)) {}
+
   std::vector<char> is_wanted;
   PlainSystem system;
   MadeOnce<ApproximateInverse> lu{};
+  std::mutex mutex{};
+  bool has_tried_single = false;                             // under the mutex, as is what follows
+  std::unique_ptr<const ApproximateInverse> single_lu = {};  // null: not yet, or rows lose too little
   std::atomic<Known> dies_out{Known::kNot};
 };
 
@@ -35,7 +42,7 @@ std::shared_ptr<const ApproximateInverse> KeptInverses::conjugate_gradient(const
 std::shared_ptr<KeptInverses::Plain> KeptInverses::last(const std::vector<char>& is_wanted) const {
   const std::lock_guard lock(mutex_);
   if (!last_ || last_->is_wanted != is_wanted)
-    last_ = std::shared_ptr<Plain>(new Plain{is_wanted, PlainSystem(system_, is_wanted)});
+    last_ = std::make_shared<Plain>(is_wanted, PlainSystem(system_, is_wanted));
   return last_;
 }
 
@@ -47,6 +54,20 @@ std::shared_ptr<const PlainSystem> KeptInverses::plain(const std::vector<char>& 
 std::shared_ptr<const ApproximateInverse> KeptInverses::lu(const std::vector<char>& is_wanted) const {
   const std::shared_ptr<Plain> kept = last(is_wanted);
   return {kept, &kept->lu.get([&] { return make_lu(kept->system, system_.components().size()); })};
+}
+
+std::shared_ptr<const ApproximateInverse> KeptInverses::single_precision_lu(const std::vector<char>& is_wanted) const {
+  const std::shared_ptr<Plain> kept = last(is_wanted);
+  const auto single = [&] { return std::shared_ptr<const ApproximateInverse>(kept, kept->single_lu.get()); };
+  {
+    const std::lock_guard lock(kept->mutex);
+    if (kept->has_tried_single) return kept->single_lu ? single() : nullptr;
+  }
+  // Not under the lock: as below. Who makes it second has made the same.
+  std::unique_ptr<const ApproximateInverse> made = make_single_precision_lu(kept->system, system_.components().size());
+  const std::lock_guard lock(kept->mutex);
+  if (!std::exchange(kept->has_tried_single, true)) kept->single_lu = std::move(made);
+  return kept->single_lu ? single() : nullptr;
 }
 
 std::shared_ptr<const ApproximateInverse> KeptInverses::bicgstab(const std::vector<char>& is_wanted, CgLimits limits,

@@ -29,9 +29,12 @@ class KeptInverses {
   // For any rows.
   std::shared_ptr<const PlainSystem> plain(const std::vector<char>& is_wanted) const;
   std::shared_ptr<const ApproximateInverse> lu(const std::vector<char>& is_wanted) const;
+  // Null where rows lose too little light for it (single_precision_lu.h).
+  std::shared_ptr<const ApproximateInverse> single_precision_lu(const std::vector<char>& is_wanted) const;
   std::shared_ptr<const ApproximateInverse> bicgstab(const std::vector<char>& is_wanted, CgLimits limits = {},
                                                      std::vector<double>* history = nullptr) const;
-  // What spectral_radius_is_below_one() says (certificate.h), by lu() or bicgstab() without limits.
+  // What spectral_radius_is_below_one() says (certificate.h), by lu(), single_precision_lu() where there is one, or
+  // bicgstab() without limits.
   bool light_dies_out(const std::vector<char>& is_wanted, const ApproximateInverse& inverse) const;
 
  private:

@@ -9,7 +9,7 @@
 namespace hottel {
 
 // kAuto:      cholesky for components of up to kMostDenseUnknowns, else cg; where rows do not sum to 1 lu for so many
-//             unknowns in all, else bicgstab
+//             unknowns in all, in single precision for more (single_precision_lu.h), else bicgstab; refined
 // kCholesky:  symmetric elimination without subtraction, refined in double-double
 // kCg:        conjugate gradients, refined in double-double
 // kShooting:  progressive refinement: the face with the most unshot light shoots (an iteration is one shot)
@@ -29,6 +29,9 @@ struct RadiosityOptions {
   // everywhere. When either is given, cg is not refined either. Default: 1e-12, 10,000 iterations (100,000 shots).
   std::optional<int> iterations = {};
   std::optional<double> until = {};
+  // One light after another will be solved for: kAuto then factors up to 2000 unknowns whose rows do not sum to 1, of
+  // which it would factor 900 for one light (4 n^2 bytes for each distinct reflectivity vector).
+  bool serves_many = false;
   std::function<void(double)> progress = {};  // fraction done; may throw to stop
 };
 

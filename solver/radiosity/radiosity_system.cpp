@@ -38,6 +38,9 @@ class DifferenceSum {
     ++count_;
   }
 
+  // The same as add() of a and b that are 0.
+  void add_zero() { ++count_; }
+
   DoubleDoubleBall result() const {
     // Each term of low went through at most count + 6 additions and products, and partial sums stay below low_size.
     const double roundings = 2 * (static_cast<double>(count_) + 16) * kBallRoundoff * low_size_;
@@ -158,6 +161,8 @@ std::vector<DoubleDoubleBall> RadiositySystem::residual(const Sources* sources, 
                                                         const std::vector<char>& is_wanted,
                                                         const ErrorTerms& terms) const {
   std::vector<DoubleDoubleBall> result(rows_.size());
+  const auto is_zero = [](const DoubleDouble& value) { return value.hi == 0 && value.lo == 0; };
+  const bool is_start = std::all_of(x.rest.begin(), x.rest.end(), is_zero);  // nothing is exchanged yet
   parallel_ranges(rows_.size(), kGrain, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const SystemRow& row = rows_[i];
@@ -166,7 +171,9 @@ std::vector<DoubleDoubleBall> RadiositySystem::residual(const Sources* sources, 
       DifferenceSum exchanged(terms);
       for (const FactorEntry& entry : matrix_->row(row.element)) {
         const std::int32_t j = unknown_[entry.to];
-        if (j >= 0) {
+        if (j >= 0 && is_start) {
+          exchanged.add_zero();
+        } else if (j >= 0) {
           exchanged.add(entry.factor, x.rest[i], x.rest[static_cast<std::size_t>(j)]);
         } else {
           const DoubleDoubleBall there = sources ? sources->emission_in(row.component, entry.to) : DoubleDoubleBall();

@@ -8,6 +8,7 @@
 
 #include "kernel/support/failure.h"
 #include "solver/radiosity/iterations.h"
+#include "solver/radiosity/single_precision_lu.h"
 
 namespace hottel {
 namespace {
@@ -55,8 +56,14 @@ void SystemSolver::prepare_any(bool may_be_open) {
                     "'bicgstab'",
                     to_string(options_.solver)));
   const bool is_small = kept_.system.size() <= kMostDenseUnknowns;  // lu takes all components at once
-  used_ = options_.solver != Solver::kAuto ? options_.solver : is_small ? Solver::kLu : Solver::kBicgstab;
-  inverse_ = is_small ? kept_.inverses.lu(is_wanted_) : kept_.inverses.bicgstab(is_wanted_);
+  const std::uint32_t most = options_.serves_many ? kMostUnknownsFactoredForMany : kMostUnknownsFactoredForOne;
+  const bool may_be_single = !is_small && options_.solver == Solver::kAuto && kept_.system.size() <= most;
+  if (is_small)
+    inverse_ = kept_.inverses.lu(is_wanted_);
+  else if (may_be_single)
+    inverse_ = kept_.inverses.single_precision_lu(is_wanted_);
+  used_ = options_.solver != Solver::kAuto ? options_.solver : inverse_ ? Solver::kLu : Solver::kBicgstab;
+  if (!inverse_) inverse_ = kept_.inverses.bicgstab(is_wanted_);
   if (!may_be_open && !kept_.system.has_negative_factors() && !kept_.inverses.light_dies_out(is_wanted_, *inverse_))
     throw RequestError(
         "no radiosity: the spectral radius of reflectivity times factors is not below 1 (or too near it to tell); "
@@ -73,12 +80,15 @@ CertifiedBounds SystemSolver::solve(const Sources& sources, const ErrorTerms& te
                                     std::set<std::string>& notes, StageTimes& times) const {
   const RadiositySystem& system = kept_.system;
   SplitVector x{std::vector<DoubleDouble>(is_wanted_.size()), std::vector<DoubleDouble>(system.size())};
+  std::vector<DoubleDoubleBall> last;
   if (is_refined())
-    history = refine(system, sources, *inverse_, x);
+    history = refine(system, sources, *inverse_, x, &last);
   else
     run_as_named(sources, x, history, notes);
   times.lap("radiosity");
-  CertifiedBounds bounds = certify(system, sources, *inverse_, x, terms);
+  // Where factors are negative, rows may have entries in other components, which may have changed since.
+  const bool knows_residual = is_refined() && terms.factors && terms.roundings && !system.has_negative_factors();
+  CertifiedBounds bounds = certify(system, sources, *inverse_, x, terms, knows_residual ? &last : nullptr);
   if (system.rows_are_closed()) kept_.wide.narrow(sources, {is_refined(), !is_refined()}, bounds);
   times.lap("certificate");
   if (system.matrix().guarantee() == Guarantee::kExact) require_bounds(system, bounds);
