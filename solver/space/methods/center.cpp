@@ -16,7 +16,7 @@ constexpr const char* kReference = "midpoint rule on both elements; Davis and Ra
 
 class Center3 final : public PairMethod3 {
  public:
-  Center3() : PairMethod3({"center", "center", 0, Guarantee::kEstimated, kReference}) {}
+  Center3() : PairMethod3({"center", "center", 0, Guarantee::kEstimated, kReference}, PatchRule3{.degree = 1}) {}
 
  protected:
   PairsOfElements pairs(const Setting& setting) const override {

@@ -16,7 +16,8 @@ constexpr const char* kReference = "midpoint rule on both elements, exact visibi
 
 class CenterVis3 final : public PairMethod3 {
  public:
-  CenterVis3() : PairMethod3({"center-vis", "center-vis", 0, Guarantee::kEstimated, kReference}) {}
+  CenterVis3()
+      : PairMethod3({"center-vis", "center-vis", 0, Guarantee::kEstimated, kReference}, PatchRule3{.degree = 1}) {}
 
  protected:
   PairsOfElements pairs(const Setting& setting) const override {

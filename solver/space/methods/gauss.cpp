@@ -21,7 +21,8 @@ constexpr const char* kReference = "Gauss-Legendre quadrature; Trefethen 2013, c
 class Gauss3 final : public PairMethod3 {
  public:
   explicit Gauss3(int n)
-      : PairMethod3({"gauss:" + std::to_string(n), "gauss", static_cast<double>(n), Guarantee::kEstimated, kReference}),
+      : PairMethod3({"gauss:" + std::to_string(n), "gauss", static_cast<double>(n), Guarantee::kEstimated, kReference},
+                    PatchRule3{.degree = 2 * n - 2}),
         rule_(gauss_rule(n)) {}
 
  protected:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "kernel/support/parallel.h"
@@ -63,6 +64,30 @@ ExchangeMatrix PairMethod3::compute_elements(const PreparedScene3& prepared,
                           .has_row = [&geometry](std::uint32_t i) { return geometry.has_row(i); },
                           .is_open = open_elements(geometry, visibility)},
                          with_contacts, progress, report);
+}
+
+// The sky of an element of which no direction was found to be free is not what the others leave.
+ExchangeMethod3::ClaimedErrors PairMethod3::claimed_errors(const PreparedScene3& prepared) const {
+  if (!rule_) return ElementMethod3::claimed_errors(prepared);
+  const ElementGeometry3 geometry(prepared);
+  const std::vector<char> is_open = open_elements(geometry, SegmentVisibility3(prepared.blockers()));
+  const bool is_closed = prepared.scene.closed;
+  return [claims = quadrature_claims_3(prepared, *rule_), sky = geometry.table().sky(), is_open, is_closed](
+             std::uint32_t from, std::uint32_t to) {
+    if (to == sky && !is_open[from] && !is_closed) return std::numeric_limits<double>::infinity();
+    return claims(from, to);
+  };
+}
+
+std::optional<double> PairMethod3::declared_error(const PreparedScene3& prepared) const {
+  if (!rule_) return std::nullopt;
+  const std::optional<double> claim = quadrature_claim_3(prepared, *rule_);
+  if (!claim) return std::nullopt;
+  const ElementGeometry3 geometry(prepared);
+  const std::vector<char> is_open = open_elements(geometry, SegmentVisibility3(prepared.blockers()));
+  for (std::uint32_t i = 0; i < geometry.count(); ++i)
+    if (geometry.has_row(i) && !is_open[i] && !prepared.scene.closed) return std::nullopt;
+  return claim;
 }
 
 std::function<void(std::uint32_t, std::vector<std::uint32_t>&)> all_later_elements(const ElementGeometry3& geometry) {

@@ -1,11 +1,13 @@
 // Methods that look at two patches at a time: what they share.
 #pragma once
 
+#include <optional>
 #include <utility>
 
 #include "solver/methods/pair_rows.h"
 #include "solver/space/methods/element_geometry.h"
 #include "solver/space/methods/exchange_method.h"
+#include "solver/space/methods/quadrature_claims.h"
 #include "solver/space/methods/segment_visibility.h"
 
 namespace hottel {
@@ -15,9 +17,13 @@ namespace hottel {
 class PairMethod3 : public ElementMethod3 {
  public:
   const MethodInfo& info() const final { return info_; }
+  // Proven of pairs that see each other wholly, by its rule (quadrature_claims.h); nothing without one.
+  std::optional<double> declared_error(const PreparedScene3& prepared) const final;
+  ClaimedErrors claimed_errors(const PreparedScene3& prepared) const final;
 
  protected:
-  explicit PairMethod3(MethodInfo info) : info_(std::move(info)) {}
+  // rule: by which pairs that see each other wholly are measured, on both patches.
+  explicit PairMethod3(MethodInfo info, std::optional<PatchRule3> rule = {}) : info_(std::move(info)), rule_(rule) {}
   ExchangeMatrix compute_elements(const PreparedScene3& prepared, const std::function<void(double)>& progress,
                                   MethodReport& report) const final;
 
@@ -31,6 +37,7 @@ class PairMethod3 : public ElementMethod3 {
 
  private:
   MethodInfo info_;
+  std::optional<PatchRule3> rule_;
 };
 
 // The point that stands for all of a patch.

@@ -15,6 +15,7 @@
 #include "solver/space/methods/contact_rows.h"
 #include "solver/space/methods/method_catalogue.h"
 #include "solver/space/methods/patch_rule.h"
+#include "solver/space/methods/quadrature_claims.h"
 #include "solver/space/methods/side_elements.h"
 
 namespace hottel {
@@ -64,6 +65,13 @@ class Points3 final : public ElementMethod3 {
       : info_{"points:" + std::to_string(n), "points", static_cast<double>(n), Guarantee::kEstimated, kReference},
         rule_(gauss_rule(n)) {}
   const MethodInfo& info() const override { return info_; }
+  // Proven of elements that see each other wholly (quadrature_claims.h).
+  std::optional<double> declared_error(const PreparedScene3& prepared) const override {
+    return quadrature_claim_3(prepared, claimed_rule());
+  }
+  ClaimedErrors claimed_errors(const PreparedScene3& prepared) const override {
+    return quadrature_claims_3(prepared, claimed_rule());
+  }
 
  protected:
   ExchangeMatrix compute_elements(const PreparedScene3& prepared, const std::function<void(double)>& progress,
@@ -108,6 +116,10 @@ class Points3 final : public ElementMethod3 {
                 std::span(map.fragments).subspan(first, fragment - first), elements.on(share.face), weight, by);
     }
     if (map.sky_factor > kClosed) by.add(sky, weight * map.sky_factor);
+  }
+
+  PatchRule3 claimed_rule() const {
+    return {.degree = 2 * static_cast<int>(rule_.place.size()) - 2, .over = RuleOver3::kFirst};
   }
 
   MethodInfo info_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -43,6 +44,7 @@ const std::map<std::string, std::vector<double>> kLargestErrors{
 };
 constexpr double kSlack = 1.1;         // of what is stated
 constexpr double kReference = 1.1e-9;  // what exact factors may be off
+constexpr double kExact = 1.1e-12;     // and those that errors are taken from
 
 // N rays a row: the error of a factor F is five standard errors at most, and what single precision shifts.
 const std::vector<std::pair<std::string, int>> kRays{
@@ -112,6 +114,28 @@ TEST_P(AnalyticMethods3, RaysAreWithinFiveStandardErrors) {
   }
 }
 
+// What methods declare of themselves.
+TEST_P(AnalyticMethods3, StayWithinTheErrorTheyClaim) {
+  const Known& scene = known(GetParam());
+  std::vector<std::string> names = kMethods;
+  names.insert(names.end(), {"exact", "gauss:1", "gauss:2", "gauss:6", "points:1", "points:6"});
+  for (const auto& one : kRays) names.push_back(one.first);
+  for (const std::string& name : names) {
+    const auto method = methods_3().make(name);
+    const ExchangeMatrix matrix = by(name, scene);
+    const ExchangeMethod3::ClaimedErrors claimed = method->claimed_errors(scene.prepared);
+    const double of_all = method->declared_error(scene.prepared).value_or(std::numeric_limits<double>::infinity());
+    for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+      if (!matrix.has_row(i)) continue;
+      for (std::uint32_t j = 0; j <= matrix.sky(); ++j) {
+        const double error = std::fabs(matrix.factor(i, j).value - scene.exact.factor(i, j).value);
+        EXPECT_LE(error, std::min(claimed(i, j), of_all) + kExact)
+            << name << " " << matrix.name(i) << " " << matrix.name(j);
+      }
+    }
+  }
+}
+
 TEST_P(AnalyticMethods3, ThoseThatLookEverywhereCloseTheirRows) {
   const Known& scene = known(GetParam());
   for (const char* method : {"points:3", "hemicube:64", "hemicube:64:uniform", "rays:4096:sobol"}) {
@@ -138,6 +162,43 @@ INSTANTIATE_TEST_SUITE_P(, AnalyticMethods3, testing::ValuesIn(stems()), [](cons
   std::replace(name.begin(), name.end(), '.', '_');
   return name;
 });
+
+// Claims are no idle ones: where plates are farther from each other than they are large, they fall with every point.
+TEST(ClaimsOfMethods3, FallGeometricallyWhereElementsAreApart) {
+  const Known& scene = known("rect_parallel_1_1_10");
+  const auto claim = [&](const std::string& method) {
+    return methods_3().make(method)->declared_error(scene.prepared);
+  };
+  for (const std::string family : {"gauss", "points"}) {
+    double before = 1;
+    for (int n = 1; n <= 5; ++n) {
+      const auto now = claim(family + ":" + std::to_string(n));
+      ASSERT_TRUE(now) << family << n;
+      EXPECT_LT(*now, before / 20) << family << n;
+      before = *now;
+    }
+    EXPECT_LT(before, 1e-8) << family;
+  }
+  ASSERT_TRUE(claim("center"));
+  EXPECT_LT(*claim("center"), 300 * largest_error(by("center", scene), scene.exact));
+  EXPECT_EQ(claim("center"), claim("center-vis"));
+}
+
+TEST(ClaimsOfMethods3, AreMadeOfWhatCanBeProvenOnly) {
+  for (const std::string method : {"center", "gauss:3", "points:3"})
+    for (const std::string stem : {"cube", "rect_parallel_1_1_0.1", "rect_perp_1_1_1"})
+      EXPECT_FALSE(methods_3().make(method)->declared_error(known(stem).prepared)) << method << " " << stem;
+  for (const std::string method : {"vertices", "hemicube:64", "rays:4096:sobol"})
+    EXPECT_FALSE(methods_3().make(method)->declared_error(known("rect_parallel_1_1_10").prepared)) << method;
+  const auto of_rays = [](const std::string& method) {
+    return methods_3().make(method)->declared_error(known("cube").prepared);
+  };
+  ASSERT_TRUE(of_rays("rays:100000"));
+  EXPECT_LT(*of_rays("rays:100000"), 0.012);
+  ASSERT_TRUE(of_rays("rays:100000:stratified"));
+  EXPECT_GT(*of_rays("rays:100000:stratified"), *of_rays("rays:100000"));
+  EXPECT_FALSE(of_rays("rays:4")) << "no better than nothing";
+}
 
 TEST(MethodsOfTheCatalogue3, AreAllAmongThem) {
   std::set<std::string> tried{"exact"};
