@@ -26,10 +26,9 @@ std::shared_ptr<const Plan> plan_of(const PlanOptions& options, Scene2 scene) {
 }
 
 std::shared_ptr<const Plan> plan_of(const PlanOptions& options, Scene3 scene) {
-  if (!options.grid.empty())
-    throw UsageError("--grid is of scenes in the plane; in space \"grid\" of the scene says where light is wanted");
   options.elements.apply_to(scene);
-  const std::uint64_t cells = scene.grid ? std::uint64_t{scene.grid->nu} * scene.grid->nv : 0;
+  const std::optional<Grid3> grid = grid_of(scene, options.grid);
+  const std::uint64_t cells = grid ? std::uint64_t{grid->nu} * grid->nv : 0;
   return Simulation3(std::move(scene), {.plan = {.everything = false, .grid_cells = cells}}).plan();
 }
 
@@ -52,8 +51,7 @@ void add_plan(Commands& commands) {
   command.add_option("SCENE", options->scene, "the scene file")->required();
   options->elements.add_to(command);
   options->polygons.add_to(command);
-  command
-      .add_option("--grid", options->grid, "cells of the illumination, as solve would be asked for them; of the plane")
+  command.add_option("--grid", options->grid, "cells of the illumination, as solve would be asked for them")
       ->type_name("NXxNY");
   command.add_flag("--json", options->json, "as one JSON object");
 }

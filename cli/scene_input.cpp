@@ -148,4 +148,17 @@ Grid2 grid_of(const Scene2& scene, const std::string& option) {
   return grid_over(scene, nx, ny);
 }
 
+std::optional<Grid3> grid_of(const Scene3& scene, const std::string& option) {
+  if (option.empty()) return scene.grid;
+  if (!scene.grid)
+    throw UsageError(
+        "--grid divides the grid of a scene in space, and this scene has none: add \"grid\": {\"origin\": [x, y, z], "
+        "\"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [N, N]} to it, which says where light is wanted");
+  Grid3 grid = *scene.grid;
+  const auto [nu, nv] = two_numbers("--grid", "NXxNY", option, kMaxGridCells3);
+  grid.nu = nu;
+  grid.nv = nv;
+  return grid;
+}
+
 }  // namespace hottel

@@ -239,7 +239,10 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
 }
 
 void add_light_options(CLI::App& command, SolveOptions& options) {
-  command.add_option("--grid", options.grid, "cells of the illumination over the scene's region")->type_name("NXxNY");
+  command
+      .add_option("--grid", options.grid,
+                  "cells of the illumination: over the scene's region; in space of the scene's grid")
+      ->type_name("NXxNY");
   command
       .add_option("--illumination", options.illumination,
                   "point: mean irradiance at cell centres, exact visibility; average: its mean over each cell, in "

@@ -22,7 +22,6 @@
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/space/check/lost_light.h"
-#include "solver/space/light/illumination_grid.h"
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/space/grid_picture.h"
 #include "viewer/picture/space/render_picture.h"
@@ -37,12 +36,9 @@ void require_what_space_has(const SolveOptions& options) {
   const SolveOptions usual;
   if (options.method != usual.method && options.tolerance)
     throw UsageError("--tolerance is of the method exact only, not of " + options.method);
-  if (options.grid != usual.grid) refuse("--grid");
   if (options.illumination != usual.illumination) refuse("--illumination");
   if (options.views != usual.views) refuse("--views");
 }
-
-bool wants_grid(const SolveOptions& options, const Scene3& scene) { return scene.grid && !options.no_illumination; }
 
 // The files of light on the scene's grid.
 struct GridFiles {
@@ -54,16 +50,21 @@ struct GridFiles {
     if (!options.no_picture) png.emplace(directory / "illumination.png");
   }
 
-  void write(const SolveOptions& options, const IlluminationGrid3& light, const std::vector<std::string>& channels) {
-    const std::size_t shape[3] = {light.grid.nv, light.grid.nu, light.channels};
-    write_npy(shape, light.values, [this](std::string_view bytes) { npy.write(bytes); });
+  // Asks for the light, and for its picture where there is a file for it.
+  void write(const Simulation3& simulation, const std::vector<std::string>& channels, const StageProgress& progress,
+             std::map<std::string, double>& seconds) {
+    const auto light = simulation.light(progress);
+    seconds["illumination"] = light->seconds;
+    const std::size_t shape[3] = {light->grid.nv, light->grid.nu, light->channels};
+    write_npy(shape, light->values, [this](std::string_view bytes) { npy.write(bytes); });
     const auto rounded = [](const auto& p) { return std::array{to_double(p.x), to_double(p.y), to_double(p.z)}; };
-    const Grid3& grid = light.grid;
+    const Grid3& grid = light->grid;
     sidecar.write(
         illumination_sidecar({rounded(grid.origin), rounded(grid.u), rounded(grid.v), grid.nu, grid.nv}, channels));
-    if (png)
-      png->write(grid_picture_3(
-          light, {.tone = *tone_of(options.tone), .exposure = options.exposure, .wanted_width = options.size}));
+    if (!png) return;
+    const auto picture = simulation.picture(progress);
+    seconds["picture"] += picture->seconds;
+    png->write(picture->bytes);
   }
 
   void append_to(std::vector<OutputFile*>& files) {
@@ -94,14 +95,18 @@ std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const 
 SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) {
   const bool is_divided = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
                                       [](const Surface& surface) { return surface.elements > 1; });
+  const std::optional<Grid3> grid = options.no_illumination ? std::nullopt : grid_of(scene, options.grid);
+  const GridPicture3 picture{
+      .tone = *tone_of(options.tone), .exposure = options.exposure, .wanted_width = options.size};
   return {.factors = {.method = options.method == "exact" ? nullptr : all_methods_3().make(options.method),
                       .granularity = is_divided ? Granularity::kElement : Granularity::kFace,
                       .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
                       .memory = options.memory.value_or(0),
                       .store = options.store.open(options.method)},
           .system = {.solver = solver_of(options, false), .iterations = options.iterations, .until = options.until},
+          .light = {.grid = grid, .painter = options.no_picture ? nullptr : grid_painter_3(picture)},
           .plan = {.everything = options.simulate == "everything",
-                   .grid_cells = wants_grid(options, scene) ? std::uint64_t{scene.grid->nu} * scene.grid->nv : 0}};
+                   .grid_cells = grid ? std::uint64_t{grid->nu} * grid->nv : 0}};
 }
 
 }  // namespace
@@ -125,9 +130,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   std::optional<OutputFile> temperature;
   if (has_temperatures(simulation.scene())) temperature.emplace(directory / "temperature.csv");
   std::optional<GridFiles> grid;
-  if (wants_grid(options, simulation.scene())) {
-    const Grid3& cells = *simulation.scene().grid;
-    require_room_for_light(options, {cells.nu, cells.nv}, channel_count(simulation.scene()), "take fewer cells",
+  if (const auto& cells = request.light.grid) {
+    require_room_for_light(options, {cells->nu, cells->nv}, channel_count(simulation.scene()), "take a coarser --grid",
                            directory);
     grid.emplace(options, directory);
   }
@@ -153,18 +157,14 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   seconds.insert(solution->seconds.begin(), solution->seconds.end());
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
-  if (grid) {
-    const IlluminationGrid3 light = illuminate_points(*simulation.prepared(), request.factors.granularity, *solution,
-                                                      *simulation.scene().grid, streams.progress("illumination"));
-    grid->write(options, light, solution->channel_names);
-    seconds["illumination"] = watch.lap();
-  }
+  if (grid) grid->write(simulation, solution->channel_names, streams.stages(), seconds);
+  watch.lap();
   std::unique_ptr<const RenderedView3> view;
   if (png) {
     view = view_of(options, shown, simulation);
     png->write(view->file(PictureFormat::kPng));
     if (render) render->write(view->file(*picture_format(options.render)));
-    seconds["picture"] = watch.lap();
+    seconds["picture"] += watch.lap();
   }
   const SolveReport report{.scene = options.scene,
                            .plan = plan.get(),

@@ -58,12 +58,18 @@ TEST(PlanInSpace, ElementsAreDividedAsAskedFor) {
   EXPECT_THAT(place.run("hottel plan --element-size 1/3 " + cube).out, HasSubstr("54 rows, about 1215 pairs"));
 }
 
-TEST(PlanInSpace, AGridIsOfThePlane) {
+TEST(PlanInSpace, AGridIsThatOfTheScene) {
   const Workplace place;
   const Outcome outcome = place.run("hottel plan --grid 3x3 " + scene_file("cube.json"));
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_THAT(outcome.err, HasSubstr("--grid is of scenes in the plane"));
+  EXPECT_THAT(outcome.err, HasSubstr("this scene has none: add \"grid\""));
+  std::string scene = testing_cli::contents(scene_file("cube.json"));
+  scene.replace(scene.find("\"closed\""), 8,
+                R"("grid": {"origin": [0, 0, 0.5], "u": [1, 0, 0], "v": [0, 1, 0], "cells": [3, 2]}, "closed")");
+  place.write("cube.json", scene);
+  EXPECT_THAT(place.run("hottel plan cube.json").out, HasSubstr("light between the faces, 6 cells"));
+  EXPECT_THAT(place.run("hottel plan cube.json --grid 5x4").out, HasSubstr("light between the faces, 20 cells"));
 }
 
 TEST(PlanInSpace, AMeshIsASceneByItself) {

@@ -311,10 +311,36 @@ TEST(SolveInSpace, LightOnAPlanarGridIsWrittenAsInThePlane) {
   EXPECT_FALSE(std::filesystem::exists(place.path("none/render.png")));
 }
 
+TEST(SolveInSpace, TheCellsOfTheGridAreAsAskedFor) {
+  const Workplace place;
+  const std::string plain = contents(scene_file("cube.json"));
+  const auto with_cells = [&](const std::string& cells) {
+    std::string scene = plain;
+    scene.replace(
+        scene.find("\"closed\""), 8,
+        R"("grid": {"origin": [0, 0, 0.5], "u": [1, 0, 0], "v": [0, 1, 0], "cells": )" + cells + R"(}, "closed")");
+    return scene;
+  };
+  place.write("cube.json", with_cells("[3, 2]"));
+  place.write("finer.json", with_cells("[5, 4]"));
+  ASSERT_EQ(place.run("hottel solve cube.json -o asked --grid 5x4").code, 0);
+  ASSERT_EQ(place.run("hottel solve finer.json -o typed").code, 0);
+  for (const char* file : {"illumination.npy", "illumination.npy.json", "illumination.png", "radiosity.csv"})
+    EXPECT_EQ(place.read(std::string("asked/") + file), place.read(std::string("typed/") + file)) << file;
+
+  place.write("plain.json", plain);
+  const Outcome without = place.run("hottel solve plain.json -o none --grid 5x4");
+  EXPECT_EQ(without.code, 2);
+  EXPECT_THAT(without.err, HasSubstr("this scene has none: add \"grid\": {\"origin\""));
+  EXPECT_EQ(place.run("hottel solve cube.json -o none --grid 5").code, 2);
+  EXPECT_EQ(place.run("hottel solve cube.json -o none --grid 5x99999").code, 2);
+  EXPECT_FALSE(std::filesystem::exists(place.path("none")));
+}
+
 TEST(SolveInSpace, WhatIsOfThePlaneIsRefused) {
   const Workplace place;
   place.write("cube.json", contents(scene_file("cube.json")));
-  for (const char* option : {"--grid 8x8", "--illumination average", "--views views.mtx"}) {
+  for (const char* option : {"--illumination average", "--views views.mtx"}) {
     const Outcome outcome = place.run(std::string("hottel solve cube.json ") + option);
     EXPECT_EQ(outcome.code, 2) << option;
     EXPECT_THAT(outcome.err, HasSubstr("is of scenes in the plane; this version does not have it in space")) << option;

@@ -120,10 +120,14 @@ struct Simulation3::Version {
   StagePtr<std::vector<LightShares>> shares;
   StagePtr<RadiositySolver> system;
   StagePtr<RadiositySolution> radiosities;
+  StagePtr<IlluminationGrid3> light;  // null: there is no grid
+  StagePtr<LightPicture3> picture;    // null: or no painter
 
   // Of another request of the scene, or of the first.
   Version(ScenePtr its_scene, const SimulationRequest3& its_request, const Version* other)
       : scene(std::move(its_scene)), request(its_request) {
+    if (const std::string problem = request.light.grid ? grid_problem(*request.light.grid) : ""; !problem.empty())
+      throw UsageError("the grid of a request: " + problem);
     const bool keeps_factors = other != nullptr && other->request.factors == request.factors;
     const bool keeps_system = keeps_factors && other->request.system == request.system;
     plan = other != nullptr && other->request.plan == request.plan ? other->plan : plan_stage(scene, request.plan);
@@ -143,6 +147,9 @@ struct Simulation3::Version {
     } else {
       set_system(false);
     }
+    if (keeps_system && other->grid() == grid()) light = other->light;
+    if (light != nullptr && other->request.light.painter == request.light.painter) picture = other->picture;
+    set_light();
   }
 
   // Of other materials.
@@ -175,7 +182,10 @@ struct Simulation3::Version {
         factors == other.factors && reflectivities_of(scene->materials) == reflectivities_of(other.scene->materials);
     if (keeps_system) system = other.system;
     set_system(keeps_system);
+    set_light();
   }
+
+  const std::optional<Grid3>& grid() const { return request.light.grid ? request.light.grid : scene->grid; }
 
  private:
   void set_factors() {
@@ -215,6 +225,30 @@ struct Simulation3::Version {
         });
   }
 
+  // Those that are not there.
+  void set_light() {
+    if (!grid()) return;
+    if (light == nullptr)
+      light = std::make_shared<Stage<IlluminationGrid3>>(
+          "illumination", [ready = prepared, solved = radiosities, where = *grid(),
+                           granularity = request.factors.granularity](const StageProgress& progress) {
+            const auto solution = solved->get(progress);
+            const auto there = ready->get(progress);
+            return naming_file(there->scene.file, [&] {
+              return illuminate_points(*there, granularity, *solution, where, telling("illumination", progress));
+            });
+          });
+    if (picture == nullptr && request.light.painter != nullptr)
+      picture = std::make_shared<Stage<LightPicture3>>(
+          "picture", [lit = light, painter = request.light.painter](const StageProgress& progress) {
+            const auto values = lit->get(progress);
+            Stopwatch watch;
+            LightPicture3 result = painter->paint(*values);
+            result.seconds = watch.lap();
+            return result;
+          });
+  }
+
   void make_system() {
     system = std::make_shared<Stage<RadiositySolver>>(
         "radiosity", [its = scene, made = factors, asked = request.system,
@@ -227,7 +261,10 @@ struct Simulation3::Version {
           return naming_file(its->file, [&] {
             return RadiositySolver(std::shared_ptr<const ExchangeMatrix>(computed, &computed->matrix),
                                    reflectivities_of(its->materials),
-                                   {.solver = asked.solver, .iterations = asked.iterations, .until = asked.until});
+                                   {.solver = asked.solver,
+                                    .iterations = asked.iterations,
+                                    .until = asked.until,
+                                    .serves_many = asked.serves_many});
           });
         });
   }
@@ -260,6 +297,7 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 
 const Scene3& Simulation3::scene() const { return *version_->scene; }
 const SimulationRequest3& Simulation3::request() const { return version_->request; }
+const std::optional<Grid3>& Simulation3::grid() const { return version_->grid(); }
 
 std::shared_ptr<const Plan> Simulation3::plan(const StageProgress& progress) const {
   return version_->plan->get(progress);
@@ -278,6 +316,14 @@ std::shared_ptr<const RadiositySolver> Simulation3::system(const StageProgress& 
 }
 std::shared_ptr<const RadiositySolution> Simulation3::radiosities(const StageProgress& progress) const {
   return version_->radiosities->get(progress);
+}
+std::shared_ptr<const IlluminationGrid3> Simulation3::light(const StageProgress& progress) const {
+  HOTTEL_REQUIRE(version_->light != nullptr);
+  return version_->light->get(progress);
+}
+std::shared_ptr<const LightPicture3> Simulation3::picture(const StageProgress& progress) const {
+  HOTTEL_REQUIRE(version_->picture != nullptr);
+  return version_->picture->get(progress);
 }
 std::shared_ptr<const std::vector<ElementPair>> Simulation3::hidden(const StageProgress& progress) const {
   return version_->hidden->get(progress);

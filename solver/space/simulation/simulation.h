@@ -16,6 +16,7 @@
 #include "solver/radiosity/radiosity_options.h"
 #include "solver/radiosity/radiosity_solution.h"
 #include "solver/radiosity/radiosity_solver.h"
+#include "solver/space/light/illumination_grid.h"
 #include "solver/space/methods/exchange_method.h"
 
 namespace hottel {
@@ -52,13 +53,36 @@ struct SystemRequest3 {
   Solver solver = Solver::kAuto;
   std::optional<int> iterations = {};
   std::optional<double> until = {};
+  bool serves_many = false;
   friend bool operator==(const SystemRequest3&, const SystemRequest3&) = default;
+};
+
+// A picture of light, as a painter makes it: the bytes of a file, or whatever its painter says.
+struct LightPicture3 {
+  std::string bytes;
+  double seconds = 0;  // what it took, as the simulation measures it
+};
+
+// Who draws light. The simulation knows no pictures; whoever has one to draw says how.
+class LightPainter3 {
+ public:
+  virtual ~LightPainter3() = default;
+  // Draws light on a grid. The same light gives the same picture. Threads may share one.
+  virtual LightPicture3 paint(const IlluminationGrid3& light) const = 0;
+};
+
+// Where light between the faces is asked for, and who draws it; painters are alike when they are the same object.
+struct LightRequest3 {
+  std::optional<Grid3> grid = {};                          // nothing: that of the scene
+  std::shared_ptr<const LightPainter3> painter = nullptr;  // null: no picture can be asked for
+  friend bool operator==(const LightRequest3&, const LightRequest3&) = default;
 };
 
 // What is asked.
 struct SimulationRequest3 {
   FactorsRequest3 factors{};
   SystemRequest3 system{};
+  LightRequest3 light{};
   PlanRequest plan{};  // what of it the plan reckons with
   friend bool operator==(const SimulationRequest3&, const SimulationRequest3&) = default;
 };
@@ -76,7 +100,8 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 
 // One version of a scene and what is asked of it, with what follows, in stages:
 //
-//   prepared <- factors <- system <- radiosities;   plan, and hidden pairs after the factors, beside them
+//   prepared <- factors <- system <- radiosities <- light <- picture;   plan, and hidden pairs after the factors,
+//   beside them
 //
 // A version never changes. What is asked for is made at the first call, with what it needs before it, and returned as a
 // shared value that outlives the version.
@@ -85,16 +110,18 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 //       cancelled before, on any number of threads. (`seconds` in reports are what was measured)
 //   (2) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
 //       kernel/support/stage.h says
-//   (3) another request of the same scene shares what is prepared, and plan, factors and what follows from them where
-//       these are asked for alike
+//   (3) another request of the same scene shares what is prepared, and plan, factors, light and picture, with what
+//       comes before and after them, where these are asked for alike
 //   (4) a scene with other materials shares the factors, and where no reflectivity is another the system too; it is
 //       arranged anew, and takes a copy of the factors, where not the same materials are alike
 //
+// Light and picture are those of the solution on the grid, and made anew wherever that is.
 // RequestErrors name the scene's file: where the memory does not suffice, a pair cannot be measured, or one without an
 // enclosure must have one; where `closed` is broken, there is no solution, or none in doubles.
 class Simulation3 {
  public:
-  // Throws InputError naming file, line and surface unless the scene is valid (validate).
+  // Throws InputError naming file, line and surface unless the scene is valid (validate); this and the next UsageError
+  // where the request's grid is none (grid_problem).
   explicit Simulation3(Scene3 scene, SimulationRequest3 request = {});
   Simulation3 with_request(const SimulationRequest3& request) const;
   // The scene with these materials in place of its own. Throws InputError as the constructor, ContractViolation unless
@@ -103,14 +130,18 @@ class Simulation3 {
 
   const Scene3& scene() const;
   const SimulationRequest3& request() const;
+  const std::optional<Grid3>& grid() const;  // where light is asked for: the request's, else the scene's, else nowhere
 
-  // The stages. progress: as Stage::get() takes it; it is told of "view factors" and "radiosity".
+  // The stages. progress: as Stage::get() takes it; it is told of "view factors", "radiosity" and "illumination".
   std::shared_ptr<const Plan> plan(const StageProgress& progress = {}) const;
   std::shared_ptr<const PreparedScene3> prepared(const StageProgress& progress = {}) const;
   std::shared_ptr<const ComputedFactors3> factors(const StageProgress& progress = {}) const;
   std::shared_ptr<const std::vector<LightShares>> light_shares(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;
+  // REQUIRES a grid, and picture() a painter in the request; both throw ContractViolation otherwise.
+  std::shared_ptr<const IlluminationGrid3> light(const StageProgress& progress = {}) const;
+  std::shared_ptr<const LightPicture3> picture(const StageProgress& progress = {}) const;
   // The pairs that are hidden (hidden_pairs of exchange.h).
   std::shared_ptr<const std::vector<ElementPair>> hidden(const StageProgress& progress = {}) const;
 

@@ -4,12 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <memory>
 #include <string>
 
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/exchange/prepared_scene.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/interrupt.h"
 
 namespace hottel {
 namespace {
@@ -95,6 +98,77 @@ TEST(Simulation3, MaterialsThatNoLongerAgreeOnAnOverlapAreRefused) {
   EXPECT_THROW(parted.factors(), InputError);
   materials[0].emission = Spectrum::scalar(1);
   EXPECT_NO_THROW(parted.with_materials(materials).radiosities());
+}
+
+// Draws nothing but how many cells there are, and counts.
+class CountingPainter : public LightPainter3 {
+ public:
+  LightPicture3 paint(const IlluminationGrid3& light) const override {
+    ++count;
+    return {std::to_string(light.values.size())};
+  }
+  mutable std::atomic<int> count{0};
+};
+
+// (3), (4): light is a stage like the others.
+TEST(Simulation3, LightIsMadeOnceAndDroppedByWhatItIsMadeFrom) {
+  Scene3 scene = cube();
+  scene.grid = Grid3{{0, 0, Rational(1, 2)}, {1, 0, 0}, {0, 1, 0}, 3, 2};
+  const auto painter = std::make_shared<const CountingPainter>();
+  const Simulation3 simulation(scene, {.light = {.painter = painter}});
+  const auto light = simulation.light();
+  EXPECT_EQ(
+      light->values,
+      illuminate_points(*simulation.prepared(), Granularity::kFace, *simulation.radiosities(), *scene.grid).values);
+  EXPECT_EQ(simulation.light(), light);
+  EXPECT_EQ(simulation.picture()->bytes, "6");
+  EXPECT_EQ(simulation.picture(), simulation.picture());
+  EXPECT_EQ(painter->count, 1);
+
+  SimulationRequest3 request = simulation.request();
+  request.plan.everything = true;
+  EXPECT_EQ(simulation.with_request(request).light(), light);
+  EXPECT_EQ(simulation.with_request(request).picture(), simulation.picture());
+  request.light.grid = scene.grid;  // the same, said once more
+  EXPECT_EQ(simulation.with_request(request).light(), light);
+  request.light.painter = std::make_shared<const CountingPainter>();
+  EXPECT_EQ(simulation.with_request(request).light(), light);
+  EXPECT_NE(simulation.with_request(request).picture(), simulation.picture());
+  request.light.grid->nu = 4;
+  const Simulation3 finer = simulation.with_request(request);
+  EXPECT_EQ(finer.radiosities(), simulation.radiosities());
+  EXPECT_EQ(finer.light()->values.size(), 8u);
+  EXPECT_EQ(finer.picture()->bytes, "8");
+  EXPECT_NE(simulation.with_request({.system = {.solver = Solver::kLu}}).light(), light);
+
+  std::vector<Material> materials = scene.materials;
+  materials[0].emission = Spectrum::scalar(Rational(1) / 3);
+  const Simulation3 brighter = simulation.with_materials(materials);
+  scene.materials = materials;
+  EXPECT_NE(brighter.light(), light);
+  EXPECT_EQ(brighter.light()->values, Simulation3(scene).light()->values);
+  EXPECT_EQ(brighter.picture()->bytes, "6");
+}
+
+TEST(Simulation3, LightIsToldOfAndCanBeCancelled) {
+  Scene3 scene = cube();
+  scene.grid = Grid3{{0, 0, Rational(1, 2)}, {1, 0, 0}, {0, 1, 0}, 500, 500};
+  const Simulation3 simulation(scene);
+  simulation.radiosities();
+  EXPECT_THROW(simulation.light([](std::string_view stage, double) {
+    if (stage == "illumination") throw Interrupted();
+  }),
+               Interrupted);
+  const Simulation3 small = simulation.with_request({.light = {.grid = Grid3{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}}});
+  EXPECT_EQ(small.light()->values.size(), 1u);
+}
+
+TEST(Simulation3, LightNeedsAGridAndAPictureAPainter) {
+  const Simulation3 simulation(cube());
+  EXPECT_FALSE(simulation.grid());
+  EXPECT_THROW(simulation.light(), ContractViolation);
+  EXPECT_THROW(simulation.picture(), ContractViolation);
+  EXPECT_THROW(simulation.with_request({.light = {.grid = Grid3{{}, {1, 0, 0}, {2, 0, 0}, 1, 1}}}), UsageError);
 }
 
 TEST(Simulation3, ThePlanIsMadeWithoutFactorsAndShared) {

@@ -21,6 +21,15 @@ std::uint32_t pixels_a_cell(double wanted, std::uint32_t cells) {
       std::clamp(std::round(wanted / cells), 1.0, std::floor(static_cast<double>(kMaxPictureSide) / cells)));
 }
 
+class GridPainter3 final : public LightPainter3 {
+ public:
+  explicit GridPainter3(const GridPicture3& picture) : picture_(picture) {}
+  LightPicture3 paint(const IlluminationGrid3& light) const override { return {grid_picture_3(light, picture_)}; }
+
+ private:
+  GridPicture3 picture_;
+};
+
 }  // namespace
 
 std::string grid_picture_3(const IlluminationGrid3& light, const GridPicture3& picture) {
@@ -37,6 +46,10 @@ std::string grid_picture_3(const IlluminationGrid3& light, const GridPicture3& p
           pixel_of(std::isnan(value[0]) ? palette::kUnlitSolid : tone(value));
     }
   return png_file(raster);
+}
+
+std::shared_ptr<const LightPainter3> grid_painter_3(const GridPicture3& picture) {
+  return std::make_shared<GridPainter3>(picture);
 }
 
 }  // namespace hottel

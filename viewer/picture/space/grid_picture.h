@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
-#include "solver/space/light/illumination_grid.h"
+#include "solver/space/simulation/simulation.h"
 #include "viewer/picture/picture_options.h"
 
 namespace hottel {
@@ -18,5 +19,8 @@ struct GridPicture3 {
 // Returns the bytes of a PNG: u to the right, v upwards, as long as they are; each cell is the same number of whole
 // pixels in the colour of its value, grey where it is in a solid.
 std::string grid_picture_3(const IlluminationGrid3& light, const GridPicture3& picture);
+
+// The same for a simulation to call.
+std::shared_ptr<const LightPainter3> grid_painter_3(const GridPicture3& picture);
 
 }  // namespace hottel

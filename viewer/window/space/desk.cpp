@@ -50,7 +50,7 @@ Point3 exact_place(const std::string& text) {
 SimulationRequest3 request_of(FactorsRequest3 factors) {
   factors.granularity = Granularity::kElement;
   factors.wants_visibility = true;
-  return {.factors = std::move(factors)};
+  return {.factors = std::move(factors), .system = {.serves_many = true}};
 }
 
 }  // namespace
@@ -246,11 +246,14 @@ std::string Desk3::hashes() const {
   SimulationRequest3 request = state().whole->request();
   request.factors.wants_visibility = true;
   const auto factors = state().whole->with_request(request).factors();
+  SimulationRequest3 of_solve = state().simulation->request();  // which solves for one light
+  of_solve.system = {};
+  const auto radiosities = state().simulation->with_request(of_solve).radiosities();
   return fmt::format("factors.csv {} radiosity.csv {}", written_hash([&](const Sink& sink) {
                        write_factors_csv({*scene(), factors->matrix, Granularity::kFace, {}, {}}, sink);
                      }),
                      written_hash([&](const Sink& sink) {
-                       write_radiosity_csv(*scene(), state().factors->matrix, *state().radiosities, sink);
+                       write_radiosity_csv(*scene(), state().factors->matrix, *radiosities, sink);
                      }));
 }
 

@@ -48,7 +48,7 @@ struct LiveState3 {
 
 // Makes the light of the scene that was set last, in the background. All functions are for one thread.
 //
-//   (1) at rest, radiosities are bit for bit those of a new simulation of the scene
+//   (1) at rest, radiosities are bit for bit those of a new simulation of the scene and the request
 //   (2) what is needed to look at the scene comes first, then its factors, those of elements nearest to the eye first
 //       (NearestRows3), and with them light that goes around among the rows that have come, then its light
 //   (3) a scene that differs from the one before in materials alone does not disturb the factors that are there or on
