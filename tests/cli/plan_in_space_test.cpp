@@ -64,7 +64,7 @@ TEST(PlanInSpace, AGridIsThatOfTheScene) {
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_THAT(outcome.err, HasSubstr("this scene has none: add \"grid\""));
-  std::string scene = testing_cli::contents(scene_file("cube.json"));
+  std::string scene = testing_cli::contents(std::string(HOTTEL_SOURCE_DIR) + "/scenes/space/cube.json");
   scene.replace(scene.find("\"closed\""), 8,
                 R"("grid": {"origin": [0, 0, 0.5], "u": [1, 0, 0], "v": [0, 1, 0], "cells": [3, 2]}, "closed")");
   place.write("cube.json", scene);
