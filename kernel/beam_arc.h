@@ -33,10 +33,10 @@ struct DirectionArc {
 //       the boundary. An arc whose great circle goes through the axis adds nothing
 //   (3) the balls contain the real numbers, and become narrow with the precision
 //
-// COST: some ten microseconds an arc and half a microsecond more for each whole n up to 1000; else a quadrature with proven
-// bounds: up to some milliseconds.
-// SEE: Arvo, Applications of irradiance tensors to the simulation of non-Lambertian phenomena, 1995, for whole n;
-// Johansson, Numerical integration in arbitrary-precision ball arithmetic, 2018.
+// COST: some ten microseconds an arc and half a microsecond more for each whole n up to 1000; else a quadrature with
+// proven bounds: up to some milliseconds. SEE: Arvo, Applications of irradiance tensors to the simulation of
+// non-Lambertian phenomena, 1995, for whole n; Johansson, Numerical integration in arbitrary-precision ball arithmetic,
+// 2018.
 class BeamArcs {
  public:
   // REQUIRES: the axis is not zero, 0 < half_angle <= 90, falloff >= 0.

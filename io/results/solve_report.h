@@ -10,8 +10,8 @@
 
 #include "geometry/exchange_report.h"
 #include "io/results/radiosity_files.h"
-#include "io/results/temperature_files.h"
 #include "io/results/store_report.h"
+#include "io/results/temperature_files.h"
 #include "solver/plan.h"
 
 namespace hottel {
