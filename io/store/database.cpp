@@ -78,7 +78,8 @@ bool require_store(const std::string& file, MayCreate may_create) {
   };
   const std::uint32_t application = word(68);
   // A database without a table is what is left of one whose making was ended.
-  const bool has_no_table = application == 0 && word(28) <= 1 && word(40) == 0 && word(60) == 0;
+  const std::uint32_t page = word(16) >> 16;  // of a database a power of two, 1 for the largest
+  const bool has_no_table = page != 0 && application == 0 && word(28) <= 1 && word(40) == 0 && word(60) == 0;
   if (is_whole && std::memcmp(header.data(), kMagic.data(), kMagic.size()) == 0 && has_no_table) return false;
   if (!is_whole || std::memcmp(header.data(), kMagic.data(), kMagic.size()) != 0 || application != kApplication)
     refuse("is no store of factors");

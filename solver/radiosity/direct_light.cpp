@@ -54,7 +54,9 @@ void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std
       sources.direct_irradiance[i] = rounded_outward(sum, Rational(area.lower), Rational(area.upper), is_scalar);
   }
   for (std::size_t k = 0; k < lights.size(); ++k) {
-    add(shares[k].sky, lights[k].power, to_sky);
+    // The sky is what is left: where that may be nothing and is less than doubles tell of the rest, it counts as none.
+    const Enclosure& sky = shares[k].sky;
+    if (sky.lower > 0 || sky.upper > 0x1p-64) add(sky, lights[k].power, to_sky);
     if (!shares[k].solid.empty()) add({1, 1}, lights[k].power, absorbed);
   }
   const Rational one = 1;

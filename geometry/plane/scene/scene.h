@@ -49,7 +49,7 @@ struct Scene2 : SceneTable {
     edges.push_back(std::move(edge));
   }
   // Puts a light after all others.
-  void add(Light light, LightPlace2 place) {
+  void add_light(Light light, LightPlace2 place) {
     lights.push_back(std::move(light));
     light_places.push_back(std::move(place));
   }

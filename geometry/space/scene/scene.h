@@ -74,7 +74,7 @@ struct Scene3 : SceneTable {
     polygons.push_back(std::move(polygon));
   }
   // Puts a light after all others.
-  void add(Light light, LightPlace3 place) {
+  void add_light(Light light, LightPlace3 place) {
     lights.push_back(std::move(light));
     light_places.push_back(std::move(place));
   }

@@ -107,7 +107,7 @@ class PlaneReader {
         entry.position ? read_point(entry.position, {entry.owner, "position"}) : place.path->points.front();
     if (entry.direction) place.direction = read_point(entry.direction, {entry.owner, "direction"});
     if (entry.rotation) place.rotation = read_number(entry.rotation, {entry.owner, "rotation"});
-    scene_.add(entry.light, std::move(place));
+    scene_.add_light(entry.light, std::move(place));
   }
 
   void read_grid(const JsonValue& grid) {

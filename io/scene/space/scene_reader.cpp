@@ -206,7 +206,7 @@ class SpaceReader3 {
         entry.position ? read_point(entry.position, {entry.owner, "position"}) : place.path->points.front();
     if (entry.direction) place.direction = read_point(entry.direction, {entry.owner, "direction"}) - Point3{};
     if (entry.rotation) place.rotation = read_point(entry.rotation, {entry.owner, "rotation"}) - Point3{};
-    scene_.add(entry.light, std::move(place));
+    scene_.add_light(entry.light, std::move(place));
   }
 
   void read_grid(const JsonValue& value) {

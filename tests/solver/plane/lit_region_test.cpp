@@ -124,7 +124,7 @@ TEST(LitRegion2, IrradianceFallsWithTheDistance) {
 // The grid is the light between the faces, and that of the lights.
 TEST(LitRegion2, GridsHaveTheLightOfAllLights) {
   Scene2 scene = pillar_room();
-  scene.add(bulb(3), {{Rational(1, 5), Rational(1, 5)}});
+  scene.add_light(bulb(3), {{Rational(1, 5), Rational(1, 5)}});
   const PreparedScene2 prepared = prepare(scene);
   const Grid2 grid{{0, 0}, {1, 1}, 9, 7};
   IlluminationGrid2 dark{grid, 1, std::vector<double>(63, 0.25)};

@@ -382,7 +382,8 @@ TEST(RadiositySolver, IsLinear) {
       const auto number = [&](const SourceSpectrum& x, const SourceSpectrum& y) {
         return SourceSpectrum(Spectrum::scalar(x[0].lower + of_b * y[0].lower));
       };
-      RadiositySources result{{}, {}, number(a.sky, b.sky)};
+      RadiositySources result;
+      result.sky = number(a.sky, b.sky);
       for (std::uint32_t i = 0; i < matrix.size(); ++i) {
         result.emission.push_back(number(a.emission[i], b.emission[i]));
         result.direct_irradiance.push_back(number(a.direct_irradiance[i], b.direct_irradiance[i]));
