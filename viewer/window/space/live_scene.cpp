@@ -36,7 +36,8 @@ void LiveScene3::set(std::shared_ptr<const Scene3> scene) {
   const bool is_same_shape = scene_ && scene_->polygons == scene->polygons && scene_->surfaces == scene->surfaces &&
                              scene_->materials.size() == scene->materials.size() && scene_->groups == scene->groups &&
                              scene_->masks == scene->masks && scene_->sky_emission == scene->sky_emission &&
-                             scene_->closed == scene->closed;
+                             scene_->closed == scene->closed && scene_->lights == scene->lights &&
+                             scene_->light_places == scene->light_places;
   const bool keeps_factors = is_same_shape && are_alike_as_before_3(scene_->materials, scene->materials);
   simulation_ = is_same_shape ? simulation_->with_materials(scene->materials) : Simulation3(*scene, request_);
   if (is_same_shape) {
@@ -138,7 +139,7 @@ void LiveScene3::light_anew() {
 void LiveScene3::sweep_anew() {
   if (!rows_ || !state_.model || state_.factors) return;
   const bool goes_on = state_.so_far && state_.so_far->channels == static_cast<std::size_t>(channel_count(*scene_));
-  lighting_.post([this, scene = scene_, model = state_.model, rows = rows_,
+  lighting_.post([this, scene = scene_, simulation = *simulation_, model = state_.model, rows = rows_,
                   from = goes_on ? *state_.so_far : light_before_factors_3(*scene_, state_.model->table)](
                      const StageProgress& progress, const Background::Tell& tell) {
     const auto show = [this](const ElementPaint3& light) {
@@ -147,7 +148,7 @@ void LiveScene3::sweep_anew() {
         is_changed_ = true;
       };
     };
-    RowSweeps3 sweeps(*scene, model->table, *rows, from);
+    RowSweeps3 sweeps(*scene, model->table, *rows, *simulation.light_shares(progress), from);
     for (int k = 0; k < kMostSweepsSoFar; ++k) {
       progress("sweeps", static_cast<double>(k) / kMostSweepsSoFar);
       if (sweeps.sweep() < kLeastChange) break;
@@ -198,6 +199,7 @@ ElementPaint3 light_before_factors_3(const Scene3& scene, const ElementTable3& t
     }
     const double sky = to_double(scene.sky_emission.value[c]);
     double sent = 0, lost = 0;
+    for (const Light& light : scene.lights) sent += to_double(light.power.value[c]);
     for (std::uint32_t i = 0; i < table.count(); ++i) {
       if (!table.has_row(i)) continue;
       const Element& element = table.elements()[i];

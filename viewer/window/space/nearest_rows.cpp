@@ -57,7 +57,8 @@ std::shared_ptr<const RowsSoFar3> NearestRows3::take() {
   return std::make_shared<const RowsSoFar3>(so_far_);
 }
 
-RowSweeps3::RowSweeps3(const Scene3& scene, const ElementTable3& table, const RowsSoFar3& rows, ElementPaint3 from)
+RowSweeps3::RowSweeps3(const Scene3& scene, const ElementTable3& table, const RowsSoFar3& rows,
+                       std::span<const LightShares> lights, ElementPaint3 from)
     : sky_(table.sky()), light_(std::move(from)) {
   const std::size_t channels = light_.channels;
   std::vector<std::size_t> begin(std::size_t{table.count()} + 1, 0);
@@ -91,7 +92,12 @@ RowSweeps3::RowSweeps3(const Scene3& scene, const ElementTable3& table, const Ro
     rows_.push_back({i, begin[i], begin[i + 1]});
     const std::uint32_t material = *table.elements()[i].material;
     for (std::size_t c = 0; c < channels; ++c) {
-      emission_[i * channels + c] = emission[material][c];
+      double direct = 0;
+      for (std::size_t k = 0; k < lights.size(); ++k)
+        direct += lights[k].of_element[i].upper * to_double(scene.lights[k].power.value[c]);
+      // What a light sends is reflected once and is then sent out as if it were emitted.
+      emission_[i * channels + c] =
+          emission[material][c] + reflectivity[material][c] * direct / table.elements()[i].area.value;
       reflectivity_[i * channels + c] = reflectivity[material][c];
     }
   }

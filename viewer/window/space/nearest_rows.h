@@ -6,11 +6,13 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "geometry/space/exchange/exchange_rows.h"
 #include "geometry/space/scene/scene.h"
 #include "geometry/space/visibility/direction.h"
+#include "solver/radiosity/direct_light.h"
 #include "viewer/picture/space/element_paint.h"
 
 namespace hottel {
@@ -61,8 +63,10 @@ class NearestRows3 : public RowWatch3 {
 //   (1) without missing rows it tends to the light of the scene
 class RowSweeps3 {
  public:
-  // from: the light to begin with (light_before_factors_3). REQUIRES as many elements.
-  RowSweeps3(const Scene3& scene, const ElementTable3& table, const RowsSoFar3& rows, ElementPaint3 from);
+  // lights: the shares of each light of the scene. from: the light to begin with (light_before_factors_3). REQUIRES as
+  // many elements in both.
+  RowSweeps3(const Scene3& scene, const ElementTable3& table, const RowsSoFar3& rows,
+             std::span<const LightShares> lights, ElementPaint3 from);
 
   // One more sweep. Returns the largest change of a radiosity, in fractions of the largest radiosity.
   double sweep();

@@ -18,6 +18,12 @@ namespace {
 Scene3 boxes() {
   Scene3 scene = read_scene_3(std::string(HOTTEL_SOURCE_DIR) + "/scenes/space/two_boxes.json");
   divide_into(scene, 2);
+  Light bulb;
+  bulb.name = "bulb";
+  bulb.power = {{30, 20, 10}, false};
+  LightPlace3 place;
+  place.position = {Rational(1, 2), Rational(1, 2), 5};
+  scene.add_light(std::move(bulb), std::move(place));
   return scene;
 }
 
@@ -90,7 +96,7 @@ TEST_F(Arriving, SweepsTendToTheLight) {
   const Simulation3 watched = simulation();
   const auto light = watched.radiosities();
   const LiveModel3 model(*watched.prepared());
-  RowSweeps3 sweeps(watched.scene(), model.table, *watch->so_far.back(),
+  RowSweeps3 sweeps(watched.scene(), model.table, *watch->so_far.back(), *watched.light_shares(),
                     light_before_factors_3(watched.scene(), model.table));
   double before = 2;
   for (int k = 0; k < 60; ++k) {
@@ -109,7 +115,7 @@ TEST_F(Arriving, RowsThatAreMissingKeepTheirLight) {
   const LiveModel3 model(*watched.prepared());
   const ElementPaint3 before = light_before_factors_3(watched.scene(), model.table);
   const RowsSoFar3& some = *watch->so_far[3];
-  RowSweeps3 sweeps(watched.scene(), model.table, some, before);
+  RowSweeps3 sweeps(watched.scene(), model.table, some, *watched.light_shares(), before);
   sweeps.sweep();
   std::size_t changed = 0;
   for (std::uint32_t i = 0; i < model.table.count(); ++i) {
