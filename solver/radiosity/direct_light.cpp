@@ -1,6 +1,7 @@
 #include "solver/radiosity/direct_light.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "geometry/name.h"
@@ -21,12 +22,13 @@ void add(const Enclosure& share, const Spectrum& power, Channels& sum) {
   }
 }
 
-SourceSpectrum rounded_outward(const Channels& sum, const Rational& least_area, const Rational& most_area,
-                               bool is_scalar) {
+// `what`: for the message where doubles cannot tell it.
+SourceSpectrum rounded_outward(const Channels& sum, const Enclosure& area, bool is_scalar, const std::string& what) {
   std::array<Enclosure, 3> within;
   for (std::size_t c = 0; c < 3; ++c) {
-    const Rational lower = sum[c].lower / most_area, upper = sum[c].upper / least_area;
+    const Rational lower = sum[c].lower / Rational(area.upper), upper = sum[c].upper / Rational(area.lower);
     within[c] = {rounded_down(lower), rounded_up(upper)};
+    if (!std::isfinite(within[c].upper)) throw RequestError(what + " is beyond the range of doubles");
   }
   return is_scalar ? SourceSpectrum::scalar(within[0]) : SourceSpectrum::of(within);
 }
@@ -51,7 +53,8 @@ void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std
     if (!matrix.has_row(i) || sum == Channels()) continue;
     const Enclosure area = matrix.elements()[i].area.enclosure();
     if (area.lower > 0)  // else it has no radiosity that doubles can tell, and is refused by name
-      sources.direct_irradiance[i] = rounded_outward(sum, Rational(area.lower), Rational(area.upper), is_scalar);
+      sources.direct_irradiance[i] =
+          rounded_outward(sum, area, is_scalar, "the light of lamps on '" + matrix.elements()[i].name + "'");
   }
   for (std::size_t k = 0; k < lights.size(); ++k) {
     // The sky is what is left: where that may be nothing and is less than doubles tell of the rest, it counts as none.
@@ -59,8 +62,9 @@ void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std
     if (sky.lower > 0 || sky.upper > 0x1p-64) add(sky, lights[k].power, to_sky);
     if (!shares[k].solid.empty()) add({1, 1}, lights[k].power, absorbed);
   }
-  const Rational one = 1;
-  sources.besides = {rounded_outward(absorbed, one, one, is_scalar), rounded_outward(to_sky, one, one, is_scalar)};
+  const Enclosure one{1, 1};
+  const std::string what = "the power of lamps";
+  sources.besides = {rounded_outward(absorbed, one, is_scalar, what), rounded_outward(to_sky, one, is_scalar, what)};
 }
 
 RadiositySources sources_of(const ExchangeMatrix& matrix, const SceneTable& scene,

@@ -23,7 +23,8 @@ struct LightShares {
 
 // Adds what lights send to the sources of a matrix: D_i = sum over lights of share times power over area, within
 // bounds; and what meets no row, to RadiositySources::besides. Channels are told apart where the power of a light is.
-// REQUIRES one entry of `shares` for each light, each of the elements of the matrix.
+// Throws RequestError, naming an element, where the light of lamps is too much for doubles. REQUIRES one entry of
+// `shares` for each light, each of the elements of the matrix.
 void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std::span<const LightShares> shares,
                 RadiositySources& sources);
 

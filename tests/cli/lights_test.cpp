@@ -131,6 +131,21 @@ TEST(Lights, OnSurfacesAndInSolids) {
   EXPECT_THAT(on.err, HasSubstr("light 'stuck' lies on the surface 'f4'"));
 }
 
+TEST(Lights, TooBrightForDoublesIsToldByName) {
+  const Workplace place;
+  place.write("square.json", square(R"({"type": "point", "position": [0.5, 0.5], "power": "1e400"})"));
+  place.write("cube.json", cube(R"({"type": "point", "position": [0.5, 0.5, 0.5], "power": "1e400"})"));
+  for (const auto& [scene, face] : {std::pair("square.json", "room[0]"), {"cube.json", "f0"}}) {
+    const Outcome outcome = place.run(std::string("hottel solve ") + scene + " -o out");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr(std::string(scene) + ": the light of lamps on '" + face +
+                                       "' is beyond the range of doubles"));
+    const Outcome check = place.run(std::string("hottel check ") + scene);
+    EXPECT_EQ(check.code, 1);
+    EXPECT_THAT(check.out, HasSubstr("beyond-doubles"));
+  }
+}
+
 TEST(Lights, AveragesOverCellsAreRefused) {
   const Workplace place;
   place.write("square.json", square(R"({"type": "point", "position": [0.5, 0.5], "power": 4})"));

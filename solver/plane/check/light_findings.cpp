@@ -8,6 +8,7 @@
 
 #include "geometry/name.h"
 #include "geometry/plane/check/wording.h"
+#include "kernel/support/failure.h"
 #include "solver/check/light_errors.h"
 #include "solver/check/light_fates.h"
 
@@ -30,7 +31,7 @@ class LightTeller {
       : scene_(scene), matrix_(matrix), lights_(lights), progress_(progress) {}
 
   Findings2 tell() {
-    const RadiositySources sources = sources_of(matrix_, scene_, lights_);
+    const RadiositySources sources = given_sources();
     const LightFates fates = light_fates(scene_, matrix_, sources);
     for (const auto& [faces, fate] : fates.of) tell_component(faces, fate);
     for (LightError& error : light_errors(scene_, matrix_, sources, fates, "length", progress_))
@@ -52,6 +53,16 @@ class LightTeller {
   }
 
  private:
+  // Those of the scene; without its lights, and an error, where these are too much for doubles.
+  RadiositySources given_sources() {
+    try {
+      return sources_of(matrix_, scene_, lights_);
+    } catch (const RequestError& error) {
+      add(Severity::kError, "beyond-doubles", {}, error.what(), "choose another unit of light");
+      return sources_of(matrix_, scene_.materials, scene_.sky_emission);
+    }
+  }
+
   void add(Severity severity, std::string kind, std::vector<std::uint32_t> surfaces, std::string message,
            std::string suggestion) {
     std::optional<Point2> at;

@@ -85,8 +85,12 @@ std::shared_ptr<const PreparedScene3> prepared_scene(const Scene3& scene, const 
 // What `solve` would refuse; without all view factors, of what is given only.
 std::vector<LightError> errors_of(const Scene3& scene, const ExchangeMatrix& matrix,
                                   std::span<const LightShares> lights) {
-  const RadiositySources sources = sources_of(matrix, scene, lights);
-  return light_errors(scene, matrix, sources, light_fates(scene, matrix, sources), "area");
+  try {
+    const RadiositySources sources = sources_of(matrix, scene, lights);
+    return light_errors(scene, matrix, sources, light_fates(scene, matrix, sources), "area");
+  } catch (const RequestError& error) {  // lights that are too much for doubles
+    return {{"beyond-doubles", {}, error.what(), "choose another unit of light"}};
+  }
 }
 
 void tell_light_errors(const Scene3& scene, const ExchangeMatrix& matrix, std::span<const LightShares> lights,
