@@ -112,6 +112,16 @@ void half_beta(arb_t out, const arb_t root, const arb_t a, const arb_t b, long p
   arb_mul_2exp_si(out, out, -1);
 }
 
+// A ball around 0 that holds a number and its opposite.
+void set_about_zero(arb_t out, const arb_t size) {
+  mag_t most;
+  mag_init(most);
+  arb_get_mag(most, size);
+  arb_zero(out);
+  mag_swap(arb_radref(out), most);
+  mag_clear(most);
+}
+
 }  // namespace
 
 Ball Ball::cosine_power(const Ball& angle, const Rational& exponent, long precision) {
@@ -129,6 +139,10 @@ Ball Ball::cosine_power(const Ball& angle, const Rational& exponent, long precis
   arb_mul_2exp_si(quarter.x, quarter.x, -2);
   arb_set_d(a.x, 0.5);
   set(b.x, Rational((exponent + 1) / 2), precision);
+  if (arb_contains_zero(sine.x) && !arb_is_zero(sine.x) && arb_lt(size.x, quarter.x)) {
+    set_about_zero(result.number_->x, size.x);  // no cosine is above 1
+    return result;
+  }
   if (arb_lt(size.x, quarter.x)) {
     half_beta(result.number_->x, sine.x, a.x, b.x, precision);
   } else {
@@ -139,13 +153,7 @@ Ball Ball::cosine_power(const Ball& angle, const Rational& exponent, long precis
     } else {  // at most the angle that is missing, for no cosine is above 1
       arb_mul_2exp_si(quarter.x, quarter.x, 1);
       arb_sub(rest.x, quarter.x, size.x, precision);
-      arb_abs(rest.x, rest.x);
-      mag_t most;
-      mag_init(most);
-      arb_get_mag(most, rest.x);
-      arb_zero(rest.x);
-      mag_swap(arb_radref(rest.x), most);
-      mag_clear(most);
+      set_about_zero(rest.x, rest.x);
     }
     const Ball whole = whole_cosine_power(exponent, precision);
     arb_sub(result.number_->x, whole.number_->x, rest.x, precision);
