@@ -46,9 +46,9 @@ Rational reduced(const Rational& degrees) {
 
 }  // namespace
 
-Beam2::Beam2(const Light& light, const LightPlace2& place, const Rational& turned)
+Beam2::Beam2(const Light& light, const LightPlace2& place)
     : direction_(light.type == LightType::kSpot ? place.direction : Point2{1, 0}),
-      turned_(reduced(turned)),
+      turned_(reduced(place.turned)),
       half_angle_(light.half_angle()),
       falloff_(light.falloff),
       is_round_(light.is_round()) {

@@ -22,8 +22,8 @@ namespace hottel {
 // Directions are vectors of any length, not zero.
 class Beam2 {
  public:
-  // The light as it stands, its axis turned counter-clockwise by so many degrees.
-  Beam2(const Light& light, const LightPlace2& place, const Rational& turned = 0);
+  // The light as it stands (LightPlace2::turned).
+  Beam2(const Light& light, const LightPlace2& place);
 
   // The share of the power that leaves in the directions from `from` counter-clockwise to `to`, which differ: within
   // bounds that differ by less than 2^-50 of it, or {0, 0} iff no direction between them is inside the beam.

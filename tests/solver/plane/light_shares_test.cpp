@@ -283,7 +283,7 @@ TEST(Beam2, SharesOfStepsAroundSumToOneWhereverTheAxisIsTurned) {
        {Rational(0), Rational(45), Rational(180), Rational(-135), Rational(1, 3), Rational(725)})
     for (const Rational& focus : {Rational(45), Rational(90), Rational(180), Rational(17), Rational(135)})
       for (const Rational& falloff : {Rational(0), Rational(2), Rational(5, 2)}) {
-        const Beam2 beam(spot(focus, falloff), {{0, 0}, {1, 0}}, turned);
+        const Beam2 beam(spot(focus, falloff), {.position = {0, 0}, .direction = {1, 0}, .turned = turned});
         double lower = 0, upper = 0;
         for (std::size_t k = 0; k < around.size(); ++k) {
           const Enclosure share = beam.share(around[k], around[(k + 1) % around.size()]);
@@ -304,7 +304,7 @@ TEST(Beam2, BordersAreToldExactly) {
   EXPECT_TRUE(beam.contains({1, 1 - tiny}));
   EXPECT_EQ(beam.share({1, 1}, {0, 1}), (Enclosure{0, 0}));
   EXPECT_GT(beam.share({1, 1 - tiny}, {0, 1}).lower, 0);
-  const Beam2 turned(spot(45), {{0, 0}, {1, 0}}, 90);
+  const Beam2 turned(spot(45), {.position = {0, 0}, .direction = {1, 0}, .turned = 90});
   EXPECT_TRUE(turned.contains({1, 1}));
   EXPECT_FALSE(turned.contains({1, 1 - tiny}));
 }
