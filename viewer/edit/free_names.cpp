@@ -31,6 +31,7 @@ std::string first_of(const std::string& stem, std::size_t number, bool says_one,
 FreeNames::FreeNames(const SceneTable& scene) {
   for (const Surface& surface : scene.surfaces) take(surface.name);
   for (const Group& group : scene.groups) take(group.name);
+  for (const Light& light : scene.lights) take(light.name);
 }
 
 std::string FreeNames::numbered(const std::string& noun) {

@@ -8,9 +8,9 @@
 
 namespace hottel {
 
-// The names of a scene's surfaces and groups, and of those that were made up since.
+// The names of a scene's surfaces, groups and lights, and of those that were made up since.
 //
-//   (1) a name that is given is that of no surface and no group, and neither is that of any piece of it, NAME[k]
+//   (1) a name that is given is that of no surface, group or light, and neither is that of any piece of it, NAME[k]
 //   (2) each is given once
 //   (3) a name made of one that may be a name (name_problem) may be one
 //

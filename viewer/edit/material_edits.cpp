@@ -30,18 +30,25 @@ const std::array<Spectrum, 6>& paints() {
   return kPaints;
 }
 
-// The next paint after the one a material has; a material that emits emits in that colour, as strongly.
-void next_colour(Material& material) {
+// The paint after one; the first after what is none.
+const Spectrum& paint_after(const Spectrum& paint) {
   const auto& all = paints();
-  const auto found = std::ranges::find(all, material.reflectivity);
-  const Spectrum& paint = found == all.end() || found + 1 == all.end() ? all[0] : *(found + 1);
-  if (!material.emission.is_zero()) {
-    const Rational most = *std::ranges::max_element(material.emission.value);
-    const Rational lightest = *std::ranges::max_element(paint.value);
-    for (std::size_t c = 0; c < 3; ++c) material.emission.value[c] = most * paint.value[c] / lightest;
-    material.emission.is_scalar = paint.is_scalar;
-  }
-  material.reflectivity = paint;
+  const auto found = std::ranges::find(all, paint);
+  return found == all.end() || found + 1 == all.end() ? all[0] : *(found + 1);
+}
+
+// The colour of a paint, as strong as something that is not 0.
+Spectrum in_colour(const Spectrum& paint, const Spectrum& quantity) {
+  const Rational most = *std::ranges::max_element(quantity.value), lightest = *std::ranges::max_element(paint.value);
+  Spectrum coloured = paint;
+  for (Rational& value : coloured.value) value *= most / lightest;
+  return coloured;
+}
+
+// The next paint after the one a material has; a material that emits emits in that colour, as strongly.
+void next_paint(Material& material) {
+  material.reflectivity = paint_after(material.reflectivity);
+  if (!material.emission.is_zero()) material.emission = in_colour(material.reflectivity, material.emission);
 }
 
 void step_reflectivity(Material& material, int sign) {
@@ -49,13 +56,15 @@ void step_reflectivity(Material& material, int sign) {
     value = std::clamp<Rational>(value + Rational(sign) / 20, Rational(0), Rational(1));
 }
 
+}  // namespace
+
 // A quarter more or less, to two significant digits; from nothing to 1, and below a thousandth to nothing.
-void step_emission(Material& material, int sign) {
-  if (material.emission.is_zero()) {
-    if (sign > 0) material.emission = Spectrum::scalar(Rational(1));
+void step_quantity(Spectrum& quantity, int sign) {
+  if (quantity.is_zero()) {
+    if (sign > 0) quantity = Spectrum::scalar(Rational(1));
     return;
   }
-  for (Rational& value : material.emission.value) {
+  for (Rational& value : quantity.value) {
     if (value == 0) continue;
     value = sign > 0 ? value * 5 / 4 : value * 4 / 5;
     value = rounded_decimal(value, 2 - decades(value));
@@ -63,15 +72,20 @@ void step_emission(Material& material, int sign) {
   }
 }
 
-}  // namespace
+void next_colour(Spectrum& quantity) {
+  if (quantity.is_zero()) return;
+  const auto has_colour = [&](const Spectrum& paint) { return in_colour(paint, quantity) == quantity; };
+  const auto found = std::ranges::find_if(paints(), has_colour);
+  quantity = in_colour(found == paints().end() ? paints()[0] : paint_after(*found), quantity);
+}
 
 bool is_material_edit(std::string_view name) { return std::ranges::find(kEdits, name) != kEdits.end(); }
 
 void edit_material(Material& material, std::string_view name) {
   HOTTEL_REQUIRE(is_material_edit(name));
-  if (name == "colour") return next_colour(material);
+  if (name == "colour") return next_paint(material);
   const int sign = name.starts_with("more") ? 1 : -1;
-  name.ends_with("emission") ? step_emission(material, sign) : step_reflectivity(material, sign);
+  name.ends_with("emission") ? step_quantity(material.emission, sign) : step_reflectivity(material, sign);
 }
 
 std::string material_text(const Material& material) {

@@ -17,6 +17,13 @@ bool is_material_edit(std::string_view name);
 // strongly. REQUIRES is_material_edit(name).
 void edit_material(Material& material, std::string_view name);
 
+// Makes an emission or a power a quarter more (sign > 0) or less, to two digits, as edit_material does.
+void step_quantity(Spectrum& quantity, int sign);
+
+// Gives an emission or a power the colour of the next of six paints after the one that it has, as strong as it was.
+// What is 0 stays 0.
+void next_colour(Spectrum& quantity);
+
 // Returns a spectrum as it is typed: "0.5", or "1 0.9 0.8", in short decimals.
 std::string spectrum_text(const Spectrum& spectrum);
 

@@ -50,6 +50,7 @@ constexpr Command kCommands[] = {
     {"edit", "edge", "e", "draw an edge: click two points"},
     {"edit", "polyline", "p", "draw a polyline: enter ends it"},
     {"edit", "lamp", "l", "a lamp at the mouse"},
+    {"edit", "light", "b", "a point light at the mouse"},
     {"edit", "groups", "g", "select the whole group"},
     {"edit", "all", "ctrl+a", "select everything"},
     {"edit", "escape", "escape", "drop it; select nothing"},
@@ -59,6 +60,7 @@ constexpr Command kCommands[] = {
     {"material under the mouse", "more emission", "'", "more"},
     {"material under the mouse", "colour", "k", "next colour"},
     {"material under the mouse", "material", "i", "type its values"},
+    {"material under the mouse", "spin", "y", "of a light: set it spinning, or stop it"},
     {"material under the mouse", "own less reflectivity", "shift+[", "with shift: for this group alone"},
     {"material under the mouse", "own more reflectivity", "shift+]", ""},
     {"material under the mouse", "own less emission", "shift+;", ""},
@@ -76,6 +78,7 @@ constexpr Command kCommands[] = {
 constexpr Gesture kGestures[] = {
     {"drag a vertex", "all that meets there moves"},
     {"drag an edge", "its neighbours stretch"},
+    {"drag a light", "or the axis, or a border of its beam"},
     {"drag the selection", "whole groups move by themselves"},
     {"alt + drag", "one end, or one edge, alone"},
     {"click", "select; shift adds, ctrl takes the group"},

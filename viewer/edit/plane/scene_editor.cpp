@@ -19,6 +19,7 @@ SceneEditor2::SceneEditor2(Scene2 scene) : history_(std::move(scene)) { changed(
 
 void SceneEditor2::replace(Scene2 scene) {
   held_.reset();
+  held_light_.reset();
   history_ = EditHistory2(std::move(scene));
   select_none();
   changed();
@@ -34,6 +35,7 @@ void SceneEditor2::changed() {
 // What is held is of the scene before.
 void SceneEditor2::set(Scene2 next, const std::string& what) {
   held_.reset();
+  held_light_.reset();
   const std::shared_ptr<const Scene2> before = scene();
   history_.set(std::move(next), what);
   set_selected_names(*before, selected_);
@@ -47,6 +49,10 @@ void SceneEditor2::set_selected_names(const Scene2& before, const std::vector<st
   selected_.clear();
   for (std::uint32_t s = 0; !names.empty() && s < scene()->surfaces.size(); ++s)
     if (names.contains(scene()->surfaces[s].name)) selected_.push_back(s);
+  if (!light_) return;
+  const std::vector<Light>& lights = scene()->lights;
+  const auto found = std::ranges::find(lights, before.lights[*light_].name, &Light::name);
+  light_ = found == lights.end() ? std::nullopt : std::optional(static_cast<std::uint32_t>(found - lights.begin()));
 }
 
 Pick2 SceneEditor2::pick(const Pointer2& pointer) const { return picker_->at(pointer.place, pointer.reach); }
@@ -60,6 +66,7 @@ void SceneEditor2::select(std::vector<std::uint32_t> surfaces) {
   surfaces.erase(std::unique(surfaces.begin(), surfaces.end()), surfaces.end());
   selected_ = std::move(surfaces);
   vertex_.reset();
+  light_.reset();
 }
 
 void SceneEditor2::select_all() {
@@ -100,8 +107,13 @@ void SceneEditor2::toggle(const Pick2& pick, bool is_whole) {
 }
 
 bool SceneEditor2::press(const Pointer2& pointer) {
-  const Pick2 found = pick(pointer);
   held_.reset();
+  held_light_ = pick_light(pointer);
+  if (held_light_) {
+    hold_light(pointer);
+    return true;
+  }
+  const Pick2 found = pick(pointer);
   if (!found.surface) return false;
   if (pointer.adds) {
     toggle(found, pointer.is_whole);
@@ -122,7 +134,7 @@ bool SceneEditor2::press(const Pointer2& pointer) {
   const Place2 anchor = to_doubles(held.anchor);
   held.offset = {anchor[0] - pointer.place[0], anchor[1] - pointer.place[1]};
   if (is_vertex) {
-    selected_.clear();
+    select_none();
     vertex_ = held.anchor;
   }
   held_ = held;
@@ -189,6 +201,7 @@ Scene2 SceneEditor2::moved(const Scene2& from, const Held& held, const Point2& t
 }
 
 void SceneEditor2::drag(const Pointer2& pointer) {
+  if (held_light_) return drag_light(pointer);
   if (!held_) return;
   if (!is_dragging()) {
     history_.begin(held_->is_vertex ? "move a vertex" : "move " + counted(selected_.size()));
@@ -208,10 +221,14 @@ void SceneEditor2::drag(const Pointer2& pointer) {
 
 void SceneEditor2::release() {
   if (is_dragging()) {
-    if (scene()->edges == history_.scene_before_drag()->edges) return cancel();
+    const Scene2& before = *history_.scene_before_drag();
+    if (scene()->edges == before.edges && scene()->lights == before.lights &&
+        scene()->light_places == before.light_places)
+      return cancel();
     history_.commit();
   }
   held_.reset();
+  held_light_.reset();
 }
 
 void SceneEditor2::cancel() {
@@ -222,6 +239,7 @@ void SceneEditor2::cancel() {
     changed();
   }
   held_.reset();
+  held_light_.reset();
 }
 
 std::string SceneEditor2::undo() {
@@ -233,6 +251,7 @@ std::string SceneEditor2::undo() {
   const std::string what = history_.what_undo();
   if (!history_.undo()) return "";
   held_.reset();
+  held_light_.reset();
   set_selected_names(*before, selected_);
   vertex_.reset();
   changed();
@@ -244,6 +263,7 @@ std::string SceneEditor2::redo() {
   const std::string what = history_.what_redo();
   if (!history_.redo()) return "";
   held_.reset();
+  held_light_.reset();
   set_selected_names(*before, selected_);
   vertex_.reset();
   changed();
@@ -252,6 +272,7 @@ std::string SceneEditor2::redo() {
 
 std::string SceneEditor2::move_by(const Rational& dx, const Rational& dy) {
   if (is_dragging() || (dx == 0 && dy == 0)) return "";
+  if (light_) return set_light(move_light(*scene(), *light_, dx, dy), "moved", "move", *light_);
   if (vertex_) {
     const Point2 to{vertex_->x + dx, vertex_->y + dy};
     set(move_points(*scene(), std::vector<PointMove2>{{*vertex_, to}}), "move a vertex");
@@ -266,12 +287,15 @@ std::string SceneEditor2::move_by(const Rational& dx, const Rational& dy) {
 }
 
 std::string SceneEditor2::move_to(const Point2& place) {
-  if (!vertex_ && selected_.empty()) return "";
-  const Point2 from = vertex_ ? *vertex_ : scene()->edges[selected_.front()].from;
+  if (!light_ && !vertex_ && selected_.empty()) return "";
+  const Point2 from = light_    ? scene()->light_places[*light_].position
+                      : vertex_ ? *vertex_
+                                : scene()->edges[selected_.front()].from;
   return move_by(place.x - from.x, place.y - from.y);
 }
 
 std::string SceneEditor2::rotate(const Rational& degrees, int decimals) {
+  if (light_ && !is_dragging()) return set_light(turn_light(*scene(), *light_, degrees), "turned", "turn", *light_);
   if (is_dragging() || selected_.empty()) return "";
   Box2 box = Box2::of(scene()->edges[selected_.front()].from);
   for (const std::uint32_t s : selected_) {
@@ -284,6 +308,9 @@ std::string SceneEditor2::rotate(const Rational& degrees, int decimals) {
 }
 
 std::string SceneEditor2::duplicate(const Rational& dx, const Rational& dy) {
+  if (light_ && !is_dragging())
+    return set_light(duplicate_light(*scene(), *light_, dx, dy), "copied", "copy",
+                     static_cast<std::uint32_t>(scene()->lights.size()));
   if (is_dragging() || selected_.empty()) return "";
   AddedSurfaces2 added = duplicate_surfaces(*scene(), selected_, dx, dy);
   set(std::move(added.scene), "copy " + counted(selected_.size()));
@@ -292,6 +319,11 @@ std::string SceneEditor2::duplicate(const Rational& dx, const Rational& dy) {
 }
 
 std::string SceneEditor2::erase() {
+  if (light_ && !is_dragging()) {
+    const std::string name = scene()->lights[*light_].name;
+    set(erase_light(*scene(), *light_), "delete " + name);
+    return "deleted " + name;
+  }
   if (is_dragging() || selected_.empty()) return "";
   const std::size_t count = selected_.size();
   set(erase_surfaces(*scene(), selected_), "delete " + counted(count));

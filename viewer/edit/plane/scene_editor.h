@@ -11,6 +11,7 @@
 #include "geometry/face.h"
 #include "geometry/plane/scene/scene.h"
 #include "viewer/edit/plane/edit_history.h"
+#include "viewer/edit/plane/light_handles.h"
 #include "viewer/edit/plane/pick.h"
 #include "viewer/edit/plane/scene_edits.h"
 #include "viewer/edit/plane/snapping.h"
@@ -21,6 +22,7 @@ namespace hottel {
 struct Pointer2 {
   Place2 place{};
   double reach = 0;       // how near counts as touching [scene length]
+  double arm = 0;         // how far from a light its handles are [scene length]
   int decimals = 2;       // of places where nothing is near (decimals_at)
   bool adds = false;      // what is touched is added to the selection, or taken out of it
   bool alone = false;     // what is touched parts from what coincides with it
@@ -38,6 +40,7 @@ struct Pointer2 {
 //       snapped place (Snapper2), of the scene in which the drag began
 //   (5) the selection is kept by names: after undo, too, it is what is still there
 //   (6) the scene may be invalid after an edit: it is shown, and undone or mended by the next edit
+//   (7) lights are touched before edges are, wherever both are within reach; a light or surfaces are selected, not both
 class SceneEditor2 {
  public:
   explicit SceneEditor2(Scene2 scene);
@@ -54,10 +57,12 @@ class SceneEditor2 {
   // What lies under the pointer.
   Pick2 pick(const Pointer2& pointer) const;
   Snap2 snap(const Pointer2& pointer) const;
+  std::optional<LightHold2> pick_light(const Pointer2& pointer) const;
 
   // The surfaces that are selected, ascending, and the vertex, where one is.
   const std::vector<std::uint32_t>& selected() const { return selected_; }
   const std::optional<Point2>& selected_vertex() const { return vertex_; }
+  const std::optional<std::uint32_t>& selected_light() const { return light_; }
   void select(std::vector<std::uint32_t> surfaces);
   void select_all();
   void select_none();
@@ -77,14 +82,19 @@ class SceneEditor2 {
   std::string undo();
   std::string redo();
   std::string move_by(const Rational& dx, const Rational& dy);
-  // The selected vertex, or the first end of the first selected surface, goes to this place; the rest goes with it.
+  // The selected light or vertex, or the first end of the first selected surface, goes to this place; the rest goes
+  // with it.
   std::string move_to(const Point2& place);
-  std::string rotate(const Rational& degrees, int decimals);  // about the middle of the selection's box
+  std::string rotate(const Rational& degrees, int decimals);  // about the middle of the selection's box, or a light
   std::string duplicate(const Rational& dx, const Rational& dy);
   std::string erase();
   std::string reverse();
   std::string add_line(const std::vector<Point2>& points, bool closed, std::uint32_t material);
   std::string add_lamp(const Point2& centre, const Rational& half_size);
+  std::string add_light(const Point2& place);
+
+  // Changes a light and the rotation of its axis. change: what to do to them.
+  std::string change_light(std::uint32_t light, const std::function<void(Light&, Rational&)>& change);
 
   // Changes the material of a face, for all that have it; copies_first: for the face's group alone. Nothing where the
   // face has none. change: what to do to it.
@@ -100,6 +110,10 @@ class SceneEditor2 {
 
   void changed();
   void set(Scene2 scene, const std::string& what);
+  std::string set_light(Scene2 scene, const std::string& done, const std::string& what, std::uint32_t light);
+  void select_light(std::uint32_t light);
+  void hold_light(const Pointer2& pointer);
+  void drag_light(const Pointer2& pointer);
   void set_selected_names(const Scene2& before, const std::vector<std::uint32_t>& surfaces);
   std::uint32_t surface_at(const Point2& vertex, std::uint32_t surface) const;
   bool is_of_whole_groups() const;
@@ -115,7 +129,10 @@ class SceneEditor2 {
   std::unique_ptr<ScenePick2> picker_;
   std::vector<std::uint32_t> selected_, selected_before_;  // before: of the scene before the drag
   std::optional<Point2> vertex_;
+  std::optional<std::uint32_t> light_;
   std::optional<Held> held_;
+  std::optional<LightHold2> held_light_;
+  Place2 light_offset_{};              // of what is held of a light from where it was touched
   std::unique_ptr<Snapper2> snapper_;  // of the scene before the drag
   std::vector<std::uint32_t> moving_;
 };

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -14,6 +12,7 @@
 #include "viewer/edit/decimals.h"
 #include "viewer/edit/free_names.h"
 #include "viewer/edit/plane/file_order.h"
+#include "viewer/edit/plane/rotation.h"
 #include "viewer/edit/plane/surface_parts.h"
 
 namespace hottel {
@@ -27,38 +26,6 @@ Scene2 begin_edit(const Scene2& scene) {
 }
 
 Scene2 end_edit(Scene2 scene) { return in_file_order(std::move(scene)).scene; }
-
-// A turn counter-clockwise around a point.
-class Rotation {
- public:
-  Rotation(const Point2& centre, const Rational& degrees, int decimals) : centre_(centre), decimals_(decimals) {
-    Integer quarters;
-    const Rational turns = degrees / 90;
-    mpz_fdiv_q(quarters.get_mpz_t(), turns.get_num_mpz_t(), turns.get_den_mpz_t());
-    quarters_ = mpz_fdiv_ui(quarters.get_mpz_t(), 4);
-    const Rational rest = degrees - 90 * Rational(quarters);
-    is_exact_ = rest == 0;
-    const double radians = to_double(rest) * std::numbers::pi / 180;
-    cosine_ = is_exact_ ? 1 : std::cos(radians);
-    sine_ = is_exact_ ? 0 : std::sin(radians);
-  }
-
-  Point2 operator()(const Point2& p) const {
-    Point2 way{p.x - centre_.x, p.y - centre_.y};
-    if (!is_exact_) way = {cosine_ * way.x - sine_ * way.y, sine_ * way.x + cosine_ * way.y};
-    for (unsigned long k = 0; k < quarters_; ++k) way = {-way.y, way.x};
-    Point2 turned{centre_.x + way.x, centre_.y + way.y};
-    if (!is_exact_) turned = {rounded_decimal(turned.x, decimals_), rounded_decimal(turned.y, decimals_)};
-    return turned;
-  }
-
- private:
-  Point2 centre_;
-  int decimals_;
-  unsigned long quarters_ = 0;
-  bool is_exact_ = true;
-  Rational cosine_, sine_;
-};
 
 // Every end of these surfaces goes where `place` says.
 template <class Place>
@@ -152,7 +119,7 @@ Scene2 move_surfaces(const Scene2& scene, std::span<const std::uint32_t> surface
 
 Scene2 rotate_surfaces(const Scene2& scene, std::span<const std::uint32_t> surfaces, const Point2& centre,
                        const Rational& degrees, int decimals) {
-  return moved(scene, surfaces, Rotation(centre, degrees, decimals));
+  return moved(scene, surfaces, Rotation2(centre, degrees, decimals));
 }
 
 Scene2 reverse_surfaces(const Scene2& scene, std::span<const std::uint32_t> surfaces) {

@@ -91,6 +91,7 @@ class Desk2 : public Desk {
   bool look_command(std::string_view name);
   bool edit_command(std::string_view name);
   bool material_command(std::string_view name);
+  bool light_command(std::string_view name);
   bool file_command(std::string_view name);
   std::string why_nothing(std::string_view name) const;
   void next_choice(int step);
@@ -100,6 +101,9 @@ class Desk2 : public Desk {
   void end_tool(bool closed);
   void change_material(std::string_view name, bool copies_first);
   void ask_for_material(bool copies_first);
+  std::optional<std::uint32_t> light_meant() const;
+  void change_light(std::uint32_t light, std::string_view name);
+  void ask_for_light(std::uint32_t light);
   void ask_for_coordinates();
   std::string save();
   void read_again();
@@ -115,6 +119,7 @@ class Desk2 : public Desk {
   void draw_base();
   void draw_marks(PictureCanvas& canvas) const;
   void draw_selection(PictureCanvas& canvas) const;
+  void draw_lights(PictureCanvas& canvas) const;
   void draw_tool(PictureCanvas& canvas) const;
   void draw_problem(PictureCanvas& canvas) const;
   void draw_texts(PictureCanvas& canvas) const;
@@ -148,6 +153,7 @@ class Desk2 : public Desk {
   std::optional<Prompt> prompt_;
   std::string message_, title_;
   Pick2 hover_;
+  std::optional<LightHold2> hover_light_;  // then hover_ is nothing
 
   std::shared_ptr<const Scene2> shown_;  // what the rest has been told of
   std::uint64_t shown_version_ = 0;

@@ -27,7 +27,8 @@ void Desk2::command(std::string_view name) {
   needs_frame_ = true;
   message_.clear();
   const std::uint64_t before = editor_.version();
-  if (!look_command(name) && !edit_command(name) && !material_command(name) && !file_command(name))
+  if (!look_command(name) && !edit_command(name) && !light_command(name) && !material_command(name) &&
+      !file_command(name))
     throw UsageError("there is no command called '" + std::string(name) + "'");
   if (message_.empty() && !prompt_ && editor_.version() == before) message_ = why_nothing(name);
   scene_changed();
@@ -45,6 +46,7 @@ std::string Desk2::why_nothing(std::string_view name) const {
   if (name == "redo") return "there is nothing to do again";
   if (found->topic != "edit") return "it goes no further";
   if (editor_.selected_vertex()) return "a vertex is selected: that is for edges";
+  if (editor_.selected_light()) return "a light is selected: that is for edges";
   return editor_.selected().empty() ? "nothing is selected" : "";
 }
 
@@ -124,6 +126,8 @@ bool Desk2::edit_command(std::string_view name) {
   } else if (name == "lamp") {
     const Rational half = rounded_decimal(kLampPixels * unit_ / camera_.pixels_per_length(), decimals + 1);
     message_ = editor_.add_lamp(editor_.snap(pointer()).at, half);
+  } else if (name == "light") {
+    message_ = editor_.add_light(exact_mouse());
   } else if (name == "groups") {
     editor_.select_groups();
   } else if (name == "all") {
@@ -212,12 +216,14 @@ void Desk2::ask_for_material(bool copies_first) {
 }
 
 void Desk2::ask_for_coordinates() {
-  if (!editor_.selected_vertex() && editor_.selected().empty()) {
+  const std::optional<std::uint32_t> light = editor_.selected_light();
+  if (!light && !editor_.selected_vertex() && editor_.selected().empty()) {
     message_ = "select what is to go there first";
     return;
   }
-  const Point2 from =
-      editor_.selected_vertex() ? *editor_.selected_vertex() : editor_.scene()->edges[editor_.selected().front()].from;
+  const Point2 from = light                       ? editor_.scene()->light_places[*light].position
+                      : editor_.selected_vertex() ? *editor_.selected_vertex()
+                                                  : editor_.scene()->edges[editor_.selected().front()].from;
   const std::string shown = fmt::format("{}, {}", short_text(from.x), short_text(from.y));
   prompt_ = Prompt{.question = "goes to", .text = shown, .answer = [this, from, shown](const std::string& text) {
                      Typed<Point2> typed = typed_point_2(text);

@@ -10,6 +10,7 @@ namespace hottel {
 namespace {
 
 constexpr double kReach = 9;       // units that count as touching
+constexpr double kArm = 60;        // units from a light to its handles
 constexpr double kStill = 3;       // units that a click may wander
 constexpr double kPerNotch = 1.2;  // of the wheel
 
@@ -20,6 +21,7 @@ double distance(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a
 Pointer2 Desk2::pointer(const HeldKeys& held) const {
   return {.place = place(),
           .reach = kReach * unit_ / camera_.pixels_per_length(),
+          .arm = kArm * unit_ / camera_.pixels_per_length(),
           .decimals = decimals_at(camera_.pixels_per_length()),
           .adds = held.shift,
           .alone = held.alt,
@@ -27,7 +29,10 @@ Pointer2 Desk2::pointer(const HeldKeys& held) const {
 }
 
 // Finds what lies under the mouse.
-void Desk2::touch() { hover_ = has_mouse_ ? editor_.pick(pointer()) : Pick2(); }
+void Desk2::touch() {
+  hover_light_ = has_mouse_ && !tool_ ? editor_.pick_light(pointer()) : std::nullopt;
+  hover_ = has_mouse_ && !hover_light_ ? editor_.pick(pointer()) : Pick2();
+}
 
 // The place of the mouse as a short decimal, finer than a pixel.
 Point2 Desk2::exact_mouse() const {
@@ -166,6 +171,7 @@ Face Desk2::asked_face(const Pick2& pick) const {
 
 // A click on an edge picks its face where faces are looked at.
 void Desk2::click() {
+  if (editor_.selected_light()) return;
   const Pick2 found = editor_.pick(pointer());
   if (!found.surface) return;
   const Face face = asked_face(found);

@@ -10,6 +10,7 @@
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/computed_factors.h"
 #include "viewer/edit/decimals.h"
+#include "viewer/edit/light_edits.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
 #include "viewer/window/commands.h"
@@ -160,6 +161,11 @@ std::string Desk2::status() const {
   if (!has_mouse_) return "";
   std::string text = place_text(exact_mouse());
   const Scene2& scene = *editor_.scene();
+  if (hover_light_ && hover_light_->light < scene.lights.size()) {
+    const std::uint32_t light = hover_light_->light;
+    text += "   " + scene.lights[light].name + ": " +
+            light_text(scene.lights[light], {&scene.light_places[light].rotation, 1});
+  }
   if (hover_.surface && *hover_.surface < scene.surfaces.size()) {
     text += "   " + face_name(scene, hover_.face);
     const auto material = scene.surfaces[*hover_.surface].material_of(hover_.face.is_back);
@@ -195,6 +201,7 @@ void Desk2::draw() {
   if (needs_base_ || base_.width != size_.width || base_.height != size_.height) draw_base();
   frame_ = base_;
   CairoCanvas canvas(frame_);
+  draw_lights(canvas);
   draw_selection(canvas);
   draw_tool(canvas);
   draw_problem(canvas);

@@ -112,6 +112,51 @@ class Hand {
 
 // Commands.
 
+// small_room() with a spot between the screen and the table.
+Scene2 room_with_a_spot() {
+  Scene2 scene = small_room();
+  Light spot{.name = "spot", .type = LightType::kSpot, .focus = 30, .power = {}};
+  spot.power = Spectrum::scalar(3);
+  scene.add_light(spot, {.position = {Rational(3, 2), Rational(3, 2)}, .direction = {0, 1}, .path = {}});
+  return scene;
+}
+
+TEST(Desk2, ChangesTheLightUnderTheMouse) {
+  Hand hand(room_with_a_spot());
+  const auto light = [&]() -> const Light& { return hand.scene().lights[0]; };
+  hand.play("move 1.5,1.5\ndo less reflectivity\ndo more emission\ndo colour");
+  EXPECT_EQ(light().focus, 24);
+  EXPECT_EQ(light().power.value[0], Rational(19, 5));
+  hand.play("do spin");
+  EXPECT_EQ(hand.scene().light_places[0].rotation, 30);
+  hand.play("do spin\nkey i\ntype ; falloff 2; rotation -6\nkey enter");
+  EXPECT_EQ(light().falloff, 2);
+  EXPECT_EQ(hand.scene().light_places[0].rotation, -6);
+  hand.play("drag 1.5,1.5 1.5,1");
+  EXPECT_EQ(hand.scene().light_places[0].position, (Point2{Rational(3, 2), 1}));
+  hand.play("move 3.5,2.5\ndo light\nkey delete");
+  EXPECT_EQ(hand.scene().lights.size(), 1u);
+}
+
+TEST(Desk2, ShowsTheLightOfAMovedLightAsAFreshSolveDoes) {
+  Hand hand(room_with_a_spot());
+  hand.play("drag 1.5,1.5 1.5,0.5\nkey r");
+  const std::string hash = hand.play("hash");
+  const fs::path saved = hand.path("saved.json");
+  hand.play("save " + saved.string());
+  Hand fresh(read_scene_2(saved));
+  EXPECT_EQ(fresh.play("hash"), hash);
+  EXPECT_NE(Hand(room_with_a_spot()).play("hash"), hash);
+}
+
+TEST(Desk2, SaysWhereALightCannotBe) {
+  Hand hand(room_with_a_spot());
+  hand.play("drag 1.5,1.5 1,1.5");
+  EXPECT_THAT(hand.desk->looks().state().problem, HasSubstr("spot"));
+  hand.play("key ctrl+z");
+  EXPECT_EQ(hand.desk->looks().state().problem, "");
+}
+
 // Something is selected, under the mouse, and was changed and undone: so every command has something to do.
 constexpr const char* kReady = "click 2.5,1\nkey right\nkey up\nkey ctrl+z\nmove 2.5,1.1\nkey h\nkey h";
 
