@@ -52,7 +52,11 @@ Beam2::Beam2(const Light& light, const LightPlace2& place)
       half_angle_(light.half_angle()),
       falloff_(light.falloff),
       is_round_(light.is_round()) {
+  const Rational size = std::max<Rational>(abs(direction_.x), abs(direction_.y));
+  x_ = to_double(direction_.x / size);
+  y_ = to_double(direction_.y / size);
   falloff_in_doubles_ = to_double(falloff_);
+  half_in_radians_ = to_double(half_angle_) / 180 * std::numbers::pi;
   turned_in_radians_ = to_double(turned_) / 180 * std::numbers::pi;
   peak_ = 0.5 / border_power(kFirstPrecision).nearest_of_ends().lower;
 }
@@ -146,13 +150,9 @@ bool Beam2::touches_only(const Point2& from, const Point2& to, Side first, Side 
 
 bool Beam2::contains(const Point2& direction) const { return is_round_ || side(direction) == Side::kInside; }
 
-double Beam2::intensity(const Point2& direction) const {
-  if (is_round_) return peak_;
-  if (!contains(direction)) return 0;
-  if (falloff_ == 0) return peak_;
-  const double sine = to_double(cross(direction_, direction)), cosine = to_double(dot(direction_, direction));
-  const double t = std::atan2(sine, cosine) - turned_in_radians_;
-  return peak_ * std::pow(std::max(std::cos(t), 0.0), falloff_in_doubles_);
+double Beam2::angle_in_doubles(double x, double y) const {
+  const double angle = std::atan2(x_ * y - y_ * x, x_ * x + y_ * y);
+  return std::remainder(angle - turned_in_radians_, 2 * std::numbers::pi);
 }
 
 }  // namespace hottel

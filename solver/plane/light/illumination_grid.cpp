@@ -7,7 +7,6 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "solver/plane/light/cell_views.h"
-#include "solver/plane/light/lit_region.h"
 
 namespace hottel {
 namespace {
@@ -71,19 +70,44 @@ IlluminationGrid2 illuminate_points(const LightRows2& rows, const Grid2& grid, c
   return result;
 }
 
-IlluminationGrid2 with_lights(const PreparedScene2& prepared, IlluminationGrid2 light) {
-  const LitRegions2 regions(prepared);
-  if (regions.is_empty()) return light;
+LightsOnGrid2::LightsOnGrid2(const PreparedScene2& prepared, const Grid2& grid)
+    : prepared_(prepared), grid_(grid), lit_(prepared) {
+  if (lit_.is_empty()) return;
   const Vertices2& vertices = prepared.arrangement.vertices();
-  const Grid2& grid = light.grid;
-  std::vector<EyeCoordinate2> columns;
-  for (std::uint32_t ix = 0; ix < grid.nx; ++ix)
-    columns.emplace_back(vertices, vertices.from_scene(cell_centre(grid, ix, 0)).x);
-  parallel_for(grid.ny, [&](std::size_t iy) {
-    const EyeCoordinate2 y(vertices, vertices.from_scene(cell_centre(grid, 0, static_cast<std::uint32_t>(iy))).y);
-    for (std::uint32_t ix = 0; ix < grid.nx; ++ix)
-      regions.add(Eye2(vertices, columns[ix], y), light.of_cell(iy * grid.nx + ix));
+  for (std::uint32_t ix = 0; ix < grid.nx; ++ix) {
+    const Rational x = vertices.from_scene(cell_centre(grid, ix, 0)).x;
+    for (std::size_t k = 0; k < lit_.count(); ++k) ways_.push_back(to_double(x - lit_.eye(k).exact().x));
+    columns_.emplace_back(vertices, x);
+  }
+}
+
+void LightsOnGrid2::add_to_row(std::uint32_t iy, std::uint32_t channels, std::span<double> row) const {
+  if (lit_.is_empty()) return;
+  HOTTEL_REQUIRE(iy < grid_.ny && row.size() == std::size_t{grid_.nx} * channels);
+  const Vertices2& vertices = prepared_.arrangement.vertices();
+  const EyeCoordinate2 y(vertices, vertices.from_scene(cell_centre(grid_, 0, iy)).y);
+  std::vector<double> ways_y;
+  for (std::size_t k = 0; k < lit_.count(); ++k) ways_y.push_back(to_double(y.exact() - lit_.eye(k).exact().y));
+  for (std::size_t ix = 0; ix < grid_.nx; ++ix)
+    lit_.add(Eye2(vertices, columns_[ix], y), std::span(ways_).subspan(ix * lit_.count(), lit_.count()), ways_y,
+             row.subspan(ix * channels, channels));
+}
+
+IlluminationGrid2 with_lights(const PreparedScene2& prepared, IlluminationGrid2 light) {
+  const LightsOnGrid2 lights(prepared, light.grid);
+  if (lights.is_empty()) return light;
+  const std::size_t width = std::size_t{light.grid.nx} * light.channels;
+  parallel_for(light.grid.ny, [&](std::size_t iy) {
+    lights.add_to_row(static_cast<std::uint32_t>(iy), light.channels,
+                      std::span(light.values).subspan(iy * width, width));
   });
+  return light;
+}
+
+IlluminationGrid2 without_lights(const PreparedScene2& prepared, IlluminationGrid2 light) {
+  if (prepared.scene.lights.empty()) return light;
+  const IlluminationGrid2 direct = with_lights(prepared, empty_grid(light.grid, light.channels));
+  for (std::size_t k = 0; k < light.values.size(); ++k) light.values[k] -= direct.values[k];
   return light;
 }
 

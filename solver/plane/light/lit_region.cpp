@@ -13,7 +13,8 @@ LitRegion2::LitRegion2(const PreparedScene2& prepared, const PointLocation2& loc
                        const LightPlace2& place)
     : prepared_(prepared),
       eye_(prepared.arrangement.vertices(), prepared.arrangement.vertices().from_scene(place.position)),
-      beam_(light, place) {
+      beam_(light, place),
+      scale_(to_double(prepared.arrangement.vertices().scale())) {
   location.look_around(eye_, view_);
   is_in_solid_ = solid_around(prepared.arrangement, view_) != Solids2::kNone;
   const auto& seen = view_.seen;
@@ -61,7 +62,7 @@ bool LitRegion2::is_behind(std::size_t step, const Eye2& point) const {
 bool LitRegion2::reaches(const Eye2& point) const {
   if (is_in_solid_) return false;
   const std::size_t m = view_.seen.size();
-  if (m < 2 || point.exact() == eye_.exact()) return true;
+  if (m < 2 || (point.x() == eye_.x() && point.y() == eye_.y() && point.exact() == eye_.exact())) return true;
   bool is_on_ray = false;
   const std::size_t step = step_towards(point, is_on_ray);
   return !is_behind(step, point) || (is_on_ray && !is_behind(step == 0 ? m - 1 : step - 1, point));
@@ -69,12 +70,18 @@ bool LitRegion2::reaches(const Eye2& point) const {
 
 double LitRegion2::irradiance(const Eye2& point) const {
   const Point2 from = eye_.exact(), to = point.exact();
-  const Point2 way{to.x - from.x, to.y - from.y};
-  if (way == Point2{0, 0}) return is_in_solid_ ? 0 : std::numeric_limits<double>::infinity();
-  const double intensity = beam_.intensity(way);
+  return irradiance(point, to_double(to.x - from.x), to_double(to.y - from.y));
+}
+
+double LitRegion2::irradiance(const Eye2& point, double way_x, double way_y) const {
+  if (way_x == 0 && way_y == 0 && point.exact() == eye_.exact())
+    return is_in_solid_ ? 0 : std::numeric_limits<double>::infinity();
+  const double intensity = beam_.intensity(way_x, way_y, [&] {
+    const Point2 from = eye_.exact(), to = point.exact();
+    return Point2{to.x - from.x, to.y - from.y};
+  });
   if (intensity == 0 || !reaches(point)) return 0;
-  const double scale = to_double(prepared_.arrangement.vertices().scale());
-  return intensity / (std::numbers::pi * scale * std::hypot(to_double(way.x), to_double(way.y)));
+  return intensity / (std::numbers::pi * scale_ * std::hypot(way_x, way_y));
 }
 
 LitRegions2::LitRegions2(const PreparedScene2& prepared) {
@@ -89,13 +96,20 @@ LitRegions2::LitRegions2(const PreparedScene2& prepared) {
   }
 }
 
+void LitRegions2::add(std::size_t light, double share, std::span<double> result) const {
+  if (share == 0) return;
+  for (std::size_t c = 0; c < result.size(); ++c)
+    if (power_[light][c] > 0) result[c] += share * power_[light][c];
+}
+
 void LitRegions2::add(const Eye2& point, std::span<double> result) const {
-  for (std::size_t k = 0; k < regions_.size(); ++k) {
-    const double share = regions_[k]->irradiance(point);
-    if (share == 0) continue;
-    for (std::size_t c = 0; c < result.size(); ++c)
-      if (power_[k][c] > 0) result[c] += share * power_[k][c];
-  }
+  for (std::size_t k = 0; k < regions_.size(); ++k) add(k, regions_[k]->irradiance(point), result);
+}
+
+void LitRegions2::add(const Eye2& point, std::span<const double> ways_x, std::span<const double> ways_y,
+                      std::span<double> result) const {
+  for (std::size_t k = 0; k < regions_.size(); ++k)
+    add(k, regions_[k]->irradiance(point, ways_x[k], ways_y[k]), result);
 }
 
 }  // namespace hottel

@@ -33,6 +33,11 @@ class LitRegion2 {
   // The direct mean irradiance over the power of the light: I / (pi r P), I the intensity towards the point in the
   // beam, r the distance in scene units; 0 where it is not reached, infinite at the light.     [1 / scene unit]
   double irradiance(const Eye2& point) const;
+  // The same where the way to the point is known: both coordinates in integer form, each rounded correctly.
+  double irradiance(const Eye2& point, double way_x, double way_y) const;
+
+  // Where the light is, in integer form.
+  const Eye2& eye() const { return eye_; }
 
  private:
   bool is_behind(std::size_t step, const Eye2& point) const;
@@ -42,6 +47,7 @@ class LitRegion2 {
   Eye2 eye_;
   View2 view_;
   Beam2 beam_;
+  double scale_;                // scene units of a unit of integer form
   std::size_t first_half_ = 0;  // steps that begin within half a turn after the first
   bool is_in_solid_ = false;
 };
@@ -52,10 +58,17 @@ class LitRegions2 {
   explicit LitRegions2(const PreparedScene2& prepared);
 
   bool is_empty() const { return regions_.empty(); }
+  std::size_t count() const { return regions_.size(); }
+  const Eye2& eye(std::size_t light) const { return regions_[light]->eye(); }
   // Adds the direct mean irradiance at a point to `result`, one place a channel; NaN stays.
   void add(const Eye2& point, std::span<double> result) const;
+  // The same where the ways from the lights to the point are known, as LitRegion2::irradiance takes them; one a light.
+  void add(const Eye2& point, std::span<const double> ways_x, std::span<const double> ways_y,
+           std::span<double> result) const;
 
  private:
+  void add(std::size_t light, double share, std::span<double> result) const;
+
   std::vector<std::unique_ptr<LitRegion2>> regions_;
   std::vector<std::array<double, 3>> power_;
 };

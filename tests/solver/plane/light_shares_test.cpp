@@ -309,5 +309,34 @@ TEST(Beam2, BordersAreToldExactly) {
   EXPECT_FALSE(turned.contains({1, 1 - tiny}));
 }
 
+// A direction at a border, next to it or far from it, of any size: something leaves in it iff the beam contains it.
+TEST(Beam2, SendsLightWhereItReachesAndNowhereElse) {
+  std::mt19937 random(11);
+  std::size_t inside = 0, outside = 0;
+  for (const int focus : {1, 17, 45, 60, 90, 135, 179, 180})
+    for (const char* turned : {"0", "45", "-135", "1/3", "725"})
+      for (const Point2& axis : {Point2{1, 0}, Point2{-2, 3}, Point2{1 / Rational(Integer(1) << 700), 0}}) {
+        const Beam2 beam(spot(focus), {.position = {0, 0}, .direction = axis, .turned = Rational(turned)});
+        for (int k = 0; k < 40; ++k) {
+          const double degrees =
+              (k % 2 ? 1 : -1) * focus + to_double(Rational(turned)) + (k % 5 - 2) * std::ldexp(1.0, -k);
+          const double angle = degrees * std::numbers::pi / 180 + std::atan2(to_double(axis.y), to_double(axis.x));
+          const Rational size = Rational(1 + random() % 1000) / Rational(k % 3 == 0 ? 7 : 1);
+          const Point2 way{Rational(std::cos(angle)) * size, Rational(std::sin(angle)) * size};
+          const double sent = beam.intensity(to_double(way.x), to_double(way.y), [&] { return way; });
+          EXPECT_EQ(sent > 0, beam.contains(way)) << focus << " " << turned << " " << k;
+          ++(sent > 0 ? inside : outside);
+        }
+      }
+  EXPECT_GT(inside, 1000u);
+  EXPECT_GT(outside, 1000u);
+  const Beam2 half(spot(90), {{0, 0}, {1, 0}});
+  const Rational large(Integer(1) << 2000);
+  for (const Point2& way :
+       {Point2{large, large}, Point2{1 / large, -1 / large}, Point2{0, 1 / large}, Point2{0, large}})
+    EXPECT_GT(half.intensity(to_double(way.x), to_double(way.y), [&] { return way; }), 0);
+  EXPECT_EQ(half.intensity(to_double(Rational(-1 / large)), 0, [&] { return Point2{-1 / large, 0}; }), 0);
+}
+
 }  // namespace
 }  // namespace hottel

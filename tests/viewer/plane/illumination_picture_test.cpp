@@ -5,6 +5,8 @@
 #include <numeric>
 #include <random>
 
+#include "geometry/plane/scene/scene_builder.h"
+#include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "tests/viewer/plane/drawn_scenes.h"
 #include "viewer/picture/colour_map.h"
@@ -112,6 +114,35 @@ TEST(LightPixels2, DoNotLeakThroughWalls) {
       EXPECT_EQ(all[k], x < to_double(wall) ? 1 : 0) << to_double(wall) << " " << x;
     }
   }
+}
+
+// (4): among black walls all light comes straight from the lights, and each pixel has that of its own centre.
+TEST(LightPixels2, HaveTheLightOfLightsAtTheirOwnCentres) {
+  SceneBuilder2 builder;
+  builder.add_material("black", {});
+  builder.add_polyline("room", {{0, 0}, {0, 3}, {4, 3}, {4, 0}}, "black", {.closed = true});
+  builder.add_polyline("pillar", {{2, 1}, {"5/2", 1}, {"5/2", 2}, {2, 2}}, "black", {.closed = true});
+  Scene2 scene = builder.build();
+  Light spot{.name = "spot", .type = LightType::kSpot, .focus = 40, .power = {}};
+  spot.power = Spectrum::scalar(3);
+  scene.add_light(spot, {.position = {Rational(1, 2), Rational(7, 5)}, .direction = {1, 0}, .path = {}});
+  const PreparedScene2 prepared = prepare(scene);
+  const Grid2 cells{{0, 0}, {4, 3}, 8, 6}, fine{{0, 0}, {4, 3}, 40, 24};
+  const auto dark = [](const Grid2& of) { return grid_of(of, std::vector<double>(std::size_t{of.nx} * of.ny, 0.0)); };
+  const IlluminationGrid2 light = with_lights(prepared, dark(cells));
+  const std::vector<double> pixels = all_pixels(LightPixels2(prepared, light, 5, 4), light);
+  EXPECT_EQ(pixels, with_lights(prepared, dark(fine)).values);
+  const auto is_dark = [](double value) { return value == 0; };
+  EXPECT_GT(std::ranges::count_if(pixels, is_dark), 100);  // beside the beam, and in the shadow
+  EXPECT_GT(std::ranges::count_if(pixels, std::not_fn(is_dark)), 100);
+  EXPECT_EQ(without_lights(prepared, light).values, dark(cells).values);
+}
+
+TEST(LightPixels2, AreThoseOfTheSceneAsWallsWithoutLights) {
+  const Scene2 scene = read_scene_2(std::string(HOTTEL_SOURCE_DIR) + "/scenes/showcase/apartment.json");
+  const PreparedScene2 prepared = prepare(scene);
+  const IlluminationGrid2 grid = random_grid(grid_over(scene, 40, 30), 3);
+  EXPECT_EQ(all_pixels(LightPixels2(prepared, grid, 3, 2), grid), all_pixels(LightPixels2(grid, 3, 2, &scene), grid));
 }
 
 TEST(LightPixels2, PassOverCellsInSolids) {

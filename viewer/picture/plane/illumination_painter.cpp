@@ -34,9 +34,10 @@ PixelsPerCell pixels_per_cell(const Grid2& grid, const IlluminationPicture2& pic
   return {pixels(wide, grid.nx), pixels(high, grid.ny)};
 }
 
-LightPixels2 light_pixels(const Scene2& scene, const IlluminationGrid2& grid, const IlluminationPicture2& picture) {
+LightPixels2 light_pixels(const PreparedScene2& prepared, const IlluminationGrid2& grid,
+                          const IlluminationPicture2& picture) {
   const PixelsPerCell pixels = pixels_per_cell(grid.grid, picture);
-  return {grid, pixels.across, pixels.up, &scene};
+  return {prepared, grid, pixels.across, pixels.up};
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ Raster toned_pixels_2(const IlluminationGrid2& grid, const LightPixels2& pixels,
 IlluminationPainter2::IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
                                            const IlluminationPicture2& picture)
     : grid_(grid),
-      pixels_(light_pixels(prepared.scene, grid, picture)),
+      pixels_(light_pixels(prepared, grid, picture)),
       tone_(picture.tone, picture.exposure, grid.values, grid.channels),
       plan_(prepared, Frame2(grid.grid.min, grid.grid.max, pixels_.width(), pixels_.height()),
             std::max(pixels_.width(), pixels_.height()) / 1600.0) {}

@@ -15,21 +15,43 @@ constexpr double kOnWall = 1e-9;  // of a cell
 // The first of the two centres that a place lies between, in cells; it may lie outside of the grid.
 double centre_before(double place) { return std::floor(place - 0.5); }
 
+bool has_nan(const IlluminationGrid2& grid) {
+  return std::any_of(grid.values.begin(), grid.values.end(), [](double value) { return std::isnan(value); });
+}
+
+bool has_lights(const PreparedScene2& prepared) { return !prepared.scene.lights.empty(); }
+
 }  // namespace
 
 LightPixels2::LightPixels2(const IlluminationGrid2& grid, std::uint32_t across, std::uint32_t up, const Scene2* walls)
-    : grid_(grid),
+    : grid_(grid), across_(across), up_(up), has_gaps_(has_nan(grid)) {
+  HOTTEL_REQUIRE(across > 0 && up > 0);
+  if (walls) read_walls(*walls);
+}
+
+LightPixels2::LightPixels2(const PreparedScene2& prepared, const IlluminationGrid2& grid, std::uint32_t across,
+                           std::uint32_t up)
+    : blended_(has_lights(prepared) ? std::make_shared<const IlluminationGrid2>(without_lights(prepared, grid))
+                                    : nullptr),
+      grid_(blended_ ? *blended_ : grid),
       across_(across),
       up_(up),
-      has_gaps_(std::any_of(grid.values.begin(), grid.values.end(), [](double value) { return std::isnan(value); })) {
+      has_gaps_(has_nan(grid_)) {
   HOTTEL_REQUIRE(across > 0 && up > 0);
-  if (!walls) return;
+  read_walls(prepared.scene);
   const Grid2& cells = grid.grid;
+  if (blended_)
+    lights_ =
+        std::make_shared<const LightsOnGrid2>(prepared, Grid2{cells.min, cells.max, cells.nx * across, cells.ny * up});
+}
+
+void LightPixels2::read_walls(const Scene2& walls) {
+  const Grid2& cells = grid_.grid;
   const Rational wide = cells.max.x - cells.min.x, high = cells.max.y - cells.min.y;
   const RoundedShare share_x(cells.min.x, wide), share_y(cells.min.y, high);
   const auto x = [&](const Point2& p) { return share_x.of(p.x) * cells.nx; };
   const auto y = [&](const Point2& p) { return share_y.of(p.y) * cells.ny; };
-  for (const auto& [from, to] : walls->edges) {
+  for (const auto& [from, to] : walls.edges) {
     const double ax = x(from), ay = y(from), bx = x(to), by = y(to);
     walls_.push_back({ax, ay, bx, by, kOnWall * std::hypot(bx - ax, by - ay)});
   }
@@ -143,7 +165,7 @@ std::vector<double> LightPixels2::row_of_cells(std::uint32_t iy) const {
   std::vector<double> pixels(up_ * width * channels);
   const bool is_cells = across_ == 1 && up_ == 1 && near_.empty();
   const double* const values = grid_.values.data() + iy * width * channels;
-  if (is_cells && !has_gaps_) return {values, values + width * channels};
+  if (is_cells && !has_gaps_ && !lights_) return {values, values + width * channels};
   std::vector<std::uint8_t> barred(std::size_t{up_} * across_);
   const Places y = places(iy, up_);
   for (std::uint32_t ix = 0; ix < nx; ++ix) {
@@ -158,6 +180,9 @@ std::vector<double> LightPixels2::row_of_cells(std::uint32_t iy) const {
         blend(ix, iy, x, y, i, j, barred[j * across_ + i],
               pixels.data() + (j * width + std::size_t{ix} * across_ + i) * channels);
   }
+  const std::span all(pixels);
+  for (std::uint32_t j = 0; lights_ && j < up_; ++j)
+    lights_->add_to_row(iy * up_ + j, channels, all.subspan(j * width * channels, width * channels));
   return pixels;
 }
 

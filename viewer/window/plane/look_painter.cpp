@@ -29,13 +29,17 @@ ToneCurve curve_of(const IlluminationGrid2& light, const LightTone2& tone) {
   return {tone.tone, tone.exposure, light.values, light.channels};
 }
 
-Raster texture_of(const IlluminationGrid2& light, const Scene2* walls, const LightTone2& tone, std::uint32_t pixels) {
-  return toned_pixels_2(light, LightPixels2(light, pixels, pixels, walls), curve_of(light, tone));
+// With one pixel a cell the light is that of the cells; with more it is blended, but not through walls.
+Raster texture_of(const IlluminationGrid2& light, const PreparedScene2& prepared, const LightTone2& tone,
+                  std::uint32_t pixels) {
+  return toned_pixels_2(light,
+                        pixels > 1 ? LightPixels2(prepared, light, pixels, pixels) : LightPixels2(light, 1, 1, nullptr),
+                        curve_of(light, tone));
 }
 
 // The pixel of each level of a channel, once the floor has coloured it.
-Raster floor_texture(const IlluminationGrid2& light, double exposure) {
-  Raster texture = texture_of(light, nullptr, {Tone::kMax, exposure}, 1);
+Raster floor_texture(const IlluminationGrid2& light, const PreparedScene2& prepared, double exposure) {
+  Raster texture = texture_of(light, prepared, {Tone::kMax, exposure}, 1);
   const std::array<double, 3> floor{palette::kFloor.r, palette::kFloor.g, palette::kFloor.b};
   std::array<std::array<std::uint32_t, 256>, 3> shade{};
   for (std::size_t c = 0; c < 3; ++c)
@@ -62,11 +66,11 @@ void draw_light(PictureCanvas& canvas, const Frame2& frame, double unit, const L
   const bool is_floor = drawing.request->look == Look2::kFloor;
   if (is_floor) {
     tone.tone = Tone::kMax;
-    draw_texture(canvas, frame, light.grid.grid, floor_texture(light.grid, tone.exposure), false);
+    draw_texture(canvas, frame, light.grid.grid, floor_texture(light.grid, *state.prepared, tone.exposure), false);
   } else if (drawing.texture != nullptr && &light == state.light.get()) {
     draw_texture(canvas, frame, light.grid.grid, *drawing.texture, true);
   } else {
-    draw_texture(canvas, frame, light.grid.grid, texture_of(light.grid, state.scene.get(), tone, kCoarsePixels), true);
+    draw_texture(canvas, frame, light.grid.grid, texture_of(light.grid, *state.prepared, tone, kCoarsePixels), true);
   }
   LitPlan2(*state.prepared, frame, unit).draw(canvas, curve_of(light.grid, tone));
 }
@@ -186,7 +190,7 @@ void draw_findings(PictureCanvas& canvas, const Frame2& frame, double unit, cons
 }  // namespace
 
 Raster light_texture_2(const LiveState2& state, const LightTone2& tone, std::uint32_t pixels_per_cell) {
-  return texture_of(state.light->grid, pixels_per_cell > 1 ? state.scene.get() : nullptr, tone, pixels_per_cell);
+  return texture_of(state.light->grid, *state.prepared, tone, pixels_per_cell);
 }
 
 Raster first_texture_2(const LiveState2& state, const LightTone2& tone) {
