@@ -88,5 +88,6 @@ void add_generate(Commands& commands);
 void add_convert(Commands& commands);
 void add_view(Commands& commands);
 void add_store(Commands& commands);
+void add_animate(Commands& commands);
 
 }  // namespace hottel

@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   hottel::add_generate(commands);
   hottel::add_convert(commands);
   hottel::add_view(commands);
+  hottel::add_animate(commands);
   hottel::add_store(commands);
   return commands.run(argc, argv);
 }

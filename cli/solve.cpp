@@ -17,7 +17,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
-#include "solver/plane/simulation/simulation.h"
+#include "solver/plane/simulation/refined.h"
 #include "solver/store_plan.h"
 #include "viewer/picture/plane/illumination_picture.h"
 #include "viewer/picture/plane/shown_picture.h"
@@ -38,6 +38,7 @@ IlluminationPicture2 light_picture(const SolveOptions& options) {
 }
 
 Request request_of(const SolveOptions& options) {
+  options.levels.require_sense();
   Request request;
   SimulationRequest2& asked = request.simulation;
   asked.solver = solver_of(options, options.method == "exact");
@@ -189,7 +190,8 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
     throw UsageError(fmt::format("--size of --show {} is {} at least", options.show, kMinPictureWidth));
   Stopwatch watch;
-  const Simulation2 simulation = simulation_of(options, std::move(scene), request);
+  const Simulation2 simulation =
+      refined(simulation_of(options, std::move(scene), request), options.levels.levels(), streams.stages());
   std::shared_ptr<const Plan> plan = simulation.plan();
   if (options.store.is_given()) plan = std::make_shared<const Plan>(plan_with_store(*plan, false, options.method));
   streams.note(plan_text(*plan));
@@ -342,6 +344,7 @@ void add_solve(Commands& commands) {
       ->check(CLI::IsMember({"auto", "everything"}))
       ->capture_default_str();
   options->elements.add_to(command);
+  options->levels.add_to(command);
   options->polygons.add_to(command);
   command
       .add_option("--tolerance", options->tolerance,

@@ -22,7 +22,7 @@
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/space/check/lost_light.h"
-#include "solver/space/simulation/simulation.h"
+#include "solver/space/simulation/refined.h"
 #include "solver/store_plan.h"
 #include "viewer/picture/space/grid_picture.h"
 #include "viewer/picture/space/render_picture.h"
@@ -94,13 +94,12 @@ std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const 
 }
 
 SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) {
-  const bool is_divided = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
-                                      [](const Surface& surface) { return surface.elements > 1; });
   const std::optional<Grid3> grid = options.no_illumination ? std::nullopt : grid_of(scene, options.grid);
   const GridPicture3 picture{
       .tone = *tone_of(options.tone), .exposure = options.exposure, .wanted_width = options.size};
   return {.factors = {.method = options.method == "exact" ? nullptr : all_methods_3().make(options.method),
-                      .granularity = is_divided ? Granularity::kElement : Granularity::kFace,
+                      .granularity = is_divided(scene) || options.levels.levels().is_any() ? Granularity::kElement
+                                                                                           : Granularity::kFace,
                       .tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance),
                       .memory = options.memory.value_or(0),
                       .store = options.store.open(options.method)},
@@ -119,7 +118,8 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   require_shown(shown, scene);
   options.elements.apply_to(scene);
   const SimulationRequest3 request = request_of(options, scene);
-  const Simulation3 simulation(std::move(scene), request);
+  const Simulation3 simulation =
+      refined(Simulation3(std::move(scene), request), options.levels.levels(), streams.stages());
   std::shared_ptr<const Plan> plan = simulation.plan();
   if (options.store.is_given()) plan = std::make_shared<const Plan>(plan_with_store(*plan, true, options.method));
   streams.note(plan_text(*plan));

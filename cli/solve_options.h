@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/level_options.h"
 #include "cli/scene_input.h"
 #include "cli/store_option.h"
 #include "io/results/solve_report.h"
@@ -28,6 +29,7 @@ struct SolveOptions {
   std::optional<std::string> tolerance;  // in space
   std::optional<std::uint64_t> memory;
   ElementOptions elements;
+  LevelOptions levels;
   PolygonOptions polygons;
   StoreOption store;
   bool json = false;

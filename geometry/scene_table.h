@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/element_tree.h"
 #include "geometry/light.h"
 #include "geometry/material.h"
 #include "kernel/support/failure.h"
@@ -30,6 +31,18 @@ struct Surface {
   // In space only: it has no material at all. Both sides are opaque and black and have no row; `material` means
   // nothing.
   bool is_obstruction = false;
+  // Elements below the equal parts. No file has any: they come of what is simulated.
+  SurfaceTrees trees{};
+
+  bool is_divided() const { return elements > 1 || !trees.is_empty(); }
+  // Whether two are one but for how they are divided; are divided alike.
+  static bool is_alike_undivided(const Surface& a, const Surface& b) {
+    return a.name == b.name && a.material == b.material && a.back == b.back && a.group == b.group && a.line == b.line &&
+           a.is_obstruction == b.is_obstruction;
+  }
+  static bool is_divided_alike(const Surface& a, const Surface& b) {
+    return a.elements == b.elements && a.trees == b.trees;
+  }
 
   // The material of its front or its back; nothing for a back without one, and for obstructions.
   std::optional<std::uint32_t> material_of(bool is_back) const {

@@ -10,7 +10,7 @@
 namespace hottel {
 
 std::string element_id(const Element& element) {
-  return element.parts == 1 ? element.name : element.name + " of " + std::to_string(element.parts);
+  return element.is_part() ? element.name + " of " + std::to_string(element.parts) : element.name;
 }
 
 std::vector<std::string> element_ids(const std::vector<Element>& elements) {

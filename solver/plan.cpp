@@ -6,9 +6,7 @@
 
 namespace hottel {
 
-bool is_divided(const SceneTable& scene) {
-  return std::ranges::any_of(scene.surfaces, [](const Surface& surface) { return surface.elements > 1; });
-}
+bool is_divided(const SceneTable& scene) { return std::ranges::any_of(scene.surfaces, &Surface::is_divided); }
 
 bool Plan::uses(const std::string& effect) const {
   const auto place =

@@ -56,7 +56,7 @@ void PlanDraft::add_sky(bool is_one_room, double seconds) {
 }
 
 void PlanDraft::add_subdivision() {
-  const std::size_t divided = count([](const Surface& surface) { return surface.elements > 1; });
+  const std::size_t divided = count([](const Surface& surface) { return surface.is_divided(); });
   add(Plan::kSubdivision, divided > 0, count_text(divided) + " divided into elements",
       fmt::format("no gradients {} are asked for", words_.across));
 }

@@ -195,7 +195,7 @@ void write_faces_csv(const FactorTable& table, std::span<const std::array<double
                                  ? element.name
                                  : face_name(table.scene, {element.surface, element.is_back});
     require_double(element.area.value, area_of(matrix, i));
-    out << fmt::format("{},{},{},", i + 1, csv_field(face), element.part) << element.area.value << ","
+    out << fmt::format("{},{},{},", i + 1, csv_field(face), element.node().text()) << element.area.value << ","
         << (element.material ? csv_field(table.scene.materials[*element.material].name) : "");
     if (table.granularity == Granularity::kGroup) {
       out << ",,,,\n";

@@ -18,7 +18,7 @@ void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, 
     const std::string face = csv_field(face_name(scene, {element.surface, element.is_back}));
     for (std::size_t c = 0; c < solution.channels.size(); ++c) {
       const ElementRadiosity& r = solution.channels[c].elements[i];
-      std::string line = fmt::format("{},{},{}", face, element.part, solution.channel_names[c]);
+      std::string line = fmt::format("{},{},{}", face, element.node().text(), solution.channel_names[c]);
       for (const double value :
            {element.area.value, r.emission, r.reflectivity, r.radiosity, r.lower, r.upper, r.irradiance, r.net()})
         line += "," + shortest(value);

@@ -36,8 +36,8 @@ void write_temperature_csv(const SceneTable& scene, const ExchangeMatrix& matrix
     for (std::size_t c = 0; c < solution.channels.size(); ++c) {
       const auto found = temperatures.of(*element.material, solution.channels[c].elements[i]);
       if (!found) continue;
-      sink(fmt::format("{},{},{},{},{},{}\n", face, element.part, solution.channel_names[c], shortest(found->value),
-                       shortest(found->lower), shortest(found->upper)));
+      sink(fmt::format("{},{},{},{},{},{}\n", face, element.node().text(), solution.channel_names[c],
+                       shortest(found->value), shortest(found->lower), shortest(found->upper)));
     }
   }
 }

@@ -81,9 +81,9 @@ class BothSides {
   }
 
  private:
-  using Key = std::tuple<std::uint32_t, bool, std::uint32_t, std::uint32_t>;
+  using Key = std::tuple<std::uint32_t, bool, std::uint32_t, TreeNode>;
   static Key key(const Element& element, bool is_turned) {
-    return {element.surface, element.is_back != is_turned, element.part, element.parts};
+    return {element.surface, element.is_back != is_turned, element.parts, element.node()};
   }
 
   ExchangeMatrix matrix_;

@@ -37,8 +37,10 @@ class Faces {
       : blockers_(blockers), table_(scene, arrangement, blockers, Granularity::kFace) {
     for (const Element& face : table_.elements()) {
       const Surface& surface = scene.surfaces[face.surface];
-      const std::uint64_t parts =
-          face.material ? element_count(scene.polygons[face.surface], surface.elements) : std::uint64_t{1};
+      const std::uint64_t leaves = surface.trees.of(face.is_back).size();
+      const std::uint64_t parts = !face.material ? 1
+                                  : leaves > 0   ? leaves
+                                                 : element_count(scene.polygons[face.surface], surface.elements);
       parts_.push_back(static_cast<double>(parts));
       if (face.material && face.area.value > 0) rows_ += parts;
     }

@@ -1,5 +1,7 @@
 #include "geometry/plane/arrangement/arrangement.h"
 
+#include <algorithm>
+
 #include "geometry/plane/arrangement/free_regions.h"
 #include "geometry/plane/arrangement/hilbert_order.h"
 #include "geometry/plane/arrangement/point_index.h"
@@ -26,28 +28,131 @@ std::string text(const Point2& p) { return "(" + to_string(p.x) + ", " + to_stri
 Arrangement2::Arrangement2(const Scene2& scene, const Division2& division, Conflicts2 conflicts) {
   HOTTEL_REQUIRE(division.size() == scene.surfaces.size());
   std::vector<Point2> points;
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const Edge2& edge = scene.edges[s];
-    const std::uint32_t parts = division[s];
-    HOTTEL_REQUIRE(parts > 0);
-    points.push_back(edge.from);
-    for (std::uint32_t k = 1; k < parts; ++k) points.push_back(part_begin(edge, k, parts));
-    points.push_back(edge.to);
-  }
+  for (const Edge2& edge : scene.edges) points.insert(points.end(), {edge.from, edge.to});
   PointIndex2 index = number_in_space(points);
-  std::size_t next = 0;
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    for (std::uint32_t k = 0; k < division[s]; ++k) {
-      segments_.push_back({index.insert(points[next + k]), index.insert(points[next + k + 1])});
-      segment_part_.push_back({{s, false}, k});
-    }
-    next += division[s] + 1;
-  }
+  std::vector<std::vector<VertexId>> ends;
+  for (const Edge2& edge : scene.edges) ends.push_back({index.insert(edge.from), index.insert(edge.to)});
+  typed_points_ = index.points().size();
+  add_segments(ends);
   overlay_ = overlay(index.points(), segments_);
   overlay_.set_total_length();
   triangulation_ = Triangulation2(overlay_.vertices, overlay_.pieces);
   find_solids(scene);
   assign_owners(scene, conflicts);
+  if (is_cut(division)) *this = cut_into(scene, division);
+}
+
+// The vertices along each surface, from its first point to its last one.
+void Arrangement2::add_segments(const std::vector<std::vector<VertexId>>& ends) {
+  for (std::uint32_t s = 0; s < ends.size(); ++s)
+    for (std::uint32_t k = 0; k + 1 < ends[s].size(); ++k) {
+      segments_.push_back({ends[s][k], ends[s][k + 1]});
+      segment_part_.push_back({{s, false}, k});
+    }
+}
+
+namespace {
+
+// The vertices where surfaces are cut, and their ends.
+class SurfaceMarks {
+ public:
+  SurfaceMarks(const Vertices2& vertices, const std::vector<std::vector<VertexId>>& marks)
+      : vertices_(vertices), marks_(marks) {}
+
+  // Appends the marks of a surface strictly inside a piece on it, in the order of the piece.
+  void append_inside(std::uint32_t surface, const Segment2& piece, bool is_reversed,
+                     std::vector<VertexId>& inside) const {
+    const auto& marks = marks_[surface];
+    const VertexId first = is_reversed ? piece.b : piece.a, last = is_reversed ? piece.a : piece.b;
+    const std::size_t begin = after(surface, first);
+    std::size_t end = begin;
+    while (end + 1 < marks.size() && marks[end] != last && is_before(surface, marks[end], last)) ++end;
+    const std::size_t old = inside.size();
+    inside.insert(inside.end(), marks.begin() + static_cast<std::ptrdiff_t>(begin),
+                  marks.begin() + static_cast<std::ptrdiff_t>(end));
+    if (is_reversed) std::reverse(inside.begin() + static_cast<std::ptrdiff_t>(old), inside.end());
+  }
+
+  // Which part of a surface begins at a vertex on it, or holds it.
+  std::uint32_t part_from(std::uint32_t surface, VertexId v) const {
+    return static_cast<std::uint32_t>(after(surface, v) - 1);
+  }
+
+ private:
+  bool is_before(std::uint32_t surface, VertexId v, VertexId w) const {
+    const auto& marks = marks_[surface];
+    return v != w && vertices_.precedes(v, w) == vertices_.precedes(marks.front(), marks.back());
+  }
+  // The first mark beyond a vertex of the surface.
+  std::size_t after(std::uint32_t surface, VertexId v) const {
+    const auto& marks = marks_[surface];
+    return static_cast<std::size_t>(
+        std::ranges::partition_point(marks, [&](VertexId mark) { return !is_before(surface, v, mark); }) -
+        marks.begin());
+  }
+
+  const Vertices2& vertices_;
+  const std::vector<std::vector<VertexId>>& marks_;  // the ends of the surface among them
+};
+
+}  // namespace
+
+Arrangement2 Arrangement2::cut_into(const Scene2& scene, const Division2& division) const {
+  HOTTEL_REQUIRE(division.size() == scene.surfaces.size() && segments_.size() == scene.surfaces.size());
+  Arrangement2 result;
+  PointIndex2 index;
+  for (const VertexId v : vertices().ids()) index.insert(vertices().to_scene(vertices().exact(v)));
+  std::vector<std::vector<VertexId>> marks;
+  std::vector<std::uint32_t> first_segment;
+  std::uint32_t segments = 0;
+  for (std::uint32_t s = 0; s < division.size(); ++s) {
+    std::vector<VertexId>& of_surface = marks.emplace_back();
+    of_surface.push_back(segments_[s].a);
+    for (const Rational& t : division[s].at) of_surface.push_back(index.insert(point_at(scene.edges[s], t)));
+    of_surface.push_back(segments_[s].b);
+    first_segment.push_back(segments);
+    segments += static_cast<std::uint32_t>(of_surface.size()) - 1;
+  }
+  result.typed_points_ = typed_points_;
+  result.overlay_.vertices = Vertices2(index.points(), typed_points_);
+  result.add_segments(marks);
+  const SurfaceMarks on_surfaces(result.vertices(), marks);
+  result.overlay_.source_begin.push_back(0);
+  std::vector<std::uint32_t> whole;  // by piece: that of this arrangement which it is a part of
+  for (std::uint32_t p = 0; p < pieces().size(); ++p) {
+    const std::vector<PieceSource2> covering = sources(p);
+    std::vector<VertexId> ends{pieces()[p].a};
+    for (const PieceSource2& source : covering)
+      on_surfaces.append_inside(source.surface, pieces()[p], source.is_reversed, ends);
+    ends.push_back(pieces()[p].b);
+    if (covering.size() > 1) {
+      const bool ascends = result.vertices().precedes(ends.front(), ends.back());
+      std::ranges::sort(ends,
+                        [&](VertexId v, VertexId w) { return v != w && result.vertices().precedes(v, w) == ascends; });
+      ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    }
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      const Segment2 part{ends[k], ends[k + 1]};
+      const auto part_of = [&](const PieceSource2& source) {
+        return on_surfaces.part_from(source.surface, source.is_reversed ? part.b : part.a);
+      };
+      result.overlay_.pieces.push_back(part);
+      for (const PieceSource2& source : covering)
+        result.overlay_.source_list.push_back(first_segment[source.surface] + part_of(source));
+      result.overlay_.source_begin.push_back(static_cast<std::uint32_t>(result.overlay_.source_list.size()));
+      for (const PieceSideId side : sides_of(p)) {
+        FacePart2 owner = owner_[side.index()];
+        const auto source = std::ranges::find(covering, owner.surface, &PieceSource2::surface);
+        if (source != covering.end()) owner.part = part_of(*source);
+        result.owner_.push_back(owner);
+      }
+      whole.push_back(p);
+    }
+  }
+  result.overlay_.set_total_length();
+  result.solids_ = solids_.cut_into(whole);
+  result.triangulation_ = Triangulation2(result.vertices(), result.pieces());
+  return result;
 }
 
 std::vector<PieceSource2> Arrangement2::sources(std::size_t piece) const {

@@ -8,13 +8,11 @@
 #include "geometry/plane/arrangement/overlay.h"
 #include "geometry/plane/arrangement/solids.h"
 #include "geometry/plane/arrangement/triangulation.h"
+#include "geometry/plane/scene/division.h"
 #include "geometry/plane/scene/scene.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
-
-// How many equal parts each surface is cut into.
-using Division2 = std::vector<std::uint32_t>;
 
 // What becomes of two claims for different materials on one side.
 enum class Conflicts2 : bool { kRefused, kFirstWins };
@@ -27,13 +25,19 @@ enum class Conflicts2 : bool { kRefused, kFirstWins };
 //   (2) pieces, vertices and owners do not depend on how the pieces were found
 //   (3) sides that look into a solid are covered: they belong to no face and stay opaque. Where a face with a material
 //       looks into a solid and lies on a front of it, that front makes no claim: the other side is of what lies on it
+//   (4) where surfaces are cut decides nothing of this: pieces of an arrangement that is cut are parts of pieces of the
+//       one that is not, and their sides belong to the same faces
 class Arrangement2 {
  public:
   // Throws InputError naming both surfaces, the side and the piece when claims with different materials meet and are
-  // refused, and for a "behind" that cannot be obeyed (Solids2). Throws ContractViolation unless the division has a
-  // number above 0 for each surface.
+  // refused, and for a "behind" that cannot be obeyed (Solids2). Throws ContractViolation unless the division says of
+  // each surface where it is cut.
   // REQUIRES: a valid scene (validate). It need not outlive this.
   Arrangement2(const Scene2& scene, const Division2& division, Conflicts2 conflicts = Conflicts2::kRefused);
+
+  // This arrangement, of the same scene, with its surfaces cut: the overlay, what is solid and who owns what are taken
+  // over. COST: that of a triangulation. Throws ContractViolation where this one is cut already.
+  Arrangement2 cut_into(const Scene2& scene, const Division2& division) const;
 
   const Vertices2& vertices() const { return overlay_.vertices; }
   const std::vector<Segment2>& pieces() const { return overlay_.pieces; }
@@ -74,13 +78,15 @@ class Arrangement2 {
 
  private:
   Arrangement2() = default;
+  void add_segments(const std::vector<std::vector<VertexId>>& ends);
   void find_solids(const Scene2& scene);
   void assign_owners(const Scene2& scene, Conflicts2 conflicts);
   SideOwner2 claims(const Scene2& scene, PieceSideId side, const std::vector<PieceSource2>& covering) const;
   [[noreturn]] void refuse_conflict(const Scene2& scene, PieceSideId side, const SideOwner2& claims) const;
 
   Overlay2 overlay_;
-  std::vector<Segment2> segments_;       // input of the overlay
+  std::size_t typed_points_ = 0;         // ends of surfaces among the vertices, which come first
+  std::vector<Segment2> segments_;       // input of the overlay; where surfaces are cut, their parts
   std::vector<FacePart2> segment_part_;  // surface and part of each
   std::vector<FacePart2> owner_;         // by piece side
   Solids2 solids_;

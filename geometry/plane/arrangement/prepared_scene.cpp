@@ -8,10 +8,20 @@ namespace hottel {
 PreparedScene2 prepare(Scene2 scene, Divided2 divided) {
   const DefaultFloatingPoint arithmetic;
   Stopwatch watch;
-  Division2 division;
-  for (const Surface& surface : scene.surfaces) division.push_back(divided == Divided2::kYes ? surface.elements : 1);
-  auto arrangement = std::make_shared<const Arrangement2>(scene, division);
-  return {std::move(scene), std::move(division), std::move(arrangement), watch.lap()};
+  const Division2 nowhere(scene.surfaces.size());
+  auto arrangement = std::make_shared<const Arrangement2>(scene, nowhere);
+  PreparedScene2 undivided(std::move(scene), nowhere, std::move(arrangement), watch.lap());
+  return divided == Divided2::kYes ? prepare_divided(undivided, undivided.scene) : undivided;
+}
+
+PreparedScene2 prepare_divided(const PreparedScene2& undivided, Scene2 scene) {
+  const DefaultFloatingPoint arithmetic;
+  Stopwatch watch;
+  Division2 division = division_of(scene);
+  auto arrangement = is_cut(division)
+                         ? std::make_shared<const Arrangement2>(undivided.arrangement.cut_into(scene, division))
+                         : undivided.shared;
+  return {std::move(scene), std::move(division), std::move(arrangement), undivided.seconds + watch.lap()};
 }
 
 }  // namespace hottel

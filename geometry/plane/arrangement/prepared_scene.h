@@ -11,8 +11,7 @@ namespace hottel {
 
 // A scene overlaid and triangulated: what every method receives, and what visibility is asked of.
 //
-//   (1) division has one number a surface: the equal parts that the arrangement was made with, 1 where it
-//       is not divided
+//   (1) division says where the arrangement cuts each surface: nowhere where it is not divided
 //   (2) while nobody changes it, any number of threads may use it at once
 //   (3) copies share the arrangement, which lives as long as one of them
 //
@@ -38,5 +37,9 @@ enum class Divided2 : bool { kNo, kYes };
 // Throws InputError when claims on an overlap conflict, or for a "behind" that cannot be obeyed.
 // REQUIRES: a valid scene (validate).
 PreparedScene2 prepare(Scene2 scene, Divided2 divided = Divided2::kNo);
+
+// Prepares a scene with as many parts of each surface as it asks for, from one that differs from it in that, in values
+// of materials and of the sky, in its lights and its grid only, and is prepared undivided. COST: a triangulation.
+PreparedScene2 prepare_divided(const PreparedScene2& undivided, Scene2 scene);
 
 }  // namespace hottel

@@ -280,6 +280,18 @@ Solids2 Solids2::restricted_to(const std::vector<std::uint32_t>& pieces) const {
   return result;
 }
 
+Solids2 Solids2::cut_into(const std::vector<std::uint32_t>& whole) const {
+  Solids2 result = restricted_to(whole);
+  for (std::uint32_t part = 0; part < whole.size() && !bounding_.empty(); ++part) {
+    const auto sides = sides_of(part), before = sides_of(whole[part]);
+    for (std::size_t k = 0; k < sides.size(); ++k)
+      for (auto at = std::ranges::lower_bound(bounding_, before[k], {}, &std::pair<PieceSideId, std::uint32_t>::first);
+           at != bounding_.end() && at->first == before[k]; ++at)
+        result.bounding_.emplace_back(sides[k], at->second);
+  }
+  return result;
+}
+
 std::vector<std::vector<std::uint32_t>> regions_behind(const BarePieces2& pieces) {
   SolidFinder finder(pieces, Looks::kAll);
   finder.find();

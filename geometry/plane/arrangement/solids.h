@@ -53,6 +53,8 @@ class Solids2 {
 
   // The sides of some pieces, in their order: as if the other pieces had never been there, but covered as before.
   Solids2 restricted_to(const std::vector<std::uint32_t>& pieces) const;
+  // The sides of parts of pieces: `whole` says of each which piece it is a part of; all pieces have some.
+  Solids2 cut_into(const std::vector<std::uint32_t>& whole) const;
 
  private:
   std::vector<std::uint32_t> maker_;                             // by side; empty where nothing is solid

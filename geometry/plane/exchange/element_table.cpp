@@ -2,10 +2,28 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
+#include "geometry/plane/scene/division.h"
 #include "geometry/scene_names.h"
 
 namespace hottel {
+namespace {
+
+// For each part of a surface that is cut, the leaf it lies in.
+std::vector<std::uint32_t> leaf_of_parts(const SurfaceCuts2& cuts, std::uint32_t parts,
+                                         const std::vector<TreeNode>& leaves) {
+  std::vector<std::uint32_t> result;
+  std::uint32_t leaf = 0;
+  for (std::size_t k = 0; k < cuts.count(); ++k) {
+    if (k > 0 && span_of(parts, leaves[leaf]).to <= cuts.at[k - 1]) ++leaf;
+    result.push_back(leaf);
+  }
+  return result;
+}
+
+}  // namespace
+
 ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangement, const Division2& division,
                              Granularity granularity) {
   // First label of each front and back.
@@ -13,6 +31,8 @@ ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangemen
   first[0].resize(scene.surfaces.size());
   first[1].resize(scene.surfaces.size());
   std::vector<std::uint32_t> group_label[2];
+  // Where a face has fewer leaves than its surface has parts: by surface.
+  std::map<std::uint32_t, std::vector<std::uint32_t>> leaf_of_part[2];
   for (auto& table : group_label) table.assign(scene.groups.size(), std::numeric_limits<std::uint32_t>::max());
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Surface& surface = scene.surfaces[s];
@@ -30,13 +50,26 @@ ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangemen
         continue;
       }
       const std::string name = face_name(scene, {s, back});
-      const std::uint32_t parts = granularity == Granularity::kElement && material ? division[s] : 1;
       first[back][s] = count();
-      for (std::uint32_t k = 0; k < parts; ++k)
-        elements_.push_back({parts == 1 ? name : name + "#" + std::to_string(k), s, k, parts, back, material, {}});
+      const bool is_divided = granularity == Granularity::kElement && material && division[s].is_cut();
+      if (!is_divided) {
+        elements_.push_back({name, s, 0, 1, back, material, {}});
+        continue;
+      }
+      const std::uint32_t parts = surface.elements;
+      const std::vector<TreeNode>& trees = surface.trees.of(back);
+      const std::vector<TreeNode> leaves = trees.empty() ? uniform_leaves(parts, 2, 0) : trees;
+      for (const TreeNode& leaf : leaves)
+        elements_.push_back({element_name(name, parts, leaf), s, leaf.part, parts, back, material, {}, leaf.path});
+      if (leaves.size() < division[s].count()) leaf_of_part[back].emplace(s, leaf_of_parts(division[s], parts, leaves));
     }
   }
 
+  const auto leaf_of = [&leaf_of_part](const FacePart2& owner) {
+    const auto& table = leaf_of_part[owner.is_back];
+    const auto place = table.find(owner.surface);
+    return place == table.end() ? owner.part : place->second[owner.part];
+  };
   are_straight_ = granularity != Granularity::kGroup;
   of_side_.assign(arrangement.side_count() + 1, covered());
   of_side_[place_after_sky(kSky)] = sky();
@@ -44,7 +77,7 @@ ElementTable2::ElementTable2(const Scene2& scene, const Arrangement2& arrangemen
     if (arrangement.is_covered(side)) continue;
     const FacePart2& owner = arrangement.owner(side);
     const std::uint32_t label = first[owner.is_back][owner.surface];
-    of_side_[place_after_sky(side)] = label + (elements_[label].parts > 1 ? owner.part : 0);
+    of_side_[place_after_sky(side)] = label + (elements_[label].is_part() ? leaf_of(owner) : 0);
   }
   measure(arrangement);
 }

@@ -12,7 +12,7 @@
 namespace hottel {
 
 // The elements of an arrangement in the order of the contract: surfaces in the order of the scene, front before
-// back, parts ascending.
+// back, parts ascending, and leaves of trees under them.
 //
 //   (1) every side of every piece belongs to one element, or is covered; the sky has a number too, sky()
 //   (2) the length of an element is that of the pieces it owns: parts that other surfaces own or that look into a

@@ -1,5 +1,9 @@
 #include "geometry/plane/scene/division.h"
 
+#include <algorithm>
+
+#include "kernel/support/failure.h"
+
 namespace hottel {
 namespace {
 
@@ -10,6 +14,12 @@ Integer root_above(const Rational& squared) {
   Integer n = sqrt(whole);
   if (n * n < whole) ++n;
   return n;
+}
+
+Rational quotient(std::uint32_t k, std::uint32_t n) {
+  Rational t(k, n);
+  t.canonicalize();
+  return t;
 }
 
 }  // namespace
@@ -32,19 +42,46 @@ std::optional<std::uint32_t> divide_by_length(Scene2& scene, const Rational& h, 
   return std::nullopt;
 }
 
-Point2 part_begin(const Edge2& edge, std::uint32_t k, std::uint32_t parts) {
-  Rational t(k, parts);
-  t.canonicalize();
-  return point_at(edge, t);
+EdgeSpan2 span_of(std::uint32_t parts, const TreeNode& node) {
+  EdgeSpan2 span{quotient(node.part, parts), quotient(node.part + 1, parts)};
+  for (int level = 0; level < node.path.depth(); ++level) {
+    const Rational middle = (span.from + span.to) / 2;
+    (node.path.digit(level) == 0 ? span.to : span.from) = middle;
+  }
+  return span;
 }
+
+EdgeSpan2 span_of(const Element& element) { return span_of(element.parts, element.node()); }
+
+SurfaceCuts2::SurfaceCuts2(std::uint32_t equal_parts) {
+  HOTTEL_REQUIRE(equal_parts > 0);
+  for (std::uint32_t k = 1; k < equal_parts; ++k) at.push_back(quotient(k, equal_parts));
+}
+
+SurfaceCuts2::SurfaceCuts2(const Surface& surface) : SurfaceCuts2(surface.elements) {
+  if (surface.trees.is_empty()) return;
+  for (const bool is_back : {false, true})
+    for (const TreeNode& leaf : surface.trees.of(is_back)) at.push_back(span_of(surface.elements, leaf).from);
+  std::ranges::sort(at);
+  at.erase(std::unique(at.begin(), at.end()), at.end());
+  if (!at.empty() && at.front() == 0) at.erase(at.begin());
+}
+
+Division2 division_of(const Scene2& scene) {
+  Division2 division;
+  for (const Surface& surface : scene.surfaces) division.emplace_back(surface);
+  return division;
+}
+
+bool is_cut(const Division2& division) { return std::ranges::any_of(division, &SurfaceCuts2::is_cut); }
 
 std::vector<std::array<double, 4>> element_ends(const Scene2& scene, const std::vector<Element>& elements) {
   std::vector<std::array<double, 4>> ends;
   ends.reserve(elements.size());
   for (const Element& element : elements) {
     const Edge2& edge = scene.edges[element.surface];
-    const Point2 from = part_begin(edge, element.part, element.parts);
-    const Point2 to = part_begin(edge, element.part + 1, element.parts);
+    const EdgeSpan2 span = span_of(element);
+    const Point2 from = point_at(edge, span.from), to = point_at(edge, span.to);
     ends.push_back({to_double(from.x), to_double(from.y), to_double(to.x), to_double(to.y)});
   }
   return ends;

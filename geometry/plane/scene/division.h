@@ -20,8 +20,33 @@ void divide_into(Scene2& scene, std::uint32_t n);
 // Throws ContractViolation unless h > 0.
 std::optional<std::uint32_t> divide_by_length(Scene2& scene, const Rational& h, std::uint32_t most);
 
-// Returns the point where part k of an edge in so many equal parts begins; k == parts: where the last one ends. Exact.
-Point2 part_begin(const Edge2& edge, std::uint32_t k, std::uint32_t parts);
+// What lies between two parts of the way along an edge.
+struct EdgeSpan2 {
+  Rational from = 0, to = 1;
+  friend bool operator==(const EdgeSpan2&, const EdgeSpan2&) = default;
+};
+
+// Returns where a node under one of so many equal parts lies, and an element: a face or a part of it. Exact.
+EdgeSpan2 span_of(std::uint32_t parts, const TreeNode& node);
+EdgeSpan2 span_of(const Element& element);
+
+// Where a surface is cut into the elements of both its faces: strictly between 0 and 1 of the way, ascending.
+struct SurfaceCuts2 {
+  std::vector<Rational> at{};
+
+  SurfaceCuts2() = default;
+  SurfaceCuts2(std::uint32_t equal_parts);  // throws ContractViolation for 0
+  explicit SurfaceCuts2(const Surface& surface);
+
+  bool is_cut() const { return !at.empty(); }
+  std::size_t count() const { return at.size() + 1; }  // of what lies between
+  friend bool operator==(const SurfaceCuts2&, const SurfaceCuts2&) = default;
+};
+
+// Where each surface is cut.
+using Division2 = std::vector<SurfaceCuts2>;
+Division2 division_of(const Scene2& scene);
+bool is_cut(const Division2& division);
 
 // Returns where each element begins and ends, in the order of the elements: x0, y0, x1, y1 in scene coordinates, each
 // rounded to the nearest double. Elements of backs, too, run from the first to the second point of the surface.

@@ -59,6 +59,9 @@ void validate(const Scene2& scene) {
     if (!has_lowest_terms(edge.from) || !has_lowest_terms(edge.to))
       refuse("has a coordinate that is not in lowest terms (mpq_class::canonicalize)");
     if (edge.from == edge.to) refuse("has length zero");
+    for (const bool is_back : {false, true})
+      if (const auto& leaves = scene.surfaces[s].trees.of(is_back); !leaves.empty())
+        HOTTEL_REQUIRE(are_whole(leaves, scene.surfaces[s].elements, 2));
   }
   HOTTEL_REQUIRE(scene.light_places.size() == scene.lights.size());
   for (std::size_t k = 0; k < scene.lights.size(); ++k)

@@ -59,8 +59,8 @@ struct Scene2 : SceneTable {
 };
 
 // Throws InputError naming file, line and surface or light unless (2), (3) and (4) hold and the grid is one
-// (grid_problem), ContractViolation unless (1) does and there are as many places as lights. COST: linear, for each
-// light.
+// (grid_problem), ContractViolation unless (1) does, there are as many places as lights and trees are whole. COST:
+// linear, for each light.
 void validate(const Scene2& scene);
 
 // The point at t of the way from the first to the second point of an edge, exactly; t = 0 and t = 1 are its ends.

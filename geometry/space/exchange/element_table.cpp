@@ -19,17 +19,19 @@ namespace {
 
 constexpr std::uint64_t kMostElements = std::numeric_limits<std::uint32_t>::max() - 8;
 
-std::uint32_t parts_of_front(const Surface& surface, Granularity granularity) {
-  return granularity == Granularity::kElement ? surface.elements : 1;
+// Whether a face is made of several elements, or may be.
+bool is_divided(const Surface& surface, bool is_back, Granularity granularity) {
+  return granularity == Granularity::kElement && surface.material_of(is_back) &&
+         (surface.elements > 1 || !surface.trees.of(is_back).empty());
 }
 
 // A polygon divided into elements.
 class Divided {
  public:
-  Divided(const Polygon3& polygon, std::uint32_t n, const Vertices3& vertices) : vertices_(vertices) {
+  Divided(const Polygon3& polygon, const Surface& surface, const Vertices3& vertices) : vertices_(vertices) {
     const auto add = [&](std::span<const Point3> points) {
       auto [integers, weight] = integer_points(vertices, points);
-      divisions_.emplace_back(std::move(integers), n);
+      divisions_.emplace_back(std::move(integers), surface.elements, HasTrees3{!surface.trees.is_empty()});
       weights_.push_back(std::move(weight));
     };
     if (is_convex(polygon)) {
@@ -40,15 +42,19 @@ class Divided {
     for (const PolygonDivision3& division : divisions_) count_ += division.count();
   }
 
-  std::uint64_t count() const { return count_; }
+  // How many trees there are, each of which may be one element.
+  std::uint32_t count() const { return static_cast<std::uint32_t>(count_); }
 
-  // Element k as a patch of a piece that holds it, its front as that of the polygon.
-  Patch3 patch(std::uint64_t k, std::uint32_t piece) const {
+  // A node as a patch of a piece that holds it, its front as that of the polygon.
+  Patch3 patch(const TreeNode& node, std::uint32_t piece) const {
+    std::uint64_t k = node.part;
     std::size_t d = 0;
     for (; k >= divisions_[d].count(); ++d) k -= divisions_[d].count();
-    return {.surface = piece, .corners = divisions_[d].corners(k), .weight = divisions_[d].weight() * weights_[d]};
+    return {.surface = piece,
+            .corners = divisions_[d].corners(k, node.path),
+            .weight = divisions_[d].weight(node.path.depth()) * weights_[d]};
   }
-  std::vector<Point3> corners(std::uint64_t k) const { return corners_of(vertices_, patch(k, 0)); }
+  std::vector<Point3> corners(const TreeNode& node) const { return corners_of(vertices_, patch(node, 0)); }
 
  private:
   const Vertices3& vertices_;
@@ -69,13 +75,15 @@ std::optional<std::uint32_t> whole_piece(const Arrangement3& arrangement, const 
 // An element in the plane of its polygon: convex parts that share no area, each counter-clockwise.
 using FlatElement = std::vector<std::vector<FlatPoint3>>;
 
-// The elements of a polygon divided by n, in their order.
-std::vector<FlatElement> flat_elements(const Polygon3& polygon, std::uint32_t n, const Vertices3& vertices,
-                                       const PlaneFrame3& frame) {
+// The elements of the front of a polygon, in their order.
+std::vector<FlatElement> flat_elements(const Polygon3& polygon, const Surface& surface, bool is_divided,
+                                       const Vertices3& vertices, const PlaneFrame3& frame) {
   std::vector<FlatElement> elements;
-  if (n > 1) {
-    const Divided divided(polygon, n, vertices);
-    for (std::uint64_t k = 0; k < divided.count(); ++k) elements.push_back({frame.outline(divided.corners(k))});
+  if (is_divided) {
+    const Divided divided(polygon, surface, vertices);
+    const std::vector<TreeNode>& leaves = surface.trees.front;
+    for (const TreeNode& leaf : leaves.empty() ? uniform_leaves(divided.count(), 4, 0) : leaves)
+      elements.push_back({frame.outline(divided.corners(leaf))});
   } else if (is_convex(polygon)) {
     elements.push_back({frame.outline(polygon.points)});
   } else {
@@ -134,10 +142,12 @@ ElementCounts3 element_counts(const Scene3& scene, Granularity granularity) {
   }
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     const Surface& surface = scene.surfaces[s];
-    const std::uint64_t parts = element_count(scene.polygons[s], parts_of_front(surface, granularity));
     for (const bool is_back : {false, true}) {
-      const bool has_material = surface.material_of(is_back).has_value();
-      add(has_material ? parts : 1, has_material);
+      const std::uint64_t leaves = surface.trees.of(is_back).size();
+      const std::uint64_t parts = !is_divided(surface, is_back, granularity) ? 1
+                                  : leaves > 0                               ? leaves
+                                               : element_count(scene.polygons[s], surface.elements);
+      add(parts, surface.material_of(is_back).has_value());
     }
   }
   return counts;
@@ -183,26 +193,30 @@ void ElementTable3::add_faces(const Scene3& scene, const Arrangement3& arrangeme
                               Granularity granularity) {
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Surface& surface = scene.surfaces[s];
-    const std::uint32_t n = parts_of_front(surface, granularity);
     std::optional<Divided> divided;
-    if (n > 1) divided.emplace(scene.polygons[s], n, blockers.vertices());
+    if (is_divided(surface, false, granularity) || is_divided(surface, true, granularity))
+      divided.emplace(scene.polygons[s], surface, blockers.vertices());
     for (const bool is_back : {false, true}) {
       const Face face{s, is_back};
       const std::optional<std::uint32_t> material = surface.material_of(is_back);
       const std::string name = face_name(scene, face);
-      const auto parts = static_cast<std::uint32_t>(divided && material ? divided->count() : 1);
+      const std::uint32_t parts = is_divided(surface, is_back, granularity) ? divided->count() : 1;
+      const std::vector<TreeNode>& trees = surface.trees.of(is_back);
+      const std::vector<TreeNode> leaves =
+          trees.empty() || granularity != Granularity::kElement ? uniform_leaves(parts, 4, 0) : trees;
+      HOTTEL_REQUIRE(trees.empty() || parts == 1 || are_whole(leaves, parts, 4));
       const std::optional<std::uint32_t> whole = whole_piece(arrangement, face);
-      for (std::uint32_t k = 0; k < parts; ++k) {
-        elements_.push_back({parts == 1 ? name : name + "#" + std::to_string(k), s, k, parts, is_back, material, {}});
+      for (const TreeNode& leaf : leaves) {
+        elements_.push_back({element_name(name, parts, leaf), s, leaf.part, parts, is_back, material, {}, leaf.path});
         const std::uint32_t label = count() - 1;
-        if (parts == 1) {
+        if (!elements_.back().is_part()) {
           add_parts(face_patches(arrangement, blockers, face), label);
         } else if (whole) {
-          Patch3 patch = divided->patch(k, *whole);
+          Patch3 patch = divided->patch(leaf, *whole);
           if (is_back) turn_round(patch);
           parts_.push_back({std::move(patch), label, is_back});
         } else {
-          const std::vector<Point3> corners = divided->corners(k);
+          const std::vector<Point3> corners = divided->corners(leaf);
           add_parts(face_patches(arrangement, blockers, face, &corners), label);
         }
       }
@@ -286,8 +300,8 @@ std::vector<ElementTable3::Share> ElementTable3::add_contacts(const Scene3& scen
     const Integer& across = normal.x != 0 ? normal.x : normal.y != 0 ? normal.y : normal.z;
     const std::vector<std::uint32_t> masks = fronts(mask.surface), bases = fronts(mask.base);
     const auto flat = [&](std::uint32_t s, const std::vector<std::uint32_t>& labels) {
-      const bool is_divided = !is_by_group_ && elements_[labels.front()].parts > 1;
-      return flat_elements(scene.polygons[s], is_divided ? scene.surfaces[s].elements : 1, vertices, frame);
+      const bool has_parts = !is_by_group_ && elements_[labels.front()].is_part();
+      return flat_elements(scene.polygons[s], scene.surfaces[s], has_parts, vertices, frame);
     };
     const std::vector<FlatElement> of_mask = flat(mask.surface, masks), of_base = flat(mask.base, bases);
     HOTTEL_REQUIRE(of_mask.size() == masks.size() && of_base.size() == bases.size());

@@ -73,6 +73,15 @@ void add_multiple(IntegerVector& sum, const IntegerVector& a, std::uint64_t fact
   mpz_addmul_ui(sum.z.get_mpz_t(), a.z.get_mpz_t(), times);
 }
 
+// Twice the corners of a child of a triangle: what lies at a corner, or the middle, turned by half a turn.
+std::vector<IntegerVector> triangle_child(const std::vector<IntegerVector>& triangle, int digit) {
+  std::vector<IntegerVector> child;
+  for (std::size_t c = 0; c < 3; ++c)
+    child.push_back(digit < 3 ? sum(triangle[static_cast<std::size_t>(digit)], triangle[c])
+                              : sum(triangle[(c + 1) % 3], triangle[(c + 2) % 3]));
+  return child;
+}
+
 // (n - i - j) a + i b + j c, which is n times a point of the triangle; the first factor may be negative (of a
 // parallelogram).
 IntegerVector in_triangle(const std::array<const IntegerVector*, 3>& corners, std::uint64_t n, std::uint64_t i,
@@ -142,10 +151,17 @@ std::uint64_t element_count(const Polygon3& polygon, std::uint32_t n) {
   return polygon.points.size() <= 4 ? each : each * (without_straight_corners(polygon.points).size() - 2);
 }
 
-PolygonDivision3::PolygonDivision3(std::vector<IntegerVector> points, std::uint32_t n) : n_(n) {
+std::uint32_t root_count(const Polygon3& polygon, std::uint32_t n) {
+  if (n > 1) return static_cast<std::uint32_t>(element_count(polygon, n));
+  if (!is_convex(polygon)) return static_cast<std::uint32_t>(triangles_of(polygon).size());
+  return polygon.points.size() <= 4 ? 1
+                                    : static_cast<std::uint32_t>(without_straight_corners(polygon.points).size() - 2);
+}
+
+PolygonDivision3::PolygonDivision3(std::vector<IntegerVector> points, std::uint32_t n, HasTrees3 has_trees) : n_(n) {
   HOTTEL_REQUIRE(n > 0 && points.size() >= 3);
   std::vector<IntegerVector> corners = without_straight_corners(points);
-  if (n == 1) {
+  if (n == 1 && has_trees == HasTrees3::kNo) {
     points_ = std::move(corners);
     return;
   }
@@ -174,9 +190,42 @@ std::uint64_t PolygonDivision3::count() const {
   return n_ * n_ * (points_.size() - 2);
 }
 
-std::vector<IntegerVector> PolygonDivision3::corners(std::uint64_t k) const {
+Integer PolygonDivision3::weight(int depth) const {
+  const bool is_general = shape_ == Shape::kQuad && !is_parallelogram_;
+  Integer result;
+  mpz_mul_2exp(result.get_mpz_t(), weight_.get_mpz_t(), static_cast<mp_bitcnt_t>(is_general ? 2 * depth : depth));
+  return result;
+}
+
+std::vector<IntegerVector> PolygonDivision3::corners(std::uint64_t k, const TreePath& path) const {
+  HOTTEL_REQUIRE(shape_ != Shape::kWhole || path.depth() == 0);
   if (shape_ == Shape::kWhole) return points_;
-  return shape_ == Shape::kQuad ? quad_element(k) : triangle_element(k / (n_ * n_), k % (n_ * n_));
+  if (shape_ == Shape::kQuad) {
+    std::vector<IntegerVector> quad = quad_element(k);
+    for (int level = 0; level < path.depth(); ++level) quad = quad_child(quad, path.digit(level));
+    return has_straight_corner_ ? without_straight_corners(quad) : quad;
+  }
+  std::vector<IntegerVector> triangle = triangle_element(k / (n_ * n_), k % (n_ * n_));
+  for (int level = 0; level < path.depth(); ++level) triangle = triangle_child(triangle, path.digit(level));
+  return triangle;
+}
+
+// In weights of the next depth.
+std::vector<IntegerVector> PolygonDivision3::quad_child(const std::vector<IntegerVector>& quad, int digit) const {
+  const unsigned long unit = is_parallelogram_ ? 1 : 2;
+  IntegerVector centre = sum(quad[0], quad[2]);
+  if (!is_parallelogram_) centre = sum(centre, sum(quad[1], quad[3]));
+  std::vector<IntegerVector> child;
+  for (int c = 0; c < 4; ++c) {
+    if (c == (digit + 2) % 4) {
+      child.push_back(centre);
+      continue;
+    }
+    IntegerVector& corner = child.emplace_back();
+    add_multiple(corner, quad[static_cast<std::size_t>(digit)], unit);
+    add_multiple(corner, quad[static_cast<std::size_t>(c)], unit);
+  }
+  return child;
 }
 
 std::vector<IntegerVector> PolygonDivision3::quad_element(std::uint64_t k) const {
@@ -193,7 +242,7 @@ std::vector<IntegerVector> PolygonDivision3::quad_element(std::uint64_t k) const
     add_multiple(point, points_[2], a * b);
     add_multiple(point, points_[3], (n_ - a) * b);
   }
-  return has_straight_corner_ ? without_straight_corners(corners) : corners;
+  return corners;
 }
 
 std::vector<IntegerVector> PolygonDivision3::triangle_element(std::uint64_t triangle, std::uint64_t k) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/element_tree.h"
 #include "geometry/space/scene/scene.h"
 #include "kernel/determinant.h"
 
@@ -28,6 +29,13 @@ std::vector<std::array<Point3, 3>> triangles_of(const Polygon3& polygon);
 // its triangles.
 std::uint64_t element_count(const Polygon3& polygon, std::uint32_t n);
 
+// Returns how many trees a polygon has that is divided by n, one under each element; where it is not divided, one of a
+// triangle and of a quad, and of another polygon one for each of the triangles that it is divided into.
+std::uint32_t root_count(const Polygon3& polygon, std::uint32_t n);
+
+// Whether a polygon that is divided by 1 is to be divided further.
+enum class HasTrees3 : bool { kNo, kYes };
+
 // A convex polygon divided by n, its points as they are listed: three are a triangle, four a quad, even where one of
 // them is in the middle of a side; of more, those in the middle of sides are left out, and it is divided into the
 // triangles of a fan from the first point that is left.
@@ -42,23 +50,30 @@ std::uint64_t element_count(const Polygon3& polygon, std::uint32_t n);
 //
 //   (1) a quad: n x n elements by equal parts of its sides; row by row from its first point, along its first side first
 //   (2) a triangle: n^2 similar ones, in rows from its first side; in a row up, down, up, ...
-//   (3) n = 1: the polygon itself, whatever its corners; else all elements of the first triangle of a fan come first
+//   (3) n = 1: the polygon itself, whatever its corners, unless it has trees; else all elements of the first triangle
+//   of
+//       a fan come first
 //   (4) corner c of an element lies at c / weight(): exactly. Corners go around as the polygon does; no three in a row
 //       are on one line (of a quad that is a triangle one element is, too)
 //   (5) the elements share no area, and together they are the polygon
+//   (6) a node of a tree has four children: of a quad by halves of its sides, digit c with corner c, which is its
+//   corner
+//       c; of a triangle by the middles of its sides, digit c with corner c, and 3 the middle one, turned by half a
+//       turn. Those of one depth are what elements by 2^depth are
 class PolygonDivision3 {
  public:
   // REQUIRES integer coordinates of a convex polygon (is_convex), and n > 0.
-  PolygonDivision3(std::vector<IntegerVector> points, std::uint32_t n);
+  PolygonDivision3(std::vector<IntegerVector> points, std::uint32_t n, HasTrees3 has_trees = HasTrees3::kNo);
 
   std::uint64_t count() const;
-  const Integer& weight() const { return weight_; }
-  // COST: about a microsecond.
-  std::vector<IntegerVector> corners(std::uint64_t k) const;  // REQUIRES k < count()
+  Integer weight(int depth = 0) const;  // of nodes at a depth
+  // Of an element, or of a node of the tree under it. COST: about a microsecond.
+  std::vector<IntegerVector> corners(std::uint64_t k, const TreePath& path = {}) const;  // REQUIRES k < count()
 
  private:
   enum class Shape : unsigned char { kWhole, kQuad, kTriangles };
 
+  std::vector<IntegerVector> quad_child(const std::vector<IntegerVector>& quad, int digit) const;
   std::vector<IntegerVector> quad_element(std::uint64_t k) const;
   std::vector<IntegerVector> triangle_element(std::uint64_t triangle, std::uint64_t k) const;
 

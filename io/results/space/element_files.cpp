@@ -39,7 +39,7 @@ void write_faces_csv_3(const FactorTable& table, std::span<const std::vector<std
     const std::string face = table.granularity == Granularity::kGroup
                                  ? element.name
                                  : face_name(table.scene, {element.surface, element.is_back});
-    text += fmt::format("{},{},{},{},{},{}\n", i + 1, csv_field(face), element.part,
+    text += fmt::format("{},{},{},{},{},{}\n", i + 1, csv_field(face), element.node().text(),
                         number(element.area.value, "the area", element),
                         element.material ? csv_field(table.scene.materials[*element.material].name) : "",
                         points_text(corners[i], element));

@@ -26,8 +26,8 @@ struct Line {
 
 Line line_of(const Scene2& scene, const Element& element) {
   const Edge2& edge = scene.edges[element.surface];
-  return {part_begin(edge, element.part, element.parts), part_begin(edge, element.part + 1, element.parts),
-          element.is_back};
+  const EdgeSpan2 span = span_of(element);
+  return {point_at(edge, span.from), point_at(edge, span.to), element.is_back};
 }
 
 double distance(const Point2& a, const Point2& b) { return std::hypot(to_double(b.x - a.x), to_double(b.y - a.y)); }

@@ -45,7 +45,9 @@ class JudgedScene2 final : public JudgedScene {
     for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
       Surface& surface = scene.surfaces[s];
       if (!surface.back) surface.back = surface.material;
-      surface.elements = prepared_.division[s];
+      if (prepared_.division[s].is_cut()) continue;
+      surface.elements = 1;
+      surface.trees = {};
     }
     try {
       const PreparedScene2 both = prepare(std::move(scene), Divided2::kYes);

@@ -121,10 +121,7 @@ Ball Beam2::power_up_to(const Point2& direction, Side side, long precision) cons
 Enclosure Beam2::share(const Point2& from, const Point2& to) const {
   const Side first = side(from), last = side(to);
   const bool is_behind = passes_behind(from, to);
-  // All of the beam but what is between them, where the way leads past its back.
-  const bool is_dark =
-      is_behind ? first == Side::kAbove && last == Side::kBelow : first == last && first != Side::kInside;
-  if (is_dark || touches_only(from, to, first, last, is_behind)) return {0, 0};
+  if (is_dark(from, to, first, last, is_behind)) return {0, 0};
   for (long precision = kFirstPrecision;; precision *= 2) {
     const Ball border = border_power(precision);
     Ball power = power_up_to(to, last, precision).minus(power_up_to(from, first, precision), precision);
@@ -134,6 +131,22 @@ Enclosure Beam2::share(const Point2& from, const Point2& to) const {
     if (is_least || (bounds.lower > 0 && bounds.width() <= 0x1p-50 * bounds.lower)) return bounds;
     if (precision > kMostPrecision) throw RequestError("the power of a light between two directions cannot be told");
   }
+}
+
+Beam2::Meets Beam2::meets(const Point2& from, const Point2& to) const {
+  if (half_angle_ == 180) return Meets::kAll;
+  const Side first = side(from), last = side(to);
+  const bool is_behind = passes_behind(from, to);
+  if (is_dark(from, to, first, last, is_behind)) return Meets::kNothing;
+  return first == Side::kInside && last == Side::kInside && !is_behind ? Meets::kAll : Meets::kPart;
+}
+
+// True where nothing of the beam but a border is among the directions.
+bool Beam2::is_dark(const Point2& from, const Point2& to, Side first, Side last, bool is_behind) const {
+  // All of the beam but what is between them, where the way leads past its back.
+  const bool is_beyond =
+      is_behind ? first == Side::kAbove && last == Side::kBelow : first == last && first != Side::kInside;
+  return is_beyond || touches_only(from, to, first, last, is_behind);
 }
 
 // True where only a border of the beam is among the directions.

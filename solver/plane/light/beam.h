@@ -32,6 +32,11 @@ class Beam2 {
   // COST: some 10 µs.
   Enclosure share(const Point2& from, const Point2& to) const;
 
+  // What of the directions from `from` counter-clockwise to `to`, less than half a turn on, is in the beam, exactly:
+  // nothing but a border, a part, all. kNothing iff share() is {0, 0}.
+  enum class Meets : unsigned char { kNothing, kPart, kAll };
+  Meets meets(const Point2& from, const Point2& to) const;
+
   // True iff a direction is in the beam, borders included. COST: some 100 ns but next to a border.
   bool contains(const Point2& direction) const;
   // The intensity in a direction over the power [1/radian], in doubles: I0 cos^n t / P; 0 outside the beam, exactly.
@@ -62,6 +67,7 @@ class Beam2 {
   int turns_to_add(const Point2& direction) const;
   Side side(const Point2& direction) const;
   bool passes_behind(const Point2& from, const Point2& to) const;
+  bool is_dark(const Point2& from, const Point2& to, Side first, Side last, bool is_behind) const;
   bool touches_only(const Point2& from, const Point2& to, Side first, Side last, bool is_behind) const;
   Ball power_up_to(const Point2& direction, Side side, long precision) const;
   Ball border_power(long precision) const;

@@ -58,8 +58,8 @@ class Lengths {
 std::vector<Spot> middles(const Scene2& scene, const ElementTable2& table) {
   std::vector<Spot> result;
   for (const Element& element : table.elements()) {
-    const Rational t = Rational(Integer(2ul * element.part + 1)) / Rational(Integer(2ul * element.parts));
-    result.push_back(rounded(point_at(scene.edges[element.surface], t)));
+    const EdgeSpan2 span = span_of(element);
+    result.push_back(rounded(point_at(scene.edges[element.surface], (span.from + span.to) / 2)));
   }
   return result;
 }

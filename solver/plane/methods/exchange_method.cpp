@@ -13,7 +13,7 @@ ExchangeMatrix ElementMethod2::compute(const PreparedScene2& prepared, const Exc
                                        MethodReport& report) const {
   Stopwatch watch;
   ExchangeMatrix matrix = compute_elements(prepared, request.progress, report);
-  const bool is_divided = std::ranges::any_of(prepared.division, [](std::uint32_t parts) { return parts > 1; });
+  const bool is_divided = is_cut(prepared.division);
   if (request.granularity == Granularity::kGroup || (request.granularity == Granularity::kFace && is_divided))
     matrix = coarsened(matrix, prepared.scene, elements_of(prepare(prepared.scene, Divided2::kNo), request.granularity),
                        request.granularity);

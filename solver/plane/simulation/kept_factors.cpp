@@ -20,7 +20,7 @@ bool is_exact(const ExchangeMethod2& method) { return method.info().guarantee ==
 
 // As methods that know elements only have them (ElementMethod2).
 std::vector<Element> rows_of(const PreparedScene2& prepared, Granularity granularity) {
-  const bool is_divided = std::ranges::any_of(prepared.division, [](std::uint32_t parts) { return parts > 1; });
+  const bool is_divided = is_cut(prepared.division);
   return is_divided && granularity != Granularity::kElement
              ? elements_of(prepare(prepared.scene, Divided2::kNo), granularity)
              : elements_of(prepared, granularity);

@@ -91,23 +91,35 @@ std::vector<std::size_t> first_alike(const std::vector<Material>& materials) {
   return result;
 }
 
-// All of a scene that its arrangement, and factors, come from: its shape, its names, and which materials act alike.
+// All of a scene that its undivided arrangement comes from: its shape, its names, and which materials act alike.
 bool is_same_shape(const Scene2& a, const Scene2& b) {
-  return a.file == b.file && a.edges == b.edges && a.surfaces == b.surfaces && a.groups == b.groups &&
+  return a.file == b.file && a.edges == b.edges &&
+         std::ranges::equal(a.surfaces, b.surfaces, &Surface::is_alike_undivided) && a.groups == b.groups &&
          std::ranges::equal(a.materials, b.materials, {}, &Material::name, &Material::name) &&
          first_alike(a.materials) == first_alike(b.materials);
 }
 
 struct ArrangementInput {
   ScenePtr scene;
-  Divided2 divided = Divided2::kNo;
   friend bool operator==(const ArrangementInput& a, const ArrangementInput& b) {
-    return a.divided == b.divided && (a.scene == b.scene || is_same_shape(*a.scene, *b.scene));
+    return a.scene == b.scene || is_same_shape(*a.scene, *b.scene);
   }
 };
 
-PreparedScene2 make_arrangement(const ArrangementInput& input, const StageProgress&) {
-  return prepare(*input.scene, input.divided);
+PreparedScene2 make_arrangement(const ArrangementInput& input, const StageProgress&) { return prepare(*input.scene); }
+
+// The same arrangement with its surfaces cut into elements.
+struct DivisionInput {
+  StagePtr<PreparedScene2> arrangement;
+  ScenePtr scene;  // of the shape that is arranged
+  friend bool operator==(const DivisionInput& a, const DivisionInput& b) {
+    return a.arrangement == b.arrangement &&
+           (a.scene == b.scene || std::ranges::equal(a.scene->surfaces, b.scene->surfaces, &Surface::is_divided_alike));
+  }
+};
+
+PreparedScene2 make_divided(const DivisionInput& input, const StageProgress& progress) {
+  return prepare_divided(*input.arrangement->get(progress), *input.scene);
 }
 
 // The scene of a version, with an arrangement that was made for another.
@@ -320,6 +332,16 @@ const MethodPtr& exact_method() {
 
 }  // namespace
 
+namespace {
+
+// An arrangement, and the scene that it was made with.
+struct Arranged {
+  StagePtr<PreparedScene2> stage;
+  ScenePtr scene;
+};
+
+}  // namespace
+
 struct Simulation2::Version {
   ScenePtr scene;
   SimulationRequest2 request;
@@ -327,7 +349,9 @@ struct Simulation2::Version {
   Granularity granularity = Granularity::kFace;
 
   Node<PlanInput, Plan> plan;
-  Node<ArrangementInput, PreparedScene2> undivided, divided;  // the same one where no surface is divided
+  Node<ArrangementInput, PreparedScene2> undivided;
+  Node<DivisionInput, PreparedScene2> cut;  // where some surface is divided
+  Arranged divided;                         // the undivided one where none is
   // With this scene: as rows are asked for, undivided, and divided.
   Node<PreparedInput, PreparedScene2> prepared, whole, parted;
   Node<FactorsInput, ComputedFactors2> factors, exact_factors;
@@ -343,7 +367,7 @@ struct Simulation2::Version {
   Version(ScenePtr its_scene, SimulationRequest2 its_request, const Version* before);
 
  private:
-  const Node<ArrangementInput, PreparedScene2>& arrangement() const;  // as rows are asked for
+  Arranged arrangement() const;  // as rows are asked for
   void set_arrangements(const Version* before);
   void set_factors(const Version* before);
   void set_light(const Version* before);
@@ -359,11 +383,10 @@ const Member* old(const Version* before, Member Version::*member) {
 }
 
 // An arrangement with the scene of a version: itself where it was made for that scene.
-Node<PreparedInput, PreparedScene2> with_values(const Node<ArrangementInput, PreparedScene2>& arrangement,
-                                                const ScenePtr& scene,
+Node<PreparedInput, PreparedScene2> with_values(const Arranged& arrangement, const ScenePtr& scene,
                                                 const Node<PreparedInput, PreparedScene2>* before) {
   const PreparedInput input{arrangement.stage, scene};
-  if (arrangement.input.scene == scene) return {input, arrangement.stage};
+  if (arrangement.scene == scene) return {input, arrangement.stage};
   return node_of("arrangement", input, before, make_prepared);
 }
 
@@ -388,20 +411,22 @@ Simulation2::Version::Version(ScenePtr its_scene, SimulationRequest2 its_request
 }
 
 void Simulation2::Version::set_arrangements(const Version* before) {
-  undivided = node_of("arrangement", ArrangementInput{scene, Divided2::kNo}, old(before, &Version::undivided),
-                      make_arrangement);
-  divided = is_divided(*scene) ? node_of("arrangement", ArrangementInput{scene, Divided2::kYes},
-                                         old(before, &Version::divided), make_arrangement)
-                               : undivided;
+  undivided = node_of("arrangement", ArrangementInput{scene}, old(before, &Version::undivided), make_arrangement);
+  const Arranged whole_surfaces{undivided.stage, undivided.input.scene};
+  divided = whole_surfaces;
+  if (is_divided(*scene)) {
+    cut = node_of("arrangement", DivisionInput{undivided.stage, scene}, old(before, &Version::cut), make_divided);
+    divided = {cut.stage, cut.input.scene};
+  }
   prepared = with_values(arrangement(), scene, old(before, &Version::prepared));
-  whole = with_values(undivided, scene, old(before, &Version::whole));
+  whole = with_values(whole_surfaces, scene, old(before, &Version::whole));
   parted = with_values(divided, scene, old(before, &Version::parted));
 }
 
-const Node<ArrangementInput, PreparedScene2>& Simulation2::Version::arrangement() const {
+Arranged Simulation2::Version::arrangement() const {
   const bool tells_elements_apart =
       granularity == Granularity::kElement || (request.method && request.method->works_by_elements());
-  return tells_elements_apart ? divided : undivided;
+  return tells_elements_apart ? divided : Arranged{undivided.stage, undivided.input.scene};
 }
 
 void Simulation2::Version::set_factors(const Version* before) {

@@ -13,8 +13,7 @@ ExchangeMatrix ElementMethod3::compute(const PreparedScene3& prepared, const Exc
                                        MethodReport& report) const {
   Stopwatch watch;
   ExchangeMatrix matrix = compute_elements(prepared, request.progress, report);
-  const bool is_divided =
-      std::ranges::any_of(prepared.scene.surfaces, [](const Surface& surface) { return surface.elements > 1; });
+  const bool is_divided = std::ranges::any_of(prepared.scene.surfaces, &Surface::is_divided);
   if (request.granularity == Granularity::kGroup || (request.granularity == Granularity::kFace && is_divided))
     matrix = coarsened(matrix, prepared.scene, elements_of(prepared, request.granularity), request.granularity);
   const double seconds = watch.lap();

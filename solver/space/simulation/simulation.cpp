@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -103,6 +104,23 @@ StagePtr<PreparedScene3> prepared_stage(const ScenePtr& scene, const StagePtr<Pr
   });
 }
 
+// All of a scene that its arrangement, and factors, come from but for its materials.
+bool is_same_shape(const Scene3& a, const Scene3& b) {
+  return a.file == b.file && a.polygons == b.polygons && a.masks == b.masks && a.groups == b.groups &&
+         std::ranges::equal(a.surfaces, b.surfaces, &Surface::is_alike_undivided) &&
+         std::ranges::equal(a.materials, b.materials, {}, &Material::name, &Material::name);
+}
+
+// Whether the lights are the same but for their power: their shares are then.
+bool are_lit_alike(const Scene3& a, const Scene3& b) {
+  const auto is_alike = [](Light light, const Light& other) {
+    light.power = other.power;
+    light.line = other.line;
+    return light == other;
+  };
+  return a.light_places == b.light_places && std::ranges::equal(a.lights, b.lights, is_alike);
+}
+
 StagePtr<Plan> plan_stage(const ScenePtr& scene, const PlanRequest& request) {
   return std::make_shared<Stage<Plan>>("plan",
                                        [scene, request](const StageProgress&) { return plan_scene(*scene, request); });
@@ -154,19 +172,25 @@ struct Simulation3::Version {
     set_light();
   }
 
-  // Of other materials.
+  // Of another scene.
   Version(const Version& other, ScenePtr its_scene) : scene(std::move(its_scene)), request(other.request) {
     plan = plan_stage(scene, request.plan);
-    measured = other.measured;
-    if (are_alike_as_before_3(other.scene->materials, scene->materials)) {
-      arranged = other.arranged;
-      prepared = prepared_stage(scene, arranged);
+    const bool has_same_shape = is_same_shape(*other.scene, *scene);
+    const bool are_alike = has_same_shape && are_alike_as_before_3(other.scene->materials, scene->materials);
+    const bool has_same_elements =
+        has_same_shape && std::ranges::equal(other.scene->surfaces, scene->surfaces, &Surface::is_divided_alike);
+    arranged = are_alike ? other.arranged : prepared_stage(scene);
+    prepared = are_alike ? prepared_stage(scene, arranged) : arranged;
+    if (!has_same_elements) {
+      set_factors();
+    } else if (are_alike) {
+      measured = other.measured;
       factors = other.factors;
       hidden = other.hidden;
       shares = other.shares;
+      if (!are_lit_alike(*other.scene, *scene)) set_shares();
     } else {  // it is refused, or arranged as before
-      arranged = prepared_stage(scene);
-      prepared = arranged;
+      measured = other.measured;
       factors = std::make_shared<Stage<ComputedFactors3>>(
           "view factors",
           [ready = prepared, before = measured, asked = request.factors](const StageProgress& progress) {
@@ -286,6 +310,11 @@ Simulation3 Simulation3::with_materials(std::vector<Material> materials) const {
   Scene3 scene = *version_->scene;
   scene.materials = std::move(materials);
   validate_table(scene);
+  return Simulation3(std::make_shared<const Version>(*version_, std::make_shared<const Scene3>(std::move(scene))));
+}
+
+Simulation3 Simulation3::with_scene(Scene3 scene) const {
+  validate(scene);
   return Simulation3(std::make_shared<const Version>(*version_, std::make_shared<const Scene3>(std::move(scene))));
 }
 

@@ -108,6 +108,8 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 //       comes before and after them, where these are asked for alike
 //   (4) a scene with other materials shares the factors, and where no reflectivity is another the system too; it is
 //       arranged anew, and takes a copy of the factors, where not the same materials are alike
+//   (5) a scene of the same shape shares what is arranged however its surfaces are divided, the factors too where they
+//       are divided alike, and what lights shine on where these stand and shine alike
 //
 // Light and picture are those of the solution on the grid, and made anew wherever that is.
 // RequestErrors name the scene's file: where the memory does not suffice, a pair cannot be measured, or one without an
@@ -118,9 +120,11 @@ class Simulation3 {
   // where the request's grid is none (grid_problem).
   explicit Simulation3(Scene3 scene, SimulationRequest3 request = {});
   Simulation3 with_request(const SimulationRequest3& request) const;
-  // The scene with these materials in place of its own. Throws InputError as the constructor, ContractViolation unless
-  // there are as many.
+  // The scene with these materials in place of its own, of the same names. Throws InputError as the constructor,
+  // ContractViolation unless there are as many.
   Simulation3 with_materials(std::vector<Material> materials) const;
+  // The version of another scene. Throws InputError as the constructor.
+  Simulation3 with_scene(Scene3 scene) const;
 
   const Scene3& scene() const;
   const SimulationRequest3& request() const;

@@ -112,7 +112,7 @@ std::string ownership_differs(const PreparedScene2& prepared, const Split& split
   const Arrangement2& arrangement = prepared.arrangement;
   std::vector<FacePart2> parts;  // by edge of the oracle
   for (std::uint32_t s = 0; s < prepared.division.size(); ++s)
-    for (std::uint32_t k = 0; k < prepared.division[s]; ++k) parts.push_back({{s, false}, k});
+    for (std::uint32_t k = 0; k < prepared.division[s].count(); ++k) parts.push_back({{s, false}, k});
   using End = std::pair<Rational, Rational>;
   using Sides = std::pair<std::optional<FacePart2>, std::optional<FacePart2>>;
   std::map<std::pair<End, End>, Sides> expected;

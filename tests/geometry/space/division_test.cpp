@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ranges>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -227,6 +228,53 @@ TEST(DivideInto, SetsAllSurfaces) {
   divide_into(scene, 7);
   EXPECT_EQ(scene.surfaces[1].elements, 7u);
   EXPECT_THROW(divide_into(scene, 0), ContractViolation);
+}
+
+// (6)
+TEST_P(EveryDivision, NodesOfOneDepthAreTheElementsByAsManyTimesTwo) {
+  for (const int depth : {1, 2, 3}) {
+    const std::uint32_t many = n() << depth;
+    const PolygonDivision3 roots(polygon(), n(), HasTrees3::kYes), equal(polygon(), many);
+    const Integer tree_weight = roots.weight(depth), weight = equal.weight();
+    const auto canonical = [](Corners corners, const Integer& scale) {  // where it begins plays no part
+      for (IntegerVector& p : corners) p = {p.x * scale, p.y * scale, p.z * scale};
+      const auto less = [](const IntegerVector& a, const IntegerVector& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+      };
+      std::ranges::rotate(corners, std::ranges::min_element(corners, less));
+      return corners;
+    };
+    std::vector<Corners> nodes, parts;
+    for (const TreeNode& node : uniform_leaves(static_cast<std::uint32_t>(roots.count()), 4, depth))
+      nodes.push_back(canonical(roots.corners(node.part, node.path), weight));
+    for (const Corners& part : elements(equal)) parts.push_back(canonical(part, tree_weight));
+    const auto is_less = [](const Corners& a, const Corners& b) {
+      return std::ranges::lexicographical_compare(a, b, [](const IntegerVector& p, const IntegerVector& q) {
+        return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+      });
+    };
+    std::ranges::sort(nodes, is_less);
+    std::ranges::sort(parts, is_less);
+    EXPECT_EQ(nodes.size(), parts.size());
+    EXPECT_TRUE(nodes == parts) << "depth " << depth;
+  }
+}
+
+// (6)
+TEST(PolygonDivision3, ChildrenHaveTheCornersOfTheirParentByTheirDigits) {
+  const PolygonDivision3 quad(kQuad, 1, HasTrees3::kYes), triangle(kTriangle, 1, HasTrees3::kYes);
+  for (int digit = 0; digit < 4; ++digit) {
+    const Corners child = quad.corners(0, TreePath().child(digit));
+    const IntegerVector& corner = kQuad[static_cast<std::size_t>(digit)];
+    const Integer w = quad.weight(1);
+    EXPECT_EQ(child[static_cast<std::size_t>(digit)], (IntegerVector{w * corner.x, w * corner.y, w * corner.z}));
+  }
+  for (int digit = 0; digit < 3; ++digit) {
+    const Corners child = triangle.corners(0, TreePath().child(digit));
+    const IntegerVector& corner = kTriangle[static_cast<std::size_t>(digit)];
+    EXPECT_EQ(child[static_cast<std::size_t>(digit)], (IntegerVector{2 * corner.x, 2 * corner.y, 2 * corner.z}));
+  }
+  EXPECT_EQ(triangle.corners(0, TreePath().child(3)), (Corners{{6, 6, 0}, {0, 6, 0}, {6, 0, 0}}));
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ IlluminationPainter2::IlluminationPainter2(const PreparedScene2& prepared, const
                                            const IlluminationPicture2& picture)
     : grid_(grid),
       pixels_(light_pixels(prepared, grid, picture)),
-      tone_(picture.tone, picture.exposure, grid.values, grid.channels),
+      tone_(picture.curve ? *picture.curve : ToneCurve(picture.tone, picture.exposure, grid.values, grid.channels)),
       plan_(prepared, Frame2(grid.grid.min, grid.grid.max, pixels_.width(), pixels_.height()),
             std::max(pixels_.width(), pixels_.height()) / 1600.0) {}
 

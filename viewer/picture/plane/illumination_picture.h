@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "solver/plane/simulation/simulation_request.h"
 #include "viewer/picture/picture_options.h"
+#include "viewer/picture/tone_curve.h"
 
 namespace hottel {
 
@@ -18,6 +20,7 @@ struct IlluminationPicture2 {
   double exposure = 1;               // what the light is multiplied by; ToneCurve says relative to what
   std::uint32_t wanted_side = 1400;  // pixels of the longer side: rounded to whole pixels a cell
   std::uint32_t wanted_width = 0;    // pixels across instead, where not 0
+  std::optional<ToneCurve> curve{};  // instead of one that is fitted to the light of the grid
 };
 
 // Returns the bytes of the picture file, and what the tone curve multiplied values by.

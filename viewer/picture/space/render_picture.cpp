@@ -23,16 +23,6 @@ constexpr double kFooterUnits = 72;
 constexpr double kGrowth = 0.5, kLeastBand = 2;  // pixels
 constexpr double kLeastArea = 1e-9;              // square pixels, of shapes that are drawn
 
-Camera3 camera_of(const PreparedScene3& prepared, std::uint32_t wanted_width) {
-  Camera3 camera = prepared.scene.camera ? *prepared.scene.camera : default_camera_3(prepared);
-  if (wanted_width > 0) {
-    const double height = std::round(static_cast<double>(camera.height) * wanted_width / camera.width);
-    camera.width = wanted_width;
-    camera.height = static_cast<std::uint32_t>(std::clamp(height, 1.0, static_cast<double>(kMaxPictureSide)));
-  }
-  return camera;
-}
-
 double footer_unit(const Camera3& camera) { return std::max(camera.width / 1000.0, 0.6); }
 
 PixelPolygon cut(const PixelPolygon& polygon, const AffineValue3& above, double sign) {
@@ -76,11 +66,21 @@ struct FillsByColour {
 
 }  // namespace
 
+Camera3 camera_of_scene(const PreparedScene3& prepared, std::uint32_t wanted_width) {
+  Camera3 camera = prepared.scene.camera ? *prepared.scene.camera : default_camera_3(prepared);
+  if (wanted_width > 0) {
+    const double height = std::round(static_cast<double>(camera.height) * wanted_width / camera.width);
+    camera.width = wanted_width;
+    camera.height = static_cast<std::uint32_t>(std::clamp(height, 1.0, static_cast<double>(kMaxPictureSide)));
+  }
+  return camera;
+}
+
 RenderedView3::RenderedView3(const PreparedScene3& prepared, Granularity granularity, const RadiositySolution& solution,
                              RenderOptions3 options)
     : prepared_(prepared),
       options_(std::move(options)),
-      camera_(camera_of(prepared, options_.wanted_width)),
+      camera_(camera_of_scene(prepared, options_.wanted_width)),
       table_(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity),
       paint_(options_.shown ? scale_paint_3(*options_.shown) : light_paint_3(prepared.scene, solution)) {
   if (options_.shading == Shading3::kSmooth) mesh_.emplace(prepared, table_);

@@ -29,6 +29,9 @@ struct RenderOptions3 {
   std::optional<ShownValues> shown{};  // instead of the light
 };
 
+// The camera of a scene, or that of default_camera_3, with so many pixels across where that is not 0.
+Camera3 camera_of_scene(const PreparedScene3& prepared, std::uint32_t wanted_width);
+
 // The picture of the scene's camera, or of default_camera_3.
 //
 //   (1) light has the size of the camera; a quantity on a scale has a footer below it, with bar, unit and range
@@ -50,6 +53,8 @@ class RenderedView3 {
   // What the light was multiplied by before it was toned; of other quantities 1.
   double scale() const { return tone_ ? tone_->scale() : 1; }
 
+  // The curve of the light. REQUIRES that light is shown.
+  const ToneCurve& tone() const { return *tone_; }
   // What is shown instead of the light.
   const std::optional<ShownValues>& shown() const { return options_.shown; }
 

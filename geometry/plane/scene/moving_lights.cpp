@@ -1,0 +1,34 @@
+#include "geometry/plane/scene/moving_lights.h"
+
+#include "geometry/light_motion.h"
+
+namespace hottel {
+
+LightPlace2 place_after(const LightPlace2& place, const Rational& time) {
+  LightPlace2 result = place;
+  result.rotation = 0;
+  result.path = {};
+  if (place.rotation != 0) result.turned = within_a_turn(place.turned + place.rotation * time);
+  if (!place.path) return result;
+  std::vector<std::vector<Rational>> points;
+  for (const Point2& p : place.path->points) points.push_back({p.x, p.y});
+  const PathPlace at =
+      place_on_path(points, place.path->closed, part_of_way(time, place.path->seconds, place.path->closed));
+  result.position = {Rational(at.point[0]), Rational(at.point[1])};
+  return result;
+}
+
+bool has_moving_lights(const Scene2& scene) {
+  for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+    const LightPlace2& place = scene.light_places[k];
+    if (place.path || (place.rotation != 0 && !scene.lights[k].is_round())) return true;
+  }
+  return false;
+}
+
+Scene2 scene_after(Scene2 scene, const Rational& time) {
+  for (LightPlace2& place : scene.light_places) place = place_after(place, time);
+  return scene;
+}
+
+}  // namespace hottel

@@ -1,0 +1,137 @@
+// The frames of a scene whose lights move: factors of elements that were active before are not computed again.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "geometry/element_tree.h"
+#include "geometry/exchange_matrix.h"
+#include "kernel/rational.h"
+#include "kernel/support/stage.h"
+#include "kernel/support/stopwatch.h"
+#include "solver/kept_report.h"
+#include "solver/refinement.h"
+#include "solver/store.h"
+
+namespace hottel {
+
+// What a frame took.
+struct FrameCounts {
+  std::uint64_t elements = 0;            // active: with a row
+  std::uint64_t activated = 0;           // of these, not active in the frame before; in the first one all
+  std::uint64_t computed = 0, read = 0;  // pairs that exchange light: computed, and taken from what was kept
+  double seconds = 0;                    // until there are radiosities
+};
+
+// The elements of a matrix that have a row, ascending.
+inline std::vector<ElementId> active_elements(const ExchangeMatrix& matrix) {
+  std::vector<ElementId> active;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    const Element& element = matrix.elements()[i];
+    if (matrix.has_row(i)) active.push_back({{element.surface, element.is_back}, element.node()});
+  }
+  std::ranges::sort(active);
+  return active;
+}
+
+// Frames of a scene, in any order.
+//
+//   (1) a frame is a function of the scene and its time: at(t).simulation has the values, bit for bit, of a new
+//       simulation of scene_after(scene, t) with the trees of refined_trees
+//   (2) where the same elements are active as in a frame before, no factor is computed; nor is one of a pair that a
+//       store has. Matrices are kept, with what is ready to solve, as far as the memory goes; then those used longest
+//       ago are given up
+//   (3) the arrangement is made once
+//   (4) counts depend on the frames before
+//
+// Simulation: Simulation2 or Simulation3, of the scene at rest; in space with rows by element. Kept: what a caller
+// likes to keep beside a list of active elements.
+template <class Simulation, class Kept>
+class Animation {
+ public:
+  // memory: bytes for what is kept. store: that of the simulation's request, or null.
+  Animation(Simulation still, const RefinementLevels& levels, std::uint64_t memory, std::shared_ptr<FactorStore> store)
+      : still_(std::move(still)), levels_(levels), memory_(memory), store_(std::move(store)) {}
+
+  struct Frame {
+    Simulation simulation;
+    FrameCounts counts;
+    std::shared_ptr<Kept> kept;
+  };
+
+  // The frame after some seconds, with its radiosities. Throws as the stages of simulations do. REQUIRES that
+  // scene_after is valid at that time.
+  Frame at(const Rational& time, const StageProgress& progress = {}) {
+    Stopwatch watch;
+    FrameCounts counts;
+    const Simulation moved = still_.with_scene(scene_after(still_.scene(), time));
+    std::vector<SurfaceTrees> trees(moved.scene().surfaces.size());
+    if (levels_.is_any()) trees = refined_trees(*moved.prepared(progress), levels_);
+    auto scene = with_trees(moved.scene(), trees);
+    auto place = std::ranges::find(known_, trees, &Known::trees);
+    if (place == known_.end()) {
+      known_.push_front({std::move(trees), still_.with_scene(scene), std::make_shared<Kept>(), 0});
+      place = known_.begin();
+      const StoreUse before = store_ ? store_->use() : StoreUse();
+      const auto factors = place->simulation.factors(progress);
+      place->simulation.system(progress);
+      const StoreUse after = store_ ? store_->use() : StoreUse();
+      counts.computed = store_ ? after.computed - before.computed : pair_count(factors->matrix);
+      counts.read = after.read - before.read;
+      place->bytes = bytes_of(factors->matrix);
+    } else {
+      counts.read = pair_count(place->simulation.factors(progress)->matrix);
+      known_.splice(known_.begin(), known_, place);
+    }
+    Frame frame{place->simulation.with_scene(std::move(scene)), counts, place->kept};
+    std::vector<ElementId> active = active_elements(frame.simulation.factors(progress)->matrix);
+    frame.counts.elements = active.size();
+    frame.counts.activated = active.size() - common(active, active_);
+    active_ = std::move(active);
+    frame.simulation.radiosities(progress);
+    frame.counts.seconds = watch.lap();
+    give_up_what_is_too_much();
+    return frame;
+  }
+
+ private:
+  struct Known {
+    std::vector<SurfaceTrees> trees;
+    Simulation simulation;
+    std::shared_ptr<Kept> kept;
+    std::uint64_t bytes;
+  };
+
+  static std::uint64_t bytes_of(const ExchangeMatrix& matrix) {
+    std::uint64_t entries = 0;
+    for (std::uint32_t i = 0; i < matrix.size(); ++i)
+      if (matrix.has_row(i)) entries += matrix.row(i).size();
+    return 2 * entries * sizeof(FactorEntry) + std::uint64_t{4} * matrix.size() * matrix.size();
+  }
+
+  static std::size_t common(const std::vector<ElementId>& a, const std::vector<ElementId>& b) {
+    std::vector<ElementId> both;
+    std::ranges::set_intersection(a, b, std::back_inserter(both));
+    return both.size();
+  }
+
+  // Never what was used last.
+  void give_up_what_is_too_much() {
+    std::uint64_t all = 0;
+    for (const Known& known : known_) all += known.bytes;
+    for (; all > memory_ && known_.size() > 1; known_.pop_back()) all -= known_.back().bytes;
+  }
+
+  Simulation still_;
+  RefinementLevels levels_;
+  std::uint64_t memory_;
+  std::shared_ptr<FactorStore> store_;
+  std::list<Known> known_;  // what was used last comes first
+  std::vector<ElementId> active_;
+};
+
+}  // namespace hottel

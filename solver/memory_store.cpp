@@ -1,0 +1,69 @@
+#include "solver/memory_store.h"
+
+#include <algorithm>
+#include <mutex>
+#include <unordered_map>
+
+namespace hottel {
+namespace {
+
+class MemoryStore final : public FactorStore {
+ public:
+  std::vector<KeptRows> read(const StoreTable& table, std::uint32_t what) override {
+    const std::lock_guard lock(mutex_);
+    std::vector<KeptRows> result;
+    const auto kept = lists_.find(table.key);
+    if (kept == lists_.end()) return result;
+    std::unordered_map<std::string, std::uint32_t> place;
+    for (std::uint32_t i = 0; i < table.elements.size(); ++i) place.emplace(table.elements[i], i);
+    for (const List& list : kept->second) {
+      if ((list.what & what) != what) continue;
+      KeptRows& rows = result.emplace_back();
+      for (const std::string& element : list.elements) {
+        const auto found = place.find(element);
+        rows.place.push_back(found == place.end() ? KeptRows::kNoPlace : found->second);
+      }
+      const bool is_same_list = list.elements == table.elements;
+      rows.place.push_back(static_cast<std::uint32_t>(table.elements.size()));
+      for (const KeptRow& row : list.rows) {
+        const bool is_of_all = row.row == list.elements.size();  // what is kept of all rows together
+        if (is_of_all ? is_same_list : rows.place[row.row] != KeptRows::kNoPlace) rows.rows.push_back(row);
+      }
+      if (rows.rows.empty()) result.pop_back();
+    }
+    return result;
+  }
+
+  void keep(const StoreTable& table, std::uint32_t what, std::span<const KeptRow> rows) override {
+    const std::lock_guard lock(mutex_);
+    lists_[table.key].push_back({table.elements, what, {rows.begin(), rows.end()}});
+  }
+
+  void add(std::uint64_t computed, std::uint64_t read) override {
+    const std::lock_guard lock(mutex_);
+    use_.computed += computed;
+    use_.read += read;
+  }
+
+  StoreUse use() const override {
+    const std::lock_guard lock(mutex_);
+    return use_;
+  }
+
+ private:
+  struct List {
+    std::vector<std::string> elements;
+    std::uint32_t what;
+    std::vector<KeptRow> rows;
+  };
+
+  mutable std::mutex mutex_;
+  std::unordered_map<std::string, std::vector<List>> lists_;  // by key
+  StoreUse use_;
+};
+
+}  // namespace
+
+std::shared_ptr<FactorStore> make_memory_store() { return std::make_shared<MemoryStore>(); }
+
+}  // namespace hottel

@@ -1,0 +1,48 @@
+// How far surfaces are divided: everywhere, and where light ends.
+#pragma once
+
+#include <vector>
+
+#include "geometry/element_tree.h"
+#include "geometry/scene_table.h"
+
+namespace hottel {
+
+// Depths of the trees under the elements of faces with a material.
+//
+//   (1) every leaf has the depth `everywhere` at least
+//   (2) an element that the border of a beam or of a shadow crosses is divided until it has the depth `at_borders`
+struct RefinementLevels {
+  int everywhere = 0, at_borders = 0;
+
+  bool is_any() const { return everywhere > 0 || at_borders > 0; }
+  int deepest() const { return everywhere > at_borders ? everywhere : at_borders; }
+  friend bool operator==(const RefinementLevels&, const RefinementLevels&) = default;
+};
+
+// How much of an element a light reaches, of what has an area.
+enum class Lit : unsigned char { kNothing, kPart, kAll };
+
+// What several parts, or what was found so far, come to together. kPart stays.
+class LitSum {
+ public:
+  void add(Lit lit) {
+    is_lit_ = is_lit_ || lit != Lit::kNothing;
+    is_dark_ = is_dark_ || lit != Lit::kAll;
+  }
+  bool is_part() const { return is_lit_ && is_dark_; }
+  Lit lit() const { return is_part() ? Lit::kPart : is_lit_ ? Lit::kAll : Lit::kNothing; }
+
+ private:
+  bool is_lit_ = false, is_dark_ = false;
+};
+
+// Puts trees in the place of those of a scene's surfaces. REQUIRES one for each.
+template <class Scene>
+Scene with_trees(Scene scene, std::vector<SurfaceTrees> trees) {
+  HOTTEL_REQUIRE(trees.size() == scene.surfaces.size());
+  for (std::size_t s = 0; s < trees.size(); ++s) scene.surfaces[s].trees = std::move(trees[s]);
+  return scene;
+}
+
+}  // namespace hottel

@@ -1,0 +1,35 @@
+#include "viewer/picture/space/film_frame.h"
+
+#include "geometry/space/exchange/prepared_scene.h"
+#include "kernel/support/failure.h"
+#include "viewer/picture/png_file.h"
+#include "viewer/picture/raster.h"
+
+namespace hottel {
+
+void FilmPainter3::fit_to(const Simulation3& simulation, const StageProgress& progress) {
+  const auto prepared = simulation.prepared(progress);
+  const auto solution = simulation.radiosities(progress);
+  curve_ = RenderedView3(*prepared, simulation.request().factors.granularity, *solution, options_).tone();
+}
+
+std::string FilmPainter3::file(const Simulation3& simulation, Kept& kept, const StageProgress& progress) const {
+  HOTTEL_REQUIRE(is_fitted());
+  const auto prepared = simulation.prepared(progress);
+  const ElementPaint3 paint = light_paint_3(prepared->scene, *simulation.radiosities(progress));
+  if (!kept.table) {
+    kept.table = std::make_unique<const ElementTable3>(prepared->scene, prepared->arrangement(), prepared->blockers(),
+                                                       simulation.request().factors.granularity);
+    if (options_.shading == Shading3::kSmooth) kept.mesh.emplace(*prepared, *kept.table);
+  }
+  const SmoothMesh3* mesh = kept.mesh ? &*kept.mesh : nullptr;
+  // Once shown anew a picture is drawn as any other that was: the first one too.
+  if (!kept.seen || !kept.seen->show(paint, mesh)) {
+    kept.seen.emplace(SeenScene3{*prepared, *kept.table, paint, mesh},
+                      camera_of_scene(*prepared, options_.wanted_width));
+    kept.seen->show(paint, mesh);
+  }
+  return png_file(kept.seen->raster(&*curve_));
+}
+
+}  // namespace hottel

@@ -1,0 +1,45 @@
+// Frames of an animation in space as pictures.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "geometry/space/exchange/element_table.h"
+#include "kernel/support/stage.h"
+#include "solver/space/simulation/simulation.h"
+#include "viewer/picture/space/render_picture.h"
+#include "viewer/picture/space/seen_picture.h"
+#include "viewer/picture/space/smooth_mesh.h"
+
+namespace hottel {
+
+// What a camera sees of simulations of one scene at several times, all by one tone curve.
+//
+//   (1) the curve is fitted to the picture of the simulation that it is told first, so that light that moves does not
+//       change what stays
+//   (2) file() is a function of that picture and of the simulation: what is kept changes nothing. No level of a pixel
+//       is off by more than one from what RenderedView3 has by the same curve
+//   (3) where the same elements are active, what hides what is not looked at again
+class FilmPainter3 {
+ public:
+  // Beside a list of active elements: what is seen of them.
+  struct Kept {
+    std::unique_ptr<const ElementTable3> table;
+    std::optional<SmoothMesh3> mesh;
+    std::optional<SeenPicture3> seen;
+  };
+
+  explicit FilmPainter3(RenderOptions3 options) : options_(std::move(options)) {}
+
+  bool is_fitted() const { return curve_.has_value(); }
+  void fit_to(const Simulation3& simulation, const StageProgress& progress);
+  // The bytes of a PNG file. REQUIRES is_fitted(), and what was kept of the same elements.
+  std::string file(const Simulation3& simulation, Kept& kept, const StageProgress& progress) const;
+
+ private:
+  RenderOptions3 options_;
+  std::optional<ToneCurve> curve_;
+};
+
+}  // namespace hottel
