@@ -9,7 +9,8 @@
 namespace hottel {
 namespace {
 
-double nearest(const Ball& ball) { return ball.nearest_of_ends().lower; }
+// Of what cannot be told from 0, 0.
+double nearest(const Ball& ball) { return ball.sign() == 0 ? 0 : ball.nearest_of_ends().lower; }
 
 Ball distance(const std::vector<Rational>& a, const std::vector<Rational>& b) {
   Rational squared = 0;

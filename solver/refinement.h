@@ -21,17 +21,17 @@ struct RefinementLevels {
 };
 
 // How much of an element a light reaches, of what has an area.
-enum class Lit : unsigned char { kNothing, kPart, kAll };
+enum class Reach : unsigned char { kNothing, kPart, kAll };
 
 // What several parts, or what was found so far, come to together. kPart stays.
-class LitSum {
+class ReachSum {
  public:
-  void add(Lit lit) {
-    is_lit_ = is_lit_ || lit != Lit::kNothing;
-    is_dark_ = is_dark_ || lit != Lit::kAll;
+  void add(Reach reach) {
+    is_lit_ = is_lit_ || reach != Reach::kNothing;
+    is_dark_ = is_dark_ || reach != Reach::kAll;
   }
   bool is_part() const { return is_lit_ && is_dark_; }
-  Lit lit() const { return is_part() ? Lit::kPart : is_lit_ ? Lit::kAll : Lit::kNothing; }
+  Reach all() const { return is_part() ? Reach::kPart : is_lit_ ? Reach::kAll : Reach::kNothing; }
 
  private:
   bool is_lit_ = false, is_dark_ = false;

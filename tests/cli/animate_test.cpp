@@ -55,7 +55,7 @@ TEST(Animate, WritesFramesOneFileOfThemAndWhatTheyTook) {
     EXPECT_EQ(frames[k][1], static_cast<double>(k) / 2);
     // Once around in four seconds: then nothing is computed.
     EXPECT_EQ(frames[k][4] == 0, k >= 8 || frames[k][5] > 0) << k;
-    if (k >= 8) EXPECT_EQ(frames[k][2], frames[k - 8][2]);
+    EXPECT_EQ(frames[k][2], frames[k >= 8 ? k - 8 : k][2]);
     const std::string name = "film/frame_0000" + std::to_string(k) + ".png";
     if (k < 4) {
       const std::string later =

@@ -67,7 +67,7 @@ TEST(Turned, QuartersAreExactAndOthersAreRotations) {
   EXPECT_EQ(turned(v, {90, 0, 90}), exact(1, 0.25, 0.5)) << "about x first";
   std::mt19937 random(3);
   for (int round = 0; round < 100; ++round) {
-    const auto draw = [&] { return Rational(static_cast<int>(random() % 3600)) / 10; };
+    const auto draw = [&]() -> Rational { return Rational(static_cast<int>(random() % 3600)) / 10; };
     const std::vector<Rational> angles{draw(), draw(), draw()};
     const std::vector<double> w = turned(v, angles);
     EXPECT_NEAR(std::hypot(w[0], w[1], w[2]), std::sqrt(21.0) / 4, 1e-15);
@@ -113,7 +113,8 @@ TEST(MovingLights2, OnAPathStandAtDoubles) {
 }
 
 TEST(MovingLights3, TurnAboutTheAxesAndComeBack) {
-  LightPlace3 place{{1, 2, 3}, {0, 0, -1}};
+  LightPlace3 place;
+  place.position = {1, 2, 3};
   place.rotation = {0, 45, 0};
   EXPECT_EQ(place_after(place, 0).direction, (Vector3{0, 0, -1}));
   EXPECT_EQ(place_after(place, 8).direction, (Vector3{0, 0, -1}));

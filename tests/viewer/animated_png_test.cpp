@@ -62,7 +62,8 @@ TEST(AnimatedPng, SaysHowManyFramesThereAreHowLongAndWhere) {
       EXPECT_EQ(number_at(chunk.bytes, 8), 3u);
       EXPECT_EQ(number_at(chunk.bytes, 20), 40u << 16 | 1000u);
     }
-    if (chunk.type == "fcTL" || chunk.type == "fdAT") EXPECT_EQ(number_at(chunk.bytes, 0), sequence++);
+    if (chunk.type != "fcTL" && chunk.type != "fdAT") continue;
+    EXPECT_EQ(number_at(chunk.bytes, 0), sequence++);
   }
   EXPECT_EQ(frames, 3u);
 }

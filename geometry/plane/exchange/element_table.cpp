@@ -16,7 +16,7 @@ std::vector<std::uint32_t> leaf_of_parts(const SurfaceCuts2& cuts, std::uint32_t
   std::vector<std::uint32_t> result;
   std::uint32_t leaf = 0;
   for (std::size_t k = 0; k < cuts.count(); ++k) {
-    if (k > 0 && span_of(parts, leaves[leaf]).to <= cuts.at[k - 1]) ++leaf;
+    if (k > 0 && EdgeSpan2::of(parts, leaves[leaf]).to <= cuts.at[k - 1]) ++leaf;
     result.push_back(leaf);
   }
   return result;

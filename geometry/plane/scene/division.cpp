@@ -42,7 +42,7 @@ std::optional<std::uint32_t> divide_by_length(Scene2& scene, const Rational& h, 
   return std::nullopt;
 }
 
-EdgeSpan2 span_of(std::uint32_t parts, const TreeNode& node) {
+EdgeSpan2 EdgeSpan2::of(std::uint32_t parts, const TreeNode& node) {
   EdgeSpan2 span{quotient(node.part, parts), quotient(node.part + 1, parts)};
   for (int level = 0; level < node.path.depth(); ++level) {
     const Rational middle = (span.from + span.to) / 2;
@@ -51,7 +51,7 @@ EdgeSpan2 span_of(std::uint32_t parts, const TreeNode& node) {
   return span;
 }
 
-EdgeSpan2 span_of(const Element& element) { return span_of(element.parts, element.node()); }
+EdgeSpan2 EdgeSpan2::of(const Element& element) { return EdgeSpan2::of(element.parts, element.node()); }
 
 SurfaceCuts2::SurfaceCuts2(std::uint32_t equal_parts) {
   HOTTEL_REQUIRE(equal_parts > 0);
@@ -61,7 +61,7 @@ SurfaceCuts2::SurfaceCuts2(std::uint32_t equal_parts) {
 SurfaceCuts2::SurfaceCuts2(const Surface& surface) : SurfaceCuts2(surface.elements) {
   if (surface.trees.is_empty()) return;
   for (const bool is_back : {false, true})
-    for (const TreeNode& leaf : surface.trees.of(is_back)) at.push_back(span_of(surface.elements, leaf).from);
+    for (const TreeNode& leaf : surface.trees.of(is_back)) at.push_back(EdgeSpan2::of(surface.elements, leaf).from);
   std::ranges::sort(at);
   at.erase(std::unique(at.begin(), at.end()), at.end());
   if (!at.empty() && at.front() == 0) at.erase(at.begin());
@@ -80,7 +80,7 @@ std::vector<std::array<double, 4>> element_ends(const Scene2& scene, const std::
   ends.reserve(elements.size());
   for (const Element& element : elements) {
     const Edge2& edge = scene.edges[element.surface];
-    const EdgeSpan2 span = span_of(element);
+    const EdgeSpan2 span = EdgeSpan2::of(element);
     const Point2 from = point_at(edge, span.from), to = point_at(edge, span.to);
     ends.push_back({to_double(from.x), to_double(from.y), to_double(to.x), to_double(to.y)});
   }

@@ -23,12 +23,13 @@ std::optional<std::uint32_t> divide_by_length(Scene2& scene, const Rational& h, 
 // What lies between two parts of the way along an edge.
 struct EdgeSpan2 {
   Rational from = 0, to = 1;
+
+  // Where a node under one of so many equal parts lies, and an element: a face or a part of it. Exact.
+  static EdgeSpan2 of(std::uint32_t parts, const TreeNode& node);
+  static EdgeSpan2 of(const Element& element);
+
   friend bool operator==(const EdgeSpan2&, const EdgeSpan2&) = default;
 };
-
-// Returns where a node under one of so many equal parts lies, and an element: a face or a part of it. Exact.
-EdgeSpan2 span_of(std::uint32_t parts, const TreeNode& node);
-EdgeSpan2 span_of(const Element& element);
 
 // Where a surface is cut into the elements of both its faces: strictly between 0 and 1 of the way, ascending.
 struct SurfaceCuts2 {

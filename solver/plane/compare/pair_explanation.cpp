@@ -26,7 +26,7 @@ struct Line {
 
 Line line_of(const Scene2& scene, const Element& element) {
   const Edge2& edge = scene.edges[element.surface];
-  const EdgeSpan2 span = span_of(element);
+  const EdgeSpan2 span = EdgeSpan2::of(element);
   return {point_at(edge, span.from), point_at(edge, span.to), element.is_back};
 }
 

@@ -58,7 +58,7 @@ class Lengths {
 std::vector<Spot> middles(const Scene2& scene, const ElementTable2& table) {
   std::vector<Spot> result;
   for (const Element& element : table.elements()) {
-    const EdgeSpan2 span = span_of(element);
+    const EdgeSpan2 span = EdgeSpan2::of(element);
     result.push_back(rounded(point_at(scene.edges[element.surface], (span.from + span.to) / 2)));
   }
   return result;

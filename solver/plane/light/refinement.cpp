@@ -67,17 +67,17 @@ class LitEdges2 {
   }
 
   // Adds what is reached of a part of a face that belongs to it.
-  void add(const Face& face, const EdgeSpan2& span, LitSum& sum) const {
+  void add(const Face& face, const EdgeSpan2& span, ReachSum& sum) const {
     const std::vector<Window>& windows = windows_[face.number()];
     auto window = std::ranges::partition_point(windows, [&](const Window& w) { return w.span.to <= span.from; });
     Rational done = span.from;
     for (; window != windows.end() && window->span.from < span.to && !sum.is_part(); ++window) {
-      if (window->span.from > done) sum.add(Lit::kNothing);
+      if (window->span.from > done) sum.add(Reach::kNothing);
       const EdgeSpan2 common{std::max(window->span.from, done), std::min(window->span.to, span.to)};
       sum.add(lit(face, *window, common));
       done = common.to;
     }
-    if (done < span.to) sum.add(Lit::kNothing);
+    if (done < span.to) sum.add(Reach::kNothing);
   }
 
  private:
@@ -94,7 +94,7 @@ class LitEdges2 {
     return cross(minus(eye_, edge.from), direction) / cross(minus(edge.to, edge.from), direction);
   }
 
-  Lit lit(const Face& face, const Window& window, const EdgeSpan2& span) const {
+  Reach lit(const Face& face, const Window& window, const EdgeSpan2& span) const {
     Beam2::Meets meets = window.meets;
     if (meets == Beam2::Meets::kPart && span != window.span) {
       const Edge2& edge = prepared_.scene.edges[face.surface];
@@ -102,7 +102,7 @@ class LitEdges2 {
       if (window.is_reversed) std::swap(from, to);
       meets = beam_.meets(from, to);
     }
-    return meets == Beam2::Meets::kAll ? Lit::kAll : meets == Beam2::Meets::kPart ? Lit::kPart : Lit::kNothing;
+    return meets == Beam2::Meets::kAll ? Reach::kAll : meets == Beam2::Meets::kPart ? Reach::kPart : Reach::kNothing;
   }
 
   const PreparedScene2& prepared_;
@@ -126,7 +126,7 @@ class FaceTree {
   void append(const TreeNode& node) {
     const int depth = node.path.depth();
     const bool is_divided =
-        depth < levels_.everywhere || (depth < levels_.at_borders && is_crossed(span_of(parts_, node)));
+        depth < levels_.everywhere || (depth < levels_.at_borders && is_crossed(EdgeSpan2::of(parts_, node)));
     if (!is_divided) {
       leaves.push_back(node);
       return;
@@ -136,7 +136,7 @@ class FaceTree {
 
   bool is_crossed(const EdgeSpan2& span) const {
     return std::ranges::any_of(lights_, [&](const LitEdges2& light) {
-      LitSum sum;
+      ReachSum sum;
       for (const EdgeSpan2& owned : owned_) {
         const EdgeSpan2 common{std::max(owned.from, span.from), std::min(owned.to, span.to)};
         if (common.from < common.to) light.add(face_, common, sum);

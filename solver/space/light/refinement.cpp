@@ -55,9 +55,9 @@ class LitPatches3 {
     }
   }
 
-  void add(const ElementTable3::Part& part, LitSum& sum) const {
+  void add(const ElementTable3::Part& part, ReachSum& sum) const {
     const Face side{part.patch.surface, part.is_back};
-    if (is_in_solid_ || !is_seen_.contains(side.number())) return sum.add(Lit::kNothing);
+    if (is_in_solid_ || !is_seen_.contains(side.number())) return sum.add(Reach::kNothing);
     const ExactCone3 cone = map_.cone_of(part.patch);
     const Circle circle = circle_of(part.patch);
     for (std::size_t f = 0; f < map_.size() && !sum.is_part(); ++f) {
@@ -65,7 +65,7 @@ class LitPatches3 {
       const std::optional<ExactCone3> common = common_cone(map_.cone(f), cone);
       if (!common) continue;
       const bool is_own = map_.map().fragments[f].face == side;
-      sum.add(!is_own ? Lit::kNothing : lit(f, *common));
+      sum.add(!is_own ? Reach::kNothing : lit(f, *common));
     }
   }
 
@@ -82,12 +82,12 @@ class LitPatches3 {
     return Circle::around(corners);
   }
 
-  Lit lit(std::size_t f, const ExactCone3& common) const {
+  Reach lit(std::size_t f, const ExactCone3& common) const {
     BeamPower3::Meets meets = meets_[f];
     if (meets == BeamPower3::Meets::kPart) meets = beam_.meets(common);
-    return meets == BeamPower3::Meets::kAll    ? Lit::kAll
-           : meets == BeamPower3::Meets::kPart ? Lit::kPart
-                                               : Lit::kNothing;
+    return meets == BeamPower3::Meets::kAll    ? Reach::kAll
+           : meets == BeamPower3::Meets::kPart ? Reach::kPart
+                                               : Reach::kNothing;
   }
 
   ExactMap3 map_;
@@ -100,7 +100,7 @@ class LitPatches3 {
 
 bool is_crossed(const ElementTable3& table, std::uint32_t label, const std::vector<LitPatches3>& lights) {
   return std::ranges::any_of(lights, [&](const LitPatches3& light) {
-    LitSum sum;
+    ReachSum sum;
     for (const ElementTable3::Part& part : table.free_parts(label)) {
       light.add(part, sum);
       if (sum.is_part()) return true;

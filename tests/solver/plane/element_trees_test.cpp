@@ -52,7 +52,7 @@ Scene2 with_leaves_as_edges(const Scene2& scene, std::map<std::string, std::stri
     const std::vector<TreeNode> leaves =
         surface.trees.front.empty() ? uniform_leaves(surface.elements, 2, 0) : surface.trees.front;
     for (std::size_t k = 0; k < leaves.size(); ++k) {
-      const EdgeSpan2 span = span_of(surface.elements, leaves[k]);
+      const EdgeSpan2 span = EdgeSpan2::of(surface.elements, leaves[k]);
       Surface part = surface;
       part.name = surface.name + "." + std::to_string(k);
       part.elements = 1;
@@ -151,7 +151,8 @@ TEST(Arrangement2, CutsDecideNothingOfOwnersAndSolids) {
         for (std::size_t side = 0; side < 2; ++side) {
           const PieceSideId here = sides_of(p)[side], there = sides_of(w)[side];
           ASSERT_EQ(cut.is_covered(here), whole.is_covered(there));
-          if (!cut.is_covered(here)) EXPECT_EQ(Face(cut.owner(here)), Face(whole.owner(there)));
+          if (cut.is_covered(here)) continue;
+          EXPECT_EQ(Face(cut.owner(here)), Face(whole.owner(there)));
         }
       }
     }

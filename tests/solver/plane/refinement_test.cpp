@@ -119,7 +119,7 @@ TEST(RefinedTrees2, LeavesAboveTheLastLevelAreLitWhollyOrNotAtAll) {
       const bool faces_light = turn < 0;
       const Edge2& edge = scene.edges[owner.surface];
       for (const TreeNode& leaf : leaves) {
-        const EdgeSpan2 span = span_of(1, leaf);
+        const EdgeSpan2 span = EdgeSpan2::of(1, leaf);
         int lit = 0, dark = 0;
         for (int k = 0; k < 16; ++k) {
           // No simple fractions: borders are there.

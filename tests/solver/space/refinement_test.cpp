@@ -23,8 +23,10 @@ Scene3 furnished_room() {
   BoxScene3 scene;
   scene.box("room", {-2, -2, -2}, {2, 2, 2}, true);
   scene.polygon("plate", level(-1, -1, 1, 1, 1));
-  scene.polygon("pentagon",
-                {{0, 0, -1}, {1, 0, -1}, {Rational(3, 2), 1, -1}, {Rational(1, 2), Rational(3, 2), -1}, {-1, 1, -1}});
+  Polygon3 pentagon;
+  pentagon.points = {
+      {0, 0, -1}, {1, 0, -1}, {Rational(3, 2), 1, -1}, {Rational(1, 2), Rational(3, 2), -1}, {-1, 1, -1}};
+  scene.polygon("pentagon", pentagon);
   return scene;
 }
 
@@ -36,7 +38,7 @@ Scene3 lit(Scene3 scene, const Beam3& beam, const Point3& position) {
   light.falloff = beam.falloff;
   light.power = Spectrum::scalar(1);
   scene.lights.push_back(light);
-  scene.light_places.push_back({position, beam.axis});
+  scene.light_places.push_back({position, beam.axis, {}});
   return scene;
 }
 
@@ -75,7 +77,7 @@ TEST(RefinedTrees3, LeavesAboveTheLastLevelAreLitWhollyOrNotAtAll) {
   std::mt19937 random(7);
   std::size_t looked_at = 0, deep = 0;
   for (int round = 0; round < 6; ++round) {
-    const auto draw = [&] { return Rational(static_cast<int>(random() % 300) - 150) / 101; };
+    const auto draw = [&]() -> Rational { return Rational(static_cast<int>(random() % 300) - 150) / 101; };
     const Beam3 beam = round % 3 == 0 ? Beam3{}
                                       : Beam3{{draw(), draw(), draw() - 1},
                                               Rational(static_cast<int>(random() % 100) + 15),
@@ -101,13 +103,15 @@ TEST(RefinedTrees3, LeavesAboveTheLastLevelAreLitWhollyOrNotAtAll) {
         for (int k = 0; k < 12; ++k) {
           // A random point inside: by weights of corners.
           Rational all = 0;
-          Vector3 sum;
+          Rational x = 0, y = 0, z = 0;
           for (const Point3& corner : corners) {
             const Rational weight = 1 + static_cast<int>(random() % 1000);
             all += weight;
-            sum = sum + weight * (corner - Point3{0, 0, 0});
+            x += weight * corner.x;
+            y += weight * corner.y;
+            z += weight * corner.z;
           }
-          const Point3 point{sum.x / all, sum.y / all, sum.z / all};
+          const Point3 point{Rational(x / all), Rational(y / all), Rational(z / all)};
           ++(light.irradiance(point, normal) > 0 ? is_lit : is_dark);
         }
       }
