@@ -10,26 +10,17 @@
 #include <set>
 
 #include "cli/command.h"
-#include "cli/methods.h"
-#include "cli/scene_input.h"
-#include "cli/store_option.h"
+#include "cli/compare_divided.h"
+#include "cli/compare_grid.h"
+#include "cli/comparing.h"
 #include "geometry/near_names.h"
 #include "io/files/output_file.h"
-#include "io/foreign/foreign_method.h"
 #include "io/foreign/foreign_radiosity.h"
-#include "io/foreign/plane/foreign_matrix.h"
-#include "io/foreign/space/foreign_matrix.h"
 #include "io/results/comparison_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 #include "solver/compare/work_precision.h"
-#include "solver/plane/compare/method_comparison.h"
-#include "solver/plane/compare/pair_explanation.h"
-#include "solver/plane/methods/method_catalogue.h"
-#include "solver/space/compare/method_comparison.h"
-#include "solver/space/compare/pair_explanation.h"
-#include "viewer/picture/log_plot.h"
 #include "viewer/picture/plane/drawable.h"
 #include "viewer/picture/plane/error_map.h"
 #include "viewer/picture/space/error_map.h"
@@ -37,109 +28,37 @@
 namespace hottel {
 namespace {
 
-constexpr double kBeyond = 1e-6;
 constexpr std::array kErrorsReadOff = {1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9};
 
-struct CompareOptions {
-  std::string scene, out;
-  std::vector<std::string> methods;
-  bool sweep = false, json = false;
-  std::size_t worst = 10;
-  std::optional<int> repeat;
-  double at_most = 0;  // seconds; 0: no limit
-  std::optional<double> beyond;
-  std::string map;
-  std::optional<std::string> tolerance;
-  ElementOptions elements;
-  PolygonOptions polygons;
-  StoreOption store;
-};
-
-// What comparing needs of the plane.
-struct Plane {
-  using Scene = Scene2;
-  using Comparison = MethodComparison2;
-  using Explainer = PairExplainer2;
-
-  static MethodCatalogue2 methods() { return all_methods_2(); }
-  static Comparison comparison(const CompareOptions& options, Scene scene, const std::shared_ptr<FactorStore>& store,
-                               const Streams& streams) {
-    if (options.tolerance)
-      throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
-    return Comparison(Simulation2(std::move(scene), {.store = store}), streams.stages());
-  }
-  static void require_map(const Scene& scene) { require_drawable(scene); }
-  static std::string map(const Comparison& comparison, const MethodResult& result) {
-    return error_map_2(comparison, result, PictureFormat::kPng);
-  }
-};
-
-// What it needs of space.
-struct Space {
-  using Scene = Scene3;
-  using Comparison = MethodComparison3;
-  using Explainer = PairExplainer3;
-
-  static MethodCatalogue3 methods() { return all_methods_3(); }
-  static Comparison comparison(const CompareOptions& options, Scene scene, const std::shared_ptr<FactorStore>& store,
-                               const Streams& streams) {
-    const double tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance);
-    return Comparison(Simulation3(std::move(scene), {.factors = {.tolerance = tolerance, .store = store}}),
-                      streams.stages());
-  }
-  static void require_map(const Scene&) {}
-  static std::string map(const Comparison& comparison, const MethodResult& result) {
-    return error_map_3(comparison, result, PictureFormat::kPng);
-  }
-};
-
-template <class Prepared>
-using Methods = std::vector<std::unique_ptr<ExchangeMethod<Prepared>>>;
-
-// The names to run, each once, in the order asked for: without --methods the middle of each family's sweep; with
-// --sweep the whole sweep of each family that is named, in the variant (":normalised") it is named in.
-template <class Prepared>
-std::vector<std::string> names_to_run(const MethodCatalogue<Prepared>& methods, const CompareOptions& options) {
-  std::vector<std::string> names;
-  const auto add = [&](const std::string& name) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  };
-  std::vector<std::string> asked = options.methods;
-  if (asked.empty())
-    for (const auto& family : methods.families())
-      if (!family.sweep.empty()) asked.push_back(options.sweep ? family.name : family.sweep[family.sweep.size() / 2]);
-  for (const std::string& name : asked) {
-    const auto [raw, normalised] = split_method_name(name);
-    bool is_swept = false;
-    for (const auto& family : methods.families())
-      if (options.sweep && family.name == family_of_method(raw)) {
-        for (const std::string& point : family.sweep) add(point + normalised);
-        is_swept = !family.sweep.empty();
-      }
-    if (!is_swept || raw != family_of_method(raw)) add(name);
-  }
-  return names;
+// What a dimension draws of the light that a method gets wrong.
+void require_map(const Scene2& scene) { require_drawable(scene); }
+void require_map(const Scene3&) {}
+std::string error_map(const MethodComparison2& comparison, const MethodResult& result) {
+  return error_map_2(comparison, result, PictureFormat::kPng);
 }
-
-template <class Prepared>
-Methods<Prepared> methods_to_run(const MethodCatalogue<Prepared>& catalogue, const CompareOptions& options) {
-  Methods<Prepared> methods;
-  for (const std::string& name : names_to_run(catalogue, options)) methods.push_back(catalogue.make(name));
-  return methods;
+std::string error_map(const MethodComparison3& comparison, const MethodResult& result) {
+  return error_map_3(comparison, result, PictureFormat::kPng);
 }
 
 // Throws UsageError where an option would change nothing.
 template <class Prepared>
 void require_effect(const CompareOptions& options, const MethodCatalogue<Prepared>& catalogue,
-                    const Methods<Prepared>& methods, const std::vector<std::string>& radiosity_files) {
+                    const Methods<Prepared>& methods, const std::vector<NamedMethod>& radiosity_files) {
   std::vector<std::string> names;
   std::map<std::string, int> members;
   bool has_foreign = !radiosity_files.empty();
-  for (const auto& method : methods) {
-    names.push_back(method->info().name);
-    ++members[method->info().family];
+  bool has_parameter = false;
+  for (const auto& [name, curve, method] : methods) {
+    names.push_back(name);
+    ++members[curve];
     has_foreign = has_foreign || is_foreign(method->info().name);
+    has_parameter = has_parameter || method->info().parameter > 0;
   }
+  if (options.plot_x == PlotX::kElements || options.plot_y == PlotY::kFaceError)
+    throw UsageError("elements along x and errors of faces along y are of --divide");
+  if (options.plot_x == PlotX::kParameter && !has_parameter)
+    throw UsageError("--plot-x parameter is of methods with rays, points or pixels: none of these has any");
+  for (const NamedMethod& file : radiosity_files) names.push_back(file.name());
   if (!options.map.empty() && std::ranges::find(names, options.map) == names.end())
     throw UnknownName("--map takes one of the methods that are compared, not '" + options.map + "'", options.map,
                       names);
@@ -156,20 +75,6 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
       throw UsageError(
           "--sweep runs families through their parameters: name one that has any by its name alone, as in "
           "--methods gauss");
-  }
-}
-
-template <class Comparison, class Method>
-MethodResult run(const Comparison& comparison, const Method& method, const CompareOptions& options) {
-  try {
-    if (family_of_method(method.info().name) != "file") return comparison.run(method, options.repeat);
-    // What it takes to read a file says nothing of what it took to compute it.
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    MethodResult result = comparison.run(method, 1);
-    result.timing = {kUnknown, kUnknown, kUnknown, 0};
-    return result;
-  } catch (const RequestError& error) {
-    throw RequestError(fmt::format("{}: the method {}: {}", options.scene, method.info().name, error.what()));
   }
 }
 
@@ -190,16 +95,16 @@ Outcome run_all(const typename Kind::Comparison& comparison, const SomeMethods& 
   std::set<std::string> slow;  // families that have taken too long
   for (std::size_t k = 0; k < methods.size(); ++k) {
     if (progress) progress(static_cast<double>(k) / static_cast<double>(methods.size()));
-    const MethodInfo& info = methods[k]->info();
-    if (slow.contains(info.family)) {
-      streams.note(info.name + " is left out: " + info.family + " has taken longer than --at-most already");
+    const auto& [name, curve, method] = methods[k];
+    if (slow.contains(curve)) {
+      streams.note(name + " is left out: " + curve + " has taken longer than --at-most already");
       continue;
     }
-    MethodResult result = run(comparison, *methods[k], options);
-    if (options.at_most > 0 && result.timing.median > options.at_most) slow.insert(info.family);
+    MethodResult result = run(comparison, methods[k], options);
+    if (options.at_most > 0 && result.timing.median > options.at_most) slow.insert(curve);
     std::ranges::move(explained_worst_pairs(explainer, comparison.exact(), result, options.worst),
                       std::back_inserter(outcome.worst));
-    if (info.name == options.map) outcome.map = Kind::map(comparison, result);
+    if (name == options.map) outcome.map = error_map(comparison, result);
     add_verdict(comparison, options.beyond.value_or(kBeyond), result);
     result.matrix = {};
     result.solution.reset();
@@ -212,21 +117,29 @@ template <class Kind>
 ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams& streams) {
   const auto methods_there_are = Kind::methods();
   options.methods = method_names(options.methods, family_names(methods_there_are));
-  const std::vector<std::string> radiosity_files = take_radiosity_files(options.methods);
-  if (!radiosity_files.empty() && options.methods.empty()) options.methods.push_back("exact");
-  const auto methods = methods_to_run(methods_there_are, options);
+  std::vector<NamedMethod> named;
+  for (const std::string& text : names_to_run(methods_there_are, options)) named.push_back(named_method(text));
+  require_names_apart(named, family_names(methods_there_are));
+  const std::vector<NamedMethod> radiosity_files = take_radiosity_files(named);
+  if (named.empty() || (!options.grid_file.empty() && options.methods.empty() && !options.sweep))
+    named = {NamedMethod{kExactFamily, ""}};
+  const auto methods = methods_to_run(methods_there_are, named);
   require_effect(options, methods_there_are, methods, radiosity_files);
 
   const std::filesystem::path directory = output_folder(options.out, options.scene);
 
   options.elements.apply_to(scene);
-  if (!options.map.empty()) Kind::require_map(scene);
+  if (!options.map.empty()) require_map(scene);
   const std::string stem = std::filesystem::path(options.scene).stem().string();
   const OutputFolder folder(directory);
   OutputFile csv(directory / "compare.csv"), worst(directory / "worst.csv"), read(directory / "readings.csv"),
       svg(directory / "compare.svg"), png(directory / "compare.png");
-  std::optional<OutputFile> map;
+  std::optional<OutputFile> map, grid, grid_picture;
   if (!options.map.empty()) map.emplace(directory / "errors.png");
+  if (!options.grid_file.empty()) {
+    grid.emplace(directory / "grid.csv");
+    grid_picture.emplace(directory / "grid_errors.png");
+  }
 
   const std::shared_ptr<FactorStore> store = options.store.open("exact");
   const typename Kind::Comparison comparison = Kind::comparison(options, std::move(scene), store, streams);
@@ -236,13 +149,30 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
   Outcome outcome = run_all<Kind>(comparison, methods, options, streams);
   const std::vector<WorkCurve> curves = work_curves(outcome.results);
   const std::vector<WorkReading> readings = read_off(curves, kErrorsReadOff);
-  const LogPlot plot = work_precision_plot(curves, "What accuracy costs: " + stem, size_text(comparison.exact()));
-
-  for (const std::string& file : radiosity_files)
+  std::vector<std::string> taken = family_names(methods_there_are);
+  for (const auto& method : methods) taken.push_back(method.curve);
+  for (const NamedMethod& file : radiosity_files) {
     outcome.results.push_back(naming_file(options.scene, [&] {
-      return judge_radiosity_file(file, comparison.exact(), comparison.required_solution(),
-                                  options.beyond.value_or(kBeyond));
+      return judge_radiosity_file(file.method.substr(std::string("file:").size()), comparison.exact(),
+                                  comparison.required_solution(), options.beyond.value_or(kBeyond));
     }));
+    MethodResult& result = outcome.results.back();
+    result.info.name = file.name();
+    if (file.name() == options.map) outcome.map = error_map(comparison, result);
+    result.solution.reset();
+    outcome.results.back().info.family = foreign_curve(file, taken);
+    taken.push_back(outcome.results.back().info.family);
+  }
+  const LogPlot plot = comparison_plot(
+      outcome.results, {options.plot_x.value_or(PlotX::kTime), options.plot_y.value_or(PlotY::kMaxError)},
+      "What accuracy costs: " + stem, size_text(comparison.exact()));
+  std::vector<std::string> light;  // what is said of it
+  if (grid) {
+    const JudgedGrid judged = naming_file(options.scene, [&] { return judge_grid(options.grid_file, comparison); });
+    grid->write(judged.csv);
+    grid_picture->write(judged.picture);
+    light = judged.sentences;
+  }
   const ComparisonReport report{options.scene,
                                 comparison.prepared().scene.surfaces.size(),
                                 comparison.prepared().seconds,
@@ -250,7 +180,9 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
                                 comparison.exact(),
                                 comparison.exact_solution() ? "" : comparison.why_no_solution(),
                                 outcome.results,
-                                readings};
+                                readings,
+                                options.grid_file,
+                                light};
   csv.write(compare_csv(outcome.results));
   worst.write(worst_csv(outcome.worst));
   read.write(readings_csv(curves, kErrorsReadOff));
@@ -260,7 +192,8 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
     throw RequestError(options.scene + ": --at-most left out " + options.map + ", which --map draws");
   if (map) map->write(outcome.map);
   std::vector<OutputFile*> files = {&csv, &worst, &read, &svg, &png};
-  if (map) files.push_back(&*map);
+  for (std::optional<OutputFile>* file : {&map, &grid, &grid_picture})
+    if (*file) files.push_back(&**file);
   for (OutputFile* file : files) file->finish();
   if (options.json) streams.write("", comparison_json(report));
   for (OutputFile* file : files) file->commit();
@@ -274,9 +207,10 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
 
 ExitCode compare(const CompareOptions& options, Streams& streams) {
   Scene scene = read_scene_noting(options.scene, options.polygons, streams);
+  if (!options.divide.empty()) return compare_divided(options, std::move(scene), streams);
   if (auto* const in_space = std::get_if<Scene3>(&scene))
-    return compare_in<Space>(options, std::move(*in_space), streams);
-  return compare_in<Plane>(options, std::get<Scene2>(std::move(scene)), streams);
+    return compare_in<ComparedSpace>(options, std::move(*in_space), streams);
+  return compare_in<ComparedPlane>(options, std::get<Scene2>(std::move(scene)), streams);
 }
 
 }  // namespace
@@ -288,16 +222,19 @@ void add_compare(Commands& commands) {
                    {"hottel compare scenes/analytic/square_radiosity.json --elements 4 -o /tmp/square",
                     "hottel compare scenes/analytic/strip_obstructed.json --methods exact,gauss --sweep --worst 3 -o "
                     "/tmp/strip --json",
-                    "hottel compare scenes/space/two_boxes.json --methods center,gauss:2,hemicube:128 -o /tmp/boxes"},
+                    "hottel compare scenes/space/two_boxes.json --methods center,gauss:2,hemicube:128 -o /tmp/boxes",
+                    "hottel compare scenes/analytic/square_radiosity.json --methods center,gauss:4 --divide 1,2,4,8 -o "
+                    "/tmp/divided"},
                    [options](Streams& streams) { return compare(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command.add_option("-o", options->out, "the folder to write into, created; without it ./STEM-hottel/")
       ->type_name("DIR");
   command
-      .add_option("--methods", options->methods,
-                  "methods to compare, each also as METHOD:normalised; a file: may hold radiosities too; without it "
-                  "one of each family" +
-                      methods_text())
+      .add_option(
+          "--methods", options->methods,
+          "methods to compare, each also as METHOD:normalised; a file: may hold radiosities too; NAME=file:PATH "
+          "and NAME=run:CMD say what it is called; without --methods one of each family" +
+              methods_text())
       ->type_name("A,B,...")
       ->allow_extra_args(false);  // what follows may be the scene
   command.add_flag("--sweep", options->sweep, "run each family that is named through its parameters");
@@ -325,9 +262,45 @@ void add_compare(Commands& commands) {
       .add_option("--tolerance", options->tolerance,
                   "in space: what A F of the exact factors may be off, relative to the smaller area (default 1e-9)")
       ->type_name("T");
-  command.add_option("--map", options->map, "draw errors.png: where this method gets the light wrong")
+  command
+      .add_option("--map", options->map,
+                  "draw errors.png: where this method, or file of radiosities, gets the light wrong")
       ->type_name("METHOD");
+  command
+      .add_option(
+          "--grid-file", options->grid_file,
+          "light on a grid by another program, (ny, nx) or (ny, nx, channels), the lowest row first: against the "
+          "exact light of the same cells, in grid.csv and grid_errors.png; the methods are exact alone then, "
+          "without --methods")
+      ->type_name("FILE.npy");
+  command
+      .add_option("--plot-x", options->plot_x,
+                  "what the plot has along x: the time of the factors, the rays, points or pixels of a method, or of "
+                  "--divide the elements, which it has without it")
+      ->type_name("time|parameter|elements")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PlotX>{
+          {"time", PlotX::kTime}, {"parameter", PlotX::kParameter}, {"elements", PlotX::kElements}}));
+  command
+      .add_option("--plot-y", options->plot_y,
+                  "and along y: the largest error of a factor, its root mean square, the largest of a radiosity, or of "
+                  "--divide that of the mean radiosity of a face, which it has without it")
+      ->type_name("max|rms|radiosity|faces")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PlotY>{{"max", PlotY::kMaxError},
+                                                                       {"rms", PlotY::kRmsError},
+                                                                       {"radiosity", PlotY::kRadiosityError},
+                                                                       {"faces", PlotY::kFaceError}}));
+  CLI::Option* const divide =
+      command
+          .add_option("--divide", options->divide,
+                      "compare with every surface in N elements (in space a quad in N x N), for each of these numbers: "
+                      "the error of dividing and that of each method, against the finest, in divide.csv and a plot")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->type_name("N,N,...")
+          ->transform(whole_number(1, 1'000'000));
   options->elements.add_to(command);
+  for (const char* other : {"--elements", "--element-size", "--worst", "--map", "--grid-file", "--beyond", "--at-most"})
+    divide->excludes(command.get_option(other));
   options->polygons.add_to(command);
   options->store.add_to(command);
   command.add_flag("--json", options->json, "a report on standard output as one JSON object");

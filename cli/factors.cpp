@@ -64,6 +64,10 @@ void require_sense(const FactorsOptions& options) {
   if (options.json && options.out.empty() &&
       (!options.matrix.empty() || options.wants_exact_form || options.pairs_option->count() > 0))
     throw UsageError("with --json the factors need a file: --matrix, --exact-form and --pairs want -o FILE");
+  if (options.areas && (options.format() != FactorsFormat::kCsv || !options.matrix.empty() || options.wants_exact_form))
+    throw UsageError("--areas adds columns to the list of pairs: .mtx and .npy have the areas in the file beside them");
+  if (options.areas && options.json && options.out.empty())
+    throw UsageError("with --json the factors need a file: --areas wants -o FILE");
   if (options.json && options.out == "-") throw UsageError("--json and -o - both want standard output; give -o a file");
   if (options.script_f && options.matrix != "" && options.matrix != "factor")
     throw UsageError("--script-f is written as --matrix factor, not --matrix " + options.matrix);
@@ -258,6 +262,8 @@ void add_factors(Commands& commands) {
           .add_option("--pairs", options->pairs, "visible: S > 0; facing: also pairs that something hides completely")
           ->check(CLI::IsMember({"visible", "facing"}))
           ->capture_default_str();
+  command.add_flag("--areas", options->areas,
+                   "the list of pairs has the area of each face too, in two columns at its end");
   add_quantity_options(command, *options);
   options->store.add_to(command);
   command.add_option("--memory", options->memory, "bytes the factors may take; without it 80 % of what is free")

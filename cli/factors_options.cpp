@@ -79,8 +79,11 @@ void write_table(const FactorsOptions& options, const FactorTable& table, Factor
     return;
   }
   switch (options.format()) {
-    case FactorsFormat::kCsv:
-      return write_factors_csv(table, sink);
+    case FactorsFormat::kCsv: {
+      FactorTable listed = table;
+      listed.has_areas = options.areas;
+      return write_factors_csv(listed, sink);
+    }
     case FactorsFormat::kMtx:
       write_factors_mtx(table, sink);
       return write_faces([&files](std::string_view text) { files.rows->write(text); });

@@ -26,7 +26,7 @@ struct FactorsOptions {
   StoreOption store;
   std::vector<std::string> exact_form;
   const CLI::Option *exact_form_option = nullptr, *pairs_option = nullptr, *per_option = nullptr;
-  bool wants_exact_form = false, json = false, script_f = false;
+  bool wants_exact_form = false, json = false, script_f = false, areas = false;
   std::string channel;
   std::string picture, toward;
   std::uint64_t memory = 0;

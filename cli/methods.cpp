@@ -1,6 +1,8 @@
 #include "cli/methods.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <set>
 
 #include "io/foreign/foreign_method.h"
 #include "io/foreign/foreign_radiosity.h"
@@ -13,6 +15,12 @@ namespace {
 
 constexpr std::string_view kFile = "file:";
 constexpr const char* kInPlane = " (in the plane)";
+
+// "mine=file:own.csv"
+bool is_named(const std::string& part) {
+  const std::size_t equals = part.find('=');
+  return equals != std::string::npos && part.find(':') > equals && is_foreign(part.substr(equals + 1));
+}
 
 }  // namespace
 
@@ -37,8 +45,8 @@ std::string methods_text() {
 std::vector<std::string> method_names(const std::vector<std::string>& lists, const std::vector<std::string>& families) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& part) {
-    const bool is_method = std::ranges::find(families, family_of_method(part)) != families.end();
-    if (!is_method && !names.empty() && is_foreign(names.back()))
+    const bool is_method = std::ranges::find(families, family_of_method(part)) != families.end() || is_named(part);
+    if (!is_method && !names.empty() && is_foreign(named_method(names.back()).method))
       names.back() += "," + part;
     else if (part.empty())
       throw UsageError("--methods has an empty name; names are separated by single commas");
@@ -54,15 +62,45 @@ std::vector<std::string> method_names(const std::vector<std::string>& lists, con
   return names;
 }
 
-std::vector<std::string> take_radiosity_files(std::vector<std::string>& methods) {
-  const auto first = std::stable_partition(methods.begin(), methods.end(), [](const std::string& name) {
+NamedMethod named_method(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || text.find(':') < equals) return {text, ""};
+  const NamedMethod split{text.substr(equals + 1), text.substr(0, equals)};
+  if (!is_foreign(split.method))
+    throw UsageError("--methods gives names to file: and run:, as in mine=file:own.csv; '" + split.method +
+                     "' has its own");
+  if (split.given.empty()) throw UsageError("--methods has an empty name before '='");
+  return split;
+}
+
+std::string foreign_curve(const NamedMethod& method, const std::vector<std::string>& taken) {
+  if (!method.given.empty()) return method.given;
+  const auto [raw, normalised] = split_method_name(method.method);
+  if (!raw.starts_with(kFile)) return method.method;
+  const std::string stem = std::filesystem::path(raw.substr(kFile.size())).stem().string() + normalised;
+  const bool is_free = !stem.empty() && std::ranges::find(taken, stem) == taken.end();
+  return is_free ? stem : method.method;
+}
+
+std::vector<NamedMethod> take_radiosity_files(std::vector<NamedMethod>& methods) {
+  const auto first = std::stable_partition(methods.begin(), methods.end(), [](const NamedMethod& each) {
+    const std::string& name = each.method;
     return !name.starts_with(kFile) || name == kFile || !split_method_name(name).normalised.empty() ||
            !holds_radiosities(name.substr(kFile.size()));
   });
-  std::vector<std::string> files;
-  for (auto name = first; name != methods.end(); ++name) files.push_back(name->substr(kFile.size()));
+  std::vector<NamedMethod> files(first, methods.end());
   methods.erase(first, methods.end());
   return files;
+}
+
+void require_names_apart(const std::vector<NamedMethod>& methods, const std::vector<std::string>& families) {
+  std::set<std::string> names;
+  for (const NamedMethod& each : methods) {
+    if (!each.given.empty() && std::ranges::find(families, each.given) != families.end())
+      throw UsageError("'" + each.given + "' is a method of hottel: give " + each.method + " another name");
+    if (!names.insert(each.name()).second && !each.given.empty())
+      throw UsageError("two methods are called '" + each.given + "'");
+  }
 }
 
 }  // namespace hottel

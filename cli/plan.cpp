@@ -2,10 +2,12 @@
 #include <utility>
 
 #include "cli/command.h"
+#include "cli/machine_speed.h"
 #include "cli/scene_input.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "solver/plan_speed.h"
 #include "solver/plane/simulation/simulation.h"
 #include "solver/space/simulation/simulation.h"
 
@@ -35,7 +37,8 @@ std::shared_ptr<const Plan> plan_of(const PlanOptions& options, Scene3 scene) {
 ExitCode plan(const PlanOptions& options, Streams& streams) {
   const auto plan = std::visit([&](auto&& scene) { return plan_of(options, std::move(scene)); },
                                read_scene_noting(options.scene, options.polygons, streams));
-  streams.write("", options.json ? plan_json(options.scene, *plan) : plan_text(*plan));
+  const Plan here = plan_at_speed(*plan, machine_speed());
+  streams.write("", options.json ? plan_json(options.scene, here) : plan_text(here));
   return ExitCode::kDone;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/command.h"
+#include "cli/machine_speed.h"
 #include "cli/methods.h"
 #include "cli/solve_in_space.h"
 #include "cli/solve_options.h"
@@ -17,6 +18,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/plan_speed.h"
 #include "solver/plane/simulation/refined.h"
 #include "solver/store_plan.h"
 #include "viewer/picture/plane/illumination_picture.h"
@@ -192,7 +194,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   Stopwatch watch;
   const Simulation2 simulation =
       refined(simulation_of(options, std::move(scene), request), options.levels.levels(), streams.stages());
-  std::shared_ptr<const Plan> plan = simulation.plan();
+  auto plan = std::make_shared<const Plan>(plan_at_speed(*simulation.plan(), machine_speed()));
   if (options.store.is_given()) plan = std::make_shared<const Plan>(plan_with_store(*plan, false, options.method));
   streams.note(plan_text(*plan));
   Outputs outputs(options, request, simulation.scene());

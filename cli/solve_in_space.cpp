@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/machine_speed.h"
 #include "io/files/output_file.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/npy.h"
@@ -21,6 +22,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/plan_speed.h"
 #include "solver/space/check/lost_light.h"
 #include "solver/space/simulation/refined.h"
 #include "solver/store_plan.h"
@@ -120,7 +122,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const SimulationRequest3 request = request_of(options, scene);
   const Simulation3 simulation =
       refined(Simulation3(std::move(scene), request), options.levels.levels(), streams.stages());
-  std::shared_ptr<const Plan> plan = simulation.plan();
+  auto plan = std::make_shared<const Plan>(plan_at_speed(*simulation.plan(), machine_speed()));
   if (options.store.is_given()) plan = std::make_shared<const Plan>(plan_with_store(*plan, true, options.method));
   streams.note(plan_text(*plan));
 

@@ -32,8 +32,7 @@ bool is_divided(const SceneTable& scene);
 //
 //   (1) an effect is left out only where it cannot change any number: with everything used the results are the same,
 //       bit for bit where exact, within enclosures elsewhere; or where this version does not simulate it
-//   (2) the names are those below, each once at most: a scene in the plane has no exchange, groups and picture of its
-//       own
+//   (2) the names are those below, each once at most: a scene in the plane has no exchange and groups of its own
 //   (3) seconds_estimate is 0 for an effect that is not used
 class Plan {
  public:

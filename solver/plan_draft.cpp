@@ -65,9 +65,11 @@ void PlanDraft::add_channels() {
   add(Plan::kChannels, channel_count(scene_) > 1, "spectra differ: r, g, b", "every spectrum is a scalar: one channel");
 }
 
-void PlanDraft::add_interreflection(double unknowns) {
+void PlanDraft::add_interreflection(double unknowns, double entries) {
+  // Factored, or by conjugate gradients; and the certificate of each unknown.
+  const double seconds = std::min(std::pow(unknowns, 3) / 3 * 6e-10, entries * 4e-7) + unknowns * 1e-5;
   add(Plan::kInterreflection, reflects(), "some faces reflect", "every reflectivity is 0: radiosity is emission",
-      std::pow(std::min(unknowns, 1500.0), 3) / 3 * 1e-9 * channel_count(scene_));
+      seconds);
 }
 
 void PlanDraft::add_unreachable(bool is_one_room) {

@@ -34,7 +34,7 @@ class PlanDraft {
   void add_sky(bool is_one_room, double seconds);
   void add_subdivision();
   void add_channels();
-  void add_interreflection(double unknowns);
+  void add_interreflection(double unknowns, double entries);  // of the matrix, that are not 0
   void add_unreachable(bool is_one_room);
   // The scene lists none: a scene that does is refused.
   void add_lights(double seconds);  // of one light

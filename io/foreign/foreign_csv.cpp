@@ -98,6 +98,9 @@ ForeignMatrix read_pair_list(const std::string& file, std::string_view text) {
     const int line = csv.where().line;
     const std::uint32_t row = index_of(fields[*from], line), column = index_of(fields[*to], line);
     matrix.entries.push_back({row, column, line, numbers.read(fields[*factor], line)});
+    matrix.has_row.resize(index.size(), 0);
+    matrix.has_column.resize(index.size(), 0);
+    matrix.has_row[row] = matrix.has_column[column] = 1;
   }
   matrix.rows = matrix.columns = static_cast<std::uint32_t>(index.size());
   matrix.column_names = matrix.row_names;

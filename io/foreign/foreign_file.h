@@ -34,8 +34,10 @@ struct ForeignMatrix {
 
   // Empty when the file does not name its faces: then they are in the order of the scene.
   std::vector<ForeignName> row_names, column_names;
-  std::string names_file;  // FILE, or FILE.faces.csv
-  bool is_list = false;    // a list of pairs: what it leaves out is 0
+  std::string names_file;        // FILE, or FILE.faces.csv
+  bool is_list = false;          // a list of pairs: what it leaves out is 0
+  std::vector<char> has_row;     // of a list: which of the names stand before a factor; else empty
+  std::vector<char> has_column;  // and which behind one
 
   std::vector<ForeignEntry> entries;
   std::vector<double> areas;  // by row, where the format has them

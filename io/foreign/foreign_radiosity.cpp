@@ -116,6 +116,10 @@ MethodResult judge_radiosity_file(const std::string& file, const ExchangeMatrix&
   result.errors = {kUnknown, kUnknown, kUnknown, 0};
   result.max_radiosity_error = verdict.max_error;
   result.notes = verdict_sentences(verdict, factors, exact);
+  result.solution = exact;
+  for (std::size_t c = 0; c < exact.channels.size(); ++c)
+    for (std::size_t i = 0; i < factors.size(); ++i)
+      result.solution->channels[c].elements[i].radiosity = foreign.by_channel[c][i];
   return result;
 }
 

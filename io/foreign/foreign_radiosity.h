@@ -33,7 +33,8 @@ ForeignRadiosities read_foreign_radiosities(const std::filesystem::path& file, c
 bool holds_radiosities(const std::filesystem::path& file);
 
 // Reads such a file and holds it against the exact radiosities: max_radiosity_error, and the verdict in words as notes.
-// There are no factors and no time, so that all else is NaN. beyond: as in judge_radiosities.
+// There are no factors and no time, so that all else is NaN. `solution` has the radiosities of the file, and nothing
+// else that is the file's. beyond: as in judge_radiosities.
 MethodResult judge_radiosity_file(const std::string& file, const ExchangeMatrix& factors,
                                   const RadiositySolution& exact, double beyond);
 

@@ -128,17 +128,17 @@ void compare_areas(const ForeignMatrix& foreign, const Places& places, const std
                            listed_names(different));
 }
 
-// What was read and is not used, and what the file does not have.
-void note_gaps(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& unused_rows,
+// What was read and is not used, and what the file has no place for; a list has one for whatever it names.
+void note_gaps(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& unused_rows, bool is_list,
                const WrittenFactors& written, MethodReport& report) {
   std::vector<std::string> names;
   for (const std::uint32_t i : unused_rows) names.push_back(matrix.name(i));
   if (!names.empty()) report.notes.push_back("rows of faces without a material are not used: " + listed_names(names));
-  if (!written.has_column[matrix.sky()])
+  if (!is_list && !written.has_column[matrix.sky()])
     report.notes.push_back("there is no column for the sky: what rows lack of 1 is not counted as going there");
   names.clear();
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    if (!written.has_column[i]) names.push_back(matrix.elements()[i].name);
+    if (!is_list && !written.has_column[i]) names.push_back(matrix.elements()[i].name);
   if (!names.empty()) report.notes.push_back("there are no columns for " + listed_names(names));
   std::size_t negative = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
@@ -176,17 +176,24 @@ ExchangeMatrix match_foreign_matrix(const ForeignMatrix& foreign, std::vector<El
   for (std::uint32_t i = 0; i < matrix.size(); ++i) begin[i + 1] += begin[i];
   matrix.assign(std::move(begin), std::move(factors));
 
-  WrittenFactors written{foreign.digits, std::vector<char>(matrix.size() + 1, foreign.is_list)};
-  for (const std::uint32_t column : places.column) written.has_column[column] = 1;
+  WrittenFactors written{foreign.digits, std::vector<char>(matrix.size() + 1, 0), {}};
+  for (std::size_t k = 0; k < places.column.size(); ++k)
+    written.has_column[places.column[k]] = !foreign.is_list || foreign.has_column[k];
+  if (foreign.is_list) {
+    written.has_row.resize(matrix.size() + 1, 0);
+    for (std::uint32_t i = 0; i < matrix.size(); ++i)
+      written.has_column[i] = static_cast<char>(written.has_column[i] || matrix.has_row(i));
+    for (std::size_t k = 0; k < places.row.size(); ++k) written.has_row[places.row[k]] = foreign.has_row[k];
+  }
   report.notes.insert(report.notes.end(), foreign.notes.begin(), foreign.notes.end());
-  note_gaps(matrix, unused_rows, written, report);
+  note_gaps(matrix, unused_rows, foreign.is_list, written, report);
+  report.written = std::move(written);
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    if (!matrix.has_row(i)) continue;
+    if (!matrix.has_row(i) || (!report.written->has_row.empty() && !report.written->has_row[i])) continue;
     double sum = 0;
     for (const FactorEntry& entry : matrix.row(i)) sum += entry.factor.value;
     report.row_defect = std::max(report.row_defect, std::abs(sum - 1));
   }
-  report.written = std::move(written);
   return matrix;
 }
 

@@ -18,8 +18,14 @@ namespace hottel {
 //   rows     n+1 | n | m+1 | m   all elements and the sky | all | those with a material and the sky | those alone
 //   columns  n+1 | n | m+1 | m   the same
 //
-// but no fewer columns than rows. Rows of the sky and of faces without a material are not used. Columns that the file
-// does not have stay empty (WrittenFactors::has_column); nothing is completed, rescaled or symmetrised. Notes say so.
+// but no fewer columns than rows. Rows of the sky and of faces without a material are not used. Rows and columns that
+// the file does not have stay empty (WrittenFactors::has_row, has_column); nothing is completed, rescaled or
+// symmetrised. Notes say so.
+//
+//   (1) a list of pairs has the rows of the faces that it names as `from`, and the columns of all faces with a
+//   material;
+//       those of black faces and of the sky where it names them as `to`
+//   (2) other files have all rows
 //
 // Throws InputError for names that the scene does not have or the file lacks, and sizes that do not fit.
 ExchangeMatrix match_foreign_matrix(const ForeignMatrix& foreign, std::vector<Element> elements, MethodReport& report);

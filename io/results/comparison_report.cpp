@@ -19,7 +19,23 @@ using Json = nlohmann::ordered_json;
 
 Json optional(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-Json method_json(const MethodResult& each) {
+// What a matrix does not have of the exact one, faces by name; null where nothing is missing.
+Json missing_json(const MatrixErrors& errors, const ExchangeMatrix& exact) {
+  const MissingFactors& missing = errors.missing;
+  if (missing.rows.empty() && missing.columns.empty() && missing.pairs == 0) return {};
+  const auto names = [&](const std::vector<std::uint32_t>& elements) {
+    Json all = Json::array();
+    for (const std::uint32_t i : elements) all.push_back(exact.name(i));
+    return all;
+  };
+  return {{"rows", names(missing.rows)},
+          {"columns", names(missing.columns)},
+          {"pairs", missing.pairs},
+          {"largest", missing.largest},
+          {"max_error_of_others", errors.max_of_others}};
+}
+
+Json method_json(const MethodResult& each, const ExchangeMatrix& exact) {
   return {{"method", each.info.name},
           {"family", each.info.family},
           {"guarantee", to_string(each.info.guarantee)},
@@ -34,6 +50,7 @@ Json method_json(const MethodResult& each) {
           {"closure", each.errors.closure},
           {"row_defect_before_normalising", each.report.row_defect},
           {"pairs", each.errors.pairs},
+          {"missing", missing_json(each.errors, exact)},
           {"declared_error", optional(each.declared_error)},
           {"standard_error", optional(each.report.standard_error)},
           {"max_radiosity_error", optional(each.max_radiosity_error)},
@@ -75,7 +92,7 @@ std::string comparison_json(const ComparisonReport& report) {
                                 {"rms_error", report.reference.rms},
                                 {"max_radiosity_error", report.reference.radiosity}};
   json["methods"] = Json::array();
-  for (const MethodResult& each : report.results) json["methods"].push_back(method_json(each));
+  for (const MethodResult& each : report.results) json["methods"].push_back(method_json(each, report.exact));
   json["readings"] = Json::array();
   for (const WorkReading& reading : report.readings)
     json["readings"].push_back(
@@ -83,6 +100,7 @@ std::string comparison_json(const ComparisonReport& report) {
          {"exact_seconds", reading.exact_seconds},
          {"family", reading.family},
          {"seconds", optional(reading.family.empty() ? std::nullopt : std::optional(reading.seconds))}});
+  if (!report.grid_file.empty()) json["light"] = {{"file", report.grid_file}, {"notes", report.light}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -108,6 +126,7 @@ std::string comparison_text(const ComparisonReport& report) {
       place->second += (place->second.empty() ? "" : ", ") + each.info.name;
     }
   for (const auto& [note, whose] : notes) text += whose + ": " + note + "\n";
+  for (const std::string& sentence : report.light) text += report.grid_file + ": " + sentence + "\n";
   for (const WorkReading& reading : report.readings) text += to_sentence(reading) + "\n";
   return text;
 }

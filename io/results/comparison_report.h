@@ -24,6 +24,8 @@ struct ComparisonReport {
   std::string why_no_radiosities;  // empty where there are exact ones
   std::span<const MethodResult> results;
   std::span<const WorkReading> readings;  // times at which errors are reached
+  std::string grid_file{};                // light of others on a grid; empty: none
+  std::span<const std::string> light{};   // what is said of it
 };
 
 // Returns the report as one JSON object and a final newline. What is not known is null; what is no UTF-8 in

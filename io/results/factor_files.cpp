@@ -158,13 +158,24 @@ void write_factors_csv(const FactorTable& table, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   const std::vector<std::string> names = csv_names(matrix);
   Buffer out(sink);
-  out << "from,to,factor,lower,upper,visibility,guarantee\n";
+  out << "from,to,factor,lower,upper,visibility,guarantee" << (table.has_areas ? ",from_area,to_area\n" : "\n");
+  const auto add_area = [&](std::uint32_t i) {
+    out << ',';
+    if (i == matrix.sky()) return;
+    require_double(matrix.elements()[i].area.value, area_of(matrix, i));
+    out << matrix.elements()[i].area.value;
+  };
   for_each_listed(table,
                   [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds, Guarantee guarantee) {
                     out << names[from] << ',' << names[entry.to] << ',' << entry.factor.value << ',' << bounds.lower
                         << ',' << bounds.upper << ',';
                     if (!std::isnan(entry.visibility)) out << entry.visibility;
-                    out << ',' << to_string(guarantee) << '\n';
+                    out << ',' << to_string(guarantee);
+                    if (table.has_areas) {
+                      add_area(from);
+                      add_area(entry.to);
+                    }
+                    out << '\n';
                   });
   out.flush();
 }

@@ -33,10 +33,12 @@ struct FactorTable {
   // ascending. Other files hold all.
   std::vector<std::uint32_t> only_rows = {}, only_columns = {};
   std::optional<int> gray_channel = {};  // the matrix is script-F (gray_exchange.h) of this channel; else view factors
+  bool has_areas = false;                // the list of pairs has the areas of both
 };
 
 // `from,to,factor,lower,upper,visibility,guarantee`: one line a pair, by from, then to. Shortest decimals that read
-// back to the same double; names quoted as RFC 4180 asks.
+// back to the same double; names quoted as RFC 4180 asks. With areas two columns more, `from_area,to_area`: lengths in
+// the plane, empty for the sky. Throws RequestError for an area that is asked for and beyond the range of doubles.
 void write_factors_csv(const FactorTable& table, const Sink& sink);
 
 // Matrix Market `coordinate real general`, 1-based, all faces and the sky last; the faces are named by

@@ -44,7 +44,8 @@ template <class Explainer>
 std::vector<ExplainedPair> explained_worst_pairs(const Explainer& explainer, const ExchangeMatrix& exact,
                                                  const MethodResult& result, std::size_t count) {
   std::vector<ExplainedPair> explained;
-  for (const PairError& pair : worst_pairs(result.matrix, exact, count))
+  for (const PairError& pair :
+       worst_pairs(result.matrix, exact, count, result.report.written.value_or(WrittenFactors())))
     explained.push_back({result.info.name, exact.name(pair.from), exact.name(pair.to), pair, explainer.explain(pair)});
   return explained;
 }

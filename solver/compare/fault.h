@@ -16,7 +16,8 @@ enum class Fault {
   kSkyMissing,      // nothing goes to the sky
   kSkyIsRest,       // the sky gets what the (wrong) row lacks of 1
   kMissing,         // 0
-  kBehind           // light between faces that do not face each other
+  kBehind,          // light between faces that do not face each other
+  kSamplingNoise    // the scatter of rays
 };
 
 }  // namespace hottel

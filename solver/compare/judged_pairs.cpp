@@ -9,7 +9,7 @@ JudgedPairs::JudgedPairs(const ExchangeMatrix& exact, const ExchangeMatrix& matr
                          const WrittenFactors& written)
     : exact_(&exact), matrix_(&matrix), beyond_(beyond), written_(written), begin_(exact.size() + 1, 0) {
   const auto add = [&](std::uint32_t from, std::uint32_t to, double value, const FactorEntry* right) {
-    if (!has_column(to)) return;
+    if (!written_.has_place(from, to)) return;
     JudgedPair pair{from, to, value};
     if (right) pair.exact = right->factor.value;
     pair.visibility = right ? right->visibility : 0;

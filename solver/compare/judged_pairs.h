@@ -21,7 +21,7 @@ struct JudgedPair {
   double error() const { return value > exact ? value - exact : exact - value; }
 };
 
-// All pairs with a factor in either matrix, by rows; columns that the file lacks are left out.
+// All pairs with a factor in either matrix, by rows; rows and columns that the file lacks are left out.
 //
 //   (1) a pair is off iff value and exact differ by more than tolerance(): what the caller allows, and half of the last
 //       digit that the file writes of such a number
@@ -38,6 +38,8 @@ class JudgedPairs {
   const ExchangeMatrix& matrix() const { return *matrix_; }
   // Whether the file has a place for what goes to this element, or to the sky (column exact().sky()).
   bool has_column(std::uint32_t column) const { return written_.has_column.empty() || written_.has_column[column]; }
+  // And whether it has one for this pair: some number of its row, and its column.
+  bool has_place(std::uint32_t from, std::uint32_t to) const { return written_.has_place(from, to); }
 
   // All of them, and those of one row.
   std::span<const JudgedPair> pairs() const { return pairs_; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -70,9 +71,14 @@ class MethodComparison {
         },
         runs);
     result.notes = result.report.notes;
-    result.errors = matrix_errors(result.matrix, exact());
-    result.errors.max = std::max(result.errors.max, reference_.max);
-    result.errors.rms = std::max(result.errors.rms, reference_.rms);
+    const bool is_read = result.report.written.has_value();
+    result.errors = matrix_errors(result.matrix, exact(), result.report.written.value_or(WrittenFactors()));
+    if (is_read)
+      for (std::string& sentence : missing_sentences(result.errors, exact()))
+        result.notes.push_back(std::move(sentence));
+    if (!std::isnan(result.errors.max)) result.errors.max = std::max(result.errors.max, reference_.max);
+    if (!std::isnan(result.errors.rms)) result.errors.rms = std::max(result.errors.rms, reference_.rms);
+    for (std::uint32_t i = 0; i < exact().size(); ++i) result.elements += exact().has_row(i);
     result.declared_error = method.declared_error(prepared());
     if (!exact_solution_) return result;
 

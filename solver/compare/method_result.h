@@ -1,6 +1,7 @@
 // One method beside the exact one: how wrong, and how long.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,10 @@ struct MethodResult {
   //   nothing   the exact matrix has none either: a room of perfect mirrors with a lamp
   //   0         neither is there any light
   std::optional<double> max_radiosity_error;
+
+  std::uint64_t elements = 0;  // that have a row
+  // The same of mean radiosities of whole faces, against those of a finer division (face_means.h), where there is one.
+  std::optional<double> face_radiosity_error;
 
   ExchangeMatrix matrix;
   std::optional<RadiositySolution> solution;  // of that matrix

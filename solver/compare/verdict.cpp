@@ -8,6 +8,7 @@
 
 #include "geometry/name.h"
 #include "solver/compare/hypotheses.h"
+#include "solver/compare/sampling_noise.h"
 #include "solver/compare/scene_hypotheses.h"
 
 namespace hottel {
@@ -51,7 +52,7 @@ void judge_laws(const JudgedPairs& judged, Verdict& verdict) {
 void judge_reciprocity(const JudgedPairs& judged, Verdict& verdict) {
   const ExchangeMatrix& exact = judged.exact();
   for (const JudgedPair& pair : judged.pairs()) {
-    if (pair.to == exact.sky() || !exact.has_row(pair.to) || !judged.has_column(pair.from)) continue;
+    if (pair.to == exact.sky() || !exact.has_row(pair.to) || !judged.has_place(pair.to, pair.from)) continue;
     const double reverse = judged.matrix().factor(pair.to, pair.from).value;
     if (pair.to < pair.from && reverse != 0) continue;  // each pair once
     const double a = exact.elements()[pair.from].area.value, b = exact.elements()[pair.to].area.value;
@@ -75,19 +76,31 @@ std::vector<Hypothesis> hypotheses_of(const JudgedScene& scene, const JudgedPair
   hypotheses.push_back(suppose_sky_is_rest(judged));
   hypotheses.push_back(suppose_missing(judged));
   hypotheses.push_back(suppose_behind(judged, unobstructed));
+  hypotheses.push_back(suppose_sampling_noise(judged));
   return hypotheses;
 }
 
-// Takes the reading that explains most of what is left, again and again.
+// Takes the reading that explains most of what is left, again and again, while it explains its share. What is left may
+// scatter as rays do where all pairs together did not.
 void choose_findings(std::vector<Hypothesis> hypotheses, const JudgedPairs& judged, Verdict& verdict) {
   std::vector<char> is_open(judged.pairs().size(), 0);
   for (const JudgedPair& pair : judged.pairs()) is_open[judged.index_of(pair)] = pair.is_off;
+  bool is_scatter_asked = false;
   while (!hypotheses.empty()) {
     for (Hypothesis& hypothesis : hypotheses)
       for (std::size_t k = 0; k < is_open.size(); ++k) hypothesis.explains[k] = hypothesis.explains[k] && is_open[k];
     const auto best = std::max_element(hypotheses.begin(), hypotheses.end(),
                                        [](const Hypothesis& a, const Hypothesis& b) { return a.count() < b.count(); });
-    if (best->count() == 0) break;
+    if (static_cast<double>(best->count()) < std::max(1.0, kLeastShare * static_cast<double>(judged.off()))) {
+      verdict.has_unnamed = verdict.has_unnamed || best->count() > 0;
+      if (is_scatter_asked || verdict.findings.empty()) break;
+      is_scatter_asked = true;
+      std::vector<char> is_settled(is_open.size(), 0);
+      for (const JudgedPair& pair : judged.pairs())
+        is_settled[judged.index_of(pair)] = pair.is_off && !is_open[judged.index_of(pair)];
+      hypotheses = {suppose_sampling_noise(judged, is_settled)};
+      continue;
+    }
     for (std::size_t k = 0; k < is_open.size(); ++k) is_open[k] = is_open[k] && !best->explains[k];
     verdict.findings.push_back({best->fault, best->words, best->count(), worst_of(judged, best->explains)});
     hypotheses.erase(best);
@@ -165,6 +178,8 @@ std::vector<std::string> verdict_sentences(const Verdict& verdict, const Exchang
     if (verdict.unexplained == 1 && verdict.worst_unexplained[0].to != exact.sky() &&
         !verdict.worst_unexplained[0].is_reverse_off)
       sentence += " (the factor the other way is right)";
+    if (verdict.has_unnamed)
+      sentence += fmt::format("; readings of fewer than {:g} % of the pairs are not named", 100 * kLeastShare);
     text.push_back(sentence);
   }
   return text;

@@ -41,11 +41,13 @@ struct Verdict {
   double least = 0, most = 0;     // factors
 
   std::vector<FoundFault> findings;           // what explains most comes first; each pair is counted once
+  bool has_unnamed = false;                   // some reading explained less than its share
   std::uint64_t unexplained = 0;              // off, and by no fault that is known
   std::vector<JudgedPair> worst_unexplained;  // at most kPairsNamed, the worst first
 };
 
 inline constexpr std::size_t kPairsNamed = 5;
+inline constexpr double kLeastShare = 0.02;  // of the pairs off, that a reading explains to be named
 
 // Holds a matrix against the exact one of a scene (solver/plane/compare/verdict.h takes a prepared scene of the plane).
 //
@@ -54,7 +56,11 @@ inline constexpr std::size_t kPairsNamed = 5;
 //   (2) findings are readings of the numbers, not proofs: each is backed by the number of pairs it explains, that is,
 //       which agree within `beyond` and the digits left out once it is allowed for
 //   (3) the findings and what is unexplained partition the pairs that are off
-// Columns that the file does not have are not judged.
+//   (4) a reading is a finding only where it explains kLeastShare of the pairs that are off, or more
+//   (5) the scatter of rays (sampling_noise.h) is a reading like others; where the errors are no such scatter as a
+//   whole,
+//       what the others leave is asked again
+// Rows and columns that the file does not have are not judged.
 // REQUIRES: both matrices are over the elements of the scene; the exact one has visibilities.
 // COST: a few passes over both matrices; when something is off, what the scene takes to answer (judged_scene.h).
 Verdict judge(const JudgedScene& scene, const ExchangeMatrix& exact, const ExchangeMatrix& matrix,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace hottel {
@@ -33,7 +34,16 @@ struct WrittenDigits {
 // What a file of factors tells besides its numbers, laid out as the elements of a scene.
 struct WrittenFactors {
   WrittenDigits digits;
-  std::vector<char> has_column;  // by element, the sky last: the file has a place for what goes there
+  std::vector<char> has_column;  // by element, the sky last: the file has a place for what goes there; empty: all are
+  std::vector<char> has_row;     // by element: the file has numbers of what leaves it; empty: all are there
+
+  bool has_place(std::uint32_t from, std::uint32_t to) const {
+    return (has_row.empty() || has_row[from]) && (has_column.empty() || has_column[to]);
+  }
+  bool is_whole() const {
+    const auto has_all = [](const std::vector<char>& has) { return std::find(has.begin(), has.end(), 0) == has.end(); };
+    return has_all(has_row) && has_all(has_column);
+  }
 };
 
 }  // namespace hottel

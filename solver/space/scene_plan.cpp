@@ -129,7 +129,7 @@ Plan plan_scene(const Scene3& scene, const PlanRequest& request) {
   draft.add_subdivision();
   add_groups(scene, draft);
   draft.add_channels();
-  draft.add_interreflection(static_cast<double>(faces.rows()));
+  draft.add_interreflection(static_cast<double>(faces.rows()), 2 * pairs);
   draft.add_unreachable(is_room);
   add_light(scene, request, faces.rows(), draft);
   return draft.take();

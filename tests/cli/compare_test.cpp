@@ -103,6 +103,118 @@ TEST(Compare, DrawsWhereAMethodIsWrong) {
   EXPECT_EQ(place.run("hottel compare '" + kSquare + "' --methods exact --map exact:normalised -o out").code, 2);
 }
 
+// Fields of a line without quotes.
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields(1);
+  for (const char c : line)
+    if (c == ',')
+      fields.emplace_back();
+    else
+      fields.back() += c;
+  return fields;
+}
+
+TEST(Compare, TellsWhatDividingGives) {
+  const Workplace place;
+  const Outcome outcome =
+      place.run("hottel compare '" + kSquare +
+                "' --methods center,rays:64 --divide 1,2,4,8 --repeat 1 -o out --json > report.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto lines = lines_of(place.read("out/divide.csv"));
+  ASSERT_EQ(lines.size(), 1u + 4 * 3);
+  EXPECT_EQ(
+      lines[0],
+      "divide,elements,method,guarantee,seconds,max_error,rms_error,closure,max_radiosity_error,face_radiosity_error");
+  double before = 1;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto exact = fields_of(lines.at(1 + 3 * k)), center = fields_of(lines.at(2 + 3 * k));
+    EXPECT_EQ(exact[0], std::to_string(1 << k));
+    EXPECT_EQ(exact[1], std::to_string(4 << k));
+    EXPECT_EQ(exact[2], "exact");
+    EXPECT_EQ(exact[5], "0");
+    EXPECT_EQ(exact[8], "0");
+    EXPECT_EQ(center[2], "center");
+    EXPECT_EQ(center[9] == "", k == 3);
+    if (k == 3) {
+      EXPECT_EQ(exact[9], "") << "the finest is what the others are held against";
+    } else {
+      EXPECT_LE(std::stod(exact[9]), before);
+      before = std::stod(exact[9]);
+    }
+  }
+  EXPECT_THAT(place.read("out/divide.svg"), HasSubstr(">exact factors: error of dividing</text>"));
+  EXPECT_THAT(place.read("out/divide.png"), StartsWith("\x89PNG"));
+  EXPECT_EQ(nlohmann::json::parse(place.read("report.json"))["results"].size(), 12u);
+  EXPECT_THAT(outcome.err, HasSubstr("order"));
+}
+
+TEST(Compare, TellsACommandTheDivision) {
+  const Workplace place;
+  const Outcome outcome = place.run("hottel compare '" + kSquare +
+                                    "' --methods 'mine=run:hottel factors {scene} --per element --elements "
+                                    "{elements} --quiet -o {out}' --divide 1,3 --repeat 1 -o out");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto lines = lines_of(place.read("out/divide.csv"));
+  ASSERT_EQ(lines.size(), 5u);
+  for (const std::size_t line : {2u, 4u}) {
+    const auto fields = fields_of(lines[line]);
+    EXPECT_EQ(fields[2], "mine");
+    EXPECT_EQ(fields[5], "0");
+  }
+}
+
+TEST(Compare, HoldsLightOnAGridAgainstTheExactOne) {
+  const Workplace place;
+  ASSERT_EQ(place.run("hottel solve '" + kSquare + "' --grid 8x6 -o solved --quiet").code, 0);
+  Outcome outcome = place.run("hottel compare '" + kSquare + "' --grid-file solved/illumination.npy -o out --repeat 1");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  auto fields = fields_of(lines_of(place.read("out/grid.csv")).at(1));
+  EXPECT_EQ(fields[0], "all");
+  EXPECT_EQ(fields[1], "48");
+  EXPECT_EQ(fields[4], "0");
+  EXPECT_EQ(lines_of(place.read("out/compare.csv")).size(), 2u) << "exact alone";
+  EXPECT_THAT(place.read("out/grid_errors.png"), StartsWith("\x89PNG"));
+
+  // One cell is wrong: the last number of the file, of the cell at the right and at the top.
+  ASSERT_EQ(
+      place.run("head -c -8 solved/illumination.npy > wrong.npy; printf '\\0\\0\\0\\0\\0\\0\\360\\077' >> wrong.npy")
+          .code,
+      0);
+  outcome = place.run("hottel compare '" + kSquare + "' --grid-file wrong.npy -o out --repeat 1");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  fields = fields_of(lines_of(place.read("out/grid.csv")).at(1));
+  EXPECT_EQ(fields[7] + "," + fields[8], "7,5");
+  EXPECT_EQ(fields[12], "1");
+  EXPECT_THAT(outcome.err, HasSubstr("the worst is cell 7, 5"));
+}
+
+TEST(Compare, RefusesGridsThatDoNotFit) {
+  const Workplace place;
+  ASSERT_EQ(place
+                .run("hottel solve '" + kSquare + "' --grid 8x6 -o solved --quiet && hottel factors '" + kSquare +
+                     "' --quiet -o f.csv && cp solved/illumination.npy a.npy && sed 's/0.0/-7.0/' "
+                     "solved/illumination.npy.json > a.npy.json")
+                .code,
+            0);
+  const auto said = [&](const std::string& file) {
+    const Outcome outcome = place.run("hottel compare '" + kSquare + "' --grid-file " + file + " -o out --repeat 1");
+    EXPECT_EQ(outcome.code, 3) << file;
+    return outcome.err;
+  };
+  EXPECT_THAT(said("f.csv"), HasSubstr("f.csv: is no array of NumPy"));
+  EXPECT_THAT(said("a.npy"), HasSubstr("a.npy.json: says that the grid lies elsewhere"));
+  EXPECT_THAT(said("none.npy"), StartsWith("none.npy: "));
+}
+
+TEST(Compare, DrawsWhereAForeignRadiosityIsWrong) {
+  const Workplace place;
+  ASSERT_EQ(place.run("hottel solve '" + kSquare + "' --grid 2x2 -o solved --quiet").code, 0);
+  const Outcome outcome = place.run("hottel compare '" + kSquare +
+                                    "' --methods mine=file:solved/radiosity.csv --map mine --repeat 1 -o out");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(place.read("out/errors.png"), StartsWith("\x89PNG"));
+}
+
 TEST(Compare, RefusesMethodsThatThereAreNotBeforeItWritesAnything) {
   const Workplace place;
   const Outcome outcome = place.run("hottel compare '" + kSquare + "' --methods exact,guess");

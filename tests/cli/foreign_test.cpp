@@ -141,6 +141,69 @@ TEST(Foreign, CompareFindsNothingWrongWithTheExactFactors) {
   EXPECT_THAT(outcome.err, HasSubstr("pairs agree with the exact factors"));
 }
 
+TEST(Foreign, CompareGivesEachFileAndCommandItsNameAndCurve) {
+  const Workplace place;
+  ASSERT_EQ(place
+                .run("mkdir a b; hottel factors " + kBox +
+                     " --per element --quiet -o a/own.csv && cp a/own.csv b/own.csv && "
+                     "hottel compare " +
+                     kBox +
+                     " --methods 'file:a/own.csv,file:b/own.csv,mine=file:a/own.csv,"
+                     "first try=run:cp a/own.csv {out},exact' --repeat 1 --json -o out > report.json")
+                .code,
+            0);
+  const auto csv = lines_of(place.read("out/compare.csv"));
+  ASSERT_EQ(csv.size(), 6u);
+  EXPECT_THAT(csv[1], StartsWith("file:a/own.csv,estimated,,0,"));
+  EXPECT_THAT(csv[3], StartsWith("mine,estimated,,0,"));
+  EXPECT_THAT(csv[4], StartsWith("first try,estimated,"));
+  const auto methods = nlohmann::json::parse(place.read("report.json"))["methods"];
+  std::vector<std::string> curves;
+  for (const auto& method : methods) curves.push_back(method["family"]);
+  EXPECT_THAT(curves, testing::ElementsAre("own", "file:b/own.csv", "mine", "first try", "exact"));
+  EXPECT_EQ(methods[2]["reference"], "a/own.csv");
+  EXPECT_THAT(place.read("out/readings.csv"), HasSubstr(",first try,"));
+  EXPECT_THAT(place.read("out/readings.csv"), testing::Not(HasSubstr(",mine,")));
+}
+
+TEST(Foreign, CompareRefusesNamesThatAreNone) {
+  const Workplace place;
+  const auto said = [&](const std::string& methods) {
+    const Outcome outcome = place.run("hottel compare " + kBox + " --methods '" + methods + "' -o out");
+    EXPECT_EQ(outcome.code, 2) << methods;
+    return outcome.err;
+  };
+  EXPECT_THAT(said("mine=gauss:4"), HasSubstr("--methods gives names to file: and run:"));
+  EXPECT_THAT(said("exact=file:f.csv"), HasSubstr("'exact' is a method of hottel"));
+  EXPECT_THAT(said("a=file:f.csv,a=file:g.csv"), HasSubstr("two methods are called 'a'"));
+  EXPECT_THAT(said("=file:f.csv"), HasSubstr("--methods has an empty name before '='"));
+  EXPECT_TRUE(place.files().empty());
+}
+
+TEST(Foreign, CompareTellsWhatIsMissingApart) {
+  const Workplace place;
+  ASSERT_EQ(place
+                .run("hottel factors " + kBox +
+                     " --per element --quiet -o exact.csv && grep -v '^wall,' exact.csv | "
+                     "grep -v ',sky,' | grep -v '^floor,box\\[3\\],' > f.csv && hottel compare " +
+                     kBox + " --methods file:f.csv --repeat 1 --json -o out > report.json 2> said")
+                .code,
+            0);
+  const auto method = nlohmann::json::parse(place.read("report.json"))["methods"][0];
+  EXPECT_EQ(method["missing"]["rows"], std::vector<std::string>{"wall"});
+  EXPECT_EQ(method["missing"]["columns"], std::vector<std::string>{"sky"});
+  EXPECT_EQ(method["missing"]["pairs"], 1);
+  EXPECT_EQ(method["missing"]["largest"], method["max_error"]);
+  EXPECT_EQ(method["missing"]["max_error_of_others"], 0);
+  EXPECT_THAT(place.read("said"), HasSubstr("there is no row of 'wall': errors are of the other rows"));
+  EXPECT_THAT(place.read("said"), HasSubstr("errors leave out what goes to 'sky'"));
+  EXPECT_THAT(place.read("said"), HasSubstr("1 pair is 0 or left out where light goes"));
+  // Nothing in common: no error, rather than none.
+  place.write("none.csv", "from,to,factor\n");
+  ASSERT_EQ(place.run("hottel compare " + kBox + " --methods file:none.csv --repeat 1 -o out").code, 0);
+  EXPECT_THAT(lines_of(place.read("out/compare.csv")).at(1), StartsWith("file:none.csv,estimated,,,,,"));
+}
+
 TEST(Foreign, CompareNamesAPairThatIsWrong) {
   const Workplace place;
   const Outcome outcome =

@@ -21,3 +21,20 @@ awk -F, 'NR == FNR { if (FNR > 1 && $3 > most) most = $3; next }
 if grep -q 'reaches it, file' said; then fail "a file is called fast"; fi
 grep -q '^file:own.csv: ' said || fail "there is no verdict: $(cat said)"
 grep -q '^file:own.csv,' compared/worst.csv || fail "the worst pairs are not named"
+
+# By a name of its own, over the pairs it has: no sky, no row of one face.
+grep -v ',sky,' own.csv | grep -v '^bottom,' > part.csv
+"$program" compare "$scene" --methods exact,mine=file:part.csv --repeat 1 -o compared 2> said
+grep -q '^mine,estimated,,' compared/compare.csv || fail "it is not called by its name"
+grep -q "there is no row of 'bottom'" said || fail "a row that is missing is not told: $(cat said)"
+
+# Its light on a grid, here the exact one.
+scene=$(realpath "$2")/scenes/analytic/square_radiosity.json
+"$program" solve "$scene" --quiet --grid 8x6 --no-picture -o solved
+"$program" compare "$scene" --grid-file solved/illumination.npy --repeat 1 -o compared 2> said
+awk -F, 'NR == 2 && $5 != 0 { print $0; exit 1 }' compared/grid.csv || fail "the exact light is off"
+
+# How fast does it converge? It is told the division by {elements}.
+"$program" compare "$scene" --divide 1,2,4 --repeat 1 -o compared \
+  --methods "mine=run:$program factors {scene} --per element --elements {elements} --method center --quiet -o {out}" 2> said
+[ "$(grep -c ',mine,' compared/divide.csv)" = 3 ] || fail "divide.csv has not three divisions of it"

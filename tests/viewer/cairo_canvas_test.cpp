@@ -41,6 +41,22 @@ TEST(CairoCanvas, WritesSvgOfTheSizeAskedFor) {
   EXPECT_THAT(svg, HasSubstr("</svg>"));
 }
 
+TEST(CairoCanvas, SvgHoldsTextsAsText) {
+  CairoCanvas canvas(PictureFormat::kSvg, 200, 100);
+  canvas.text(Mark::kLabel, {10, 20}, "<a & b>", {.size = 16, .weight = TextWeight::kBold});
+  canvas.stroke(Mark::kEdge, {0, 0}, {50, 50}, {1, 0, 0}, 2);
+  canvas.begin_layer();
+  canvas.text(Mark::kLabel, {190, 60}, "10⁻³", {.size = 12, .anchor = TextAnchor::kRight});
+  canvas.end_layer(std::vector<std::vector<Pixel>>{{{0, 0}, {200, 0}, {200, 100}, {0, 100}}});
+  const std::string svg = canvas.finish();
+  EXPECT_THAT(svg, HasSubstr("font-weight=\"bold\""));
+  EXPECT_THAT(svg, HasSubstr(">&lt;a &amp; b&gt;</text>"));
+  EXPECT_THAT(svg, HasSubstr(">10⁻³</text>"));
+  EXPECT_THAT(svg, testing::Not(HasSubstr("glyph")));
+  EXPECT_THAT(svg, testing::Not(HasSubstr("miterlimit:100000")));
+  EXPECT_LT(svg.find("a &amp; b"), svg.find("rgb(100%,0%,0%)")) << "in their order";
+}
+
 TEST(CairoCanvas, WritesPdfOnAPageOfThreeQuartersOfAPointAPixel) {
   const std::string pdf = drawn(PictureFormat::kPdf);
   EXPECT_THAT(pdf, StartsWith("%PDF-"));

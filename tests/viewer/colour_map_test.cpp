@@ -9,6 +9,15 @@
 namespace hottel {
 namespace {
 
+TEST(ColourScale, TellsZeroFromSmallWhereItHasZero) {
+  const ColourScale plain{1e-4, 1, true}, with_zero{1e-4, 1, true, false, true};
+  const auto same = [](const Colour& a, const Colour& b) { return pixel_of(a) == pixel_of(b); };
+  EXPECT_TRUE(same(scale_colour(plain, 0), map_colour(0)));
+  EXPECT_TRUE(same(scale_colour(with_zero, 1e-9), map_colour(0)));
+  EXPECT_FALSE(same(scale_colour(with_zero, 0), map_colour(0)));
+  EXPECT_GT(lightness(scale_colour(with_zero, 0)), lightness(scale_colour(with_zero, 1e-9)) + 0.3);
+}
+
 using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::Pointwise;

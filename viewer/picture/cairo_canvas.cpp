@@ -3,13 +3,17 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cairo.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <new>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "kernel/support/failure.h"
 #include "viewer/picture/png_file.h"
@@ -82,6 +86,63 @@ std::string with_own_numbers(std::string_view svg, std::string_view word) {
   return result += svg;
 }
 
+// A text of an SVG. Cairo draws letters as shapes there; so a line is drawn in the place of each text, marked by a
+// miter limit that nothing else has, and the text is put in its place when all is written.
+struct SvgText {
+  double x, y, width;  // of the left end of its base line
+  std::string text;
+  TextStyle style;
+};
+
+constexpr std::size_t kFirstMark = 1'000'000;
+constexpr std::string_view kMarkedStyle = "stroke-miterlimit:";
+
+std::string xml_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else
+      result += c;
+  }
+  return result;
+}
+
+// Of the same width in whatever font there is.
+std::string svg_element(const SvgText& text) {
+  const auto level = [](double part) { return std::lround(255 * std::clamp(part, 0.0, 1.0)); };
+  const Colour& c = text.style.colour;
+  return fmt::format(
+      "<text x=\"{:.6g}\" y=\"{:.6g}\" font-family=\"'{}', 'DejaVu Sans', sans-serif\" font-size=\"{:.6g}\"{} "
+      "fill=\"rgb({},{},{})\"{} textLength=\"{:.6g}\" lengthAdjust=\"spacingAndGlyphs\" "
+      "xml:space=\"preserve\">{}</text>",
+      text.x, text.y, kTypeface, text.style.size, text.style.weight == TextWeight::kBold ? " font-weight=\"bold\"" : "",
+      level(c.r), level(c.g), level(c.b), c.a < 1 ? fmt::format(" fill-opacity=\"{:.4g}\"", c.a) : "", text.width,
+      xml_text(text.text));
+}
+
+std::string with_texts(std::string_view svg, const std::vector<SvgText>& texts) {
+  std::string result;
+  for (std::size_t at = svg.find(kMarkedStyle); at != std::string_view::npos; at = svg.find(kMarkedStyle)) {
+    std::size_t mark = 0;
+    const char* const number = svg.data() + at + kMarkedStyle.size();
+    std::from_chars(number, svg.data() + svg.size(), mark);
+    const std::size_t end = std::min(svg.find("/>", at), svg.size() - 2) + 2;
+    if (mark < kFirstMark || mark - kFirstMark >= texts.size()) {
+      result += svg.substr(0, end);
+    } else {
+      result += svg.substr(0, svg.rfind('<', at));
+      result += svg_element(texts[mark - kFirstMark]);
+    }
+    svg.remove_prefix(end);
+  }
+  return result += svg;
+}
+
 void check_sides(std::uint32_t width, std::uint32_t height) {
   if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide)
     throw UsageError("picture: a side must be between 1 and " + std::to_string(kMaxPictureSide) + " pixels");
@@ -103,6 +164,7 @@ struct CairoCanvas::State {
   std::string bytes{};
   cairo_surface_t* surface = nullptr;
   cairo_t* context = nullptr;
+  std::vector<SvgText> texts{};  // of an SVG
 
   State(double w, double h) : width(w), height(h) {}
   State(const State&) = delete;
@@ -235,8 +297,23 @@ void CairoCanvas::text(Mark, Pixel at, std::string_view text, const TextStyle& s
   const std::string shown = printable(text);
   state_->font(style);
   state_->ink(style.colour);
-  const double wide = style.anchor == TextAnchor::kLeft ? 0 : state_->advance(shown);
-  const double left = at.x - (style.anchor == TextAnchor::kCentre ? wide / 2 : wide);
+  const bool is_svg = state_->format == PictureFormat::kSvg;
+  const double wide = style.anchor == TextAnchor::kLeft && !is_svg ? 0 : state_->advance(shown);
+  const double left = at.x - (style.anchor == TextAnchor::kCentre  ? wide / 2
+                              : style.anchor == TextAnchor::kRight ? wide
+                                                                   : 0);
+  if (is_svg) {
+    if (shown.empty() || !(wide > 0)) return;
+    cairo_save(state_->context);
+    cairo_set_miter_limit(state_->context, static_cast<double>(kFirstMark + state_->texts.size()));
+    cairo_set_line_width(state_->context, style.size);
+    cairo_move_to(state_->context, left, at.y - 0.3 * style.size);
+    cairo_rel_line_to(state_->context, wide, 0);
+    cairo_stroke(state_->context);
+    cairo_restore(state_->context);
+    state_->texts.push_back({left, at.y, wide, shown, style});
+    return;
+  }
   cairo_move_to(state_->context, left, at.y);
   cairo_show_text(state_->context, shown.c_str());
   cairo_new_path(state_->context);
@@ -300,7 +377,7 @@ std::string CairoCanvas::finish() {
   check(cairo_surface_status(state_->surface));
   if (state_->format == PictureFormat::kPng) return png_file(state_->own);
   if (state_->format == PictureFormat::kSvg)
-    return with_own_numbers(with_own_numbers(state_->bytes, "surface"), "image");
+    return with_texts(with_own_numbers(with_own_numbers(state_->bytes, "surface"), "image"), state_->texts);
   return std::move(state_->bytes);
 }
 

@@ -138,6 +138,7 @@ Colour signed_map_colour(double position) {
 }
 
 Colour scale_colour(const ColourScale& scale, double value) {
+  if (scale.has_zero && !(value > 0)) return palette::kZero;
   return scale.about_zero ? signed_map_colour(scale.signed_position(value)) : map_colour(scale.position(value));
 }
 
@@ -177,7 +178,7 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
 
 double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::string& title, Pixel corner,
                    double bar_width, double unit) {
-  const double bar_top = corner.y + 24 * unit, bar_height = 14 * unit;
+  const double bar_top = corner.y + 24 * unit, bar_height = 14 * unit, full_left = corner.x;
   TextStyle heading{.size = 17 * unit, .colour = palette::kInk};
   TextStyle small{.size = 14 * unit, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre};
   heading.size *= std::min(1.0, 1.6 * bar_width / std::max(1.0, canvas.text_width(title, heading)));
@@ -189,9 +190,19 @@ double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::s
     shades.pixels[k] =
         pixel_of(scale.about_zero ? scale_colour(scale, std::lerp(scale.lower, scale.upper, (k + 0.5) / kShades))
                                   : map_colour((k + 0.5) / kShades));
+  double wide = std::max(bar_width, canvas.text_width(title, heading));
+  if (scale.has_zero) {  // apart, at the left of a shorter bar
+    const double swatch = 16 * unit, gap = 8 * unit;
+    canvas.fill_rectangle(Mark::kLegend, {corner.x, bar_top}, {corner.x + swatch, bar_top + bar_height},
+                          palette::kZero);
+    canvas.text(Mark::kLegend, {corner.x + swatch / 2, bar_top + bar_height + 19 * unit}, "0", small);
+    corner.x += swatch + gap;
+    bar_width -= swatch + gap;
+    wide = std::max(bar_width, wide - swatch - gap);
+  }
+  const double before = full_left - corner.x;  // 0, or less
   canvas.image(Mark::kLegend, {corner.x, bar_top}, {corner.x + bar_width, bar_top + bar_height}, shades, true);
 
-  double wide = std::max(bar_width, canvas.text_width(title, heading));
   const std::vector<double> ticks = scale.ticks(std::max(2, static_cast<int>(bar_width / (48 * unit))));
   const std::vector<std::string> labels = tick_labels(ticks);
   for (std::size_t k = 0; k < ticks.size(); ++k) {
@@ -204,7 +215,7 @@ double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::s
     canvas.text(Mark::kLegend, {centre, bar_top + bar_height + 19 * unit}, labels[k], small);
     wide = std::max(wide, centre + half - corner.x);
   }
-  return wide;
+  return wide - before;
 }
 
 }  // namespace hottel

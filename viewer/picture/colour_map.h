@@ -44,14 +44,17 @@ Colour map_colour(double position);
 Colour signed_map_colour(double position);
 
 // Returns the colour of a value on a scale: map_colour of its position, or signed_map_colour where colours part at 0.
+// On a scale that has_zero what is not above 0 has a colour of its own, pale and almost without hue: it is no small
+// value.
 Colour scale_colour(const ColourScale& scale, double value);
 
 // Returns the values as labels with just the digits that tell them apart: "0", "0.05", "0.1", or "1e-06".
 std::vector<std::string> tick_labels(const std::vector<double>& ticks);
 
-// Draws a bar with the colours of a scale, labels beneath it and the title above, its top left corner at `corner`.
-// `unit` is the size of everything: the height of letters is about 11 units.
-// Returns the width that the bar, its labels and title take, at most 1.6 bars: a longer title is set smaller.
+// Draws a bar with the colours of a scale, labels beneath it and the title above, its top left corner at `corner`;
+// where a scale has_zero, its colour stands apart at the left. `unit` is the size of everything: the height of letters
+// is about 11 units. Returns the width that the bar, its labels and title take, at most 1.6 bars: a longer title is set
+// smaller.
 double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::string& title, Pixel corner,
                    double bar_width, double unit);
 

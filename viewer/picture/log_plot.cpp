@@ -64,7 +64,7 @@ LogPlotPainter::LogPlotPainter(const LogPlot& plot) : plot_(plot), unit_(std::ma
   std::vector<double> x, y;
   for (const LogPlotCurve& curve : plot.curves)
     for (const LogPlotPoint& point : shown(curve)) {
-      x.push_back(point.x);
+      if (!curve.is_level) x.push_back(point.x);
       y.push_back(point.y);
     }
   x_ = axis_over(x);
@@ -77,7 +77,8 @@ LogPlotPainter::LogPlotPainter(const LogPlot& plot) : plot_(plot), unit_(std::ma
 std::vector<LogPlotPoint> LogPlotPainter::shown(const LogPlotCurve& curve) const {
   std::vector<LogPlotPoint> points;
   for (const LogPlotPoint& point : curve.points)
-    if (std::isfinite(point.x) && std::isfinite(point.y) && point.x > 0 && point.y >= 0) points.push_back(point);
+    if (std::isfinite(point.y) && point.y >= 0 && (curve.is_level || (std::isfinite(point.x) && point.x > 0)))
+      points.push_back(point);
   return points;
 }
 
@@ -191,7 +192,16 @@ void LogPlotPainter::draw_marker(PictureCanvas& canvas, std::size_t curve, Pixel
 
 void LogPlotPainter::draw_curve(PictureCanvas& canvas, std::size_t k) const {
   const std::vector<LogPlotPoint> points = shown(plot_.curves[k]);
-  if (static_cast<int>(k) == plot_.emphasised)
+  if (plot_.curves[k].is_level) {
+    for (const LogPlotPoint& point : points) {
+      const double y = at(1, point.y).y;
+      for (double x = top_left_.x; x < bottom_right_.x; x += 22 * unit_)
+        canvas.stroke(Mark::kCurve, {x, y}, {std::min(x + 13 * unit_, bottom_right_.x), y}, colour(k), 2.6 * unit_);
+      draw_marker(canvas, k, {bottom_right_.x, y}, Mark::kPoint);
+    }
+    return;
+  }
+  if (static_cast<int>(k) == plot_.emphasised && plot_.x_is_seconds)
     for (const LogPlotPoint& point : points) {
       const double x = at(point.x, point.y).x;
       for (double y = top_left_.y; y < bottom_right_.y; y += 16 * unit_)
@@ -207,10 +217,11 @@ void LogPlotPainter::draw_curve(PictureCanvas& canvas, std::size_t k) const {
 void LogPlotPainter::draw_labels(PictureCanvas& canvas) const {
   std::vector<std::array<Pixel, 2>> taken;
   for (const LogPlotCurve& curve : plot_.curves)
-    for (const LogPlotPoint& point : shown(curve)) taken.push_back(box_about(at(point.x, point.y), 8 * unit_));
+    for (const LogPlotPoint& point : shown(curve))
+      if (!curve.is_level) taken.push_back(box_about(at(point.x, point.y), 8 * unit_));
   for (std::size_t k = 0; k < plot_.curves.size(); ++k)
     for (const LogPlotPoint& point : shown(plot_.curves[k])) {
-      if (point.label.empty()) continue;
+      if (point.label.empty() || plot_.curves[k].is_level) continue;
       const TextStyle style{.size = 14 * unit_, .colour = colour(k)};
       const double wide = canvas.text_width(point.label, style), high = 14 * unit_, gap = 12 * unit_;
       const auto [x, y] = at(point.x, point.y);
@@ -234,7 +245,7 @@ void LogPlotPainter::draw_legend(PictureCanvas& canvas) const {
   const double line = std::min(kLegendLine * unit_, (bottom_right_.y - top_left_.y) / count);
   for (std::size_t k = 0; k < plot_.curves.size(); ++k) {
     const double y = top_left_.y + (static_cast<double>(k) + 0.5) * line;
-    if (plot_.curves[k].points.size() > 1)
+    if (plot_.curves[k].points.size() > 1 || plot_.curves[k].is_level)
       canvas.stroke(Mark::kLegend, {left, y}, {left + 40 * unit_, y}, colour(k), 2.6 * unit_);
     draw_marker(canvas, k, {left + 20 * unit_, y}, Mark::kLegend);
     TextStyle style{.size = std::min(18 * unit_, 0.7 * line), .colour = palette::kInk};
@@ -248,26 +259,6 @@ std::string log_plot(const LogPlot& plot, PictureFormat format) {
   CairoCanvas canvas(format, plot.width, plot.height);
   LogPlotPainter(plot).draw(canvas);
   return canvas.finish();
-}
-
-LogPlot work_precision_plot(std::span<const WorkCurve> curves, const std::string& title, const std::string& subtitle) {
-  LogPlot plot;
-  plot.title = title;
-  plot.subtitle = subtitle;
-  plot.x_title = "time of the factors, median";
-  plot.y_title = "largest error of a view factor";
-  plot.x_is_seconds = true;
-  plot.zero_label = "exact";
-  for (const WorkCurve& curve : curves) {
-    if (curve.family == kExactFamily) plot.emphasised = static_cast<int>(plot.curves.size());
-    LogPlotCurve drawn{curve.family, {}};
-    for (const WorkPoint& point : curve.points)
-      drawn.points.push_back(
-          {point.seconds, point.error,
-           curve.points.size() > 1 && point.parameter > 0 ? fmt::format("{:g}", point.parameter) : ""});
-    plot.curves.push_back(std::move(drawn));
-  }
-  return plot;
 }
 
 }  // namespace hottel

@@ -1,12 +1,10 @@
-// Curves over two logarithmic axes; what accuracy costs is one such plot.
+// Curves over two logarithmic axes.
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "solver/compare/work_precision.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/canvas.h"
 
@@ -22,6 +20,7 @@ struct LogPlotPoint {
 struct LogPlotCurve {
   std::string name;  // for the legend
   std::vector<LogPlotPoint> points;
+  bool is_level = false;  // values y without any x: each a dashed line all across
 };
 
 // A plot as data: what stands on it, without where.
@@ -32,14 +31,15 @@ struct LogPlot {
   bool x_is_seconds = false;  // numbers along x are durations: 1 ms instead of 10⁻³
   std::vector<LogPlotCurve> curves{};
   std::string zero_label = "0";  // of the level of values that are 0
-  int emphasised = -1;           // the curve that is drawn in ink and on top, a dashed line through each point
+  // The curve that is drawn in ink and on top; where x are durations with a dashed line through each point.
+  int emphasised = -1;
 };
 
 // Draws a plot with a legend at its right.
 //
 //   (1) a point at 10^a, 10^b lies in proportion to a and b; axes begin and end at whole decades
 //   (2) values that are 0 lie on a level of their own below the lowest decade, named zero_label, apart by a dashed line
-//   (3) points that are not finite, or not positive along x, are left out and break no line
+//   (3) points that are not finite, or not positive along x, are left out and break no line; a level has no x
 //   (4) the points of a curve are joined in their order; each curve has a colour and a marker of its own (of 10 x 6)
 //   (5) nothing leaves the picture
 // Degenerate: without points the axes span one decade.
@@ -81,9 +81,5 @@ class LogPlotPainter {
 // Returns the bytes of the picture file. Throws UsageError for sides out of range. The same plot gives the same
 // bytes on one machine.
 std::string log_plot(const LogPlot& plot, PictureFormat format);
-
-// What accuracy costs: seconds along x, the largest error of a view factor along y, points labelled by their parameter
-// where a curve has several. The exact method, in ink, is a line down to its error: 0, on a level of its own.
-LogPlot work_precision_plot(std::span<const WorkCurve> curves, const std::string& title, const std::string& subtitle);
 
 }  // namespace hottel

@@ -25,6 +25,9 @@ inline constexpr Colour kRay{0.85, 0.46, 0.10, 0.75};
 inline constexpr Colour kFirst{0.02, 0.62, 0.83};   // edge A of a pair
 inline constexpr Colour kSecond{0.83, 0.18, 0.42};  // edge B of a pair
 
+// What is exactly 0 on a logarithmic scale.
+inline constexpr Colour kZero{0.845, 0.860, 0.875};
+
 // Curves of a plot, in this order: hues far apart, neighbours of different lightness (after Okabe and Ito, "Color
 // Universal Design", 2008).
 inline constexpr std::array<Colour, 10> kCurves{{{0.00, 0.45, 0.70},

@@ -2,13 +2,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
+#include <optional>
 
 #include "geometry/plane/exchange/exchange.h"
 #include "io/scene/scene_json.h"
+#include "solver/compare/face_means.h"
+#include "solver/compare/grid_errors.h"
 #include "solver/compare/matrix_errors.h"
 #include "solver/compare/timing.h"
 #include "solver/compare/work_precision.h"
@@ -78,6 +83,33 @@ TEST(MatrixErrors, AreInfiniteWhereAFactorIsNoFiniteNumber) {
   }
 }
 
+TEST(MatrixErrors, LeaveOutWhatHasNoPlaceAndTellItApart) {
+  const ExchangeMatrix exact = matrix_of(kExactRows);
+  const ExchangeMatrix matrix = matrix_of({{{1, 0.25}}, {{0, 0.5}}});
+  WrittenFactors places;
+  places.has_column = {1, 1, 0};
+  MatrixErrors errors = matrix_errors(matrix, exact, places);
+  EXPECT_EQ(errors.pairs, 3u);
+  EXPECT_EQ(errors.max, 0.25);
+  EXPECT_EQ(errors.max_of_others, 0.25);
+  EXPECT_EQ(errors.closure, 0.25) << "of the columns there are";
+  EXPECT_EQ(errors.missing.columns, std::vector<std::uint32_t>{2});
+  EXPECT_EQ(errors.missing.pairs, 1u);
+  EXPECT_EQ(errors.missing.largest, 0.25);
+  EXPECT_EQ(worst_pairs(matrix, exact, 10, places).size(), 2u);
+
+  places.has_row = {0, 1};
+  errors = matrix_errors(matrix, exact, places);
+  EXPECT_EQ(errors.pairs, 2u);
+  EXPECT_EQ(errors.max_of_others, 0);
+  EXPECT_EQ(errors.missing.rows, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(missing_sentences(errors, exact).size(), 3u);
+
+  places.has_row = {0, 0};
+  errors = matrix_errors(matrix, exact, places);
+  EXPECT_TRUE(std::isnan(errors.max) && std::isnan(errors.rms) && std::isnan(errors.closure));
+}
+
 TEST(MatrixErrors, OfTinySizeDoNotUnderflow) {
   const MatrixErrors errors = matrix_errors(matrix_of({{{0, 1e-200}}}), matrix_of({{{0, 3e-200}}}));
   EXPECT_DOUBLE_EQ(errors.rms, 2e-200);
@@ -96,6 +128,64 @@ TEST(WorstPairs, AreTheLargestErrorsInOrder) {
   EXPECT_THAT(order, ::testing::ElementsAre(5, 7, 4, 8, 2));
   EXPECT_TRUE(worst_pairs(matrix_of(found), matrix_of(exact), 0).empty());
   EXPECT_EQ(worst_pairs(matrix_of(found), matrix_of(exact), 100).size(), errors.size());
+}
+
+GridValues grid_of(const std::vector<double>& values) { return {2, 3, 1, values}; }
+
+TEST(GridErrors, AreOverCellsThatBothHaveAndSayWhere) {
+  const double nan = std::nan("");
+  const std::vector<double> exact = {1, 2, nan, 4, 5, 6}, found = {1, 2.5, 7, kInfinity, 5, 4};
+  const GridErrors errors = grid_errors(grid_of(found), grid_of(exact)).at(0);
+  EXPECT_EQ(errors.cells, 4u);
+  EXPECT_EQ(errors.missing, 1u);
+  EXPECT_EQ(errors.extra, 1u);
+  EXPECT_EQ(errors.max, 2);
+  EXPECT_DOUBLE_EQ(errors.rms, std::sqrt((0.25 + 4) / 4));
+  EXPECT_EQ(errors.ix, 2u);
+  EXPECT_EQ(errors.iy, 1u);
+  EXPECT_EQ(errors.value, 4);
+  EXPECT_EQ(errors.exact, 6);
+  EXPECT_EQ(errors.largest, 6);
+}
+
+TEST(GridErrors, AreReadAsTurnedOrScaledLight) {
+  const std::vector<double> exact = {1, 2, 3, 4, 5, 7};
+  const auto read = [&](const std::vector<double>& found) { return grid_reading(grid_of(found), grid_of(exact)); };
+  EXPECT_EQ(read(exact), "");
+  EXPECT_EQ(read({1.1, 1.8, 3, 4.3, 5.2, 6.7}), "");
+  EXPECT_THAT(read({4, 5, 7, 1, 2, 3}), ::testing::StartsWith("upside down"));
+  EXPECT_THAT(read({3, 2, 1, 7, 5, 4}), ::testing::StartsWith("left for right"));
+  std::vector<double> scaled = exact;
+  for (double& value : scaled) value *= 2 * std::numbers::pi;
+  EXPECT_EQ(read(scaled), "times 2 pi");
+  std::swap_ranges(scaled.begin(), scaled.begin() + 3, scaled.begin() + 3);
+  EXPECT_THAT(read(scaled),
+              ::testing::AllOf(::testing::StartsWith("upside down"), ::testing::EndsWith("and times 2 pi")));
+}
+
+TEST(FaceMeans, AreWeightedByAreaAndComparedByTheLargest) {
+  std::vector<Element> elements(3);
+  elements[0].surface = elements[1].surface = 0;
+  elements[2].surface = 1;
+  elements[2].is_back = true;
+  const double areas[] = {1, 3, 2};
+  for (std::size_t i = 0; i < 3; ++i) {
+    elements[i].material = 0;
+    elements[i].area = {areas[i], 0};
+  }
+  ExchangeMatrix matrix(elements, Guarantee::kEstimated);
+  RadiositySolution solution;
+  solution.channels.resize(1);
+  solution.channels[0].elements.resize(3);
+  const double radiosities[] = {4, 8, 1};
+  for (std::size_t i = 0; i < 3; ++i) solution.channels[0].elements[i].radiosity = radiosities[i];
+  const FaceMeans means = face_mean_radiosities(matrix, solution);
+  EXPECT_EQ(means.at(0), (std::vector<std::optional<double>>{7, std::nullopt, std::nullopt, 1}));
+  EXPECT_EQ(face_mean_error(means, means), 0);
+  FaceMeans finer = means;
+  finer[0][3] = 3;
+  finer[0][0] = 8;
+  EXPECT_EQ(face_mean_error(means, finer), 0.25);
 }
 
 // A computation whose runs take what it is told, the last one for ever.

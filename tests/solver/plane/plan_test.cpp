@@ -6,6 +6,7 @@
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "kernel/support/failure.h"
+#include "solver/plan_speed.h"
 #include "solver/plane/scene_plan.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
@@ -47,6 +48,27 @@ TEST(Plan, WithoutOcclusionKnowsItsPairsWithoutLooking) {
   const std::uint64_t bytes = 40 * 39 / 2 * kBytesPerPair;
   EXPECT_NO_THROW(exact_exchange(prepared, {.memory = bytes}));
   EXPECT_THROW(exact_exchange(prepared, {.memory = bytes - 1}), RequestError);
+}
+
+TEST(Plan, AtAnotherSpeedHasAllSecondsTimesIt) {
+  const Plan plan = plan_scene(analytic_scene("furnace"), {.everything = false, .grid_cells = 1000});
+  const Plan slower = plan_at_speed(plan, 2.5);
+  ASSERT_EQ(plan.effects().size(), slower.effects().size());
+  double sum = 0;
+  for (std::size_t k = 0; k < plan.effects().size(); ++k) {
+    EXPECT_EQ(slower.effects()[k].effect, plan.effects()[k].effect);
+    EXPECT_EQ(slower.effects()[k].used, plan.effects()[k].used);
+    EXPECT_EQ(slower.effects()[k].seconds_estimate, 2.5 * plan.effects()[k].seconds_estimate);
+    sum += plan.effects()[k].seconds_estimate;
+  }
+  EXPECT_GT(sum, 0);
+  EXPECT_THROW(plan_at_speed(plan, 0), ContractViolation);
+}
+
+// A picture of the light where there is light to draw.
+TEST(Plan, ReckonsWithThePictureOfAGrid) {
+  EXPECT_TRUE(plan_scene(convex_polygon(5), {.everything = false, .grid_cells = 4}).uses(Plan::kPicture));
+  EXPECT_FALSE(plan_scene(convex_polygon(5), {}).uses(Plan::kPicture));
 }
 
 TEST(Plan, WithoutInterreflectionSolvesNothing) {

@@ -7,12 +7,16 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
+#include <random>
 
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/pair_alone.h"
 #include "geometry/plane/generate/generators.h"
 #include "io/scene/scene_json.h"
+#include "solver/compare/sampling_noise.h"
+#include "solver/plane/methods/method_catalogue.h"
 
 namespace hottel {
 namespace {
@@ -329,6 +333,117 @@ TEST_P(VerdictTest, CountsFactorsBelowZeroAndAboveOne) {
 
 INSTANTIATE_TEST_SUITE_P(Written, VerdictTest, testing::Bool(),
                          [](const auto& is_printed) { return is_printed.param ? "ToSixDecimals" : "InFull"; });
+
+// Rays that leave each face at random and end where the exact factors say, counted. `lean` changes the odds of a pair.
+ExchangeMatrix counted(const Judged& judged, int rays,
+                       const std::function<double(std::uint32_t, const FactorEntry&)>& lean = {}) {
+  std::mt19937_64 random(7);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> hits;
+  for (std::uint32_t i = 0; i < judged.exact.size(); ++i) {
+    std::vector<double> odds;
+    for (const FactorEntry& entry : judged.exact.row(i))
+      odds.push_back(entry.factor.value * (lean ? lean(i, entry) : 1.0));
+    if (odds.empty()) continue;
+    std::discrete_distribution<std::size_t> draw(odds.begin(), odds.end());
+    for (int k = 0; k < rays; ++k) hits[{i, judged.exact.row(i)[draw(random)].to}] += 1.0 / rays;
+  }
+  return judged.changed([&](std::uint32_t i, std::uint32_t j, double) {
+    const auto hit = hits.find({i, j});
+    return hit == hits.end() ? 0.0 : hit->second;
+  });
+}
+
+TEST(Verdict, TellsHowManyRaysScatterSo) {
+  for (const auto& scene : {apartment, clutter})
+    for (const int rays : {100, 1000, 10000}) {
+      const Judged judged(scene());
+      const ExchangeMatrix matrix = counted(judged, rays);
+      const JudgedPairs pairs(judged.exact, matrix, 1e-6, {});
+      const auto noise = sampling_noise(pairs);
+      ASSERT_TRUE(noise) << rays;
+      EXPECT_NEAR(noise->rays / rays, 1, 0.15);
+      EXPECT_FALSE(noise->bias) << noise->bias->of << " " << noise->bias->deviations;
+      const Verdict verdict = judge(judged.prepared, judged.exact, matrix, {});
+      EXPECT_THAT(faults(verdict), testing::ElementsAre(Fault::kSamplingNoise)) << judged.sentences(verdict);
+      EXPECT_LE(verdict.unexplained, verdict.off / 100);
+      EXPECT_THAT(judged.sentences(verdict), HasSubstr("random rays a face would give, unbiased"));
+    }
+}
+
+TEST(Verdict, TellsRaysOfHottelsOwnWhetherRandomOrSpreadEvenly) {
+  const Judged judged(apartment());
+  for (const auto& [name, words] :
+       {std::pair("rays:1024", "random"), std::pair("rays:1024:stratified", "evenly spread"),
+        std::pair("rays:1024:sobol", "evenly spread")}) {
+    MethodReport report;
+    const ExchangeMatrix matrix = methods_2().make(name)->compute(judged.prepared, {.wants_visibility = false}, report);
+    const auto noise = sampling_noise(JudgedPairs(judged.exact, matrix, 1e-6, {}));
+    ASSERT_TRUE(noise) << name;
+    EXPECT_EQ(noise->is_even, std::string(words) != "random") << name;
+    EXPECT_LT(std::abs(std::log(noise->rays / 1024)), std::log(4)) << name << " " << noise->rays;
+    EXPECT_FALSE(noise->bias) << name;
+    EXPECT_THAT(judged.sentences(judge(judged.prepared, judged.exact, matrix, {})),
+                HasSubstr(std::string(words) + " rays a face would give, unbiased"));
+  }
+  for (const char* name : {"center", "hemicube:256", "gauss:8", "strings"}) {
+    MethodReport report;
+    const ExchangeMatrix matrix = methods_2().make(name)->compute(judged.prepared, {.wants_visibility = false}, report);
+    EXPECT_FALSE(sampling_noise(JudgedPairs(judged.exact, matrix, 1e-6, {}))) << name;
+  }
+}
+
+TEST(Verdict, TellsScatterThatLeans) {
+  const Judged judged(apartment());
+  const Verdict verdict =
+      judge(judged.prepared, judged.exact,
+            counted(judged, 1000, [](auto, const FactorEntry& entry) { return entry.visibility < 1 ? 1.1 : 1.0; }), {});
+  EXPECT_EQ(faults(verdict).at(0), Fault::kSamplingNoise) << judged.sentences(verdict);
+  EXPECT_THAT(judged.sentences(verdict), HasSubstr("but biased: factors of partly hidden pairs are "));
+  EXPECT_THAT(judged.sentences(verdict), HasSubstr("% too large in sum"));
+}
+
+TEST(Verdict, TakesErrorsOfARuleForNoScatter) {
+  const Judged judged(apartment());
+  for (const auto& value : std::vector<Judged::Value>{
+           [](auto, auto, double e) { return 1.01 * e; },
+           [&](auto i, auto j, double e) { return judged.vis(i, j) < 1 ? (judged.vis(i, j) < 0.5 ? 0 : 2 * e) : e; }})
+    EXPECT_FALSE(sampling_noise(JudgedPairs(judged.exact, judged.changed(value), 1e-6, {})));
+}
+
+TEST(Verdict, TellsScatterBesideAnotherFault) {
+  const Judged judged(clutter());
+  const ExchangeMatrix matrix = counted(judged, 1000);
+  const auto is_wall = [&](std::uint32_t j) { return judged.exact.name(j).starts_with("wall"); };
+  const Verdict verdict =
+      judge(judged.prepared, judged.exact,
+            judged.changed([&](auto i, auto j, double) { return is_wall(j) ? 0 : matrix.factor(i, j).value; }), {});
+  EXPECT_THAT(faults(verdict), testing::ElementsAre(Fault::kMissing, Fault::kSamplingNoise))
+      << judged.sentences(verdict);
+}
+
+TEST(Verdict, NamesNoReadingOfFewerPairsThanItsShare) {
+  const Judged judged(clutter());
+  // Every factor is wrong by a ratio of its own, but for one that is missing.
+  const auto [a, b] = judged.pair_with([](double vis) { return vis == 1; });
+  const auto ratio = [](std::uint32_t i, std::uint32_t j) {
+    return 1.1 + 0.4 * std::fmod(i * 0.7548776662466927 + j * 0.5698402909980532, 1.0);
+  };
+  const Verdict verdict = judged.judge_it(
+      [&, a = a, b = b](auto i, auto j, double e) { return i == a && j == b ? 0 : e * ratio(i, j); }, false);
+  EXPECT_TRUE(verdict.findings.empty()) << judged.sentences(verdict);
+  EXPECT_THAT(judged.sentences(verdict), HasSubstr("readings of fewer than 2 % of the pairs are not named"));
+}
+
+TEST(Verdict, RowsThatTheFileDoesNotHaveAreNotJudged) {
+  const Judged judged(apartment());
+  VerdictOptions options;
+  options.written.has_row.assign(judged.exact.size(), 1);
+  options.written.has_row[0] = options.written.has_row[7] = 0;
+  const Verdict verdict =
+      judge(judged.prepared, judged.exact,
+            judged.changed([&](auto i, auto, double e) { return options.written.has_row[i] ? e : 0; }), options);
+  EXPECT_EQ(verdict.off + verdict.rows_off + verdict.unsymmetric, 0u) << judged.sentences(verdict);
+}
 
 TEST(Verdict, DigitsThatWereNotWrittenAreNoErrors) {
   const Judged judged(clutter());

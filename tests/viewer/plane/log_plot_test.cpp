@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "viewer/picture/comparison_plot.h"
 #include "viewer/picture/recording_canvas.h"
 
 namespace hottel {
@@ -113,11 +114,46 @@ TEST(LogPlot, WithoutPointsIsAnEmptyField) {
   EXPECT_GT(canvas.count(Mark::kAxis), 0u);
 }
 
-TEST(WorkPrecisionPlot, HasACurveAFamilyAndTheExactMethodInInk) {
-  const std::vector<WorkCurve> curves = {{"gauss", {{"gauss:1", 1e-3, 0.1, 1}, {"gauss:2", 1e-2, 0.05, 2}}},
-                                         {"exact", {{"exact", 2e-3, 0, 0}}}};
-  const LogPlot plot = work_precision_plot(curves, "title", "subtitle");
-  ASSERT_EQ(plot.curves.size(), 2u);
+TEST(LogPlot, DrawsALevelAllAcrossWhateverItsXIs) {
+  LogPlot plot = plot_of({{"a", {{1, 0.1}, {100, 0.001}}}, {"file", {{std::nan(""), 0.01}}, true}});
+  const RecordingCanvas canvas = drawn(plot);
+  EXPECT_EQ(points(canvas), 2u + 1u);
+  const LogPlotPainter painter(plot);
+  double least = INFINITY, most = 0;
+  for (const auto& call : canvas.calls(Mark::kCurve))
+    if (call.points[0].y == call.points[1].y) {
+      EXPECT_NEAR(call.points[0].y, painter.at(1, 0.01).y, 1e-9);
+      least = std::min(least, call.points[0].x);
+      most = std::max(most, call.points[1].x);
+    }
+  EXPECT_NEAR(least, painter.at(1, 1).x, 1e-9);
+  EXPECT_NEAR(most, painter.at(100, 1).x, 22);
+}
+
+MethodResult result_of(const std::string& name, const std::string& family, double seconds, double error,
+                       double parameter = 0) {
+  MethodResult result;
+  result.info.name = name;
+  result.info.family = family;
+  result.info.parameter = parameter;
+  result.timing.median = seconds;
+  result.errors.max = error;
+  result.errors.rms = error / 2;
+  return result;
+}
+
+std::vector<MethodResult> some_results() {
+  std::vector<MethodResult> results = {
+      result_of("gauss:1", "gauss", 1e-3, 0.1, 1), result_of("gauss:2", "gauss", 1e-2, 0.05, 2),
+      result_of("exact", "exact", 2e-3, 0), result_of("file:a/own.csv", "own", std::nan(""), 0.03)};
+  results[1].max_radiosity_error = 0.25;
+  results[2].max_radiosity_error = INFINITY;
+  return results;
+}
+
+TEST(ComparisonPlot, HasACurveAFamilyAndTheExactMethodInInk) {
+  const LogPlot plot = comparison_plot(some_results(), {}, "title", "subtitle");
+  ASSERT_EQ(plot.curves.size(), 3u);
   EXPECT_EQ(plot.emphasised, 1);
   EXPECT_EQ(plot.curves[0].points[1].label, "2");
   EXPECT_EQ(plot.curves[1].points[0].label, "");
@@ -125,6 +161,32 @@ TEST(WorkPrecisionPlot, HasACurveAFamilyAndTheExactMethodInInk) {
   EXPECT_TRUE(canvas.wrote("1 ms"));
   EXPECT_TRUE(canvas.wrote("10 ms"));
   EXPECT_TRUE(canvas.wrote("exact"));
+}
+
+TEST(ComparisonPlot, LabelsTheParameterOfASinglePoint) {
+  const LogPlot plot = comparison_plot(std::vector{result_of("rays:64", "rays", 1, 0.1, 64)}, {}, "", "");
+  EXPECT_EQ(plot.curves.at(0).points.at(0).label, "64");
+}
+
+TEST(ComparisonPlot, MakesALevelOfWhatHasNoPlaceAlongX) {
+  const LogPlot by_time = comparison_plot(some_results(), {}, "", "");
+  EXPECT_EQ(by_time.curves[2].name, "own");
+  EXPECT_TRUE(by_time.curves[2].is_level);
+  EXPECT_FALSE(by_time.curves[1].is_level);
+  const LogPlot by_parameter = comparison_plot(some_results(), {PlotX::kParameter, PlotY::kRmsError}, "", "");
+  ASSERT_EQ(by_parameter.curves.size(), 3u);
+  EXPECT_EQ(by_parameter.curves[0].points[1].x, 2);
+  EXPECT_EQ(by_parameter.curves[0].points[1].y, 0.025);
+  EXPECT_EQ(by_parameter.curves[0].points[1].label, "");
+  EXPECT_TRUE(by_parameter.curves[1].is_level);
+  EXPECT_EQ(by_parameter.emphasised, -1);
+}
+
+TEST(ComparisonPlot, LeavesOutWhatHasNoSuchError) {
+  const LogPlot plot = comparison_plot(some_results(), {PlotX::kTime, PlotY::kRadiosityError}, "", "");
+  ASSERT_EQ(plot.curves.size(), 1u);
+  ASSERT_EQ(plot.curves[0].points.size(), 1u);
+  EXPECT_EQ(plot.curves[0].points[0].y, 0.25);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ ScenePixels2 pixels_of(const Grid2& grid, const std::vector<double>& errors, con
   auto pixel = pixels.image.pixels.begin();
   for (std::uint32_t row = grid.ny; row-- > 0;)
     for (std::uint32_t x = 0; x < grid.nx; ++x)
-      *pixel++ = pixel_of(map_colour(scale.position(errors[std::size_t{row} * grid.nx + x])));
+      *pixel++ = pixel_of(scale_colour(scale, errors[std::size_t{row} * grid.nx + x]));
   pixels.min = to_doubles(grid.min);
   pixels.max = to_doubles(grid.max);
   return pixels;
@@ -83,9 +83,16 @@ ScenePicture2 error_map_picture_2(const MethodComparison2& comparison, const Met
   const std::vector<IlluminationGrid2> light = light_of(comparison, *result.solution, *comparison.exact_solution());
   const std::vector<double> errors = cell_errors(light[0], light[1], scale);
   double largest = *std::max_element(errors.begin(), errors.end());
+  bool has_zero = false;
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    has_zero = has_zero || (errors[k] == 0 && !std::isnan(light[1].values[k * light[1].channels]));
   for (const auto* faces : {&colouring.front, &colouring.back})
-    for (const std::optional<double>& face : *faces) largest = std::max(largest, face.value_or(0));
+    for (const std::optional<double>& face : *faces) {
+      largest = std::max(largest, face.value_or(0));
+      has_zero = has_zero || face == 0.0;
+    }
   colouring.scale = largest > 0 ? ColourScale{kDecades * largest, largest, true} : ColourScale{0, 1, false};
+  colouring.scale.has_zero = colouring.scale.logarithmic && has_zero;
   colouring.title = "|error| / largest radiosity: of radiosity on faces, of mean irradiance on floors";
   picture.sheet.subtitle =
       fmt::format("radiosities wrong by at most {:.2g} of the largest", *result.max_radiosity_error);

@@ -30,6 +30,8 @@ FaceColouring2 colouring_toward(const Scene2& scene, const ExchangeMatrix& matri
     largest = std::max(largest, fraction);
   }
   colouring.scale = {1e-3, std::max(largest, 2e-3), true};
+  for (const auto* side : {&colouring.front, &colouring.back})
+    colouring.scale.has_zero = colouring.scale.has_zero || std::ranges::find(*side, std::optional(0.0)) != side->end();
   return colouring;
 }
 

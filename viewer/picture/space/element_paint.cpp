@@ -46,6 +46,7 @@ class LinearMap {
 
 std::array<double, 3> linear_scale_colour(const ColourScale& scale, double value) {
   static const LinearMap map(map_colour, 0), signed_map(signed_map_colour, -1);
+  if (scale.has_zero && !(value > 0)) return linear(palette::kZero);
   return scale.about_zero ? signed_map(scale.signed_position(value)) : map(scale.position(value));
 }
 

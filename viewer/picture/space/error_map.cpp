@@ -39,6 +39,8 @@ ShownValues error_values_3(const MethodComparison3& comparison, const MethodResu
     largest = std::max(largest, error);
   }
   shown.scale = largest > 0 ? ColourScale{kDecades * largest, largest, true} : ColourScale{0, 1, false};
+  shown.scale.has_zero =
+      shown.scale.logarithmic && std::ranges::find(shown.elements, std::optional(0.0)) != shown.elements.end();
   shown.title = fmt::format("{}: |error of radiosity| / largest radiosity, up to {:.2g}", result.info.name, largest);
   return shown;
 }

@@ -1,0 +1,49 @@
+// Errors that are those of sampling: how many rays would scatter so, and whether they lean.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/compare/hypotheses.h"
+#include "solver/compare/judged_pairs.h"
+
+namespace hottel {
+
+// A sum over pairs that is further from the exact one than the scatter allows.
+struct SamplingBias {
+  std::string of;       // "factors of the sky", "factors of partly hidden pairs", "large factors"
+  double relative = 0;  // of the exact sum: 0.03 is three per cent too much
+  double deviations = 0;
+};
+
+// What errors look like that come of counting where rays end.
+//
+// N rays that leave a face at random end on j in a number that is binomial about N F: the error of F has the variance
+// F (1 - F) / N, and rows are independent of each other. So (value - exact)² / (F (1 - F)) has the mean 1/N whatever F
+// is, and the median 0.455/N where N F is not small.
+struct SamplingNoise {
+  double rays = 0;                   // N, from the mean over all pairs
+  bool is_even = false;              // spread evenly, not at random
+  std::optional<SamplingBias> bias;  // the strongest, beyond kDeviations; nothing: none of the three sums leans
+  std::vector<char> explains;        // by place in judged.pairs(): off, and within what N rays scatter
+};
+
+// Returns the noise that the errors are, or nothing where they are not like it.
+//
+//   (1) they are like it iff of the pairs with 5 rays or more the median and the mean tell of numbers of rays within a
+//       factor of 3, no more than 2 % are more than 4 deviations off, at least half are off, and no side, too much or
+//       too little, has more than 3/4; and of all pairs no more than 2 % have light where there is none. There must be
+//       20 pairs, and 8 rays
+//   (2) a bias is told where a sum over pairs is off by 5 deviations of N independent rays a row
+//   (3) rays that are spread evenly over places and directions (stratified, Sobol) scatter less, and large factors less
+//   so
+//       beside small ones: the variance is taken for sqrt(F (1 - F)) / N^(3/2). It is tried where random rays do not
+//       fit
+// leave_out: by place in judged.pairs(), pairs that do not count; empty: all do. COST: a few passes, and one sort.
+std::optional<SamplingNoise> sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out = {});
+
+// As a hypothesis; explains nothing where there is no such noise. The words say how many rays, and whether they lean.
+Hypothesis suppose_sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out = {});
+
+}  // namespace hottel
