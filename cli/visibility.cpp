@@ -7,19 +7,17 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
+#include "cli/scene_lines.h"
 #include "cli/visibility_in_space.h"
 #include "geometry/plane/check/face_cover.h"
 #include "geometry/plane/exchange/closed_forms.h"
-#include "geometry/plane/visibility/critical_lines.h"
 #include "geometry/plane/visibility/critical_points.h"
 #include "geometry/plane/visibility/edge_sight.h"
 #include "geometry/plane/visibility/point_sight.h"
-#include "geometry/plane/visibility/visibility_graph.h"
 #include "geometry/plane/visibility/visibility_polygons.h"
 #include "io/files/text_file.h"
 #include "io/foreign/plane/point_list.h"
 #include "io/results/plane/edge_report.h"
-#include "io/results/plane/graph_report.h"
 #include "io/results/plane/polygon_files.h"
 #include "io/results/plane/visibility_report.h"
 #include "io/scene/scene_json.h"
@@ -236,49 +234,21 @@ ExitCode from_edge(const VisibilityOptions& options, Streams& streams) {
   return ExitCode::kDone;
 }
 
-// Of --events and --graph, which write a csv, or JSON to standard output. what: "critical lines".
-void require_csv_or_json(const VisibilityOptions& options, const std::string& what) {
-  if (options.json && is_file(options.out)) throw UsageError("--json is for standard output, -o FILE for a .csv");
-  if (options.json && options.exact) throw UsageError("--exact is for a csv: --json holds p/q as it is");
-  if (is_file(options.out) && !options.out.ends_with(".csv"))
-    throw UsageError(what + " written as .csv, not '" + options.out + "'");
+SceneLines scene_lines(const VisibilityOptions& options) {
+  return {.scene = options.scene, .out = options.out, .json = options.json, .exact = options.exact};
 }
 
 ExitCode events(const VisibilityOptions& options, Streams& streams) {
-  require_csv_or_json(options, "critical lines are");
-  const auto prepared = simulation_of(options).prepared(streams.stages());
-  const std::vector<CriticalLine2> lines = critical_lines(*prepared, streams.progress("critical lines"));
-  if (options.json) {
-    streams.write("", critical_lines_json(*prepared, lines));
-    return ExitCode::kDone;
-  }
-  std::string text;
-  naming_file(options.scene, [&] {
-    write_critical_lines_csv(*prepared, lines, options.exact, [&](std::string_view part) { text += part; });
-  });
-  streams.write(options.out, text);
+  const SceneLines lines = scene_lines(options);
+  require_sense(lines, "critical lines are");
+  write_events(lines, *simulation_of(options).prepared(streams.stages()), streams);
   return ExitCode::kDone;
 }
 
 ExitCode graph(const VisibilityOptions& options, Streams& streams) {
-  require_csv_or_json(options, "the visibility graph is");
-  const auto prepared = simulation_of(options).prepared(streams.stages());
-  const GraphFormat2 format = options.json    ? GraphFormat2::kJson
-                              : options.exact ? GraphFormat2::kExactCsv
-                                              : GraphFormat2::kCsv;
-  OutputFile file = streams.output(options.out);
-  try {
-    naming_file(options.scene, [&] {
-      GraphWriter2 writer(*prepared, format, [&](std::string_view text) { file.write(text); });
-      visibility_graph(
-          *prepared, [&](std::span<const VisiblePair2> pairs) { writer.add(pairs); },
-          streams.progress("visibility graph"));
-      writer.finish();
-      streams.note(writer.summary());
-    });
-    file.commit();
-  } catch (const ReaderGone&) {  // nobody reads on
-  }
+  const SceneLines lines = scene_lines(options);
+  require_sense(lines, "the visibility graph is");
+  write_graph(lines, *simulation_of(options).prepared(streams.stages()), streams);
   return ExitCode::kDone;
 }
 

@@ -80,7 +80,7 @@ TEST(Contours2, DoNotRunThroughWallsNorWhereThereIsNoValue) {
 TEST(Contours2, SimplifiedStayWithinTheTolerance) {
   Polyline2 wave;
   for (int k = 0; k <= 400; ++k) wave.push_back({k * 0.5, 20 * std::sin(k * 0.05)});
-  const Polyline2 few = simplified(wave, 0.25);
+  const Polyline2 few = simplified_2(wave, 0.25);
   EXPECT_LT(few.size(), 60u);
   EXPECT_EQ(few.front(), wave.front());
   EXPECT_EQ(few.back(), wave.back());
@@ -95,16 +95,16 @@ TEST(Contours2, SimplifiedStayWithinTheTolerance) {
 }
 
 TEST(Contours2, LevelsAreRoundAndInside) {
-  EXPECT_THAT(contour_levels(0.3, 12, 10), ElementsAre(0.5, 1, 2, 5, 10));
-  EXPECT_THAT(contour_levels(0.3, 12, 3), ElementsAre(1, 3, 10));
-  EXPECT_THAT(contour_levels(0.3, 12, 2), ElementsAre(1, 10));
-  EXPECT_THAT(contour_levels(2, 4.5, 5), ElementsAre(3, 4));
-  EXPECT_THAT(contour_levels(2, 4.5, 6), ElementsAre(2.5, 3, 3.5, 4));
-  EXPECT_THAT(contour_levels(1.1, 1.5, 6), ElementsAre(1.2, 1.3, 1.4));
-  EXPECT_THAT(contour_levels(1e-9, 1e3, 5), ElementsAre(1e-6, 1e-3, 1));
-  EXPECT_THAT(contour_levels(0, 4.5, 5), ElementsAre(1, 2, 3, 4));
-  EXPECT_THAT(contour_levels(0, 0, 5), IsEmpty());
-  EXPECT_THAT(contour_levels(3, 3, 5), IsEmpty());
+  EXPECT_THAT(contour_levels_2(0.3, 12, 10), ElementsAre(0.5, 1, 2, 5, 10));
+  EXPECT_THAT(contour_levels_2(0.3, 12, 3), ElementsAre(1, 3, 10));
+  EXPECT_THAT(contour_levels_2(0.3, 12, 2), ElementsAre(1, 10));
+  EXPECT_THAT(contour_levels_2(2, 4.5, 5), ElementsAre(3, 4));
+  EXPECT_THAT(contour_levels_2(2, 4.5, 6), ElementsAre(2.5, 3, 3.5, 4));
+  EXPECT_THAT(contour_levels_2(1.1, 1.5, 6), ElementsAre(1.2, 1.3, 1.4));
+  EXPECT_THAT(contour_levels_2(1e-9, 1e3, 5), ElementsAre(1e-6, 1e-3, 1));
+  EXPECT_THAT(contour_levels_2(0, 4.5, 5), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(contour_levels_2(0, 0, 5), IsEmpty());
+  EXPECT_THAT(contour_levels_2(3, 3, 5), IsEmpty());
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ std::vector<Polyline2> contour_lines(const PixelField2& field, double level) {
   return LevelLines(field, level).all();
 }
 
-Polyline2 simplified(std::span<const Pixel> line, double tolerance) {
+Polyline2 simplified_2(std::span<const Pixel> line, double tolerance) {
   if (line.size() < 3) return {line.begin(), line.end()};
   std::vector<bool> is_kept(line.size(), false);
   is_kept.front() = is_kept.back() = true;
@@ -148,7 +148,7 @@ Polyline2 simplified(std::span<const Pixel> line, double tolerance) {
   return result;
 }
 
-std::vector<double> contour_levels(double lower, double upper, int limit) {
+std::vector<double> contour_levels_2(double lower, double upper, int limit) {
   if (!(upper > 0) || !(lower < upper)) return {};
   std::vector<double> levels;
   const auto inside = [&](double level) { return lower < level && level < upper; };

@@ -30,12 +30,12 @@ using Polyline2 = std::vector<Pixel>;
 std::vector<Polyline2> contour_lines(const PixelField2& field, double level);
 
 // Returns the line with fewer points, none of the old ones farther than `tolerance` from it (Douglas, Peucker 1973).
-Polyline2 simplified(std::span<const Pixel> line, double tolerance);
+Polyline2 simplified_2(std::span<const Pixel> line, double tolerance);
 
 // Returns round levels inside (lower, upper), ascending, at most `limit`: multiples of 1, 2 or 5 times a power of ten
 // where upper is below ten times lower; else 1, 2, 5, 10, 20, ..., or when these are too many 1, 3, 10, 30, ..., or
 // whole decades, every few of them when there are many. REQUIRES finite lower <= upper, limit > 0. Nothing where upper
 // <= 0 or they are equal.
-std::vector<double> contour_levels(double lower, double upper, int limit);
+std::vector<double> contour_levels_2(double lower, double upper, int limit);
 
 }  // namespace hottel

@@ -180,7 +180,7 @@ std::vector<double> light_contours_2(const IlluminationGrid2& grid, int contours
     least = std::min(least, value);
     most = std::max(most, value);
   }
-  return most > 0 ? contour_levels(least, most, contours) : std::vector<double>();
+  return most > 0 ? contour_levels_2(least, most, contours) : std::vector<double>();
 }
 
 IlluminationPainter2::IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
@@ -230,7 +230,7 @@ void IlluminationPainter2::draw_contours(PictureCanvas& canvas) const {
   const double size = letters(unit_);
   for (const double level : contours_) {
     std::vector<Polyline2> lines = contour_lines(pixels, level);
-    for (Polyline2& line : lines) line = moved(simplified(line, 0.3), origin);
+    for (Polyline2& line : lines) line = moved(simplified_2(line, 0.3), origin);
     for (const auto& [colour, wide] : {std::pair(palette::kInk.with_alpha(0.45), 2.6), std::pair(palette::kPaper, 1.1)})
       for (const Polyline2& line : lines)
         for (std::size_t k = 1; k < line.size(); ++k)
