@@ -6,6 +6,9 @@
 // some 8000 vertices, and long views between the buildings. 1000 points are drawn at random outside the holes (`town`:
 // 200). The counter is microseconds per query.
 //
+// With HOTTEL_MAP=FILE in the environment one more map, `file`, is the scene of that file, its polylines taken as
+// rings, the first one around the others, with 200 points outside the holes: docs/maps.md has `tools/coastline`.
+//
 //   view              ours: point location and the exact combinatorial view (which vertices, which edge between them)
 //   view-and-corners  the same, and the corners of the region in doubles, as an inexact code delivers them
 //   rounded           ours: the region with all its corners as correctly rounded doubles (VisibilityPolygons2); `exact`
@@ -30,13 +33,17 @@
 #include <CGAL/Triangular_expansion_visibility_2.h>
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
+#include <stdexcept>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
 #include "geometry/plane/visibility/visibility_polygons.h"
+#include "io/scene/scene_json.h"
 
 namespace hottel::benchmarks {
 namespace {
@@ -60,8 +67,8 @@ bool contains(const Ring& ring, const Spot& p) {
   return inside;
 }
 
-enum class Variant { kShort, kDouble, kTown };
-constexpr const char* kVariantNames[] = {"short", "double", "town"};
+enum class Variant { kShort, kDouble, kTown, kFile };
+constexpr const char* kVariantNames[] = {"short", "double", "town", "file"};
 
 // `town`: on a place of 25 m by 25 m each a building of four to six corners, turned a little, or none.
 Map make_town() {
@@ -95,7 +102,33 @@ Map make_town() {
   return map;
 }
 
+// The rings of a scene file, and points between them.
+Map read_map(const std::string& file) {
+  const Scene2 scene = read_scene_2(file);
+  Map map;
+  map.rings.resize(scene.groups.size());
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+    map.rings[scene.surfaces[s].group].push_back({to_double(scene.edges[s].from.x), to_double(scene.edges[s].from.y)});
+  if (map.rings.empty()) throw std::runtime_error(file + " has no rings");
+  const auto [left, right] = std::minmax_element(map.rings[0].begin(), map.rings[0].end(),
+                                                 [](const Spot& p, const Spot& q) { return p.x < q.x; });
+  const auto [low, high] = std::minmax_element(map.rings[0].begin(), map.rings[0].end(),
+                                               [](const Spot& p, const Spot& q) { return p.y < q.y; });
+  std::mt19937_64 engine(1);
+  const auto whole = [&engine](double from, double to) {
+    return std::floor(from + 1 + (to - from - 2) * static_cast<double>(engine() >> 11) * 0x1p-53);
+  };
+  while (map.queries.size() < 200) {
+    const double x = whole(left->x, right->x), y = whole(low->y, high->y);
+    const Spot p{x + 0.5, y + 0.5};
+    if (std::none_of(map.rings.begin() + 1, map.rings.end(), [&](const Ring& hole) { return contains(hole, p); }))
+      map.queries.push_back(p);
+  }
+  return map;
+}
+
 Map make_map(Variant variant) {
+  if (variant == Variant::kFile) return read_map(std::getenv("HOTTEL_MAP"));
   if (variant == Variant::kTown) return make_town();
   const bool is_short = variant == Variant::kShort;
   std::mt19937_64 engine(1);
@@ -333,7 +366,9 @@ void add(const std::string& name, Variant variant, void (*measure)(benchmark::St
 
 int main(int argc, char** argv) {
   using namespace hottel::benchmarks;
-  for (const Variant variant : {Variant::kShort, Variant::kDouble, Variant::kTown}) {
+  std::vector<Variant> variants{Variant::kShort, Variant::kDouble, Variant::kTown};
+  if (std::getenv("HOTTEL_MAP")) variants.push_back(Variant::kFile);
+  for (const Variant variant : variants) {
     add("view", variant, view);
     add("view-and-corners", variant, view_and_corners);
     add("rounded", variant, rounded);

@@ -15,6 +15,7 @@
 #include "io/results/space/element_files.h"
 #include "io/results/space/factors_report.h"
 #include "io/scene/scene_json.h"
+#include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 #include "solver/plane/simulation/simulation.h"
@@ -129,9 +130,9 @@ ExitCode reference(const ReferenceOptions& options, Streams& streams) {
   std::vector<SceneReference> scenes;
   for (const std::string& file : options.scenes) {
     const SceneReference& scene = scenes.emplace_back(refer(options, file, name_of(file), streams));
-    streams.note(fmt::format("{}: {} elements, {} factors, {}; radiosities {}, bounds within {:.1e} of the value",
-                             scene.name, scene.counts.elements, scene.factors, to_string(scene.of_factors),
-                             to_string(scene.of_radiosities), scene.max_relative_width));
+    streams.note(fmt::format("{}: {}, {}, {}; radiosities {}, bounds within {:.1e} of the value", scene.name,
+                             counted(scene.counts.elements, "element"), counted(scene.factors, "factor"),
+                             to_string(scene.of_factors), to_string(scene.of_radiosities), scene.max_relative_width));
   }
   const std::vector<SetFile> files = set_files(std::move(scenes));
 

@@ -36,7 +36,11 @@ struct Request {
 };
 
 IlluminationPicture2 light_picture(const SolveOptions& options) {
-  return {.tone = *tone_of(options.tone), .exposure = options.exposure, .wanted_width = options.size};
+  return {.tone = *tone_of(options.tone),
+          .exposure = options.exposure,
+          .wanted_width = options.size,
+          .has_axes = options.axes,
+          .contours = options.contours};
 }
 
 Request request_of(const SolveOptions& options) {
@@ -154,8 +158,14 @@ GridRegion region_of(const Grid2& grid) { return {to_doubles(grid.min), to_doubl
 
 std::string picture_of(const SolveOptions& options, const Simulation2& simulation, const Results& results,
                        PictureFormat format) {
-  if (results.shown) return shown_picture_2(*simulation.prepared(), *results.shown, options.size, format);
+  if (results.shown) return shown_picture_2(*simulation.prepared(), *results.shown, options.size, options.axes, format);
   return illumination_picture_2(*simulation.prepared(), results.light->grid, light_picture(options), format).bytes;
+}
+
+std::optional<PictureLight> picture_light_of(const SolveOptions& options, const Results& results) {
+  if (!results.picture) return std::nullopt;
+  return PictureLight{results.picture->scale, options.tone, options.exposure,
+                      light_contours_2(results.light->grid, options.contours)};
 }
 
 void write_results(const SolveOptions& options, const Simulation2& simulation, const Results& results,
@@ -213,7 +223,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                            results.solution.get(),
                            &fluxes,
                            seconds,
-                           results.picture ? std::optional(results.picture->scale) : std::nullopt,
+                           picture_light_of(options, results),
                            range_of(results.shown),
                            results.light ? results.light->max_error : std::nullopt,
                            insulated_groups(simulation.scene(), matrix, *results.solution),
@@ -262,6 +272,13 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       ->type_name("E")
       ->check(positive_number())
       ->capture_default_str();
+  command
+      .add_option("--contours", options.contours,
+                  "in the plane: lines of equal light in the picture, about N of them at most, at round levels")
+      ->type_name("N")
+      ->transform(whole_number(1, 100));
+  command.add_flag("--axes", options.axes,
+                   "in the plane: coordinates along the frame of the picture, and a scale bar in the scene's unit");
   CLI::Option* size =
       command.add_option("--size", options.size, "pixels of the picture across, rounded to whole pixels a cell");
   size->type_name("W")->check(CLI::Range(1u, kMaxPictureSide));
@@ -289,7 +306,8 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       .add_option("--render", options.render,
                   "the picture as this file too: .png, .svg or .pdf (in space polygons, sharp at any size)")
       ->type_name("FILE");
-  for (const char* of_picture : {"--size", "--tone", "--exposure", "--show", "--channel", "--shading", "--render"})
+  for (const char* of_picture :
+       {"--size", "--tone", "--exposure", "--contours", "--axes", "--show", "--channel", "--shading", "--render"})
     for (CLI::Option* none : {no_picture, no_illumination}) none->excludes(command.get_option(of_picture));
   command
       .add_option("--views", options.views,

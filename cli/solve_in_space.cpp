@@ -41,6 +41,8 @@ void require_what_space_has(const SolveOptions& options) {
     throw UsageError("--tolerance is of the method exact only, not of " + options.method);
   if (options.illumination != usual.illumination) refuse("--illumination");
   if (options.views != usual.views) refuse("--views");
+  if (options.contours > 0) refuse("--contours");
+  if (options.axes) refuse("--axes");
 }
 
 // The files of light on the scene's grid.
@@ -176,7 +178,9 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
                            .solution = solution.get(),
                            .fluxes = &fluxes,
                            .seconds = seconds,
-                           .picture_scale = view && !view->shown() ? std::optional(view->scale()) : std::nullopt,
+                           .picture_light = view && !view->shown() ? std::optional(PictureLight{
+                                                                         view->scale(), options.tone, options.exposure})
+                                                                   : std::nullopt,
                            .picture_range = view ? range_of(view->shown()) : std::nullopt,
                            .insulated = insulated_groups(simulation.scene(), factors->matrix, *solution),
                            .unit = simulation.scene().unit,

@@ -37,6 +37,8 @@ Shown shown_of(const SolveOptions& options) {
   const SolveOptions usual;
   if (!shown.is_light() && (options.tone != usual.tone || options.exposure != usual.exposure))
     throw UsageError("--tone and --exposure are of --show light: " + options.show + " has a scale");
+  if (!shown.is_light() && options.contours > 0)
+    throw UsageError("--contours are of --show light: " + options.show + " is on the faces alone");
   if (!options.render.empty() && !picture_format(options.render))
     throw UsageError("a picture is written as .png, .svg or .pdf, not '" + options.render + "'");
   return shown;

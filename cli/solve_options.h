@@ -25,6 +25,8 @@ struct SolveOptions {
   double exposure = 1;
   std::uint32_t size = 0;
   std::string show = "light", channel, shading = "flat", render;
+  int contours = 0;
+  bool axes = false;
   bool no_picture = false, no_illumination = false;
   std::optional<std::string> tolerance;  // in space
   std::optional<std::uint64_t> memory;
@@ -45,7 +47,8 @@ void require_room_for_light(const SolveOptions& options, const std::array<std::u
                             const std::string& advice, const std::filesystem::path& directory);
 
 // What the picture shows, as --show and --channel ask for it. Throws UsageError for what is not there, and for options
-// of light where something else is shown; and, for --render, unless its file is a picture.
+// of light (--tone, --exposure, --contours) where something else is shown; and, for --render, unless its file is a
+// picture.
 Shown shown_of(const SolveOptions& options);
 
 // The range of what is shown, for a report; nothing of nothing.

@@ -1,5 +1,5 @@
 // hottel visibility: what points see, what a point of a face receives, what two faces see of each other, what some
-// point of a face sees, and the lines along which it changes.
+// point of a face sees, the lines along which it changes, and which vertices see each other.
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -7,10 +7,10 @@
 
 #include "cli/command.h"
 #include "cli/scene_input.h"
+#include "cli/scene_lines.h"
 #include "cli/visibility_in_space.h"
 #include "geometry/plane/check/face_cover.h"
 #include "geometry/plane/exchange/closed_forms.h"
-#include "geometry/plane/visibility/critical_lines.h"
 #include "geometry/plane/visibility/critical_points.h"
 #include "geometry/plane/visibility/edge_sight.h"
 #include "geometry/plane/visibility/point_sight.h"
@@ -37,7 +37,7 @@ namespace {
 
 struct VisibilityOptions {
   std::string scene, at, on, from, to, out, points, range, edge;
-  bool json = false, exact = false, irradiance = false, events = false;
+  bool json = false, exact = false, irradiance = false, events = false, graph = false;
   PolygonOptions polygons;
 
   bool is_pair() const { return !from.empty() || !to.empty(); }
@@ -103,7 +103,9 @@ void require_sense(const VisibilityOptions& options) {
     throw UsageError("--from A and --to B go together, without --at and --on");
   if (!options.is_pair() && options.at.empty())
     throw UsageError(
-        "visibility needs --at X,Y or --on NAME --at T or --from A --to B or --points FILE or --edge NAME or --events");
+        "visibility needs --at X,Y or --on NAME --at T or --from A --to B or --points FILE or --edge NAME or --events "
+        "or "
+        "--graph");
   if (options.from == "sky" && options.to == "sky")
     throw UsageError("--from or --to is a face: the sky exchanges nothing with itself");
 }
@@ -232,22 +234,21 @@ ExitCode from_edge(const VisibilityOptions& options, Streams& streams) {
   return ExitCode::kDone;
 }
 
+SceneLines scene_lines(const VisibilityOptions& options) {
+  return {.scene = options.scene, .out = options.out, .json = options.json, .exact = options.exact};
+}
+
 ExitCode events(const VisibilityOptions& options, Streams& streams) {
-  if (options.json && is_file(options.out)) throw UsageError("--json is for standard output, -o FILE for a .csv");
-  if (options.json && options.exact) throw UsageError("--exact is for a csv: --json holds p/q as it is");
-  if (is_file(options.out) && !options.out.ends_with(".csv"))
-    throw UsageError("critical lines are written as .csv, not '" + options.out + "'");
-  const auto prepared = simulation_of(options).prepared(streams.stages());
-  const std::vector<CriticalLine2> lines = critical_lines(*prepared, streams.progress("critical lines"));
-  if (options.json) {
-    streams.write("", critical_lines_json(*prepared, lines));
-    return ExitCode::kDone;
-  }
-  std::string text;
-  naming_file(options.scene, [&] {
-    write_critical_lines_csv(*prepared, lines, options.exact, [&](std::string_view part) { text += part; });
-  });
-  streams.write(options.out, text);
+  const SceneLines lines = scene_lines(options);
+  require_sense(lines, "critical lines are");
+  write_events(lines, *simulation_of(options).prepared(streams.stages()), streams);
+  return ExitCode::kDone;
+}
+
+ExitCode graph(const VisibilityOptions& options, Streams& streams) {
+  const SceneLines lines = scene_lines(options);
+  require_sense(lines, "the visibility graph is");
+  write_graph(lines, *simulation_of(options).prepared(streams.stages()), streams);
   return ExitCode::kDone;
 }
 
@@ -301,12 +302,14 @@ ExitCode in_space(const VisibilityOptions& options, Scene3 scene, std::optional<
 }
 
 ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
-  if (options.polygons.triangulates && (!options.points.empty() || !options.edge.empty() || options.events))
-    throw UsageError("--triangulate cuts polygons in space; --points, --edge and --events are of the plane");
+  if (options.polygons.triangulates &&
+      (!options.points.empty() || !options.edge.empty() || options.events || options.graph))
+    throw UsageError("--triangulate cuts polygons in space; --points, --edge, --events and --graph are of the plane");
   if (!options.points.empty()) return from_points(options, streams);
   if (!options.edge.empty()) return from_edge(options, streams);
   if (options.events) return events(options, streams);
-  if (options.exact) throw UsageError("--exact goes with --points or --events");
+  if (options.graph) return graph(options, streams);
+  if (options.exact) throw UsageError("--exact goes with --points, --events or --graph");
   require_sense(options);
   const bool is_drawn = is_file(options.out);
   const auto format = is_drawn ? picture_format(options.out) : std::nullopt;
@@ -333,7 +336,9 @@ ExitCode visibility(const VisibilityOptions& options, Streams& streams) {
 void add_visibility(Commands& commands) {
   const auto options = std::make_shared<VisibilityOptions>();
   CLI::App& command = commands.add(
-      "visibility", "What points see, what a point of a face sees, what two faces see of each other, critical lines",
+      "visibility",
+      "What points see, what a point of a face sees, what two faces see of each other, critical lines, "
+      "which vertices see each other",
       {"hottel visibility scenes/analytic/triangle_345.json --at 1,1",
        "hottel visibility scenes/analytic/triangle_345.json --on three --at 1/2",
        "hottel visibility scenes/analytic/strip_obstructed.json --from bottom --to top --json",
@@ -342,7 +347,8 @@ void add_visibility(Commands& commands) {
        "hottel visibility scenes/space/two_boxes.json --at 1,1,1 -o /tmp/map.png",
        "hottel visibility scenes/space/two_boxes.json --from lamp --to floor",
        "hottel visibility scenes/analytic/strip_obstructed.json --edge bottom",
-       "hottel visibility scenes/analytic/strip_obstructed.json --events"},
+       "hottel visibility scenes/analytic/strip_obstructed.json --events",
+       "hottel visibility scenes/showcase/apartment.json --graph -o /tmp/graph.csv"},
       [options](Streams& streams) { return visibility(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   CLI::Option* at = command.add_option("--at", options->at,
@@ -367,7 +373,8 @@ void add_visibility(Commands& commands) {
   command.add_option("--range", options->range, "with --points: nothing beyond this distance of the point")
       ->type_name("R")
       ->needs(points);
-  CLI::Option* exact = command.add_flag("--exact", options->exact, "with --points or --events: coordinates as p/q");
+  CLI::Option* exact =
+      command.add_flag("--exact", options->exact, "with --points, --events or --graph: coordinates as p/q");
   exact->excludes("--range");
   command
       .add_flag("--irradiance", options->irradiance,
@@ -376,17 +383,20 @@ void add_visibility(Commands& commands) {
   CLI::Option* edge = command.add_option("--edge", options->edge, "a face: what some point of it sees");
   edge->type_name("NAME");
   CLI::Option* events = command.add_flag("--events", options->events, "the critical lines of the scene");
+  CLI::Option* graph = command.add_flag("--graph", options->graph, "all pairs of vertices that see each other");
   for (CLI::Option* other : {at, on, from, to, points}) {
     edge->excludes(other);
     events->excludes(other);
+    graph->excludes(other);
   }
-  edge->excludes(events)->excludes(exact);
+  edge->excludes(events)->excludes(exact)->excludes(graph);
+  events->excludes(graph);
   command
-      .add_option(
-          "-o", options->out,
-          "draw it: .png, .svg or .pdf; the answer in short is on stderr then. With --points the polygons: "
-          ".csv, .geojson, .wkt or .npz; with --events a .csv. Without it, or with -, the answer is on standard "
-          "output")
+      .add_option("-o", options->out,
+                  "draw it: .png, .svg or .pdf; the answer in short is on stderr then. With --points the polygons: "
+                  ".csv, .geojson, .wkt or .npz; with --events and --graph a .csv. Without it, or with -, the answer "
+                  "is on standard "
+                  "output")
       ->type_name("FILE");
 }
 

@@ -143,7 +143,8 @@ void note_gaps(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& u
   std::size_t negative = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     for (const FactorEntry& entry : matrix.row(i)) negative += entry.factor.value < 0;
-  if (negative > 0) report.notes.push_back(fmt::format("{} factors are negative", negative));
+  if (negative > 0)
+    report.notes.push_back(negative == 1 ? "1 factor is negative" : fmt::format("{} factors are negative", negative));
 }
 
 }  // namespace

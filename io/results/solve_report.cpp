@@ -81,7 +81,10 @@ std::string solve_json(const SolveReport& report) {
                     {"defect", solution.energy.defect}};
   json["bounds"] = {{"max_relative_width", solution.max_relative_width}, {"guarantee", to_string(solution.guarantee)}};
   if (report.illumination_max_error) json["bounds"]["illumination_max_error"] = *report.illumination_max_error;
-  if (report.picture_scale) json["picture"] = {{"scale", *report.picture_scale}};
+  if (const auto& light = report.picture_light) {
+    json["picture"] = {{"scale", light->scale}, {"tone", light->tone}, {"exposure", light->exposure}};
+    if (!light->contours.empty()) json["picture"]["contours"] = light->contours;
+  }
   if (const auto& range = report.picture_range)
     json["picture"] = {
         {"quantity", range->quantity}, {"unit", range->unit}, {"lower", range->lower}, {"upper", range->upper}};
@@ -137,6 +140,19 @@ std::string insulated_text(const std::vector<InsulatedGroup>& groups) {
   return text + "\n";
 }
 
+// What the exposure of a picture came to: all tone curves but linear fit it to the light that there is.
+std::string picture_text(const PictureLight& light) {
+  std::string text = fmt::format("picture: light times {:.6g} by the tone curve {}", light.scale, light.tone);
+  if (light.tone != "linear")
+    text += light.exposure == 1 ? ", exposure automatic"
+                                : fmt::format(", exposure {:.6g} of the automatic one", light.exposure);
+  if (!light.contours.empty()) {
+    text += "; contours at";
+    for (const double level : light.contours) text += fmt::format(" {:.6g}", level);
+  }
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string solve_text(const SolveReport& report) {
@@ -159,6 +175,7 @@ std::string solve_text(const SolveReport& report) {
   if (report.illumination_max_error)
     text += fmt::format("illumination: averages over cells, each within {:.1e} for these radiosities\n",
                         *report.illumination_max_error);
+  if (report.picture_light) text += picture_text(*report.picture_light);
   if (report.store) text += store_text(*report.store) + "\n";
   for (const std::string& note : solution.notes) text += "note: " + note + "\n";
   text += "seconds:";

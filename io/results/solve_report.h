@@ -35,6 +35,14 @@ struct PictureRange {
   double lower = 0, upper = 0;
 };
 
+// How the light of a picture became colours.
+struct PictureLight {
+  double scale = 1;                // what light was multiplied by before the tone curve
+  std::string tone;                // its name
+  double exposure = 1;             // the one that was asked for
+  std::vector<double> contours{};  // the levels of lines of equal light
+};
+
 // Everything that is said about one run of `solve`. REQUIRES that none of the pointers is null when it is written.
 struct SolveReport {
   std::string scene;
@@ -43,7 +51,7 @@ struct SolveReport {
   const RadiositySolution* solution = nullptr;
   const NetFluxes* fluxes = nullptr;
   std::map<std::string, double> seconds{};         // of stages that ran, and of no others
-  std::optional<double> picture_scale{};           // what a value was multiplied by before the tone curve
+  std::optional<PictureLight> picture_light{};     // of a picture of light
   std::optional<PictureRange> picture_range{};     // of a picture that shows something else than light
   std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
   std::vector<InsulatedGroup> insulated{};         // in the order of radiosity.csv
@@ -53,8 +61,8 @@ struct SolveReport {
 };
 
 // Returns the report as one JSON object (the contract's report.json) and a final newline, and as text for people:
-// sizes, solver, energy, the six largest net fluxes, up to six insulated groups, notes, seconds. The fluxes are not in
-// the JSON object.
+// sizes, solver, energy, the six largest net fluxes, up to six insulated groups, how light became a picture, notes,
+// seconds. The fluxes are not in the JSON object.
 std::string solve_json(const SolveReport& report);
 std::string solve_text(const SolveReport& report);
 

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "geometry/name.h"
+#include "kernel/support/counted.h"
 #include "solver/compare/hypotheses.h"
 #include "solver/compare/sampling_noise.h"
 #include "solver/compare/scene_hypotheses.h"
@@ -126,14 +127,21 @@ std::string laws_sentence(const Verdict& verdict) {
   std::string text =
       verdict.unsymmetric == 0
           ? fmt::format("reciprocity A_i F_ij = A_j F_ji holds (within {:.2g})", verdict.reciprocity_defect)
-          : fmt::format("reciprocity A_i F_ij = A_j F_ji is broken by {} pairs (by up to {:.3g} of the smaller area)",
-                        verdict.unsymmetric, verdict.reciprocity_defect);
-  text += verdict.rows_off == 0 ? fmt::format("; rows sum to what they should (within {:.2g})", verdict.row_defect)
-                                : fmt::format("; {} rows do not sum to what they should (by up to {:.3g})",
-                                              verdict.rows_off, verdict.row_defect);
+          : fmt::format("reciprocity A_i F_ij = A_j F_ji is broken by {} (by up to {:.3g} of the smaller area)",
+                        counted(verdict.unsymmetric, "pair"), verdict.reciprocity_defect);
+  text += verdict.rows_off == 0
+              ? fmt::format("; rows sum to what they should (within {:.2g})", verdict.row_defect)
+              : fmt::format("; {} not sum to what {} should (by up to {:.3g})",
+                            verdict.rows_off == 1 ? "1 row does" : counted(verdict.rows_off, "row") + " do",
+                            verdict.rows_off == 1 ? "it" : "they", verdict.row_defect);
   if (verdict.negative > 0)
-    text += fmt::format("; {} factors are negative, to {:.3g}", verdict.negative, verdict.least);
-  if (verdict.above_one > 0) text += fmt::format("; {} factors exceed 1, to {:.6g}", verdict.above_one, verdict.most);
+    text += fmt::format("; {} negative, to {:.3g}",
+                        verdict.negative == 1 ? "1 factor is" : counted(verdict.negative, "factor") + " are",
+                        verdict.least);
+  if (verdict.above_one > 0)
+    text += fmt::format("; {} 1, to {:.6g}",
+                        verdict.above_one == 1 ? "1 factor exceeds" : counted(verdict.above_one, "factor") + " exceed",
+                        verdict.most);
   return text;
 }
 

@@ -222,5 +222,33 @@ TEST(CheckFix, RefusesWhatItCannotDoBeforeItWritesAnything) {
   EXPECT_EQ(place.files().size(), 2u);
 }
 
+// Commands of docs/check.md, and what the page says that they print. View factors in space are estimates, whose last
+// digits may differ from machine to machine.
+TEST(CheckPage, HasCommandsThatCanBePasted) {
+  const std::string sources = HOTTEL_SOURCE_DIR;
+  const Workplace place;
+  ASSERT_EQ(place.run("ln -s '" + sources + "/scenes' scenes; mkdir tmp").code, 0);
+  std::string command;
+  Outcome outcome{};
+  std::size_t commands = 0, compared = 0;
+  for (const std::string& line : lines_of(testing_cli::contents(sources + "/docs/check.md"))) {
+    if (line.starts_with("$ ")) {
+      command = line.substr(2);
+      if (const auto at = command.find("/tmp/"); at != std::string::npos) command.erase(at, 1);
+      outcome = place.run(command);
+      EXPECT_EQ(outcome.code, 0) << command << '\n' << outcome.err;
+      ++commands;
+    } else if (line.starts_with("```")) {
+      command.clear();
+    } else if (!command.empty() && line != "..." &&
+               !(line.starts_with("floor,") && command.find("space") != command.npos)) {
+      EXPECT_THAT(outcome.out, HasSubstr(line + "\n")) << command;
+      ++compared;
+    }
+  }
+  EXPECT_GE(commands, 3u);
+  EXPECT_GE(compared, 8u);
+}
+
 }  // namespace
 }  // namespace hottel

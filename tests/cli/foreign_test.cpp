@@ -213,7 +213,7 @@ TEST(Foreign, CompareNamesAPairThatIsWrong) {
                 kBox + " --methods file:f.csv --repeat 1 --json -o out");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("1 is wrong by no pattern that is known: 'floor' to 'wall': 0.125 instead of"));
-  EXPECT_THAT(outcome.out, HasSubstr("reciprocity A_i F_ij = A_j F_ji is broken by 1 pairs"));
+  EXPECT_THAT(outcome.out, HasSubstr("reciprocity A_i F_ij = A_j F_ji is broken by 1 pair ("));
 }
 
 TEST(Foreign, CompareJudgesRadiositiesToo) {

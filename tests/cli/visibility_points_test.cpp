@@ -1,4 +1,4 @@
-// hottel visibility --points, --edge and --events, as a stranger runs them.
+// hottel visibility --points, --edge, --events and --graph, as a stranger runs them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -120,11 +120,54 @@ TEST(VisibilityEvents, ListsLinesAsCsvAndAsJson) {
   const Outcome csv = room.run("hottel visibility room.json --events");
   EXPECT_EQ(csv.code, 0) << csv.err;
   EXPECT_EQ(lines_of(csv.out).at(0),
-            "x0,y0,x1,y1,along,behind_x,behind_y,behind_left,behind_right,ahead_x,ahead_y,ahead_left,ahead_right");
+            "x0,y0,x1,y1,along,behind_x,behind_y,behind_left,behind_right,ahead_x,ahead_y,ahead_left,ahead_right,"
+            "from_behind_left,from_behind_right,from_ahead_left,from_ahead_right");
   const auto json = nlohmann::json::parse(room.run("hottel visibility room.json --events --json").out);
   EXPECT_EQ(json["lines"].size() + 1, lines_of(csv.out).size());
   EXPECT_EQ(room.run("hottel visibility room.json --events -o e.csv; cat e.csv").out, csv.out);
   EXPECT_NE(room.run("hottel visibility room.json --events --exact").out, csv.out);
+}
+
+TEST(VisibilityGraph, ListsPairsAsCsvAndAsJson) {
+  const Room room;
+  const Outcome csv = room.run("hottel visibility room.json --graph");
+  EXPECT_EQ(csv.code, 0) << csv.err;
+  const auto lines = lines_of(csv.out);
+  EXPECT_EQ(lines.at(0), "vertex0,vertex1,x0,y0,x1,y1,length,along,surface0,surface1");
+  EXPECT_EQ(lines.at(1), "0,1,3,2.5,3.5,2.5,0.5,lamp,lamp,lamp");
+  EXPECT_THAT(csv.err, HasSubstr("10 vertices; " + std::to_string(lines.size() - 1) +
+                                 " pairs that see each other, 9 of them along edges\n"));
+  const auto json = nlohmann::json::parse(room.run("hottel visibility room.json --graph --json").out);
+  ASSERT_EQ(json["pairs"].size() + 1, lines.size());
+  EXPECT_EQ(json["vertices"].size(), 10u);
+  EXPECT_EQ(json["vertices"][1]["exact"], (nlohmann::json{"7/2", "5/2"}));
+  for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
+    const auto& pair = json["pairs"][k]["vertices"];
+    EXPECT_THAT(lines[k + 1], StartsWith(pair[0].dump() + "," + pair[1].dump() + ","));
+  }
+  EXPECT_EQ(room.run("hottel visibility room.json --graph -o g.csv; cat g.csv").out, csv.out);
+  EXPECT_THAT(room.run("hottel visibility room.json --graph --exact").out, HasSubstr("\n0,1,3,5/2,7/2,5/2,0.5,lamp,"));
+  EXPECT_EQ(room.run("hottel visibility room.json --graph --quiet | head -1").code, 0);
+}
+
+TEST(VisibilityGraph, SaysWhichVerticesAreCrossings) {
+  const Workplace place;
+  place.write("cross.json", R"({"hottel": 1, "dimension": 2, "materials": {"m": {}}, "edges": [
+    {"name": "a", "points": [[0, 0], [1, 1]], "material": "m"}, {"name": "b", "points": [[0, 1], [1, 0]], "material": "m"}]})");
+  const Outcome csv = place.run("hottel visibility cross.json --graph");
+  EXPECT_THAT(csv.err,
+              HasSubstr("5 vertices (1 crossing from number 4); 8 pairs that see each other, 4 of them along"));
+  EXPECT_THAT(csv.out, HasSubstr("\n0,4,0,0,0.5,0.5,0.7071067811865476,a,a,a\n"));
+}
+
+TEST(VisibilityGraph, OfASceneBeyondDoublesIsWrittenExactly) {
+  const Workplace place;
+  place.write("far.json", R"({"hottel": 1, "dimension": 2, "materials": {"m": {}}, "edges": [
+    {"name": "a", "points": [["1e400", 0], ["1e400", 1]], "material": "m"}]})");
+  const Outcome refused = place.run("hottel visibility far.json --graph");
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.err, HasSubstr("beyond the range of doubles; --exact writes"));
+  EXPECT_THAT(place.run("hottel visibility far.json --graph --exact").out, HasSubstr(",1,1,a,a,a\n"));
 }
 
 }  // namespace

@@ -325,7 +325,7 @@ TEST_F(ForeignMatrixTest, NegativeFactorsAndRowsNotUsedAreReported) {
   EXPECT_EQ(matrix.factor(2, 8).value, 0.25);
   EXPECT_EQ(matrix.entry_count(), 2u);
   EXPECT_THAT(report_.notes, testing::ElementsAre("rows of faces without a material are not used: 'sky', 'a:back'",
-                                                  "1 factors are negative"));
+                                                  "1 factor is negative"));
   EXPECT_EQ(report_.row_defect, 1.5);
 }
 

@@ -3,6 +3,7 @@
 #
 #   tests/users/map.sh PROGRAM SOURCES        works in the current folder
 program=$(realpath "$1")
+sources=$(realpath "$2")
 fail() { echo "map: $*" >&2; exit 1; }
 
 # A yard like an L. From (3/2, 1/2) the corner (1, 1) hides all beyond the line to (0, 2): 5/2 of 3 are seen.
@@ -27,6 +28,18 @@ echo 'POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))' > hall.wkt
 "$program" convert hall.wkt block.json --front outside --quiet
 "$program" visibility block.json --at 1/2,1/2 --quiet | grep -q "in the solid 'polyline\[0\]'" || fail "the block is not solid"
 "$program" visibility block.json --at 3/2,3/2 --quiet | grep -q '^area 1$' || fail "the courtyard is not free"
+
+# A coast is the same on every machine; its islands are solid, its sea is closed. All sides of rings are lines of sight, and
+# what the graph says is the same as one critical line for each pair, as every edge is a face of its own.
+"$sources/tools/coastline" 5 1 > coast.wkt
+[ "$(cksum < coast.wkt)" = "983757022 1477" ] || fail "the coast has changed"
+"$program" visibility coast.wkt --graph -o graph.csv 2> said
+grep -q '134 vertices; 757 pairs that see each other, 134 of them along edges' said || fail "the graph of the coast: $(cat said)"
+awk -F, 'NR > 1 { if ($1 >= $2 || ($7 - sqrt(($5 - $3)^2 + ($6 - $4)^2))^2 > 1e-18 * $7^2) exit 1 }' graph.csv ||
+  fail "lines of the graph"
+"$program" visibility coast.wkt --events --quiet -o events.csv
+[ "$(wc -l < events.csv)" = "$(wc -l < graph.csv)" ] || fail "as many critical lines as pairs"
+"$program" factors coast.wkt --quiet | awk -F, '$2 == "sky" { exit 1 }' || fail "the sea is not closed"
 
 # What is no wall is refused by its line.
 printf 'LINESTRING (0 0, 1 0)\nPOINT (1 1)\n' > point.wkt

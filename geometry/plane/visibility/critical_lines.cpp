@@ -22,8 +22,20 @@ class LineMaker {
                                           is_covered(gap.ahead_left) || is_covered(gap.ahead_right);
     if (is_inside) return std::nullopt;
     const Point2 v = vertices_.exact(gap.v), w = vertices_.exact(gap.w);
-    return CriticalLine2{vertices_.to_scene(v), vertices_.to_scene(w), gap.covered_left,
-                         reach(w, v, gap.behind_left, gap.behind_right), reach(v, w, gap.ahead_left, gap.ahead_right)};
+    CriticalLine2 line{vertices_.to_scene(v), vertices_.to_scene(w), gap.covered_left,
+                       reach(w, v, gap.behind_left, gap.behind_right), reach(v, w, gap.ahead_left, gap.ahead_right)};
+    // From beyond one vertex, on the left of the line, one looks between both to its right: past the vertex near by
+    // unless a piece stands there on the left, through the segment unless a piece covers it, and then as a line does
+    // that leaves the far vertex on its left. From the right the other way round.
+    if (line.behind.end != line.from) {
+      line.behind.seen_from_left = seen_past(gap.v, gap.w, 1, gap.covered_left, gap.ahead_left);
+      line.behind.seen_from_right = seen_past(gap.v, gap.w, -1, gap.covered_right, gap.ahead_right);
+    }
+    if (line.ahead.end != line.to) {
+      line.ahead.seen_from_left = seen_past(gap.w, gap.v, -1, gap.covered_left, gap.behind_left);
+      line.ahead.seen_from_right = seen_past(gap.w, gap.v, 1, gap.covered_right, gap.behind_right);
+    }
+    return line;
   }
 
  private:
@@ -32,6 +44,19 @@ class LineMaker {
     if (p == q) return true;
     if (p == kSky || q == kSky || is_covered(p) || is_covered(q)) return false;
     return static_cast<const Face&>(arrangement_.owner(p)) == arrangement_.owner(q);
+  }
+
+  // What is met first by who looks along the line from behind `near` towards `far` and passes `near` on the left (turn
+  // 1) or on the right (-1): a piece at `near` on that side, of several the one turned farthest from `far`; else what
+  // covers the segment between; else `beyond`.
+  PieceSideId seen_past(VertexId near, VertexId far, int turn, PieceSideId covering, PieceSideId beyond) const {
+    const StarEntry2* first = nullptr;
+    for (const StarEntry2& entry : arrangement_.triangulation().star(near)) {
+      if (entry.left == kNoPiece || vertices_.orientation(near, far, entry.neighbour) != turn) continue;
+      if (!first || vertices_.orientation(near, first->neighbour, entry.neighbour) == turn) first = &entry;
+    }
+    if (first) return turn > 0 ? first->left : first->right;
+    return covering != kNoPiece ? covering : beyond;
   }
 
   // How far beyond q, in multiples of q - p, the line from p through q meets a side. REQUIRES that it does.

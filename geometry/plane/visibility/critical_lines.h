@@ -18,6 +18,10 @@ struct LineReach2 {
   // Where the farther of the two is met, in scene coordinates: the vertex itself where both begin at it or in a solid;
   // nothing where one is the sky.
   std::optional<Point2> end;
+  // What the line separates here: the side of a piece (or kSky) that is seen between the two vertices by an eye on the
+  // line just beyond this one, moved a little to the left (right) of from -> to. A covered side: that eye is in a
+  // solid. kNoPiece where the line does not reach beyond the vertex.
+  PieceSideId seen_from_left = kNoPiece, seen_from_right = kNoPiece;
 };
 
 // A line through two vertices that see each other, or are joined by a piece.
@@ -35,6 +39,9 @@ struct CriticalLine2 {
 //   (2) lines that run in solids are none
 //   (3) in the order of vertices, and of what each sees counter-clockwise
 //   (4) between `behind.end` and `ahead.end` the line crosses no piece
+//   (5) an eye that crosses the line close to a vertex, beyond it, sees both vertices change places: what it sees
+//   between
+//       them is seen_from_left on the left of the line, and seen_from_right on the right
 //
 // Lines through three or more vertices have an entry for each two that follow each other.
 // Throws what progress throws, of the fraction done; Interrupted soon after a stop was asked for.

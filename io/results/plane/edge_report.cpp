@@ -81,7 +81,9 @@ VisibilityAnswer edge_answer(const PreparedScene2& prepared, const std::string& 
 
 void write_critical_lines_csv(const PreparedScene2& prepared, std::span<const CriticalLine2> lines, bool is_exact,
                               const std::function<void(std::string_view)>& sink) {
-  sink("x0,y0,x1,y1,along,behind_x,behind_y,behind_left,behind_right,ahead_x,ahead_y,ahead_left,ahead_right\n");
+  sink(
+      "x0,y0,x1,y1,along,behind_x,behind_y,behind_left,behind_right,ahead_x,ahead_y,ahead_left,ahead_right,"
+      "from_behind_left,from_behind_right,from_ahead_left,from_ahead_right\n");
   for (const CriticalLine2& line : lines) {
     std::string text = point_text(line.from, is_exact) + "," + point_text(line.to, is_exact) + "," +
                        csv_field(along_name(prepared, line));
@@ -89,6 +91,9 @@ void write_critical_lines_csv(const PreparedScene2& prepared, std::span<const Cr
       text += "," + (reach->end ? point_text(*reach->end, is_exact) : ",");
       for (const PieceSideId side : {reach->left, reach->right}) text += "," + csv_field(met_name(prepared, side));
     }
+    for (const LineReach2* reach : {&line.behind, &line.ahead})
+      for (const PieceSideId side : {reach->seen_from_left, reach->seen_from_right})
+        text += "," + (side == kNoPiece ? "" : csv_field(met_name(prepared, side)));
     sink(text + "\n");
   }
 }
@@ -105,6 +110,9 @@ std::string critical_lines_json(const PreparedScene2& prepared, std::span<const 
       entry[key]["end"] = reach.end ? json_of(*reach.end) : Json();
       entry[key]["left"] = met_name(prepared, reach.left);
       entry[key]["right"] = met_name(prepared, reach.right);
+      const auto seen = [&](PieceSideId side) { return side == kNoPiece ? Json() : Json(met_name(prepared, side)); };
+      entry[key]["seen_from_left"] = seen(reach.seen_from_left);
+      entry[key]["seen_from_right"] = seen(reach.seen_from_right);
     };
     add("behind", line.behind);
     add("ahead", line.ahead);

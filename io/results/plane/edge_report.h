@@ -19,10 +19,11 @@ VisibilityAnswer edge_answer(const PreparedScene2& prepared, const std::string& 
 // What is met beyond a vertex of a line: the name of a face, "sky", or "#solid".
 std::string met_name(const PreparedScene2& prepared, PieceSideId side);
 
-// `x0,y0,x1,y1,along,behind_x,behind_y,behind_left,behind_right,ahead_x,ahead_y,ahead_left,ahead_right`: one line each.
-// along: the surface on the segment between the vertices, else empty; both coordinates of an end at infinity are empty.
-// Coordinates are the nearest doubles, or p/q where is_exact. Throws RequestError for what is beyond the range of
-// doubles.
+// `x0,y0,x1,y1,along,behind_x,behind_y,behind_left,behind_right,ahead_x,ahead_y,ahead_left,ahead_right,
+// from_behind_left,from_behind_right,from_ahead_left,from_ahead_right`: one line each. along: the surface on the
+// segment between the vertices, else empty; both coordinates of an end at infinity are empty; from_...: what the line
+// separates (LineReach2::seen_from_left), empty where it does not reach beyond the vertex. Coordinates are the nearest
+// doubles, or p/q where is_exact. Throws RequestError for what is beyond the range of doubles.
 void write_critical_lines_csv(const PreparedScene2& prepared, std::span<const CriticalLine2> lines, bool is_exact,
                               const std::function<void(std::string_view)>& sink);
 

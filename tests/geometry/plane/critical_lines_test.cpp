@@ -11,6 +11,7 @@
 
 #include "geometry/plane/generate/generators.h"
 #include "geometry/plane/visibility/critical_points.h"
+#include "geometry/plane/visibility/point_place.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
@@ -105,6 +106,83 @@ TEST(CriticalLines2, NoneRunsInASolid) {
   std::vector<Rational> ends{side->behind.end->x, side->ahead.end->x};
   std::sort(ends.begin(), ends.end());
   EXPECT_EQ(ends, (std::vector<Rational>{0, 9}));
+}
+
+// What an eye sees first in a direction, by every edge, in rationals: the surfaces that are met there, and whether from
+// their right side.
+struct FirstMet {
+  std::vector<std::uint32_t> surfaces;
+  std::vector<bool> is_from_right;
+};
+FirstMet first_met(const Scene2& scene, const Point2& eye, const Point2& through) {
+  FirstMet result;
+  std::optional<Rational> nearest;
+  for (std::uint32_t s = 0; s < scene.edges.size(); ++s) {
+    const Edge2& edge = scene.edges[s];
+    const Rational a = turn(eye, through, edge.from), b = turn(eye, through, edge.to);
+    EXPECT_TRUE(a != 0 && b != 0) << "the eye is not moved little enough to miss all vertices";
+    if (sgn(a) == sgn(b)) continue;
+    const Rational at =
+        turn(edge.from, edge.to, eye) / (turn(edge.from, edge.to, eye) - turn(edge.from, edge.to, through));
+    if (at <= 0 || (nearest && *nearest < at)) continue;
+    if (!nearest || at < *nearest) result = {};
+    nearest = at;
+    result.surfaces.push_back(s);
+    result.is_from_right.push_back(turn(edge.from, edge.to, eye) < 0);
+  }
+  return result;
+}
+
+TEST(CriticalLines2, SeparateTheFacesThatAreSeenBetweenTheirVertices) {
+  std::size_t told = 0, different = 0, in_solids = 0;
+  for (const char* kind : {"lattice", "clutter", "maze", "room", "pillars", "star", "boxes"}) {
+    const PreparedScene2 prepared = std::string(kind) == "boxes" ? scene(R"("polylines": [
+        {"name": "room", "points": [[0,0],[0,9],[9,9],[9,0]], "closed": true, "material": "m"},
+        {"name": "box", "points": [[3,3],[6,3],[6,6],[3,6]], "closed": true, "material": "m"},
+        {"name": "corner", "points": [[6,6],[8,6],[8,7]], "closed": true, "material": "m"},
+        {"name": "turned", "points": [[1,5],[2,6],[1,7],[0,6]], "closed": true, "material": "m"}])")
+                                                                 : generated(kind, 40);
+    Rational little = 1;
+    for (int k = 0; k < 100; ++k) little /= 2;
+    for (const CriticalLine2& line : critical_lines(prepared)) {
+      const Point2 middle{(line.from.x + line.to.x) / 2, (line.from.y + line.to.y) / 2};
+      const auto check = [&](const LineReach2& reach, const Point2& near, const Point2& far) {
+        for (const int side : {1, -1}) {
+          const PieceSideId seen = side > 0 ? reach.seen_from_left : reach.seen_from_right;
+          if (reach.end == near) {
+            EXPECT_EQ(seen, kNoPiece);
+            continue;
+          }
+          const Rational dx = line.to.x - line.from.x, dy = line.to.y - line.from.y;
+          const Point2 eye{near.x + little * (near.x - far.x) - side * little * little * dy,
+                           near.y + little * (near.y - far.y) + side * little * little * dx};
+          ++told;
+          if (place_of(prepared, eye).solid) {
+            ++in_solids;
+            EXPECT_TRUE(seen != kSky && prepared.arrangement.is_covered(seen)) << kind;
+            continue;
+          }
+          const FirstMet met = first_met(prepared.scene, eye, middle);
+          if (seen == kSky) {
+            EXPECT_TRUE(met.surfaces.empty()) << kind;
+            continue;
+          }
+          ASSERT_FALSE(prepared.arrangement.is_covered(seen)) << kind;
+          const Face face = prepared.arrangement.owner(seen);
+          bool is_met = false;
+          for (std::size_t k = 0; k < met.surfaces.size(); ++k)
+            is_met = is_met || (met.surfaces[k] == face.surface && met.is_from_right[k] == !face.is_back);
+          EXPECT_TRUE(is_met) << kind;
+        }
+        different += reach.seen_from_left != reach.seen_from_right;
+      };
+      check(line.behind, line.from, line.to);
+      check(line.ahead, line.to, line.from);
+    }
+  }
+  EXPECT_GT(told, 2000u);
+  EXPECT_GT(different, 500u);
+  EXPECT_GE(in_solids, 2u);
 }
 
 TEST(CriticalLines2, AreTheSameForAnyNumberOfThreadsAndStopWhenTold) {

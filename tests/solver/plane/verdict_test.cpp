@@ -328,7 +328,7 @@ TEST_P(VerdictTest, CountsFactorsBelowZeroAndAboveOne) {
                                                                : e; }, GetParam());
   EXPECT_EQ(verdict.negative, 1u);
   EXPECT_EQ(verdict.above_one, 1u);
-  EXPECT_THAT(judged.sentences(verdict), HasSubstr("1 factors are negative, to -0.5; 1 factors exceed 1, to 1.25"));
+  EXPECT_THAT(judged.sentences(verdict), HasSubstr("1 factor is negative, to -0.5; 1 factor exceeds 1, to 1.25"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Written, VerdictTest, testing::Bool(),

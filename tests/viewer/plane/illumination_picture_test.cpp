@@ -324,6 +324,52 @@ TEST(IlluminationPicture2, PlacesWithoutAValueAreGreyAndDoNotCount) {
   }
 }
 
+TEST(IlluminationPicture2, AxesAreAroundTheSamePixels) {
+  const IlluminationGrid2 grid = random_grid({{0, 0}, {4, 3}, 16, 12}, 3);
+  const RecordingCanvas plain = drawn(furnished_room(), grid, {.wanted_side = 640});
+  const RecordingCanvas framed = drawn(furnished_room(), grid, {.wanted_side = 640, .has_axes = true});
+  const auto before = plain.calls(Mark::kLight)[0], after = framed.calls(Mark::kLight)[0];
+  EXPECT_EQ(before.image.pixels, after.image.pixels);
+  EXPECT_EQ(before.points[1], (Pixel{640, 480}));
+  const Pixel from = after.points[0], to = after.points[1];
+  EXPECT_EQ(to.x - from.x, 640);
+  EXPECT_EQ(to.y - from.y, 480);
+  EXPECT_TRUE(from.x > 0 && from.x == std::floor(from.x) && from.y > 0 && from.y == std::floor(from.y));
+  EXPECT_GT(framed.width(), to.x);
+  EXPECT_GT(framed.height(), to.y);
+  // The window, which the plan has in the lower side of the room, is where the axes say: 1 to 3.
+  const auto window = framed.calls(Mark::kEmitter)[0].points;
+  EXPECT_NEAR(std::min(window[0].x, window[1].x), from.x + 160, 1e-9);
+  EXPECT_NEAR(std::max(window[0].x, window[1].x), from.x + 480, 1e-9);
+  EXPECT_EQ(plain.count(Mark::kAxis), 0u);
+  EXPECT_GT(framed.count(Mark::kAxis), 10u);
+  EXPECT_GT(framed.count(Mark::kScaleBar), 3u);
+}
+
+TEST(IlluminationPicture2, ContoursRunWhereTheLightHasTheirLevelAndEndAtWalls) {
+  // Light that grows from left to right, in a field with a screen across it from (1, 1) to (1, 2) of 2 x 3.
+  DrawnScene screen;
+  screen.edge({Rational(1, 2), Rational(3, 2)}, {Rational(3, 2), Rational(3, 2)});
+  IlluminationGrid2 grid{{{0, 0}, {2, 3}, 40, 60}, 1, {}};
+  for (int iy = 0; iy < 60; ++iy)
+    for (int ix = 0; ix < 40; ++ix) grid.values.push_back(1 + (ix + 0.5) / 40);
+  EXPECT_EQ(light_contours_2(grid, 4), (std::vector<double>{1.2, 1.4, 1.6, 1.8}));
+  EXPECT_TRUE(light_contours_2(grid, 0).empty());
+  const RecordingCanvas canvas = drawn(screen.scene, grid, {.wanted_side = 600, .contours = 4});
+  std::size_t lines = 0;
+  for (const auto& call : canvas.calls(Mark::kCurve)) {
+    if (call.kind != Kind::kStroke) continue;
+    ++lines;
+    for (const Pixel& p : call.points) {
+      EXPECT_NEAR(std::fmod(p.x, 80), std::fmod(p.x, 80) < 40 ? 0 : 80, 0.5) << "a level of 1.2, 1.4, 1.6 or 1.8";
+    }
+    const bool is_at_screen = call.points[0].x > 105 && call.points[0].x < 295;
+    EXPECT_FALSE(is_at_screen && (call.points[0].y < 300) != (call.points[1].y < 300)) << "through the screen";
+  }
+  EXPECT_EQ(lines, 2 * (2 + 2 * 2)) << "twice each; those at 1.4 and 1.6 in two parts";
+  EXPECT_EQ(drawn(screen.scene, grid, {.wanted_side = 600}).count(Mark::kCurve), 0u);
+}
+
 TEST(IlluminationPicture2, BecomesAFileOfEitherFormat) {
   const PreparedScene2 room = prepare(furnished_room());
   const IlluminationGrid2 grid = random_grid({{0, 0}, {4, 3}, 16, 12}, 3);

@@ -46,14 +46,17 @@ Frame2::Frame2(const Scene2& scene, const std::vector<std::array<double, 2>>& ex
   origin_ = {top_left_.x + (room_x - drawn_x) / 2, bottom_right_.y - (bottom_right_.y - top_left_.y - drawn_y) / 2};
 }
 
-Frame2::Frame2(const Point2& min, const Point2& max, double width, double height) : width_(width), height_(height) {
-  HOTTEL_REQUIRE(min.x < max.x && min.y < max.y && width > 0 && height > 0);
+Frame2::Frame2(const Point2& min, const Point2& max, double width, double height, const SheetMargins2& margins)
+    : width_(width), height_(height) {
+  const double wide = width - margins.left - margins.right, high = height - margins.top - margins.bottom;
+  HOTTEL_REQUIRE(min.x < max.x && min.y < max.y && wide > 0 && high > 0);
   const Rational extent = std::max<Rational>(max.x - min.x, max.y - min.y);
   set_region(min, extent);
-  pixels_per_extent_x_ = width / to_double((max.x - min.x) / extent);
-  pixels_per_extent_y_ = height / to_double((max.y - min.y) / extent);
-  origin_ = {0, height};
-  bottom_right_ = {width, height};
+  pixels_per_extent_x_ = wide / to_double((max.x - min.x) / extent);
+  pixels_per_extent_y_ = high / to_double((max.y - min.y) / extent);
+  top_left_ = {margins.left, margins.top};
+  bottom_right_ = {width - margins.right, height - margins.bottom};
+  origin_ = {top_left_.x, bottom_right_.y};
 }
 
 void Frame2::set_region(const Point2& min, const Rational& extent) {
@@ -72,6 +75,11 @@ Pixel Frame2::at(const Point2& point) const {
 Pixel Frame2::at(const std::array<double, 2>& point) const {
   return {origin_.x + pixels_per_extent_x_ * ((point[0] - min_x_double_) / extent_double_),
           origin_.y - pixels_per_extent_y_ * ((point[1] - min_y_double_) / extent_double_)};
+}
+
+std::array<double, 2> Frame2::place(const Pixel& pixel) const {
+  return {min_x_double_ + (pixel.x - origin_.x) / pixels_per_extent_x_ * extent_double_,
+          min_y_double_ + (origin_.y - pixel.y) / pixels_per_extent_y_ * extent_double_};
 }
 
 }  // namespace hottel

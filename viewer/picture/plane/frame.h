@@ -32,7 +32,9 @@ class Frame2 {
 
   // Exactly the region from min to max, filling a picture of that size, stretched to it.
   // REQUIRES min < max, positive sizes.
-  Frame2(const Point2& min, const Point2& max, double width, double height);
+  Frame2(const Point2& min, const Point2& max, double width, double height) : Frame2(min, max, width, height, {}) {}
+  // The same inside the margins. REQUIRES that they leave room.
+  Frame2(const Point2& min, const Point2& max, double width, double height, const SheetMargins2& margins);
 
   double width() const { return width_; }
   double height() const { return height_; }
@@ -44,6 +46,8 @@ class Frame2 {
   Pixel at(const Point2& point) const;
   // The same for a point in doubles, whose place is found in doubles.
   Pixel at(const std::array<double, 2>& point) const;
+  // What lies in a place of the picture, in scene coordinates, in doubles; beyond their range infinite or NaN.
+  std::array<double, 2> place(const Pixel& pixel) const;
 
  private:
   // extent: the longer side, 1 for a scene that is a single point.

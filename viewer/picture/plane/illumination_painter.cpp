@@ -1,7 +1,10 @@
 #include "viewer/picture/plane/illumination_painter.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -10,6 +13,8 @@
 #include "kernel/support/parallel.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
+#include "viewer/picture/plane/axes.h"
+#include "viewer/picture/plane/scale_bar.h"
 #include "viewer/picture/plane/solid_polygons.h"
 
 namespace hottel {
@@ -32,6 +37,79 @@ PixelsPerCell pixels_per_cell(const Grid2& grid, const IlluminationPicture2& pic
     return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, std::floor(double{kMaxPictureSide} / cells)));
   };
   return {pixels(wide, grid.nx), pixels(high, grid.ny)};
+}
+
+// Letters stay readable in small pictures.
+double letters(double unit) { return std::max(unit, 0.6); }
+
+double mean(std::span<const double> value) {
+  double sum = 0;
+  for (const double v : value) sum += v;
+  return sum / static_cast<double>(value.size());
+}
+
+Frame2 frame_around(const Grid2& grid, const LightPixels2& pixels, bool has_axes, double unit) {
+  const double wide = pixels.width(), high = pixels.height();
+  if (!has_axes) return {grid.min, grid.max, wide, high};
+  const auto whole = [unit](double units) { return std::ceil(units * unit); };  // light keeps to whole pixels
+  const SheetMargins2 margins{whole(kAxesMargins2.left), whole(kAxesMargins2.right), whole(kAxesMargins2.top),
+                              whole(kAxesMargins2.bottom)};
+  return {grid.min, grid.max, wide + margins.left + margins.right, high + margins.top + margins.bottom, margins};
+}
+
+// Cuts the squares that come near an edge: light differs on its two sides.
+void cut_along(Pixel a, Pixel b, Pixel origin, PixelField2& field) {
+  if (field.width < 2 || field.height < 2) return;
+  if (field.cut.empty()) field.cut.assign(std::size_t{field.width - 1} * (field.height - 1), false);
+  // In squares: the centre of pixel (0, 0) is the corner of square (0, 0).
+  for (Pixel* p : {&a, &b}) *p = {p->x - origin.x - 0.5, p->y - origin.y - 0.5};
+  if (a.y > b.y) std::swap(a, b);
+  const double last_x = field.width - 2, last_y = field.height - 2;
+  const double low = std::max(std::floor(a.y - 0.5), 0.0), high = std::min(std::floor(b.y + 0.5), last_y);
+  for (double y = low; y <= high; ++y) {
+    // Where the edge is within half a square of this row of squares.
+    const auto x_at = [&](double at) { return std::lerp(a.x, b.x, std::clamp((at - a.y) / (b.y - a.y), 0.0, 1.0)); };
+    const double p = b.y > a.y ? x_at(y - 0.5) : a.x, q = b.y > a.y ? x_at(y + 1.5) : b.x;
+    const double left = std::max(std::floor(std::min(p, q) - 0.5), 0.0);
+    const double right = std::min(std::floor(std::max(p, q) + 0.5), last_x);
+    for (double x = left; x <= right; ++x)
+      field.cut[static_cast<std::size_t>(y) * (field.width - 1) + static_cast<std::size_t>(x)] = true;
+  }
+}
+
+Polyline2 moved(Polyline2 line, const Pixel& by) {
+  for (Pixel& p : line) p = {p.x + by.x, p.y + by.y};
+  return line;
+}
+
+double length_of(const Polyline2& line) {
+  double length = 0;
+  for (std::size_t k = 1; k < line.size(); ++k)
+    length += std::hypot(line[k].x - line[k - 1].x, line[k].y - line[k - 1].y);
+  return length;
+}
+
+// The level, on the middle of the longest line, where there is room for it.
+void label(PictureCanvas& canvas, const std::vector<Polyline2>& lines, const std::string& text, double unit) {
+  const auto longest = std::max_element(
+      lines.begin(), lines.end(), [](const Polyline2& p, const Polyline2& q) { return length_of(p) < length_of(q); });
+  const TextStyle style{.size = 13 * unit, .colour = palette::kInk, .anchor = TextAnchor::kCentre};
+  const double wide = canvas.text_width(text, style) + 6 * unit;
+  if (longest == lines.end() || length_of(*longest) < 2 * wide) return;
+  double left = length_of(*longest) / 2;
+  for (std::size_t k = 1; k < longest->size(); ++k) {
+    const Pixel &a = (*longest)[k - 1], &b = (*longest)[k];
+    const double step = std::hypot(b.x - a.x, b.y - a.y);
+    if (step < left) {
+      left -= step;
+      continue;
+    }
+    const Pixel at{std::lerp(a.x, b.x, left / step), std::lerp(a.y, b.y, left / step)};
+    canvas.fill_rectangle(Mark::kCurve, {at.x - wide / 2, at.y - 8 * unit}, {at.x + wide / 2, at.y + 8 * unit},
+                          palette::kPaper.with_alpha(0.85));
+    canvas.text(Mark::kCurve, {at.x, at.y + style.size / 3}, text, style);
+    return;
+  }
 }
 
 LightPixels2 light_pixels(const PreparedScene2& prepared, const IlluminationGrid2& grid,
@@ -93,17 +171,86 @@ Raster toned_pixels_2(const IlluminationGrid2& grid, const LightPixels2& pixels,
   return raster;
 }
 
+std::vector<double> light_contours_2(const IlluminationGrid2& grid, int contours) {
+  if (contours <= 0) return {};
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (std::size_t k = 0; k < grid.values.size(); k += grid.channels) {
+    const double value = mean(std::span(grid.values).subspan(k, grid.channels));
+    if (!(value > 0) || std::isinf(value)) continue;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  return most > 0 ? contour_levels_2(least, most, contours) : std::vector<double>();
+}
+
 IlluminationPainter2::IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
                                            const IlluminationPicture2& picture)
     : grid_(grid),
+      contours_(light_contours_2(grid, picture.contours)),
+      has_axes_(picture.has_axes),
+      length_unit_(length_unit(prepared.scene)),
       pixels_(light_pixels(prepared, grid, picture)),
+      unit_(std::max(pixels_.width(), pixels_.height()) / 1600.0),
+      frame_(frame_around(grid.grid, pixels_, picture.has_axes, letters(unit_))),
       tone_(picture.curve ? *picture.curve : ToneCurve(picture.tone, picture.exposure, grid.values, grid.channels)),
-      plan_(prepared, Frame2(grid.grid.min, grid.grid.max, pixels_.width(), pixels_.height()),
-            std::max(pixels_.width(), pixels_.height()) / 1600.0) {}
+      plan_(prepared, frame_, unit_) {}
 
 void IlluminationPainter2::draw(PictureCanvas& canvas) const {
-  canvas.image(Mark::kLight, {0, 0}, {canvas.width(), canvas.height()}, toned_pixels_2(grid_, pixels_, tone_), false);
+  canvas.image(Mark::kLight, frame_.top_left(), frame_.bottom_right(), toned_pixels_2(grid_, pixels_, tone_), false);
+  if (!contours_.empty()) draw_contours(canvas);
   plan_.draw(canvas, tone_);
+  if (has_axes_) draw_margins(canvas);
+}
+
+// The pixels before they are toned, the top row first, cut where edges run.
+PixelField2 IlluminationPainter2::field() const {
+  PixelField2 field{pixels_.width(), pixels_.height(), {}, {}};
+  field.values.resize(std::size_t{field.width} * field.height);
+  const std::uint32_t up = field.height / grid_.grid.ny;
+  parallel_for(grid_.grid.ny, [&](std::size_t iy) {
+    throw_if_interrupted();
+    const std::vector<double> row = pixels_.row_of_cells(static_cast<std::uint32_t>(iy));
+    for (std::uint32_t j = 0; j < up; ++j) {
+      const std::size_t y = field.height - 1 - (iy * up + j);
+      for (std::uint32_t x = 0; x < field.width; ++x) {
+        const std::size_t k = (std::size_t{j} * field.width + x) * grid_.channels;
+        field.values[y * field.width + x] = static_cast<float>(mean(std::span(row).subspan(k, grid_.channels)));
+      }
+    }
+  });
+  const Corners2& edges = plan_.edges();
+  for (std::uint32_t s = 0; s < edges.surfaces(); ++s)
+    cut_along(edges.at[edges.from[s]], edges.at[edges.to[s]], frame_.top_left(), field);
+  return field;
+}
+
+void IlluminationPainter2::draw_contours(PictureCanvas& canvas) const {
+  const PixelField2 pixels = field();
+  const Pixel origin = frame_.top_left();
+  const double size = letters(unit_);
+  for (const double level : contours_) {
+    std::vector<Polyline2> lines = contour_lines(pixels, level);
+    for (Polyline2& line : lines) line = moved(simplified_2(line, 0.3), origin);
+    for (const auto& [colour, wide] : {std::pair(palette::kInk.with_alpha(0.45), 2.6), std::pair(palette::kPaper, 1.1)})
+      for (const Polyline2& line : lines)
+        for (std::size_t k = 1; k < line.size(); ++k)
+          canvas.stroke(Mark::kCurve, line[k - 1], line[k], colour, wide * size);
+    label(canvas, lines, fmt::format("{:.6g}", level), size);
+  }
+}
+
+// Paper around the light, over what the plan draws there.
+void IlluminationPainter2::draw_margins(PictureCanvas& canvas) const {
+  const Pixel from = frame_.top_left(), to = frame_.bottom_right();
+  const double wide = frame_.width(), high = frame_.height(), size = letters(unit_);
+  canvas.fill_rectangle(Mark::kPaper, {0, 0}, {wide, from.y}, palette::kPaper);
+  canvas.fill_rectangle(Mark::kPaper, {0, to.y}, {wide, high}, palette::kPaper);
+  canvas.fill_rectangle(Mark::kPaper, {0, from.y}, {from.x, to.y}, palette::kPaper);
+  canvas.fill_rectangle(Mark::kPaper, {to.x, from.y}, {wide, to.y}, palette::kPaper);
+  draw_axes_2(canvas, frame_, size, length_unit_);
+  const double room = std::min(190 * size, (to.x - from.x) / 4);
+  draw_scale_bar_2(canvas, frame_.pixels_per_length(), length_unit_,
+                   {.right = {to.x, to.y + 34 * size}, .room = room, .unit = size});
 }
 
 LightPicture2 illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid2& grid,

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "solver/plane/light/light_values.h"
 #include "viewer/picture/canvas.h"
+#include "viewer/picture/plane/contours.h"
 #include "viewer/picture/plane/corners.h"
+#include "viewer/picture/plane/frame.h"
 #include "viewer/picture/plane/illumination_picture.h"
 #include "viewer/picture/plane/light_pixels.h"
 #include "viewer/picture/plane/stripes.h"
@@ -23,6 +26,8 @@ class LitPlan2 {
   // REQUIRES that prepared outlives this.
   LitPlan2(const PreparedScene2& prepared, const Frame2& frame, double unit);
   void draw(PictureCanvas& canvas, const ToneCurve& tone) const;
+  // Where edges lie in the picture.
+  const Corners2& edges() const { return corners_; }
 
  private:
   void draw_emitters(PictureCanvas& canvas, const ToneCurve& tone) const;
@@ -41,9 +46,10 @@ Raster toned_pixels_2(const IlluminationGrid2& grid, const LightPixels2& pixels,
 
 // Draws the light of a grid, and over it the plan (LitPlan2).
 //
-//   (1) the picture is the region of the grid and nothing else: the top row is the largest y, each cell is the same
-//       number of whole pixels, at least one
+//   (1) the picture is the region of the grid and nothing else, but for margins around it where axes are asked for: the
+//       top row is the largest y, each cell is the same number of whole pixels, at least one
 //   (2) before tone mapping the pixels are those of LightPixels2 with the scene as walls; without a value: grey
+//   (3) contours run where the pixels of (2), the mean of all channels, have their level; not through walls
 //
 // Throws UsageError when the grid has more cells along a side than a picture may have pixels.
 // COST: about 0.3 s for a picture of 1500 x 1200.
@@ -53,16 +59,25 @@ class IlluminationPainter2 {
   IlluminationPainter2(const PreparedScene2& prepared, const IlluminationGrid2& grid,
                        const IlluminationPicture2& picture);
 
-  std::uint32_t width() const { return pixels_.width(); }
-  std::uint32_t height() const { return pixels_.height(); }
+  std::uint32_t width() const { return static_cast<std::uint32_t>(frame_.width()); }
+  std::uint32_t height() const { return static_cast<std::uint32_t>(frame_.height()); }
   // The curve, fitted to the values of this grid.
   const ToneCurve& tone() const { return tone_; }
   // REQUIRES a canvas of width() by height(). COST: the pixels are made in parallel, by rows of cells.
   void draw(PictureCanvas& canvas) const;
 
  private:
+  PixelField2 field() const;
+  void draw_contours(PictureCanvas& canvas) const;
+  void draw_margins(PictureCanvas& canvas) const;
+
   const IlluminationGrid2& grid_;
+  std::vector<double> contours_;
+  bool has_axes_;
+  std::string length_unit_;
   LightPixels2 pixels_;
+  double unit_;
+  Frame2 frame_;
   ToneCurve tone_;
   LitPlan2 plan_;
 };

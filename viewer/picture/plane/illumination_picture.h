@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "solver/plane/simulation/simulation_request.h"
 #include "viewer/picture/picture_options.h"
@@ -21,7 +22,13 @@ struct IlluminationPicture2 {
   std::uint32_t wanted_side = 1400;  // pixels of the longer side: rounded to whole pixels a cell
   std::uint32_t wanted_width = 0;    // pixels across instead, where not 0
   std::optional<ToneCurve> curve{};  // instead of one that is fitted to the light of the grid
+  bool has_axes = false;             // coordinates along the frame and a scale bar, in margins around the light
+  int contours = 0;                  // about so many lines of equal light, at most (light_contours_2)
 };
+
+// Returns the levels of lines of equal light for a picture of a grid: round ones, at most so many (contour_levels_2),
+// in what the grid holds; of three channels their mean counts. None for 0.
+std::vector<double> light_contours_2(const IlluminationGrid2& grid, int contours);
 
 // Returns the bytes of the picture file, and what the tone curve multiplied values by.
 LightPicture2 illumination_picture_2(const PreparedScene2& prepared, const IlluminationGrid2& grid,

@@ -68,6 +68,7 @@ void ScenePicturePainter2::draw(PictureCanvas& canvas) const {
   for (const std::uint32_t target : picture_.targets) highlighted[target] = true;
   sheet_.draw_walls(canvas, highlighted);
   draw_targets(canvas);
+  if (picture_.sheet.has_axes) sheet_.draw_axes(canvas);
   draw_footer(canvas);
 }
 

@@ -19,6 +19,7 @@ struct SheetText2 {
   std::uint32_t width = 1600;  // of the picture in pixels
   std::string title{};         // large, may be empty
   std::string subtitle{};      // beneath it, may be empty
+  bool has_axes = false;       // coordinates along the frame
 };
 
 // A value for each face that has one, or for each element.

@@ -10,6 +10,8 @@
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/palette.h"
+#include "viewer/picture/plane/axes.h"
+#include "viewer/picture/plane/scale_bar.h"
 #include "viewer/picture/plane/solid_polygons.h"
 
 namespace hottel {
@@ -49,14 +51,6 @@ double typical_length(const Corners2& corners) {
   for (const double length : lengths)
     if ((behind += length) >= sum / 2) return length;
   return 0;
-}
-
-// The largest of 1, 2, 5 times a power of ten that is not above the limit.
-double round_length(double limit) {
-  const double power = std::pow(10, std::floor(std::log10(limit)));
-  for (const double factor : {5.0, 2.0})
-    if (factor * power <= limit) return factor * power;
-  return power;
 }
 
 }  // namespace
@@ -166,18 +160,11 @@ void SceneSheet2::draw_footer_paper(PictureCanvas& canvas) const {
 }
 
 void SceneSheet2::draw_scale_bar(PictureCanvas& canvas) const {
-  const double right = footer_right_, room = right - footer_left_;
-  const double limit = std::min(190 * unit_, room / 4) / frame_.pixels_per_length();
-  if (!std::isfinite(limit) || !(limit > 1e-300)) return;
-  const double length = round_length(limit), pixels = length * frame_.pixels_per_length();
-  const double y = footer_top() + 31 * unit_, tick = 5 * unit_, left = right - pixels;
-  const double pen = 1.6 * unit_;
-  canvas.stroke(Mark::kScaleBar, {left, y}, {right, y}, palette::kInk, pen);
-  for (const double x : {left, (left + right) / 2, right})
-    canvas.stroke(Mark::kScaleBar, {x, y - (x == left || x == right ? tick : tick / 2)}, {x, y}, palette::kInk, pen);
-  const TextStyle style{.size = 14 * unit_, .colour = palette::kSoftInk, .anchor = TextAnchor::kCentre};
-  canvas.text(Mark::kScaleBar, {(left + right) / 2, y + 21 * unit_}, fmt::format("{:.6g} {}", length, length_unit_),
-              style);
+  const double room = std::min(190 * unit_, (footer_right_ - footer_left_) / 4);
+  draw_scale_bar_2(canvas, frame_.pixels_per_length(), length_unit_,
+                   {.right = {footer_right_, footer_top() + 31 * unit_}, .room = room, .unit = unit_});
 }
+
+void SceneSheet2::draw_axes(PictureCanvas& canvas) const { draw_axes_2(canvas, frame_, unit_, length_unit_); }
 
 }  // namespace hottel

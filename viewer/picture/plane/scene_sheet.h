@@ -61,6 +61,8 @@ class SceneSheet2 {
   // A bar of a round length (1, 2 or 5 times a power of ten, in the unit of the scene) at the right of the footer; at
   // most a quarter of the drawing's width.
   void draw_scale_bar(PictureCanvas& canvas) const;
+  // Coordinates along the frame (axes.h).
+  void draw_axes(PictureCanvas& canvas) const;
   // The top of the footer's content, and its ends.
   double footer_top() const { return footer_top_; }
   double footer_left() const { return footer_left_; }
