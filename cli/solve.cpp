@@ -111,6 +111,7 @@ struct Outputs {
 // The scene as it is asked for, ready to be simulated.
 Simulation2 simulation_of(const SolveOptions& options, Scene2 scene, Request request) {
   options.elements.apply_to(scene);
+  request.simulation.lights = light_test_of(options, scene);
   const Grid2 grid = grid_of(scene, options.grid);
   if (request.simulation.wants_light)
     require_room_for_light(options, {grid.nx, grid.ny}, channel_count(scene), "take a coarser --grid",
@@ -255,6 +256,13 @@ ExitCode solve(const SolveOptions& options, Streams& streams) {
 }
 
 void add_light_options(CLI::App& command, SolveOptions& options) {
+  command
+      .add_option(
+          "--lights", options.lights,
+          "how the scene's lights fall on elements: exact; centroid: wholly where the centroid is lit; vertices: "
+          "as many parts as vertices are lit. The last two are estimates, to compare with")
+      ->check(CLI::IsMember({"exact", "centroid", "vertices"}))
+      ->capture_default_str();
   command
       .add_option("--grid", options.grid,
                   "cells of the illumination: over the scene's region; in space of the scene's grid")

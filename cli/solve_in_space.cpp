@@ -109,6 +109,7 @@ SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) 
                       .store = options.store.open(options.method)},
           .system = {.solver = solver_of(options, false), .iterations = options.iterations, .until = options.until},
           .light = {.grid = grid, .painter = options.no_picture ? nullptr : grid_painter_3(picture)},
+          .lights = light_test_of(options, scene),
           .plan = {.everything = options.simulate == "everything",
                    .grid_cells = grid ? std::uint64_t{grid->nu} * grid->nv : 0}};
 }

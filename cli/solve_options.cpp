@@ -26,6 +26,12 @@ Solver solver_of(const SolveOptions& options, bool has_symmetric_rows) {
   return *solver;
 }
 
+LightTest light_test_of(const SolveOptions& options, const SceneTable& scene) {
+  if (options.lights != SolveOptions().lights && scene.lights.empty())
+    throw UsageError("--lights says how lights fall on faces, and " + options.scene + " has none");
+  return *light_test(options.lights);
+}
+
 std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown) {
   if (!shown) return std::nullopt;
   return PictureRange{shown->name, shown->unit, shown->scale.lower, shown->scale.upper};

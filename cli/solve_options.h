@@ -11,6 +11,7 @@
 #include "cli/scene_input.h"
 #include "cli/store_option.h"
 #include "io/results/solve_report.h"
+#include "solver/radiosity/light_test.h"
 #include "solver/radiosity/radiosity_options.h"
 #include "viewer/picture/shown_values.h"
 
@@ -21,6 +22,7 @@ struct SolveOptions {
   std::string method = "exact", solver = "auto", simulate = "auto";
   std::optional<int> iterations;
   std::optional<double> until;
+  std::string lights = "exact";
   std::string grid, illumination = "point", tone = "log", views;
   double exposure = 1;
   std::uint32_t size = 0;
@@ -40,6 +42,9 @@ struct SolveOptions {
 // The solver asked for. With --iterations or --until, auto is one that iterates: cg, or bicgstab where rows need not be
 // symmetric. Throws UnknownName for a name that no solver has, UsageError where a direct one is to iterate.
 Solver solver_of(const SolveOptions& options, bool has_symmetric_rows);
+
+// How the scene's lights fall on elements. Throws UsageError where it is asked of a scene that has none.
+LightTest light_test_of(const SolveOptions& options, const SceneTable& scene);
 
 // Throws RequestError where light on so many cells needs more memory or disk than there is. advice: what to do about
 // it, besides --no-illumination.

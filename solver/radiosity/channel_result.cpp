@@ -50,6 +50,7 @@ ChannelResults::Numbers ChannelResults::numbers_of(const RadiositySources& given
   };
   result.absorbed_besides = ball(given.besides.absorbed);
   result.to_sky_besides = ball(given.besides.to_sky);
+  result.unaccounted = ScaledBall::of(given.besides.unaccounted[static_cast<std::size_t>(channel)]);
   const RationalEnclosure& sky = given.sky[channel];
   result.emitted[matrix.sky()] = ScaledBall::around(sky.lower, sky.upper);
   return result;
@@ -112,7 +113,7 @@ void ChannelResults::fill_irradiances(const Numbers& numbers, const std::vector<
     element.net_upper = std::max(element.net_upper, element.net_value);
     energy.add(i, sum(numbers.emitted[i], numbers.direct[i]), absorbed, radiosity[i], numbers.emitted[matrix.sky()]);
   }
-  energy.add_besides(numbers.absorbed_besides, numbers.to_sky_besides);
+  energy.add_besides(numbers.absorbed_besides, numbers.to_sky_besides, numbers.unaccounted);
   solution.energy = energy.balance();
 }
 

@@ -30,7 +30,7 @@ class ChannelResults {
   struct Numbers {
     std::vector<Printed> emission;
     std::vector<ScaledBall> emitted, direct;
-    ScaledBall absorbed_besides, to_sky_besides;
+    ScaledBall absorbed_besides, to_sky_besides, unaccounted;
   };
   Numbers numbers_of(const RadiositySources& given, int channel) const;
   // Returns the radiosities, enclosed.

@@ -1,5 +1,7 @@
 #include "solver/radiosity/direct_light.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -33,6 +35,17 @@ SourceSpectrum rounded_outward(const Channels& sum, const Enclosure& area, bool 
   return is_scalar ? SourceSpectrum::scalar(within[0]) : SourceSpectrum::of(within);
 }
 
+bool counts(const Enclosure& sky) { return sky.lower > 0 || sky.upper > 0x1p-64; }
+
+// What the shares of a light lack of 1.
+Rational missing_share(const LightShares& shares) {
+  if (!shares.solid.empty()) return 0;
+  Rational rest = 1;
+  for (const Enclosure& share : shares.of_element) rest -= Rational(share.lower);
+  if (counts(shares.sky)) rest -= (Rational(shares.sky.lower) + Rational(shares.sky.upper)) / 2;
+  return rest;
+}
+
 }  // namespace
 
 void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std::span<const LightShares> shares,
@@ -58,13 +71,18 @@ void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std
   }
   for (std::size_t k = 0; k < lights.size(); ++k) {
     // The sky is what is left: where that may be nothing and is less than doubles tell of the rest, it counts as none.
-    const Enclosure& sky = shares[k].sky;
-    if (sky.lower > 0 || sky.upper > 0x1p-64) add(sky, lights[k].power, to_sky);
+    if (counts(shares[k].sky)) add(shares[k].sky, lights[k].power, to_sky);
     if (!shares[k].solid.empty()) add({1, 1}, lights[k].power, absorbed);
+  }
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    if (shares[k].test == LightTest::kExact) continue;
+    const Rational missing = missing_share(shares[k]);
+    for (std::size_t c = 0; c < 3; ++c) sources.besides.unaccounted[c] += missing * lights[k].power.value[c];
   }
   const Enclosure one{1, 1};
   const std::string what = "the power of lamps";
-  sources.besides = {rounded_outward(absorbed, one, is_scalar, what), rounded_outward(to_sky, one, is_scalar, what)};
+  sources.besides.absorbed = rounded_outward(absorbed, one, is_scalar, what);
+  sources.besides.to_sky = rounded_outward(to_sky, one, is_scalar, what);
 }
 
 RadiositySources sources_of(const ExchangeMatrix& matrix, const SceneTable& scene,
@@ -84,6 +102,28 @@ std::vector<std::string> lost_light_notes(std::span<const Light> lights, std::sp
   for (std::size_t k = 0; k < shares.size(); ++k)
     if (!shares[k].solid.empty()) notes.push_back(lost_light_text(lights[k], shares[k]));
   return notes;
+}
+
+std::optional<std::string> estimated_light_note(std::span<const Light> lights, std::span<const LightShares> shares) {
+  Rational power, missing;
+  const LightShares* estimated = nullptr;
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    if (shares[k].test == LightTest::kExact) continue;
+    estimated = &shares[k];
+    const Spectrum& its = lights[k].power;
+    const Rational all = its.is_scalar ? its.value[0] : Rational(its.value[0] + its.value[1] + its.value[2]);
+    power += all;
+    missing += all * missing_share(shares[k]);
+  }
+  if (estimated == nullptr) return std::nullopt;
+  const std::string defect =
+      power == 0 ? ""
+                 : fmt::format(", {:.3g} % of the power of the lights {}", 100 * std::fabs(to_double(missing / power)),
+                               missing < 0 ? "too much" : "missing");
+  return fmt::format(
+      "what lights shine on first is an estimate (test: {}){}; the bounds are those of the radiosities of this light, "
+      "and say nothing of the scene",
+      to_string(estimated->test), defect);
 }
 
 }  // namespace hottel

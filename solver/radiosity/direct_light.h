@@ -1,12 +1,14 @@
 // Light that comes from no element: how the power of lights is spread over the elements, as sources of a system.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
 #include "geometry/scene_table.h"
+#include "solver/radiosity/light_test.h"
 #include "solver/radiosity/radiosity_sources.h"
 
 namespace hottel {
@@ -15,14 +17,18 @@ namespace hottel {
 //
 //   (1) numbers within these bounds, not below 0, sum to 1
 //   (2) a light in a solid sends nothing out: all shares are 0, and `solid` is the group that makes it
+//   (3) shares of elements by another test than kExact are estimates: no bounds of anything, and (1) is not true of
+//   them
 struct LightShares {
   std::vector<Enclosure> of_element;  // by element
   Enclosure sky{0, 0};
   std::string solid;  // empty: it is in none
+  LightTest test = LightTest::kExact;
 };
 
 // Adds what lights send to the sources of a matrix: D_i = sum over lights of share times power over area, within
 // bounds; and what meets no row, to RadiositySources::besides. Channels are told apart where the power of a light is.
+// What estimated shares lack of the power is unaccounted for.
 // Throws RequestError, naming an element, where the light of lamps is too much for doubles. REQUIRES one entry of
 // `shares` for each light, each of the elements of the matrix.
 void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std::span<const LightShares> shares,
@@ -34,5 +40,8 @@ RadiositySources sources_of(const ExchangeMatrix& matrix, const SceneTable& scen
 // What is to be said of a light in a solid; for all lights, one text for each that is in one.
 std::string lost_light_text(const Light& light, const LightShares& shares);
 std::vector<std::string> lost_light_notes(std::span<const Light> lights, std::span<const LightShares> shares);
+
+// What is to be said of estimated shares, all by one test; nothing where there are none.
+std::optional<std::string> estimated_light_note(std::span<const Light> lights, std::span<const LightShares> shares);
 
 }  // namespace hottel

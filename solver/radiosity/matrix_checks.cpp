@@ -94,8 +94,8 @@ void EnergySum::add(std::uint32_t row, const ScaledBall& emission, const ScaledB
   }
 }
 
-void EnergySum::add_besides(const ScaledBall& absorbed, const ScaledBall& to_sky) {
-  emitted_ = sum(emitted_, sum(middle(absorbed), middle(to_sky)));
+void EnergySum::add_besides(const ScaledBall& absorbed, const ScaledBall& to_sky, const ScaledBall& unaccounted) {
+  emitted_ = sum(emitted_, sum(sum(middle(absorbed), middle(to_sky)), middle(unaccounted)));
   absorbed_ = sum(absorbed_, middle(absorbed));
   to_sky_ = sum(to_sky_, middle(to_sky));
 }

@@ -31,8 +31,8 @@ class EnergySum {
   // row counts as absorbed, what comes from the sky as emitted.
   void add(std::uint32_t row, const ScaledBall& emission, const ScaledBall& absorbed, const ScaledBall& radiosity,
            const ScaledBall& sky_emission);
-  // Power that comes from no element and meets no row (PowerBesides).
-  void add_besides(const ScaledBall& absorbed, const ScaledBall& to_sky);
+  // Power that comes from no element and meets no row (PowerBesides). What is unaccounted for counts as emitted.
+  void add_besides(const ScaledBall& absorbed, const ScaledBall& to_sky, const ScaledBall& unaccounted);
 
   // The sums so far, each rounded; `defect` is formed before they are.
   EnergyBalance balance() const;

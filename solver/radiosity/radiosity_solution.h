@@ -49,8 +49,9 @@ struct ChannelSolution {
 //
 //   (1) channels and channel_names are equally many: one, or three
 struct RadiositySolution {
-  // kEnclosed: the bounds hold for the true factors. kEstimated: some factor is only an estimate, and the bounds are
-  // those of the equations with the factors as printed; nothing is said of the true ones.
+  // kEnclosed: the bounds hold for the true factors and lights. kEstimated: some factor, or what the lights shine on
+  // first, is only an estimate, and the bounds are those of the equations with the factors as printed and the lights as
+  // computed; nothing is said of the true ones.
   Guarantee guarantee = Guarantee::kEnclosed;
   std::vector<std::string> channel_names;  // {"all"} when every spectrum is a scalar, else {"r", "g", "b"}
   std::vector<ChannelSolution> channels;

@@ -71,7 +71,8 @@ bool operator==(const SourceSpectrum& a, const SourceSpectrum& b) {
 }
 
 RadiositySources RadiositySources::at(End end) const {
-  RadiositySources result{{}, {}, sky.at(end), {besides.absorbed.at(end), besides.to_sky.at(end)}, has_channels};
+  RadiositySources result{
+      {}, {}, sky.at(end), {besides.absorbed.at(end), besides.to_sky.at(end), besides.unaccounted}, has_channels};
   std::unordered_map<const RationalEnclosure*, SourceSpectrum> known;  // elements of one material share their numbers
   const auto add = [&](const std::vector<SourceSpectrum>& from, std::vector<SourceSpectrum>& to) {
     to.reserve(from.size());

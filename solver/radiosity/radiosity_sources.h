@@ -61,6 +61,8 @@ class SourceSpectrum {
 struct PowerBesides {
   SourceSpectrum absorbed;  // by black backs, and in solids
   SourceSpectrum to_sky;
+  // By channel: what was sent out and arrives nowhere; below 0, what arrives and was not sent out. A defect.
+  std::array<Rational, 3> unaccounted{};
 };
 
 // The sources of a radiosity system: the right side of B_i = E_i + rho_i (sum_j F_ij B_j + D_i).

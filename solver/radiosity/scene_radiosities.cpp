@@ -27,6 +27,10 @@ RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTa
       notes.push_back(
           "view factors are estimates: the bounds are those of the radiosities of these factors, and say "
           "nothing of the scene");
+    if (const auto note = estimated_light_note(scene.lights, lights)) {
+      notes.push_back(*note);
+      solution.guarantee = Guarantee::kEstimated;
+    }
     solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
     return solution;
   });

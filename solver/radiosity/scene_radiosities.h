@@ -18,8 +18,8 @@ namespace hottel {
 //   (1) where factors are enclosed and none is estimated, bounds are narrowed by those that hold whatever the factors
 //       are (set_a_priori_bounds)
 //   (2) the notes are those given, then lights that are lost in solids, then what follows of the guarantee, then those
-//   of the solver; the seconds of the
-//       system are among those of the radiosities
+//       of the solver; the seconds of the system are among those of the radiosities
+//   (3) where shares of lights are estimates, so is the solution; what they lack of the power is a defect of the energy
 //
 // REQUIRES the system of the scene's reflectivities and a matrix of its elements. Throws RequestError, naming the
 // scene's file, as RadiositySolver and require_doubles do.

@@ -2,9 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tests/cli/program.h"
@@ -154,6 +156,30 @@ TEST(Lights, AveragesOverCellsAreRefused) {
     EXPECT_EQ(outcome.code, 1);
     EXPECT_THAT(outcome.err, HasSubstr("square.json: light by \"" + kind + "\" does not know the scene's lights"));
   }
+}
+
+// What tests of centroids and vertices give is off, in the energy too, and all that is said.
+TEST(Lights, ByTestsOfPointsAreToldToBeEstimates) {
+  const Workplace place;
+  place.write("square.json", square(R"({"type": "point", "position": [0.5, 0.5], "power": 4})"));
+  place.write("cube.json", cube(R"({"type": "point", "position": [0.5, 0.5, 0.5], "power": [6, 3, 0]})"));
+  const double pi = std::acos(-1.0);
+  for (const auto& [name, power, sum, off] :
+       {std::tuple("square", 4.0, 4 / pi, "27.3 % of the power of the lights too much"),
+        {"cube", 9.0, 6 / pi, "91 % of the power of the lights too much"}})
+    for (const std::string test : {"centroid", "vertices"}) {
+      const Outcome outcome = place.run(std::string("hottel solve ") + name + ".json -o out --lights " + test);
+      ASSERT_EQ(outcome.code, 0) << outcome.err;
+      EXPECT_THAT(outcome.err,
+                  HasSubstr("note: what lights shine on first is an estimate (test: " + test + "), " + off));
+      const auto report = nlohmann::json::parse(place.read("out/report.json"));
+      EXPECT_NEAR(report["energy"]["emitted"], power, 1e-13);
+      EXPECT_NEAR(report["energy"]["absorbed"], power * sum, 1e-8);
+      EXPECT_NEAR(report["energy"]["defect"], power * (1 - sum), 1e-8);
+      EXPECT_EQ(report["bounds"]["guarantee"], "estimated");
+      EXPECT_THAT(report["notes"].dump(), HasSubstr("and say nothing of the scene"));
+      EXPECT_NEAR(rows(place.read("out/radiosity.csv"))[0].radiosity, sum, 1e-8);
+    }
 }
 
 TEST(Lights, AreKeptByConvertAndTheSameAgain) {

@@ -213,4 +213,10 @@ double BeamPower3::intensity(const IntegerVector& direction) const {
   return cosine > 0 ? axial_ * std::pow(cosine, exponent_) : 0;
 }
 
+double BeamPower3::uncut_intensity(const IntegerVector& direction) const {
+  if (beam_.falloff == 0) return axial_;
+  if (dot_sign(narrow_.axis, direction) <= 0) return 0;  // not wide: there is a falloff
+  return axial_ * std::pow(std::max(dot(axis_, in_doubles(direction)), 0.0), exponent_);
+}
+
 }  // namespace hottel

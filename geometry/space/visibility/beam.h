@@ -45,6 +45,9 @@ std::string beam_problem(const Beam3& beam);
 //   (4) shares of cones that are turned or mirrored together with the axis are those of the cones before
 //   (5) intensity(w) is I / P in doubles, for directions of any length: off by a few ulps, and some n ulps more where n
 //       is large; 0 iff w is beyond the border. [unit: 1 / steradian]
+//   (6) uncut_intensity(w) is the same number wherever w is, though nothing leaves there; but 0 where n > 0 and w is
+//   not
+//       within 90 degrees
 //
 // The border of the beam never needs a tolerance: the cosine squared of whole and broken degrees is rational for
 // multiples of 30 and 45 only (Niven), so what balls do not tell apart is compared as rationals.
@@ -66,6 +69,7 @@ class BeamPower3 {
   Ball share(const ExactCone3& cone, long digits = 60) const;
   Meets meets(const ExactCone3& cone) const;
   double intensity(const IntegerVector& direction) const;
+  double uncut_intensity(const IntegerVector& direction) const;
 
  private:
   // Of a beam of at most 90 degrees.

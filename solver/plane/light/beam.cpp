@@ -163,6 +163,15 @@ bool Beam2::touches_only(const Point2& from, const Point2& to, Side first, Side 
 
 bool Beam2::contains(const Point2& direction) const { return is_round_ || side(direction) == Side::kInside; }
 
+double Beam2::uncut_intensity(const Point2& direction) const {
+  if (falloff_ == 0) return peak_;
+  const Rational axis = turned_ - 360 * turns_to_add(direction);
+  if (compare(direction, axis - 90) <= 0 || compare(direction, axis + 90) >= 0) return 0;
+  const Rational size = std::max<Rational>(abs(direction.x), abs(direction.y));
+  const double cosine = std::cos(angle_in_doubles(to_double(direction.x / size), to_double(direction.y / size)));
+  return peak_ * std::pow(std::max(cosine, 0.0), falloff_in_doubles_);
+}
+
 double Beam2::angle_in_doubles(double x, double y) const {
   const double angle = std::atan2(x_ * y - y_ * x, x_ * x + y_ * y);
   return std::remainder(angle - turned_in_radians_, 2 * std::numbers::pi);

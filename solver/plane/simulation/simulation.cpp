@@ -16,9 +16,9 @@
 #include "solver/methods/negative_factors.h"
 #include "solver/plane/light/illumination_grid.h"
 #include "solver/plane/light/light_rows.h"
-#include "solver/plane/light/light_shares.h"
 #include "solver/plane/light/sent_out.h"
 #include "solver/plane/light/solved_light.h"
+#include "solver/plane/light/tested_shares.h"
 #include "solver/plane/methods/method_catalogue.h"
 #include "solver/plane/scene_plan.h"
 #include "solver/plane/simulation/kept_factors.h"
@@ -161,9 +161,10 @@ struct LightSharesInput {
   Granularity granularity = Granularity::kFace;
   std::vector<Light> lights;  // without power
   std::vector<LightPlace2> places;
+  LightTest test = LightTest::kExact;
   friend bool operator==(const LightSharesInput& a, const LightSharesInput& b) {
     return a.arrangement == b.arrangement && a.granularity == b.granularity && a.lights == b.lights &&
-           a.places == b.places;
+           a.places == b.places && a.test == b.test;
   }
 };
 
@@ -268,7 +269,7 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
 }
 
 std::vector<LightShares> make_shares(const LightSharesInput& input, const StageProgress& progress) {
-  return light_shares(*input.prepared->get(progress), input.granularity);
+  return light_shares(*input.prepared->get(progress), input.granularity, input.test);
 }
 
 ElementTable2 table_of(const PreparedScene2& prepared, Granularity granularity) {
@@ -455,11 +456,11 @@ void Simulation2::Version::set_light(const Version* before) {
                    SystemInput{factors.stage, Spectra{reflectivities_of(scene->materials)}, request.solver,
                                request.iterations, request.until, scene->file},
                    old(before, &Version::system), make_system);
-  const auto shares_of = [&](const auto& arranged, const auto& with_scene, Granularity of) {
-    return LightSharesInput{arranged.stage, with_scene.stage, of, beams_of(scene->lights), scene->light_places};
+  const auto shares_of = [&](const auto& arranged, const auto& with_scene, Granularity of, LightTest by) {
+    return LightSharesInput{arranged.stage, with_scene.stage, of, beams_of(scene->lights), scene->light_places, by};
   };
-  const LightSharesInput wanted = shares_of(arrangement(), prepared, granularity);
-  const LightSharesInput exact = shares_of(divided, parted, exact_factors.input.granularity);
+  const LightSharesInput wanted = shares_of(arrangement(), prepared, granularity, request.lights);
+  const LightSharesInput exact = shares_of(divided, parted, exact_factors.input.granularity, LightTest::kExact);
   shares = node_of("lights", wanted, old(before, &Version::shares), make_shares);
   exact_shares = exact == wanted ? shares : node_of("lights", exact, old(before, &Version::exact_shares), make_shares);
   const RadiositiesInput to_solve{.system = system.stage,

@@ -32,7 +32,7 @@ struct PreparedScene2;
 //         arrangement   edges, surfaces, groups, names, which materials act alike; whether elements are told apart
 //         factors       method, granularity, visibilities and measures, `everything`, memory
 //         system        reflectivities; solver, iterations, until
-//         lights        where they are and shine, after the arrangement
+//         lights        where they are and shine, and by which test, after the arrangement
 //         radiosities   emissions, that of the sky, the power of lights, the promise `closed`
 //         rows          grid, memory: what the cells see (light_rows.h), after the arrangement
 //         light         grid, kind of light. Made from rows where they are kept: the same bits

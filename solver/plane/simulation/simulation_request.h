@@ -9,6 +9,7 @@
 #include "geometry/plane/scene/scene.h"
 #include "solver/plane/light/light_values.h"
 #include "solver/plane/methods/exchange_method.h"
+#include "solver/radiosity/light_test.h"
 #include "solver/radiosity/radiosity_options.h"
 
 namespace hottel {
@@ -45,6 +46,7 @@ struct SimulationRequest2 {
   std::optional<Grid2> grid = {};  // nothing: default_grid(scene)
   bool wants_light = true;         // whether the plan reckons with it; light is made when it is asked for
   LightKind2 light = LightKind2::kPoint;
+  LightTest lights = LightTest::kExact;  // how elements are lit by the scene's lights; light in the rooms stays exact
   bool keeps_rows = false;  // what the cells see is kept: light after an edit of materials needs no further look
   std::shared_ptr<const LightPainter2> painter = {};  // null: no picture can be asked for
   std::uint64_t memory = 0;                           // bytes, as memory_allowed() takes it

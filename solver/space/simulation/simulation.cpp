@@ -16,7 +16,7 @@
 #include "solver/methods/negative_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
-#include "solver/space/light/scene_light_shares.h"
+#include "solver/space/light/tested_shares.h"
 #include "solver/space/scene_plan.h"
 #include "solver/space/simulation/kept_factors.h"
 
@@ -149,6 +149,7 @@ struct Simulation3::Version {
     if (const std::string problem = request.light.grid ? grid_problem(*request.light.grid) : ""; !problem.empty())
       throw UsageError("the grid of a request: " + problem);
     const bool keeps_factors = other != nullptr && other->request.factors == request.factors;
+    const bool keeps_lights = keeps_factors && other->request.lights == request.lights;
     const bool keeps_system = keeps_factors && other->request.system == request.system;
     plan = other != nullptr && other->request.plan == request.plan ? other->plan : plan_stage(scene, request.plan);
     arranged = other != nullptr ? other->arranged : prepared_stage(scene);
@@ -161,13 +162,14 @@ struct Simulation3::Version {
     } else {
       set_factors();
     }
-    if (keeps_system) {
-      system = other->system;
+    if (keeps_factors && !keeps_lights) set_shares();
+    const bool keeps_radiosities = keeps_system && keeps_lights;
+    if (keeps_system) system = other->system;
+    if (keeps_radiosities)
       radiosities = other->radiosities;
-    } else {
-      set_system(false);
-    }
-    if (keeps_system && other->grid() == grid()) light = other->light;
+    else
+      set_system(keeps_system);
+    if (keeps_radiosities && other->grid() == grid()) light = other->light;
     if (light != nullptr && other->request.light.painter == request.light.painter) picture = other->picture;
     set_light();
   }
@@ -226,9 +228,8 @@ struct Simulation3::Version {
 
   void set_shares() {
     shares = std::make_shared<Stage<std::vector<LightShares>>>(
-        "lights", [ready = prepared, of = request.factors.granularity](const StageProgress& progress) {
-          return hottel::light_shares(*ready->get(progress), of);
-        });
+        "lights", [ready = prepared, of = request.factors.granularity, by = request.lights](
+                      const StageProgress& progress) { return hottel::light_shares(*ready->get(progress), of, by); });
   }
 
   void set_hidden() {

@@ -13,6 +13,7 @@
 #include "kernel/support/stage.h"
 #include "solver/plan.h"
 #include "solver/radiosity/direct_light.h"
+#include "solver/radiosity/light_test.h"
 #include "solver/radiosity/radiosity_options.h"
 #include "solver/radiosity/radiosity_solution.h"
 #include "solver/radiosity/radiosity_solver.h"
@@ -84,7 +85,8 @@ struct SimulationRequest3 {
   FactorsRequest3 factors{};
   SystemRequest3 system{};
   LightRequest3 light{};
-  PlanRequest plan{};  // what of it the plan reckons with
+  LightTest lights = LightTest::kExact;  // how elements are lit by the scene's lights; light on the grid stays exact
+  PlanRequest plan{};                    // what of it the plan reckons with
   friend bool operator==(const SimulationRequest3&, const SimulationRequest3&) = default;
 };
 
@@ -104,8 +106,9 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 //       cancelled before, on any number of threads. (`seconds` in reports are what was measured)
 //   (2) any number of threads may ask one version at once; stages are made, waited for, cancelled and failed as
 //       kernel/support/stage.h says
-//   (3) another request of the same scene shares what is prepared, and plan, factors, light and picture, with what
-//       comes before and after them, where these are asked for alike
+//   (3) another request of the same scene shares what is prepared, and plan, factors, lights, system, light and
+//   picture,
+//       with what comes before and after them, where these are asked for alike
 //   (4) a scene with other materials shares the factors, and where no reflectivity is another the system too; it is
 //       arranged anew, and takes a copy of the factors, where not the same materials are alike
 //   (5) a scene of the same shape shares what is arranged however its surfaces are divided, the factors too where they

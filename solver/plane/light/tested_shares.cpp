@@ -1,0 +1,81 @@
+#include "solver/plane/light/tested_shares.h"
+
+#include <cmath>
+
+#include "geometry/name.h"
+#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/visibility/point_location.h"
+#include "kernel/support/failure.h"
+#include "kernel/support/naming_file.h"
+#include "solver/plane/light/beam.h"
+#include "solver/plane/light/light_shares.h"
+#include "solver/plane/light/lit_region.h"
+
+namespace hottel {
+namespace {
+
+Point2 minus(const Point2& p, const Point2& q) { return {p.x - q.x, p.y - q.y}; }
+
+// A light that tests points.
+class Tester {
+ public:
+  Tester(const PreparedScene2& prepared, const PointLocation2& location, const Light& light, const LightPlace2& place,
+         LightTest test)
+      : vertices_(prepared.arrangement.vertices()),
+        region_(prepared, location, light, place),
+        beam_(light, place),
+        test_(test) {}
+
+  // The share of a run whose front is on the right.
+  double share(const Segment2& run) const {
+    const Point2 a = vertices_.exact(run.a), b = vertices_.exact(run.b), along = minus(b, a);
+    const Point2 centroid{(a.x + b.x) / 2, (a.y + b.y) / 2}, way = minus(centroid, region_.eye().exact());
+    const Rational height = along.x * way.y - along.y * way.x;  // length times distance of the line, on the right
+    if (height <= 0) return 0;
+    const double intensity = beam_.uncut_intensity(way);
+    if (intensity == 0) return 0;
+    const double part = test_ == LightTest::kCentroid ? passes(centroid) : (passes(a) + passes(b)) / 2.0;
+    return part > 0 ? part * to_double(height / (way.x * way.x + way.y * way.y)) * intensity : 0;
+  }
+
+ private:
+  int passes(const Point2& point) const {
+    return beam_.contains(minus(point, region_.eye().exact())) && region_.reaches(Eye2(vertices_, point)) ? 1 : 0;
+  }
+
+  const Vertices2& vertices_;
+  LitRegion2 region_;
+  Beam2 beam_;
+  LightTest test_;
+};
+
+void test_elements(const ElementTable2& table, const Tester& tester, const Light& light, LightShares& shares) {
+  for (std::uint32_t label = 0; label < table.count(); ++label) {
+    double sum = 0;
+    for (const Segment2& run : table.runs(label)) sum += tester.share(run);
+    if (!std::isfinite(sum))
+      throw RequestError("the share of light " + quoted_name(light.name) + " that '" + table.elements()[label].name +
+                         "' gets is beyond the range of doubles");
+    shares.of_element[label] = {sum, sum};
+  }
+}
+
+}  // namespace
+
+std::vector<LightShares> light_shares(const PreparedScene2& prepared, Granularity granularity, LightTest test) {
+  std::vector<LightShares> result = light_shares(prepared, granularity);
+  const Scene2& scene = prepared.scene;
+  if (test == LightTest::kExact || scene.lights.empty()) return result;
+  const ElementTable2 table(scene, prepared.arrangement, prepared.division, granularity);
+  const PointLocation2 location(prepared.arrangement.vertices(), prepared.arrangement.triangulation());
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    result[k].test = test;
+    naming_file(scene.file, [&] {
+      const Tester tester(prepared, location, scene.lights[k], scene.light_places[k], test);
+      test_elements(table, tester, scene.lights[k], result[k]);
+    });
+  }
+  return result;
+}
+
+}  // namespace hottel

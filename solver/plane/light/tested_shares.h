@@ -1,0 +1,28 @@
+// The shares of lights in the plane by tests of a few points of each element.
+#pragma once
+
+#include <vector>
+
+#include "geometry/element.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
+#include "solver/radiosity/direct_light.h"
+#include "solver/radiosity/light_test.h"
+
+namespace hottel {
+
+// Returns the shares of each light as it stands, by a test; those of kExact are light_shares(prepared, granularity).
+//
+//   (1) which points are tested, and what an element that passes gets: LightTest; vertices are both end points. A point
+//       is seen iff the open segment to it, or one of its two infinitesimal parallel shifts, meets no edge
+//   (2) decided exactly; the share itself is off by a few ulps, and n ulps more for a falloff n. It is no bound
+//   (3) an element of which covers leave several runs gets what each of them, as an element by itself, would get
+//   (4) the sky has no centroid: its share is exact. So what the shares lack of 1, or have too much, is what the tests
+//       of the elements are off
+//   (5) a light in a solid gives nothing to anybody
+//
+// REQUIRES a scene that validate() takes: no light lies on an edge. Throws RequestError, naming file, light and
+// element, where a share is beyond the range of doubles.
+// COST: two views from each light, and some µs for each run.
+std::vector<LightShares> light_shares(const PreparedScene2& prepared, Granularity granularity, LightTest test);
+
+}  // namespace hottel
