@@ -17,8 +17,8 @@
 //   store        the same, read from a store that an earlier run wrote
 //
 // Times are those of the processor, which other work on the machine does not lengthen much, from what describes the
-// faces (old, tree) or the prepared scene (the others) to all factors. `of_old` is a time over that of `old` in the
-// same run.
+// faces (old, tree) or the prepared scene (the others) to all factors. `of_old` is a time over the median of those of
+// `old` in the same run.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <time.h>
