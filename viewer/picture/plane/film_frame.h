@@ -20,7 +20,7 @@ class FilmPainter2 {
 
   explicit FilmPainter2(const IlluminationPicture2& picture) : picture_(picture) {}
 
-  bool is_fitted() const { return picture_.curve.has_value(); }
+  bool is_fitted() const { return picture_.curve != nullptr; }
   void fit_to(const Simulation2& simulation, const StageProgress& progress);
   // The bytes of a PNG file. REQUIRES is_fitted().
   std::string file(const Simulation2& simulation, Kept& kept, const StageProgress& progress) const;

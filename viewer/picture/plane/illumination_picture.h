@@ -3,27 +3,26 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "solver/plane/simulation/simulation_request.h"
 #include "viewer/picture/picture_options.h"
-#include "viewer/picture/tone_curve.h"
 
 namespace hottel {
 
 struct IlluminationGrid2;
+class ToneCurve;
 struct PreparedScene2;
 
 // How the light of a grid becomes a picture.
 struct IlluminationPicture2 {
   Tone tone = Tone::kLog;
-  double exposure = 1;               // what the light is multiplied by; ToneCurve says relative to what
-  std::uint32_t wanted_side = 1400;  // pixels of the longer side: rounded to whole pixels a cell
-  std::uint32_t wanted_width = 0;    // pixels across instead, where not 0
-  std::optional<ToneCurve> curve{};  // instead of one that is fitted to the light of the grid
-  bool has_axes = false;             // coordinates along the frame and a scale bar, in margins around the light
-  int contours = 0;                  // about so many lines of equal light, at most (light_contours_2)
+  double exposure = 1;                       // what the light is multiplied by; ToneCurve says relative to what
+  std::uint32_t wanted_side = 1400;          // pixels of the longer side: rounded to whole pixels a cell
+  std::uint32_t wanted_width = 0;            // pixels across instead, where not 0
+  std::shared_ptr<const ToneCurve> curve{};  // instead of one that is fitted to the light of the grid
+  bool has_axes = false;                     // coordinates along the frame and a scale bar, in margins around the light
+  int contours = 0;                          // about so many lines of equal light, at most (light_contours_2)
 };
 
 // Returns the levels of lines of equal light for a picture of a grid: round ones, at most so many (contour_levels_2),
