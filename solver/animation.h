@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <list>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,7 +46,7 @@ inline std::vector<ElementId> active_elements(const ExchangeMatrix& matrix) {
 //   (2) where the same elements are active as in a frame before, no factor is computed; nor is one of a pair that a
 //       store has. Matrices are kept, with what is ready to solve, as far as the memory goes; then those used longest
 //       ago are given up
-//   (3) the arrangement is made once
+//   (3) the arrangement is made once, and trees once for each place of the lights
 //   (4) counts depend on the frames before
 //
 // Simulation: Simulation2 or Simulation3, of the scene at rest; in space with rows by element. Kept: what a caller
@@ -69,25 +70,8 @@ class Animation {
     Stopwatch watch;
     FrameCounts counts;
     const Simulation moved = still_.with_scene(scene_after(still_.scene(), time));
-    std::vector<SurfaceTrees> trees(moved.scene().surfaces.size());
-    if (levels_.is_any()) trees = refined_trees(*moved.prepared(progress), levels_);
-    auto scene = with_trees(moved.scene(), trees);
-    auto place = std::ranges::find(known_, trees, &Known::trees);
-    if (place == known_.end()) {
-      known_.push_front({std::move(trees), still_.with_scene(scene), std::make_shared<Kept>(), 0});
-      place = known_.begin();
-      const StoreUse before = store_ ? store_->use() : StoreUse();
-      const auto factors = place->simulation.factors(progress);
-      place->simulation.system(progress);
-      const StoreUse after = store_ ? store_->use() : StoreUse();
-      counts.computed = store_ ? after.computed - before.computed : pair_count(factors->matrix);
-      counts.read = after.read - before.read;
-      place->bytes = bytes_of(factors->matrix);
-    } else {
-      counts.read = pair_count(place->simulation.factors(progress)->matrix);
-      known_.splice(known_.begin(), known_, place);
-    }
-    Frame frame{place->simulation.with_scene(std::move(scene)), counts, place->kept};
+    const Known& known = known_for(moved, counts, progress);
+    Frame frame{known.simulation.with_scene(with_trees(moved.scene(), known.trees)), counts, known.kept};
     std::vector<ElementId> active = active_elements(frame.simulation.factors(progress)->matrix);
     frame.counts.elements = active.size();
     frame.counts.activated = active.size() - common(active, active_);
@@ -99,12 +83,58 @@ class Animation {
   }
 
  private:
+  using Places = std::decay_t<decltype(std::declval<const Simulation&>().scene().light_places)>;
+
+  // Trees, where lights stood that gave them, and what follows from them.
   struct Known {
     std::vector<SurfaceTrees> trees;
+    std::vector<Places> lit;
     Simulation simulation;
     std::shared_ptr<Kept> kept;
     std::uint64_t bytes;
+
+    bool came_of(const Places& places) const { return std::ranges::find(lit, places) != lit.end(); }
+    void add(const Places& places) {
+      if (lit.size() < kMostPlaces && !came_of(places)) lit.push_back(places);
+    }
   };
+  static constexpr std::size_t kMostPlaces = 1000;
+
+  // What is known of the elements that the lights of a scene ask for: it is the first of the list then. Its simulation
+  // has the lights where they stood at the beginning, so that nothing of a frame but what it shares is kept.
+  const Known& known_for(const Simulation& moved, FrameCounts& counts, const StageProgress& progress) {
+    const Places& places = moved.scene().light_places;
+    auto place = std::ranges::find_if(known_, [&](const Known& known) { return known.came_of(places); });
+    if (place == known_.end()) {
+      std::vector<SurfaceTrees> trees = trees_of(moved, progress);
+      place = std::ranges::find(known_, trees, &Known::trees);
+      if (place == known_.end()) {
+        make_known(std::move(trees), counts, progress);
+        place = known_.begin();
+      }
+    }
+    if (counts.computed == 0 && counts.read == 0) counts.read = pair_count(place->simulation.factors(progress)->matrix);
+    known_.splice(known_.begin(), known_, place);
+    place->add(places);
+    return *place;
+  }
+
+  void make_known(std::vector<SurfaceTrees> trees, FrameCounts& counts, const StageProgress& progress) {
+    Known known{trees, {}, still_.with_scene(with_trees(still_.scene(), trees)), std::make_shared<Kept>(), 0};
+    const StoreUse before = store_ ? store_->use() : StoreUse();
+    const auto factors = known.simulation.factors(progress);
+    known.simulation.system(progress);
+    const StoreUse after = store_ ? store_->use() : StoreUse();
+    counts.computed = store_ ? after.computed - before.computed : pair_count(factors->matrix);
+    counts.read = after.read - before.read;
+    known.bytes = bytes_of(factors->matrix);
+    known_.push_front(std::move(known));
+  }
+
+  std::vector<SurfaceTrees> trees_of(const Simulation& moved, const StageProgress& progress) const {
+    if (!levels_.is_any()) return std::vector<SurfaceTrees>(moved.scene().surfaces.size());
+    return refined_trees(*moved.prepared(progress), levels_);
+  }
 
   static std::uint64_t bytes_of(const ExchangeMatrix& matrix) {
     std::uint64_t entries = 0;
