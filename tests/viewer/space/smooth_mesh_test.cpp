@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <random>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/space/exchange/element_table.h"
@@ -70,6 +74,47 @@ TEST(SmoothMesh3, CornersWithinASideBelongToIt) {
   ASSERT_EQ(squares.mesh.ring(part).size(), 5u);
   const Point3& third = squares.mesh.corners()[squares.mesh.ring(part)[2]];
   EXPECT_TRUE(third == (Point3{1, Rational(1, 2), 0}));
+}
+
+// (1), of elements divided where light ends: a corner in the side of a coarser element is one of its corners, and has
+// one value, so that the jump across inner edges is 0.
+TEST(SmoothMesh3, InnerEdgesOfTreesHaveNoJump) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 10; ++round) {
+    Scene3 scene = parse_scene_3(kSquares, "squares.json");
+    for (std::size_t s = 0; s < 2; ++s) {
+      std::vector<TreeNode>& leaves = scene.surfaces[s].trees.front;
+      const std::function<void(TreeNode)> grow = [&](const TreeNode& node) {
+        if (node.path.depth() == 4 || random() % 2 == 0) {
+          leaves.push_back(node);
+          return;
+        }
+        for (int digit = 0; digit < 4; ++digit) grow({node.part, node.path.child(digit)});
+      };
+      for (std::uint32_t part = 0; part < scene.surfaces[s].elements * scene.surfaces[s].elements; ++part)
+        grow({part, {}});
+    }
+    const PreparedScene3 prepared = prepare(scene);
+    const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kElement);
+    const SmoothMesh3 mesh(prepared, table);
+    std::set<std::pair<Rational, Rational>> places;
+    for (const Point3& corner : mesh.corners())
+      EXPECT_TRUE(places.emplace(corner.x, corner.y).second) << "one corner, and one value, at a point";
+    std::size_t hanging = 0;
+    for (std::size_t part = 0; part < table.parts().size(); ++part) {
+      const auto ring = mesh.ring(part);
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Point3 &a = mesh.corners()[ring[k]], &b = mesh.corners()[ring[(k + 1) % ring.size()]];
+        const Point3& before = mesh.corners()[ring[(k + ring.size() - 1) % ring.size()]];
+        hanging += cross(a - before, b - a).is_zero() ? 1 : 0;
+        for (const Point3& p : mesh.corners()) {
+          const bool is_inside = cross(p - a, b - a).is_zero() && dot(p - a, b - a) > 0 && dot(p - b, a - b) > 0;
+          EXPECT_FALSE(is_inside) << "a corner in a side that is none of its own";
+        }
+      }
+    }
+    EXPECT_GT(hanging, 0u) << "sides with finer neighbours";
+  }
 }
 
 TEST(SmoothMesh3, SurfacesThatAreNotOneStayApart) {
