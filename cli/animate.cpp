@@ -262,8 +262,12 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
     write_animated_png(directory, frames, per_second);
     files.push_back("animation.png");
     if (has_program("ffmpeg")) {
-      write_mp4(directory, frames, per_second);
-      files.push_back("animation.mp4");
+      try {
+        write_mp4(directory, frames, per_second);
+        files.push_back("animation.mp4");
+      } catch (const RequestError& error) {  // the frames and animation.png are there
+        streams.note("animation.mp4 is not made: " + std::string(error.what()));
+      }
     }
   }
   const std::string json = animation_json(options.scene, made.key, to_double(per_second), frames, files);
