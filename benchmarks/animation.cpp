@@ -31,7 +31,9 @@ namespace hottel::benchmarks {
 namespace {
 
 constexpr int kFramesOfATurn = 24;
-struct Nothing {};
+struct Nothing {
+  static std::uint64_t bytes() { return 0; }
+};
 
 Light spot(const char* name, int focus, const std::array<int, 3>& power) {
   Light light;

@@ -88,7 +88,7 @@ struct Plane {
     return Simulation(std::move(scene), std::move(request));
   }
   // In the plane one sweep finds all factors together: to keep them by pairs is no gain.
-  static std::shared_ptr<FactorStore> usual_store() { return nullptr; }
+  static std::shared_ptr<FactorStore> usual_store(std::uint64_t) { return nullptr; }
 };
 
 struct Space {
@@ -113,7 +113,7 @@ struct Space {
     request.system.serves_many = true;
     return Simulation(std::move(scene), request);
   }
-  static std::shared_ptr<FactorStore> usual_store() { return make_memory_store(); }
+  static std::shared_ptr<FactorStore> usual_store(std::uint64_t bytes) { return make_memory_store(bytes); }
 };
 
 // Throws RequestError naming the first frame that has a light on a surface, before any is computed.
@@ -229,12 +229,12 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
   std::uint32_t were_there = 0;
   for (std::uint32_t k = 0; k < frames; ++k) were_there += made.frames.contains(k) ? 1 : 0;
 
+  const std::uint64_t kept_bytes = memory_allowed(options.memory.value_or(0)) / 4;
   const std::shared_ptr<FactorStore> store =
-      options.store.is_given() ? options.store.open("exact") : Dimension::usual_store();
+      options.store.is_given() ? options.store.open("exact") : Dimension::usual_store(kept_bytes);
   using Painter = typename Dimension::Painter;
   Animation<typename Dimension::Simulation, typename Painter::Kept> animation(
-      Dimension::simulation(options, std::move(scene), store), options.levels.levels(),
-      memory_allowed(options.memory.value_or(0)) / 4, store);
+      Dimension::simulation(options, std::move(scene), store), options.levels.levels(), kept_bytes, store);
   std::vector<std::string> files{"frame_00000.png", "...", "frames.csv", "animation.json"};
   const auto progress = streams.progress("frames");
   for (std::uint32_t k = 0; k < frames; ++k) {

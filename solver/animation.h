@@ -50,7 +50,7 @@ inline std::vector<ElementId> active_elements(const ExchangeMatrix& matrix) {
 //   (4) counts depend on the frames before
 //
 // Simulation: Simulation2 or Simulation3, of the scene at rest; in space with rows by element. Kept: what a caller
-// likes to keep beside a list of active elements.
+// likes to keep beside a list of active elements, with about how many bytes() it takes.
 template <class Simulation, class Kept>
 class Animation {
  public:
@@ -152,8 +152,9 @@ class Animation {
   // Never what was used last.
   void give_up_what_is_too_much() {
     std::uint64_t all = 0;
-    for (const Known& known : known_) all += known.bytes;
-    for (; all > memory_ && known_.size() > 1; known_.pop_back()) all -= known_.back().bytes;
+    for (const Known& known : known_) all += known.bytes + known.kept->bytes();
+    for (; all > memory_ && known_.size() > 1; known_.pop_back())
+      all -= known_.back().bytes + known_.back().kept->bytes();
   }
 
   Simulation still_;

@@ -9,6 +9,8 @@ namespace {
 
 class MemoryStore final : public FactorStore {
  public:
+  explicit MemoryStore(std::uint64_t bytes) : most_(bytes) {}
+
   std::vector<KeptRows> read(const StoreTable& table, std::uint32_t what) override {
     const std::lock_guard lock(mutex_);
     std::vector<KeptRows> result;
@@ -36,7 +38,13 @@ class MemoryStore final : public FactorStore {
 
   void keep(const StoreTable& table, std::uint32_t what, std::span<const KeptRow> rows) override {
     const std::lock_guard lock(mutex_);
-    lists_[table.key].push_back({table.elements, what, {rows.begin(), rows.end()}});
+    List list{table.elements, what, {rows.begin(), rows.end()}, order_++, 0};
+    for (const KeptRow& row : rows)
+      list.bytes += row.numbers.size() + row.to.size() * sizeof(row.to[0]) + row.known.size() * sizeof(row.known[0]);
+    bytes_ += list.bytes;
+    lists_[table.key].push_back(std::move(list));
+    while (bytes_ > most_ && give_up_oldest()) {
+    }
   }
 
   void add(std::uint64_t computed, std::uint64_t read) override {
@@ -55,15 +63,28 @@ class MemoryStore final : public FactorStore {
     std::vector<std::string> elements;
     std::uint32_t what;
     std::vector<KeptRow> rows;
+    std::uint64_t order, bytes;
   };
 
+  // Lists of one key are in the order in which they were kept.
+  bool give_up_oldest() {
+    const auto oldest =
+        std::ranges::min_element(lists_, {}, [](const auto& of_key) { return of_key.second.front().order; });
+    if (oldest == lists_.end()) return false;
+    bytes_ -= oldest->second.front().bytes;
+    oldest->second.erase(oldest->second.begin());
+    if (oldest->second.empty()) lists_.erase(oldest);
+    return true;
+  }
+
   mutable std::mutex mutex_;
-  std::unordered_map<std::string, std::vector<List>> lists_;  // by key
+  std::uint64_t most_, bytes_ = 0, order_ = 0;
+  std::unordered_map<std::string, std::vector<List>> lists_;  // by key; none is empty
   StoreUse use_;
 };
 
 }  // namespace
 
-std::shared_ptr<FactorStore> make_memory_store() { return std::make_shared<MemoryStore>(); }
+std::shared_ptr<FactorStore> make_memory_store(std::uint64_t bytes) { return std::make_shared<MemoryStore>(bytes); }
 
 }  // namespace hottel

@@ -16,7 +16,9 @@
 namespace hottel {
 namespace {
 
-struct Nothing {};
+struct Nothing {
+  static std::uint64_t bytes() { return 0; }
+};
 using Animation2 = Animation<Simulation2, Nothing>;
 
 constexpr RefinementLevels kLevels{.everywhere = 0, .at_borders = 4};

@@ -13,7 +13,9 @@
 namespace hottel {
 namespace {
 
-struct Nothing {};
+struct Nothing {
+  static std::uint64_t bytes() { return 0; }
+};
 using Animation3 = Animation<Simulation3, Nothing>;
 
 constexpr RefinementLevels kLevels{.everywhere = 0, .at_borders = 1};
@@ -74,6 +76,18 @@ TEST(Animation3, ComputesPairsOfNewElementsOnlyAndNothingThatComesBack) {
   const FrameCounts back = animation.at(4).counts;
   EXPECT_EQ(back.computed, 0u);
   EXPECT_EQ(back.elements, first.elements);
+}
+
+// A store without room keeps nothing, and changes nothing.
+TEST(Animation3, AStoreInMemoryGivesUpWhatItHasNoRoomFor) {
+  const auto store = make_memory_store(1000);
+  Animation3 animation(Simulation3(stage(), by_element(store)), kLevels, 0, store);
+  const auto first = animation.at(0);
+  animation.at(Rational(1, 2));
+  const auto back = animation.at(4);
+  EXPECT_EQ(back.counts.computed, first.counts.computed);
+  EXPECT_EQ(back.counts.read, 0u);
+  expect_same_frame(first.simulation, back.simulation);
 }
 
 // (2): what a run forgets, its store has.

@@ -1,7 +1,7 @@
 // Frames of an animation in the plane as pictures.
 #pragma once
 
-#include <optional>
+#include <cstdint>
 #include <string>
 
 #include "kernel/support/stage.h"
@@ -16,7 +16,9 @@ namespace hottel {
 //   (2) file() is a function of that light and of the simulation: what is kept changes nothing
 class FilmPainter2 {
  public:
-  struct Kept {};  // beside a list of active elements: nothing
+  struct Kept {  // beside a list of active elements: nothing
+    static std::uint64_t bytes() { return 0; }
+  };
 
   explicit FilmPainter2(const IlluminationPicture2& picture) : picture_(picture) {}
 

@@ -25,8 +25,11 @@ std::string FilmPainter3::file(const Simulation3& simulation, Kept& kept, const 
   const SmoothMesh3* mesh = kept.mesh ? &*kept.mesh : nullptr;
   // Once shown anew a picture is drawn as any other that was: the first one too.
   if (!kept.seen || !kept.seen->show(paint, mesh)) {
-    kept.seen.emplace(SeenScene3{*prepared, *kept.table, paint, mesh},
-                      camera_of_scene(*prepared, options_.wanted_width));
+    const Camera3 camera = camera_of_scene(*prepared, options_.wanted_width);
+    kept.seen.emplace(SeenScene3{*prepared, *kept.table, paint, mesh}, camera);
+    // Outlines, a run for each row of each part, pixels along borders; and the elements with their patches.
+    kept.seen_bytes = kept.seen->parts().size() * (std::uint64_t{1} << 12) +
+                      std::uint64_t{camera.width} * camera.height * 8 + kept.table->count() * (std::uint64_t{1} << 10);
     kept.seen->show(paint, mesh);
   }
   return png_file(kept.seen->raster(&*curve_));

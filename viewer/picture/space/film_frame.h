@@ -1,6 +1,7 @@
 // Frames of an animation in space as pictures.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +29,9 @@ class FilmPainter3 {
     std::unique_ptr<const ElementTable3> table;
     std::optional<SmoothMesh3> mesh;
     std::optional<SeenPicture3> seen;
+    std::uint64_t seen_bytes = 0;  // about
+
+    std::uint64_t bytes() const { return seen_bytes; }
   };
 
   explicit FilmPainter3(RenderOptions3 options) : options_(std::move(options)) {}
