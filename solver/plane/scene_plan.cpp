@@ -10,8 +10,7 @@ namespace {
 
 // What the showcase and generated scenes take, on one core of the machine of benchmarks/results. What is seen in a
 // scene with something between hardly depends on how large it is.
-constexpr double kSecondsPerRow = 2.5e-5;        // of factors, where something may hide others
-constexpr double kSecondsPerClearPair = 3.0e-7;  // where nothing does
+constexpr double kSecondsPerRow = 2.5e-5;  // of factors, where something may hide others
 constexpr double kSecondsPerCell = 1.0e-7;
 constexpr double kSecondsPerCellAndSeen = 2.0e-8;
 constexpr double kSecondsPerShare = 1.0e-5;
