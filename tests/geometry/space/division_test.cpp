@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ranges>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -241,7 +240,7 @@ TEST_P(EveryDivision, NodesOfOneDepthAreTheElementsByAsManyTimesTwo) {
       const auto less = [](const IntegerVector& a, const IntegerVector& b) {
         return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
       };
-      std::ranges::rotate(corners, std::ranges::min_element(corners, less));
+      std::rotate(corners.begin(), std::ranges::min_element(corners, less), corners.end());
       return corners;
     };
     std::vector<Corners> nodes, parts;
