@@ -14,7 +14,6 @@
 #include "cli/scene_input.h"
 #include "cli/solve_options.h"
 #include "cli/store_option.h"
-#include "geometry/near_names.h"
 #include "geometry/plane/scene/moving_lights.h"
 #include "geometry/space/scene/moving_lights.h"
 #include "io/files/output_file.h"
@@ -61,14 +60,6 @@ Rational rate_of(const AnimateOptions& options) {
   return rate;
 }
 
-Tone tone_asked(const AnimateOptions& options) {
-  const auto tone = tone_of(options.tone);
-  if (!tone)
-    throw UnknownName("there is no tone curve called '" + options.tone + "': linear, reinhard, log, max", options.tone,
-                      std::vector<std::string>{"linear", "reinhard", "log", "max"});
-  return *tone;
-}
-
 // What a dimension has of its own.
 struct Plane {
   using Simulation = Simulation2;
@@ -76,7 +67,7 @@ struct Plane {
 
   static std::string text_of(const Scene2& scene) { return write_scene_2(scene); }
   static Painter painter(const AnimateOptions& options) {
-    return Painter({.tone = tone_asked(options), .exposure = options.exposure, .wanted_width = options.size});
+    return Painter({.tone = tone_asked(options.tone), .exposure = options.exposure, .wanted_width = options.size});
   }
   static Simulation simulation(const AnimateOptions& options, Scene2 scene, std::shared_ptr<FactorStore> store) {
     if (options.tolerance)
@@ -97,7 +88,7 @@ struct Space {
 
   static std::string text_of(const Scene3& scene) { return write_scene_3(scene); }
   static Painter painter(const AnimateOptions& options) {
-    return Painter({.tone = tone_asked(options),
+    return Painter({.tone = tone_asked(options.tone),
                     .exposure = options.exposure,
                     .wanted_width = options.size,
                     .shading = options.shading == "smooth" ? Shading3::kSmooth : Shading3::kFlat});

@@ -9,7 +9,6 @@
 #include "cli/solve_in_space.h"
 #include "cli/solve_options.h"
 #include "cli/views.h"
-#include "geometry/near_names.h"
 #include "io/files/output_file.h"
 #include "io/foreign/plane/foreign_matrix.h"
 #include "io/results/npy.h"
@@ -53,10 +52,7 @@ Request request_of(const SolveOptions& options) {
   asked.everything = options.simulate == "everything";
   asked.light = *light_kind_2(options.illumination);
   asked.memory = options.memory.value_or(0);
-  const auto tone = tone_of(options.tone);
-  if (!tone)
-    throw UnknownName("there is no tone curve called '" + options.tone + "': linear, reinhard, log, max", options.tone,
-                      std::vector<std::string>{"linear", "reinhard", "log", "max"});
+  tone_asked(options.tone);
   if (options.memory && options.method != "exact")
     throw UsageError("--memory is kept to by the method exact only, not by " + options.method);
   if (options.no_illumination && asked.everything)

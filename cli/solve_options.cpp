@@ -37,6 +37,14 @@ std::optional<PictureRange> range_of(const std::optional<ShownValues>& shown) {
   return PictureRange{shown->name, shown->unit, shown->scale.lower, shown->scale.upper};
 }
 
+Tone tone_asked(const std::string& name) {
+  const auto tone = tone_of(name);
+  if (!tone)
+    throw UnknownName("there is no tone curve called '" + name + "': linear, reinhard, log, max", name,
+                      std::vector<std::string>{"linear", "reinhard", "log", "max"});
+  return *tone;
+}
+
 Shown shown_of(const SolveOptions& options) {
   Shown shown = shown_by(options.show);
   if (!options.channel.empty()) shown.channel = std::string("rgb").find(options.channel);

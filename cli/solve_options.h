@@ -46,6 +46,9 @@ Solver solver_of(const SolveOptions& options, bool has_symmetric_rows);
 // How the scene's lights fall on elements. Throws UsageError where it is asked of a scene that has none.
 LightTest light_test_of(const SolveOptions& options, const SceneTable& scene);
 
+// The tone curve of an option --tone. Throws UnknownName for a name that none has.
+Tone tone_asked(const std::string& name);
+
 // Throws RequestError where light on so many cells needs more memory or disk than there is. advice: what to do about
 // it, besides --no-illumination.
 void require_room_for_light(const SolveOptions& options, const std::array<std::uint32_t, 2>& cells, int channels,

@@ -16,7 +16,6 @@ struct RefinementLevels {
   int everywhere = 0, at_borders = 0;
 
   bool is_any() const { return everywhere > 0 || at_borders > 0; }
-  int deepest() const { return everywhere > at_borders ? everywhere : at_borders; }
   friend bool operator==(const RefinementLevels&, const RefinementLevels&) = default;
 };
 
@@ -31,7 +30,6 @@ class ReachSum {
     is_dark_ = is_dark_ || reach != Reach::kAll;
   }
   bool is_part() const { return is_lit_ && is_dark_; }
-  Reach all() const { return is_part() ? Reach::kPart : is_lit_ ? Reach::kAll : Reach::kNothing; }
 
  private:
   bool is_lit_ = false, is_dark_ = false;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
+#include <set>
 #include <utility>
 
 #include "geometry/space/exchange/element_table.h"
@@ -51,7 +51,7 @@ class LitPatches3 {
       for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) corners.push_back(map_.map().corners[c].direction);
       circles_.push_back(Circle::around(corners));
       meets_.push_back(beam_.meets(map_.cone(f)));
-      is_seen_[fragment.face.number()] = true;
+      is_seen_.insert(fragment.face.number());
     }
   }
 
@@ -93,9 +93,9 @@ class LitPatches3 {
   ExactMap3 map_;
   BeamPower3 beam_;
   bool is_in_solid_;
-  std::vector<Circle> circles_;            // by fragment
-  std::vector<BeamPower3::Meets> meets_;   // by fragment
-  std::map<std::uint32_t, bool> is_seen_;  // by number of the side of a piece
+  std::vector<Circle> circles_;           // by fragment
+  std::vector<BeamPower3::Meets> meets_;  // by fragment
+  std::set<std::uint32_t> is_seen_;       // sides of pieces, by number
 };
 
 bool is_crossed(const ElementTable3& table, std::uint32_t label, const std::vector<LitPatches3>& lights) {
