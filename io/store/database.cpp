@@ -6,8 +6,10 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <thread>
 #include <utility>
 
 #include "io/files/output_file.h"
@@ -137,7 +139,7 @@ Database::Database(const std::filesystem::path& file, MayCreate may_create) : na
     if (const std::int64_t format = number("PRAGMA user_version"); format != kFormat)
       throw InputError({name_, 0}, "is a store of factors in format " + std::to_string(format) +
                                        "; this version reads format " + std::to_string(kFormat));
-    run("PRAGMA journal_mode = WAL");
+    write_ahead();
     run("PRAGMA synchronous = NORMAL");
     number("SELECT count(*) FROM settings");
   } catch (...) {
@@ -167,6 +169,17 @@ void Database::make_tables() {
     run(kTables);
   }
   transaction.commit();
+}
+
+// Where another process makes the same change, or holds what it needs, SQLite does not wait by itself.
+void Database::write_ahead() {
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::milliseconds(kWaitMilliseconds);
+  for (;;) {
+    const int code = sqlite3_exec(database_, "PRAGMA journal_mode = WAL", nullptr, nullptr, nullptr);
+    if (code == SQLITE_OK) return;
+    if ((code & 0xff) != SQLITE_BUSY || std::chrono::steady_clock::now() > give_up) fail(database_, name_, code);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
 }
 
 Database::~Database() { sqlite3_close_v2(database_); }

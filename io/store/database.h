@@ -64,6 +64,7 @@ class Database {
  private:
   void open();
   void make_tables();
+  void write_ahead();
 
   std::string name_;
   sqlite3* database_ = nullptr;

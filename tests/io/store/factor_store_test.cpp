@@ -1,9 +1,11 @@
 #include "io/store/factor_store.h"
 
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -214,6 +216,26 @@ TEST(FactorStore, RefusesFilesThatAreNone) {
   EXPECT_EQ(why("empty"), "");
   std::ofstream(folder / "cut", std::ios::binary) << bytes_of(folder / "empty").substr(0, 5000);
   EXPECT_NE(why("cut").find("cut: is a damaged store of factors"), std::string::npos) << why("cut");
+}
+
+// Two processes that make a store at once: one of them is still at it when the other comes.
+TEST(FactorStore, WaitsForWhomMakesIt) {
+  const Folder folder;
+  const fs::path file = folder / "s";
+  open_factor_store(file);
+  sqlite3* other = nullptr;
+  ASSERT_EQ(sqlite3_open(file.c_str(), &other), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(other, "PRAGMA journal_mode = DELETE; BEGIN IMMEDIATE", nullptr, nullptr, nullptr), SQLITE_OK);
+  std::atomic<bool> is_made = false;
+  std::thread maker([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    is_made = true;
+    sqlite3_exec(other, "COMMIT", nullptr, nullptr, nullptr);
+  });
+  EXPECT_NO_THROW(open_factor_store(file));
+  EXPECT_TRUE(is_made);
+  maker.join();
+  sqlite3_close(other);
 }
 
 TEST(FactorStore, HasManyReadersAndWritersAtOnce) {
