@@ -52,7 +52,7 @@ PlainMatrix plain_exchange(const PreparedScene2& prepared) {
 
   PairTable<PlainTerm2> pairs;
   View2 view;
-  for (const VertexId v : vertices.ids()) {
+  for (const VertexId v : arrangement.triangulation().sweep_order()) {
     look_around(vertices, arrangement.triangulation(), v, view);
     for_each_gap(vertices, v, view, true, [&](const Gap2& gap) {
       const double length = distance(gap.v, gap.w);

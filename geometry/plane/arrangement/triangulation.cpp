@@ -104,8 +104,7 @@ StarEntry2 star_entry(const PieceBetween& piece_between, VertexId v, VertexId ne
 // Along a curve, but in rounds that double, drawn by number: where vertices lie on a convex outline, neighbours that
 // follow each other would each be joined to all before them and cost O(n²). (Amenta, Choi, Rote, Incremental
 // constructions con BRIO, 2003.)
-std::vector<VertexId> insertion_order(const Vertices2& vertices) {
-  std::vector<VertexId> order = hilbert_order(vertices);
+std::vector<VertexId> insertion_order(std::vector<VertexId> order) {
   const auto rounds_from_last = [](VertexId v) {
     return std::countr_zero((v.index() + 1) * 0x9E3779B97F4A7C15u >> 32 | std::uint64_t{1} << 31);
   };
@@ -134,10 +133,11 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
   const PieceBetween piece_between(pieces);
   const std::size_t count = vertices.size();
   star_begin_.assign(count + 1, 0);
+  sweep_order_ = hilbert_order(vertices);
 
   // CGAL looks for its way among all points while they lie on one line: many of them wait for one that does not.
   constexpr std::ptrdiff_t kFew = 64;
-  std::vector<VertexId> order = insertion_order(vertices);
+  std::vector<VertexId> order = insertion_order(sweep_order_);
   const auto off_line = std::find_if(order.begin(), order.end(), [&](VertexId v) {
     return order.size() > 2 && vertices.orientation(order[0], order[1], v) != 0;
   });
@@ -167,23 +167,31 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
   }
   for (const Segment2& piece : pieces) insert_constraint(cdt, handle[piece.a.index()], handle[piece.b.index()]);
 
+  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) face->info() = TriangleId::none();
   TriangleId next(0);
-  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face, ++next) face->info() = next;
-  corner_.resize(3 * next.index());
-  twin_.assign(corner_.size(), HalfEdgeId::none());
-  across_.assign(corner_.size(), HalfEdgeId::none());
-  side_.assign(corner_.size(), kSky);
+  for (const VertexId v : sweep_order_) {
+    auto face = cdt.incident_faces(handle[v.index()]);
+    const auto first = face;
+    do {
+      if (cdt.is_infinite(face) || !face->info().is_none()) continue;
+      face->info() = next;
+      ++next;
+    } while (++face != first);
+  }
+  half_edges_.assign(3 * next.index(), {VertexId(0), HalfEdgeId::none()});
+  across_.assign(half_edges_.size(), HalfEdgeId::none());
+  side_.assign(half_edges_.size(), kSky);
   for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face)
     for (int i = 0; i < 3; ++i) {
       const std::size_t h = half_edge(face->info(), i).index();
-      corner_[h] = face->vertex(i)->point().id;
+      half_edges_[h].corner = face->vertex(i)->point().id;
       const auto neighbour = face->neighbor(i);
       if (!cdt.is_infinite(neighbour)) across_[h] = half_edge(neighbour->info(), neighbour->index(face));
       if (face->is_constrained(i))
         side_[h] =
             piece_between.side_facing_left(face->vertex(Cdt::ccw(i))->point().id, face->vertex(Cdt::cw(i))->point().id);
       else
-        twin_[h] = across_[h];
+        half_edges_[h].twin = across_[h];
     }
 
   star_.reserve(6 * count);

@@ -51,6 +51,8 @@ struct StarEntry2 {
 //   (3) across(h) is the half-edge on the other side whatever stands there; none on the hull only
 //   (4) of is_open(h), is_piece(h) and is_bare_hull(h) exactly one is true
 //   (5) star(v) is in counter-clockwise order and holds every edge at v
+//   (6) sweep_order() has each vertex once; what lies near each other follows each other there, and so it does in the
+//       numbers of triangles: whoever goes from vertex to vertex this way finds in the cache what it meets
 //
 // Degenerate: where all vertices lie on one line there are no triangles; the star of a vertex then has the vertices
 // next to it on the line, joined by a piece or not.
@@ -63,14 +65,14 @@ class Triangulation2 {
   // no vertex lies inside a piece. Neither list is kept.
   Triangulation2(const Vertices2& vertices, const std::vector<Segment2>& pieces);
 
-  std::size_t triangle_count() const { return corner_.size() / 3; }
+  std::size_t triangle_count() const { return half_edges_.size() / 3; }
   IdRange<TriangleId> triangles() const { return IdRange<TriangleId>(triangle_count()); }
-  IdRange<HalfEdgeId> half_edges() const { return IdRange<HalfEdgeId>(corner_.size()); }
+  IdRange<HalfEdgeId> half_edges() const { return IdRange<HalfEdgeId>(half_edges_.size()); }
   // The half-edge h runs from origin(h) to target(h), and corner(h) is the third corner of its triangle.
-  VertexId corner(HalfEdgeId h) const { return corner_[h.index()]; }  // opposite half-edge h
+  VertexId corner(HalfEdgeId h) const { return half_edges_[h.index()].corner; }  // opposite half-edge h
   VertexId origin(HalfEdgeId h) const { return corner(next_half_edge(h)); }
   VertexId target(HalfEdgeId h) const { return corner(previous_half_edge(h)); }
-  HalfEdgeId twin(HalfEdgeId h) const { return twin_[h.index()]; }
+  HalfEdgeId twin(HalfEdgeId h) const { return half_edges_[h.index()].twin; }
   HalfEdgeId across(HalfEdgeId h) const { return across_[h.index()]; }
   bool is_open(HalfEdgeId h) const { return !twin(h).is_none(); }
   PieceSideId side(HalfEdgeId h) const { return side_[h.index()]; }  // where it is not open
@@ -81,12 +83,18 @@ class Triangulation2 {
   std::span<const StarEntry2> star(VertexId v) const {
     return {star_.data() + star_begin_[v.index()], star_.data() + star_begin_[v.index() + 1]};
   }
+  std::span<const VertexId> sweep_order() const { return sweep_order_; }
 
  private:
-  std::vector<VertexId> corner_;
-  std::vector<HalfEdgeId> twin_;
+  // What is asked together lies together.
+  struct HalfEdge {
+    VertexId corner;
+    HalfEdgeId twin;
+  };
+  std::vector<HalfEdge> half_edges_;
   std::vector<HalfEdgeId> across_;
   std::vector<PieceSideId> side_;
+  std::vector<VertexId> sweep_order_;
   std::vector<std::uint32_t> star_begin_;
   std::vector<StarEntry2> star_;
 };

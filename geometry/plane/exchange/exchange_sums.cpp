@@ -47,8 +47,8 @@ std::vector<PairSum2> sum_visible_pairs(const Arrangement2& arrangement, const E
                                         const std::function<void(double)>& progress, std::uint64_t most_pairs,
                                         SumCounts2& counts) {
   const std::size_t label_count = table.covered() + 1;
-  auto sums = sum_terms<FixedTerm2>(arrangement.vertices().size(), label_count, Sweep(arrangement, table), progress,
-                                    most_pairs, counts);
+  auto sums = sum_terms<FixedTerm2>(arrangement.triangulation().sweep_order(), label_count, Sweep(arrangement, table),
+                                    progress, most_pairs, counts);
   std::size_t total = 0;
   for (const auto& part : sums) total += part.size();
   std::vector<PairSum2> result;

@@ -51,9 +51,9 @@ class Outboxes {
 }  // namespace
 
 template <class Term>
-std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t labels, const TermSweep<Term>& sweep,
-                                         const std::function<void(double)>& progress, std::uint64_t most_pairs,
-                                         SumCounts2& counts) {
+std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::size_t labels,
+                                         const TermSweep<Term>& sweep, const std::function<void(double)>& progress,
+                                         std::uint64_t most_pairs, SumCounts2& counts) {
   int partition_shift = 0;
   while ((labels >> partition_shift) > 64) ++partition_shift;
   const std::size_t partitions = ((labels - 1) >> partition_shift) + 1;
@@ -64,12 +64,12 @@ std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t label
   constexpr std::size_t kTermsInFlight = 1 << 19;
   Outboxes<Term> buffers(TermBuffer2<Term>(partitions, partition_shift));
   std::size_t round = 64;
-  for (std::size_t begin = 0; begin < vertices;) {
-    const std::size_t size = std::min(round, vertices - begin);
+  for (std::size_t begin = 0; begin < order.size();) {
+    const std::size_t size = std::min(round, order.size() - begin);
     parallel_for(kRuns, [&](std::size_t run) {
       TermBuffer2<Term>& out = buffers.take(run);
-      for (std::size_t v = begin + run * size / kRuns; v != begin + (run + 1) * size / kRuns; ++v)
-        sweep(VertexId(v), out);
+      for (std::size_t v = begin + run * size / kRuns; v != begin + (run + 1) * size / kRuns; ++v) sweep(order[v], out);
+      out.flush();
       buffers.give_back(out);
     });
     std::size_t in_flight = 0;
@@ -88,7 +88,7 @@ std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t label
     begin += size;
     round = std::clamp<std::size_t>(round * kTermsInFlight / (in_flight + 1), std::max<std::size_t>(16, round / 4),
                                     4 * round);
-    if (progress) progress(static_cast<double>(begin) / static_cast<double>(vertices));
+    if (progress) progress(static_cast<double>(begin) / static_cast<double>(order.size()));
   }
   for (const TermBuffer2<Term>& out : buffers.all()) {
     counts.gaps += out.gaps;
@@ -100,9 +100,11 @@ std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t label
   return sums;
 }
 
-template std::vector<std::vector<FixedTerm2>> sum_terms(std::size_t, std::size_t, const TermSweep<FixedTerm2>&,
+template std::vector<std::vector<FixedTerm2>> sum_terms(std::span<const VertexId>, std::size_t,
+                                                        const TermSweep<FixedTerm2>&,
                                                         const std::function<void(double)>&, std::uint64_t, SumCounts2&);
-template std::vector<std::vector<PlainTerm2>> sum_terms(std::size_t, std::size_t, const TermSweep<PlainTerm2>&,
+template std::vector<std::vector<PlainTerm2>> sum_terms(std::span<const VertexId>, std::size_t,
+                                                        const TermSweep<PlainTerm2>&,
                                                         const std::function<void(double)>&, std::uint64_t, SumCounts2&);
 
 }  // namespace hottel

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "geometry/plane/predicates/vertices.h"
@@ -49,14 +50,32 @@ struct PlainTerm2 {
 };
 
 // Where a sweep leaves its terms: by partition of the smaller label. Partition k takes the labels from k * 2^shift on,
-// 2^shift of them.
+// 2^shift of them. Where order does not matter, terms of one key that come soon after each other are added up before:
+// those of the two ends of an element are, and so is what stays the same from one gap to the next.
+//
+//   (1) after flush() the terms in the partitions have the sums of all that were added
 // REQUIRES: every smaller label falls into one of the partitions.
 template <class Term>
 class TermBuffer2 {
  public:
-  TermBuffer2(std::size_t partitions, int shift) : by_partition_(partitions), shift_(shift) {}
+  TermBuffer2(std::size_t partitions, int shift) : by_partition_(partitions), shift_(shift) {
+    if (!Term::kOrderMatters) clear_recent();
+  }
 
-  void add(const Term& term) { by_partition_[term.key >> (32 + shift_)].push_back(term); }
+  void add(const Term& term) {
+    if (Term::kOrderMatters) return leave(term);
+    Term& recent = recent_[(term.key * 0x9e3779b97f4a7c15ull) >> (64 - kRecentBits)];
+    if (recent.key == term.key) return recent.add(term);
+    if (recent.key != kNoKey) leave(recent);
+    recent = term;
+  }
+  void flush() {
+    for (Term& recent : recent_)
+      if (recent.key != kNoKey) {
+        leave(recent);
+        recent.key = kNoKey;
+      }
+  }
   std::vector<Term>& partition(std::size_t k) { return by_partition_[k]; }
   std::size_t size() const {
     std::size_t size = 0;
@@ -67,7 +86,18 @@ class TermBuffer2 {
   std::uint64_t gaps = 0, updates = 0;  // counted by the sweep
 
  private:
+  static constexpr int kRecentBits = 12;  // with terms of 32 bytes they stay in the second cache
+  static constexpr std::size_t kRecent = std::size_t{1} << kRecentBits;
+  static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
+
+  void clear_recent() {
+    recent_.resize(kRecent);
+    for (Term& recent : recent_) recent.key = kNoKey;
+  }
+  void leave(const Term& term) { by_partition_[term.key >> (32 + shift_)].push_back(term); }
+
   std::vector<std::vector<Term>> by_partition_;
+  std::vector<Term> recent_;
   int shift_;
 };
 
@@ -80,12 +110,12 @@ struct SumCounts2 {
 template <class Term>
 using TermSweep = std::function<void(VertexId, TermBuffer2<Term>&)>;
 
-// Calls sweep(v, buffer) for each vertex v and sums the terms by key. Returns the sums in partitions, each sorted by
-// key; taken one after the other they are sorted as a whole.
+// Calls sweep(v, buffer) for each vertex v of `order` and sums the terms by key. Returns the sums in partitions, each
+// sorted by key; taken one after the other they are sorted as a whole.
 //
 //   (1) each key occurs once, and only where a term was added
-//   (2) the terms of a key are added in the order of the vertices and, for one vertex, of the buffer, for any number
-//       of threads: sums of doubles are the same bit for bit
+//   (2) the terms of a key are added in the order of the vertices given and, for one vertex, of the buffer, for any
+//       number of threads: sums of doubles are the same bit for bit
 //   (3) `counts` grows by what the sweeps counted
 //
 // `sweep` is called from several threads at once, for different vertices and with different buffers. `progress` is
@@ -94,14 +124,16 @@ using TermSweep = std::function<void(VertexId, TermBuffer2<Term>&)>;
 // REQUIRES: labels >= 1, and every smaller label of a term is below `labels`.
 // COST: parallel; once or twice the size of a term for each term in flight, 1.3 to 2.7 times for each pair.
 template <class Term>
-std::vector<std::vector<Term>> sum_terms(std::size_t vertices, std::size_t labels, const TermSweep<Term>& sweep,
-                                         const std::function<void(double)>& progress, std::uint64_t most_pairs,
-                                         SumCounts2& counts);
+std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::size_t labels,
+                                         const TermSweep<Term>& sweep, const std::function<void(double)>& progress,
+                                         std::uint64_t most_pairs, SumCounts2& counts);
 
-extern template std::vector<std::vector<FixedTerm2>> sum_terms(std::size_t, std::size_t, const TermSweep<FixedTerm2>&,
+extern template std::vector<std::vector<FixedTerm2>> sum_terms(std::span<const VertexId>, std::size_t,
+                                                               const TermSweep<FixedTerm2>&,
                                                                const std::function<void(double)>&, std::uint64_t,
                                                                SumCounts2&);
-extern template std::vector<std::vector<PlainTerm2>> sum_terms(std::size_t, std::size_t, const TermSweep<PlainTerm2>&,
+extern template std::vector<std::vector<PlainTerm2>> sum_terms(std::span<const VertexId>, std::size_t,
+                                                               const TermSweep<PlainTerm2>&,
                                                                const std::function<void(double)>&, std::uint64_t,
                                                                SumCounts2&);
 

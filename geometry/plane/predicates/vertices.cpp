@@ -135,6 +135,10 @@ Vertices2::Vertices2(const std::vector<Point2>& points, std::size_t typed) {
     // |approximate| < 2^53, so its error is at most 1/2; low repeats the argument one level down: at most 2^-54.
     input_error_ = 1.0000001;
   }
+  double extent = 0;
+  for (const Approximate& p : approximate_) extent = std::max({extent, std::fabs(p.x), std::fabs(p.y)});
+  const double difference = 2 * (extent + input_error_);  // of two coordinates, at most
+  error_anywhere_ = 2.0000001 * difference * (kOrientationError * difference + 2 * input_error_);
   set_total_length(1);
 }
 
@@ -176,11 +180,12 @@ FixedLength2 Vertices2::distance(VertexId i, VertexId j) const {
   return is_small() ? small_distance(i, j) : large_distance(i, j);
 }
 
-// The integer N = dx² + dy² is scaled by 4^h to 124 or 125 bits. S, the integer nearest to its root (up to one unit),
-// comes from a double and one exact correction; with R = N - S² the root is S + R / (2 S) up to 2^-65. That fraction is
-// divided out to 62 bits in two steps of doubles.
+// The integer N = dx² + dy² is scaled by 4^h to 124 or 125 bits. A double gives its root to 53 bits, the integer S up
+// to 2^10.2; with R = N - S² the rest of the root is R / (2 S), off by less than three units of 2^-40 in doubles. What
+// is left of R then gives the root to 2^-62.
 FixedLength2 Vertices2::small_distance(VertexId i, VertexId j) const {
-  const std::int64_t dx = small_[j.index()].x - small_[i.index()].x, dy = small_[j.index()].y - small_[i.index()].y;
+  const Small to = small(j), from = small(i);
+  const std::int64_t dx = to.x - from.x, dy = to.y - from.y;
   const UInt128 squared =
       static_cast<UInt128>(static_cast<Int128>(dx) * dx) + static_cast<UInt128>(static_cast<Int128>(dy) * dy);
   if (squared == 0) return {0, true};
@@ -188,22 +193,23 @@ FixedLength2 Vertices2::small_distance(VertexId i, VertexId j) const {
   const int width =
       high != 0 ? 128 - std::countl_zero(high) : 64 - std::countl_zero(static_cast<std::uint64_t>(squared));
   const int half_shift = (125 - width) / 2;
-  const UInt128 n = squared << (2 * half_shift);
-  auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(static_cast<std::uint64_t>(n >> 64)) * 0x1p64));
-  auto remainder = static_cast<Int128>(n) - static_cast<Int128>(root) * root;
+  const auto n = static_cast<Int128>(squared << (2 * half_shift));
+  const auto root =
+      static_cast<std::int64_t>(std::sqrt(static_cast<double>(static_cast<std::int64_t>(n >> 62)) * 0x1p62));
+  const Int128 remainder = n - static_cast<Int128>(root) * root;
   const double inverse = 0.5 / static_cast<double>(root);
-  const double distance_to_root = double_near(remainder) * inverse;
-  const auto correction = static_cast<std::int64_t>(distance_to_root + (distance_to_root < 0 ? -0.5 : 0.5));
-  remainder -= (2 * static_cast<Int128>(root) + correction) * correction;
-  root += correction;
-  // value = root + remainder / (2 root), in units of 2^-62
-  const auto coarse =
-      static_cast<std::int64_t>(static_cast<double>(static_cast<std::int64_t>(remainder)) * inverse * 0x1p40);
-  const Int128 left = (remainder << 40) - 2 * static_cast<Int128>(root) * coarse;
-  const auto fine = static_cast<std::int64_t>(double_near(left) * inverse * 0x1p22);
+  const double rest = static_cast<double>(static_cast<std::int64_t>(remainder >> 11)) * (inverse * 0x1p51);
+  auto coarse = static_cast<std::int64_t>(rest);  // in units of 2^-40
+  // A root that is an integer is found as one.
+  constexpr std::int64_t kOne = std::int64_t{1} << 40;
+  if (((coarse + 4) & (kOne - 1)) <= 8) coarse = (coarse + kOne / 2) & -kOne;
+  const Int128 left =
+      (remainder << 40) - 2 * static_cast<Int128>(root) * coarse - ((static_cast<Int128>(coarse) * coarse) >> 40);
+  const auto fine = static_cast<std::int64_t>(double_near(left) * (inverse * 0x1p22));
   const Int128 value = (static_cast<Int128>(root) << 62) + (static_cast<Int128>(coarse) << 22) + fine;
   const int drop = half_shift + 62 - fixed_bits_;
-  return {(value + (static_cast<Int128>(1) << (drop - 1))) >> drop, remainder == 0};
+  const bool is_exact = left == 0 && (coarse & (kOne - 1)) == 0;
+  return {(value + (static_cast<Int128>(1) << (drop - 1))) >> drop, is_exact};
 }
 
 FixedLength2 Vertices2::large_distance(VertexId i, VertexId j) const {

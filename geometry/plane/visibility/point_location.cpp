@@ -115,11 +115,11 @@ Location2 PointLocation2::look_around(const Eye2& eye, View2& view, TriangleId& 
     look_around_outside(eye, view);
     return place;
   }
-  const auto orientation = [&eye](VertexId j, VertexId k) { return eye.orientation(j, k); };
+  const PlainEye look([&eye](VertexId j, VertexId k) { return eye.orientation(j, k); });
   const auto through = [&](HalfEdgeId h, PieceSideId left, PieceSideId right) {
     const VertexId from = triangulation_.origin(h), to = triangulation_.target(h);
     view.seen.push_back({from, kSky, left, right});
-    expand_cone_through(triangulation_, h, from, to, orientation, view);
+    expand_cone_through(triangulation_, h, from, to, look, view);
   };
   if (place.kind == Kind::kInTriangle) {
     for (const HalfEdgeId h : half_edges_of(triangle_of(place.half_edge))) through(h, kNoPiece, kNoPiece);
@@ -141,7 +141,7 @@ Location2 PointLocation2::look_around(const Eye2& eye, View2& view, TriangleId& 
 }
 
 void PointLocation2::look_around_outside(const Eye2& eye, View2& view) const {
-  const auto orientation = [&eye](VertexId j, VertexId k) { return eye.orientation(j, k); };
+  const PlainEye outside([&eye](VertexId j, VertexId k) { return eye.orientation(j, k); });
   if (hull_.empty()) {
     // A scene on one line, seen from beside it or from a point of the line.
     std::vector<VertexId> order(vertices_.ids().begin(), vertices_.ids().end());
@@ -192,7 +192,7 @@ void PointLocation2::look_around_outside(const Eye2& eye, View2& view) const {
     if (triangulation_.is_piece(h))
       view.seen.back().behind = opposite(triangulation_.side(h));
     else
-      expand_cone(triangulation_, h, kSky, right, left, orientation, view);
+      expand_cone(triangulation_, h, outside.ray(right), outside.ray(left), outside, view);
   }
   const HalfEdgeId first = hull_[(k + 1) % n];
   view.seen.push_back({triangulation_.origin(first), kSky, kNoPiece, kNoPiece});

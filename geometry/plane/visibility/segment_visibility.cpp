@@ -79,11 +79,11 @@ void SegmentVisibility2::look_around(const RunPoint2& p, View2& view) const {
   }
   view.seen.clear();
   if (p.gate_.is_none()) return;
-  const auto orientation = [&p](VertexId j, VertexId k) { return p.eye_.orientation(j, k); };
+  const PlainEye eye([&p](VertexId j, VertexId k) { return p.eye_.orientation(j, k); });
   for (const HalfEdgeId exit : {next_half_edge(p.gate_), previous_half_edge(p.gate_)}) {
     const VertexId right = triangulation_.origin(exit), left = triangulation_.target(exit);
     view.seen.push_back({right, kSky, kNoPiece, kNoPiece});
-    expand_cone_through(triangulation_, exit, right, left, orientation, view);
+    expand_cone_through(triangulation_, exit, right, left, eye, view);
   }
 }
 

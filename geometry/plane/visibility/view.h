@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "geometry/plane/arrangement/triangulation.h"
@@ -28,37 +29,65 @@ struct View2 {
   std::vector<Seen> seen;
 };
 
-// Follows the cone between right and left into the triangle of half-edge `entry`, which it enters through it (none:
-// the cone ends at the piece side or sky `blocked_by`), counter-clockwise; appends the vertices found strictly inside
-// the cone and what is seen between them. Orientation(j, k) is the sign of the triangle eye, j, k.
+// An eye of which only the signs are known: orientation(j, k) of two vertices.
+template <class Orientation>
+class PlainEye {
+ public:
+  struct Ray {
+    VertexId vertex;
+  };
+  explicit PlainEye(const Orientation& orientation) : orientation_(orientation) {}
+  Ray ray(VertexId j) const { return {j}; }
+  int orientation(const Ray& j, const Ray& k) const { return orientation_(j.vertex, k.vertex); }
+
+ private:
+  Orientation orientation_;
+};
+
+template <class Eye>
+using RayOf = typename Eye::Ray;
+
+// The eye at a vertex, by points.orientation(i, j, k).
+template <class Points>
+auto eye_at(const Points& points, VertexId v) {
+  if constexpr (std::is_same_v<Points, Vertices2>)
+    return VertexEye2(points, v);
+  else
+    return PlainEye([&points, v](VertexId j, VertexId k) { return points.orientation(v, j, k); });
+}
+
+// Follows the cone between right and left into the triangle of half-edge `entry`, which it enters through it,
+// counter-clockwise; appends the vertices found strictly inside
+// the cone and what is seen between them. Eye has a ray(v) to each vertex, whose member `vertex` is v, and an
+// orientation(j, k) of two rays, the sign of the triangle eye, j, k.
 // REQUIRES: the last entry of the view is the right end.
 // COST: one or two orientations for each triangle the cone enters; no recursion.
 // SEE: triangular expansion: Bungiu, Hemmer, Hershberger, Huang, Kröller, Efficient computation of
 // visibility polygons, 2014.
-template <class Orientation>
-void expand_cone(const Triangulation2& triangulation, HalfEdgeId entry, PieceSideId blocked_by, VertexId right,
-                 VertexId left, const Orientation& orientation, View2& view) {
+template <class Eye>
+void expand_cone(const Triangulation2& triangulation, HalfEdgeId entry, RayOf<Eye> right, RayOf<Eye> left,
+                 const Eye& eye, View2& view) {
+  using Ray = RayOf<Eye>;
   struct Cone {
     HalfEdgeId half_edge;
-    VertexId right, left;
+    Ray right, left;
   };
   thread_local std::vector<Cone> waiting;
   const std::size_t bottom = waiting.size();
-  for (;;) {
-    HalfEdgeId exit;
+  for (HalfEdgeId exit;;) {
     if (entry.is_none()) {
-      view.seen.back().behind = blocked_by;
+      view.seen.back().behind = triangulation.side(exit);
       if (waiting.size() == bottom) return;
       exit = waiting.back().half_edge;
       right = waiting.back().right;
       left = waiting.back().left;
       waiting.pop_back();
-      view.seen.push_back({right, kSky, kNoPiece, kNoPiece});
+      view.seen.push_back({right.vertex, kSky, kNoPiece, kNoPiece});
     } else {
-      const VertexId apex = triangulation.corner(entry);
-      if (orientation(right, apex) <= 0) {
+      const Ray apex = eye.ray(triangulation.corner(entry));
+      if (eye.orientation(right, apex) <= 0) {
         exit = previous_half_edge(entry);  // the whole cone passes left of the apex
-      } else if (orientation(apex, left) <= 0) {
+      } else if (eye.orientation(apex, left) <= 0) {
         exit = next_half_edge(entry);
       } else {
         waiting.push_back({previous_half_edge(entry), apex, left});
@@ -67,15 +96,18 @@ void expand_cone(const Triangulation2& triangulation, HalfEdgeId entry, PieceSid
       }
     }
     entry = triangulation.twin(exit);
-    if (entry.is_none()) blocked_by = triangulation.side(exit);
   }
 }
 
 // The same for a cone that leaves the triangle of half-edge `exit` through it.
-template <class Orientation>
+template <class Eye>
 void expand_cone_through(const Triangulation2& triangulation, HalfEdgeId exit, VertexId right, VertexId left,
-                         const Orientation& orientation, View2& view) {
-  expand_cone(triangulation, triangulation.twin(exit), triangulation.side(exit), right, left, orientation, view);
+                         const Eye& eye, View2& view) {
+  const HalfEdgeId entry = triangulation.twin(exit);
+  if (entry.is_none())
+    view.seen.back().behind = triangulation.side(exit);
+  else
+    expand_cone(triangulation, entry, eye.ray(right), eye.ray(left), eye, view);
 }
 
 // Fills the view from vertex v, by the signs of points.orientation(i, j, k). What the view held before is lost.
@@ -88,13 +120,13 @@ template <class Points>
 void look_around(const Points& points, const Triangulation2& triangulation, VertexId v, View2& view) {
   view.seen.clear();
   const auto star = triangulation.star(v);
-  const auto orientation = [&points, v](VertexId j, VertexId k) { return points.orientation(v, j, k); };
+  const auto eye = eye_at(points, v);
   for (std::size_t k = 0; k < star.size(); ++k) {
     const StarEntry2& entry = star[k];
     view.seen.push_back({entry.neighbour, kSky, entry.left, entry.right});
     if (entry.opposite.is_none()) continue;
     const VertexId next = star[k + 1 == star.size() ? 0 : k + 1].neighbour;
-    expand_cone_through(triangulation, entry.opposite, entry.neighbour, next, orientation, view);
+    expand_cone_through(triangulation, entry.opposite, entry.neighbour, next, eye, view);
   }
 }
 

@@ -34,14 +34,16 @@ void for_each_gap(const Points& points, VertexId v, const View2& view, bool each
     if (seen[k].left != kNoPiece) incident.push_back(k);
   std::size_t passed = 0;  // how many of them come up to vertex k
 
+  const auto eye = eye_at(points, v);
   const auto wrapped = [m](std::size_t k) { return k < m ? k : k - m; };
   // last = k + number of vertices seen at an angle in (0, pi) counter-clockwise from vertex k
   std::size_t last = 0;
   for (std::size_t k = 0; k < m; ++k) {
     if (last < k) last = k;
     bool has_opposite = false;  // a vertex is seen exactly opposite to vertex k
+    const auto ray = eye.ray(seen[k].vertex);
     while (last + 1 < k + m) {
-      const int turn = points.orientation(v, seen[k].vertex, seen[wrapped(last + 1)].vertex);
+      const int turn = eye.orientation(ray, eye.ray(seen[wrapped(last + 1)].vertex));
       if (turn <= 0) {
         has_opposite = turn == 0;
         break;

@@ -39,7 +39,7 @@ PlainSums2 plain_sums(const Arrangement2& arrangement, const ElementTable2& tabl
     });
   };
   SumCounts2 counts;
-  return sum_terms<PlainTerm2>(arrangement.vertices().size(), table.covered() + std::size_t{1}, sweep, progress,
+  return sum_terms<PlainTerm2>(arrangement.triangulation().sweep_order(), table.covered() + std::size_t{1}, sweep, progress,
                                std::numeric_limits<std::uint64_t>::max(), counts);
 }
 
