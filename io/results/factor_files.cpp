@@ -6,12 +6,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "geometry/scene_names.h"
+#include "io/results/listed_factors.h"
 #include "io/results/npy.h"
+#include "io/results/text_buffer.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
 
@@ -20,56 +21,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary formats are written as the machine holds them");
 
-// Collects text and hands it on in large pieces.
-class Buffer {
- public:
-  explicit Buffer(const Sink& sink) : sink_(sink) {}
-  ~Buffer() = default;
-
-  Buffer& operator<<(std::string_view text) {
-    text_.append(text);
-    if (text_.size() > 1 << 16) flush();
-    return *this;
-  }
-  Buffer& operator<<(char c) {
-    text_ += c;
-    return *this;
-  }
-  Buffer& operator<<(double value) { return *this << std::string_view(shortest(value)); }
-
-  template <class Number>
-  Buffer& raw(const Number& value) {
-    char bytes[sizeof value];
-    std::memcpy(bytes, &value, sizeof value);
-    return *this << std::string_view(bytes, sizeof bytes);
-  }
-
-  void flush() {
-    if (!text_.empty()) sink_(text_);
-    text_.clear();
-  }
-
- private:
-  const Sink& sink_;
-  std::string text_;
-};
-
-std::vector<std::string> csv_names(const ExchangeMatrix& matrix) {
-  std::vector<std::string> names;
-  for (std::uint32_t i = 0; i <= matrix.size(); ++i) names.push_back(csv_field(matrix.name(i)));
-  return names;
-}
-
 [[noreturn]] void refuse_beyond(const std::string& what, const char* range) {
   throw RequestError(what + " is beyond the range of " + range);
-}
-
-void require_double(double value, const std::string& what) {
-  if (!std::isfinite(value)) refuse_beyond(what, "doubles");
-}
-
-std::string area_of(const ExchangeMatrix& matrix, std::uint32_t label) {
-  return "the area of '" + matrix.name(label) + "'";
 }
 
 // Calls visit(row as dense vector) for each of the size() + 1 rows; rows that do not exist are zeros.
@@ -81,34 +34,6 @@ void for_each_dense_row(const ExchangeMatrix& matrix, const Visit& visit) {
     if (i < matrix.size())
       for (const FactorEntry& entry : matrix.row(i)) dense[entry.to] = entry.factor.value;
     visit(i, dense);
-  }
-}
-
-// Whether a list that is empty for all has a label.
-bool is_asked(const std::vector<std::uint32_t>& only, std::uint32_t label) {
-  return only.empty() || std::binary_search(only.begin(), only.end(), label);
-}
-
-// Calls visit(from, entry, its bounds, its guarantee) for every pair that the table lists, by from, then to: those with
-// a factor, and the hidden ones with factor and visibility 0, exactly.
-template <class Visit>
-void for_each_listed(const FactorTable& table, const Visit& visit_asked) {
-  const auto visit = [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds, Guarantee guarantee) {
-    if (is_asked(table.only_rows, from) && is_asked(table.only_columns, entry.to))
-      visit_asked(from, entry, bounds, guarantee);
-  };
-  auto hidden = table.hidden.begin();
-  for (std::uint32_t i = 0; i < table.matrix.size(); ++i) {
-    const auto hidden_before = [&](std::uint32_t to) {
-      for (; hidden != table.hidden.end() && hidden->first == i && hidden->second < to; ++hidden)
-        visit(i, FactorEntry{hidden->second, Rounded{}, 0}, Enclosure{0, 0}, Guarantee::kExact);
-    };
-    const auto row = table.matrix.row(i);
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      hidden_before(row[k].to);
-      visit(i, row[k], table.matrix.bounds(i, k), table.matrix.guarantee(i, k));
-    }
-    hidden_before(table.matrix.sky() + 1);
   }
 }
 
@@ -154,35 +79,23 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
-void write_factors_csv(const FactorTable& table, const Sink& sink) {
-  const ExchangeMatrix& matrix = table.matrix;
-  const std::vector<std::string> names = csv_names(matrix);
-  Buffer out(sink);
-  out << "from,to,factor,lower,upper,visibility,guarantee" << (table.has_areas ? ",from_area,to_area\n" : "\n");
-  const auto add_area = [&](std::uint32_t i) {
-    out << ',';
-    if (i == matrix.sky()) return;
-    require_double(matrix.elements()[i].area.value, area_of(matrix, i));
-    out << matrix.elements()[i].area.value;
-  };
-  for_each_listed(table,
-                  [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds, Guarantee guarantee) {
-                    out << names[from] << ',' << names[entry.to] << ',' << entry.factor.value << ',' << bounds.lower
-                        << ',' << bounds.upper << ',';
-                    if (!std::isnan(entry.visibility)) out << entry.visibility;
-                    out << ',' << to_string(guarantee);
-                    if (table.has_areas) {
-                      add_area(from);
-                      add_area(entry.to);
-                    }
-                    out << '\n';
-                  });
-  out.flush();
+std::vector<std::string> csv_names(const ExchangeMatrix& matrix) {
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i <= matrix.size(); ++i) names.push_back(csv_field(matrix.name(i)));
+  return names;
+}
+
+void require_double(double value, const std::string& what) {
+  if (!std::isfinite(value)) refuse_beyond(what, "doubles");
+}
+
+std::string area_of(const ExchangeMatrix& matrix, std::uint32_t label) {
+  return "the area of '" + matrix.name(label) + "'";
 }
 
 void write_factors_mtx(const FactorTable& table, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
-  Buffer out(sink);
+  TextBuffer out(sink);
   const std::size_t n = matrix.size() + 1;
   std::size_t count = 0;
   for_each_listed(table, [&](std::uint32_t, const FactorEntry&, const Enclosure&, Guarantee) { ++count; });
@@ -198,7 +111,7 @@ void write_factors_mtx(const FactorTable& table, const Sink& sink) {
 
 void write_faces_csv(const FactorTable& table, std::span<const std::array<double, 4>> ends, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
-  Buffer out(sink);
+  TextBuffer out(sink);
   out << "index,face,element,area,material,x0,y0,x1,y1\n";
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     const Element& element = matrix.elements()[i];
@@ -224,7 +137,7 @@ void write_faces_csv(const FactorTable& table, std::span<const std::array<double
 
 void write_factors_npy(const FactorTable& table, const Sink& sink) {
   const std::size_t n = table.matrix.size() + 1;
-  Buffer out(sink);
+  TextBuffer out(sink);
   out << npy_header(std::array{n, n});
   for_each_dense_row(table.matrix, [&](std::uint32_t, const std::vector<double>& row) {
     out << std::string_view(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(double));
@@ -256,7 +169,7 @@ void write_factors_view3d_text(const FactorTable& table, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   const std::vector<std::uint32_t> faces = radiating(matrix);
   for (const std::uint32_t i : faces) require_double(matrix.elements()[i].area.value, area_of(matrix, i));
-  Buffer out(sink);
+  TextBuffer out(sink);
   const auto line = [&](const auto& value_of, const std::vector<std::uint32_t>& only = {}) {
     bool is_first = true;
     for (const std::uint32_t j : faces) {
@@ -281,7 +194,7 @@ void write_factors_view3d_binary(const FactorTable& table, const Sink& sink) {
   for (const std::uint32_t i : faces)
     if (!(matrix.elements()[i].area.value <= std::numeric_limits<float>::max()))
       refuse_beyond(area_of(matrix, i), "single precision, which is that of this format");
-  Buffer out(sink);
+  TextBuffer out(sink);
   out << view3d_header(table, 1, faces.size()) << "\r\n";
   for (const std::uint32_t i : faces) out.raw(static_cast<float>(matrix.elements()[i].area.value));
   for_each_radiating_row(table, faces, [&](const std::vector<double>& row) {
@@ -295,7 +208,7 @@ void write_factors_view3d_binary(const FactorTable& table, const Sink& sink) {
 void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   const std::vector<std::string> names = csv_names(matrix);
-  Buffer out(sink);
+  TextBuffer out(sink);
   for (const std::string& name : names) out << "," << name;
   out << "\n";
   const double absent = quantity == DenseQuantity::kVisibility ? std::numeric_limits<double>::quiet_NaN() : 0.0;
@@ -411,7 +324,7 @@ void write_exact_forms_csv(const FactorTable& table, const std::optional<Element
                            std::span<const RootSum> areas, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   HOTTEL_REQUIRE(measures.size() == pairs.size() && areas.size() == matrix.size());
-  Buffer out(sink);
+  TextBuffer out(sink);
   out << "from,to,exchange,area\n";
   for (const ElementPair& row : exact_form_rows(table, only)) {
     const auto place = std::lower_bound(pairs.begin(), pairs.end(), smaller_first(row)) - pairs.begin();

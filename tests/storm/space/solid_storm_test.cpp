@@ -31,7 +31,7 @@ TEST(SolidStorm3, ManyScenesObeyTheLaws) {
 
 TEST(SolidStorm3, IsTheSameForAnyNumberOfThreads) {
   StormOptions options;
-  options.scenes = 12;
+  options.scenes = kHasAddressSanitizer ? 3 : 12;
   options.first = 77;
   const SolidStormResult3 one = run_solid_storm_3(options);
   options.threads = 3;

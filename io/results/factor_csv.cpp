@@ -1,0 +1,88 @@
+// View factors as a list in csv: the file that most others read.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io/results/listed_factors.h"
+#include "io/results/text_buffer.h"
+#include "kernel/support/parallel.h"
+
+namespace hottel {
+namespace {
+
+// Ends of blocks of rows with about as many entries each; the last one is the number of rows.
+std::vector<std::uint32_t> ends_of_blocks(const ExchangeMatrix& matrix) {
+  constexpr std::size_t kEntries = 1 << 14;
+  std::vector<std::uint32_t> ends;
+  std::size_t entries = 0;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    entries += matrix.row(i).size() + 1;
+    if (entries < kEntries && i + 1 < matrix.size()) continue;
+    ends.push_back(i + 1);
+    entries = 0;
+  }
+  return ends;
+}
+
+// Hands on what write(first, end, sink) writes of all rows, in their order; it is called for blocks of rows on all
+// threads, a few dozen blocks ahead of what is handed on.
+template <class Write>
+void write_in_blocks(const ExchangeMatrix& matrix, const Sink& sink, const Write& write) {
+  constexpr std::size_t kAhead = 32;
+  const std::vector<std::uint32_t> ends = ends_of_blocks(matrix);
+  std::vector<std::string> texts(std::min(kAhead, ends.size()));
+  for (std::size_t begin = 0; begin < ends.size(); begin += texts.size()) {
+    const std::size_t count = std::min(texts.size(), ends.size() - begin);
+    parallel_for(count, [&](std::size_t k) {
+      texts[k].clear();
+      const std::size_t block = begin + k;
+      write(block == 0 ? 0 : ends[block - 1], ends[block], [&](std::string_view part) { texts[k].append(part); });
+    });
+    for (std::size_t k = 0; k < count; ++k) sink(texts[k]);
+  }
+}
+
+}  // namespace
+
+void write_factors_csv(const FactorTable& table, const Sink& sink) {
+  const ExchangeMatrix& matrix = table.matrix;
+  const std::vector<std::string> names = csv_names(matrix);
+  sink(table.has_areas ? "from,to,factor,lower,upper,visibility,guarantee,from_area,to_area\n"
+                       : "from,to,factor,lower,upper,visibility,guarantee\n");
+  const auto write_area = [&](std::uint32_t i, TextBuffer& out) {
+    out << ',';
+    if (i == matrix.sky()) return;
+    require_double(matrix.elements()[i].area.value, area_of(matrix, i));
+    out << matrix.elements()[i].area.value;
+  };
+  write_in_blocks(matrix, sink, [&](std::uint32_t first, std::uint32_t end, const Sink& block) {
+    TextBuffer out(block);
+    const auto write = [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds, Guarantee guarantee) {
+      const Digits factor(entry.factor.value);
+      const auto write_bound = [&](double bound) {
+        if (bound == entry.factor.value)
+          out << factor.text();
+        else
+          out << bound;
+        out << ',';
+      };
+      out << names[from] << ',' << names[entry.to] << ',' << factor.text() << ',';
+      write_bound(bounds.lower);
+      write_bound(bounds.upper);
+      if (entry.visibility == 1)
+        out << '1';
+      else if (!std::isnan(entry.visibility))
+        out << entry.visibility;
+      out << ',' << to_string(guarantee);
+      if (table.has_areas) {
+        write_area(from, out);
+        write_area(entry.to, out);
+      }
+      out << '\n';
+    };
+    for_each_listed(table, first, end, write);
+    out.flush();
+  });
+}
+
+}  // namespace hottel
