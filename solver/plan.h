@@ -54,6 +54,8 @@ class Plan {
   static constexpr const char* kIllumination = "illumination";
   static constexpr const char* kPicture = "picture";
   static constexpr const char* kLights = "lights";
+  static constexpr const char* kBeams = "beams";
+  static constexpr const char* kMovement = "movement";
 
  private:
   std::vector<PlannedEffect> effects_;

@@ -83,9 +83,16 @@ void PlanDraft::add_unreachable(bool is_one_room) {
 void PlanDraft::add_lights(double seconds) {
   const std::size_t beams = static_cast<std::size_t>(
       std::count_if(scene_.lights.begin(), scene_.lights.end(), [](const Light& light) { return !light.is_round(); }));
-  add_as_asked(Plan::kLights, !scene_.lights.empty(),
-               counted(scene_.lights.size(), "light") + (beams > 0 ? ", " + counted(beams, "beam") : ""),
-               "the scene lists none", static_cast<double>(scene_.lights.size()) * seconds);
+  add_as_asked(Plan::kLights, !scene_.lights.empty(), counted(scene_.lights.size(), "light"), "the scene lists none",
+               static_cast<double>(scene_.lights.size()) * seconds);
+  add_as_asked(Plan::kBeams, beams > 0,
+               counted(beams, "beam") + " with a border: --light-levels divides what it crosses",
+               scene_.lights.empty() ? "there is no light" : "every light shines all around", 0);
+}
+
+void PlanDraft::add_movement(bool moves) {
+  add_as_asked(Plan::kMovement, moves, "lights turn or follow paths: solve takes the time 0, animate makes frames",
+               scene_.lights.empty() ? "there is no light" : "no light moves", 0);
 }
 
 std::string PlanDraft::count_text(std::size_t count) const { return counted(count, words_.one); }

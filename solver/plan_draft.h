@@ -36,8 +36,8 @@ class PlanDraft {
   void add_channels();
   void add_interreflection(double unknowns, double entries);  // of the matrix, that are not 0
   void add_unreachable(bool is_one_room);
-  // The scene lists none: a scene that does is refused.
   void add_lights(double seconds);  // of one light
+  void add_movement(bool moves);
 
   // "1 edge", "7 edges".
   std::string count_text(std::size_t count) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/plane/scene/moving_lights.h"
 #include "kernel/support/counted.h"
 #include "solver/plan_draft.h"
 
@@ -48,6 +49,7 @@ Plan plan_scene(const Scene2& scene, const PlanRequest& request) {
   draft.add_as_asked(Plan::kPicture, request.grid_cells > 0, "the light in the rooms", "no grid is asked for",
                      kSecondsPerPicture);
   draft.add_lights(n * kSecondsPerShare);
+  draft.add_movement(has_moving_lights(scene));
   return draft.take();
 }
 

@@ -11,6 +11,7 @@
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/facing.h"
 #include "geometry/space/scene/division.h"
+#include "geometry/space/scene/moving_lights.h"
 #include "kernel/support/counted.h"
 #include "solver/plan_draft.h"
 
@@ -103,6 +104,7 @@ void add_light(const Scene3& scene, const PlanRequest& request, std::uint64_t ro
             scene.camera ? "what the camera sees" : "what a camera chosen for the scene sees", "the scene is empty",
             static_cast<double>(camera.width) * camera.height * kSecondsPerPixel);
   draft.add_lights(static_cast<double>(scene.surfaces.size()) * kSecondsPerShare);
+  draft.add_movement(has_moving_lights(scene));
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
 // What the lights of a scene in space shine on first, and how much of their power arrives there.
 #pragma once
 
+#include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include "geometry/element.h"
+#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/visibility/beam.h"
 #include "solver/radiosity/direct_light.h"
@@ -22,5 +26,34 @@ Beam3 beam_of(const Light& light, const LightPlace3& place);
 // REQUIRES a scene that validate() takes: no light lies on a polygon. COST: a map from each light, and balls for each
 // piece that it sees. Nothing without lights.
 std::vector<LightShares> light_shares(const PreparedScene3& prepared, Granularity granularity);
+
+class ExactMap3;
+
+// The elements of a scene, to be asked for the shares of lights wherever these stand.
+//
+//   (1) shares(scene) are light_shares() of a scene that differs from the prepared one in its lights alone
+//   (2) what is seen from a place is found once, for the kMostMaps places that were asked for last: a light that turns
+//       where it stands costs no map
+//
+// For several threads at once. COST: that of ElementTable3.
+class LitElements3 {
+ public:
+  LitElements3(std::shared_ptr<const PreparedScene3> prepared, Granularity granularity);
+
+  std::vector<LightShares> shares(const Scene3& scene) const;
+
+ private:
+  static constexpr std::size_t kMostMaps = 16;
+  using MapPtr = std::shared_ptr<const ExactMap3>;
+  struct Maps {
+    std::mutex mutex;
+    std::vector<MapPtr> maps;  // what was asked for last stands last
+  };
+  MapPtr map_from(const Point3& position) const;
+
+  std::shared_ptr<const PreparedScene3> prepared_;
+  ElementTable3 table_;
+  std::unique_ptr<Maps> known_;
+};
 
 }  // namespace hottel

@@ -16,6 +16,7 @@
 #include "solver/methods/negative_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
+#include "solver/space/light/scene_light_shares.h"
 #include "solver/space/light/tested_shares.h"
 #include "solver/space/scene_plan.h"
 #include "solver/space/simulation/kept_factors.h"
@@ -137,6 +138,7 @@ struct Simulation3::Version {
   StagePtr<ComputedFactors3> measured;  // of the materials that they were measured with
   StagePtr<ComputedFactors3> factors;
   StagePtr<std::vector<ElementPair>> hidden;
+  StagePtr<LitElements3> lit;  // without the lights that shine on them
   StagePtr<std::vector<LightShares>> shares;
   StagePtr<RadiositySolver> system;
   StagePtr<RadiositySolution> radiosities;
@@ -158,6 +160,7 @@ struct Simulation3::Version {
       measured = other->measured;
       factors = other->factors;
       hidden = other->hidden;
+      lit = other->lit;
       shares = other->shares;
     } else {
       set_factors();
@@ -189,6 +192,7 @@ struct Simulation3::Version {
       measured = other.measured;
       factors = other.factors;
       hidden = other.hidden;
+      lit = other.lit;
       shares = other.shares;
       if (!are_lit_alike(*other.scene, *scene)) set_shares();
     } else {  // it is refused, or arranged as before
@@ -204,6 +208,7 @@ struct Simulation3::Version {
             }
           });
       set_hidden();
+      set_lit();
       set_shares();
     }
     const bool keeps_system =
@@ -223,13 +228,25 @@ struct Simulation3::Version {
         });
     measured = factors;
     set_hidden();
+    set_lit();
     set_shares();
+  }
+
+  void set_lit() {
+    lit = std::make_shared<Stage<LitElements3>>(
+        "lights", [ready = prepared, of = request.factors.granularity](const StageProgress& progress) {
+          return LitElements3(ready->get(progress), of);
+        });
   }
 
   void set_shares() {
     shares = std::make_shared<Stage<std::vector<LightShares>>>(
-        "lights", [ready = prepared, of = request.factors.granularity, by = request.lights](
-                      const StageProgress& progress) { return hottel::light_shares(*ready->get(progress), of, by); });
+        "lights", [its = scene, ready = prepared, elements = lit, of = request.factors.granularity,
+                   by = request.lights](const StageProgress& progress) {
+          if (its->lights.empty()) return std::vector<LightShares>();
+          return by == LightTest::kExact ? elements->get(progress)->shares(*its)
+                                         : hottel::light_shares(*ready->get(progress), of, by);
+        });
   }
 
   void set_hidden() {

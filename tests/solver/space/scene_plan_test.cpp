@@ -49,8 +49,18 @@ TEST(Plan3, ListsEachEffectOnceInOrder) {
   }
   EXPECT_THAT(names, ElementsAre(Plan::kExchange, Plan::kOcclusion, Plan::kBackFaces, Plan::kSky, Plan::kSubdivision,
                                  Plan::kGroups, Plan::kChannels, Plan::kInterreflection, Plan::kUnreachable,
-                                 Plan::kIllumination, Plan::kPicture, Plan::kLights));
-  EXPECT_THROW(plan.uses("beams"), ContractViolation);
+                                 Plan::kIllumination, Plan::kPicture, Plan::kLights, Plan::kBeams, Plan::kMovement));
+  EXPECT_THROW(plan.uses("weather"), ContractViolation);
+}
+
+TEST(Plan3, KnowsWhereBeamsEndAndWhatMoves) {
+  const Plan stage = plan_scene(read_scene_3(std::string(HOTTEL_SOURCE_DIR) + "/scenes/lights/stage.json"), {});
+  EXPECT_EQ(effect_of(stage, Plan::kLights).reason, "2 lights");
+  EXPECT_EQ(effect_of(stage, Plan::kBeams).reason, "2 beams with a border: --light-levels divides what it crosses");
+  EXPECT_TRUE(stage.uses(Plan::kMovement));
+  const Plan dark = plan_scene(scene_file("two_boxes.json"), {.everything = true});
+  EXPECT_FALSE(dark.uses(Plan::kBeams));
+  EXPECT_FALSE(dark.uses(Plan::kMovement));
 }
 
 TEST(Plan3, NothingHidesInAConvexRoomNorWhereNothingIsFaced) {
