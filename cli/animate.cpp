@@ -11,6 +11,7 @@
 
 #include "cli/command.h"
 #include "cli/level_options.h"
+#include "cli/methods.h"
 #include "cli/scene_input.h"
 #include "cli/solve_options.h"
 #include "cli/store_option.h"
@@ -19,6 +20,9 @@
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
 #include "io/foreign/foreign_command.h"
+#include "io/foreign/foreign_method.h"
+#include "io/foreign/plane/foreign_matrix.h"
+#include "io/foreign/space/foreign_matrix.h"
 #include "io/results/frames_file.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/memory.h"
@@ -46,7 +50,7 @@ struct AnimateOptions {
   ElementOptions elements;
   PolygonOptions polygons;
   StoreOption store;
-  std::string grid, tone = "log", shading = "flat";
+  std::string method = "exact", grid, tone = "log", shading = "flat";
   double exposure = 1;
   std::uint32_t size = 0;
   std::optional<std::string> tolerance;
@@ -74,6 +78,7 @@ struct Plane {
       throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
     if (options.shading != "flat") throw UsageError("--shading is for scenes in space");
     SimulationRequest2 request{.grid = grid_of(scene, options.grid), .keeps_rows = !options.levels.levels().is_any()};
+    request.method = all_methods_2().make(options.method);
     request.memory = options.memory.value_or(0);
     request.store = std::move(store);
     return Simulation(std::move(scene), std::move(request));
@@ -98,6 +103,7 @@ struct Space {
       throw UsageError("--grid is of scenes in the plane: in space frames show what a camera sees");
     SimulationRequest3 request;
     request.factors.granularity = Granularity::kElement;
+    request.factors.method = options.method == "exact" ? nullptr : all_methods_3().make(options.method);
     request.factors.tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance);
     request.factors.memory = options.memory.value_or(0);
     request.factors.store = std::move(store);
@@ -125,9 +131,10 @@ void require_lights_beside_surfaces(const AnyScene& scene, std::uint32_t frames,
 
 // What frames are of: where it is the same, those that are there are not made again.
 std::string key_of(const AnimateOptions& options, const std::string& scene, double tolerance) {
-  return sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", kVersion, rate_of(options).get_str(),
+  return sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", kVersion, rate_of(options).get_str(),
                             options.levels.everywhere, options.levels.at_borders, options.grid, options.tone,
-                            shortest(options.exposure), options.size, options.shading, shortest(tolerance), scene));
+                            shortest(options.exposure), options.size, options.shading, shortest(tolerance),
+                            options.method, scene));
 }
 
 // The pictures of a folder put together.
@@ -178,6 +185,7 @@ std::string summary(const FramesMade& made, std::uint32_t frames, std::uint32_t 
   std::uint64_t least = 0, most = 0;
   double longest = 0;
   std::uint32_t without_work = 0;
+  double defect = 0;
   for (std::uint32_t k = 0; k < frames; ++k) {
     const FrameCounts& counts = made.frames.at(k).counts;
     least = k == 0 ? counts.elements : std::min(least, counts.elements);
@@ -187,6 +195,7 @@ std::string summary(const FramesMade& made, std::uint32_t frames, std::uint32_t 
     all.seconds += counts.seconds;
     longest = std::max(longest, counts.seconds);
     if (counts.computed == 0) ++without_work;
+    defect = std::max(defect, counts.row_defect);
   }
   std::string text = fmt::format("{} {}", frames, frames == 1 ? "frame" : "frames");
   if (were_there > 0) text += fmt::format(", {} of them there before", were_there);
@@ -194,6 +203,7 @@ std::string summary(const FramesMade& made, std::uint32_t frames, std::uint32_t 
                         : fmt::format("; {} to {} active elements\n", least, most);
   text += fmt::format("factors: {} pairs computed, {} taken from what was kept; {} {} computed none\n", all.computed,
                       all.read, without_work, without_work == 1 ? "frame" : "frames");
+  if (defect > 0) text += fmt::format("rows close to {:.2g} as they were computed\n", defect);
   text += fmt::format("radiosities: {:.3g} s in all, {:.3g} s at most for a frame\n", all.seconds, longest);
   text += "\nin " + folder.string() + ":";
   for (const std::string& file : files) text += " " + file;
@@ -221,8 +231,10 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
   for (std::uint32_t k = 0; k < frames; ++k) were_there += made.frames.contains(k) ? 1 : 0;
 
   const std::uint64_t kept_bytes = memory_allowed(options.memory.value_or(0)) / 4;
-  const std::shared_ptr<FactorStore> store =
-      options.store.is_given() ? options.store.open("exact") : Dimension::usual_store(kept_bytes);
+  const std::shared_ptr<FactorStore> store = options.store.is_given() ? options.store.open(options.method)
+                                             : is_foreign(options.method)
+                                                 ? nullptr  // what others compute is asked for anew
+                                                 : Dimension::usual_store(kept_bytes);
   using Painter = typename Dimension::Painter;
   Animation<typename Dimension::Simulation, typename Painter::Kept> animation(
       Dimension::simulation(options, std::move(scene), store), options.levels.levels(), kept_bytes, store);
@@ -302,6 +314,11 @@ void add_animate(Commands& commands) {
       ->capture_default_str();
   command.add_option("-o", options->out, "the folder to write into, created; without it ./STEM-hottel/")
       ->type_name("DIR");
+  command
+      .add_option("--method", options->method,
+                  "how to compute the factors between active elements, each also as METHOD:normalised" + methods_text())
+      ->type_name("METHOD")
+      ->capture_default_str();
   options->levels.add_to(command);
   options->elements.add_to(command);
   options->polygons.add_to(command);

@@ -26,6 +26,7 @@ struct FrameCounts {
   std::uint64_t activated = 0;           // of these, not active in the frame before; in the first one all
   std::uint64_t computed = 0, read = 0;  // pairs that exchange light: computed, and taken from what was kept
   double seconds = 0;                    // until there are radiosities
+  double row_defect = 0;                 // how far the sum of a row is from 1, at most, before it is divided by it
 };
 
 // The elements of a matrix that have a row, ascending.
@@ -72,7 +73,9 @@ class Animation {
     const Simulation moved = still_.with_scene(scene_after(still_.scene(), time));
     const Known& known = known_for(moved, counts, progress);
     Frame frame{known.simulation.with_scene(with_trees(moved.scene(), known.trees)), counts, known.kept};
-    std::vector<ElementId> active = active_elements(frame.simulation.factors(progress)->matrix);
+    const auto factors = frame.simulation.factors(progress);
+    frame.counts.row_defect = factors->row_defect();
+    std::vector<ElementId> active = active_elements(factors->matrix);
     frame.counts.elements = active.size();
     frame.counts.activated = active.size() - common(active, active_);
     active_ = std::move(active);

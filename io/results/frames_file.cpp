@@ -15,7 +15,7 @@
 namespace hottel {
 namespace {
 
-constexpr const char* kHeader = "frame,time,elements,activated,computed,read,seconds,picture_seconds";
+constexpr const char* kHeader = "frame,time,elements,activated,computed,read,seconds,picture_seconds,row_defect";
 
 // Takes the next number of a line; false where there is none.
 template <class Number>
@@ -35,7 +35,7 @@ std::optional<std::pair<std::uint32_t, FrameLine>> line_of(std::string_view text
   const bool is_whole = take(text, result.first) && take(text, line.time) && take(text, line.counts.elements) &&
                         take(text, line.counts.activated) && take(text, line.counts.computed) &&
                         take(text, line.counts.read) && take(text, line.counts.seconds) &&
-                        take(text, line.picture_seconds) && text.empty();
+                        take(text, line.picture_seconds) && take(text, line.counts.row_defect) && text.empty();
   return is_whole ? std::optional(result) : std::nullopt;
 }
 
@@ -46,9 +46,9 @@ std::string frame_file_name(std::uint32_t frame) { return fmt::format("frame_{:0
 std::string frames_csv(const FramesMade& made) {
   std::string text = std::string(kHeader) + "\n";
   for (const auto& [frame, line] : made.frames)
-    text += fmt::format("{},{},{},{},{},{},{},{}\n", frame, shortest(line.time), line.counts.elements,
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", frame, shortest(line.time), line.counts.elements,
                         line.counts.activated, line.counts.computed, line.counts.read, shortest(line.counts.seconds),
-                        shortest(line.picture_seconds));
+                        shortest(line.picture_seconds), shortest(line.counts.row_defect));
   return text;
 }
 

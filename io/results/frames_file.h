@@ -27,7 +27,7 @@ struct FramesMade {
 // The name of a frame's picture: "frame_00012.png".
 std::string frame_file_name(std::uint32_t frame);
 
-// frames.csv: frame,time,elements,activated,computed,read,seconds,picture_seconds.
+// frames.csv: frame,time,elements,activated,computed,read,seconds,picture_seconds,row_defect.
 std::string frames_csv(const FramesMade& made);
 
 // animation.json: {"hottel", "scene", "key", "frames_per_second", "frames", "files"}.

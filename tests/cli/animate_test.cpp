@@ -121,6 +121,21 @@ TEST(Animate, RefusesLightsThatComeToLieOnSurfacesBeforeAnyFrame) {
   EXPECT_FALSE(testing_cli::fs::exists(place.path("film")));
 }
 
+// Rows are divided over the elements that are active in a frame, and their own sums are told.
+TEST(Animate, TakesAnyMethodAndTellsTheDefectBeforeRowsAreDivided) {
+  const Workplace place;
+  place.write("scene.json", room(kSpot));
+  const std::string line = "hottel animate scene.json --frames 3 --fps 1 --light-levels 2 --quiet --method ";
+  ASSERT_EQ(place.run(line + "center -o raw").code, 0);
+  ASSERT_EQ(place.run(line + "center:normalised -o normalised").code, 0);
+  const auto last = [&](const std::string& folder) { return place.run("cut -d, -f9 " + folder + "/frames.csv").out; };
+  EXPECT_EQ(last("raw"), last("normalised"));
+  EXPECT_THAT(last("raw"), testing::Not(HasSubstr("\n0\n"))) << "centres are off";
+  EXPECT_NE(place.read("raw/frame_00001.png"), place.read("normalised/frame_00001.png"));
+  ASSERT_EQ(place.run(line + "exact -o raw").code, 0);
+  EXPECT_EQ(last("raw"), "row_defect\n0\n0\n0\n") << "of another method they are made anew";
+}
+
 TEST(Animate, SaysThatNothingMoves) {
   const Workplace place;
   place.write("scene.json", room(R"({"type": "point", "name": "lamp", "position": [1,1], "power": 1})"));

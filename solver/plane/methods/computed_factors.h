@@ -9,6 +9,8 @@ namespace hottel {
 struct ComputedFactors2 {
   ExchangeMatrix matrix;
   MethodReport report;
+
+  double row_defect() const { return report.row_defect; }  // the largest, before rows were divided by their sums
 };
 
 // View factors by a method. Throws RequestError naming the scene, and the method unless it is exact, when it cannot be

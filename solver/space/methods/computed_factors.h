@@ -14,6 +14,8 @@ struct ComputedFactors3 {
   ExchangeMatrix matrix;
   ExchangeReport3 report;
   std::vector<std::string> notes;  // where the method is not exact: the first is a sentence about it
+
+  double row_defect() const { return report.max_defect; }  // the largest, before rows were divided by their sums
 };
 
 }  // namespace hottel
