@@ -48,6 +48,27 @@ ExchangeMatrix to_matrix(const ElementTable2& table, const std::vector<PairSum2>
   return matrix;
 }
 
+// The pairs of each smaller label, [begin, end), labels that lie near each other one after another: what they ask of
+// their partners is in the cache then. REQUIRES pairs in order.
+std::vector<std::pair<std::size_t, std::size_t>> rows_by_place(const std::vector<PairSum2>& pairs,
+                                                               const ElementTable2& table,
+                                                               const Arrangement2& arrangement) {
+  std::vector<std::uint32_t> rank(arrangement.vertices().size());
+  std::uint32_t next = 0;
+  for (const VertexId v : arrangement.triangulation().sweep_order()) rank[v.index()] = next++;
+  std::vector<std::pair<std::size_t, std::size_t>> rows;
+  for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
+    while (end < pairs.size() && pairs[end].i == pairs[begin].i) ++end;
+    rows.emplace_back(begin, end);
+  }
+  const auto place = [&](const std::pair<std::size_t, std::size_t>& row) {
+    const std::uint32_t label = pairs[row.first].i;
+    return label >= table.count() || table.runs(label).empty() ? next : rank[table.runs(label).front().a.index()];
+  };
+  std::ranges::sort(rows, {}, [&](const auto& row) { return std::pair(place(row), row.first); });
+  return rows;
+}
+
 }  // namespace
 
 ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequest& request, ExchangeReport* report) {
@@ -85,9 +106,11 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
     const std::lock_guard lock(tiers);
     r.tiers += some;
   };
-  parallel_ranges(pairs.size(), 256, [&](std::size_t begin, std::size_t end) {
+  const auto rows = rows_by_place(pairs, table, arrangement);
+  parallel_ranges(rows.size(), 16, [&](std::size_t begin, std::size_t end) {
     TierCounts some;
-    for (std::size_t k = begin; k < end; ++k) rounded[k] = rounding.quick(pairs[k], some);
+    for (std::size_t row = begin; row < end; ++row)
+      for (std::size_t k = rows[row].first; k < rows[row].second; ++k) rounded[k] = rounding.quick(pairs[k], some);
     count(some);
   });
   settle_lonely_rows(pairs, table, rounded);
