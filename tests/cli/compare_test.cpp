@@ -188,6 +188,33 @@ TEST(Compare, HoldsLightOnAGridAgainstTheExactOne) {
   EXPECT_THAT(outcome.err, HasSubstr("the worst is cell 7, 5"));
 }
 
+TEST(Compare, HoldsLightOnAGridInSpaceAgainstTheExactOne) {
+  const Workplace place;
+  place.write("grid.json", R"({"hottel": 1, "dimension": 3,
+    "materials": {"lamp": {"emission": 1}, "wall": {"reflectivity": 0.5}},
+    "polygons": [
+      {"name": "lamp", "points": [[0,0,2],[0,2,2],[2,2,2],[2,0,2]], "material": "lamp"},
+      {"name": "floor", "points": [[0,0,0],[2,0,0],[2,2,0],[0,2,0]], "material": "wall"}],
+    "grid": {"origin": ["0.5", "0.5", 1], "u": [1,0,0], "v": [0,1,0], "cells": [4, 3]}})");
+  ASSERT_EQ(place.run("hottel solve grid.json -o solved --quiet").code, 0);
+  const std::string compare = "hottel compare grid.json --methods center --repeat 1 -o out --grid-file ";
+  ASSERT_EQ(place.run(compare + "solved/illumination.npy").code, 0);
+  auto fields = fields_of(lines_of(place.read("out/grid.csv")).at(1));
+  EXPECT_EQ(fields[1], "12");
+  EXPECT_EQ(fields[4], "0");
+  // The last cell is dark.
+  ASSERT_EQ(
+      place.run("head -c -8 solved/illumination.npy > dark.npy; printf '\\0\\0\\0\\0\\0\\0\\0\\0' >> dark.npy").code,
+      0);
+  const Outcome outcome = place.run(compare + "dark.npy");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  fields = fields_of(lines_of(place.read("out/grid.csv")).at(1));
+  EXPECT_EQ(fields[7] + "," + fields[8], "3,2");
+  EXPECT_EQ(fields[9] + "," + fields[11], "1.375,1") << "x and z of its centre";
+  EXPECT_EQ(fields[12], "0");
+  EXPECT_THAT(outcome.err, HasSubstr("the worst is cell 3, 2"));
+}
+
 TEST(Compare, RefusesGridsThatDoNotFit) {
   const Workplace place;
   ASSERT_EQ(place
