@@ -1,9 +1,9 @@
 #include "geometry/space/scene/scene.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "geometry/name.h"
+#include "geometry/space/scene/light_place_problem.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -42,21 +42,6 @@ void validate_masks(const Scene3& scene) {
   }
 }
 
-// What is wrong with where a light is, as the end of a sentence; empty when nothing is.
-std::string place_problem(const Scene3& scene, const Light& light, const LightPlace3& place) {
-  if (light.type == LightType::kSpot && place.direction.is_zero()) return "shines nowhere: its direction is zero";
-  for (std::size_t s = 0; s < scene.polygons.size(); ++s)
-    for (const Polygon3& facet : facets_of(scene.polygons[s]))
-      if (contains(facet, place.position))
-        return "lies on the surface " + quoted_name(scene.surfaces[s].name) + "; a light has to be beside it";
-  if (!place.path) return "";
-  if (place.path->seconds <= 0) return "has a path of no time: seconds must be greater than 0";
-  const auto& points = place.path->points;
-  if (std::adjacent_find(points.begin(), points.end(), std::not_equal_to<>()) == points.end())
-    return "has a path that leads nowhere: it needs two points that differ";
-  return "";
-}
-
 }  // namespace
 
 std::string camera_problem(const Camera3& camera) {
@@ -92,7 +77,8 @@ void validate(const Scene3& scene) {
   validate_masks(scene);
   HOTTEL_REQUIRE(scene.light_places.size() == scene.lights.size());
   for (std::size_t k = 0; k < scene.lights.size(); ++k)
-    if (const auto problem = place_problem(scene, scene.lights[k], scene.light_places[k]); !problem.empty())
+    if (const std::string problem = light_place_problem(scene, scene.lights[k], scene.light_places[k]);
+        !problem.empty())
       throw InputError({scene.file, scene.lights[k].line},
                        "light " + quoted_name(scene.lights[k].name) + " " + problem);
   if (const std::string problem = scene.camera ? camera_problem(*scene.camera) : ""; !problem.empty())

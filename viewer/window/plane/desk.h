@@ -153,7 +153,7 @@ class Desk2 : public Desk {
   std::optional<Prompt> prompt_;
   std::string message_, title_;
   Pick2 hover_;
-  std::optional<LightHold2> hover_light_;  // then hover_ is nothing
+  std::optional<LightHold> hover_light_;  // then hover_ is nothing
 
   std::shared_ptr<const Scene2> shown_;  // what the rest has been told of
   std::uint64_t shown_version_ = 0;

@@ -8,13 +8,15 @@
 #include <utility>
 
 #include "geometry/scene_names.h"
+#include "geometry/space/scene/light_place_problem.h"
 #include "io/files/output_file.h"
 #include "io/results/factor_files.h"
 #include "io/results/radiosity_files.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "viewer/edit/material_edits.h"
-#include "viewer/edit/typed_numbers.h"
+#include "viewer/edit/space/light_region.h"
+#include "viewer/edit/space/typed_point.h"
 #include "viewer/picture/space/camera_view.h"
 #include "viewer/picture/space/render_picture.h"
 #include "viewer/window/script_player.h"
@@ -42,9 +44,16 @@ double size_of(const Scene3& scene) {
 
 // "1,2,3" as it is typed.
 Point3 exact_place(const std::string& text) {
-  const Typed<std::vector<Rational>> typed = typed_numbers(text);
-  if (!typed.value || typed.value->size() != 3) throw UsageError("a place is X,Y,Z, not '" + text + "'");
-  return {(*typed.value)[0], (*typed.value)[1], (*typed.value)[2]};
+  const Typed<Point3> typed = typed_point_3(text);
+  if (!typed.value) throw UsageError("a place is X,Y,Z, not '" + text + "'");
+  return *typed.value;
+}
+
+// Why a light may not be where it is; before there is a model, as far as the scene tells.
+std::string why_not(const LiveModel3* model, const Scene3& scene, std::uint32_t light, const Point3* before) {
+  if (model != nullptr) return light_refusal(scene, light, model->prepared.arrangement().solids(), before);
+  const std::string problem = light_place_problem(scene, scene.lights[light], scene.light_places[light]);
+  return problem.empty() ? "" : scene.lights[light].name + " " + problem;
 }
 
 SimulationRequest3 request_of(FactorsRequest3 factors) {
@@ -61,18 +70,21 @@ Desk3::Desk3(DeskSource3 source, Window& window, const FactorsRequest3& factors,
       source_(std::move(source)),
       file_(source_.file),
       live_(request_of(factors), [&window] { window.wake(); }),
+      editor_({}, [this](const Scene3& edited, std::uint32_t light,
+                         const Point3* before) { return why_not(state().model.get(), edited, light, before); }),
       size_(window.size()),
       looking_([&window] { window.wake(); }) {
   file_.note();
   set_scene(source_.read());
 }
 
-void Desk3::set_scene(Scene3 scene) {
-  const auto read = std::make_shared<const Scene3>(std::move(scene));
-  live_.set(read);
-  history_ = {read};
-  now_ = 0;
-  saved_ = read;
+void Desk3::set_scene(Scene3 scene_read) {
+  const auto read = std::make_shared<const Scene3>(std::move(scene_read));
+  live_.set(read);  // throws before anything has changed
+  editor_.replace(read);
+  shown_ = read;
+  drag_ = Drag::kNone;
+  hover_light_.reset();
   hover_.reset();
   picked_.reset();
   light_.reset();
@@ -85,6 +97,15 @@ void Desk3::set_scene(Scene3 scene) {
     fit();
   }
   needs_base_ = true;
+}
+
+// Tells the light of another scene.
+void Desk3::scene_changed() {
+  needs_frame_ = true;
+  if (shown_ == scene()) return;
+  shown_ = scene();
+  live_.set(shown_);
+  if (drag_ != Drag::kLight) touch();
 }
 
 void Desk3::fit() { camera_ = EyeCamera3(home_, size_of(*scene())); }
@@ -212,7 +233,7 @@ void Desk3::save_as(const std::filesystem::path& file) {
   source_ = {file, [file] { return read_scene_3(file); }};
   file_ = WatchedFile(file);
   file_.note();
-  saved_ = scene();
+  editor_.mark_saved();
   message_ = "saved " + file.string();
   needs_frame_ = true;
 }
@@ -292,12 +313,13 @@ bool Desk3::do_own_step(const ScriptStep& step) {
     pick(face);
     return true;
   } else if (step.word == "material") {
-    std::vector<Material> materials = scene()->materials;
+    const auto& materials = scene()->materials;
     const auto found = std::ranges::find(materials, step.arguments[0], &Material::name);
     if (found == materials.end()) throw UsageError("there is no material '" + step.arguments[0] + "'");
-    const std::string problem = read_material(step.rest.substr(step.arguments[0].size()), *found);
+    Material values = *found;
+    const std::string problem = read_material(step.rest.substr(step.arguments[0].size()), values);
     if (!problem.empty()) throw UsageError(problem);
-    change_materials(std::move(materials));
+    change_material(static_cast<std::uint32_t>(found - materials.begin()), values);
     return true;
   } else if (step.word == "eye") {
     Camera3 moved = camera_.camera(size_);
