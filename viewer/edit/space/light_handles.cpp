@@ -101,8 +101,13 @@ Direction3 direction_on_sphere(const Beam& beam, const Pointer3& pointer) {
   return unit(beside + (is_farther ? half_chord : -half_chord) * ray);
 }
 
+// Of which one is finer than a pixel, where a place is.
+int decimals_of(const Direction3& place, const Pointer3& pointer) {
+  return decimals_at(1 / pointer.length_of_pixel(place)) + 1;
+}
+
 void aim(LightPlace3& place, const Pointer3& pointer) {
-  const int decimals = decimals_at(1 / pointer.length_of_pixel(place_of(place.position)));
+  const int decimals = decimals_of(place_of(place.position), pointer);
   const Vector3 way = rounded(*pointer.aim, place.position, decimals) - place.position;
   if (!way.is_zero()) place.direction = way;
 }
@@ -184,7 +189,7 @@ Scene3 drag_light(const Scene3& scene, const LightHold& hold, const Pointer3& po
   if (hold.part == LightPart::kPlace) {
     const Direction3 to = place_dragged(from, pointer);
     if (!is_finite(to) || length(to - from) > kMostTimesFarther * length(from - pointer.eye)) return scene;
-    const int decimals = decimals_at(1 / pointer.length_of_pixel(from));
+    const int decimals = decimals_of(from, pointer);
     move(place, rounded(to, place.position, decimals) - place.position);
   } else if (hold.part == LightPart::kAxis) {
     pointer.aim ? aim(place, pointer) : turn_to_mouse(place, pointer);
