@@ -49,6 +49,7 @@ class Desk2 : public Desk {
   bool update() override;
   void settle(double seconds) override;
   bool wants_quit() const override { return wants_quit_; }
+  bool pass_time(const Rational&) override { return false; }
   Pixel pixel_of_place(std::span<const double> place) const override;
   std::string hashes() const override;  // result_hashes(looks().state())
   bool do_own_step(const ScriptStep&) override { return false; }

@@ -8,14 +8,12 @@
 #include <utility>
 
 #include "geometry/scene_names.h"
-#include "geometry/space/scene/light_place_problem.h"
 #include "io/files/output_file.h"
 #include "io/results/factor_files.h"
 #include "io/results/radiosity_files.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "viewer/edit/material_edits.h"
-#include "viewer/edit/space/light_region.h"
 #include "viewer/edit/space/typed_point.h"
 #include "viewer/picture/space/camera_view.h"
 #include "viewer/picture/space/render_picture.h"
@@ -49,13 +47,6 @@ Point3 exact_place(const std::string& text) {
   return *typed.value;
 }
 
-// Why a light may not be where it is; before there is a model, as far as the scene tells.
-std::string why_not(const LiveModel3* model, const Scene3& scene, std::uint32_t light, const Point3* before) {
-  if (model != nullptr) return light_refusal(scene, light, model->prepared.arrangement().solids(), before);
-  const std::string problem = light_place_problem(scene, scene.lights[light], scene.light_places[light]);
-  return problem.empty() ? "" : scene.lights[light].name + " " + problem;
-}
-
 SimulationRequest3 request_of(FactorsRequest3 factors) {
   factors.granularity = Granularity::kElement;
   factors.wants_visibility = true;
@@ -71,7 +62,7 @@ Desk3::Desk3(DeskSource3 source, Window& window, const FactorsRequest3& factors,
       file_(source_.file),
       live_(request_of(factors), [&window] { window.wake(); }),
       editor_({}, [this](const Scene3& edited, std::uint32_t light,
-                         const Point3* before) { return why_not(state().model.get(), edited, light, before); }),
+                         const Point3* before) { return why_not(edited, light, before); }),
       size_(window.size()),
       looking_([&window] { window.wake(); }) {
   file_.note();
@@ -82,7 +73,8 @@ void Desk3::set_scene(Scene3 scene_read) {
   const auto read = std::make_shared<const Scene3>(std::move(scene_read));
   live_.set(read);  // throws before anything has changed
   editor_.replace(read);
-  shown_ = read;
+  told_ = shown_ = read;
+  time_.reset();
   drag_ = Drag::kNone;
   hover_light_.reset();
   hover_.reset();
@@ -102,8 +94,10 @@ void Desk3::set_scene(Scene3 scene_read) {
 // Tells the light of another scene.
 void Desk3::scene_changed() {
   needs_frame_ = true;
-  if (shown_ == scene()) return;
-  shown_ = scene();
+  if (told_ == scene()) return;
+  told_ = scene();
+  if (time_) return move_lights();
+  shown_ = told_;
   live_.set(shown_);
   if (drag_ != Drag::kLight) touch();
 }
@@ -309,8 +303,12 @@ bool Desk3::do_own_step(const ScriptStep& step) {
   } else if (step.word == "walk") {
     camera.walk(numbers(3)[0], numbers(3)[1], numbers(3)[2]);
   } else if (step.word == "pick") {
-    const Face face = face_of(*scene(), step.rest.substr(0, step.rest.find_last_not_of(" \t") + 1));
-    pick(face);
+    const std::string name = step.rest.substr(0, step.rest.find_last_not_of(" \t") + 1);
+    const auto light = std::ranges::find(scene()->lights, name, &Light::name);
+    if (light == scene()->lights.end())
+      pick(face_of(*scene(), name));
+    else
+      editor_.select_light(static_cast<std::uint32_t>(light - scene()->lights.begin()));
     return true;
   } else if (step.word == "material") {
     const auto& materials = scene()->materials;

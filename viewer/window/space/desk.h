@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -21,18 +20,13 @@
 #include "viewer/window/desk.h"
 #include "viewer/window/prompt.h"
 #include "viewer/window/space/camera.h"
+#include "viewer/window/space/desk_source.h"
 #include "viewer/window/space/live_scene.h"
 #include "viewer/window/space/look.h"
 #include "viewer/window/watched_file.h"
 #include "viewer/window/window.h"
 
 namespace hottel {
-
-// Where the scene of a desk comes from.
-struct DeskSource3 {
-  std::filesystem::path file;
-  std::function<Scene3()> read;  // throws InputError
-};
 
 // A scene in space on a desk: all that a window does, without a screen.
 //
@@ -43,6 +37,7 @@ struct DeskSource3 {
 //       onto a surface, nor out of all rooms
 //   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes
 //   (5) a command that can do nothing says why in message(): what a key does is seen
+//   (6) while lights move, what is shown is the light of scene_after(scene(), time()): a function of scene and time
 // Its functions are for the thread of the window.
 class Desk3 : public Desk {
  public:
@@ -55,6 +50,7 @@ class Desk3 : public Desk {
   bool update() override;
   void settle(double seconds) override;
   bool wants_quit() const override { return wants_quit_; }
+  bool pass_time(const Rational& seconds) override;
   Pixel pixel_of_place(std::span<const double> place) const override;
   // factors.csv of `hottel factors`, radiosity.csv of `hottel solve`.
   std::string hashes() const override;
@@ -66,6 +62,8 @@ class Desk3 : public Desk {
 
   const SceneEditor3& editor() const { return editor_; }
   const std::shared_ptr<const Scene3>& scene() const { return editor_.scene(); }
+  // Seconds since the lights began to move; nothing while they stand.
+  const std::optional<Rational>& time() const { return time_; }
   const LiveState3& state() const { return live_.state(); }
   const LookRequest3& request() const { return request_; }
   const std::optional<LookResult3>& result() const { return result_; }
@@ -119,6 +117,10 @@ class Desk3 : public Desk {
   void ask_for_light(std::uint32_t light);
   void ask_for_place();
   void add_light();
+  std::string why_not(const Scene3& edited, std::uint32_t light, const Point3* before) const;
+  void play();
+  void move_lights();
+  void stop();
   void say(const std::string& done, const char* nothing);
   void drop();
   std::string save();
@@ -159,7 +161,9 @@ class Desk3 : public Desk {
   WatchedFile file_;
   LiveScene3 live_;
   SceneEditor3 editor_;
-  std::shared_ptr<const Scene3> shown_;  // what the rest has been told of
+  std::shared_ptr<const Scene3> told_;   // of which the rest has been told
+  std::shared_ptr<const Scene3> shown_;  // the same, or, while lights move, at their time
+  std::optional<Rational> time_;
 
   FrameSize size_;
   EyeCamera3 camera_;

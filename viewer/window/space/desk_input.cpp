@@ -20,7 +20,7 @@ double distance(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a
 
 // Finds what lies under the mouse.
 void Desk3::touch() {
-  hover_light_ = has_mouse_ ? editor_.pick_light(pointer()) : std::nullopt;
+  hover_light_ = has_mouse_ ? pick_light(*shown_, pointer()) : std::nullopt;
   const SeenPicture3::Part* part = has_mouse_ && !hover_light_ && seen() ? seen()->at(mouse_) : nullptr;
   hover_ = part != nullptr ? part->element : std::nullopt;
 }
@@ -115,6 +115,7 @@ void Desk3::press(const WindowEvent& event) {
 Desk3::Drag Desk3::drag_of(const WindowEvent& press) {
   if (press.button != MouseButton::kLeft) return Drag::kPan;
   if (!press.held.shift && is_on_bar()) return Drag::kBar;
+  if (time_ && pick_light(*shown_, pointer())) stop();
   if (editor_.press(pointer(press.held))) return Drag::kLight;
   if (press.held.shift) return Drag::kPan;
   return press.held.ctrl ? Drag::kTurn : Drag::kOrbit;

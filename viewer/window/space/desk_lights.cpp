@@ -1,9 +1,15 @@
 // What a desk in space does to lights, and how it draws them.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
+#include "geometry/space/scene/light_place_problem.h"
+#include "geometry/space/scene/moving_lights.h"
+#include "kernel/decimal.h"
 #include "viewer/edit/decimals.h"
 #include "viewer/edit/light_edits.h"
+#include "viewer/edit/space/light_region.h"
 #include "viewer/edit/space/typed_point.h"
 #include "viewer/window/lights.h"
 #include "viewer/window/space/desk.h"
@@ -15,6 +21,12 @@ namespace {
 constexpr double kBesideSurface = 0.1;  // sizes of the scene from what is seen to a light that is put there
 constexpr double kAside = 24;           // units from a light to its copy
 constexpr double kHidden = 1e-6;        // of the way to a light, that what hides it is nearer
+
+// What is wrong with where a light is, as a sentence; empty when nothing is.
+std::string place_problem(const Scene3& scene, std::uint32_t light) {
+  const std::string problem = light_place_problem(scene, scene.lights[light], scene.light_places[light]);
+  return problem.empty() ? "" : scene.lights[light].name + " " + problem;
+}
 
 }  // namespace
 
@@ -31,8 +43,8 @@ void Desk3::say(const std::string& done, const char* nothing) {
 
 bool Desk3::light_command(std::string_view name) {
   touch();
-  if (name == "light") {
-    add_light();
+  if (name == "light" || name == "play") {
+    name == "light" ? add_light() : play();
     return true;
   }
   const bool is_of_selected = name == "turn" || name == "turn back" || name == "turn square" || name == "copy" ||
@@ -81,11 +93,58 @@ void Desk3::change_light(std::uint32_t light, std::string_view name) {
   const Vector3& rates = scene()->light_places[light].rotation;
   std::array<Rational, 3> rotation{rates.x, rates.y, rates.z};
   edit_light(values, rotation, name);
-  const std::string changed = editor_.change_light(light, values, {rotation[0], rotation[1], rotation[2]});
+  const Vector3 rates_after{rotation[0], rotation[1], rotation[2]};
+  const std::string changed = editor_.change_light(light, values, rates_after);
+  if (name == "spin" && !changed.empty() && !time_ && !rates_after.is_zero()) time_ = 0;
   if (changed.empty())
     message_ = editor_.is_dragging() ? "not while something is dragged" : why_light_stays(name);
   else if (!hover_light_)  // what lies under the mouse is told already
     message_ = light_line_3(*scene(), light);
+}
+
+// Lights begin to move, or stand again where the scene has them.
+void Desk3::play() {
+  if (time_) {
+    stop();
+  } else if (editor_.is_dragging()) {
+    message_ = "not while something is dragged";
+  } else if (!has_moving_lights(*scene())) {
+    message_ = "no light moves";
+  } else {
+    time_ = 0;
+    message_ = "the lights move";
+  }
+}
+
+void Desk3::stop() {
+  time_.reset();
+  shown_ = told_;
+  live_.set(shown_);
+  message_ = "the lights stand";
+}
+
+bool Desk3::pass_time(const Rational& seconds) {
+  if (!time_) return false;
+  *time_ += seconds;
+  if (seconds > 0 && live_.is_at_rest()) move_lights();
+  return true;
+}
+
+// Shows the lights at their time, as far as they may be there.
+void Desk3::move_lights() {
+  needs_frame_ = true;
+  const auto moved = std::make_shared<const Scene3>(scene_after(*scene(), *time_));
+  std::string problem = has_moving_lights(*scene()) ? "" : "no light moves";
+  for (std::uint32_t k = 0; k < moved->lights.size() && problem.empty(); ++k)
+    if (moved->light_places[k].position != scene()->light_places[k].position) problem = place_problem(*moved, k);
+  if (!problem.empty()) {
+    const std::string when = fmt::format("after {} s ", short_text(*time_));
+    stop();
+    message_ = when + problem;
+    return;
+  }
+  shown_ = moved;
+  live_.set(shown_);
 }
 
 void Desk3::ask_for_light(std::uint32_t light) {
@@ -130,6 +189,12 @@ void Desk3::add_light() {
       "not while something is dragged");
 }
 
+// Why a light may not be where it is; before there is a model, as far as the scene tells.
+std::string Desk3::why_not(const Scene3& edited, std::uint32_t light, const Point3* before) const {
+  if (state().model) return light_refusal(edited, light, state().model->prepared.arrangement().solids(), before);
+  return place_problem(edited, light);
+}
+
 // Whether something that is seen hides a place.
 bool Desk3::is_hidden(const Direction3& place) const {
   const std::optional<Pixel> at = camera_.at(place, size_);
@@ -144,8 +209,8 @@ void Desk3::draw_lights(PictureCanvas& canvas) const {
     const std::optional<Pixel> at = camera_.at(place, size_);
     return at ? std::optional(within_canvas(*at)) : std::nullopt;
   };
-  for (std::uint32_t k = 0; k < scene()->lights.size(); ++k) {
-    const std::optional<LightShape3> shape = light_shape(*scene(), k, hand);
+  for (std::uint32_t k = 0; k < shown_->lights.size(); ++k) {
+    const std::optional<LightShape3> shape = light_shape(*shown_, k, hand);
     if (!shape) continue;
     LightMark mark{.place = *pixel(shape->place)};
     if (shape->is_spot) {
@@ -160,7 +225,7 @@ void Desk3::draw_lights(PictureCanvas& canvas) const {
       look.is_meant = true;
       look.touched = hover_light_->part;
     }
-    draw_light(canvas, scene()->lights[k], mark, look, unit_);
+    draw_light(canvas, shown_->lights[k], mark, look, unit_);
   }
 }
 

@@ -129,6 +129,7 @@ std::string Desk3::head() const {
   std::string text = file_title() + "   " + to_string(request_.look);
   if (!result_ || !result_->shown) text += fmt::format(", tone {} x {:.3g}", to_string(tone_), exposure_);
   if (request_.look == LookKind3::kErrors) text += ": " + request_.method;
+  if (time_) text += fmt::format("   {:.2f} s", to_double(*time_));
   const LiveState3& now = state();
   if (!now.stage.empty() && now.all_rows > 0)
     return text + fmt::format("   {} of {} rows, nearest first", now.rows, now.all_rows);
