@@ -22,24 +22,29 @@ double signed_angle(const Direction3& a, const Direction3& b, const Direction3& 
   return std::atan2(dot(a, cross(b, c)), below) / (2 * std::numbers::pi);
 }
 
-// How often a mesh winds around a point. Pieces of its faces are counter-clockwise seen from the normal of their frame.
-int winding(const ClosedMesh3& mesh, const Point3& point) {
+// How often a mesh winds around a point: by fans over the sides of its polygons, each in its sense.
+int winding(const Scene3& scene, const ClosedMesh3& mesh, const Point3& point) {
   double sum = 0;
   const auto way = [&point](const Point3& corner) {
     const Vector3 v = corner - point;
     return Direction3{to_double(v.x), to_double(v.y), to_double(v.z)};
   };
-  for (const ClosedMesh3::Face& face : mesh.faces)
-    for (const std::vector<Point3>& piece : face.pieces)
-      for (std::size_t k = 2; k < piece.size(); ++k)
-        sum += (face.is_front_up ? 1 : -1) * signed_angle(way(piece[0]), way(piece[k - 1]), way(piece[k]));
+  const ClosedMesh3::Face* before = nullptr;
+  for (const ClosedMesh3::Face& face : mesh.faces) {
+    const bool is_another = before == nullptr || before->surface != face.surface;
+    before = &face;
+    if (!is_another) continue;
+    const Polygon3& polygon = scene.polygons[face.surface];
+    const Direction3 apex = way(polygon.points[0]);
+    for (const Side3& side : sides_of(polygon)) sum += signed_angle(apex, way(side.from), way(side.to));
+  }
   return static_cast<int>(std::lround(sum));
 }
 
 // The first room that a point is in.
-const ClosedMesh3* room_around(const Solids3& solids, const Point3& point) {
+const ClosedMesh3* room_around(const Scene3& scene, const Solids3& solids, const Point3& point) {
   for (const ClosedMesh3& mesh : solids.meshes())
-    if (mesh.kind == ClosedMesh3::Kind::kRoom && winding(mesh, point) != 0) return &mesh;
+    if (mesh.kind == ClosedMesh3::Kind::kRoom && winding(scene, mesh, point) != 0) return &mesh;
   return nullptr;
 }
 
@@ -52,8 +57,8 @@ std::string light_refusal(const Scene3& scene, std::uint32_t light, const Solids
     return scene.lights[light].name + " " + problem;
   if (const auto mesh = solids.around(place.position))
     return "there is " + solid_text(scene, solids.meshes()[*mesh].group);
-  const ClosedMesh3* room = before != nullptr ? room_around(solids, *before) : nullptr;
-  if (room != nullptr && room_around(solids, place.position) == nullptr)
+  const ClosedMesh3* room = before != nullptr ? room_around(scene, solids, *before) : nullptr;
+  if (room != nullptr && room_around(scene, solids, place.position) == nullptr)
     return "that is outside of the room " + quoted_name(scene.groups[room->group].name);
   return "";
 }
