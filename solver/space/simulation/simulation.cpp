@@ -16,7 +16,7 @@
 #include "solver/methods/negative_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
-#include "solver/space/light/tested_shares.h"
+#include "solver/space/light/known_shares.h"
 #include "solver/space/scene_plan.h"
 #include "solver/space/simulation/kept_factors.h"
 
@@ -111,14 +111,12 @@ bool is_same_shape(const Scene3& a, const Scene3& b) {
          std::ranges::equal(a.materials, b.materials, {}, &Material::name, &Material::name);
 }
 
-// Whether the lights are the same but for their power: their shares are then.
+// Whether each light shines on the same: their shares are the same then.
 bool are_lit_alike(const Scene3& a, const Scene3& b) {
-  const auto is_alike = [](Light light, const Light& other) {
-    light.power = other.power;
-    light.line = other.line;
-    return light == other;
-  };
-  return a.light_places == b.light_places && std::ranges::equal(a.lights, b.lights, is_alike);
+  if (a.lights.size() != b.lights.size()) return false;
+  for (std::size_t k = 0; k < a.lights.size(); ++k)
+    if (!is_lit_alike_3(a.lights[k], a.light_places[k], b.lights[k], b.light_places[k])) return false;
+  return true;
 }
 
 StagePtr<Plan> plan_stage(const ScenePtr& scene, const PlanRequest& request) {
@@ -138,6 +136,7 @@ struct Simulation3::Version {
   StagePtr<ComputedFactors3> factors;
   StagePtr<std::vector<ElementPair>> hidden;
   StagePtr<std::vector<LightShares>> shares;
+  KnownShares3 known;  // of an earlier scene with the same elements
   StagePtr<RadiositySolver> system;
   StagePtr<RadiositySolution> radiosities;
   StagePtr<IlluminationGrid3> light;  // null: there is no grid
@@ -190,6 +189,8 @@ struct Simulation3::Version {
       factors = other.factors;
       hidden = other.hidden;
       shares = other.shares;
+      known = other.known;
+      if (const auto ready = shares->peek()) known = {other.scene->lights, other.scene->light_places, ready};
       if (!are_lit_alike(*other.scene, *scene)) set_shares();
     } else {  // it is refused, or arranged as before
       measured = other.measured;
@@ -228,8 +229,9 @@ struct Simulation3::Version {
 
   void set_shares() {
     shares = std::make_shared<Stage<std::vector<LightShares>>>(
-        "lights", [ready = prepared, of = request.factors.granularity, by = request.lights](
-                      const StageProgress& progress) { return hottel::light_shares(*ready->get(progress), of, by); });
+        "lights",
+        [ready = prepared, of = request.factors.granularity, by = request.lights, before = known](
+            const StageProgress& progress) { return hottel::light_shares(*ready->get(progress), of, by, before); });
   }
 
   void set_hidden() {
