@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "kernel/support/stopwatch.h"
 
@@ -19,17 +20,31 @@ Rational thousandths(double seconds) {
   return result;
 }
 
+// Of moves of the mouse one after the other the last one is handled.
+void handle_events(Desk& desk, Window& window, double seconds) {
+  WindowEvent move;
+  bool has_move = false;
+  for (std::size_t k = 0; k < kEventsPerFrame; ++k) {
+    const std::optional<WindowEvent> event = window.next(k == 0 ? seconds : 0);
+    if (!event) break;
+    if (event->kind == WindowEvent::Kind::kMove) {
+      move = *event;
+      has_move = true;
+      continue;
+    }
+    if (std::exchange(has_move, false)) desk.handle(move);
+    desk.handle(*event);
+  }
+  if (has_move) desk.handle(move);
+}
+
 }  // namespace
 
 void run_desk(Desk& desk, Window& window, double seconds) {
   Stopwatch watch;
   for (bool moves = false; !desk.wants_quit();) {
     const double most = moves ? std::min(seconds, kSecondsBetweenFrames) : seconds;
-    for (std::size_t k = 0; k < kEventsPerFrame; ++k) {
-      const std::optional<WindowEvent> event = window.next(k == 0 ? most : 0);
-      if (!event) break;
-      desk.handle(*event);
-    }
+    handle_events(desk, window, most);
     const double gone = watch.lap();
     moves = desk.pass_time(moves ? thousandths(gone) : Rational(0));
     desk.update();

@@ -4,6 +4,7 @@
 
 #include "geometry/name.h"
 #include "geometry/space/scene/light_place_problem.h"
+#include "geometry/space/scene/validation.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -64,16 +65,10 @@ std::string grid_problem(const Grid3& grid) {
   return "";
 }
 
-void validate(const Scene3& scene) {
-  HOTTEL_REQUIRE(scene.polygons.size() == scene.surfaces.size());
-  validate_table(scene);
-  for (std::size_t s = 0; s < scene.polygons.size(); ++s) {
-    const auto& [problem, hint] = polygon_problem(scene.polygons[s]);
-    if (!problem.empty())
-      throw InputError({scene.file, scene.surfaces[s].line},
-                       "polygon " + quoted_name(scene.surfaces[s].name) + " " + problem,
-                       hint.empty() ? std::vector<std::string>() : std::vector{hint});
-  }
+namespace {
+
+// (3) to (5), but for the table.
+void validate_rest(const Scene3& scene) {
   validate_masks(scene);
   HOTTEL_REQUIRE(scene.light_places.size() == scene.lights.size());
   for (std::size_t k = 0; k < scene.lights.size(); ++k)
@@ -85,6 +80,27 @@ void validate(const Scene3& scene) {
     throw InputError({scene.file, 0}, "camera: " + problem);
   if (const std::string problem = scene.grid ? grid_problem(*scene.grid) : ""; !problem.empty())
     throw InputError({scene.file, 0}, "grid: " + problem);
+}
+
+}  // namespace
+
+void validate(const Scene3& scene) {
+  HOTTEL_REQUIRE(scene.polygons.size() == scene.surfaces.size());
+  validate_table(scene);
+  for (std::size_t s = 0; s < scene.polygons.size(); ++s) {
+    const auto& [problem, hint] = polygon_problem(scene.polygons[s]);
+    if (!problem.empty())
+      throw InputError({scene.file, scene.surfaces[s].line},
+                       "polygon " + quoted_name(scene.surfaces[s].name) + " " + problem,
+                       hint.empty() ? std::vector<std::string>() : std::vector{hint});
+  }
+  validate_rest(scene);
+}
+
+void validate_but_polygons(const Scene3& scene) {
+  HOTTEL_REQUIRE(scene.polygons.size() == scene.surfaces.size());
+  validate_table(scene);
+  validate_rest(scene);
 }
 
 }  // namespace hottel
