@@ -157,6 +157,8 @@ TEST(Desk3Lights, SayWhyACommandDoesNothing) {
   }
   hand.play("do spin");
   EXPECT_EQ(hand.desk->message(), "no light lies under the mouse, and none is selected");
+  hand.play("pick torch\ndo turn");
+  EXPECT_EQ(hand.desk->message(), "it turns about the vertical, and that is its axis");
   hand.play("pick bulb\ndo turn");
   EXPECT_EQ(hand.desk->message(), "a point light has no axis to turn");
   hand.play("do spin");
