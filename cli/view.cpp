@@ -133,12 +133,14 @@ void add_view(Commands& commands) {
   const auto options = std::make_shared<ViewOptions>();
   CLI::App& command = commands.add(
       "view",
-      "A window: move walls, furniture and lamps, and exact light follows; in space: walk through the light\n\n"
+      "A window: move walls, furniture and lamps, and exact light follows; in space: walk through the light and move\n"
+      "its lights\n\n"
       "Press h in the window for all keys. With --screenshot, --script or --record there is no window, and no display\n"
       "is needed; docs/window.md has the steps of a script.",
       {"hottel view scenes/showcase/apartment.json --screenshot /tmp/apartment.png",
        "hottel view scenes/showcase/museum.json --look factors --size 800x600 --screenshot /tmp/museum.png",
-       "hottel view scenes/space/two_boxes.json --elements 3 --screenshot /tmp/boxes.png"},
+       "hottel view scenes/space/two_boxes.json --elements 3 --screenshot /tmp/boxes.png",
+       "hottel view scenes/lights/stage.json --screenshot /tmp/stage.png"},
       [options](Streams& streams) { return view(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   command

@@ -104,6 +104,37 @@ TEST_F(ViewedProgram, AWalkThroughSpaceIsSeenAndAnEditOfLightIsInTheTitle) {
   expect_code(program, 0);
 }
 
+// A spot in the middle of the window, which shines down to the right.
+constexpr const char* kLitStage = R"({"hottel": 1, "dimension": 3, "materials": {"white": {"reflectivity": 0.5}},
+    "polygons": [
+    {"name": "floor", "points": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], "material": "white", "elements": 6},
+    {"name": "rear", "points": [[0,1,0],[1,1,0],[1,1,1],[0,1,1]], "material": "white", "elements": 6}],
+    "lights": [{"type": "spot", "name": "torch", "position": [0.5, 0.5, 0.5], "direction": [1, 0, -1], "focus": 30,
+                "power": 1}],
+    "camera": {"eye": [0.5, -2, 0.5], "target": [0.5, 1, 0.5]}})";
+
+TEST_F(ViewedProgram, ALightInSpaceIsDraggedAsAScriptDragsItAndSpins) {
+  place_.write("stage.json", kLitStage);
+  place_.write("drag.txt", "drag @640,400 @700,430\nkey ctrl+s\n");
+  EXPECT_EQ(place_.run("cp stage.json scripted.json; hottel view scripted.json --script drag.txt").code, 0);
+  ViewProgram program = view({"stage.json"});
+  const Raster before = program.frame_at_rest();
+  program.drag(640, 400, 700, 430);
+  EXPECT_TRUE(gets_title(program, "stage.json * - hottel"));
+  EXPECT_TRUE(program.changes_from(before));
+  program.keys("ctrl+s");
+  EXPECT_TRUE(gets_title(program, "stage.json - hottel"));
+  EXPECT_NE(place_.read("stage.json"), kLitStage);
+  EXPECT_EQ(place_.read("stage.json"), place_.read("scripted.json"));
+  program.keys("r y");
+  EXPECT_TRUE(gets_title(program, "stage.json * - hottel"));
+  for (int k = 0; k < 3; ++k) EXPECT_TRUE(program.changes_from(program.frame()));
+  program.keys("Tab ctrl+z ctrl+z");
+  EXPECT_TRUE(gets_title(program, "stage.json - hottel"));
+  program.keys("ctrl+q");
+  expect_code(program, 0);
+}
+
 TEST_F(ViewedProgram, WhatIsSavedIsWhatAScriptSavesAndSolvesAlike) {
   place_.write("drag.txt", "drag @640,400 @700,430\nkey ctrl+s\n");
   EXPECT_EQ(place_.run("cp room.json scripted.json; hottel view scripted.json --script drag.txt").code, 0);

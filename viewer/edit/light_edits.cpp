@@ -83,6 +83,20 @@ void edit_light(Light& light, std::string_view name) {
   name == "colour" ? next_colour(light.power) : step_quantity(light.power, sign);
 }
 
+void edit_light(Light& light, std::span<Rational> rotation, std::string_view name) {
+  if (name != "spin") return edit_light(light, name);
+  if (light.type != LightType::kSpot) return;
+  const bool turns = std::ranges::any_of(rotation, [](const Rational& rate) { return rate != 0; });
+  std::ranges::fill(rotation, Rational(0));
+  if (!turns) rotation.back() = kSpin;
+}
+
+bool is_light_edit(std::string_view name) { return name == "spin" || is_material_edit(name); }
+
+std::string why_light_stays(std::string_view name) {
+  return name == "spin" ? "a point light has no axis to turn" : "it goes no further";
+}
+
 std::string light_text(const Light& light, std::span<const Rational> rotation) {
   std::string text = "power " + spectrum_text(light.power);
   if (light.type == LightType::kPoint) return text;

@@ -18,8 +18,21 @@ namespace hottel {
 // REQUIRES is_material_edit(name).
 void edit_light(Light& light, std::string_view name);
 
-// Returns what read_light reads: "power 6 5 3; focus 25; falloff 2; rotation 30", and of a point light its power.
+// Degrees a second of a light that is set spinning.
+inline constexpr int kSpin = 30;
+
+// Changes a light or its rotation: as edit_light(light, name) does, and "spin" sets a spot that stands still turning by
+// kSpin, counter-clockwise, in space about z, and stops one that turns. A point light has no axis to turn.
 // rotation: of the axis, in degrees a second; one number, or three.
+void edit_light(Light& light, std::span<Rational> rotation, std::string_view name);
+
+// Whether edit_light takes a name: is_material_edit, or "spin".
+bool is_light_edit(std::string_view name);
+
+// Why such an edit has changed nothing.
+std::string why_light_stays(std::string_view name);
+
+// Returns what read_light reads: "power 6 5 3; focus 25; falloff 2; rotation 30", and of a point light its power.
 std::string light_text(const Light& light, std::span<const Rational> rotation);
 
 // Reads that into a light and its rotation, some or all of it; returns what is wrong with it, and then has changed

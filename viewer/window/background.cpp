@@ -30,6 +30,14 @@ void Background::post(Work work) {
   news_.notify_all();
 }
 
+void Background::follow(Work work) {
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_ = std::move(work);
+  }
+  news_.notify_all();
+}
+
 void Background::cancel() {
   const std::lock_guard lock(mutex_);
   waiting_.reset();

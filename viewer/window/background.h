@@ -16,7 +16,8 @@ namespace hottel {
 
 // Does one piece of work after another, of those that wait the last one only.
 //
-//   (1) work that is asked for while other work runs stops that: its progress throws Interrupted
+//   (1) work that is asked for by post() while other work runs stops that: its progress throws Interrupted. By follow()
+//       it waits for what runs, which is collected: so something new comes however fast work is asked for
 //   (2) what a piece of work returns is called by collect(), on the thread that calls it; not where the work was
 //       stopped, threw, or was followed by other work before it was collected
 //   (3) with steps: work may call `tell` with something to be called by collect() before it is done
@@ -35,6 +36,7 @@ class Background {
   Background& operator=(const Background&) = delete;
 
   void post(Work work);
+  void follow(Work work);
   // Stops what runs and drops what waits.
   void cancel();
   // Calls what was returned and told since; returns whether there was anything.

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "kernel/rational.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/window/script.h"
 #include "viewer/window/window.h"
@@ -28,6 +29,8 @@ class Desk {
   // Waits until all that is shown is of the scene as it is now, and updates. Throws RequestError after so many seconds.
   virtual void settle(double seconds) = 0;
   virtual bool wants_quit() const = 0;
+  // Lets so many seconds go by for lights that move. Returns whether any do.
+  virtual bool pass_time(const Rational& seconds) = 0;
 
   // Writes what is seen without any text about it to a file that ends in .png, .svg or .pdf. Throws UsageError for
   // another ending, OutputError.
@@ -45,7 +48,8 @@ class Desk {
   virtual bool do_own_step(const ScriptStep& step) = 0;
 };
 
-// Takes events and updates until the desk wants to quit; at least so often, also where nothing happens.
+// Takes events and updates until the desk wants to quit; at least so often, also where nothing happens, and fifty times
+// a second while lights move. Their time goes by as that of the clock, in thousandths of a second.
 void run_desk(Desk& desk, Window& window, double seconds);
 
 }  // namespace hottel

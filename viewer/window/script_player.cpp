@@ -177,8 +177,12 @@ class Player {
     double seconds = 0;
     if (!read_script_number(step_->arguments[0], seconds) || seconds < 0) refuse("seconds are a number not below 0");
     for (int k = 0; k < seconds * kFramesPerSecond; ++k) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kFramesPerSecond));
-      desk_.update();
+      if (desk_.pass_time(Rational(1, kFramesPerSecond))) {
+        desk_.settle(kPatience);
+      } else {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1000 / kFramesPerSecond));
+        desk_.update();
+      }
       if (outputs_.frame) outputs_.frame(window_.frame());
     }
   }

@@ -26,7 +26,7 @@ inline constexpr int kFramesPerSecond = 20;
 //
 //   (1) after each step all that the desk shows is waited for: a script does the same on every machine
 //   (2) a recording has a frame for every event, and kFramesPerSecond for a second of "pause", in which what runs in
-//       the background goes on as it does
+//       the background goes on as it does; lights that move are waited for, frame by frame
 // REQUIRES: the desk is that of the window. Throws InputError naming the line for what makes no sense, OutputError.
 void play_script(const std::vector<ScriptStep>& steps, const std::string& name, Desk& desk, RecordingWindow& window,
                  const ScriptOutputs& outputs);

@@ -1,63 +1,6 @@
 #include "geometry/space/scene/scene.h"
 
-#include <algorithm>
-#include <functional>
-
-#include "geometry/name.h"
-#include "kernel/support/failure.h"
-
 namespace hottel {
-namespace {
-
-// What is wrong with a mask and its base, as the end of a sentence; empty when nothing is.
-std::string mask_problem(const Scene3& scene, const Mask3& mask) {
-  const std::string base = quoted_name(scene.surfaces[mask.base].name);
-  if (mask.surface == mask.base) return "masks itself";
-  if (scene.surfaces[mask.surface].is_obstruction)
-    return "masks " + base + " and is an obstruction; masks have a material";
-  if (scene.surfaces[mask.base].is_obstruction) return "masks " + base + ", an obstruction, which exchanges nothing";
-  const auto is_base = [&](const Mask3& other) { return other.surface == mask.base; };
-  if (std::any_of(scene.masks.begin(), scene.masks.end(), is_base)) return "masks " + base + ", which is a mask itself";
-  const Polygon3 &polygon = scene.polygons[mask.surface], &under = scene.polygons[mask.base];
-  const Vector3 normal = doubled_area(under);
-  const std::vector<Point3> corners = corners_of(polygon);
-  const bool is_in_plane = std::all_of(corners.begin(), corners.end(), [&](const Point3& point) {
-    return dot(normal, point - under.points.front()) == 0;
-  });
-  if (!is_in_plane || polygon.is_nearly_plane || under.is_nearly_plane)
-    return "is not exactly in the plane of " + base + ", which it masks";
-  return dot(normal, doubled_area(polygon)) < 0 ? ""
-                                                : "faces the same way as " + base + ", which it masks: masks face it";
-}
-
-void validate_masks(const Scene3& scene) {
-  const Mask3* before = nullptr;
-  for (const Mask3& mask : scene.masks) {
-    HOTTEL_REQUIRE(mask.surface < scene.surfaces.size() && mask.base < scene.surfaces.size());
-    HOTTEL_REQUIRE(before == nullptr || before->surface < mask.surface);
-    before = &mask;
-    if (const std::string problem = mask_problem(scene, mask); !problem.empty())
-      throw InputError({scene.file, scene.surfaces[mask.surface].line},
-                       "polygon " + quoted_name(scene.surfaces[mask.surface].name) + " " + problem);
-  }
-}
-
-// What is wrong with where a light is, as the end of a sentence; empty when nothing is.
-std::string place_problem(const Scene3& scene, const Light& light, const LightPlace3& place) {
-  if (light.type == LightType::kSpot && place.direction.is_zero()) return "shines nowhere: its direction is zero";
-  for (std::size_t s = 0; s < scene.polygons.size(); ++s)
-    for (const Polygon3& facet : facets_of(scene.polygons[s]))
-      if (contains(facet, place.position))
-        return "lies on the surface " + quoted_name(scene.surfaces[s].name) + "; a light has to be beside it";
-  if (!place.path) return "";
-  if (place.path->seconds <= 0) return "has a path of no time: seconds must be greater than 0";
-  const auto& points = place.path->points;
-  if (std::adjacent_find(points.begin(), points.end(), std::not_equal_to<>()) == points.end())
-    return "has a path that leads nowhere: it needs two points that differ";
-  return "";
-}
-
-}  // namespace
 
 std::string camera_problem(const Camera3& camera) {
   const Vector3 view = camera.target - camera.eye;
@@ -77,28 +20,6 @@ std::string grid_problem(const Grid3& grid) {
   if (!is_count(grid.nu) || !is_count(grid.nv))
     return "cells must be integers from 1 to " + std::to_string(kMaxGridCells3);
   return "";
-}
-
-void validate(const Scene3& scene) {
-  HOTTEL_REQUIRE(scene.polygons.size() == scene.surfaces.size());
-  validate_table(scene);
-  for (std::size_t s = 0; s < scene.polygons.size(); ++s) {
-    const auto& [problem, hint] = polygon_problem(scene.polygons[s]);
-    if (!problem.empty())
-      throw InputError({scene.file, scene.surfaces[s].line},
-                       "polygon " + quoted_name(scene.surfaces[s].name) + " " + problem,
-                       hint.empty() ? std::vector<std::string>() : std::vector{hint});
-  }
-  validate_masks(scene);
-  HOTTEL_REQUIRE(scene.light_places.size() == scene.lights.size());
-  for (std::size_t k = 0; k < scene.lights.size(); ++k)
-    if (const auto problem = place_problem(scene, scene.lights[k], scene.light_places[k]); !problem.empty())
-      throw InputError({scene.file, scene.lights[k].line},
-                       "light " + quoted_name(scene.lights[k].name) + " " + problem);
-  if (const std::string problem = scene.camera ? camera_problem(*scene.camera) : ""; !problem.empty())
-    throw InputError({scene.file, 0}, "camera: " + problem);
-  if (const std::string problem = scene.grid ? grid_problem(*scene.grid) : ""; !problem.empty())
-    throw InputError({scene.file, 0}, "grid: " + problem);
 }
 
 }  // namespace hottel

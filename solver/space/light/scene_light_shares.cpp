@@ -7,10 +7,36 @@
 #include "solver/space/light/light_shares.h"
 
 namespace hottel {
+namespace {
+
+// What a list has that passes a test, or null. It stands last then.
+template <class Ptr, class Test>
+Ptr take_known(std::mutex& mutex, std::vector<Ptr>& list, const Test& test) {
+  const std::lock_guard lock(mutex);
+  const auto known = std::ranges::find_if(list, test);
+  if (known == list.end()) return nullptr;
+  std::rotate(known, known + 1, list.end());
+  return list.back();
+}
+
+template <class Ptr>
+void keep(std::mutex& mutex, std::vector<Ptr>& list, const Ptr& made, std::size_t most) {
+  const std::lock_guard lock(mutex);
+  if (list.size() == most) list.erase(list.begin());
+  list.push_back(made);
+}
+
+}  // namespace
 
 Beam3 beam_of(const Light& light, const LightPlace3& place) {
   if (light.type == LightType::kPoint) return {};
   return {place.direction, light.focus, light.falloff};
+}
+
+bool is_lit_alike_3(const Light& a, const LightPlace3& at, const Light& b, const LightPlace3& there) {
+  if (a.type != b.type || at.position != there.position) return false;
+  return a.type == LightType::kPoint ||
+         (a.focus == b.focus && a.falloff == b.falloff && at.direction == there.direction);
 }
 
 std::vector<LightShares> light_shares(const PreparedScene3& prepared, Granularity granularity) {
@@ -21,40 +47,45 @@ std::vector<LightShares> light_shares(const PreparedScene3& prepared, Granularit
 LitElements3::LitElements3(std::shared_ptr<const PreparedScene3> prepared, Granularity granularity)
     : prepared_(std::move(prepared)),
       table_(prepared_->scene, prepared_->arrangement(), prepared_->blockers(), granularity),
-      known_(std::make_unique<Maps>()) {}
+      known_(std::make_unique<Known>()) {}
 
 std::vector<LightShares> LitElements3::shares(const Scene3& scene) const {
   std::vector<LightShares> result;
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+    const Light& light = scene.lights[k];
     const LightPlace3& place = scene.light_places[k];
-    const LightShares3 shares = naming_file(scene.file, [&] {
-      return light_shares(*prepared_, table_, *map_from(place.position), BeamPower3(beam_of(scene.lights[k], place)));
-    });
-    LightShares& its = result.emplace_back();
-    for (const LightShare3& share : shares.elements) its.of_element.push_back(share.bounds);
-    its.sky = shares.sky.bounds;
-    if (shares.is_in_solid) {
-      const Solids3& solids = prepared_->arrangement().solids();
-      its.solid = scene.groups[solids.meshes()[*solids.around(place.position)].group].name;
+    auto known = take_known(known_->mutex, known_->shares,
+                            [&](const auto& one) { return is_lit_alike_3(one->light, one->place, light, place); });
+    if (known == nullptr) {
+      known = std::make_shared<const KnownShares>(light, place, compute(scene, k));
+      keep(known_->mutex, known_->shares, known, kMostShares);
     }
+    result.push_back(known->shares);
+  }
+  return result;
+}
+
+LightShares LitElements3::compute(const Scene3& scene, std::size_t light) const {
+  const LightPlace3& place = scene.light_places[light];
+  const LightShares3 shares = naming_file(scene.file, [&] {
+    return light_shares(*prepared_, table_, *map_from(place.position), BeamPower3(beam_of(scene.lights[light], place)));
+  });
+  LightShares result;
+  for (const LightShare3& share : shares.elements) result.of_element.push_back(share.bounds);
+  result.sky = shares.sky.bounds;
+  if (shares.is_in_solid) {
+    const Solids3& solids = prepared_->arrangement().solids();
+    result.solid = scene.groups[solids.meshes()[*solids.around(place.position)].group].name;
   }
   return result;
 }
 
 LitElements3::MapPtr LitElements3::map_from(const Point3& position) const {
-  std::vector<MapPtr>& maps = known_->maps;
-  const auto is_there = [&position](const MapPtr& map) { return map->eye() == position; };
-  {
-    const std::lock_guard lock(known_->mutex);
-    if (const auto known = std::ranges::find_if(maps, is_there); known != maps.end()) {
-      std::rotate(known, known + 1, maps.end());
-      return maps.back();
-    }
+  MapPtr map = take_known(known_->mutex, known_->maps, [&](const MapPtr& one) { return one->eye() == position; });
+  if (map == nullptr) {
+    map = std::make_shared<const ExactMap3>(prepared_->blockers(), position);
+    keep(known_->mutex, known_->maps, map, kMostMaps);
   }
-  auto map = std::make_shared<const ExactMap3>(prepared_->blockers(), position);
-  const std::lock_guard lock(known_->mutex);
-  if (maps.size() == kMostMaps) maps.erase(maps.begin());
-  maps.push_back(map);
   return map;
 }
 

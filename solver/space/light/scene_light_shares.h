@@ -17,6 +17,10 @@ namespace hottel {
 // The beam of a light as it stands.
 Beam3 beam_of(const Light& light, const LightPlace3& place);
 
+// Whether two lights shine on the same: they stand at one place, and their beams are the same. Neither power nor motion
+// matters.
+bool is_lit_alike_3(const Light& a, const LightPlace3& at, const Light& b, const LightPlace3& there);
+
 // Returns the shares of each light as it stands: Phi_i / P. The elements are those of a matrix of that granularity.
 //
 //   (1) what is seen from the light is its exact map; shares are proven bounds (beam_shares)
@@ -34,6 +38,8 @@ class ExactMap3;
 //   (1) shares(scene) are light_shares() of a scene that differs from the prepared one in its lights alone
 //   (2) what is seen from a place is found once, for the kMostMaps places that were asked for last: a light that turns
 //       where it stands costs no map
+//   (3) nor are shares found again, of the kMostShares lights that were asked for last: what stands still, or comes
+//       back, costs nothing
 //
 // For several threads at once. COST: that of ElementTable3.
 class LitElements3 {
@@ -43,17 +49,25 @@ class LitElements3 {
   std::vector<LightShares> shares(const Scene3& scene) const;
 
  private:
-  static constexpr std::size_t kMostMaps = 16;
+  static constexpr std::size_t kMostMaps = 16, kMostShares = 64;
   using MapPtr = std::shared_ptr<const ExactMap3>;
-  struct Maps {
+  struct KnownShares {
+    Light light;
+    LightPlace3 place;
+    LightShares shares;
+  };
+  // What was asked for last stands last.
+  struct Known {
     std::mutex mutex;
-    std::vector<MapPtr> maps;  // what was asked for last stands last
+    std::vector<MapPtr> maps;
+    std::vector<std::shared_ptr<const KnownShares>> shares;
   };
   MapPtr map_from(const Point3& position) const;
+  LightShares compute(const Scene3& scene, std::size_t light) const;
 
   std::shared_ptr<const PreparedScene3> prepared_;
   ElementTable3 table_;
-  std::unique_ptr<Maps> known_;
+  std::unique_ptr<Known> known_;
 };
 
 }  // namespace hottel

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace hottel {
@@ -56,6 +57,28 @@ TEST(LightEdits, MakeASpotOfAPointLightThatIsFocused) {
   edit_light(light, "less reflectivity");
   EXPECT_EQ(light.type, LightType::kSpot);
   EXPECT_EQ(light.focus, 140);
+}
+
+TEST(LightEdits, SetSpotsSpinningAndStopThem) {
+  for (const std::size_t axes : {1u, 3u}) {
+    Light light = spot();
+    std::vector<Rational> rotation(axes);
+    edit_light(light, rotation, "spin");
+    EXPECT_EQ(rotation.back(), kSpin);
+    EXPECT_EQ(std::count(rotation.begin(), rotation.end(), Rational(0)), static_cast<std::ptrdiff_t>(axes - 1));
+    rotation.front() = 7;
+    edit_light(light, rotation, "spin");
+    EXPECT_EQ(rotation, std::vector<Rational>(axes));
+    EXPECT_EQ(light, spot());
+    Light round = bulb();
+    edit_light(round, rotation, "spin");
+    EXPECT_EQ(rotation, std::vector<Rational>(axes));
+    edit_light(light, rotation, "less reflectivity");
+    EXPECT_EQ(light.focus, 20);
+  }
+  EXPECT_TRUE(is_light_edit("spin"));
+  EXPECT_TRUE(is_light_edit("colour"));
+  EXPECT_FALSE(is_light_edit("material"));
 }
 
 // (3)

@@ -67,6 +67,35 @@ TEST(BackgroundThread, StopsWhatRunsWhenOtherWorkIsAskedFor) {
   EXPECT_EQ(applied, 7);
 }
 
+// (1), of follow()
+TEST(BackgroundThread, LetsWhatRunsEndBeforeWhatFollows) {
+  Background background;
+  std::promise<void> may_end;
+  std::vector<int> applied;
+  const auto work = [&applied](int number) {
+    return [&applied, number](const auto&, const auto&) { return [&applied, number] { applied.push_back(number); }; };
+  };
+  std::atomic<bool> has_begun = false;
+  background.follow([&, ended = may_end.get_future().share()](const StageProgress& progress, const auto&) {
+    has_begun = true;
+    ended.wait();
+    progress("first", 1);  // it is not stopped
+    return [&] { applied.push_back(1); };
+  });
+  ASSERT_TRUE(becomes([&] { return has_begun.load(); }));
+  background.follow(work(2));
+  background.follow(work(3));  // in place of 2, which waits
+  may_end.set_value();
+  ASSERT_TRUE(collect_all(background));
+  EXPECT_EQ(applied, (std::vector{1, 3}));
+  const EndlessWork endless;
+  background.follow(endless);
+  ASSERT_TRUE(becomes([&] { return endless.has_begun->load(); }));
+  background.post(work(4));
+  ASSERT_TRUE(collect_all(background));
+  EXPECT_EQ(applied, (std::vector{1, 3, 4}));
+}
+
 TEST(BackgroundThread, AppliesWhereItIsCollectedAndOnce) {
   Background background;
   std::thread::id made, applied;

@@ -6,7 +6,7 @@
 
 #include "kernel/support/failure.h"
 #include "viewer/edit/decimals.h"
-#include "viewer/edit/free_names.h"
+#include "viewer/edit/light_list.h"
 #include "viewer/edit/plane/rotation.h"
 
 namespace hottel {
@@ -19,13 +19,6 @@ double distance(const Place2& a, const Place2& b) { return std::hypot(a[0] - b[0
 // Where the axis points, counter-clockwise from the direction of x. [radians]
 double axis_of(const LightPlace2& place) {
   return std::atan2(to_double(place.direction.y), to_double(place.direction.x)) + radians(place.turned);
-}
-
-Scene2 begin_edit(const Scene2& scene, std::uint32_t light) {
-  HOTTEL_REQUIRE(light < scene.lights.size() && scene.lights.size() == scene.light_places.size());
-  Scene2 edited = scene;
-  edited.expect.clear();
-  return edited;
 }
 
 void move(LightPlace2& place, const Rational& dx, const Rational& dy) {
@@ -52,36 +45,36 @@ LightShape2 light_shape(const Scene2& scene, std::uint32_t light, double arm) {
   return shape;
 }
 
-std::optional<LightHold2> pick_light(const Scene2& scene, const Place2& place, double reach, double arm) {
-  std::optional<LightHold2> nearest;
+std::optional<LightHold> pick_light(const Scene2& scene, const Place2& place, double reach, double arm) {
+  std::optional<LightHold> nearest;
   double least = reach;
-  const auto offer = [&](std::uint32_t light, LightPart2 part, const Place2& at) {
+  const auto offer = [&](std::uint32_t light, LightPart part, const Place2& at) {
     const double away = distance(at, place);
     if (!(nearest ? away < least : away <= least)) return;
     least = away;
-    nearest = LightHold2{light, part};
+    nearest = LightHold{light, part};
   };
   const auto count = static_cast<std::uint32_t>(scene.lights.size());
-  for (std::uint32_t k = 0; k < count; ++k) offer(k, LightPart2::kPlace, light_shape(scene, k, arm).place);
-  for (const auto& [part, member] : {std::pair(LightPart2::kAxis, &LightShape2::axis),
-                                     {LightPart2::kLeft, &LightShape2::left},
-                                     {LightPart2::kRight, &LightShape2::right}})
+  for (std::uint32_t k = 0; k < count; ++k) offer(k, LightPart::kPlace, light_shape(scene, k, arm).place);
+  for (const auto& [part, member] : {std::pair(LightPart::kAxis, &LightShape2::axis),
+                                     {LightPart::kLeft, &LightShape2::left},
+                                     {LightPart::kRight, &LightShape2::right}})
     for (std::uint32_t k = 0; k < count; ++k)
       if (const LightShape2 shape = light_shape(scene, k, arm); shape.is_spot) offer(k, part, shape.*member);
   return nearest;
 }
 
-Scene2 drag_light(const Scene2& scene, const LightHold2& hold, const Place2& to, int decimals) {
-  Scene2 edited = begin_edit(scene, hold.light);
+Scene2 drag_light(const Scene2& scene, const LightHold& hold, const Place2& to, int decimals) {
+  Scene2 edited = begin_light_edit(scene, hold.light);
   LightPlace2& place = edited.light_places[hold.light];
   const Point2 goal{rounded_decimal(to[0], decimals), rounded_decimal(to[1], decimals)};
   const Point2 way{goal.x - place.position.x, goal.y - place.position.y};
-  if (hold.part == LightPart2::kPlace) {
+  if (hold.part == LightPart::kPlace) {
     move(place, way.x, way.y);
     return edited;
   }
   if (way.x == 0 && way.y == 0) return scene;
-  if (hold.part == LightPart2::kAxis) {
+  if (hold.part == LightPart::kAxis) {
     place.direction = way;
     place.turned = 0;
     return edited;
@@ -94,13 +87,13 @@ Scene2 drag_light(const Scene2& scene, const LightHold2& hold, const Place2& to,
 }
 
 Scene2 move_light(const Scene2& scene, std::uint32_t light, const Rational& dx, const Rational& dy) {
-  Scene2 edited = begin_edit(scene, light);
+  Scene2 edited = begin_light_edit(scene, light);
   move(edited.light_places[light], dx, dy);
   return edited;
 }
 
 Scene2 turn_light(const Scene2& scene, std::uint32_t light, const Rational& degrees) {
-  Scene2 edited = begin_edit(scene, light);
+  Scene2 edited = begin_light_edit(scene, light);
   if (edited.lights[light].type != LightType::kSpot) return scene;
   const Point2& direction = edited.light_places[light].direction;
   const int decimals = kDirectionDigits - decades(std::max(abs(direction.x), abs(direction.y)));
@@ -108,39 +101,11 @@ Scene2 turn_light(const Scene2& scene, std::uint32_t light, const Rational& degr
   return edited;
 }
 
-Scene2 erase_light(const Scene2& scene, std::uint32_t light) {
-  Scene2 edited = begin_edit(scene, light);
-  edited.lights.erase(edited.lights.begin() + light);
-  edited.light_places.erase(edited.light_places.begin() + light);
-  return edited;
-}
-
 Scene2 duplicate_light(const Scene2& scene, std::uint32_t light, const Rational& dx, const Rational& dy) {
-  Scene2 edited = begin_edit(scene, light);
-  Light copy = scene.lights[light];
-  copy.name = FreeNames(scene).copy_of(copy.name);
-  copy.line = 0;
+  HOTTEL_REQUIRE(light < scene.lights.size());
   LightPlace2 place = scene.light_places[light];
   move(place, dx, dy);
-  edited.add_light(std::move(copy), std::move(place));
-  return edited;
-}
-
-Scene2 add_light(const Scene2& scene, const Point2& place) {
-  Scene2 edited = scene;
-  edited.expect.clear();
-  Light light;
-  light.name = FreeNames(scene).numbered("light");
-  light.power = Spectrum::scalar(1);
-  edited.add_light(std::move(light), LightPlace2{.position = place});
-  return edited;
-}
-
-Scene2 set_light(const Scene2& scene, std::uint32_t light, const Light& values, const Rational& rotation) {
-  Scene2 edited = begin_edit(scene, light);
-  edited.lights[light] = values;
-  edited.light_places[light].rotation = rotation;
-  return edited;
+  return copy_light(scene, light, std::move(place));
 }
 
 }  // namespace hottel

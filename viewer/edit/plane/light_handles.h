@@ -7,18 +7,10 @@
 #include <vector>
 
 #include "geometry/plane/scene/scene.h"
+#include "viewer/edit/light_hold.h"
 #include "viewer/edit/plane/local_edges.h"
 
 namespace hottel {
-
-// What of a light a hand holds: the light itself, the end of an axis, or that of a border of the beam.
-enum class LightPart2 : unsigned char { kPlace, kAxis, kLeft, kRight };
-
-struct LightHold2 {
-  std::uint32_t light = 0;
-  LightPart2 part = LightPart2::kPlace;
-  friend bool operator==(const LightHold2&, const LightHold2&) = default;
-};
 
 // Where a light is drawn. left, right: of the axis, as seen along it.
 struct LightShape2 {
@@ -35,10 +27,10 @@ LightShape2 light_shape(const Scene2& scene, std::uint32_t light, double arm);
 
 // Returns what of a light is nearest to a place, within reach; of what is equally near, places before axes before
 // borders, and lights in their order. In doubles. COST: linear in the lights.
-std::optional<LightHold2> pick_light(const Scene2& scene, const Place2& place, double reach, double arm);
+std::optional<LightHold> pick_light(const Scene2& scene, const Place2& place, double reach, double arm);
 
-// Edits of lights: a scene goes in, another one comes out, as scene_edits.h says of all of them. Each throws
-// ContractViolation for an index out of range.
+// Edits of lights, beside those of light_list.h: a scene goes in, another one comes out, as scene_edits.h says of all
+// of them. Each throws ContractViolation for an index out of range.
 
 // Moves what is held to a place that is rounded to decimals.
 //
@@ -47,7 +39,7 @@ std::optional<LightHold2> pick_light(const Scene2& scene, const Place2& place, d
 //   (3) a border makes the focus the angle between the axis and that place: in whole degrees, 1 at least, and 180, or
 //   90
 //       where the light falls off, at most
-Scene2 drag_light(const Scene2& scene, const LightHold2& hold, const Place2& to, int decimals);
+Scene2 drag_light(const Scene2& scene, const LightHold& hold, const Place2& to, int decimals);
 
 Scene2 move_light(const Scene2& scene, std::uint32_t light, const Rational& dx, const Rational& dy);
 
@@ -56,16 +48,7 @@ Scene2 move_light(const Scene2& scene, std::uint32_t light, const Rational& dx, 
 //   (4) by multiples of 90 degrees exactly; otherwise the direction is rounded to kDirectionDigits digits
 Scene2 turn_light(const Scene2& scene, std::uint32_t light, const Rational& degrees);
 
-// Takes the light out.
-Scene2 erase_light(const Scene2& scene, std::uint32_t light);
-
-// Adds a copy, called "NAME copy", moved by that; it is the last light.
+// Adds a copy, moved by that (copy_light).
 Scene2 duplicate_light(const Scene2& scene, std::uint32_t light, const Rational& dx, const Rational& dy);
-
-// Adds a point light of power 1, called "light 1", "light 2", ...; it is the last light.
-Scene2 add_light(const Scene2& scene, const Point2& place);
-
-// Gives a light other values, and another rotation of its axis [degrees a second].
-Scene2 set_light(const Scene2& scene, std::uint32_t light, const Light& values, const Rational& rotation);
 
 }  // namespace hottel

@@ -5,6 +5,7 @@
 
 #include "geometry/plane/scene/bounding_box.h"
 #include "geometry/scene_names.h"
+#include "viewer/edit/light_list.h"
 
 namespace hottel {
 namespace {
@@ -20,7 +21,7 @@ SceneEditor2::SceneEditor2(Scene2 scene) : history_(std::move(scene)) { changed(
 void SceneEditor2::replace(Scene2 scene) {
   held_.reset();
   held_light_.reset();
-  history_ = EditHistory2(std::move(scene));
+  history_ = EditHistory<Scene2>(std::move(scene));
   select_none();
   changed();
 }

@@ -10,7 +10,7 @@
 
 #include "geometry/face.h"
 #include "geometry/plane/scene/scene.h"
-#include "viewer/edit/plane/edit_history.h"
+#include "viewer/edit/edit_history.h"
 #include "viewer/edit/plane/light_handles.h"
 #include "viewer/edit/plane/pick.h"
 #include "viewer/edit/plane/scene_edits.h"
@@ -46,7 +46,7 @@ class SceneEditor2 {
   explicit SceneEditor2(Scene2 scene);
 
   const std::shared_ptr<const Scene2>& scene() const { return history_.scene(); }
-  const EditHistory2& history() const { return history_; }
+  const EditHistory<Scene2>& history() const { return history_; }
   void mark_saved() { history_.mark_saved(); }
   // Counts everything that changed the scene.
   std::uint64_t version() const { return version_; }
@@ -57,7 +57,7 @@ class SceneEditor2 {
   // What lies under the pointer.
   Pick2 pick(const Pointer2& pointer) const;
   Snap2 snap(const Pointer2& pointer) const;
-  std::optional<LightHold2> pick_light(const Pointer2& pointer) const;
+  std::optional<LightHold> pick_light(const Pointer2& pointer) const;
 
   // The surfaces that are selected, ascending, and the vertex, where one is.
   const std::vector<std::uint32_t>& selected() const { return selected_; }
@@ -123,7 +123,7 @@ class SceneEditor2 {
   std::vector<std::uint32_t> surfaces_that_move(const Scene2& scene, const Held& held) const;
   void toggle(const Pick2& pick, bool is_whole);
 
-  EditHistory2 history_;
+  EditHistory<Scene2> history_;
   std::uint64_t version_ = 0;
   std::shared_ptr<const Scene2> picked_;  // what the picker was made of
   std::unique_ptr<ScenePick2> picker_;
@@ -131,7 +131,7 @@ class SceneEditor2 {
   std::optional<Point2> vertex_;
   std::optional<std::uint32_t> light_;
   std::optional<Held> held_;
-  std::optional<LightHold2> held_light_;
+  std::optional<LightHold> held_light_;
   Place2 light_offset_{};              // of what is held of a light from where it was touched
   std::unique_ptr<Snapper2> snapper_;  // of the scene before the drag
   std::vector<std::uint32_t> moving_;

@@ -1,10 +1,11 @@
 // What a scene editor does to lights.
 #include "kernel/support/failure.h"
+#include "viewer/edit/light_list.h"
 #include "viewer/edit/plane/scene_editor.h"
 
 namespace hottel {
 
-std::optional<LightHold2> SceneEditor2::pick_light(const Pointer2& pointer) const {
+std::optional<LightHold> SceneEditor2::pick_light(const Pointer2& pointer) const {
   return hottel::pick_light(*scene(), pointer.place, pointer.reach, pointer.arm);
 }
 
@@ -16,10 +17,10 @@ void SceneEditor2::select_light(std::uint32_t light) {
 
 void SceneEditor2::hold_light(const Pointer2& pointer) {
   const LightShape2 shape = light_shape(*scene(), held_light_->light, pointer.arm);
-  const Place2& at = held_light_->part == LightPart2::kPlace  ? shape.place
-                     : held_light_->part == LightPart2::kAxis ? shape.axis
-                     : held_light_->part == LightPart2::kLeft ? shape.left
-                                                              : shape.right;
+  const Place2& at = held_light_->part == LightPart::kPlace  ? shape.place
+                     : held_light_->part == LightPart::kAxis ? shape.axis
+                     : held_light_->part == LightPart::kLeft ? shape.left
+                                                             : shape.right;
   light_offset_ = {at[0] - pointer.place[0], at[1] - pointer.place[1]};
   select_light(held_light_->light);
 }
@@ -27,10 +28,7 @@ void SceneEditor2::hold_light(const Pointer2& pointer) {
 void SceneEditor2::drag_light(const Pointer2& pointer) {
   if (!is_dragging()) {
     const std::string& name = scene()->lights[held_light_->light].name;
-    history_.begin((held_light_->part == LightPart2::kPlace  ? "move "
-                    : held_light_->part == LightPart2::kAxis ? "turn "
-                                                             : "focus ") +
-                   name);
+    history_.begin(std::string(verb_of(held_light_->part)) + " " + name);
     selected_before_ = selected_;
   }
   const Place2 to{pointer.place[0] + light_offset_[0], pointer.place[1] + light_offset_[1]};
@@ -50,7 +48,7 @@ std::string SceneEditor2::set_light(Scene2 next, const std::string& done, const 
 
 std::string SceneEditor2::add_light(const Point2& place) {
   if (is_dragging()) return "";
-  return set_light(hottel::add_light(*scene(), place), "added", "add",
+  return set_light(hottel::add_light(*scene(), {.position = place}), "added", "add",
                    static_cast<std::uint32_t>(scene()->lights.size()));
 }
 

@@ -49,6 +49,7 @@ class Desk2 : public Desk {
   bool update() override;
   void settle(double seconds) override;
   bool wants_quit() const override { return wants_quit_; }
+  bool pass_time(const Rational&) override { return false; }
   Pixel pixel_of_place(std::span<const double> place) const override;
   std::string hashes() const override;  // result_hashes(looks().state())
   bool do_own_step(const ScriptStep&) override { return false; }
@@ -153,7 +154,7 @@ class Desk2 : public Desk {
   std::optional<Prompt> prompt_;
   std::string message_, title_;
   Pick2 hover_;
-  std::optional<LightHold2> hover_light_;  // then hover_ is nothing
+  std::optional<LightHold> hover_light_;  // then hover_ is nothing
 
   std::shared_ptr<const Scene2> shown_;  // what the rest has been told of
   std::uint64_t shown_version_ = 0;

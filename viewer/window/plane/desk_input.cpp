@@ -4,13 +4,13 @@
 
 #include "viewer/edit/decimals.h"
 #include "viewer/window/commands.h"
+#include "viewer/window/lights.h"
 #include "viewer/window/plane/desk.h"
 
 namespace hottel {
 namespace {
 
 constexpr double kReach = 9;       // units that count as touching
-constexpr double kArm = 60;        // units from a light to its handles
 constexpr double kStill = 3;       // units that a click may wander
 constexpr double kPerNotch = 1.2;  // of the wheel
 
@@ -21,7 +21,7 @@ double distance(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a
 Pointer2 Desk2::pointer(const HeldKeys& held) const {
   return {.place = place(),
           .reach = kReach * unit_ / camera_.pixels_per_length(),
-          .arm = kArm * unit_ / camera_.pixels_per_length(),
+          .arm = kLightArm * unit_ / camera_.pixels_per_length(),
           .decimals = decimals_at(camera_.pixels_per_length()),
           .adds = held.shift,
           .alone = held.alt,

@@ -18,8 +18,6 @@ Direction3 about(const Direction3& axis, const Direction3& v, double angle) {
   return std::cos(angle) * v + std::sin(angle) * cross(axis, v) + (1 - std::cos(angle)) * dot(axis, v) * axis;
 }
 
-Direction3 place_of(const Point3& p) { return {to_double(p.x), to_double(p.y), to_double(p.z)}; }
-
 }  // namespace
 
 EyeCamera3::EyeCamera3(const Camera3& camera, double size)
@@ -89,6 +87,13 @@ std::optional<Pixel> EyeCamera3::at(const Direction3& place, FrameSize frame) co
   const double per_length = frame.height / (2 * std::tan(radians(to_double(field_of_view_)) / 2)) / out;
   return Pixel{frame.width / 2.0 + dot(way, right()) * per_length,
                frame.height / 2.0 - dot(way, cross(right(), forward())) * per_length};
+}
+
+Pointer3 EyeCamera3::pointer(const Pixel& mouse, FrameSize frame) const {
+  Pointer3 result{.eye = eye_, .forward = forward(), .right = right(), .up = cross(right(), forward())};
+  result.pixel = length_of_pixel(frame) / distance();
+  result.at = {(mouse.x - frame.width / 2.0) * result.pixel, (frame.height / 2.0 - mouse.y) * result.pixel};
+  return result;
 }
 
 std::optional<std::pair<Pixel, Pixel>> EyeCamera3::line(const Direction3& from, const Direction3& to,

@@ -6,6 +6,7 @@
 
 #include "geometry/space/scene/scene.h"
 #include "geometry/space/visibility/direction.h"
+#include "viewer/edit/space/pointer.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/window/window.h"
 
@@ -47,6 +48,9 @@ class EyeCamera3 {
   std::optional<Pixel> at(const Direction3& place, FrameSize frame) const;
   // The two ends of what is seen of a straight line, as far as it is in front of the eye; nothing where none of it is.
   std::optional<std::pair<Pixel, Pixel>> line(const Direction3& from, const Direction3& to, FrameSize frame) const;
+
+  // A hand with the mouse there.
+  Pointer3 pointer(const Pixel& mouse, FrameSize frame) const;
 
   friend bool operator==(const EyeCamera3&, const EyeCamera3&) = default;
 

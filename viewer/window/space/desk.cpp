@@ -14,7 +14,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "viewer/edit/material_edits.h"
-#include "viewer/edit/typed_numbers.h"
+#include "viewer/edit/space/typed_point.h"
 #include "viewer/picture/space/camera_view.h"
 #include "viewer/picture/space/render_picture.h"
 #include "viewer/window/script_player.h"
@@ -42,9 +42,9 @@ double size_of(const Scene3& scene) {
 
 // "1,2,3" as it is typed.
 Point3 exact_place(const std::string& text) {
-  const Typed<std::vector<Rational>> typed = typed_numbers(text);
-  if (!typed.value || typed.value->size() != 3) throw UsageError("a place is X,Y,Z, not '" + text + "'");
-  return {(*typed.value)[0], (*typed.value)[1], (*typed.value)[2]};
+  const Typed<Point3> typed = typed_point_3(text);
+  if (!typed.value) throw UsageError("a place is X,Y,Z, not '" + text + "'");
+  return *typed.value;
 }
 
 SimulationRequest3 request_of(FactorsRequest3 factors) {
@@ -61,18 +61,22 @@ Desk3::Desk3(DeskSource3 source, Window& window, const FactorsRequest3& factors,
       source_(std::move(source)),
       file_(source_.file),
       live_(request_of(factors), [&window] { window.wake(); }),
+      editor_({}, [this](const Scene3& edited, std::uint32_t light,
+                         const Point3* before) { return why_not(edited, light, before); }),
       size_(window.size()),
       looking_([&window] { window.wake(); }) {
   file_.note();
   set_scene(source_.read());
 }
 
-void Desk3::set_scene(Scene3 scene) {
-  const auto read = std::make_shared<const Scene3>(std::move(scene));
-  live_.set(read);
-  history_ = {read};
-  now_ = 0;
-  saved_ = read;
+void Desk3::set_scene(Scene3 scene_read) {
+  const auto read = std::make_shared<const Scene3>(std::move(scene_read));
+  live_.set(read);  // throws before anything has changed
+  editor_.replace(read);
+  told_ = shown_ = read;
+  time_.reset();
+  drag_ = Drag::kNone;
+  hover_light_.reset();
   hover_.reset();
   picked_.reset();
   light_.reset();
@@ -85,6 +89,17 @@ void Desk3::set_scene(Scene3 scene) {
     fit();
   }
   needs_base_ = true;
+}
+
+// Tells the light of another scene.
+void Desk3::scene_changed() {
+  needs_frame_ = true;
+  if (told_ == scene()) return;
+  told_ = scene();
+  if (time_) return move_lights();
+  shown_ = told_;
+  live_.set(shown_);
+  if (drag_ != Drag::kLight) touch();
 }
 
 void Desk3::fit() { camera_ = EyeCamera3(home_, size_of(*scene())); }
@@ -212,7 +227,7 @@ void Desk3::save_as(const std::filesystem::path& file) {
   source_ = {file, [file] { return read_scene_3(file); }};
   file_ = WatchedFile(file);
   file_.note();
-  saved_ = scene();
+  editor_.mark_saved();
   message_ = "saved " + file.string();
   needs_frame_ = true;
 }
@@ -288,16 +303,21 @@ bool Desk3::do_own_step(const ScriptStep& step) {
   } else if (step.word == "walk") {
     camera.walk(numbers(3)[0], numbers(3)[1], numbers(3)[2]);
   } else if (step.word == "pick") {
-    const Face face = face_of(*scene(), step.rest.substr(0, step.rest.find_last_not_of(" \t") + 1));
-    pick(face);
+    const std::string name = step.rest.substr(0, step.rest.find_last_not_of(" \t") + 1);
+    const auto light = std::ranges::find(scene()->lights, name, &Light::name);
+    if (light == scene()->lights.end())
+      pick(face_of(*scene(), name));
+    else
+      editor_.select_light(static_cast<std::uint32_t>(light - scene()->lights.begin()));
     return true;
   } else if (step.word == "material") {
-    std::vector<Material> materials = scene()->materials;
+    const auto& materials = scene()->materials;
     const auto found = std::ranges::find(materials, step.arguments[0], &Material::name);
     if (found == materials.end()) throw UsageError("there is no material '" + step.arguments[0] + "'");
-    const std::string problem = read_material(step.rest.substr(step.arguments[0].size()), *found);
+    Material values = *found;
+    const std::string problem = read_material(step.rest.substr(step.arguments[0].size()), values);
     if (!problem.empty()) throw UsageError(problem);
-    change_materials(std::move(materials));
+    change_material(static_cast<std::uint32_t>(found - materials.begin()), values);
     return true;
   } else if (step.word == "eye") {
     Camera3 moved = camera_.camera(size_);

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,6 +12,7 @@
 
 #include "geometry/space/scene/scene.h"
 #include "solver/space/simulation/simulation.h"
+#include "viewer/edit/space/scene_editor.h"
 #include "viewer/picture/picture_options.h"
 #include "viewer/picture/raster.h"
 #include "viewer/picture/space/seen_picture.h"
@@ -21,6 +20,7 @@
 #include "viewer/window/desk.h"
 #include "viewer/window/prompt.h"
 #include "viewer/window/space/camera.h"
+#include "viewer/window/space/desk_source.h"
 #include "viewer/window/space/live_scene.h"
 #include "viewer/window/space/look.h"
 #include "viewer/window/watched_file.h"
@@ -28,20 +28,16 @@
 
 namespace hottel {
 
-// Where the scene of a desk comes from.
-struct DeskSource3 {
-  std::filesystem::path file;
-  std::function<Scene3()> read;  // throws InputError
-};
-
 // A scene in space on a desk: all that a window does, without a screen.
 //
 //   (1) the picture is the exact map of the eye (SeenPicture3) at the size of the window: of the light as it is known,
 //       light_before_factors_3 first
 //   (2) at rest, the light is that of LiveScene3 (1)
-//   (3) the eye never gets into a solid: what would bring it there does nothing, and says so
+//   (3) the eye never gets into a solid: what would bring it there does nothing, and says so. Neither does a light, nor
+//       onto a surface, nor out of all rooms
 //   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes
 //   (5) a command that can do nothing says why in message(): what a key does is seen
+//   (6) while lights move, what is shown is the light of scene_after(scene(), time()): a function of scene and time
 // Its functions are for the thread of the window.
 class Desk3 : public Desk {
  public:
@@ -54,6 +50,7 @@ class Desk3 : public Desk {
   bool update() override;
   void settle(double seconds) override;
   bool wants_quit() const override { return wants_quit_; }
+  bool pass_time(const Rational& seconds) override;
   Pixel pixel_of_place(std::span<const double> place) const override;
   // factors.csv of `hottel factors`, radiosity.csv of `hottel solve`.
   std::string hashes() const override;
@@ -63,7 +60,10 @@ class Desk3 : public Desk {
   // Takes events and updates until it wants to quit.
   void run();
 
-  const std::shared_ptr<const Scene3>& scene() const { return history_[now_]; }
+  const SceneEditor3& editor() const { return editor_; }
+  const std::shared_ptr<const Scene3>& scene() const { return editor_.scene(); }
+  // Seconds since the lights began to move; nothing while they stand.
+  const std::optional<Rational>& time() const { return time_; }
   const LiveState3& state() const { return live_.state(); }
   const LookRequest3& request() const { return request_; }
   const std::optional<LookResult3>& result() const { return result_; }
@@ -79,7 +79,7 @@ class Desk3 : public Desk {
   void save_as(const std::filesystem::path& file) override;
 
  private:
-  enum class Drag : unsigned char { kNone, kOrbit, kPan, kTurn, kBar };
+  enum class Drag : unsigned char { kNone, kOrbit, kPan, kTurn, kBar, kLight };
   // What the camera sees, to be shown anew where nothing but values has changed.
   struct Seen {
     std::shared_ptr<const LiveModel3> model;
@@ -90,8 +90,13 @@ class Desk3 : public Desk {
 
   // Events.
   void press(const WindowEvent& event);
+  Drag drag_of(const WindowEvent& press);
   void move(const Pixel& before);
+  void move_eye(double right, double down);
   void release(const WindowEvent& event);
+  void touch();
+  Pointer3 pointer(const HeldKeys& held = {}) const;
+  std::optional<Direction3> surface_at(const Pixel& place) const;
   bool is_on_bar() const;
   std::optional<Face> face_of_element(std::optional<std::uint32_t> element) const;
   void pick(const Face& face);
@@ -99,23 +104,36 @@ class Desk3 : public Desk {
   // Commands.
   bool look_command(std::string_view name);
   bool walk_command(std::string_view name);
+  bool edit_command(std::string_view name);
+  bool light_command(std::string_view name);
   bool material_command(std::string_view name);
   bool file_command(std::string_view name);
   std::optional<std::uint32_t> material_meant();
   void ask_for_material(std::uint32_t material);
-  void change_materials(std::vector<Material> materials);
-  void step_history(int step);
+  void change_material(std::uint32_t material, const Material& values);
+  std::optional<std::uint32_t> light_meant() const;
+  void selected_light_command(std::string_view name);
+  void change_light(std::uint32_t light, std::string_view name);
+  void ask_for_light(std::uint32_t light);
+  void ask_for_place();
+  void add_light();
+  std::string why_not(const Scene3& edited, std::uint32_t light, const Point3* before) const;
+  void play();
+  void move_lights();
+  void stop();
+  void say(const std::string& done, const char* nothing);
+  void drop();
   std::string save();
   void read_again();
   void quit();
   void watch_file();
   void set_scene(Scene3 scene);
-  bool is_changed() const { return scene() != saved_; }
+  void scene_changed();
+  bool is_changed() const { return editor_.history().is_changed(); }
 
   // What is shown.
   void fit();
   void see(const EyeCamera3& camera);
-  void touch();
   void set_request(LookRequest3 request);
   void ask();
   ElementPaint3 light_paint() const;
@@ -125,6 +143,8 @@ class Desk3 : public Desk {
   const SeenPicture3& see(const ElementPaint3& paint, bool is_smooth, std::optional<Seen>& kept) const;
   void draw_seen();
   void draw_base();
+  void draw_lights(PictureCanvas& canvas) const;
+  bool is_hidden(const Direction3& place) const;
   void draw_problem(PictureCanvas& canvas) const;
   void draw_touched(PictureCanvas& canvas) const;
   void draw_texts(PictureCanvas& canvas) const;
@@ -140,9 +160,10 @@ class Desk3 : public Desk {
   DeskSource3 source_;
   WatchedFile file_;
   LiveScene3 live_;
-  std::deque<std::shared_ptr<const Scene3>> history_;  // of materials
-  std::size_t now_ = 0;                                // in history_
-  std::shared_ptr<const Scene3> saved_;
+  SceneEditor3 editor_;
+  std::shared_ptr<const Scene3> told_;   // of which the rest has been told
+  std::shared_ptr<const Scene3> shown_;  // the same, or, while lights move, at their time
+  std::optional<Rational> time_;
 
   FrameSize size_;
   EyeCamera3 camera_;
@@ -161,9 +182,11 @@ class Desk3 : public Desk {
   bool drops_text_ = false;  // that of the key which opened a prompt
   Drag drag_ = Drag::kNone;
   MouseButton button_ = MouseButton::kNone;  // that drags
+  HeldKeys held_;                            // when it was pressed
   std::optional<Prompt> prompt_;
   std::string message_, title_;
   std::optional<std::uint32_t> hover_, picked_;  // elements of the model
+  std::optional<LightHold> hover_light_;         // then hover_ is nothing
 
   std::shared_ptr<const LiveModel3> shown_model_;
   std::optional<Seen> light_, values_;  // values_: nothing where light alone is shown

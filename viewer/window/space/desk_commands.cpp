@@ -15,15 +15,17 @@ namespace {
 
 constexpr double kStepsAcross = 40;  // of a walk through the scene
 constexpr double kLookStep = 3, kOrbitStep = 5, kZoomStep = 1.1;
-constexpr std::size_t kMostSteps = 300;  // of the history
 
 }  // namespace
 
 void Desk3::command(std::string_view name) {
   needs_frame_ = true;
   message_.clear();
-  if (!walk_command(name) && !look_command(name) && !material_command(name) && !file_command(name))
+  if (!walk_command(name) && !look_command(name) && !edit_command(name) && !light_command(name) &&
+      !material_command(name) && !file_command(name))
     throw UsageError("there is no command called '" + std::string(name) + "'");
+  scene_changed();
+  touch();
 }
 
 bool Desk3::look_command(std::string_view name) {
@@ -100,22 +102,38 @@ std::optional<std::uint32_t> Desk3::material_meant() {
   return std::nullopt;
 }
 
-bool Desk3::material_command(std::string_view name) {
+bool Desk3::edit_command(std::string_view name) {
   if (name == "undo" || name == "redo") {
-    step_history(name == "undo" ? -1 : 1);
-    return true;
+    if (editor_.is_dragging()) drag_ = Drag::kNone;
+    message_ = name == "undo" ? editor_.undo() : editor_.redo();
+    if (message_.empty()) message_ = name == "undo" ? "there is nothing to undo" : "there is nothing to do again";
+  } else if (name == "escape") {
+    drop();
+  } else {
+    return false;
   }
-  if (name == "escape") {
-    if (shows_help_) {
-      shows_help_ = false;
-      return true;
-    }
-    picked_.reset();
-    LookRequest3 request = request_;
-    request.face.reset();
-    set_request(std::move(request));
-    return true;
+  return true;
+}
+
+// Drops what is there to be dropped first: the help, a drag, or all that is picked.
+void Desk3::drop() {
+  if (shows_help_) {
+    shows_help_ = false;
+    return;
   }
+  if (editor_.is_dragging()) {
+    editor_.cancel();
+    drag_ = Drag::kNone;
+    return;
+  }
+  editor_.select_none();
+  picked_.reset();
+  LookRequest3 request = request_;
+  request.face.reset();
+  set_request(std::move(request));
+}
+
+bool Desk3::material_command(std::string_view name) {
   if (name != "material" && !is_material_edit(name)) return false;
   const std::optional<std::uint32_t> material = material_meant();
   if (!material) return true;
@@ -123,15 +141,14 @@ bool Desk3::material_command(std::string_view name) {
     ask_for_material(*material);
     return true;
   }
-  std::vector<Material> materials = scene()->materials;
-  Material& changed = materials[*material];
+  Material changed = scene()->materials[*material];
   edit_material(changed, name);
   message_ = fmt::format("{}: reflectivity {}, emission {}", changed.name, spectrum_text(changed.reflectivity),
                          spectrum_text(changed.emission));
   if (changed == scene()->materials[*material])
     message_ = "it goes no further";
   else
-    change_materials(std::move(materials));
+    change_material(*material, changed);
   return true;
 }
 
@@ -139,33 +156,18 @@ void Desk3::ask_for_material(std::uint32_t material) {
   const Material& now = scene()->materials[material];
   prompt_ =
       Prompt{.question = now.name, .text = material_text(now), .answer = [this, material](const std::string& text) {
-               std::vector<Material> materials = scene()->materials;
-               const std::string problem = read_material(text, materials[material]);
-               if (problem.empty()) change_materials(std::move(materials));
+               Material values = scene()->materials[material];
+               const std::string problem = read_material(text, values);
+               if (problem.empty()) change_material(material, values);
                return problem;
              }};
 }
 
-// A step of the history.
-void Desk3::change_materials(std::vector<Material> materials) {
-  if (materials == scene()->materials) return;
-  Scene3 changed = *scene();
-  changed.materials = std::move(materials);
-  changed.expect.clear();
-  history_.resize(now_ + 1);
-  history_.push_back(std::make_shared<const Scene3>(std::move(changed)));
-  if (history_.size() > kMostSteps) history_.pop_front();
-  now_ = history_.size() - 1;
-  live_.set(scene());
-}
-
-void Desk3::step_history(int step) {
-  if (step < 0 ? now_ == 0 : now_ + 1 == history_.size()) {
-    message_ = step < 0 ? "there is nothing to undo" : "there is nothing to do again";
-    return;
-  }
-  step < 0 ? --now_ : ++now_;
-  live_.set(scene());
+void Desk3::change_material(std::uint32_t material, const Material& values) {
+  std::vector<Material> materials = scene()->materials;
+  materials[material] = values;
+  editor_.change_materials(std::move(materials), "change " + values.name);
+  scene_changed();
 }
 
 bool Desk3::file_command(std::string_view name) {

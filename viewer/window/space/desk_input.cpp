@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "viewer/window/lights.h"
 #include "viewer/window/space/commands.h"
 #include "viewer/window/space/desk.h"
 
@@ -19,8 +20,33 @@ double distance(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a
 
 // Finds what lies under the mouse.
 void Desk3::touch() {
-  const SeenPicture3::Part* part = has_mouse_ && seen() ? seen()->at(mouse_) : nullptr;
+  hover_light_ = has_mouse_ ? pick_light(*shown_, pointer()) : std::nullopt;
+  const SeenPicture3::Part* part = has_mouse_ && !hover_light_ && seen() ? seen()->at(mouse_) : nullptr;
   hover_ = part != nullptr ? part->element : std::nullopt;
+}
+
+// Held: shift keeps a light on an axis, ctrl aims it at what lies under the mouse.
+Pointer3 Desk3::pointer(const HeldKeys& held) const {
+  Pointer3 result = camera_.pointer(mouse_, size_);
+  result.reach = kReach * unit_;
+  result.arm = kLightArm * unit_;
+  result.along_axis = held.shift;
+  if (held.ctrl) result.aim = surface_at(mouse_);
+  return result;
+}
+
+// The place of a surface with light that is seen there.
+std::optional<Direction3> Desk3::surface_at(const Pixel& place) const {
+  const SeenPicture3::Part* part = seen() ? seen()->at(place) : nullptr;
+  const std::optional<Face> face = face_of_element(part != nullptr ? part->element : std::nullopt);
+  if (!face) return std::nullopt;
+  const Polygon3& polygon = scene()->polygons[face->surface];
+  const Vector3 area = doubled_area(polygon);
+  const Direction3 normal = unit({to_double(area.x), to_double(area.y), to_double(area.z)});
+  const Pointer3 from = camera_.pointer(place, size_);
+  const Direction3 ray = from.way_to(from.at);
+  const double along = dot(normal, place_of(polygon.points[0]) - from.eye) / dot(normal, ray);
+  return std::isfinite(along) ? std::optional(from.eye + along * ray) : std::nullopt;
 }
 
 bool Desk3::is_on_bar() const { return is_split() && std::abs(mouse_.x - split_ * size_.width) < kReach * unit_; }
@@ -79,14 +105,20 @@ void Desk3::press(const WindowEvent& event) {
   if (prompt_ || drag_ != Drag::kNone) return;
   pressed_ = mouse_;
   button_ = event.button;
+  held_ = event.held;
   has_moved_ = false;
   message_.clear();
-  if (event.button != MouseButton::kLeft || event.held.shift)
-    drag_ = Drag::kPan;
-  else if (is_on_bar())
-    drag_ = Drag::kBar;
-  else
-    drag_ = event.held.ctrl ? Drag::kTurn : Drag::kOrbit;
+  drag_ = drag_of(event);
+}
+
+// What the mouse does from there on.
+Desk3::Drag Desk3::drag_of(const WindowEvent& press) {
+  if (press.button != MouseButton::kLeft) return Drag::kPan;
+  if (!press.held.shift && is_on_bar()) return Drag::kBar;
+  if (time_ && pick_light(*shown_, pointer())) stop();
+  if (editor_.press(pointer(press.held))) return Drag::kLight;
+  if (press.held.shift) return Drag::kPan;
+  return press.held.ctrl ? Drag::kTurn : Drag::kOrbit;
 }
 
 void Desk3::move(const Pixel& before) {
@@ -98,8 +130,16 @@ void Desk3::move(const Pixel& before) {
   if (drag_ == Drag::kBar) {
     split_ = mouse_.x / size_.width;
     needs_base_ = true;
-    return;
+  } else if (drag_ == Drag::kLight) {
+    editor_.drag(pointer(held_));
+    message_ = editor_.refusal();
+    scene_changed();
+  } else {
+    move_eye(right, down);
   }
+}
+
+void Desk3::move_eye(double right, double down) {
   EyeCamera3 camera = camera_;
   const double degrees = kDegreesAcross / size_.height;
   if (drag_ == Drag::kOrbit) {
@@ -113,12 +153,17 @@ void Desk3::move(const Pixel& before) {
   see(camera);
 }
 
-// A click picks what lies under the mouse.
+// A click picks what lies under the mouse: a light, or a polygon.
 void Desk3::release(const WindowEvent& event) {
   if (drag_ == Drag::kNone || event.button != button_) return;
   const Drag ended = std::exchange(drag_, Drag::kNone);
+  if (ended == Drag::kLight) {
+    editor_.release();
+    scene_changed();
+  }
   touch();
-  if (has_moved_ || ended == Drag::kBar || event.button != MouseButton::kLeft) return;
+  if (has_moved_ || ended == Drag::kBar || ended == Drag::kLight || event.button != MouseButton::kLeft) return;
+  editor_.select_none();
   picked_ = hover_;
   LookRequest3 request = request_;
   request.face = face_of_element(picked_);

@@ -12,9 +12,11 @@
 #include "viewer/picture/palette.h"
 #include "viewer/picture/space/seen_picture.h"
 #include "viewer/window/help.h"
+#include "viewer/window/lights.h"
 #include "viewer/window/panel.h"
 #include "viewer/window/space/commands.h"
 #include "viewer/window/space/desk.h"
+#include "viewer/window/space/light_lines.h"
 
 namespace hottel {
 namespace {
@@ -24,14 +26,6 @@ constexpr double kPanelWidth = 0.4;  // of the window's width, at most
 constexpr Colour kTouched{0.02, 0.62, 0.83, 0.16}, kBar{0.992, 0.988, 0.980, 0.9};
 constexpr Colour kDimmed{0.992, 0.988, 0.980, 0.62};
 constexpr std::uint32_t kBlank = 0xFFFDFCFA;  // where nothing can be drawn
-
-Direction3 place_of(const Point3& p) { return {to_double(p.x), to_double(p.y), to_double(p.z)}; }
-
-// So far out that no canvas minds.
-Pixel within_reach(const Pixel& p) {
-  constexpr double kFar = 1e6;
-  return {std::clamp(p.x, -kFar, kFar), std::clamp(p.y, -kFar, kFar)};
-}
 
 }  // namespace
 
@@ -114,7 +108,7 @@ void Desk3::draw_touched(PictureCanvas& canvas) const {
   const auto draw_loop = [&](const std::vector<Point3>& points) {
     for (std::size_t k = 0; k < points.size(); ++k)
       if (const auto line = camera_.line(place_of(points[k]), place_of(points[(k + 1) % points.size()]), size_))
-        canvas.stroke(Mark::kTarget, within_reach(line->first), within_reach(line->second), palette::kTarget,
+        canvas.stroke(Mark::kTarget, within_canvas(line->first), within_canvas(line->second), palette::kTarget,
                       2.5 * unit_);
   };
   draw_loop(polygon.points);
@@ -135,6 +129,7 @@ std::string Desk3::head() const {
   std::string text = file_title() + "   " + to_string(request_.look);
   if (!result_ || !result_->shown) text += fmt::format(", tone {} x {:.3g}", to_string(tone_), exposure_);
   if (request_.look == LookKind3::kErrors) text += ": " + request_.method;
+  if (time_) text += fmt::format("   {:.2f} s", to_double(*time_));
   const LiveState3& now = state();
   if (!now.stage.empty() && now.all_rows > 0)
     return text + fmt::format("   {} of {} rows, nearest first", now.rows, now.all_rows);
@@ -158,6 +153,7 @@ std::string Desk3::number() const {
 
 // What lies under the mouse.
 std::string Desk3::status() const {
+  if (hover_light_ && drag_ == Drag::kNone) return light_line_3(*scene(), hover_light_->light);
   if (!hover_) return "";
   const Face face = *face_of_element(hover_);
   std::string text = face_name(*scene(), face);
@@ -183,6 +179,7 @@ void Desk3::draw_panels(PictureCanvas& canvas) const {
                              .height = std::max(height - top - 60 * unit_, 40 * unit_)},
                             unit_);
   };
+  if (const auto light = editor_.selected_light()) panel(light_lines_3(*scene(), *light));
   if (request_.face) panel(face_lines_3(*scene(), state(), *request_.face, picked_));
   if (result_) panel(result_->lines);
   if (!result_ || !result_->shown) return;
@@ -211,6 +208,7 @@ void Desk3::draw() {
   frame_ = base_;
   CairoCanvas canvas(frame_);
   draw_touched(canvas);
+  draw_lights(canvas);
   draw_problem(canvas);
   if (shows_help_)
     draw_help(canvas, commands_3(), gestures_3(), unit_);

@@ -33,15 +33,15 @@ LiveScene3::LiveScene3(SimulationRequest3 request, const std::function<void()>& 
 }
 
 void LiveScene3::set(std::shared_ptr<const Scene3> scene) {
-  const bool is_same_shape = scene_ && scene_->polygons == scene->polygons && scene_->surfaces == scene->surfaces &&
+  const bool is_same_shape = scene_ && scene_->file == scene->file && scene_->polygons == scene->polygons &&
+                             scene_->surfaces == scene->surfaces &&
                              scene_->materials.size() == scene->materials.size() && scene_->groups == scene->groups &&
                              scene_->masks == scene->masks && scene_->sky_emission == scene->sky_emission &&
-                             scene_->closed == scene->closed && scene_->lights == scene->lights &&
-                             scene_->light_places == scene->light_places;
+                             scene_->closed == scene->closed;
   const bool keeps_factors = is_same_shape && are_alike_as_before_3(scene_->materials, scene->materials);
-  simulation_ = is_same_shape ? simulation_->with_materials(scene->materials) : Simulation3(*scene, request_);
+  simulation_ = is_same_shape ? simulation_->with_scene(*scene) : Simulation3(*scene, request_);
   if (is_same_shape) {
-    state_.whole = state_.whole->with_materials(scene->materials);
+    state_.whole = state_.whole->with_scene(*scene);
   } else {
     state_ = {};
     SimulationRequest3 whole = request_;
@@ -100,6 +100,7 @@ void LiveScene3::prepare_anew() {
       return Background::Apply([this, factors] {
         state_.factors = factors;
         state_.stage.clear();
+        lighting_.cancel();  // sweeps
         light_anew();
       });
     } catch (const Interrupted&) {
@@ -111,8 +112,8 @@ void LiveScene3::prepare_anew() {
 }
 
 void LiveScene3::light_anew() {
-  lighting_.post([this, simulation = *simulation_, scene = scene_, since = since_](const StageProgress& progress,
-                                                                                   const Background::Tell&) {
+  lighting_.follow([this, simulation = *simulation_, scene = scene_, since = since_](const StageProgress& progress,
+                                                                                     const Background::Tell&) {
     try {
       const auto radiosities = simulation.radiosities(progress);
       const double seconds = Stopwatch(since).lap();

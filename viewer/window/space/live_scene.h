@@ -32,7 +32,7 @@ struct LiveModel3 {
 struct LiveState3 {
   std::shared_ptr<const LiveModel3> model;
   std::shared_ptr<const ComputedFactors3> factors;
-  // Of the materials in `lit`; of those before, while it is not done.
+  // Of the materials and lights in `lit`; of those before, while it is not done.
   std::shared_ptr<const RadiositySolution> radiosities;
   std::shared_ptr<const Scene3> lit;      // the scene that the light is of
   std::optional<Simulation3> simulation;  // of that
@@ -51,9 +51,10 @@ struct LiveState3 {
 //   (1) at rest, radiosities are bit for bit those of a new simulation of the scene and the request
 //   (2) what is needed to look at the scene comes first, then its factors, those of elements nearest to the eye first
 //       (NearestRows3), and with them light that goes around among the rows that have come, then its light
-//   (3) a scene that differs from the one before in materials alone does not disturb the factors that are there or on
-//       their way, nor the system where it differs in emissions alone, unless other materials are alike than before
-//       (are_alike_as_before_3)
+//   (3) a scene that differs from the one before in materials and lights alone does not disturb the factors that are
+//       there or on their way, nor the system where no reflectivity differs, unless other materials are alike than
+//       before (are_alike_as_before_3). Its light follows that which is on its way: something new is shown however fast
+//       scenes follow each other
 //   (4) the destructor stops what runs, and waits for that
 class LiveScene3 {
  public:

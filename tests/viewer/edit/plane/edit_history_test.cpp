@@ -1,4 +1,4 @@
-#include "viewer/edit/plane/edit_history.h"
+#include "viewer/edit/edit_history.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,8 @@
 
 namespace hottel {
 namespace {
+
+using EditHistory2 = EditHistory<Scene2>;
 
 // A scene that is told from others by its text.
 Scene2 scene_about(const std::string& about) {

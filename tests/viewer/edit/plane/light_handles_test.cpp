@@ -48,14 +48,14 @@ TEST(LightHandles2, AreWhereTheAxisAndTheBordersOfTheBeamPass) {
 
 TEST(LightHandles2, ArePickedNearestFirst) {
   const Scene2 scene = lit_room();
-  const auto hold = [](std::uint32_t light, LightPart2 part) { return std::optional(LightHold2{light, part}); };
-  EXPECT_EQ(pick_light(scene, {1.02, 1}, kReach, kArm), hold(0, LightPart2::kPlace));
-  EXPECT_EQ(pick_light(scene, {1.5, 1}, kReach, kArm), hold(0, LightPart2::kAxis));
-  EXPECT_EQ(pick_light(scene, {1.43, 1.25}, kReach, kArm), hold(0, LightPart2::kLeft));
-  EXPECT_EQ(pick_light(scene, {1.43, 0.75}, kReach, kArm), hold(0, LightPart2::kRight));
-  EXPECT_EQ(pick_light(scene, {2, 0.95}, kReach, kArm), hold(1, LightPart2::kPlace));
+  const auto hold = [](std::uint32_t light, LightPart part) { return std::optional(LightHold{light, part}); };
+  EXPECT_EQ(pick_light(scene, {1.02, 1}, kReach, kArm), hold(0, LightPart::kPlace));
+  EXPECT_EQ(pick_light(scene, {1.5, 1}, kReach, kArm), hold(0, LightPart::kAxis));
+  EXPECT_EQ(pick_light(scene, {1.43, 1.25}, kReach, kArm), hold(0, LightPart::kLeft));
+  EXPECT_EQ(pick_light(scene, {1.43, 0.75}, kReach, kArm), hold(0, LightPart::kRight));
+  EXPECT_EQ(pick_light(scene, {2, 0.95}, kReach, kArm), hold(1, LightPart::kPlace));
   EXPECT_EQ(pick_light(scene, {1.75, 1.5}, kReach, kArm), std::nullopt);
-  EXPECT_EQ(pick_light(scene, {2, 1}, kReach, 1.0), hold(1, LightPart2::kPlace));  // before the other one's axis
+  EXPECT_EQ(pick_light(scene, {2, 1}, kReach, 1.0), hold(1, LightPart::kPlace));  // before the other one's axis
 }
 
 // (1)
@@ -70,15 +70,15 @@ TEST(LightHandles2, TakeThePathAlong) {
 // (2)
 TEST(LightHandles2, TurnTheAxisExactlyToThePlace) {
   const Scene2 scene = lit_room();
-  EXPECT_EQ(drag_light(scene, {0, LightPart2::kAxis}, {1.254, 0.75}, 2).light_places[0].direction,
+  EXPECT_EQ(drag_light(scene, {0, LightPart::kAxis}, {1.254, 0.75}, 2).light_places[0].direction,
             (Point2{Rational(1, 4), Rational(-1, 4)}));
-  EXPECT_EQ(drag_light(scene, {0, LightPart2::kAxis}, {1.001, 1}, 2).light_places, scene.light_places);
+  EXPECT_EQ(drag_light(scene, {0, LightPart::kAxis}, {1.001, 1}, 2).light_places, scene.light_places);
 }
 
 // (3)
 TEST(LightHandles2, FocusInWholeDegrees) {
   Scene2 scene = lit_room();
-  const auto focus = [&](const Place2& to) { return drag_light(scene, {0, LightPart2::kLeft}, to, 4).lights[0].focus; };
+  const auto focus = [&](const Place2& to) { return drag_light(scene, {0, LightPart::kLeft}, to, 4).lights[0].focus; };
   EXPECT_EQ(focus({1.5, 1.5}), 45);
   EXPECT_EQ(focus({1.5, 0.5}), 45);
   EXPECT_EQ(focus({0.5, 1}), 180);

@@ -8,7 +8,7 @@
 #include "geometry/plane/generate/generators.h"
 #include "kernel/support/failure.h"
 #include "tests/viewer/edit/plane/edited_scenes.h"
-#include "viewer/edit/plane/edit_history.h"
+#include "viewer/edit/edit_history.h"
 #include "viewer/edit/plane/file_order.h"
 #include "viewer/edit/plane/scene_edits.h"
 #include "viewer/edit/plane/snapping.h"
@@ -110,7 +110,7 @@ void expect_good_names(const Scene2& scene) {
 
 // A row of edits, and all the way back. Returns how many were made.
 std::size_t edit_and_undo(const Scene2& start, std::size_t edits, std::uint64_t seed) {
-  EditHistory2 history(start);
+  EditHistory<Scene2> history(start);
   std::size_t made = 0;
   for (std::size_t k = 0; k < edits; ++k) {
     const Scene2& before = *history.scene();
@@ -126,7 +126,7 @@ std::size_t edit_and_undo(const Scene2& start, std::size_t edits, std::uint64_t 
   }
   while (history.undo()) {
   }
-  if (made <= EditHistory2::kMostSteps) {
+  if (made <= EditHistory<Scene2>::kMostSteps) {
     EXPECT_FALSE(history.is_changed());
     EXPECT_EQ(difference(*history.scene(), start), "");
   }

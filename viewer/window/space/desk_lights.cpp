@@ -1,0 +1,233 @@
+// What a desk in space does to lights, and how it draws them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "geometry/space/scene/light_place_problem.h"
+#include "geometry/space/scene/moving_lights.h"
+#include "kernel/decimal.h"
+#include "viewer/edit/decimals.h"
+#include "viewer/edit/light_edits.h"
+#include "viewer/edit/space/light_region.h"
+#include "viewer/edit/space/typed_point.h"
+#include "viewer/window/lights.h"
+#include "viewer/window/space/desk.h"
+#include "viewer/window/space/light_lines.h"
+
+namespace hottel {
+namespace {
+
+constexpr double kBesideSurface = 0.1;  // sizes of the scene from what is seen to a light that is put there
+constexpr double kAside = 24;           // units from a light to its copy
+constexpr double kHidden = 1e-6;        // of the way to a light, that what hides it is nearer
+
+// What is wrong with where a light is, as a sentence; empty when nothing is.
+std::string place_problem(const Scene3& scene, std::uint32_t light) {
+  const std::string problem = light_place_problem(scene, scene.lights[light], scene.light_places[light]);
+  return problem.empty() ? "" : scene.lights[light].name + " " + problem;
+}
+
+}  // namespace
+
+// The light under the mouse; where no polygon is there either, the one that is selected.
+std::optional<std::uint32_t> Desk3::light_meant() const {
+  if (hover_light_) return hover_light_->light;
+  return hover_ ? std::nullopt : editor_.selected_light();
+}
+
+// Tells what was done, or why nothing was.
+void Desk3::say(const std::string& done, const char* nothing) {
+  message_ = !done.empty() ? done : !editor_.refusal().empty() ? editor_.refusal() : nothing;
+}
+
+bool Desk3::light_command(std::string_view name) {
+  touch();
+  if (name == "light" || name == "play") {
+    name == "light" ? add_light() : play();
+    return true;
+  }
+  const bool is_of_selected = name == "turn" || name == "turn back" || name == "turn square" || name == "copy" ||
+                              name == "delete" || name == "coordinates";
+  if (is_of_selected) {
+    if (editor_.is_dragging())
+      message_ = "not while something is dragged";
+    else if (!editor_.selected_light())
+      message_ = "no light is selected";
+    else
+      selected_light_command(name);
+    return true;
+  }
+  if (name != "material" && !is_light_edit(name)) return false;
+  const std::optional<std::uint32_t> light = light_meant();
+  if (!light && name == "spin") message_ = "no light lies under the mouse, and none is selected";
+  if (!light) return name == "spin";
+  name == "material" ? ask_for_light(*light) : change_light(*light, name);
+  return true;
+}
+
+void Desk3::selected_light_command(std::string_view name) {
+  if (name == "coordinates") {
+    ask_for_place();
+  } else if (name == "copy") {
+    const Direction3 from = place_of(scene()->light_places[*editor_.selected_light()].position);
+    const Pointer3 hand = pointer();
+    const double pixel = camera_.length_of_pixel(size_) / camera_.distance() * std::max(hand.depth(from), 0.0);
+    const int decimals = decimals_at(1 / (pixel > 0 ? pixel : camera_.length_of_pixel(size_)));
+    const Direction3 aside = kAside * unit_ * pixel * hand.right;
+    say(editor_.duplicate({rounded_decimal(aside.x, decimals), rounded_decimal(aside.y, decimals),
+                           rounded_decimal(aside.z, decimals)}),
+        "it goes no further");
+  } else if (name == "delete") {
+    say(editor_.erase(), "");
+  } else {
+    const bool is_spot = scene()->lights[*editor_.selected_light()].type == LightType::kSpot;
+    say(editor_.rotate(name == "turn"        ? 15
+                       : name == "turn back" ? -15
+                                             : 90),
+        is_spot ? "it turns about the vertical, and that is its axis" : "a point light has no axis to turn");
+  }
+}
+
+void Desk3::change_light(std::uint32_t light, std::string_view name) {
+  Light values = scene()->lights[light];
+  const Vector3& rates = scene()->light_places[light].rotation;
+  std::array<Rational, 3> rotation{rates.x, rates.y, rates.z};
+  edit_light(values, rotation, name);
+  const Vector3 rates_after{rotation[0], rotation[1], rotation[2]};
+  const std::string changed = editor_.change_light(light, values, rates_after);
+  if (name == "spin" && !changed.empty() && !time_ && !rates_after.is_zero()) time_ = 0;
+  if (changed.empty())
+    message_ = editor_.is_dragging() ? "not while something is dragged" : why_light_stays(name);
+  else if (!hover_light_)  // what lies under the mouse is told already
+    message_ = light_line_3(*scene(), light);
+}
+
+// Lights begin to move, or stand again where the scene has them.
+void Desk3::play() {
+  if (time_) {
+    stop();
+  } else if (editor_.is_dragging()) {
+    message_ = "not while something is dragged";
+  } else if (!has_moving_lights(*scene())) {
+    message_ = "no light moves";
+  } else {
+    time_ = 0;
+    message_ = "the lights move";
+  }
+}
+
+void Desk3::stop() {
+  time_.reset();
+  shown_ = told_;
+  live_.set(shown_);
+  message_ = "the lights stand";
+}
+
+bool Desk3::pass_time(const Rational& seconds) {
+  if (!time_) return false;
+  *time_ += seconds;
+  if (seconds > 0 && live_.is_at_rest()) move_lights();
+  return true;
+}
+
+// Shows the lights at their time, as far as they may be there.
+void Desk3::move_lights() {
+  needs_frame_ = true;
+  const auto moved = std::make_shared<const Scene3>(scene_after(*scene(), *time_));
+  std::string problem = has_moving_lights(*scene()) ? "" : "no light moves";
+  for (std::uint32_t k = 0; k < moved->lights.size() && problem.empty(); ++k)
+    if (moved->light_places[k].position != scene()->light_places[k].position) problem = place_problem(*moved, k);
+  if (!problem.empty()) {
+    const std::string when = fmt::format("after {} s ", short_text(*time_));
+    stop();
+    message_ = when + problem;
+    return;
+  }
+  shown_ = moved;
+  live_.set(shown_);
+}
+
+void Desk3::ask_for_light(std::uint32_t light) {
+  const Vector3& rates = scene()->light_places[light].rotation;
+  prompt_ = light_prompt(scene()->lights[light], {rates.x, rates.y, rates.z},
+                         [this, light](const Light& values, std::span<const Rational> rotation) {
+                           editor_.change_light(light, values, {rotation[0], rotation[1], rotation[2]});
+                           scene_changed();
+                         });
+}
+
+// A coordinate that is typed as it was shown stays, with all the digits that it has.
+void Desk3::ask_for_place() {
+  const Point3 from = scene()->light_places[*editor_.selected_light()].position;
+  const std::string shown = coordinates_text_3(from);
+  prompt_ = Prompt{.question = "goes to", .text = shown, .answer = [this, from, shown](const std::string& text) {
+                     Typed<Point3> typed = typed_point_3(text);
+                     if (!typed.value) return typed.problem;
+                     const Point3 rounded = *typed_point_3(shown).value;
+                     for (Rational Point3::*axis : {&Point3::x, &Point3::y, &Point3::z})
+                       if ((*typed.value).*axis == rounded.*axis) (*typed.value).*axis = from.*axis;
+                     message_ = editor_.move_to(*typed.value);
+                     scene_changed();
+                     return editor_.refusal();
+                   }};
+}
+
+// A point light before the surface under the mouse; where none is, as far away as what is looked at.
+void Desk3::add_light() {
+  if (!has_mouse_) {
+    message_ = "the mouse is not there";
+    return;
+  }
+  const Pointer3 hand = pointer();
+  const Direction3 ray = unit(hand.way_to(hand.at));
+  const std::optional<Direction3> surface = surface_at(mouse_);
+  const double way = surface ? length(*surface - hand.eye) : camera_.distance();
+  const Direction3 at = hand.eye + (surface ? std::max(way / 2, way - kBesideSurface * camera_.size()) : way) * ray;
+  const int decimals = decimals_at(1 / hand.length_of_pixel(at));
+  say(editor_.add_light(
+          {rounded_decimal(at.x, decimals), rounded_decimal(at.y, decimals), rounded_decimal(at.z, decimals)}),
+      "not while something is dragged");
+}
+
+// Why a light may not be where it is; before there is a model, as far as the scene tells.
+std::string Desk3::why_not(const Scene3& edited, std::uint32_t light, const Point3* before) const {
+  if (state().model) return light_refusal(edited, light, state().model->prepared.arrangement().solids(), before);
+  return place_problem(edited, light);
+}
+
+// Whether something that is seen hides a place.
+bool Desk3::is_hidden(const Direction3& place) const {
+  const std::optional<Pixel> at = camera_.at(place, size_);
+  const std::optional<Direction3> surface = at ? surface_at(*at) : std::nullopt;
+  const Direction3 eye = camera_.pointer({}, size_).eye;
+  return surface && length(*surface - eye) < (1 - kHidden) * length(place - eye);
+}
+
+void Desk3::draw_lights(PictureCanvas& canvas) const {
+  const Pointer3 hand = pointer();
+  const auto pixel = [&](const Direction3& place) {
+    const std::optional<Pixel> at = camera_.at(place, size_);
+    return at ? std::optional(within_canvas(*at)) : std::nullopt;
+  };
+  for (std::uint32_t k = 0; k < shown_->lights.size(); ++k) {
+    const std::optional<LightShape3> shape = light_shape(*shown_, k, hand);
+    if (!shape) continue;
+    LightMark mark{.place = *pixel(shape->place)};
+    if (shape->is_spot) {
+      mark.axis = pixel(shape->axis);
+      mark.left = pixel(shape->left);
+      mark.right = pixel(shape->right);
+      for (const Direction3& corner : shape->rim)
+        if (const auto at = pixel(corner)) mark.rim.push_back(*at);
+    }
+    LightLook look{.is_meant = editor_.selected_light() == k, .is_pale = is_hidden(shape->place)};
+    if (drag_ == Drag::kNone && hover_light_ && hover_light_->light == k) {
+      look.is_meant = true;
+      look.touched = hover_light_->part;
+    }
+    draw_light(canvas, shown_->lights[k], mark, look, unit_);
+  }
+}
+
+}  // namespace hottel
