@@ -96,7 +96,7 @@ struct Space {
     return Painter({.tone = tone_asked(options.tone),
                     .exposure = options.exposure,
                     .wanted_width = options.size,
-                    .shading = options.shading == "smooth" ? Shading3::kSmooth : Shading3::kFlat});
+                    .shading = *shading_of(options.shading)});
   }
   static Simulation simulation(const AnimateOptions& options, Scene3 scene, std::shared_ptr<FactorStore> store) {
     if (!options.grid.empty())
@@ -337,8 +337,9 @@ void add_animate(Commands& commands) {
       ->check(CLI::Range(1u, kMaxPictureSide));
   command
       .add_option("--shading", options->shading,
-                  "in space: flat: each element has its value; smooth: values are blended over flat surfaces")
-      ->check(CLI::IsMember({"flat", "smooth"}))
+                  "in space: flat: each element has its value; smooth: values are blended over flat surfaces; "
+                  "parents: the same, the finest elements by the mean of each four (--levels, --light-levels)")
+      ->check(CLI::IsMember({"flat", "smooth", "parents"}))
       ->capture_default_str();
   command
       .add_option("--tolerance", options->tolerance,

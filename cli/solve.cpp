@@ -155,7 +155,10 @@ GridRegion region_of(const Grid2& grid) { return {to_doubles(grid.min), to_doubl
 
 std::string picture_of(const SolveOptions& options, const Simulation2& simulation, const Results& results,
                        PictureFormat format) {
-  if (results.shown) return shown_picture_2(*simulation.prepared(), *results.shown, options.size, options.axes, format);
+  if (results.shown)
+    return shown_picture_2(*simulation.prepared(), *results.shown,
+                           {.width = options.size, .has_axes = options.axes, .shading = *shading_of(options.shading)},
+                           format);
   return illumination_picture_2(*simulation.prepared(), results.light->grid, light_picture(options), format).bytes;
 }
 
@@ -194,8 +197,9 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                     Streams& streams) {
   if (options.tolerance)
     throw UsageError("--tolerance is for scenes in space: in the plane every factor is correctly rounded");
-  if (options.shading != "flat") throw UsageError("--shading is for scenes in space");
   require_shown(request.shown, scene);
+  if (request.shown.is_light() && options.shading != "flat")
+    throw UsageError("--shading in the plane is of the values of --show: light between the faces has no elements");
   if (!request.shown.is_light() && options.size > 0 && options.size < kMinPictureWidth)
     throw UsageError(fmt::format("--size of --show {} is {} at least", options.show, kMinPictureWidth));
   Stopwatch watch;
@@ -302,9 +306,12 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
                   "of radiosity, irradiance or net: r, g or b; without it the mean of all")
       ->check(CLI::IsMember({"r", "g", "b"}));
   command
-      .add_option("--shading", options.shading,
-                  "in space: flat: each element has its value; smooth: values are blended over flat surfaces")
-      ->check(CLI::IsMember({"flat", "smooth"}))
+      .add_option(
+          "--shading", options.shading,
+          "flat: each element has its value; smooth: values are blended over flat surfaces, in the plane along "
+          "faces (of --show); parents: the same, the finest elements by the mean of each four, in the plane of each "
+          "two (--levels, --light-levels)")
+      ->check(CLI::IsMember({"flat", "smooth", "parents"}))
       ->capture_default_str();
   command
       .add_option("--render", options.render,

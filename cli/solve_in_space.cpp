@@ -89,7 +89,7 @@ std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const 
   RenderOptions3 asked{.tone = *tone_of(options.tone),
                        .exposure = options.exposure,
                        .wanted_width = options.size,
-                       .shading = options.shading == "smooth" ? Shading3::kSmooth : Shading3::kFlat};
+                       .shading = *shading_of(options.shading)};
   if (!shown.is_light()) asked.shown = shown_values(shown, simulation.scene(), factors->matrix, *solution, "W/m²");
   return naming_file(options.scene, [&] {
     return std::make_unique<const RenderedView3>(*simulation.prepared(), simulation.request().factors.granularity,

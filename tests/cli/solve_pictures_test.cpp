@@ -118,7 +118,7 @@ TEST(SolvePictures, WhatIsNotThereIsRefused) {
       EXPECT_THAT(outcome.err, HasSubstr(message)) << scene << ' ' << options;
     }
   EXPECT_THAT(place.run("hottel solve cube.json --show factor:cieling -o out").err, HasSubstr("ceiling"));
-  EXPECT_THAT(place.run("hottel solve square.json --shading smooth -o out").err, HasSubstr("for scenes in space"));
+  EXPECT_THAT(place.run("hottel solve square.json --shading smooth -o out").err, HasSubstr("of the values of --show"));
   EXPECT_THAT(place.run("hottel solve square.json --show net --size 50 -o out").err, HasSubstr("is 200 at least"));
   EXPECT_FALSE(std::filesystem::exists(place.path("out")));
 }
@@ -152,6 +152,31 @@ TEST(SolvePictures, SmoothOnesBlendElements) {
   EXPECT_NE(picture("--elements 3 --shading smooth"), picture("--elements 3"));
   EXPECT_EQ(picture("--elements 3 --shading flat"), picture("--elements 3"));
   EXPECT_EQ(picture("--shading smooth"), picture(""));  // one element a surface: nothing to blend
+}
+
+TEST(SolvePictures, ParentsStandForTheFinestElements) {
+  const Workplace place;
+  place.write("cube.json", contents(scene_file("space/cube.json")));
+  const auto picture = [&](const std::string& options) {
+    EXPECT_EQ(place.run("hottel solve cube.json -o out --size 80 " + options).code, 0);
+    return place.read("out/render.png");
+  };
+  EXPECT_NE(picture("--levels 2 --shading parents"), picture("--levels 2 --shading smooth"));
+  EXPECT_NE(picture("--levels 2 --shading parents"), picture("--levels 2"));
+  // Elements that are given have no parents.
+  EXPECT_EQ(picture("--elements 3 --shading parents"), picture("--elements 3 --shading smooth"));
+}
+
+TEST(SolvePictures, ValuesRunAlongFacesInThePlane) {
+  const Workplace place;
+  place.write("square.json", contents(scene_file("analytic/square_radiosity.json")));
+  const auto picture = [&](const std::string& options) {
+    EXPECT_EQ(place.run("hottel solve square.json -o out --show net --grid 8x8 " + options).code, 0);
+    return place.read("out/illumination.png");
+  };
+  EXPECT_NE(picture("--levels 3 --shading smooth"), picture("--levels 3"));
+  EXPECT_NE(picture("--levels 3 --shading smooth"), picture("--levels 3 --shading parents"));
+  EXPECT_EQ(picture("--levels 3 --shading flat"), picture("--levels 3"));
 }
 
 }  // namespace

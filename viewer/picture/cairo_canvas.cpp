@@ -278,6 +278,18 @@ void CairoCanvas::fill_all(Mark, std::span<const std::vector<Pixel>> polygons, C
   cairo_fill(state_->context);
 }
 
+void CairoCanvas::fill_along(Mark, std::span<const Pixel> polygon, Pixel from, Pixel to,
+                             std::span<const ColourStop> stops) {
+  if (polygon.size() < 3) return;
+  cairo_pattern_t* pattern = cairo_pattern_create_linear(from.x, from.y, to.x, to.y);
+  for (const auto& [share, c] : stops) cairo_pattern_add_color_stop_rgba(pattern, share, c.r, c.g, c.b, c.a);
+  cairo_set_source(state_->context, pattern);
+  cairo_pattern_destroy(pattern);
+  for (const Pixel& p : polygon) cairo_line_to(state_->context, p.x, p.y);
+  cairo_close_path(state_->context);
+  cairo_fill(state_->context);
+}
+
 void CairoCanvas::disc(Mark, Pixel centre, double radius, Colour colour) {
   state_->ink(colour);
   cairo_new_sub_path(state_->context);

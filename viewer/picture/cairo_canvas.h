@@ -40,6 +40,8 @@ class CairoCanvas : public PictureCanvas {
   void stroke(Mark mark, Pixel from, Pixel to, Colour colour, double line_width) override;
   void fill(Mark mark, std::span<const Pixel> polygon, Colour colour) override;
   void fill_all(Mark mark, std::span<const std::vector<Pixel>> polygons, Colour colour) override;
+  void fill_along(Mark mark, std::span<const Pixel> polygon, Pixel from, Pixel to,
+                  std::span<const ColourStop> stops) override;
   void disc(Mark mark, Pixel centre, double radius, Colour colour) override;
   void circle(Mark mark, Pixel centre, double radius, Colour colour, double line_width) override;
   void text(Mark mark, Pixel at, std::string_view text, const TextStyle& style) override;

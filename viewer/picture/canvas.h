@@ -58,6 +58,13 @@ enum class Mark : unsigned char {
   kPoint,  // on a curve
 };
 
+// A colour at a part of the way between two places.
+struct ColourStop {
+  double share = 0;  // 0 to 1
+  Colour colour{};
+  friend bool operator==(const ColourStop&, const ColourStop&) = default;
+};
+
 enum class TextAnchor : unsigned char { kLeft, kCentre, kRight };
 enum class TextWeight : unsigned char { kRegular, kBold };
 
@@ -89,6 +96,10 @@ class PictureCanvas {
   // What is inside one of several polygons that go around in one sense, filled at once: where two of them share a side
   // nothing shines through.
   virtual void fill_all(Mark mark, std::span<const std::vector<Pixel>> polygons, Colour colour) = 0;
+  // The inside of a polygon, as fill() has it, in colours that run from one place to another, equal on each line across
+  // that way: linear between stops, and beyond them that of the nearest one. REQUIRES stops, ascending.
+  virtual void fill_along(Mark mark, std::span<const Pixel> polygon, Pixel from, Pixel to,
+                          std::span<const ColourStop> stops) = 0;
   // A filled circle; a circle of which only the line is drawn, half of its width inside the radius.
   virtual void disc(Mark mark, Pixel centre, double radius, Colour colour) = 0;
   virtual void circle(Mark mark, Pixel centre, double radius, Colour colour, double line_width) = 0;

@@ -20,7 +20,8 @@ class RecordingCanvas : public PictureCanvas {
   // What was drawn: one for each function of a PictureCanvas that leaves a mark. fill_rectangle() is a fill.
   enum class Kind : unsigned char { kStroke, kFill, kDisc, kCircle, kText, kImage };
 
-  // One mark. Not kept are the line width of a circle, the weight of a text, and whether an image is smooth.
+  // One mark. Not kept are the line width of a circle, the weight of a text, whether an image is smooth, and
+  // between which places colours run.
   struct Call {
     Kind kind;
     Mark mark;
@@ -29,7 +30,8 @@ class RecordingCanvas : public PictureCanvas {
     double size = 0;  // width of a line, radius, size of a font
     std::string text{};
     Raster image{};
-    std::vector<Pixel> clip{};  // empty: none
+    std::vector<Pixel> clip{};        // empty: none
+    std::vector<ColourStop> stops{};  // of fill_along
   };
 
   // Of that many pixels; what is drawn outside is recorded all the same.
@@ -46,6 +48,13 @@ class RecordingCanvas : public PictureCanvas {
   }
   void fill_all(Mark mark, std::span<const std::vector<Pixel>> polygons, Colour colour) override {
     for (const std::vector<Pixel>& polygon : polygons) fill(mark, polygon, colour);
+  }
+  void fill_along(Mark mark, std::span<const Pixel> polygon, Pixel, Pixel, std::span<const ColourStop> stops) override {
+    record({.kind = Kind::kFill,
+            .mark = mark,
+            .points = {polygon.begin(), polygon.end()},
+            .colour = stops.front().colour,
+            .stops = {stops.begin(), stops.end()}});
   }
   void disc(Mark mark, Pixel centre, double radius, Colour colour) override {
     record({Kind::kDisc, mark, {centre}, colour, radius});

@@ -81,7 +81,7 @@ double area_of(const std::vector<RecordingCanvas::Call>& shapes) {
 // Shapes that overlap nowhere and fill the picture: hidden lines are gone, not painted over.
 TEST(RenderedView3, ShapesPartitionThePicture) {
   const Simulation3 simulation = solved("two_boxes.json", 2);
-  for (const Shading3 shading : {Shading3::kFlat, Shading3::kSmooth}) {
+  for (const Shading shading : {Shading::kFlat, Shading::kSmooth}) {
     const RenderedView3 view = view_of(simulation, {.wanted_width = 200, .shading = shading});
     const std::vector<RecordingCanvas::Call> shapes = shapes_of(view);
     EXPECT_NEAR(area_of(shapes), view.width() * view.height(), 1e-3);
@@ -97,7 +97,7 @@ TEST(RenderedView3, ShapesPartitionThePicture) {
 // A pixel within one shape has its colour; smooth: that of its band.
 TEST(RenderedView3, ShapesHaveTheColoursOfThePixels) {
   const Simulation3 simulation = solved("two_boxes.json", 2);
-  for (const Shading3 shading : {Shading3::kFlat, Shading3::kSmooth}) {
+  for (const Shading shading : {Shading::kFlat, Shading::kSmooth}) {
     const RenderedView3 view = view_of(simulation, {.wanted_width = 160, .shading = shading});
     const std::vector<RecordingCanvas::Call> shapes = shapes_of(view);
     Camera3 camera = *simulation.scene().camera;
@@ -108,10 +108,10 @@ TEST(RenderedView3, ShapesHaveTheColoursOfThePixels) {
     const ElementPaint3 paint = light_paint_3(simulation.scene(), *simulation.radiosities());
     const SmoothMesh3 mesh(*simulation.prepared(), table);
     const PixelValues3 pixels =
-        camera_view_3({*simulation.prepared(), table, paint, shading == Shading3::kSmooth ? &mesh : nullptr}, camera);
+        camera_view_3({*simulation.prepared(), table, paint, shading == Shading::kSmooth ? &mesh : nullptr}, camera);
     const ToneCurve tone(Tone::kLog, 1, pixels.values, pixels.channels);
     // In narrow triangles a band is more than one step wide, and in red or blue a step of luminance is several.
-    const double slack = shading == Shading3::kFlat ? 1.0 / 255 : 8.0 / 128;
+    const double slack = shading == Shading::kFlat ? 1.0 / 255 : 8.0 / 128;
     int compared = 0;
     double off = 0;
     for (std::uint32_t y = 0; y < camera.height; y += 3)

@@ -44,6 +44,7 @@ FaceRuns2::FaceRuns2(const PreparedScene2& prepared, const Frame2& frame, Granul
     corners_.at.push_back(frame.at(vertices.to_scene(vertices.exact(v))));
   }
   const ElementTable2 labels(prepared.scene, prepared.arrangement, prepared.division, granularity);
+  elements_ = labels.elements();
   begin_.assign(prepared.scene.surfaces.size() + 1, 0);
   for (std::uint32_t label = 0; label < labels.count(); ++label) {
     const Element& element = labels.elements()[label];

@@ -43,13 +43,15 @@ class FaceRuns2 {
   std::uint32_t begin(std::uint32_t surface) const { return begin_[surface]; }
   std::uint32_t end(std::uint32_t surface) const { return begin_[surface + 1]; }
   const Face& face(std::uint32_t run) const { return face_[run]; }
-  std::uint32_t element(std::uint32_t run) const { return element_[run]; }  // as ElementTable2 counts them
+  std::uint32_t element(std::uint32_t run) const { return element_[run]; }  // of elements()
+  const std::vector<Element>& elements() const { return elements_; }        // those of ElementTable2
 
  private:
   Corners2 corners_;
   std::vector<std::uint32_t> begin_;  // by surface
   std::vector<Face> face_;            // by run
   std::vector<std::uint32_t> element_;
+  std::vector<Element> elements_;
 };
 
 }  // namespace hottel

@@ -13,6 +13,7 @@ namespace hottel {
 namespace {
 
 constexpr double kFooter = 62;
+constexpr double kBands = 128;  // of a scale, where values are blended
 
 std::optional<double> value_of(const std::vector<std::optional<double>>& values, std::uint32_t place) {
   if (place >= values.size() || !values[place] || std::isnan(*values[place])) return std::nullopt;
@@ -33,6 +34,7 @@ ScenePicturePainter2::ScenePicturePainter2(const PreparedScene2& prepared, const
       sheet_(std::move(sheet)),
       runs_(prepared, sheet_.frame(), by_elements(picture) ? Granularity::kElement : Granularity::kFace) {
   for (const std::uint32_t target : picture.targets) HOTTEL_REQUIRE(target < scene_.surfaces.size());
+  if (by_elements(picture)) values_ = run_values_2(runs_, picture.colouring->elements, picture.colouring->shading);
   for (std::uint32_t run = 0; run < runs_.corners().surfaces(); ++run) colours_.push_back(colour(run));
 }
 
@@ -43,8 +45,9 @@ std::optional<Colour> ScenePicturePainter2::colour(std::uint32_t run) const {
   if (!material) return std::nullopt;
   if (picture_.colouring) {
     const FaceColouring2& colouring = *picture_.colouring;
-    const auto value = by_elements(picture_) ? value_of(colouring.elements, runs_.element(run))
-                                             : value_of(face.is_back ? colouring.back : colouring.front, face.surface);
+    if (by_elements(picture_))
+      return values_[run] ? std::optional(scale_colour(colouring.scale, values_[run]->middle)) : std::nullopt;
+    const auto value = value_of(face.is_back ? colouring.back : colouring.front, face.surface);
     return value ? std::optional(scale_colour(colouring.scale, *value)) : std::nullopt;
   }
   return scene_.materials[*material].emission.is_zero() ? std::nullopt : std::optional(palette::kEmitter);
@@ -59,7 +62,7 @@ void ScenePicturePainter2::draw(PictureCanvas& canvas) const {
   ground.faces = [&](std::span<const std::uint32_t> surfaces) {
     for (const std::uint32_t s : surfaces)
       for (std::uint32_t run = runs_.begin(s); run < runs_.end(s); ++run)
-        if (colours_[run]) canvas.fill(mark, stripes.stripe(run), *colours_[run]);
+        if (colours_[run]) draw_stripe(canvas, mark, run, stripes.stripe(run));
   };
   if (picture_.pixels) ground.cover = [&] { draw_pixels(canvas); };
   sheet_.draw_ground(canvas, ground);
@@ -70,6 +73,24 @@ void ScenePicturePainter2::draw(PictureCanvas& canvas) const {
   draw_targets(canvas);
   if (picture_.sheet.has_axes) sheet_.draw_axes(canvas);
   draw_footer(canvas);
+}
+
+void ScenePicturePainter2::draw_stripe(PictureCanvas& canvas, Mark mark, std::uint32_t run,
+                                       const std::array<Pixel, 4>& stripe) const {
+  if (values_.empty() || values_[run]->is_constant()) return canvas.fill(mark, stripe, *colours_[run]);
+  const ColourScale& scale = picture_.colouring->scale;
+  const RunValue2& value = *values_[run];
+  std::vector<ColourStop> stops;
+  const auto add_half = [&](double begin, double rise) {
+    const double bands = std::max(1.0, std::ceil(std::fabs(rise) * kBands));
+    for (double k = 0; k <= bands; ++k) {
+      const double share = begin + 0.5 * k / bands;
+      if (stops.empty() || share > stops.back().share) stops.push_back({share, scale_colour(scale, value.at(share))});
+    }
+  };
+  add_half(0, scale.position(value.middle) - scale.position(value.from));
+  add_half(0.5, scale.position(value.to) - scale.position(value.middle));
+  canvas.fill_along(mark, stripe, stripe[0], stripe[1], stops);
 }
 
 void ScenePicturePainter2::draw_pixels(PictureCanvas& canvas) const {

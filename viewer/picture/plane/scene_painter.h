@@ -8,6 +8,7 @@
 
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "viewer/picture/canvas.h"
+#include "viewer/picture/plane/run_values.h"
 #include "viewer/picture/plane/scene_picture.h"
 #include "viewer/picture/plane/scene_sheet.h"
 #include "viewer/picture/plane/stripes.h"
@@ -25,7 +26,8 @@ struct ScenePixels2 {
 //
 //   (1) one stripe for each straight part of a face with a value, on its own side of the edge (front = right of from ->
 //       to), with the colour of the value; NaN is no value; a back without a material has no stripe, nor has what looks
-//       into a solid or belongs to another surface
+//       into a solid or belongs to another surface. Where values are blended along faces (run_values_2) its
+//       colour runs along it, within 1/128 of the scale that of the value
 //   (2) each edge is drawn once, over the stripes: highlighted when it is a target
 //   (3) nothing leaves the picture
 //   (4) a legend iff there is colouring
@@ -48,12 +50,14 @@ class ScenePicturePainter2 {
   void draw_targets(PictureCanvas& canvas) const;
   void draw_footer(PictureCanvas& canvas) const;
   std::optional<Colour> colour(std::uint32_t run) const;
+  void draw_stripe(PictureCanvas& canvas, Mark mark, std::uint32_t run, const std::array<Pixel, 4>& stripe) const;
 
   const Scene2& scene_;
   const ScenePicture2& picture_;
   SceneSheet2 sheet_;
   FaceRuns2 runs_;
-  std::vector<std::optional<Colour>> colours_;  // of the stripes, per run
+  std::vector<std::optional<RunValue2>> values_;  // of elements, per run
+  std::vector<std::optional<Colour>> colours_;    // of the stripes, per run: of their middles
 };
 
 }  // namespace hottel

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "viewer/picture/picture_options.h"
+#include "viewer/picture/shading.h"
 
 namespace hottel {
 
@@ -26,6 +27,7 @@ struct SheetText2 {
 struct FaceColouring2 {
   std::vector<std::optional<double>> front{}, back{};  // per surface; shorter: the rest has none
   std::vector<std::optional<double>> elements{};       // as ElementTable2 counts them; instead, where not empty
+  Shading shading = Shading::kFlat;                    // how those of elements run along faces
   ColourScale scale{};
   std::string title{};  // of the legend, e.g. "fraction of the window seen"
 };

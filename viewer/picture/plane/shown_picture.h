@@ -11,10 +11,15 @@ namespace hottel {
 
 // The plan of a scene with the values on its faces, or on their elements; with scale, unit and range. width: in
 // pixels; 0: the usual one.
-ScenePicture2 shown_plan_2(const ShownValues& values, std::uint32_t width, bool has_axes = false);
+struct ShownPlan2 {
+  std::uint32_t width = 0;
+  bool has_axes = false;
+  Shading shading = Shading::kFlat;
+};
+ScenePicture2 shown_plan_2(const ShownValues& values, const ShownPlan2& plan);
 
 // Returns the bytes of the picture file. REQUIRES values by faces or elements, of the scene as it is prepared.
-std::string shown_picture_2(const PreparedScene2& prepared, const ShownValues& values, std::uint32_t width,
-                            bool has_axes, PictureFormat format);
+std::string shown_picture_2(const PreparedScene2& prepared, const ShownValues& values, const ShownPlan2& plan,
+                            PictureFormat format);
 
 }  // namespace hottel

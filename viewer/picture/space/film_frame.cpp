@@ -16,12 +16,14 @@ void FilmPainter3::fit_to(const Simulation3& simulation, const StageProgress& pr
 std::string FilmPainter3::file(const Simulation3& simulation, Kept& kept, const StageProgress& progress) const {
   HOTTEL_REQUIRE(is_fitted());
   const auto prepared = simulation.prepared(progress);
-  const ElementPaint3 paint = light_paint_3(prepared->scene, *simulation.radiosities(progress));
+  ElementPaint3 paint = light_paint_3(prepared->scene, *simulation.radiosities(progress));
   if (!kept.table) {
     kept.table = std::make_unique<const ElementTable3>(prepared->scene, prepared->arrangement(), prepared->blockers(),
                                                        simulation.request().factors.granularity);
-    if (options_.shading == Shading3::kSmooth) kept.mesh.emplace(*prepared, *kept.table);
+    if (options_.shading != Shading::kFlat) kept.mesh.emplace(*prepared, *kept.table);
   }
+  if (options_.shading == Shading::kParents)
+    paint.values = values_from_parents(kept.table->elements(), paint.values, paint.channels);
   const SmoothMesh3* mesh = kept.mesh ? &*kept.mesh : nullptr;
   // Once shown anew a picture is drawn as any other that was: the first one too.
   if (!kept.seen || !kept.seen->show(paint, mesh)) {

@@ -83,7 +83,9 @@ RenderedView3::RenderedView3(const PreparedScene3& prepared, Granularity granula
       camera_(camera_of_scene(prepared, options_.wanted_width)),
       table_(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity),
       paint_(options_.shown ? scale_paint_3(*options_.shown) : light_paint_3(prepared.scene, solution)) {
-  if (options_.shading == Shading3::kSmooth) mesh_.emplace(prepared, table_);
+  if (options_.shading == Shading::kParents)
+    paint_.values = values_from_parents(table_.elements(), paint_.values, paint_.channels);
+  if (options_.shading != Shading::kFlat) mesh_.emplace(prepared, table_);
   pixels_ = camera_view_3(seen(), camera_);
   if (options_.shown)
     footer_ = static_cast<std::uint32_t>(std::ceil(kFooterUnits * footer_unit(camera_)));

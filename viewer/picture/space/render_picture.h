@@ -11,21 +11,19 @@
 #include "geometry/space/exchange/element_table.h"
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/picture_options.h"
+#include "viewer/picture/shading.h"
 #include "viewer/picture/shown_values.h"
 #include "viewer/picture/space/camera_view.h"
 #include "viewer/picture/tone_curve.h"
 
 namespace hottel {
 
-// kFlat: each element has one value. kSmooth: values are blended over flat surfaces (SmoothMesh3).
-enum class Shading3 : unsigned char { kFlat, kSmooth };
-
 // What is shown, and how it becomes a picture.
 struct RenderOptions3 {
   Tone tone = Tone::kLog;              // of the light
   double exposure = 1;                 // what the light is multiplied by; ToneCurve says relative to what
   std::uint32_t wanted_width = 0;      // pixels across instead of the camera's, in its shape, where not 0
-  Shading3 shading = Shading3::kFlat;  // how values run over elements
+  Shading shading = Shading::kFlat;    // how values run over elements
   std::optional<ShownValues> shown{};  // instead of the light
 };
 

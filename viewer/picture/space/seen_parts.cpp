@@ -116,9 +116,7 @@ class Sides {
   // From the middle of a part to each of its sides.
   void add_triangles(std::size_t k, std::uint32_t element) {
     const std::span<const std::uint32_t> ring = scene_.mesh->ring(k);
-    Direction3 middle;
-    for (const std::uint32_t corner : ring) middle = middle + ways_[corner];
-    middle = (1.0 / static_cast<double>(ring.size())) * middle;
+    const Direction3 middle = middle_of(scene_.table.parts()[k].patch);
     const auto value = [&](std::uint32_t corner) {
       return std::span<const double>(corner_values_).subspan(corner * scene_.paint.channels, scene_.paint.channels);
     };
@@ -135,6 +133,14 @@ class Sides {
            {a, b},
            false});
     }
+  }
+
+  // The way to the mean of its own corners: those within its sides do not move it.
+  Direction3 middle_of(const Patch3& patch) const {
+    Direction3 sum;
+    const auto corners = corners_of(scene_.prepared.blockers().vertices(), patch);
+    for (const Point3& corner : corners) sum = sum + rounded_way(eye_, corner);
+    return (1.0 / static_cast<double>(corners.size())) * sum;
   }
 
   const SeenScene3& scene_;

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
-#include "geometry/space/visibility/direction.h"
+#include "viewer/picture/bounded_mean.h"
 
 namespace hottel {
 namespace {
@@ -53,15 +53,6 @@ struct LexicalLess {
   bool operator()(const Point3& a, const Point3& b) const { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 };
 
-double angle_at(const Point3& before, const Point3& at, const Point3& after) {
-  const auto way = [&](const Point3& to) {
-    const Vector3 v = to - at;
-    return Direction3{to_double(v.x), to_double(v.y), to_double(v.z)};
-  };
-  const Direction3 a = way(before), b = way(after);
-  return std::atan2(length(cross(a, b)), dot(a, b));
-}
-
 // The corners of one flat surface, to find those that lie within a side. They are looked at along the axis that the
 // plane has most of, as that keeps what is on a line, and what is not.
 class FlatCorners {
@@ -81,24 +72,28 @@ class FlatCorners {
     std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) { return a.x < b.x; });
   }
 
+  struct InSide {
+    Rational share;  // of the way
+    std::uint32_t corner;
+  };
   // Those strictly between two corners, in order.
-  std::vector<std::uint32_t> between(std::uint32_t from, std::uint32_t to) const {
+  std::vector<InSide> between(std::uint32_t from, std::uint32_t to) const {
     const Place a = place(from), b = place(to);
     const double slack = 1e-9 * extent_, low = std::min(a.x, b.x) - slack, high = std::max(a.x, b.x) + slack;
     const double bottom = std::min(a.y, b.y) - slack, top = std::max(a.y, b.y) + slack;
-    std::vector<std::pair<Rational, std::uint32_t>> found;
+    std::vector<InSide> found;
     auto next = std::lower_bound(places_.begin(), places_.end(), low, [](const Place& p, double x) { return p.x < x; });
     for (; next != places_.end() && next->x <= high; ++next) {
       if (next->y < bottom || next->y > top || next->corner == from || next->corner == to) continue;
       const double off = (b.x - a.x) * (next->y - a.y) - (b.y - a.y) * (next->x - a.x);
       if (std::fabs(off) > slack * (std::fabs(b.x - a.x) + std::fabs(b.y - a.y))) continue;
       if (const auto part = part_of_way(corners_[from], corners_[to], corners_[next->corner]); part > 0 && part < 1)
-        found.emplace_back(part, next->corner);
+        found.push_back({part, next->corner});
     }
-    std::sort(found.begin(), found.end());
-    std::vector<std::uint32_t> result;
-    for (const auto& [part, corner] : found) result.push_back(corner);
-    return result;
+    std::sort(found.begin(), found.end(), [](const InSide& p, const InSide& q) {
+      return std::tie(p.share, p.corner) < std::tie(q.share, q.corner);
+    });
+    return found;
   }
 
  private:
@@ -159,19 +154,20 @@ class SmoothMesh3::Builder {
       const auto is_other = [&](std::uint32_t k) { return label(k) != first; };
       if (std::any_of(parts.begin(), parts.end(), is_other)) add(surface, parts);
     }
-    for (std::size_t k = 0; k < rings_.size(); ++k) {
-      mesh.begin_.push_back(mesh.ring_.size());
-      mesh.element_.push_back(label(k));
-      for (const auto& [corner, angle] : rings_[k]) {
-        mesh.ring_.push_back(corner);
-        mesh.angle_.push_back(angle);
-      }
-    }
-    mesh.begin_.push_back(mesh.ring_.size());
+    set_rings();
+    set_meeting();
+    set_hanging();
   }
 
  private:
+  // A side in which a corner hangs.
+  struct Side {
+    std::uint32_t from, to;
+    Rational share, length_squared;
+  };
+
   std::uint32_t label(std::size_t part) const { return table_.parts()[part].label; }
+  const Point3& point(std::uint32_t corner) const { return mesh_.corners_[corner]; }
 
   void add(const FlatSurface& surface, const std::vector<std::uint32_t>& parts) {
     const auto begin = static_cast<std::uint32_t>(mesh_.corners_.size());
@@ -188,20 +184,58 @@ class SmoothMesh3::Builder {
     const FlatCorners flat(mesh_.corners_, begin, surface.plane);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::vector<std::uint32_t>& outline = outlines[i];
-      for (std::size_t k = 0, n = outline.size(); k < n; ++k) {
-        const std::uint32_t at = outline[k], next = outline[(k + 1) % n];
-        rings_[parts[i]].emplace_back(at, angle_at(point(outline[(k + n - 1) % n]), point(at), point(next)));
-        for (const std::uint32_t in_side : flat.between(at, next))
-          rings_[parts[i]].emplace_back(in_side, std::numbers::pi);
+      for (std::size_t k = 0; k < outline.size(); ++k) {
+        const std::uint32_t from = outline[k], to = outline[(k + 1) % outline.size()];
+        rings_[parts[i]].push_back(from);
+        for (const FlatCorners::InSide& corner : flat.between(from, to)) {
+          rings_[parts[i]].push_back(corner.corner);
+          add_side(corner, from, to);
+        }
       }
     }
   }
-  const Point3& point(std::uint32_t corner) const { return mesh_.corners_[corner]; }
+  // Keeps the longest side of a corner, of equal ones the first.
+  void add_side(const FlatCorners::InSide& corner, std::uint32_t from, std::uint32_t to) {
+    const Vector3 way = point(to) - point(from);
+    const Side side{from, to, corner.share, dot(way, way)};
+    const auto [place, is_new] = sides_.try_emplace(corner.corner, side);
+    if (!is_new && place->second.length_squared < side.length_squared) place->second = side;
+  }
+
+  void set_rings() {
+    for (const std::vector<std::uint32_t>& ring : rings_) {
+      mesh_.begin_.push_back(mesh_.ring_.size());
+      mesh_.ring_.insert(mesh_.ring_.end(), ring.begin(), ring.end());
+    }
+    mesh_.begin_.push_back(mesh_.ring_.size());
+  }
+  // Each element once, however many of its parts meet in a corner.
+  void set_meeting() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting;  // corner, element
+    for (std::size_t part = 0; part < rings_.size(); ++part)
+      for (const std::uint32_t corner : rings_[part]) meeting.emplace_back(corner, label(part));
+    std::sort(meeting.begin(), meeting.end());
+    meeting.erase(std::unique(meeting.begin(), meeting.end()), meeting.end());
+    mesh_.first_.assign(mesh_.corners_.size() + 1, 0);
+    for (const auto& [corner, element] : meeting) {
+      ++mesh_.first_[corner + 1];
+      mesh_.meeting_.push_back(element);
+    }
+    std::partial_sum(mesh_.first_.begin(), mesh_.first_.end(), mesh_.first_.begin());
+    for (std::uint32_t element = 0; element < table_.count(); ++element)
+      mesh_.area_.push_back(std::max(table_.extent(element).value, std::numeric_limits<double>::min()));
+  }
+  void set_hanging() {
+    std::vector<HangingCorner3> hanging;
+    for (const auto& [corner, side] : sides_) hanging.push_back({corner, side.from, side.to, to_double(side.share)});
+    mesh_.hanging_ = in_order(hanging);
+  }
 
   SmoothMesh3& mesh_;
   const Vertices3& vertices_;
   const ElementTable3& table_;
-  std::vector<std::vector<std::pair<std::uint32_t, double>>> rings_;  // by part: corners, with angles
+  std::vector<std::vector<std::uint32_t>> rings_;  // by part
+  std::map<std::uint32_t, Side> sides_;            // by corner
 };
 
 SmoothMesh3::SmoothMesh3(const PreparedScene3& prepared, const ElementTable3& table) {
@@ -209,19 +243,19 @@ SmoothMesh3::SmoothMesh3(const PreparedScene3& prepared, const ElementTable3& ta
 }
 
 std::vector<double> SmoothMesh3::at_corners(std::span<const double> by_element, std::size_t channels) const {
-  std::vector<double> sums(corners_.size() * channels, 0), angles(corners_.size(), 0);
-  for (std::size_t part = 0; part + 1 < begin_.size(); ++part) {
-    if (begin_[part] == begin_[part + 1]) continue;
-    const std::span<const double> value = by_element.subspan(element_[part] * channels, channels);
-    if (std::isnan(value[0])) continue;
-    for (std::size_t k = begin_[part]; k < begin_[part + 1]; ++k) {
-      angles[ring_[k]] += angle_[k];
-      for (std::size_t c = 0; c < channels; ++c) sums[ring_[k] * channels + c] += angle_[k] * value[c];
+  std::vector<double> values;
+  std::vector<BoundedMean> means;
+  for (std::size_t corner = 0; corner < corners_.size(); ++corner) {
+    means.assign(channels, {});
+    for (std::size_t k = first_[corner]; k < first_[corner + 1]; ++k) {
+      const std::span<const double> value = by_element.subspan(meeting_[k] * channels, channels);
+      if (std::isnan(value[0])) continue;
+      for (std::size_t c = 0; c < channels; ++c) means[c].add(value[c], area_[meeting_[k]]);
     }
+    for (const BoundedMean& mean : means) values.push_back(mean.value());
   }
-  for (std::size_t k = 0; k < corners_.size(); ++k)
-    for (std::size_t c = 0; c < channels; ++c) sums[k * channels + c] /= angles[k];
-  return sums;
+  hang(hanging_, channels, values);
+  return values;
 }
 
 }  // namespace hottel

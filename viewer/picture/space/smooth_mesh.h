@@ -1,4 +1,4 @@
-// Where the values of elements are blended, and which share a corner.
+// Where the values of elements are blended, and what they are there.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/space/point.h"
+#include "viewer/picture/space/hanging_corners.h"
 
 namespace hottel {
 
@@ -18,13 +19,17 @@ struct PreparedScene3;
 // A flat surface is one side of a polygon; or of all polygons of one group (mesh) that lie in one plane, look the same
 // way and have materials that act alike. A polygon that is plane only nearly is as many flat surfaces as it has planes.
 //
-//   (1) corners are told apart exactly. A corner that lies in the side of a neighbour is a corner of that neighbour
-//   too,
-//       so that both are blended between the same values along their common side: there is no crack
-//   (2) the value at a corner is the mean of those of the elements around it on the flat surface, by their angles there
-//   (3) a part is blended between its middle, which has the value of its element, and its corners, in triangles. So
-//       what is equal all over, or linear around, stays so
-//   (4) nothing is blended across an edge of the scene, or between surfaces
+//   (1) corners are told apart exactly. A corner that lies within the side of a neighbour is in its ring too, so that
+//       both are blended between the same values along their common side: nothing jumps there
+//   (2) the value at a corner is the mean of the elements that meet there on the flat surface, by their areas
+//   (3) but where it hangs, within the side of a coarser element, that between the values at the ends of that side;
+//       of several sides it is the longest one's. So each element's values are linear along each of its sides. Where
+//       sides lead round in a circle (in_order) their corners keep the mean: of staggered divisions of neighbours, and
+//       of bricks laid as a pinwheel, never of one polygon
+//   (4) a part is blended between its middle, which has the value of its element, and its ring, in triangles. So what
+//       is equal all over stays so, exactly, and nothing leaves the range of the elements
+//   (5) nothing is blended across an edge of the scene, or between surfaces: corners on it have the mean of what is on
+//       their side
 //
 // COST: some microseconds a corner, and for each side those of the flat surface that are as far along one axis.
 class SmoothMesh3 {
@@ -39,7 +44,11 @@ class SmoothMesh3 {
     return std::span(ring_).subspan(begin_[part], begin_[part + 1] - begin_[part]);
   }
 
-  // Returns values by corner and channel; of elements that are NaN nothing is taken.
+  // Those that take their value from a coarser side, in order.
+  const std::vector<HangingCorner3>& hanging() const { return hanging_; }
+
+  // Returns values by corner and channel; of elements that are NaN nothing is taken, and where there are no others it
+  // is NaN.
   std::vector<double> at_corners(std::span<const double> by_element, std::size_t channels) const;
 
  private:
@@ -48,8 +57,10 @@ class SmoothMesh3 {
   std::vector<Point3> corners_;
   std::vector<std::size_t> begin_;      // by part
   std::vector<std::uint32_t> ring_;     // corners
-  std::vector<double> angle_;           // beside ring_
-  std::vector<std::uint32_t> element_;  // by part
+  std::vector<std::size_t> first_;      // by corner
+  std::vector<std::uint32_t> meeting_;  // elements
+  std::vector<double> area_;            // by element
+  std::vector<HangingCorner3> hanging_;
 };
 
 }  // namespace hottel

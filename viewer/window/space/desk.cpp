@@ -249,7 +249,7 @@ void Desk3::save_picture(const std::filesystem::path& file) const {
   PreparedScene3 prepared = state().model->prepared;
   prepared.scene.camera = camera_.camera(size_);
   RenderOptions3 options{.tone = tone_, .exposure = exposure_};
-  if (is_smooth_) options.shading = Shading3::kSmooth;
+  if (is_smooth_) options.shading = Shading::kSmooth;
   if (result_) options.shown = result_->shown;
   const RadiositySolution& solution = result_ && result_->radiosities ? *result_->radiosities : *state().radiosities;
   write_output_file(file, RenderedView3(prepared, Granularity::kElement, solution, std::move(options)).file(*format));
