@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <random>
 #include <string>
@@ -12,7 +11,6 @@
 
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
-#include "solver/space/light/scene_light_shares.h"
 #include "tests/comparison/space/map_comparison.h"
 #include "tests/geometry/space/box_scene.h"
 #include "tests/oracle/space/nearest_polygon.h"
@@ -260,31 +258,6 @@ TEST(LightShares3, AgreeWithRaysDrawnByChance) {
       EXPECT_NEAR(hits[p] / static_cast<double>(kRays), share, 4.5 * std::sqrt(share / kRays) + 1e-3) << p;
     }
   }
-}
-
-// (1), (2): asked again and again, with lights that turn, go and come back, in another order.
-TEST(LitElements3, SharesAreThoseOfASceneWithItsLightsThere) {
-  Scene3 scene = room(3);
-  Light spot;
-  spot.type = LightType::kSpot;
-  spot.name = "spot";
-  spot.focus = 20;
-  scene.add_light(spot, {{0, 0, 0}, {1, 0, 0}, {}, {}});
-  spot.name = "other";
-  scene.add_light(spot, {{Rational(1, 2), 0, 0}, {0, 1, 0}, {}, {}});
-  const LitElements3 lit(std::make_shared<const PreparedScene3>(prepare(scene)), Granularity::kElement);
-  for (int round = 0; round < 2; ++round)
-    for (int k = 0; k < 20; ++k) {
-      scene.light_places[0].direction = {k - 10, 5, 3};
-      scene.light_places[1].position = {Rational(k, 24), 0, Rational(1, 3)};
-      const std::vector<LightShares> all = lit.shares(scene);
-      const std::vector<LightShares> alone = light_shares(prepare(scene), Granularity::kElement);
-      ASSERT_EQ(all.size(), alone.size());
-      for (std::size_t l = 0; l < all.size(); ++l) {
-        EXPECT_EQ(all[l].of_element, alone[l].of_element);
-        EXPECT_EQ(all[l].sky, alone[l].sky);
-      }
-    }
 }
 
 }  // namespace
