@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "io/results/factor_files.h"
 #include "io/results/listed_factors.h"
 #include "io/results/text_buffer.h"
 #include "kernel/support/parallel.h"

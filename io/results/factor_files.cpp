@@ -21,10 +21,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary formats are written as the machine holds them");
 
-[[noreturn]] void refuse_beyond(const std::string& what, const char* range) {
-  throw RequestError(what + " is beyond the range of " + range);
-}
-
 // Calls visit(row as dense vector) for each of the size() + 1 rows; rows that do not exist are zeros.
 template <class Visit>
 void for_each_dense_row(const ExchangeMatrix& matrix, const Visit& visit) {
@@ -77,20 +73,6 @@ std::string csv_field(const std::string& text) {
     quoted += c;
   }
   return quoted + "\"";
-}
-
-std::vector<std::string> csv_names(const ExchangeMatrix& matrix) {
-  std::vector<std::string> names;
-  for (std::uint32_t i = 0; i <= matrix.size(); ++i) names.push_back(csv_field(matrix.name(i)));
-  return names;
-}
-
-void require_double(double value, const std::string& what) {
-  if (!std::isfinite(value)) refuse_beyond(what, "doubles");
-}
-
-std::string area_of(const ExchangeMatrix& matrix, std::uint32_t label) {
-  return "the area of '" + matrix.name(label) + "'";
 }
 
 void write_factors_mtx(const FactorTable& table, const Sink& sink) {
@@ -193,7 +175,7 @@ void write_factors_view3d_binary(const FactorTable& table, const Sink& sink) {
   const std::vector<std::uint32_t> faces = radiating(matrix);
   for (const std::uint32_t i : faces)
     if (!(matrix.elements()[i].area.value <= std::numeric_limits<float>::max()))
-      refuse_beyond(area_of(matrix, i), "single precision, which is that of this format");
+      throw RequestError(area_of(matrix, i) + " is beyond the range of single precision, which is that of this format");
   TextBuffer out(sink);
   out << view3d_header(table, 1, faces.size()) << "\r\n";
   for (const std::uint32_t i : faces) out.raw(static_cast<float>(matrix.elements()[i].area.value));

@@ -11,30 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/exchange_matrix.h"
-#include "geometry/scene_table.h"
+#include "io/results/factor_table.h"
 #include "kernel/root_sum.h"
 
 namespace hottel {
 
 // What a file cannot hold, for it is beyond the range of doubles (of single precision in View3D's binary format), is
 // refused by RequestError, naming the face: areas and coordinates in the files that have them, exchange measures.
-
-// Takes text piece by piece; whatever it throws stops the writing.
-using Sink = std::function<void(std::string_view)>;
-
-// What a file of factors is made of.
-struct FactorTable {
-  const SceneTable& scene;
-  const ExchangeMatrix& matrix;
-  Granularity granularity = Granularity::kFace;
-  std::vector<ElementPair> hidden = {};  // pairs with S = 0 < S0, sorted: zeros in the formats that list pairs
-  // Where these are not empty, of lists and of View3D's files only these rows are written, and of them these columns;
-  // ascending. Other files hold all.
-  std::vector<std::uint32_t> only_rows = {}, only_columns = {};
-  std::optional<int> gray_channel = {};  // the matrix is script-F (gray_exchange.h) of this channel; else view factors
-  bool has_areas = false;                // the list of pairs has the areas of both
-};
 
 // `from,to,factor,lower,upper,visibility,guarantee`: one line a pair, by from, then to. Shortest decimals that read
 // back to the same double; names quoted as RFC 4180 asks. With areas two columns more, `from_area,to_area`: lengths in

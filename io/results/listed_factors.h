@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/results/factor_files.h"
+#include "io/results/factor_table.h"
 
 namespace hottel {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/results/factor_files.h"
+#include "io/results/factor_table.h"
 
 namespace hottel {
 

@@ -39,8 +39,8 @@ PlainSums2 plain_sums(const Arrangement2& arrangement, const ElementTable2& tabl
     });
   };
   SumCounts2 counts;
-  return sum_terms<PlainTerm2>(arrangement.triangulation().sweep_order(), table.covered() + std::size_t{1}, sweep, progress,
-                               std::numeric_limits<std::uint64_t>::max(), counts);
+  return sum_terms<PlainTerm2>(arrangement.triangulation().sweep_order(), table.covered() + std::size_t{1}, sweep,
+                               progress, std::numeric_limits<std::uint64_t>::max(), counts);
 }
 
 // Returns the length of each element, in the unit of points.distance(i, j).
