@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "io/results/factor_files.h"
+#include "io/results/csv_field.h"
 #include "kernel/rational.h"
 #include "kernel/support/counted.h"
 #include "kernel/version.h"

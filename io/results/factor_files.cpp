@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/scene_names.h"
+#include "io/results/csv_field.h"
 #include "io/results/listed_factors.h"
 #include "io/results/npy.h"
 #include "io/results/text_buffer.h"
@@ -64,16 +65,6 @@ void for_each_radiating_row(const FactorTable& table, const std::vector<std::uin
 }
 
 }  // namespace
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + "\"";
-}
 
 void write_factors_mtx(const FactorTable& table, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;

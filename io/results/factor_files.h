@@ -81,7 +81,4 @@ void write_exact_forms_csv(const FactorTable& table, const std::optional<Element
                            std::span<const ElementPair> pairs, std::span<const RootSum> measures,
                            std::span<const RootSum> areas, const Sink& sink);
 
-// A field of a csv file, quoted when it holds a comma, a quote or a line break.
-std::string csv_field(const std::string& text);
-
 }  // namespace hottel

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "io/results/factor_files.h"
+#include "io/results/csv_field.h"
 #include "kernel/rational.h"
 
 namespace hottel {

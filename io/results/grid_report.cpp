@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "io/results/factor_files.h"
+#include "io/results/csv_field.h"
 #include "kernel/rational.h"
 #include "kernel/support/counted.h"
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/scene_names.h"
+#include "io/results/csv_field.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "geometry/scene_names.h"
-#include "io/results/factor_files.h"
+#include "io/results/csv_field.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "geometry/scene_names.h"
-#include "io/results/factor_files.h"
+#include "io/results/csv_field.h"
 #include "kernel/support/failure.h"
 #include "solver/radiosity/grey_temperature.h"
 

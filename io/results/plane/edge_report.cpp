@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/scene_names.h"
-#include "io/results/factor_files.h"
+#include "io/results/csv_field.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
 

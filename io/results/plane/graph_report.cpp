@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "io/results/factor_files.h"
+#include "io/results/csv_field.h"
 #include "kernel/decimal.h"
 #include "kernel/support/counted.h"
 #include "kernel/support/failure.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "io/results/factor_files.h"
+#include "io/results/csv_field.h"
 #include "io/results/plane/drawn_polygon.h"
 #include "io/results/plane/polygon_names.h"
 #include "io/results/plane/polygon_npz.h"

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/scene_names.h"
+#include "io/results/csv_field.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
 
