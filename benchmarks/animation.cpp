@@ -3,9 +3,9 @@
 //
 // `room384` is a room of 6 sides and 2 boxes with 384 elements (faces of 8 x 8 and 4 x 4) and two spots that turn in
 // opposite senses; `apartment` the apartment of 388 edges with two. Turns take 24 frames. `first_turn` are its frames,
-// factors of new elements among them; `later` those of the next turn, when all elements were active before: views of
-// the lights, elements found, right sides, solutions, bounds. No picture is made. `level0` divides nothing: then no
-// factor is computed after the first frame.
+// factors of new elements among them; `later` those of the next turn, when the lights stand where they stood before:
+// elements found, right sides, solutions, bounds. `between` are frames of the next turn half a frame later, where no
+// light stood before. No picture is made. `level0` divides nothing: then no factor is computed after the first frame.
 #include "solver/animation.h"
 
 #include <algorithm>
@@ -66,17 +66,22 @@ Scene2 apartment() {
   return scene;
 }
 
+// Frames of a first turn, of the next one, or of the next one half a frame later.
+enum class Turn { kFirst, kLater, kBetween };
+
 template <class Simulation>
-void animate(benchmark::State& state, const Simulation& still, int levels, bool is_later,
+void animate(benchmark::State& state, const Simulation& still, int levels, Turn turn,
              const std::shared_ptr<FactorStore>& store) {
   for (auto _ : state) {
     Animation<Simulation, Nothing> animation(still, {.everywhere = 0, .at_borders = levels}, memory_allowed() / 4,
                                              store);
     std::vector<double> seconds;
     std::uint64_t elements = 0, computed = 0;
-    for (int k = 0; k < (is_later ? 2 : 1) * kFramesOfATurn; ++k) {
-      const FrameCounts counts = animation.at(k).counts;
-      if (is_later && k < kFramesOfATurn) continue;
+    for (int k = 0; k < (turn == Turn::kFirst ? 1 : 2) * kFramesOfATurn; ++k) {
+      const bool is_second = k >= kFramesOfATurn;
+      const Rational late = turn == Turn::kBetween && is_second ? ratio(1, 2) : Rational(0);
+      const FrameCounts counts = animation.at(Rational(k) + late).counts;
+      if (turn != Turn::kFirst && !is_second) continue;
       seconds.push_back(counts.seconds);
       elements = std::max(elements, counts.elements);
       computed += counts.computed;
@@ -90,18 +95,18 @@ void animate(benchmark::State& state, const Simulation& still, int levels, bool 
   }
 }
 
-void space(benchmark::State& state, int levels, bool is_later) {
+void space(benchmark::State& state, int levels, Turn turn) {
   const auto store = make_memory_store();
   SimulationRequest3 request;
   request.factors.granularity = Granularity::kElement;
   request.factors.tolerance = 1e-6;
   request.factors.store = store;
   request.system.serves_many = true;
-  animate(state, Simulation3(room384(), request), levels, is_later, store);
+  animate(state, Simulation3(room384(), request), levels, turn, store);
 }
 
-void plane(benchmark::State& state, int levels, bool is_later) {
-  animate(state, Simulation2(apartment()), levels, is_later, nullptr);
+void plane(benchmark::State& state, int levels, Turn turn) {
+  animate(state, Simulation2(apartment()), levels, turn, nullptr);
 }
 
 // One turn says enough: its median is over frames.
@@ -114,14 +119,14 @@ void add_once(const std::string& name, const std::function<void(benchmark::State
 
 int main(int argc, char** argv) {
   using namespace hottel::benchmarks;
-  for (const bool is_later : {false, true}) {
-    const std::string end = is_later ? "/later" : "/first_turn";
+  for (const Turn turn : {Turn::kFirst, Turn::kLater, Turn::kBetween}) {
+    const std::string end = turn == Turn::kFirst ? "/first_turn" : turn == Turn::kLater ? "/later" : "/between";
     for (const int levels : {0, 4})
       add_once("apartment/level" + std::to_string(levels) + end,
-               [=](benchmark::State& state) { plane(state, levels, is_later); });
+               [=](benchmark::State& state) { plane(state, levels, turn); });
     for (const int levels : {0, 1})
       add_once("room384/level" + std::to_string(levels) + end,
-               [=](benchmark::State& state) { space(state, levels, is_later); });
+               [=](benchmark::State& state) { space(state, levels, turn); });
   }
   return run(argc, argv);
 }
