@@ -57,7 +57,7 @@ std::vector<LightShares> LitElements3::shares(const Scene3& scene) const {
     auto known = take_known(known_->mutex, known_->shares,
                             [&](const auto& one) { return is_lit_alike_3(one->light, one->place, light, place); });
     if (known == nullptr) {
-      known = std::make_shared<const KnownShares>(light, place, compute(scene, k));
+      known = std::make_shared<const KnownShares>(KnownShares{light, place, compute(scene, k)});
       keep(known_->mutex, known_->shares, known, kMostShares);
     }
     result.push_back(known->shares);
