@@ -51,6 +51,7 @@ constexpr Command kCommands[] = {
     {"edit", "polyline", "p", "draw a polyline: enter ends it"},
     {"edit", "lamp", "l", "a lamp at the mouse"},
     {"edit", "light", "b", "a point light at the mouse"},
+    {"edit", "play", "tab", "lights move, or stand again"},
     {"edit", "groups", "g", "select the whole group"},
     {"edit", "all", "ctrl+a", "select everything"},
     {"edit", "escape", "escape", "drop it; select nothing"},

@@ -73,7 +73,10 @@ void Desk2::scene_changed() {
   needs_frame_ = true;
   if (shown_version_ == editor_.version()) return;
   shown_version_ = editor_.version();
-  looks_.set_scene(editor_.scene(), editor_.is_dragging() ? LiveDepth2::kCoarse : LiveDepth2::kFull);
+  if (time_)
+    move_lights();
+  else
+    looks_.set_scene(editor_.scene(), editor_.is_dragging() ? LiveDepth2::kCoarse : LiveDepth2::kFull);
   const std::shared_ptr<const Scene2> before = std::exchange(shown_, editor_.scene());
   if (before) {
     request_.face = same_face(request_.face, *before, *shown_);
@@ -144,6 +147,8 @@ void Desk2::read_again() {
     Scene2 scene = file_.read();
     require_drawable(scene);
     editor_.replace(std::move(scene));
+    time_.reset();
+    moved_.reset();
     message_ = "read again";
     if (is_fitted_) fit();
   } catch (const std::runtime_error& error) {

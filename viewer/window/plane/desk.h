@@ -35,6 +35,9 @@ inline constexpr double kPanelWidth = 0.36;
 //       SceneLooks2 (1)
 //   (4) nothing is lost: quitting and reading the file again ask where there are unsaved changes
 //   (5) a command that can do nothing says why in message(): what a key does is seen
+//   (6) while lights move, what is shown is scene_after() of the scene at some time since they began, on the coarse
+//   grid;
+//       edits, and what is saved, are of the scene as it stands
 // Its functions are for the thread of the window.
 class Desk2 : public Desk {
  public:
@@ -49,7 +52,7 @@ class Desk2 : public Desk {
   bool update() override;
   void settle(double seconds) override;
   bool wants_quit() const override { return wants_quit_; }
-  bool pass_time(const Rational&) override { return false; }
+  bool pass_time(const Rational& seconds) override;
   Pixel pixel_of_place(std::span<const double> place) const override;
   std::string hashes() const override;  // result_hashes(looks().state())
   bool do_own_step(const ScriptStep&) override { return false; }
@@ -105,6 +108,11 @@ class Desk2 : public Desk {
   std::optional<std::uint32_t> light_meant() const;
   void change_light(std::uint32_t light, std::string_view name);
   void ask_for_light(std::uint32_t light);
+  void play();
+  void stop();
+  void move_lights();
+  // The scene that is shown: as edited, or with its lights at their time.
+  const std::shared_ptr<const Scene2>& shown_scene() const { return moved_ ? moved_ : editor_.scene(); }
   void ask_for_coordinates();
   std::string save();
   void read_again();
@@ -158,6 +166,8 @@ class Desk2 : public Desk {
 
   std::shared_ptr<const Scene2> shown_;  // what the rest has been told of
   std::uint64_t shown_version_ = 0;
+  std::optional<Rational> time_;         // since lights began to move; none where they stand
+  std::shared_ptr<const Scene2> moved_;  // the scene after that time; null until it goes by
   bool needs_base_ = true, needs_frame_ = true;
   Raster base_, frame_;
   Stopwatch since_watch_;

@@ -30,7 +30,8 @@ Pointer2 Desk2::pointer(const HeldKeys& held) const {
 
 // Finds what lies under the mouse.
 void Desk2::touch() {
-  hover_light_ = has_mouse_ && !tool_ ? editor_.pick_light(pointer()) : std::nullopt;
+  const Pointer2 mouse = pointer();
+  hover_light_ = has_mouse_ && !tool_ ? pick_light(*shown_scene(), mouse.place, mouse.reach, mouse.arm) : std::nullopt;
   hover_ = has_mouse_ && !hover_light_ ? editor_.pick(pointer()) : Pick2();
 }
 
@@ -111,6 +112,7 @@ void Desk2::press(const WindowEvent& event) {
     drag_ = Drag::kBar;
     return;
   }
+  if (time_ && hover_light_) stop();
   drag_ = editor_.press(pointer(event.held)) ? Drag::kEdit : event.held.shift ? Drag::kRectangle : Drag::kPan;
 }
 

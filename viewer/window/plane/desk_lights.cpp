@@ -1,4 +1,10 @@
 // What a desk does to lights, and how it draws them.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "geometry/plane/scene/moving_lights.h"
+#include "kernel/support/failure.h"
 #include "viewer/edit/light_edits.h"
 #include "viewer/window/lights.h"
 #include "viewer/window/plane/desk.h"
@@ -12,6 +18,10 @@ std::optional<std::uint32_t> Desk2::light_meant() const {
 }
 
 bool Desk2::light_command(std::string_view name) {
+  if (name == "play") {
+    play();
+    return true;
+  }
   if (name != "material" && !is_light_edit(name)) return false;
   const std::optional<std::uint32_t> light = light_meant();
   if (!light && name == "spin") message_ = "no light lies under the mouse, and none is selected";
@@ -20,12 +30,62 @@ bool Desk2::light_command(std::string_view name) {
   return true;
 }
 
+// Lights begin to move, or stand again where the scene has them.
+void Desk2::play() {
+  if (time_) {
+    stop();
+  } else if (editor_.is_dragging()) {
+    message_ = "not while something is dragged";
+  } else if (!has_moving_lights(*editor_.scene())) {
+    message_ = "no light moves";
+  } else {
+    time_ = 0;
+    message_ = "the lights move";
+  }
+}
+
+void Desk2::stop() {
+  time_.reset();
+  moved_.reset();
+  looks_.set_scene(editor_.scene(), LiveDepth2::kFull);
+  needs_frame_ = true;
+  message_ = "the lights stand";
+}
+
+bool Desk2::pass_time(const Rational& seconds) {
+  if (!time_) return false;
+  *time_ += seconds;
+  if (seconds > 0 && looks_.is_at_rest()) move_lights();
+  return true;
+}
+
+// Shows the lights at their time, as far as they may be there.
+void Desk2::move_lights() {
+  needs_frame_ = true;
+  auto moved = std::make_shared<const Scene2>(scene_after(*editor_.scene(), *time_));
+  std::string problem = has_moving_lights(*editor_.scene()) ? "" : "no light moves";
+  try {
+    validate(*moved);
+  } catch (const InputError& error) {
+    problem = error.what();
+  }
+  if (!problem.empty()) {
+    const std::string when = fmt::format("after {:.4g} s: ", to_double(*time_));
+    stop();
+    message_ = when + problem;
+    return;
+  }
+  moved_ = std::move(moved);
+  looks_.set_scene(moved_, LiveDepth2::kCoarse);
+}
+
 void Desk2::change_light(std::uint32_t light, std::string_view name) {
   const std::string changed = editor_.change_light(light, [name](Light& values, Rational& rotation) {
     edit_light(values, {&rotation, 1}, name);
   });
   const Light& now = editor_.scene()->lights[light];
   const Rational& rotation = editor_.scene()->light_places[light].rotation;
+  if (name == "spin" && !changed.empty() && !time_ && rotation != 0) time_ = 0;
   if (changed.empty())
     message_ = why_light_stays(name);
   else if (!hover_light_)  // what lies under the mouse is told already
@@ -44,7 +104,7 @@ void Desk2::ask_for_light(std::uint32_t light) {
 }
 
 void Desk2::draw_lights(PictureCanvas& canvas) const {
-  const Scene2& scene = *editor_.scene();
+  const Scene2& scene = *shown_scene();
   for (std::uint32_t k = 0; k < scene.lights.size(); ++k) {
     const LightShape2 shape = light_shape(scene, k, pointer().arm);
     LightMark mark{.place = camera_.at(shape.place, size_)};

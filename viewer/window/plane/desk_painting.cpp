@@ -43,7 +43,7 @@ void Desk2::draw_marks(PictureCanvas& canvas) const {
   const LiveState2& state = looks_.state();
   if (!state.scene) {
     canvas.fill_rectangle(Mark::kPaper, {0, 0}, {frame.width(), frame.height()}, palette::kPaper);
-    draw_edges(canvas, frame, *editor_.scene(), palette::kInk, 2 * unit_);
+    draw_edges(canvas, frame, *shown_scene(), palette::kInk, 2 * unit_);
     return;
   }
   draw_look(canvas, frame, unit_, drawing());
@@ -67,7 +67,7 @@ void Desk2::draw_base() {
 
 void Desk2::draw_selection(PictureCanvas& canvas) const {
   const Frame2 frame = camera_.frame(size_);
-  const Scene2& scene = *editor_.scene();
+  const Scene2& scene = *shown_scene();
   const auto stroke = [&](std::uint32_t s, const Colour& colour, double width) {
     canvas.stroke(Mark::kTarget, frame.at(scene.edges[s].from), frame.at(scene.edges[s].to), colour, width * unit_);
   };
@@ -146,8 +146,9 @@ std::string Desk2::head() const {
   if (request_.look == Look2::kLight) text += fmt::format(", tone {} x {:.3g}", to_string(tone_.tone), tone_.exposure);
   if (request_.look == Look2::kFloor) text += fmt::format(" x {:.3g}", tone_.exposure);
   if (request_.look == Look2::kErrors) text += ": " + request_.method;
+  if (time_) text += fmt::format("   {:.2f} s", to_double(*time_));
   if (!state.light) return text;
-  const bool is_behind = state.scene != editor_.scene();
+  const bool is_behind = state.scene != shown_scene();
   if (state.depth == LiveDepth2::kCoarse || is_behind)
     text += fmt::format("   coarse: {} x {} cells, {:.0f} ms", state.light->grid.grid.nx, state.light->grid.grid.ny,
                         1e3 * state.seconds);
@@ -160,7 +161,7 @@ std::string Desk2::head() const {
 std::string Desk2::status() const {
   if (!has_mouse_) return "";
   std::string text = place_text(exact_mouse());
-  const Scene2& scene = *editor_.scene();
+  const Scene2& scene = *shown_scene();
   if (hover_light_ && hover_light_->light < scene.lights.size()) {
     const std::uint32_t light = hover_light_->light;
     text += "   " + scene.lights[light].name + ": " +

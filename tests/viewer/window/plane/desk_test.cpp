@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/plane/scene/moving_lights.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
 #include "io/scene/scene_json.h"
@@ -147,6 +148,48 @@ TEST(Desk2, ShowsTheLightOfAMovedLightAsAFreshSolveDoes) {
   Hand fresh(read_scene_2(saved));
   EXPECT_EQ(fresh.play("hash"), hash);
   EXPECT_NE(Hand(room_with_a_spot()).play("hash"), hash);
+}
+
+// (6)
+TEST(Desk2, LightsMoveWithTheirTime) {
+  Scene2 turning = room_with_a_spot();
+  turning.light_places[0].rotation = 40;
+  Hand hand(turning);
+  const auto shows = [&hand](const Scene2& scene) {
+    return write_scene_2(*hand.desk->looks().state().scene) == write_scene_2(scene);
+  };
+  const Raster before = hand.desk->frame();
+  hand.play("key tab\npause 0.5");
+  EXPECT_TRUE(shows(scene_after(turning, Rational(1, 2))));
+  EXPECT_FALSE(hand.desk->frame() == before);
+  EXPECT_EQ(write_scene_2(hand.scene()), write_scene_2(turning)) << "what is edited stands";
+  hand.play("move 1.5,1.5\ndo more emission");  // an edit is seen where the light is by now
+  EXPECT_TRUE(shows(scene_after(hand.scene(), Rational(1, 2))));
+  const fs::path saved = hand.path("saved.json");
+  hand.play("save " + saved.string());
+  EXPECT_EQ(read_scene_2(saved).light_places[0].direction, turning.light_places[0].direction);
+  hand.play("key tab\nwait");
+  EXPECT_TRUE(shows(hand.scene()));
+  EXPECT_EQ(hand.desk->looks().state().depth, LiveDepth2::kFull);
+  hand.play("key tab\npause 0.25\npress 1.5,1.5\nrelease 1.5,1.5\nwait");
+  EXPECT_TRUE(shows(hand.scene())) << "a hand on a light lets all of them stand";
+}
+
+TEST(Desk2, LightsSpinAtOnceAndStandAgainWhereTheyWouldMeetASurface) {
+  Hand hand(room_with_a_spot());
+  hand.play("key tab");
+  EXPECT_EQ(hand.desk->message(), "no light moves");
+  hand.play("move 1.5,1.5\nkey y\npause 1");
+  EXPECT_EQ(write_scene_2(*hand.desk->looks().state().scene), write_scene_2(scene_after(hand.scene(), 1)));
+
+  Scene2 leaving = room_with_a_spot();
+  leaving.light_places[0].path = {{{Rational(3, 2), Rational(3, 2)}, {Rational(3, 2), Rational(-1, 2)}}, 1, false};
+  Hand other(leaving);
+  other.play("key tab\npause 0.5");
+  ASSERT_EQ(other.desk->message(), "the lights move");
+  other.play("pause 0.25");
+  EXPECT_THAT(other.desk->message(), StartsWith("after 0.75 s: ")) << "it lies on the wall";
+  EXPECT_EQ(write_scene_2(*other.desk->looks().state().scene), write_scene_2(leaving));
 }
 
 TEST(Desk2, SaysWhereALightCannotBe) {
