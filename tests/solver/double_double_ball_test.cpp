@@ -15,7 +15,9 @@ bool contains(const DoubleDoubleBall& e, const Rational& exact) {
 class Numbers {
  public:
   Rational next() {
-    const auto part = [&] { return Integer(static_cast<unsigned long>(random_() >> (random_() % 60))) + 1; };
+    const auto part = [&]() -> Integer {
+      return Integer(static_cast<unsigned long>(random_() >> (random_() % 60))) + 1;
+    };
     Rational value(part(), part());
     value.canonicalize();
     if (random_() % 4 == 0) value = last_ + value / (Integer(1) << (random_() % 150));
