@@ -1,7 +1,10 @@
 // How lights move: how far along a path, and how far turned.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "kernel/rational.h"
@@ -10,6 +13,15 @@ namespace hottel {
 
 // Digits that motions are computed with, before they are rounded to doubles. The same on every machine.
 inline constexpr long kMotionPrecision = 320;
+
+// Returns what is wrong with a path of either dimension, as the end of a sentence about a light; empty when nothing is.
+template <class Path>
+std::string path_problem(const Path& path) {
+  if (path.seconds <= 0) return "has a path of no time: seconds must be greater than 0";
+  if (std::ranges::adjacent_find(path.points, std::ranges::not_equal_to()) == path.points.end())
+    return "has a path that leads nowhere: it needs two points that differ";
+  return "";
+}
 
 // A place on a line of segments.
 struct PathPlace {

@@ -8,6 +8,10 @@
 
 namespace hottel {
 
+// A key spread over the numbers of 64 - shift bits, so that keys that differ a little lie far apart.
+// SEE: multiplication by 2^64 over the golden ratio as a hash: Knuth, The Art of Computer Programming 3, 6.4.
+constexpr std::size_t spread_key(std::uint64_t key, int shift) { return (key * 0x9e3779b97f4a7c15ull) >> shift; }
+
 // Sums by key, in a hash table: open addressing with linear probing, at most three quarters full. A Term has a 64-bit
 // `key` and add(term), which adds the number of another term of the same key.
 //
@@ -17,7 +21,6 @@ namespace hottel {
 //
 // REQUIRES: no term has the key kEmptyKey.
 // COST: about 10 ns a term where the table is in the cache; 1.3 to 2.7 times the size of a Term for each key.
-// SEE: multiplication by 2^64 over the golden ratio as a hash: Knuth, The Art of Computer Programming 3, 6.4.
 template <class Term>
 class PairTable {
  public:
@@ -49,7 +52,7 @@ class PairTable {
  private:
   Term& find(std::uint64_t key) {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t place = (key * 0x9e3779b97f4a7c15ull) >> shift_;
+    std::size_t place = spread_key(key, shift_);
     while (slots_[place].key != kEmptyKey && slots_[place].key != key) place = (place + 1) & mask;
     return slots_[place];
   }

@@ -56,6 +56,13 @@ void draw_light(PictureCanvas& canvas, const Light& light, const LightMark& mark
   canvas.circle(Mark::kTarget, mark.place, kDisc * unit, ring.with_alpha(shown), (look.is_meant ? 2.5 : 1.5) * unit);
 }
 
+std::string begin_to_move(std::optional<Rational>& time, bool is_dragging, bool can_move) {
+  if (is_dragging) return "not while something is dragged";
+  if (!can_move) return "no light moves";
+  time = 0;
+  return "the lights move";
+}
+
 Prompt light_prompt(const Light& light, std::vector<Rational> rotation,
                     const std::function<void(const Light& light, std::span<const Rational> rotation)>& change) {
   return {.question = light.name,

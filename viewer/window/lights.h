@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "geometry/light.h"
@@ -33,6 +34,9 @@ struct LightLook {
   std::optional<LightPart> touched{};
 };
 void draw_light(PictureCanvas& canvas, const Light& light, const LightMark& mark, const LightLook& look, double unit);
+
+// Lets lights begin to move, at the time 0, where nothing is dragged and some light can. Returns what is to be said.
+std::string begin_to_move(std::optional<Rational>& time, bool is_dragging, bool can_move);
 
 // Asks for the values of a light and the rotation of its axis. change: what to do with those that are read.
 Prompt light_prompt(const Light& light, std::vector<Rational> rotation,

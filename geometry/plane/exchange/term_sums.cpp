@@ -6,7 +6,6 @@
 #include <deque>
 #include <mutex>
 
-#include "geometry/pair_table.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 

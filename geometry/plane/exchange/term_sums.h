@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/pair_table.h"
 #include "geometry/plane/predicates/vertices.h"
 #include "kernel/int128.h"
 
@@ -64,7 +65,7 @@ class TermBuffer2 {
 
   void add(const Term& term) {
     if (Term::kOrderMatters) return leave(term);
-    Term& recent = recent_[(term.key * 0x9e3779b97f4a7c15ull) >> (64 - kRecentBits)];
+    Term& recent = recent_[spread_key(term.key, 64 - kRecentBits)];
     if (recent.key == term.key) return recent.add(term);
     if (recent.key != kNoKey) leave(recent);
     recent = term;
@@ -88,7 +89,7 @@ class TermBuffer2 {
  private:
   static constexpr int kRecentBits = 12;  // with terms of 32 bytes they stay in the second cache
   static constexpr std::size_t kRecent = std::size_t{1} << kRecentBits;
-  static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
+  static constexpr std::uint64_t kNoKey = PairTable<Term>::kEmptyKey;
 
   void clear_recent() {
     recent_.resize(kRecent);

@@ -1,8 +1,8 @@
 #include "geometry/plane/scene/scene.h"
 
 #include <algorithm>
-#include <functional>
 
+#include "geometry/light_motion.h"
 #include "geometry/name.h"
 #include "geometry/number.h"
 #include "kernel/support/failure.h"
@@ -28,12 +28,7 @@ std::string place_problem(const Scene2& scene, const Light& light, const LightPl
   for (std::size_t s = 0; s < scene.edges.size(); ++s)
     if (is_on(place.position, scene.edges[s]))
       return "lies on the surface " + quoted_name(scene.surfaces[s].name) + "; a light has to be beside it";
-  if (!place.path) return "";
-  if (place.path->seconds <= 0) return "has a path of no time: seconds must be greater than 0";
-  const auto& points = place.path->points;
-  if (std::adjacent_find(points.begin(), points.end(), std::not_equal_to<>()) == points.end())
-    return "has a path that leads nowhere: it needs two points that differ";
-  return "";
+  return place.path ? path_problem(*place.path) : "";
 }
 
 }  // namespace

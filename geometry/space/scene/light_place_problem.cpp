@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
+#include "geometry/light_motion.h"
 #include "geometry/name.h"
 
 namespace hottel {
@@ -30,12 +30,7 @@ std::string light_place_problem(const Scene3& scene, const Light& light, const L
       if (contains(facet, place.position))
         return "lies on the surface " + quoted_name(scene.surfaces[s].name) + "; a light has to be beside it";
   }
-  if (!place.path) return "";
-  if (place.path->seconds <= 0) return "has a path of no time: seconds must be greater than 0";
-  const auto& points = place.path->points;
-  if (std::adjacent_find(points.begin(), points.end(), std::not_equal_to<>()) == points.end())
-    return "has a path that leads nowhere: it needs two points that differ";
-  return "";
+  return place.path ? path_problem(*place.path) : "";
 }
 
 }  // namespace hottel

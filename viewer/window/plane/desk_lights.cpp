@@ -32,16 +32,10 @@ bool Desk2::light_command(std::string_view name) {
 
 // Lights begin to move, or stand again where the scene has them.
 void Desk2::play() {
-  if (time_) {
+  if (time_)
     stop();
-  } else if (editor_.is_dragging()) {
-    message_ = "not while something is dragged";
-  } else if (!has_moving_lights(*editor_.scene())) {
-    message_ = "no light moves";
-  } else {
-    time_ = 0;
-    message_ = "the lights move";
-  }
+  else
+    message_ = begin_to_move(time_, editor_.is_dragging(), has_moving_lights(*editor_.scene()));
 }
 
 void Desk2::stop() {

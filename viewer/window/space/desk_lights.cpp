@@ -105,16 +105,10 @@ void Desk3::change_light(std::uint32_t light, std::string_view name) {
 
 // Lights begin to move, or stand again where the scene has them.
 void Desk3::play() {
-  if (time_) {
+  if (time_)
     stop();
-  } else if (editor_.is_dragging()) {
-    message_ = "not while something is dragged";
-  } else if (!has_moving_lights(*scene())) {
-    message_ = "no light moves";
-  } else {
-    time_ = 0;
-    message_ = "the lights move";
-  }
+  else
+    message_ = begin_to_move(time_, editor_.is_dragging(), has_moving_lights(*scene()));
 }
 
 void Desk3::stop() {
