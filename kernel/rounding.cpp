@@ -38,24 +38,32 @@ bool equals(const RootSum& numerator, const RootSum& denominator, const Rational
 
 }  // namespace
 
-std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedSum& denominator) {
+FixedDivisor::FixedDivisor(const FixedSum& sum) : sum_(sum), value_(to_double_double(sum.value)) {
+  if (value_.hi <= sum.error) return;
+  inverse_ = 1 / value_.hi;
+  relative_error_ = sum.error / value_.hi;
+}
+
+std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedDivisor& denominator) {
   if (numerator.error == 0 && numerator.value == 0) return RoundedByTier{{0.0, 0}, Tier::kDouble};
-  if (numerator.error == 0 && denominator.error == 0) {
-    Rational quotient(to_integer(numerator.value), to_integer(denominator.value));
+  if (numerator.error == 0 && denominator.sum_.error == 0) {
+    Rational quotient(to_integer(numerator.value), to_integer(denominator.sum_.value));
     quotient.canonicalize();
     return round_rational(quotient, Tier::kDouble);
   }
-  const DoubleDouble n = to_double_double(numerator.value), d = to_double_double(denominator.value);
+  const DoubleDouble n = to_double_double(numerator.value), &d = denominator.value_;
   if (std::fabs(n.hi) <= 2 * numerator.error) return std::nullopt;
-  const double q = n.hi / d.hi;
+  // Off by less than 2^-51 |q|, as q is a product of two rounded factors and both low parts are still left out.
+  const double q = n.hi * denominator.inverse_;
   double p, e;
   two_product(q, d.hi, p, e);
-  const double correction = (((n.hi - p) - e) + (n.lo - q * d.lo)) / d.hi;
+  const double correction = (((n.hi - p) - e) + (n.lo - q * d.lo)) * denominator.inverse_;
   const double hi = q + correction;
   const double lo = (q - hi) + correction;
-  // 2^-100 covers the arithmetic above (each of its four roundings is below 2^-104 |q|); the last factor covers the
+  // The five roundings of the correction and both conversions come to less than 2^-100 |q|; the last factor covers the
   // rounding of this bound and the second-order terms of the two relative errors.
-  const double error = std::fabs(q) * (0x1p-100 + numerator.error / std::fabs(n.hi) + denominator.error / d.hi) * 2.0;
+  const double error =
+      2.0 * (std::fabs(q) * (0x1p-100 + denominator.relative_error_) + numerator.error * denominator.inverse_);
   const double below = lo - error, above = lo + error;
   if (hi + below != hi || hi + above != hi) return std::nullopt;
   if (below > 0) return RoundedByTier{{hi, 1}, Tier::kDoubleDouble};
@@ -75,8 +83,7 @@ FixedScale::FixedScale(const Rational& unit) {
     denominator <<= static_cast<unsigned long>(-exponent_);
   mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
   const Integer high = quotient >> 64, low = quotient - (high << 64);
-  divisor_.value = (static_cast<Int128>(high.get_ui()) << 64) + low.get_ui();
-  divisor_.error = remainder == 0 ? 0 : 1;
+  divisor_ = FixedDivisor({(static_cast<Int128>(high.get_ui()) << 64) + low.get_ui(), remainder == 0 ? 0.0 : 1.0});
 }
 
 std::optional<RoundedByTier> round_scaled(const FixedSum& sum, const FixedScale& scale) {

@@ -23,15 +23,37 @@ struct RoundedByTier {
   Rounded number;
   Tier tier;
 };
+
+// A divisor, prepared for many quotients.
+class FixedDivisor {
+ public:
+  FixedDivisor() = default;  // one that fits nothing
+  // REQUIRES |value| < 2^126.
+  explicit FixedDivisor(const FixedSum& sum);
+
+  // True iff it is greater than its error: only then something is divided by it.
+  bool is_usable() const { return inverse_ > 0; }
+
+ private:
+  friend std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedDivisor& denominator);
+  FixedSum sum_;
+  DoubleDouble value_;
+  double inverse_ = 0, relative_error_ = 0;
+};
+
 // Returns numerator / denominator correctly rounded, or nothing when the error bounds do not allow it: a tie, a
 // quotient that is a double, heavy cancellation.
 //
 //   (1) what is returned is correctly rounded whatever the numbers within both error bounds are
 //   (2) without errors, or of a zero without error, the tier is kDouble and there always is a result
 //
-// REQUIRES: |value| < 2^126 of both, and denominator.value > denominator.error.
-// COST: a few dozen operations on doubles, unless both errors are 0: then a rational is made and rounded.
-std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedSum& denominator);
+// REQUIRES: |value| < 2^126 of both, and a divisor that is usable.
+// COST: a few dozen operations on doubles, none of them a division, unless both errors are 0: then a rational is made
+// and rounded.
+std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedDivisor& denominator);
+inline std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedSum& denominator) {
+  return round_quotient(numerator, FixedDivisor(denominator));
+}
 
 // An exact unit, prepared for turning fixed-point sums into doubles.
 class FixedScale {
@@ -40,7 +62,7 @@ class FixedScale {
 
  private:
   friend std::optional<RoundedByTier> round_scaled(const FixedSum& sum, const FixedScale& scale);
-  FixedSum divisor_;  // unit = 2^exponent / divisor
+  FixedDivisor divisor_;  // unit = 2^exponent / divisor
   long exponent_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 // Ends of blocks of rows with about as many entries each; the last one is the number of rows.
 std::vector<std::uint32_t> ends_of_blocks(const ExchangeMatrix& matrix) {
-  constexpr std::size_t kEntries = 1 << 14;
+  constexpr std::size_t kEntries = 1 << 12;
   std::vector<std::uint32_t> ends;
   std::size_t entries = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
@@ -25,21 +25,24 @@ std::vector<std::uint32_t> ends_of_blocks(const ExchangeMatrix& matrix) {
   return ends;
 }
 
-// Hands on what write(first, end, sink) writes of all rows, in their order; it is called for blocks of rows on all
-// threads, a few dozen blocks ahead of what is handed on.
+// Hands on what write(first, end, text) writes of all rows, in their order; it is called for blocks of rows on all
+// threads. While some blocks are written the ones before them are handed on, by one thread at a time.
 template <class Write>
 void write_in_blocks(const ExchangeMatrix& matrix, const Sink& sink, const Write& write) {
-  constexpr std::size_t kAhead = 32;
+  constexpr std::size_t kAtOnce = 32;
   const std::vector<std::uint32_t> ends = ends_of_blocks(matrix);
-  std::vector<std::string> texts(std::min(kAhead, ends.size()));
-  for (std::size_t begin = 0; begin < ends.size(); begin += texts.size()) {
-    const std::size_t count = std::min(texts.size(), ends.size() - begin);
-    parallel_for(count, [&](std::size_t k) {
-      texts[k].clear();
-      const std::size_t block = begin + k;
-      write(block == 0 ? 0 : ends[block - 1], ends[block], [&](std::string_view part) { texts[k].append(part); });
+  std::vector<TextBuffer> texts(std::min(kAtOnce, ends.size()), TextBuffer(sink, std::string::npos)), ready = texts;
+  for (std::size_t begin = 0; begin < ends.size() + texts.size(); begin += texts.size()) {
+    const std::size_t count = begin < ends.size() ? std::min(texts.size(), ends.size() - begin) : 0;
+    parallel_for(count + 1, [&](std::size_t k) {
+      if (k == 0) {
+        for (TextBuffer& text : ready) text.flush();
+        return;
+      }
+      const std::size_t block = begin + k - 1;
+      write(block == 0 ? 0 : ends[block - 1], ends[block], texts[k - 1]);
     });
-    for (std::size_t k = 0; k < count; ++k) sink(texts[k]);
+    texts.swap(ready);
   }
 }
 
@@ -56,8 +59,7 @@ void write_factors_csv(const FactorTable& table, const Sink& sink) {
     require_double(matrix.elements()[i].area.value, area_of(matrix, i));
     out << matrix.elements()[i].area.value;
   };
-  write_in_blocks(matrix, sink, [&](std::uint32_t first, std::uint32_t end, const Sink& block) {
-    TextBuffer out(block);
+  write_in_blocks(matrix, sink, [&](std::uint32_t first, std::uint32_t end, TextBuffer& out) {
     const auto write = [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds, Guarantee guarantee) {
       const Digits factor(entry.factor.value);
       const auto write_bound = [&](double bound) {
@@ -82,7 +84,6 @@ void write_factors_csv(const FactorTable& table, const Sink& sink) {
       out << '\n';
     };
     for_each_listed(table, first, end, write);
-    out.flush();
   });
 }
 

@@ -25,12 +25,12 @@ class Digits {
 // Collects text and hands it on in large pieces.
 class TextBuffer {
  public:
-  explicit TextBuffer(const Sink& sink) : sink_(sink) {}
-  ~TextBuffer() = default;
+  // Hands on by itself whenever it has more than `piece` characters.
+  explicit TextBuffer(const Sink& sink, std::size_t piece = 1 << 16) : sink_(&sink), piece_(piece) {}
 
   TextBuffer& operator<<(std::string_view text) {
     text_.append(text);
-    if (text_.size() > 1 << 16) flush();
+    if (text_.size() > piece_) flush();
     return *this;
   }
   TextBuffer& operator<<(char c) {
@@ -46,13 +46,15 @@ class TextBuffer {
     return *this << std::string_view(bytes, sizeof bytes);
   }
 
+  // Hands on what is left. The memory is used again.
   void flush() {
-    if (!text_.empty()) sink_(text_);
+    if (!text_.empty()) (*sink_)(text_);
     text_.clear();
   }
 
  private:
-  const Sink& sink_;
+  const Sink* sink_;
+  std::size_t piece_;
   std::string text_;
 };
 

@@ -11,14 +11,23 @@
 namespace hottel {
 namespace {
 
-// The points numbered along a Hilbert curve, so that vertices near in space are near in memory.
-PointIndex2 number_in_space(const std::vector<Point2>& points) {
+// Numbers the ends of the edges along a Hilbert curve, so that vertices near in space are near in memory, and says
+// which numbers each edge has got.
+std::vector<Segment2> number_in_space(const std::vector<Edge2>& edges, PointIndex2& index) {
   std::vector<Vertices2::Approximate> approximate;
-  approximate.reserve(points.size());
-  for (const Point2& p : points) approximate.push_back({p.x.get_d(), p.y.get_d()});
-  PointIndex2 index;
-  for (const std::size_t i : hilbert_order(approximate)) index.insert(points[i]);
-  return index;
+  approximate.reserve(2 * edges.size());
+  for (const Edge2& edge : edges)
+    for (const Point2* p : {&edge.from, &edge.to}) approximate.push_back({p->x.get_d(), p->y.get_d()});
+  index.reserve(approximate.size());
+  std::vector<Segment2> segments(edges.size(), {VertexId(0), VertexId(0)});
+  for (const std::size_t i : hilbert_order(approximate)) {
+    const Edge2& edge = edges[i / 2];
+    if (i % 2 == 0)
+      segments[i / 2].a = index.insert(edge.from);
+    else
+      segments[i / 2].b = index.insert(edge.to);
+  }
+  return segments;
 }
 
 std::string text(const Point2& p) { return "(" + to_string(p.x) + ", " + to_string(p.y) + ")"; }
@@ -27,13 +36,11 @@ std::string text(const Point2& p) { return "(" + to_string(p.x) + ", " + to_stri
 
 Arrangement2::Arrangement2(const Scene2& scene, const Division2& division, Conflicts2 conflicts) {
   HOTTEL_REQUIRE(division.size() == scene.surfaces.size());
-  std::vector<Point2> points;
-  for (const Edge2& edge : scene.edges) points.insert(points.end(), {edge.from, edge.to});
-  PointIndex2 index = number_in_space(points);
-  std::vector<std::vector<VertexId>> ends;
-  for (const Edge2& edge : scene.edges) ends.push_back({index.insert(edge.from), index.insert(edge.to)});
+  PointIndex2 index;
+  segments_ = number_in_space(scene.edges, index);
   typed_points_ = index.points().size();
-  add_segments(ends);
+  segment_part_.reserve(segments_.size());
+  for (std::uint32_t s = 0; s < segments_.size(); ++s) segment_part_.push_back({{s, false}, 0});
   overlay_ = overlay(index.points(), segments_);
   overlay_.set_total_length();
   triangulation_ = Triangulation2(overlay_.vertices, overlay_.pieces);

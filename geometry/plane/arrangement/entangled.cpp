@@ -41,8 +41,7 @@ class Sweep {
         line_(Below{this}) {}
 
   std::vector<char> run() {
-    std::vector<VertexId> order(vertices_.ids().begin(), vertices_.ids().end());
-    std::sort(order.begin(), order.end(), [&](VertexId i, VertexId j) { return vertices_.precedes(i, j); });
+    const std::vector<VertexId> order = lexicographic_order();
     for (std::uint32_t k = 0; k < order.size(); ++k) rank_[order[k].index()] = k;
     for (Segment2& s : segments_)
       if (rank(s.b) < rank(s.a)) std::swap(s.a, s.b);
@@ -74,6 +73,20 @@ class Sweep {
     const Segment2 &f = segments_[s], &g = segments_[t];
     if (f.a == g.a) return vertices_.orientation(f.a, f.b, g.b);
     return rank(f.a) < rank(g.a) ? vertices_.orientation(f.a, f.b, g.a) : -vertices_.orientation(g.a, g.b, f.a);
+  }
+
+  // Approximate coordinates ascend with the exact ones, so that only where they are equal these are asked.
+  std::vector<VertexId> lexicographic_order() const {
+    std::vector<std::pair<double, VertexId>> by_x;
+    by_x.reserve(vertices_.size());
+    for (const VertexId v : vertices_.ids()) by_x.emplace_back(vertices_.approximate(v).x, v);
+    std::sort(by_x.begin(), by_x.end(), [&](const auto& i, const auto& j) {
+      return i.first != j.first ? i.first < j.first : vertices_.precedes(i.second, j.second);
+    });
+    std::vector<VertexId> order;
+    order.reserve(by_x.size());
+    for (const auto& [x, v] : by_x) order.push_back(v);
+    return order;
   }
 
   template <class End>

@@ -1,7 +1,7 @@
 #include "geometry/plane/arrangement/hilbert_order.h"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 namespace hottel {
 namespace {
@@ -28,9 +28,7 @@ std::uint64_t hilbert_position(std::uint32_t x, std::uint32_t y) {
 }  // namespace
 
 std::vector<std::size_t> hilbert_order(const std::vector<Vertices2::Approximate>& points) {
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  if (points.empty()) return order;
+  if (points.empty()) return {};
   double x0 = points[0].x, x1 = x0, y0 = points[0].y, y1 = y0;
   for (const auto& p : points) {
     x0 = std::min(x0, p.x);
@@ -40,16 +38,17 @@ std::vector<std::size_t> hilbert_order(const std::vector<Vertices2::Approximate>
   }
   const double extent = std::max(x1 - x0, y1 - y0);
   const double cells = extent > 1e-300 && extent < 1e300 ? ((1 << kLevels) - 1) / extent : 0;
-  std::vector<std::uint64_t> position(points.size());
   const auto cell = [cells](double distance) {
     const double scaled = distance * cells;
     return scaled > 0 ? static_cast<std::uint32_t>(scaled) : 0u;  // also where coordinates exceed the double range
   };
+  std::vector<std::pair<std::uint64_t, std::size_t>> numbered(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    position[i] = hilbert_position(cell(points[i].x - x0), cell(points[i].y - y0));
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return position[i] != position[j] ? position[i] < position[j] : i < j;
-  });
+    numbered[i] = {hilbert_position(cell(points[i].x - x0), cell(points[i].y - y0)), i};
+  std::sort(numbered.begin(), numbered.end());
+  std::vector<std::size_t> order;
+  order.reserve(points.size());
+  for (const auto& [position, i] : numbered) order.push_back(i);
   return order;
 }
 

@@ -11,7 +11,8 @@ PreparedScene2 prepare(Scene2 scene, Divided2 divided) {
   const Division2 nowhere(scene.surfaces.size());
   auto arrangement = std::make_shared<const Arrangement2>(scene, nowhere);
   PreparedScene2 undivided(std::move(scene), nowhere, std::move(arrangement), watch.lap());
-  return divided == Divided2::kYes ? prepare_divided(undivided, undivided.scene) : undivided;
+  if (divided == Divided2::kNo) return undivided;
+  return prepare_divided(undivided, undivided.scene);
 }
 
 PreparedScene2 prepare_divided(const PreparedScene2& undivided, Scene2 scene) {

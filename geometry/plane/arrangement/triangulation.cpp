@@ -8,8 +8,10 @@
 #include <CGAL/Triangulation_vertex_base_2.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <unordered_map>
+#include <numeric>
+#include <utility>
 
 #include "geometry/plane/arrangement/hilbert_order.h"
 
@@ -77,39 +79,51 @@ using Cdt =
 // Finds the piece between two vertices.
 class PieceBetween {
  public:
-  explicit PieceBetween(const std::vector<Segment2>& pieces) : pieces_(pieces) {
-    number_.reserve(pieces.size());
-    for (std::size_t p = 0; p < pieces.size(); ++p) number_.emplace(key(pieces[p].a, pieces[p].b), p);
+  PieceBetween(const std::vector<Segment2>& pieces, std::size_t vertices) : pieces_(pieces), begin_(vertices + 1, 0) {
+    for (const Segment2& piece : pieces) ++begin_[low(piece) + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    by_low_.resize(pieces.size());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t p = 0; p < pieces.size(); ++p) by_low_[next[low(pieces[p])]++] = {high(pieces[p]), p};
+    for (std::size_t v = 0; v < vertices; ++v) std::sort(by_low_.begin() + begin_[v], by_low_.begin() + begin_[v + 1]);
   }
   // The side of the piece u-v that faces the left of u -> v; kNoPiece if there is no such piece.
   PieceSideId side_facing_left(VertexId u, VertexId v) const {
-    const auto place = number_.find(key(u, v));
-    if (place == number_.end()) return kNoPiece;
+    const Segment2 wanted{u, v};
+    const auto end = by_low_.begin() + begin_[low(wanted) + 1];
+    const auto place =
+        std::lower_bound(by_low_.begin() + begin_[low(wanted)], end, std::pair(high(wanted), std::uint32_t{0}));
+    if (place == end || place->first != high(wanted)) return kNoPiece;
     return pieces_[place->second].a == u ? left_side(place->second) : right_side(place->second);
   }
 
  private:
-  static std::uint64_t key(VertexId u, VertexId v) {
-    return std::uint64_t{std::min(u, v).index()} << 32 | std::max(u, v).index();
-  }
+  static std::uint32_t low(const Segment2& s) { return static_cast<std::uint32_t>(std::min(s.a, s.b).index()); }
+  static std::uint32_t high(const Segment2& s) { return static_cast<std::uint32_t>(std::max(s.a, s.b).index()); }
+
   const std::vector<Segment2>& pieces_;
-  std::unordered_map<std::uint64_t, std::size_t> number_;
+  std::vector<std::uint32_t> begin_;                             // by the lower end: where its pieces begin
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> by_low_;  // higher end and number of each piece
 };
 
-StarEntry2 star_entry(const PieceBetween& piece_between, VertexId v, VertexId neighbour, HalfEdgeId beyond) {
-  const PieceSideId left = piece_between.side_facing_left(v, neighbour);
+StarEntry2 star_entry(VertexId neighbour, HalfEdgeId beyond, PieceSideId left) {
   return {neighbour, beyond, left, left == kNoPiece ? kNoPiece : opposite(left)};
 }
 
 // Along a curve, but in rounds that double, drawn by number: where vertices lie on a convex outline, neighbours that
 // follow each other would each be joined to all before them and cost O(n²). (Amenta, Choi, Rote, Incremental
 // constructions con BRIO, 2003.)
-std::vector<VertexId> insertion_order(std::vector<VertexId> order) {
-  const auto rounds_from_last = [](VertexId v) {
-    return std::countr_zero((v.index() + 1) * 0x9E3779B97F4A7C15u >> 32 | std::uint64_t{1} << 31);
+std::vector<VertexId> insertion_order(const std::vector<VertexId>& along_curve) {
+  constexpr int kRounds = 32;
+  const auto round_of = [](VertexId v) {
+    return kRounds - 1 -
+           std::countr_zero((v.index() + 1) * 0x9E3779B97F4A7C15u >> 32 | std::uint64_t{1} << (kRounds - 1));
   };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](VertexId u, VertexId v) { return rounds_from_last(u) > rounds_from_last(v); });
+  std::array<std::vector<VertexId>, kRounds> rounds;
+  for (const VertexId v : along_curve) rounds[static_cast<std::size_t>(round_of(v))].push_back(v);
+  std::vector<VertexId> order;
+  order.reserve(along_curve.size());
+  for (const auto& round : rounds) order.insert(order.end(), round.begin(), round.end());
   return order;
 }
 
@@ -130,8 +144,8 @@ void insert_constraint(Cdt& cdt, Cdt::Vertex_handle u, Cdt::Vertex_handle v) {
 }  // namespace
 
 Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segment2>& pieces) {
-  const PieceBetween piece_between(pieces);
   const std::size_t count = vertices.size();
+  const PieceBetween piece_between(pieces, count);
   star_begin_.assign(count + 1, 0);
   sweep_order_ = hilbert_order(vertices);
 
@@ -150,9 +164,13 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
   if (is_line) {
     std::sort(order.begin(), order.end(), [&](VertexId i, VertexId j) { return vertices.precedes(i, j); });
     std::vector<std::vector<StarEntry2>> stars(count);
+    const auto join = [&](VertexId v, VertexId neighbour) {
+      const PieceSideId left = piece_between.side_facing_left(v, neighbour);
+      stars[v.index()].push_back(star_entry(neighbour, HalfEdgeId::none(), left));
+    };
     for (std::size_t k = 1; k < order.size(); ++k) {
-      stars[order[k].index()].push_back(star_entry(piece_between, order[k], order[k - 1], HalfEdgeId::none()));
-      stars[order[k - 1].index()].push_back(star_entry(piece_between, order[k - 1], order[k], HalfEdgeId::none()));
+      join(order[k], order[k - 1]);
+      join(order[k - 1], order[k]);
     }
     for (std::size_t v = 0; v < count; ++v) {
       star_.insert(star_.end(), stars[v].begin(), stars[v].end());
@@ -194,6 +212,13 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
         half_edges_[h].twin = across_[h];
     }
 
+  // What stands on the edge opposite corner k, as the inside of a triangle sees it, or of the outside of the hull.
+  const auto side_seen_from = [&](Cdt::Face_handle face, int k) {
+    if (!face->is_constrained(k)) return kNoPiece;
+    if (!cdt.is_infinite(face)) return side(half_edge(face->info(), k));
+    const auto inside = face->neighbor(k);
+    return opposite(side(half_edge(inside->info(), inside->index(face))));
+  };
   star_.reserve(6 * count);
   for (const VertexId v : vertices.ids()) {
     const Cdt::Vertex_handle here = handle[v.index()];
@@ -203,8 +228,9 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
       const int i = face->index(here);
       const auto neighbour = face->vertex(Cdt::ccw(i));
       if (!cdt.is_infinite(neighbour))
-        star_.push_back(star_entry(piece_between, v, neighbour->point().id,
-                                   cdt.is_infinite(face) ? HalfEdgeId::none() : half_edge(face->info(), i)));
+        star_.push_back(star_entry(neighbour->point().id,
+                                   cdt.is_infinite(face) ? HalfEdgeId::none() : half_edge(face->info(), i),
+                                   side_seen_from(face, Cdt::cw(i))));
     } while (++face != first);
     star_begin_[v.index() + 1] = static_cast<std::uint32_t>(star_.size());
   }

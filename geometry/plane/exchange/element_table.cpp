@@ -118,9 +118,13 @@ void ElementTable2::measure(const Arrangement2& arrangement) {
     else
       elements_[label].area =
           round_quotient(exact_length(label, vertices) * vertices.scale(), RootSum(Rational(1))).number;
-  has_row_.assign(elements_.size() + 2, 0);
-  for (std::uint32_t label = 0; label < count(); ++label)
-    has_row_[label] = elements_[label].material.has_value() && !runs(label).empty();
+  labels_.assign(elements_.size() + 2, {VertexId::none(), VertexId::none(), false});
+  for (std::uint32_t label = 0; label < count(); ++label) {
+    labels_[label].has_row = elements_[label].material.has_value() && !runs(label).empty();
+    if (runs(label).size() != 1) continue;
+    labels_[label].from = runs(label).front().a;
+    labels_[label].to = runs(label).front().b;
+  }
 }
 
 void ElementTable2::find_runs(const Arrangement2& arrangement) {
@@ -136,7 +140,6 @@ void ElementTable2::find_runs(const Arrangement2& arrangement) {
     if (!is_covered(side)) directed[next[of(side)]++] = arrangement.turned_piece(side);
   const Vertices2& vertices = arrangement.vertices();
   runs_begin_.push_back(0);
-  end_.assign(2 * elements_.size(), VertexId::none());
   for (std::size_t label = 0; label < elements_.size(); ++label) {
     const auto from = directed.begin() + static_cast<std::ptrdiff_t>(begin[label]);
     const auto to = directed.begin() + static_cast<std::ptrdiff_t>(begin[label + 1]);
@@ -156,10 +159,6 @@ void ElementTable2::find_runs(const Arrangement2& arrangement) {
         runs_.push_back(*piece);
     }
     runs_begin_.push_back(runs_.size());
-    if (runs_.size() == first_run + 1) {
-      end_[2 * label] = runs_.back().a;
-      end_[2 * label + 1] = runs_.back().b;
-    }
   }
 }
 

@@ -35,7 +35,7 @@ class ElementTable2 {
   // Returns the element of a side, covered(), or sky() for kSky. REQUIRES: not kNoPiece.
   std::uint32_t of(PieceSideId side) const { return of_side_[place_after_sky(side)]; }
   // True iff the element has a material and an area: only then are factors from it computed.
-  bool has_row(std::uint32_t label) const { return has_row_[label] != 0; }
+  bool has_row(std::uint32_t label) const { return labels_[label].has_row; }
 
   // The table of elements i and j alone, with the numbers 0 and 1 (0 alone where j is i), on an arrangement of some
   // pieces. Sides of all other elements are covered.
@@ -48,8 +48,13 @@ class ElementTable2 {
   std::span<const Segment2> runs(std::uint32_t label) const {
     return {runs_.data() + runs_begin_[label], runs_.data() + runs_begin_[label + 1]};
   }
-  // True iff vertex v is an end of the element and the element is one run.
-  bool has_end(std::uint32_t label, VertexId v) const { return end_[2 * label] == v || end_[2 * label + 1] == v; }
+  // Which of two vertices are ends of the element, where it is one run: 1 for v, 2 for w, 3 for both; 0 else, and for
+  // what is no element.
+  unsigned ends_among(std::uint32_t label, VertexId v, VertexId w) const {
+    const Label& l = labels_[label];
+    const auto is_end = [&l](VertexId u) { return unsigned{l.from == u} | unsigned{l.to == u}; };
+    return is_end(v) | is_end(w) << 1;
+  }
 
   // Sum of the lengths of the owned pieces, in units of Vertices2::fixed_unit().
   const FixedSum& length(std::uint32_t label) const { return length_[label]; }
@@ -63,11 +68,15 @@ class ElementTable2 {
 
   std::vector<Element> elements_;
   std::vector<std::uint32_t> of_side_;  // by place_after_sky
-  std::vector<char> has_row_;           // two more than elements: the sky and what is covered have none
   bool are_straight_ = true;
   std::vector<Segment2> runs_;
   std::vector<std::size_t> runs_begin_;
-  std::vector<VertexId> end_;
+  // What a sweep asks at every term. Ends are none where the element is not one run.
+  struct Label {
+    VertexId from, to;
+    bool has_row;
+  };
+  std::vector<Label> labels_;  // two more than elements: the sky and what is covered have neither rows nor ends
   std::vector<FixedSum> length_;
 };
 

@@ -56,16 +56,21 @@ std::vector<std::pair<std::size_t, std::size_t>> rows_by_place(const std::vector
   std::vector<std::uint32_t> rank(arrangement.vertices().size());
   std::uint32_t next = 0;
   for (const VertexId v : arrangement.triangulation().sweep_order()) rank[v.index()] = next++;
-  std::vector<std::pair<std::size_t, std::size_t>> rows;
-  for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
-    while (end < pairs.size() && pairs[end].i == pairs[begin].i) ++end;
-    rows.emplace_back(begin, end);
-  }
-  const auto place = [&](const std::pair<std::size_t, std::size_t>& row) {
-    const std::uint32_t label = pairs[row.first].i;
-    return label >= table.count() || table.runs(label).empty() ? next : rank[table.runs(label).front().a.index()];
+  struct Row {
+    std::uint32_t place;
+    std::size_t begin, end;
   };
-  std::ranges::sort(rows, {}, [&](const auto& row) { return std::pair(place(row), row.first); });
+  std::vector<Row> placed;
+  for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
+    const std::uint32_t label = pairs[begin].i;
+    while (end < pairs.size() && pairs[end].i == label) ++end;
+    const bool is_nowhere = label >= table.count() || table.runs(label).empty();
+    placed.push_back({is_nowhere ? next : rank[table.runs(label).front().a.index()], begin, end});
+  }
+  std::ranges::sort(placed, {}, [](const Row& row) { return std::pair(row.place, row.begin); });
+  std::vector<std::pair<std::size_t, std::size_t>> rows;
+  rows.reserve(placed.size());
+  for (const Row& row : placed) rows.emplace_back(row.begin, row.end);
   return rows;
 }
 

@@ -28,15 +28,13 @@ class Sweep {
         }
         ++out.updates;
         const Int128 value = i == j ? 2 * length.value : length.value;
-        const bool is_obstructed = !((is_end(i, gap.v) || is_end(j, gap.v)) && (is_end(i, gap.w) || is_end(j, gap.w)));
+        const bool is_obstructed = (table_.ends_among(i, gap.v, gap.w) | table_.ends_among(j, gap.v, gap.w)) != 3;
         out.add({pair_key(i, j), length.is_exact ? 0u : (i == j ? 2u : 1u), is_obstructed, sign > 0 ? value : -value});
       });
     });
   }
 
  private:
-  bool is_end(std::uint32_t label, VertexId v) const { return label != table_.sky() && table_.has_end(label, v); }
-
   const Arrangement2& arrangement_;
   const ElementTable2& table_;
 };

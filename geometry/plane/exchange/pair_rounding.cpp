@@ -1,39 +1,36 @@
 #include "geometry/plane/exchange/pair_rounding.h"
 
-#include <cmath>
-
 #include "geometry/visibility_quotient.h"
 
 namespace hottel {
-namespace {
-
-FixedSum twice(const FixedSum& sum) { return {2 * sum.value, 2 * sum.error}; }
-
-}  // namespace
-
 PairRounding2::PairRounding2(const PreparedScene2& prepared, const ElementTable2& table, const ExchangeRequest& request)
     : prepared_(prepared),
       table_(table),
       request_(request),
       alone_(prepared, table, request.granularity),
-      half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {}
+      half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {
+  for (std::uint32_t label = 0; label < table.count(); ++label) {
+    const FixedSum& length = table.length(label);
+    double_length_.push_back(table.has_row(label) ? FixedDivisor({2 * length.value, 2 * length.error})
+                                                  : FixedDivisor());
+  }
+}
 
 RoundedPair2 PairRounding2::quick(const PairSum2& pair, TierCounts& tiers) const {
   const Vertices2& vertices = prepared_.arrangement.vertices();
   const FixedSum sum = pair.sum(vertices.length_error());
   RoundedPair2 result;
   // A sum that may be zero is looked at exactly before anything is printed of it.
-  const bool may_be_zero = static_cast<double>(pair.value) <= sum.error;
-  const auto settle = [&](const FixedSum& divisor, Rounded& number, bool& is_open) {
-    const bool is_coarse = may_be_zero || static_cast<double>(divisor.value) <= divisor.error;
-    const auto rounded = is_coarse ? std::nullopt : round_quotient(sum, divisor);
+  const bool may_be_zero = to_double_double(pair.value).hi <= sum.error;
+  const auto settle = [&](const FixedDivisor& divisor, Rounded& number, bool& is_open) {
+    const auto rounded = may_be_zero || !divisor.is_usable() ? std::nullopt : round_quotient(sum, divisor);
     is_open = !rounded;
     if (!rounded) return;
     number = rounded->number;
     tiers.count(rounded->tier);
   };
-  if (table_.has_row(pair.i)) settle(twice(table_.length(pair.i)), result.forth, result.is_forth_open);
-  if (table_.has_row(pair.j)) settle(twice(table_.length(pair.j)), result.back, result.is_back_open);
+  if (table_.has_row(pair.i)) settle(double_length_[pair.i], result.forth, result.is_forth_open);
+  if (table_.has_row(pair.j)) settle(double_length_[pair.j], result.back, result.is_back_open);
   if (request_.wants_measures) {
     const auto rounded = may_be_zero ? std::nullopt : round_scaled(sum, half_unit_);
     result.is_measure_open = !rounded;
@@ -48,10 +45,7 @@ RoundedPair2 PairRounding2::quick(const PairSum2& pair, TierCounts& tiers) const
   } else {
     Rounded visibility;
     const auto free = alone_.quick(pair.i, pair.j);
-    if (free && static_cast<double>(free->value) > free->error)
-      settle(*free, visibility, result.is_visibility_open);
-    else
-      result.is_visibility_open = true;
+    settle(free ? FixedDivisor(*free) : FixedDivisor(), visibility, result.is_visibility_open);
     result.visibility = visibility_of(visibility);
   }
   return result;

@@ -47,7 +47,8 @@ class PairRounding2 {
   const ElementTable2& table_;
   const ExchangeRequest& request_;
   const PairsAlone2 alone_;
-  const FixedScale half_unit_;  // 2 S in fixed point to S in scene units
+  std::vector<FixedDivisor> double_length_;  // by label
+  const FixedScale half_unit_;               // 2 S in fixed point to S in scene units
 };
 
 // A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it. Settles the

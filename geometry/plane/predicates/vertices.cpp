@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
+#include <optional>
+#include <span>
 
 #include "kernel/support/failure.h"
 
@@ -55,11 +58,101 @@ Int128 to_fixed(double value, int shift) {
   return (static_cast<Int128>(integer) + (static_cast<Int128>(1) << (-left - 1))) >> -left;
 }
 
+// Points in words, where coordinates as they are typed fit: what big numbers come to, without them.
+class SmallScale {
+ public:
+  // Translates by the first point and divides by the common measure of the first `typed` coordinates. Returns the
+  // integers, x and y in turn; nothing where words do not suffice, or others than the typed ones are no integers then.
+  std::optional<std::vector<std::int64_t>> apply(const std::vector<Point2>& points, std::size_t typed) {
+    for (std::size_t i = 0; i < typed; ++i)
+      for (const Rational* value : {&points[i].x, &points[i].y})
+        if (!include_denominator(*value)) return std::nullopt;
+    std::vector<std::int64_t> result;
+    result.reserve(2 * points.size());
+    for (const Point2& p : points)
+      for (const Rational* value : {&p.x, &p.y}) {
+        const auto scaled = over_denominator(*value);
+        if (!scaled) return std::nullopt;
+        result.push_back(*scaled - (result.size() < 2 ? 0 : result[result.size() % 2]));
+      }
+    result[0] = result[1] = 0;
+    std::int64_t factor = 0;
+    for (std::size_t k = 0; k < 2 * typed && factor != 1; ++k) factor = std::gcd(factor, result[k]);
+    if (factor == 0) return std::nullopt;
+    for (std::int64_t& value : result) {
+      if (factor != 1 && value % factor != 0) return std::nullopt;
+      value /= factor;
+      if (value >= kLimit || value <= -kLimit) return std::nullopt;
+    }
+    unit_ = Rational(Integer(static_cast<long>(factor)), Integer(static_cast<long>(denominator_)));
+    unit_.canonicalize();
+    return result;
+  }
+  const Rational& unit() const { return unit_; }
+
+ private:
+  static constexpr std::int64_t kLimit = std::int64_t{1} << kSmallBits;
+
+  bool include_denominator(const Rational& value) {
+    if (!mpz_fits_slong_p(value.get_den_mpz_t())) return false;
+    const auto own = static_cast<std::int64_t>(mpz_get_si(value.get_den_mpz_t()));
+    if (denominator_ % own == 0) return true;
+    const Int128 common = static_cast<Int128>(denominator_ / std::gcd(denominator_, own)) * own;
+    if (common >= kLimit) return false;
+    denominator_ = static_cast<std::int64_t>(common);
+    return true;
+  }
+  // The numerator of the value over the common denominator, below 2^62.
+  std::optional<std::int64_t> over_denominator(const Rational& value) const {
+    if (!mpz_fits_slong_p(value.get_num_mpz_t()) || !mpz_fits_slong_p(value.get_den_mpz_t())) return std::nullopt;
+    const auto own = static_cast<std::int64_t>(mpz_get_si(value.get_den_mpz_t()));
+    if (denominator_ % own != 0) return std::nullopt;
+    const Int128 scaled = static_cast<Int128>(denominator_ / own) * mpz_get_si(value.get_num_mpz_t());
+    if (scaled >= 4 * kLimit || scaled <= -4 * kLimit) return std::nullopt;
+    return static_cast<std::int64_t>(scaled);
+  }
+
+  std::int64_t denominator_ = 1;
+  Rational unit_ = 1;
+};
+
 }  // namespace
 
 Vertices2::Vertices2(const std::vector<Point2>& points, std::size_t typed) {
   if (points.empty()) return;
   origin_ = points.front();
+  SmallScale words;
+  if (const auto coordinates = words.apply(points, typed)) {
+    scale_ = words.unit();
+    set_small(*coordinates);
+  } else {
+    scale_big(points, typed);
+  }
+  double extent = 0;
+  for (const Approximate& p : approximate_) extent = std::max({extent, std::fabs(p.x), std::fabs(p.y)});
+  const double difference = 2 * (extent + input_error_);  // of two coordinates, at most
+  error_anywhere_ = 2.0000001 * difference * (kOrientationError * difference + 2 * input_error_);
+  set_total_length(1);
+}
+
+// Takes coordinates in integer form, x and y in turn.
+void Vertices2::set_small(std::span<const std::int64_t> coordinates) {
+  small_.resize(coordinates.size() / 2);
+  approximate_.resize(small_.size());
+  bool all_are_doubles = true;
+  for (std::size_t i = 0; i < small_.size(); ++i) {
+    const auto [x, y] = small_[i] = {coordinates[2 * i], coordinates[2 * i + 1]};
+    const Approximate& p = approximate_[i] = {static_cast<double>(x), static_cast<double>(y)};
+    all_are_doubles &= static_cast<std::int64_t>(p.x) == x && static_cast<std::int64_t>(p.y) == y;
+    for (const std::int64_t value : {x, y})
+      coordinate_bits_ =
+          std::max(coordinate_bits_, static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::abs(value)))));
+  }
+  input_error_ = all_are_doubles ? 0 : std::ldexp(1.0, coordinate_bits_ - 53) * 2.0000001;
+}
+
+// The same by big rationals, whatever the coordinates.
+void Vertices2::scale_big(const std::vector<Point2>& points, std::size_t typed) {
   std::vector<Point2> shifted(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) shifted[i] = {points[i].x - origin_.x, points[i].y - origin_.y};
 
@@ -105,41 +198,31 @@ Vertices2::Vertices2(const std::vector<Point2>& points, std::size_t typed) {
     }
   }
 
+  if (small) {
+    std::vector<std::int64_t> coordinates;
+    coordinates.reserve(2 * shifted.size());
+    for (const Point2& p : shifted)
+      for (const Rational* value : {&p.x, &p.y}) coordinates.push_back(value->get_num().get_si());
+    set_small(coordinates);
+    return;
+  }
   int& top = coordinate_bits_;
   for (const Point2& p : shifted) top = std::max({top, exponent_above(p.x), exponent_above(p.y)});
-
   approximate_.resize(points.size());
-  if (small) {
-    small_.resize(points.size());
-    bool all_are_doubles = true;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      small_[i] = {shifted[i].x.get_num().get_si(), shifted[i].y.get_num().get_si()};
-      approximate_[i] = {static_cast<double>(small_[i].x), static_cast<double>(small_[i].y)};
-      all_are_doubles &= static_cast<std::int64_t>(approximate_[i].x) == small_[i].x &&
-                         static_cast<std::int64_t>(approximate_[i].y) == small_[i].y;
-    }
-    input_error_ = all_are_doubles ? 0 : std::ldexp(1.0, top - 53) * 2.0000001;
-  } else {
-    large_ = std::move(shifted);
-    low_.resize(points.size());
-    approximation_shift_ = top - 53;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto split = [this](const Rational& value, double& hi, double& lo) {
-        hi = nearest(value, approximation_shift_);
-        const Rational back = scaled_by_power_of_two(Rational(hi), approximation_shift_);
-        lo = nearest(value - back, approximation_shift_);
-      };
-      split(large_[i].x, approximate_[i].x, low_[i].x);
-      split(large_[i].y, approximate_[i].y, low_[i].y);
-    }
-    // |approximate| < 2^53, so its error is at most 1/2; low repeats the argument one level down: at most 2^-54.
-    input_error_ = 1.0000001;
+  large_ = std::move(shifted);
+  low_.resize(points.size());
+  approximation_shift_ = top - 53;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto split = [this](const Rational& value, double& hi, double& lo) {
+      hi = nearest(value, approximation_shift_);
+      const Rational back = scaled_by_power_of_two(Rational(hi), approximation_shift_);
+      lo = nearest(value - back, approximation_shift_);
+    };
+    split(large_[i].x, approximate_[i].x, low_[i].x);
+    split(large_[i].y, approximate_[i].y, low_[i].y);
   }
-  double extent = 0;
-  for (const Approximate& p : approximate_) extent = std::max({extent, std::fabs(p.x), std::fabs(p.y)});
-  const double difference = 2 * (extent + input_error_);  // of two coordinates, at most
-  error_anywhere_ = 2.0000001 * difference * (kOrientationError * difference + 2 * input_error_);
-  set_total_length(1);
+  // |approximate| < 2^53, so its error is at most 1/2; low repeats the argument one level down: at most 2^-54.
+  input_error_ = 1.0000001;
 }
 
 void Vertices2::set_total_length(double diameters) {

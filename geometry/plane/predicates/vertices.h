@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -125,6 +126,8 @@ class Vertices2 {
     return input_error_ == 0 ? Small{static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y)}
                              : small_[i.index()];
   }
+  void set_small(std::span<const std::int64_t> coordinates);
+  void scale_big(const std::vector<Point2>& points, std::size_t typed);
   int exact_orientation(VertexId i, VertexId j, VertexId k) const;
   FixedLength2 small_distance(VertexId i, VertexId j) const;
   FixedLength2 large_distance(VertexId i, VertexId j) const;
