@@ -211,7 +211,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   Outputs outputs(options, request, simulation.scene());
   const Results results = results_of(simulation, request, streams);
   const ExchangeMatrix& matrix = results.factors->matrix;
-  const NetFluxes fluxes(simulation.scene(), matrix, *results.solution);
+  const NetFluxes fluxes(simulation.scene(), matrix, *results.solution, *simulation.light_shares());
   watch.lap();
   write_results(options, simulation, results, fluxes, streams, outputs);
 
@@ -226,6 +226,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                            seconds,
                            picture_light_of(options, results),
                            range_of(results.shown),
+                           {},
                            results.light ? results.light->max_error : std::nullopt,
                            insulated_groups(simulation.scene(), matrix, *results.solution),
                            simulation.scene().unit,
@@ -306,6 +307,11 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
                   "of radiosity, irradiance or net: r, g or b; without it the mean of all")
       ->check(CLI::IsMember({"r", "g", "b"}));
   command
+      .add_option("--bar", options.bar,
+                  "of all but light: the ends of the colour bar, each the least or largest value where it is left out; "
+                  "`log`: logarithmic")
+      ->type_name("LOW:HIGH[:log]");
+  command
       .add_option(
           "--shading", options.shading,
           "flat: each element has its value; smooth: values are blended over flat surfaces, in the plane along "
@@ -317,8 +323,8 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       .add_option("--render", options.render,
                   "the picture as this file too: .png, .svg or .pdf (in space polygons, sharp at any size)")
       ->type_name("FILE");
-  for (const char* of_picture :
-       {"--size", "--tone", "--exposure", "--contours", "--axes", "--show", "--channel", "--shading", "--render"})
+  for (const char* of_picture : {"--size", "--tone", "--exposure", "--contours", "--axes", "--show", "--channel",
+                                 "--bar", "--shading", "--render"})
     for (CLI::Option* none : {no_picture, no_illumination}) none->excludes(command.get_option(of_picture));
   command
       .add_option("--views", options.views,

@@ -97,6 +97,13 @@ std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const 
   });
 }
 
+PictureView picture_view_of(const RenderedView3& view, const Scene3& scene) {
+  const auto rounded = [](const auto& p) { return std::array{to_double(p.x), to_double(p.y), to_double(p.z)}; };
+  const Camera3& camera = view.camera();
+  return {rounded(camera.eye), rounded(camera.target), rounded(camera.up), to_double(camera.field_of_view),
+          !scene.camera.has_value()};
+}
+
 SimulationRequest3 request_of(const SolveOptions& options, const Scene3& scene) {
   const std::optional<Grid3> grid = options.no_illumination ? std::nullopt : grid_of(scene, options.grid);
   const GridPicture3 picture{
@@ -151,7 +158,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const auto solution = simulation.radiosities(streams.stages());
 
   Stopwatch watch;
-  const NetFluxes fluxes(simulation.scene(), factors->matrix, *solution);
+  const NetFluxes fluxes(simulation.scene(), factors->matrix, *solution, *simulation.light_shares());
   write_radiosity_csv(simulation.scene(), factors->matrix, *solution,
                       [&csv](std::string_view text) { csv.write(text); });
   write_flux_csv(fluxes, solution->channel_names, [&flux](std::string_view text) { flux.write(text); });
@@ -173,20 +180,22 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
     if (render) render->write(view->file(*picture_format(options.render)));
     seconds["picture"] += watch.lap();
   }
-  const SolveReport report{.scene = options.scene,
-                           .plan = plan.get(),
-                           .factors = factor_counts(factors->report),
-                           .solution = solution.get(),
-                           .fluxes = &fluxes,
-                           .seconds = seconds,
-                           .picture_light = view && !view->shown() ? std::optional(PictureLight{
-                                                                         view->scale(), options.tone, options.exposure})
-                                                                   : std::nullopt,
-                           .picture_range = view ? range_of(view->shown()) : std::nullopt,
-                           .insulated = insulated_groups(simulation.scene(), factors->matrix, *solution),
-                           .unit = simulation.scene().unit,
-                           .store = options.store.report(request.factors.store),
-                           .warnings = finding_notes(lost_light)};
+  const SolveReport report{
+      .scene = options.scene,
+      .plan = plan.get(),
+      .factors = factor_counts(factors->report),
+      .solution = solution.get(),
+      .fluxes = &fluxes,
+      .seconds = seconds,
+      .picture_light = view && !view->shown()
+                           ? std::optional(PictureLight{view->scale(), options.tone, options.exposure})
+                           : std::nullopt,
+      .picture_range = view ? range_of(view->shown()) : std::nullopt,
+      .picture_view = view ? std::optional(picture_view_of(*view, simulation.scene())) : std::nullopt,
+      .insulated = insulated_groups(simulation.scene(), factors->matrix, *solution),
+      .unit = simulation.scene().unit,
+      .store = options.store.report(request.factors.store),
+      .warnings = finding_notes(lost_light)};
   json.write(solve_json(report));
   // All files are whole before the first one takes its name.
   std::vector<OutputFile*> files{&csv, &flux, &vtu};

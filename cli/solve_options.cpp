@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <vector>
 
 #include "geometry/near_names.h"
@@ -45,8 +48,37 @@ Tone tone_asked(const std::string& name) {
   return *tone;
 }
 
+namespace {
+
+// LOW:HIGH, LOW:HIGH:log or log; either end may be left out.
+AskedScale scale_asked(const std::string& text) {
+  AskedScale scale;
+  std::string ends = text;
+  if (ends == "log" || ends.ends_with(":log")) {
+    scale.is_logarithmic = true;
+    ends.resize(ends.size() - std::min<std::size_t>(ends.size(), 4));
+    if (ends.empty()) return scale;
+  }
+  const auto colon = ends.find(':');
+  const auto end = [&](const std::string& word) -> std::optional<double> {
+    if (word.empty()) return std::nullopt;
+    double value = 0;
+    const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || rest != word.data() + word.size() || !std::isfinite(value))
+      throw UsageError("--bar takes LOW:HIGH, LOW:HIGH:log or log, not '" + text + "'");
+    return value;
+  };
+  if (colon == std::string::npos) end(ends + ":");  // no number
+  scale.lower = end(ends.substr(0, colon));
+  scale.upper = end(ends.substr(colon + 1));
+  return scale;
+}
+
+}  // namespace
+
 Shown shown_of(const SolveOptions& options) {
   Shown shown = shown_by(options.show);
+  if (!options.bar.empty()) shown.scale = scale_asked(options.bar);
   if (!options.channel.empty()) shown.channel = std::string("rgb").find(options.channel);
   const SolveOptions usual;
   if (!shown.is_light() && (options.tone != usual.tone || options.exposure != usual.exposure))

@@ -26,7 +26,7 @@ struct SolveOptions {
   std::string grid, illumination = "point", tone = "log", views;
   double exposure = 1;
   std::uint32_t size = 0;
-  std::string show = "light", channel, shading = "flat", render;
+  std::string show = "light", channel, bar, shading = "flat", render;
   int contours = 0;
   bool axes = false;
   bool no_picture = false, no_illumination = false;
@@ -54,7 +54,7 @@ Tone tone_asked(const std::string& name);
 void require_room_for_light(const SolveOptions& options, const std::array<std::uint32_t, 2>& cells, int channels,
                             const std::string& advice, const std::filesystem::path& directory);
 
-// What the picture shows, as --show and --channel ask for it. Throws UsageError for what is not there, and for options
+// What the picture shows, as --show, --channel and --bar ask for it. Throws UsageError for what is not there, and for options
 // of light (--tone, --exposure, --contours) where something else is shown; and, for --render, unless its file is a
 // picture.
 Shown shown_of(const SolveOptions& options);

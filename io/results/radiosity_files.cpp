@@ -42,20 +42,28 @@ void write_fluxes(const char* per, const std::vector<NetFlux>& fluxes, const std
 
 }  // namespace
 
-NetFluxes::NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution)
-    : faces(net_flux(matrix, solution, scene.sky_emission,
-                     [&](const Element& e) {
-                       return face_name(scene, {e.surface, e.is_back});
-                     })),
-      groups(net_flux(matrix, solution, scene.sky_emission, [&](const Element& e) {
-        return scene.groups[scene.surfaces[e.surface].group].name + (e.is_back ? ":back" : "");
-      })) {}
+NetFluxes::NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
+                     std::span<const LightShares> shares) {
+  const ShiningLights shining{scene.lights, shares};
+  faces = net_flux(
+      matrix, solution, scene.sky_emission,
+      [&](const Element& e) {
+        return face_name(scene, {e.surface, e.is_back});
+      },
+      shining);
+  groups = net_flux(
+      matrix, solution, scene.sky_emission,
+      [&](const Element& e) { return scene.groups[scene.surfaces[e.surface].group].name + (e.is_back ? ":back" : ""); },
+      shining);
+  lights = light_flux(shining, solution.channels.size());
+}
 
 void write_flux_csv(const NetFluxes& fluxes, const std::vector<std::string>& channel_names,
                     const std::function<void(std::string_view)>& sink) {
   sink("per,name,channel,area,net,lower,upper\n");
   write_fluxes("face", fluxes.faces, channel_names, sink);
   write_fluxes("group", fluxes.groups, channel_names, sink);
+  write_fluxes("light", fluxes.lights, channel_names, sink);
 }
 
 }  // namespace hottel

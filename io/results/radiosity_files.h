@@ -24,12 +24,15 @@ void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, 
 
 // `per,name,channel,area,net,lower,upper`: net flux in W (in the plane W per metre of depth) with proven bounds,
 // positive where more leaves than arrives (net_flux.h). First a line for each face and channel, then for each group:
-// polyline or edge of its own, fronts and backs by themselves. The sky is last in both; each half sums to 0.
+// polyline or edge of its own, fronts and backs by themselves. The sky is last in both. Then come the lights: each half
+// sums to 0 together with them.
 struct NetFluxes {
-  std::vector<NetFlux> faces, groups;
+  std::vector<NetFlux> faces, groups, lights;
 
-  // REQUIRES the solution of this matrix, of this scene. COST: two passes over the matrix a channel.
-  NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution);
+  // REQUIRES the solution of this matrix, of this scene, and the shares of its lights. COST: two passes over the matrix
+  // a channel.
+  NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
+            std::span<const LightShares> shares);
 };
 void write_flux_csv(const NetFluxes& fluxes, const std::vector<std::string>& channel_names,
                     const std::function<void(std::string_view)>& sink);

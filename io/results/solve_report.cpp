@@ -88,6 +88,12 @@ std::string solve_json(const SolveReport& report) {
   if (const auto& range = report.picture_range)
     json["picture"] = {
         {"quantity", range->quantity}, {"unit", range->unit}, {"lower", range->lower}, {"upper", range->upper}};
+  if (const auto& view = report.picture_view)
+    json["picture"]["camera"] = {{"eye", view->eye},
+                                 {"target", view->target},
+                                 {"up", view->up},
+                                 {"field_of_view", view->field_of_view},
+                                 {"chosen", view->is_chosen}};
   for (const InsulatedGroup& group : report.insulated)
     json["insulated"].push_back({{"name", group.name},
                                  {"channel", group.channel},
@@ -106,14 +112,15 @@ namespace {
 
 constexpr std::size_t kFluxesInText = 6, kInsulatedInText = 6;
 
-// The groups with the largest net flux, summed over the channels.
-std::string flux_text(const std::vector<NetFlux>& groups) {
+// The groups and lights with the largest net flux, summed over the channels.
+std::string flux_text(const NetFluxes& fluxes) {
   std::vector<std::pair<double, std::string>> largest;
-  for (const NetFlux& group : groups) {
-    double net = 0;
-    for (const NetFlux::Power& power : group.by_channel) net += power.value;
-    largest.emplace_back(net, group.name);
-  }
+  for (const auto* some : {&fluxes.groups, &fluxes.lights})
+    for (const NetFlux& flux : *some) {
+      double net = 0;
+      for (const NetFlux::Power& power : flux.by_channel) net += power.value;
+      largest.emplace_back(net, flux.name);
+    }
   const std::size_t shown = std::min(largest.size(), kFluxesInText);
   std::partial_sort(largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(shown), largest.end(),
                     [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
@@ -153,6 +160,15 @@ std::string picture_text(const PictureLight& light) {
   return text + "\n";
 }
 
+// Where a camera was chosen, as a scene would say it.
+std::string view_text(const PictureView& view) {
+  const auto point = [](const std::array<double, 3>& p) {
+    return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", p[0], p[1], p[2]);
+  };
+  return fmt::format("camera: chosen, as the scene has none: eye {}, target {}, field_of_view {:.4g}\n",
+                     point(view.eye), point(view.target), view.field_of_view);
+}
+
 }  // namespace
 
 std::string solve_text(const SolveReport& report) {
@@ -168,14 +184,15 @@ std::string solve_text(const SolveReport& report) {
           : fmt::format("radiosity by {}: {} in {}, {}, bounds within {:.1e} of the value\n", to_string(solution.used),
                         counted(solution.unknowns, "unknown"), counted(solution.components, "component"),
                         counted(solution.channels.size(), "channel"), solution.max_relative_width);
-  text +=
-      fmt::format("energy: emitted {:.6g}, absorbed {:.6g}, to the sky {:.6g}, defect {:.1e}\n",
-                  solution.energy.emitted, solution.energy.absorbed, solution.energy.to_sky, solution.energy.defect);
-  text += flux_text(report.fluxes->groups) + insulated_text(report.insulated);
+  text += fmt::format("energy{}: emitted {:.6g}, absorbed {:.6g}, to the sky {:.6g}, defect {:.1e}\n",
+                      solution.channels.size() > 1 ? " in r, g and b together" : "", solution.energy.emitted,
+                      solution.energy.absorbed, solution.energy.to_sky, solution.energy.defect);
+  text += flux_text(*report.fluxes) + insulated_text(report.insulated);
   if (report.illumination_max_error)
     text += fmt::format("illumination: averages over cells, each within {:.1e} for these radiosities\n",
                         *report.illumination_max_error);
   if (report.picture_light) text += picture_text(*report.picture_light);
+  if (report.picture_view && report.picture_view->is_chosen) text += view_text(*report.picture_view);
   if (report.store) text += store_text(*report.store) + "\n";
   for (const std::string& note : solution.notes) text += "note: " + note + "\n";
   text += "seconds:";

@@ -1,6 +1,7 @@
 // What `solve` plans and what it came to, as JSON and as text for people.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -43,6 +44,13 @@ struct PictureLight {
   std::vector<double> contours{};  // the levels of lines of equal light
 };
 
+// From where a picture of a scene in space is seen.
+struct PictureView {
+  std::array<double, 3> eye{}, target{}, up{};
+  double field_of_view = 0;  // degrees, across the picture's height
+  bool is_chosen = false;    // the scene has no camera
+};
+
 // Everything that is said about one run of `solve`. REQUIRES that none of the pointers is null when it is written.
 struct SolveReport {
   std::string scene;
@@ -53,6 +61,7 @@ struct SolveReport {
   std::map<std::string, double> seconds{};         // of stages that ran, and of no others
   std::optional<PictureLight> picture_light{};     // of a picture of light
   std::optional<PictureRange> picture_range{};     // of a picture that shows something else than light
+  std::optional<PictureView> picture_view{};       // of a picture of space
   std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
   std::vector<InsulatedGroup> insulated{};         // in the order of radiosity.csv
   std::string unit{};                              // of lengths; empty where the scene does not say

@@ -48,6 +48,22 @@ Rational missing_share(const LightShares& shares) {
 
 }  // namespace
 
+std::map<std::uint32_t, std::array<RationalEnclosure, 3>> power_without_rows(const ExchangeMatrix& matrix,
+                                                                             std::span<const Light> lights,
+                                                                             std::span<const LightShares> shares) {
+  HOTTEL_REQUIRE(lights.size() == shares.size());
+  std::map<std::uint32_t, Channels> result;
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    HOTTEL_REQUIRE(shares[k].of_element.size() == matrix.size());
+    for (std::uint32_t i = 0; i < matrix.size(); ++i)
+      if (!matrix.has_row(i) && shares[k].of_element[i].upper > 0)
+        add(shares[k].of_element[i], lights[k].power, result[i]);
+    // The sky is what is left: where that may be nothing and is less than doubles tell of the rest, it counts as none.
+    if (counts(shares[k].sky)) add(shares[k].sky, lights[k].power, result[matrix.sky()]);
+  }
+  return result;
+}
+
 void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std::span<const LightShares> shares,
                 RadiositySources& sources) {
   HOTTEL_REQUIRE(lights.size() == shares.size());
@@ -56,24 +72,29 @@ void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std
   for (const Light& light : lights) is_scalar &= light.power.is_scalar;
   sources.has_channels |= !is_scalar;
   sources.direct_irradiance.resize(matrix.size());
-  Channels absorbed, to_sky;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
     Channels sum;
     for (std::size_t k = 0; k < lights.size(); ++k) {
       HOTTEL_REQUIRE(shares[k].of_element.size() == matrix.size());
-      add(shares[k].of_element[i], lights[k].power, matrix.has_row(i) ? sum : absorbed);
+      add(shares[k].of_element[i], lights[k].power, sum);
     }
-    if (!matrix.has_row(i) || sum == Channels()) continue;
+    if (sum == Channels()) continue;
     const Enclosure area = matrix.elements()[i].area.enclosure();
     if (area.lower > 0)  // else it has no radiosity that doubles can tell, and is refused by name
       sources.direct_irradiance[i] =
           rounded_outward(sum, area, is_scalar, "the light of lamps on '" + matrix.elements()[i].name + "'");
   }
-  for (std::size_t k = 0; k < lights.size(); ++k) {
-    // The sky is what is left: where that may be nothing and is less than doubles tell of the rest, it counts as none.
-    if (counts(shares[k].sky)) add(shares[k].sky, lights[k].power, to_sky);
-    if (!shares[k].solid.empty()) add({1, 1}, lights[k].power, absorbed);
+  Channels absorbed, to_sky;
+  for (const auto& [element, power] : power_without_rows(matrix, lights, shares)) {
+    Channels& sum = element == matrix.sky() ? to_sky : absorbed;
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum[c].lower += power[c].lower;
+      sum[c].upper += power[c].upper;
+    }
   }
+  for (std::size_t k = 0; k < lights.size(); ++k)
+    if (!shares[k].solid.empty()) add({1, 1}, lights[k].power, absorbed);
   for (std::size_t k = 0; k < lights.size(); ++k) {
     if (shares[k].test == LightTest::kExact) continue;
     const Rational missing = missing_share(shares[k]);

@@ -1,6 +1,9 @@
 // Light that comes from no element: how the power of lights is spread over the elements, as sources of a system.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +28,13 @@ struct LightShares {
   std::string solid;  // empty: it is in none
   LightTest test = LightTest::kExact;
 };
+
+// The power of lights that meets first what has no row, within bounds, by channel: of black backs and of the sky, which
+// is matrix.sky(), wherever there is any. What is lost in solids is in none.
+// REQUIRES one entry of `shares` for each light, each of the elements of the matrix.
+std::map<std::uint32_t, std::array<RationalEnclosure, 3>> power_without_rows(const ExchangeMatrix& matrix,
+                                                                             std::span<const Light> lights,
+                                                                             std::span<const LightShares> shares);
 
 // Adds what lights send to the sources of a matrix: D_i = sum over lights of share times power over area, within
 // bounds; and what meets no row, to RadiositySources::besides. Channels are told apart where the power of a light is.

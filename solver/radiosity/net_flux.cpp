@@ -46,7 +46,8 @@ std::vector<ScaledBall> flux_by_element(const ExchangeMatrix& matrix, const Chan
 
 std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolution& solution,
                               const SourceSpectrum& sky_emission,
-                              const std::function<std::string(const Element&)>& name_of) {
+                              const std::function<std::string(const Element&)>& name_of, const ShiningLights& shining) {
+  const auto lost = power_without_rows(matrix, shining.lights, shining.shares);
   for (const ChannelSolution& channel : solution.channels) HOTTEL_REQUIRE(channel.elements.size() == matrix.size());
   std::vector<char> is_listed(matrix.size() + 1, 0);
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
@@ -54,6 +55,7 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
     is_listed[i] = 1;
     for (const FactorEntry& entry : matrix.row(i)) is_listed[entry.to] = 1;
   }
+  for (const auto& [element, power] : lost) is_listed[element] = 1;
   std::vector<NetFlux> result;
   std::vector<std::size_t> place(matrix.size() + 1);  // of an element, in the result
   std::vector<ScaledBall> area;
@@ -73,12 +75,27 @@ std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolut
   }
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
     const RationalEnclosure& sky = sky_emission[static_cast<int>(c)];
-    const std::vector<ScaledBall> flux =
+    std::vector<ScaledBall> flux =
         flux_by_element(matrix, solution.channels[c], ScaledBall::around(sky.lower, sky.upper));
+    for (const auto& [element, power] : lost)
+      flux[element] = difference(flux[element], ScaledBall::around(power[c].lower, power[c].upper));
     std::vector<ScaledBall> total(result.size());
     for (std::uint32_t i = 0; i <= matrix.size(); ++i)
       if (is_listed[i]) total[place[i]] = sum(total[place[i]], flux[i]);
     for (std::size_t k = 0; k < result.size(); ++k) result[k].by_channel[c] = power_of(total[k]);
+  }
+  return result;
+}
+
+std::vector<NetFlux> light_flux(const ShiningLights& shining, std::size_t channels) {
+  std::vector<NetFlux> result;
+  for (std::size_t k = 0; k < shining.lights.size(); ++k) {
+    NetFlux& flux = result.emplace_back(NetFlux{shining.lights[k].name, {}, {}});
+    for (std::size_t c = 0; c < channels; ++c) {
+      const Rational& power = shining.lights[k].power.value[c];
+      flux.by_channel.push_back(shining.shares[k].solid.empty() ? power_of(ScaledBall::around(power, power))
+                                                                : NetFlux::Power{});
+    }
   }
   return result;
 }

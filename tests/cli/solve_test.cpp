@@ -188,6 +188,39 @@ TEST(Solve, WritesNetFluxesThatSumToZeroPerFaceAndPerGroup) {
   for (const auto& [half, total] : sum) EXPECT_NEAR(total, 0, 1e-14) << half;
   EXPECT_THAT(place.run("hottel solve open.json --grid 4x4 -o out").err, HasSubstr("net flux: "));
 
+  // With lights, sky and black backs have what these send them, in the plane and in space.
+  const std::string plane = R"({"hottel": 1, "dimension": 2, "materials": {"m": {"reflectivity": 0.5}},
+    "edges": [{"name": "floor", "points": [[1,0],[0,0]], "material": "m"},
+              {"name": "screen", "points": [[0,1],[0,0.5]], "material": "m"}],
+    "lights": [{"type": "point", "name": "bulb", "position": [0.5,0.5], "power": 8},
+               {"type": "spot", "name": "spot", "position": [-1,0.75], "direction": [1,0], "focus": 20, "power": 3}]})";
+  const std::string space = R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": [0.5,0.2,0]}},
+    "polygons": [{"name": "floor", "points": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], "material": "m"},
+                 {"name": "screen", "points": [[0,0,0.2],[0,1,0.2],[1,1,0.2],[1,0,0.2]], "material": "m"}],
+    "lights": [{"type": "point", "name": "bulb", "position": [0.5,0.5,0.1], "power": 8},
+               {"type": "point", "name": "above", "position": [0.5,0.5,2], "power": [3,2,1]}]})";
+  for (const std::string& lit : {plane, space}) {
+    place.write("lit.json", lit);
+    ASSERT_EQ(place.run("hottel solve lit.json --no-illumination -o out --quiet").code, 0);
+    std::map<std::string, double> of_half, sky;
+    bool has_dark_back = false;
+    for (const FluxLine& line : flux_lines(place.read("out/flux.csv"))) {
+      EXPECT_LE(line.lower, line.net) << line.name;
+      EXPECT_GE(line.upper, line.net) << line.name;
+      of_half[line.granularity + line.channel] += line.net;
+      if (line.granularity == "face" && line.name == "sky") sky[line.channel] = line.net;
+      has_dark_back |= line.name == "screen:back" && line.upper < 0;
+    }
+    EXPECT_TRUE(has_dark_back);
+    double to_sky = 0;
+    for (const auto& [channel, net] : sky) {
+      EXPECT_NEAR(of_half["face" + channel] + of_half["light" + channel], 0, 1e-12) << channel;
+      EXPECT_NEAR(of_half["group" + channel] + of_half["light" + channel], 0, 1e-12) << channel;
+      to_sky -= net;
+    }
+    EXPECT_NEAR(nlohmann::json::parse(place.read("out/report.json"))["energy"]["to_sky"].get<double>(), to_sky, 1e-12);
+  }
+
   // A polyline is one group; its net is that of its faces.
   place.write("room.json", square(R"({"reflectivity": "1/2"})"));
   ASSERT_EQ(place.run("hottel solve room.json --grid 4x4 -o out --quiet").code, 0);

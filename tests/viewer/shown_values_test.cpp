@@ -14,6 +14,8 @@
 #include "kernel/support/failure.h"
 #include "solver/radiosity/grey_temperature.h"
 #include "solver/space/simulation/simulation.h"
+#include "viewer/picture/canvas.h"
+#include "viewer/picture/colour_map.h"
 
 namespace hottel {
 namespace {
@@ -170,6 +172,66 @@ TEST(ShownValues, OfThreeChannelsAreTheirMeanOrOne) {
   EXPECT_THROW(Solved(kPlates).shown({Quantity::kIrradiance, "", 1}), UsageError);
   EXPECT_THROW(solved.shown({Quantity::kTemperature, "", 1}), UsageError);
   EXPECT_THROW(solved.shown({Quantity::kLight, "", 1}), UsageError);
+}
+
+// A closed cube in which every face sends out 1 and half of what it receives: all radiosities are 2, but for roundings.
+std::string closed_cube() {
+  return R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5, "emission": 1}}, "polygons": [
+    {"name": "b", "points": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], "material": "m", "elements": 3},
+    {"name": "t", "points": [[0,0,1],[0,1,1],[1,1,1],[1,0,1]], "material": "m", "elements": 3},
+    {"name": "s", "points": [[0,0,0],[0,0,1],[1,0,1],[1,0,0]], "material": "m", "elements": 3},
+    {"name": "n", "points": [[0,1,0],[1,1,0],[1,1,1],[0,1,1]], "material": "m", "elements": 3},
+    {"name": "w", "points": [[0,0,0],[0,1,0],[0,1,1],[0,0,1]], "material": "m", "elements": 3},
+    {"name": "e", "points": [[1,0,0],[1,0,1],[1,1,1],[1,1,0]], "material": "m", "elements": 3}]})";
+}
+
+TEST(ShownValues, RoundingsHaveOneColour) {
+  const Simulation3 simulation(parse_scene_3(closed_cube(), "cube.json"),
+                               {.factors = {.granularity = Granularity::kElement}});
+  for (const Quantity quantity : {Quantity::kRadiosity, Quantity::kIrradiance, Quantity::kNet}) {
+    const ShownValues shown =
+        shown_values({quantity}, simulation.scene(), simulation.factors()->matrix, *simulation.radiosities(), "W/m²");
+    EXPECT_EQ(shown.scale.lower, shown.scale.upper);
+    EXPECT_NEAR(shown.scale.lower, quantity == Quantity::kNet ? 0 : 2, 1e-10);
+    EXPECT_THAT(shown.title, testing::EndsWith(quantity == Quantity::kNet ? "]: 0" : "]: 2"));
+    const Colour one = scale_colour(shown.scale, *shown.elements[0]);
+    for (const auto& value : shown.elements)
+      if (value) {
+        EXPECT_EQ(pixel_of(scale_colour(shown.scale, *value)), pixel_of(one));
+      }
+  }
+}
+
+TEST(ShownValues, TakeTheScaleAskedFor) {
+  const Solved solved(kPlates);
+  const ShownValues own = solved.shown({Quantity::kRadiosity});
+  const auto asked = [&](const AskedScale& scale, Quantity quantity = Quantity::kRadiosity) {
+    return solved.shown({.quantity = quantity, .scale = scale});
+  };
+  EXPECT_EQ(asked({10, 20}).scale.lower, 10);
+  EXPECT_EQ(asked({10, 20}).scale.upper, 20);
+  EXPECT_THAT(asked({10, 20}).title, testing::EndsWith("radiosity [W/m²]: 10 to 20"));
+  EXPECT_EQ(asked({10, {}}).scale.upper, own.scale.upper);
+  EXPECT_EQ(asked({{}, 1e6}).scale.lower, own.scale.lower);
+  EXPECT_EQ(asked({1e9, {}}).scale.lower, 1e9) << "above all values";
+  EXPECT_EQ(asked({{}, 1e-9}).scale.upper, 1e-9) << "below all values";
+  EXPECT_EQ(asked({10, 20}).elements, own.elements);
+  const ShownValues logarithmic = asked({{}, {}, true});
+  EXPECT_TRUE(logarithmic.scale.logarithmic);
+  EXPECT_FALSE(logarithmic.scale.has_zero);
+  EXPECT_EQ(logarithmic.scale.lower, own.scale.lower);
+  const ShownValues toward = solved.shown({.quantity = Quantity::kFactor, .toward = "high", .scale = {{}, {}, true}});
+  EXPECT_TRUE(toward.scale.has_zero);
+  EXPECT_EQ(toward.scale.lower, *toward.elements[0]) << "the least above 0";
+  const ShownValues nothing =
+      solved.shown({.quantity = Quantity::kFactor, .toward = "high:back", .scale = {{}, {}, true}});
+  EXPECT_EQ(nothing.scale.position(1), 0);
+  EXPECT_THROW(asked({20, 10}), UsageError);
+  EXPECT_THROW(asked({10, 10}), UsageError);
+  EXPECT_THROW(asked({0, 10, true}), UsageError);
+  EXPECT_THROW(asked({{}, -1, true}), UsageError);
+  EXPECT_THROW(asked({{}, {}, true}, Quantity::kNet), UsageError);
+  EXPECT_THROW(asked({10, 20}, Quantity::kLight), UsageError);
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ Colour map_colour(double position) {
 
 double ColourScale::position(double value) const {
   HOTTEL_REQUIRE(lower <= upper && (!logarithmic || lower > 0));
-  if (!(value > lower)) return 0;
+  if (!(value > lower) || !(lower < upper)) return 0;
   if (value >= upper) return 1;
   if (logarithmic) return std::clamp(std::log(value / lower) / std::log(upper / lower), 0.0, 1.0);
   const double span = upper / 2 - lower / 2;  // halves: the difference of two doubles may overflow

@@ -65,6 +65,44 @@ std::vector<std::optional<double>> temperatures_of(const SceneTable& scene) {
   return result;
 }
 
+// The scale of values by what was asked for (5), (6); largest_radiosity: of all channels.
+ColourScale scale_of(const Shown& shown, const std::vector<std::optional<double>>& values, double largest_radiosity) {
+  ColourScale scale{.about_zero = shown.quantity == Quantity::kNet};
+  scale.logarithmic = shown.scale.is_logarithmic;
+  bool is_first = true;
+  for (const auto& value : values) {
+    if (!value) continue;
+    if (scale.logarithmic && !(*value > 0)) {
+      scale.has_zero = true;
+      continue;
+    }
+    scale.lower = is_first ? *value : std::min(scale.lower, *value);
+    scale.upper = is_first ? *value : std::max(scale.upper, *value);
+    is_first = false;
+  }
+  if (is_first && scale.logarithmic) scale.lower = 1;
+  const auto digits = [](double value) { return fmt::format("{:.6g}", value); };
+  if (scale.about_zero && std::max(-scale.lower, scale.upper) <= 1e-9 * largest_radiosity)
+    scale.lower = scale.upper = 0;
+  if (digits(scale.lower) == digits(scale.upper)) scale.upper = scale.lower;
+  if (const auto& lower = shown.scale.lower) {
+    scale.lower = *lower;
+    scale.upper = std::max(scale.upper, *lower);
+  }
+  if (const auto& upper = shown.scale.upper) {
+    scale.upper = *upper;
+    scale.lower = std::min(scale.lower, *upper);
+  }
+  return scale;
+}
+
+// "irradiance [W/m²]: 1.2 to 34.5".
+std::string title_of(const ShownValues& values) {
+  const auto& [lower, upper] = std::pair(values.scale.lower, values.scale.upper);
+  return values.name + (values.unit == "1" ? ": " : " [" + values.unit + "]: ") +
+         (lower < upper ? fmt::format("{:.6g} to {:.6g}", lower, upper) : fmt::format("{:.6g}", lower));
+}
+
 std::string name_of(const Shown& shown, const RadiositySolution& solution) {
   std::string name;
   switch (shown.quantity) {
@@ -103,6 +141,14 @@ void require_shown(const Shown& shown, const SceneTable& scene) {
     throw UsageError("--channel goes with --show radiosity, irradiance or net");
   if (shown.channel && channel_count(scene) == 1)
     throw UsageError(scene.file + " has one channel for all: there is no --channel to choose");
+  const auto& [lower, upper, is_logarithmic] = shown.scale;
+  if (shown.is_light() && (lower || upper || is_logarithmic))
+    throw UsageError("a picture of light has no scale: --bar goes with what else --show takes");
+  if (lower && upper && !(*lower < *upper)) throw UsageError("--bar: the first end has to be below the second one");
+  if (is_logarithmic && shown.quantity == Quantity::kNet)
+    throw UsageError("--bar: a net flux has a sign, so its scale is not logarithmic");
+  for (const auto& end : {lower, upper})
+    if (is_logarithmic && end && !(*end > 0)) throw UsageError("--bar: a logarithmic scale has its ends above 0");
   if (shown.quantity == Quantity::kFactor) targets_of(scene, shown.toward);
   if (shown.quantity != Quantity::kTemperature) return;
   const std::vector<std::optional<double>> temperatures = temperatures_of(scene);
@@ -145,19 +191,17 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
 
   ShownValues result;
   result.elements.resize(matrix.size());
-  bool is_first = true;
+  double largest_radiosity = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
-    if (matrix.has_row(i)) result.elements[i] = value(i);
-    if (!result.elements[i]) continue;
-    result.scale.lower = is_first ? *result.elements[i] : std::min(result.scale.lower, *result.elements[i]);
-    result.scale.upper = is_first ? *result.elements[i] : std::max(result.scale.upper, *result.elements[i]);
-    is_first = false;
+    if (!matrix.has_row(i)) continue;
+    result.elements[i] = value(i);
+    for (const ChannelSolution& channel : solution.channels)
+      largest_radiosity = std::max(largest_radiosity, channel.elements[i].radiosity);
   }
-  result.scale.about_zero = shown.quantity == Quantity::kNet;
+  result.scale = scale_of(shown, result.elements, largest_radiosity);
   result.name = name_of(shown, solution);
   result.unit = shown.quantity == Quantity::kFactor ? "1" : shown.quantity == Quantity::kTemperature ? "K" : unit;
-  result.title = fmt::format("{}{}: {:.6g} to {:.6g}", result.name, result.unit == "1" ? "" : " [" + result.unit + "]",
-                             result.scale.lower, result.scale.upper);
+  result.title = title_of(result);
   return result;
 }
 

@@ -16,11 +16,19 @@ namespace hottel {
 // kLight: the light itself, in its colours. All others: one number of each element, as a colour of a scale.
 enum class Quantity : unsigned char { kLight, kRadiosity, kIrradiance, kNet, kTemperature, kFactor };
 
+// The ends of a scale that were asked for. Values beyond have the colour of its end.
+struct AskedScale {
+  std::optional<double> lower{}, upper{};  // nothing: that of the values
+  bool is_logarithmic = false;
+  friend bool operator==(const AskedScale&, const AskedScale&) = default;
+};
+
 // What is asked for.
 struct Shown {
   Quantity quantity = Quantity::kLight;
   std::string toward{};                  // of kFactor: "sky", or what `factor:` names
   std::optional<std::size_t> channel{};  // of radiosity, irradiance, net; nothing: the mean of all
+  AskedScale scale{};
 
   bool is_light() const { return quantity == Quantity::kLight; }
   friend bool operator==(const Shown&, const Shown&) = default;
@@ -31,14 +39,15 @@ struct Shown {
 Shown shown_by(const std::string& word);
 
 // Throws UsageError where a scene has nothing of the kind: a temperature where no face is warm by its material or
-// insulated, a channel where there is one only, or of what has none; UnknownName for names that are not there. COST:
+// insulated, a channel where there is one only, or of what has none; for a scale whose ends are in the wrong order, or
+// a logarithmic one of a net flux or from 0 or less; UnknownName for names that are not there. COST:
 // some of the names.
 void require_shown(const Shown& shown, const SceneTable& scene);
 
 // Values as a picture shows them.
 struct ShownValues {
   std::vector<std::optional<double>> elements;  // by element of the matrix; nothing for those without a row or a value
-  ColourScale scale;                            // from the least value to the largest
+  ColourScale scale;                            // from the least value to the largest, or as asked
   std::string title;                            // of the scale, with unit and range: "irradiance [W/m²]: 1.2 to 34.5"
   std::string name, unit;                       // "irradiance", "W/m²"; "1" where there is none
 };
@@ -53,6 +62,10 @@ struct ShownValues {
 //   (3) a factor is the double of factors.csv from the element to the sky, to the face NAME or NAME:back, or the sum of
 //       those to the fronts of a group, or of all whose names begin with NAME*
 //   (4) the colours of a net flux part at 0: faces that gain and faces that lose are told apart at sight
+//   (5) values that six digits do not tell apart have one colour, and so have net fluxes below 1e-9 of the largest
+//       radiosity: the scale is empty then (lower == upper). So are roundings and what a tolerance leaves no pattern
+//   (6) the ends of the scale are those asked for, where some are, whatever the values; a logarithmic one begins at the
+//       least value above 0
 //
 // `unit`: of radiosities. REQUIRES what require_shown takes; the solution of this matrix, of this scene.
 ShownValues shown_values(const Shown& shown, const SceneTable& scene, const ExchangeMatrix& matrix,

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -202,6 +203,46 @@ TEST(CameraView3, AnEyeInASolidIsRefused) {
   const Camera3 chosen = default_camera_3(*simulation.prepared());
   EXPECT_EQ(camera_problem(chosen), "");
   EXPECT_GT(sum(view(simulation, chosen)), -1);
+}
+
+// A box from corner to corner, its faces as the front of a room or of a solid.
+std::string box(const std::string& name, const std::array<double, 6>& b, bool is_room) {
+  std::string text;
+  constexpr int kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (int face = 0; face < 6; ++face) {
+    text += ", {\"name\": \"" + name + std::to_string(face) + "\", \"group\": \"" + name + "\", \"points\": [";
+    for (int k = 0; k < 4; ++k) {
+      const int corner = kFaces[face][is_room ? 3 - k : k];
+      const auto at = [&](int axis) {
+        return std::to_string(b[static_cast<std::size_t>(axis + (corner >> axis & 1) * 3)]);
+      };
+      text += (k == 0 ? "[" : ", [") + at(0) + ", " + at(1) + ", " + at(2) + "]";
+    }
+    text += "], \"material\": \"m\"}";
+  }
+  return text;
+}
+
+// What stands in the middle of a room, or hides its middle, keeps no camera out of the room.
+TEST(CameraView3, ACameraIsChosenWhereThereIsLight) {
+  const std::string room = box("room", {0, 0, 0, 6, 6, 6}, true);
+  for (const std::string& inside : {box("pillar", {2.7, 2.7, 0, 3.3, 3.3, 6}, false),  // a solid
+                                    box("screen", {1, 1, 1, 5, 5, 5}, false),          // a large one
+                                    box("inside", {2, 2, 2, 4, 4, 4}, true)}) {  // a room in the room, of one side
+    const Simulation3 simulation = simulation_of(parse_scene_3(
+        R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5, "emission": 1}}, "polygons": [)" +
+            (room + inside).substr(2) + "]}",
+        "room.json"));
+    Camera3 camera = default_camera_3(*simulation.prepared());
+    for (const Rational& at : {camera.eye.x, camera.eye.y, camera.eye.z}) {
+      EXPECT_GT(at, 0);
+      EXPECT_LT(at, 6);
+    }
+    camera.width = camera.height = 24;
+    int lit = 0;
+    for (const double value : view(simulation, camera).values) lit += value > 0.5;
+    EXPECT_GT(lit, 24 * 24 / 2) << inside;
+  }
 }
 
 TEST(RenderPicture3, IsAPngOfTheSizeAskedFor) {

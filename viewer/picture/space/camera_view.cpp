@@ -74,6 +74,23 @@ PixelValues3 camera_view_3(const PreparedScene3& prepared, Granularity granulari
   return camera_view_3({prepared, table, paint}, camera);
 }
 
+namespace {
+
+// Where an eye may stand: within what surrounds it, under the sky, or in a solid or behind walls.
+enum class Place : unsigned char { kRoom, kOpen, kHidden };
+
+Place place_of(const PreparedScene3& prepared, const Point3& eye) {
+  if (prepared.arrangement().solids().around(eye)) return Place::kHidden;
+  const PointMap3 map = map_from(prepared.blockers(), {.eye = eye, .normal = {}});
+  if (map.sky_fraction >= 0.5) return Place::kOpen;
+  double lit = 0;
+  for (const PointMap3::Share& share : map.shares)
+    if (prepared.scene.surfaces[share.face.surface].material_of(share.face.is_back)) lit += share.fraction;
+  return lit >= 0.5 ? Place::kRoom : Place::kHidden;
+}
+
+}  // namespace
+
 Camera3 default_camera_3(const PreparedScene3& prepared) {
   Camera3 camera;
   if (prepared.scene.polygons.empty()) {
@@ -91,16 +108,19 @@ Camera3 default_camera_3(const PreparedScene3& prepared) {
     return Point3{low.x + x * (high.x - low.x), low.y + y * (high.y - low.y), low.z + z * (high.z - low.z)};
   };
   const Rational half(1, 2);
-  const Solids3& solids = prepared.arrangement().solids();
   const Point3 middle = between(half, half, half);
-  if (!solids.around(middle) && map_from(prepared.blockers(), {.eye = middle, .normal = {}}).sky_fraction < 0.5) {
+  if (const Place place = place_of(prepared, middle); place != Place::kOpen) {
     camera.field_of_view = 75;
     camera.target = between(half, half, Rational(2, 5));
-    for (const Rational& y : {Rational(1, 33), Rational(1, 9), Rational(1, 5), Rational(1, 3)}) {
-      camera.eye = between(Rational(4, 9), y, Rational(3, 5));
-      if (!solids.around(camera.eye)) break;
+    using Spot = std::array<Rational, 2>;
+    const Rational aside(4, 9), near(1, 9), far(8, 9);
+    for (const auto& [x, y] :
+         {Spot{aside, Rational(1, 33)}, Spot{aside, near}, Spot{aside, Rational(1, 5)}, Spot{aside, Rational(1, 3)},
+          Spot{near, near}, Spot{far, near}, Spot{near, far}, Spot{far, far}}) {
+      camera.eye = between(x, y, Rational(3, 5));
+      if (place_of(prepared, camera.eye) == Place::kRoom) return camera;
     }
-    return camera;
+    camera.field_of_view = Camera3().field_of_view;
   }
   Rational size;
   for (const Rational& side : {Rational(high.x - low.x), Rational(high.y - low.y), Rational(high.z - low.z)})

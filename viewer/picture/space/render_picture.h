@@ -58,6 +58,7 @@ class RenderedView3 {
 
   // Returns the bytes of a file. COST: of shapes once more that of the map.
   std::string file(PictureFormat format) const;
+  const Camera3& camera() const { return camera_; }
   // Draws as shapes. REQUIRES a canvas of width() by height().
   void draw(PictureCanvas& canvas) const;
 
