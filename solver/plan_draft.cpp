@@ -67,7 +67,7 @@ void PlanDraft::add_channels() {
 
 void PlanDraft::add_interreflection(double unknowns, double entries) {
   // Factored, or by conjugate gradients; and the certificate of each unknown.
-  const double seconds = std::min(std::pow(unknowns, 3) / 3 * 6e-10, entries * 4e-7) + unknowns * 1e-5;
+  const double seconds = std::min(std::pow(unknowns, 3) / 3 * 6e-10, entries * 2e-7) + unknowns * 1e-5;
   add(Plan::kInterreflection, reflects(), "some faces reflect", "every reflectivity is 0: radiosity is emission",
       seconds);
 }

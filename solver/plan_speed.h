@@ -5,7 +5,15 @@
 
 namespace hottel {
 
-// Returns the plan with all estimates times `slowness`: 2 on a machine half as fast. REQUIRES slowness > 0.
-Plan plan_at_speed(const Plan& plan, double slowness);
+// slowness: 2 where a core is half as fast as one of the machine of the constants.
+struct MachineSpeed {
+  double slowness = 1;
+  int threads = 1;
+};
+
+// Returns the plan with all estimates times the slowness, and those of what works on all threads (exchange, occlusion,
+// sky, illumination) divided by their number, but for a tenth that one thread does. REQUIRES slowness > 0, threads
+// >= 1.
+Plan plan_at_speed(const Plan& plan, const MachineSpeed& speed);
 
 }  // namespace hottel

@@ -10,6 +10,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
 
 namespace hottel {
 
@@ -37,6 +40,12 @@ void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFun
 }
 
 }  // namespace detail
+
+int threads_allowed() {
+  const auto limit = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return std::min(static_cast<int>(limit), tbb::this_task_arena::max_concurrency());
+}
+
 }  // namespace hottel
 
 #else
@@ -94,6 +103,9 @@ void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFun
 }
 
 }  // namespace detail
+
+int threads_allowed() { return allowed; }
+
 }  // namespace hottel
 
 #endif

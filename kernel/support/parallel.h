@@ -37,6 +37,9 @@ class ThreadLimit {
   std::unique_ptr<Limit> limit_;
 };
 
+// How many threads may work, this one included: those of the machine, or what a ThreadLimit leaves.
+int threads_allowed();
+
 namespace detail {
 using RangeFunction = void (*)(const void* function, std::size_t begin, std::size_t end);
 void run_ranges(std::size_t n, std::size_t grain, const void* function, RangeFunction call);

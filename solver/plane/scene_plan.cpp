@@ -1,7 +1,9 @@
 #include "solver/plane/scene_plan.h"
 
-#include <algorithm>
+#include <cmath>
 
+#include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/scene/moving_lights.h"
 #include "kernel/support/counted.h"
 #include "solver/plan_draft.h"
@@ -9,43 +11,40 @@
 namespace hottel {
 namespace {
 
-// What the showcase and generated scenes take, on one core of the machine of benchmarks/results. What is seen in a
-// scene with something between hardly depends on how large it is.
-constexpr double kSecondsPerRow = 2.5e-5;  // of factors, where something may hide others
-constexpr double kSecondsPerCell = 1.0e-7;
-constexpr double kSecondsPerCellAndSeen = 2.0e-8;
+// What the showcase and generated scenes take, on one core of the machine of benchmarks/results.
+constexpr double kSecondsPerVertex = 5.0e-6;  // of the arrangement
+constexpr double kSecondsPerPair = 1.2e-6;    // of factors, where something may hide others
+constexpr double kSecondsPerCell = 2.0e-7;
+constexpr double kSecondsPerCellAndSeen = 1.2e-8;
+constexpr double kSeenTogether = 220;  // cells near each other share less of what they see where more of it hides
 constexpr double kSecondsPerShare = 1.0e-5;
-constexpr double kSecondsPerPicture = 0.18;  // of the usual size
-constexpr double kSeenFromAPlace = 50, kSeenFromAFace = 32;
-
-// Elements that have a row.
-double rows_of(const Scene2& scene) {
-  double rows = 0;
-  for (const Surface& surface : scene.surfaces)
-    for (const bool is_back : {false, true})
-      if (surface.material_of(is_back)) rows += surface.elements;
-  return rows;
-}
+constexpr double kSecondsPerPicture = 0.12;  // of the usual size
+constexpr std::uint64_t kSample = 64;
 
 }  // namespace
 
-Plan plan_scene(const Scene2& scene, const PlanRequest& request) {
-  const double n = rows_of(scene);
+Plan plan_scene(const PreparedScene2& prepared, const PlanRequest& request) {
+  const Scene2& scene = prepared.scene;
+  const ElementTable2 table(scene, prepared.arrangement, prepared.division, Granularity::kElement);
+  double n = 0;
+  for (std::uint32_t label = 0; label < table.count(); ++label) n += table.has_row(label);
+  const auto vertices = static_cast<double>(prepared.arrangement.vertices().size());
   const bool is_convex = is_convex_room(scene);
-  const double seen_from_a_face = is_convex ? n : std::min(n, kSeenFromAFace);
-  const double seen_from_a_place = is_convex ? n : std::min(n, kSeenFromAPlace);
+  const SightEstimate2 sight = is_convex ? SightEstimate2() : estimated_sight(prepared.arrangement, table, kSample);
+  const double pairs = is_convex ? n * n / 2 : static_cast<double>(sight.pairs);
+  const double seen = is_convex ? n : sight.seen * (1 + std::pow(sight.seen_typed / kSeenTogether, 2));
   const auto cells = static_cast<double>(request.grid_cells);
   PlanDraft draft(scene, request, {.one = "edge", .across = "along edges"});
   draft.add(Plan::kOcclusion, !is_convex, draft.count_text(scene.surfaces.size()) + " that may hide each other",
-            "one convex room: nothing can hide anything", n * kSecondsPerRow);
+            "one convex room: nothing can hide anything", vertices * kSecondsPerVertex + pairs * kSecondsPerPair);
   draft.add_back_faces();
   draft.add_sky(is_convex, 0);
   draft.add_subdivision();
   draft.add_channels();
-  draft.add_interreflection(n, n * seen_from_a_face);
+  draft.add_interreflection(n, 2 * pairs);
   draft.add_unreachable(is_convex);
   draft.add(Plan::kIllumination, request.grid_cells > 0, counted(request.grid_cells, "cell"), "no grid is asked for",
-            cells * (kSecondsPerCell + seen_from_a_place * kSecondsPerCellAndSeen));
+            cells * (kSecondsPerCell + seen * kSecondsPerCellAndSeen));
   draft.add_as_asked(Plan::kPicture, request.grid_cells > 0, "the light in the rooms", "no grid is asked for",
                      kSecondsPerPicture);
   draft.add_lights(n * kSecondsPerShare);

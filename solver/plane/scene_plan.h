@@ -1,15 +1,16 @@
 // The plan of a scene in the plane.
 #pragma once
 
-#include "geometry/plane/scene/scene.h"
+#include "geometry/plane/arrangement/prepared_scene.h"
 #include "solver/plan.h"
 
 namespace hottel {
 
 // Returns which effects a scene in the plane calls for, one convex room being told from others exactly. Seconds are
-// rough: from the showcase scenes, by the number of elements that have a row; within a factor of 3 there, and of
-// clutter. A convex room has its factors in no effect: they cost less than all else. COST: O(n) exact operations;
-// nothing is computed of the light itself.
-Plan plan_scene(const Scene2& scene, const PlanRequest& request);
+// rough, of one core: from how many vertices some vertices see, and how many pairs that makes; within a factor of 3 in
+// the showcase scenes and in clutter. A convex room has its factors in no effect: they cost less than all else.
+// REQUIRES a scene prepared with its elements (Divided2::kYes), where it has any.
+// COST: O(n), and the views from 64 vertices; nothing is computed of the light itself.
+Plan plan_scene(const PreparedScene2& prepared, const PlanRequest& request);
 
 }  // namespace hottel

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
 #include "geometry/space/arrangement/arrangement.h"
 #include "geometry/space/arrangement/nothing_between.h"
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/facing.h"
+#include "geometry/space/exchange/pair_measure.h"
 #include "geometry/space/scene/division.h"
 #include "geometry/space/scene/moving_lights.h"
 #include "kernel/support/counted.h"
@@ -18,18 +18,18 @@
 namespace hottel {
 namespace {
 
-// What the rooms of scenes/space take, on one core: a pair that face each other with nothing there; an element and the
-// sky; and what is more where something may stand between, by polygon and root of the number of pairs: divided faces
-// have more pairs, of which most are clear or hidden, as only outlines and shadows cut them.
+// What the rooms of scenes/space take, on one core: a pair that face each other with nothing there; what is more where
+// something may stand between, and for the square of how many surfaces may.
 constexpr double kSecondsPerPair = 2.0e-5;
-constexpr double kSecondsPerSky = 1.0e-3;
-constexpr double kSecondsPerHiding = 3.0e-4;
+constexpr double kSecondsPerMixed = 1.0e-4;
+constexpr double kSecondsPerBetween = 2.0e-5;
 constexpr double kSecondsPerMap = 3.0e-6;    // of a cell, by polygon
 constexpr double kSecondsPerPart = 1.0e-6;   // of a cell, by element
 constexpr double kSecondsPerShare = 1.0e-4;  // of a light, by polygon
 constexpr double kSecondsPerPixel = 1.5e-7;
-// Pairs of faces that are looked at to tell how many face each other.
-constexpr std::size_t kMostLookedAt = 2000;
+// Pairs of faces that are looked at to tell how many face each other; pairs of elements, and elements under the sky, of
+// which is asked what stands between.
+constexpr std::size_t kMostLookedAt = 2000, kMostAsked = 200, kMostUnderSky = 24;
 
 // The faces of a scene, and how many elements each is divided into.
 class Faces {
@@ -81,6 +81,60 @@ class Faces {
   std::uint64_t rows_ = 0;
 };
 
+// What elements cost where something may stand between, from some of them.
+class Hiding {
+ public:
+  explicit Hiding(const PreparedScene3& prepared)
+      : prepared_(prepared),
+        table_(prepared.scene, prepared.arrangement(), prepared.blockers(),
+               is_divided(prepared.scene) ? Granularity::kElement : Granularity::kFace) {
+    for (std::uint32_t label = 0; label < table_.count(); ++label)
+      if (!table_.parts(label).empty()) there_.push_back(label);
+  }
+
+  // Of a pair of elements that face each other.
+  double seconds_of_a_pair() const {
+    std::mt19937_64 random(1);
+    double seconds = 0;
+    std::size_t facing = 0;
+    for (std::size_t k = 0; there_.size() > 1 && k < kMostLookedAt && facing < kMostAsked; ++k) {
+      const std::uint32_t i = there_[random() % there_.size()], j = there_[random() % there_.size()];
+      if (i == j || !(table_.has_row(i) || table_.has_row(j))) continue;
+      if (!face_each_other(prepared_.blockers(), table_.parts(i).front(), table_.parts(j).front())) continue;
+      ++facing;
+      seconds += seconds_of(table_.parts(i).front(), table_.parts(j).front()) *
+                 static_cast<double>(table_.parts(i).size() * table_.parts(j).size());
+    }
+    return facing == 0 ? 0 : seconds / static_cast<double>(facing);
+  }
+
+  // Of an element with a row and the walls that stand for the sky.
+  double seconds_under_sky() const {
+    std::mt19937_64 random(2);
+    double seconds = 0;
+    std::size_t asked = 0;
+    for (std::size_t k = 0; !there_.empty() && k < kMostLookedAt && asked < kMostUnderSky; ++k) {
+      const std::uint32_t i = there_[random() % there_.size()];
+      if (!table_.has_row(i)) continue;
+      ++asked;
+      for (const ElementTable3::Part& part : table_.parts(i))
+        for (const ElementTable3::Part& wall : table_.parts(table_.sky()))
+          seconds += kSecondsPerPair + seconds_of(part, wall);
+    }
+    return asked == 0 ? 0 : seconds / static_cast<double>(asked);
+  }
+
+ private:
+  double seconds_of(const ElementTable3::Part& i, const ElementTable3::Part& j) const {
+    const auto between = static_cast<double>(prepared_.measurer().count_between(i.patch, j.patch));
+    return between > 0 ? kSecondsPerMixed + between * between * kSecondsPerBetween : 0;
+  }
+
+  const PreparedScene3& prepared_;
+  ElementTable3 table_;
+  std::vector<std::uint32_t> there_;  // labels that have an area
+};
+
 std::string short_count(double count) {
   return count < 1e6 ? fmt::format("{:.0f}", count) : fmt::format("{:.2g}", count);
 }
@@ -109,14 +163,16 @@ void add_light(const Scene3& scene, const PlanRequest& request, std::uint64_t ro
 
 }  // namespace
 
-Plan plan_scene(const Scene3& scene, const PlanRequest& request) {
-  const Arrangement3 arrangement(scene);
-  const Blockers3 blockers(arrangement.polygons());
+Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request) {
+  const Scene3& scene = prepared.scene;
+  const Arrangement3& arrangement = prepared.arrangement();
+  const Blockers3& blockers = prepared.blockers();
   const Faces faces(scene, arrangement, blockers);
   const bool is_plain = arrangement.is_plain(), is_empty = scene.surfaces.empty();
   const bool is_room = is_plain && is_convex_room(scene, blockers);
   const bool hides = !is_room && !(is_plain && faces_nothing(scene, blockers));
   const double pairs = faces.facing_pairs();
+  const Hiding hiding(prepared);
   PlanDraft draft(scene, request, {.one = "polygon", .across = "across polygons"});
   draft.add(Plan::kExchange, !is_empty,
             fmt::format("{}, about {} pairs that face each other", counted(faces.rows(), "row"), short_count(pairs)),
@@ -125,9 +181,9 @@ Plan plan_scene(const Scene3& scene, const PlanRequest& request) {
             is_empty  ? "the scene is empty"
             : is_room ? "one convex room: nothing can hide anything"
                       : "no face has anything before it",
-            static_cast<double>(scene.surfaces.size()) * std::sqrt(pairs) * kSecondsPerHiding);
+            hides ? pairs * hiding.seconds_of_a_pair() : 0);
   draft.add_back_faces();
-  draft.add_sky(is_room, static_cast<double>(faces.rows()) * kSecondsPerSky);
+  draft.add_sky(is_room, is_room ? 0 : static_cast<double>(faces.rows()) * hiding.seconds_under_sky());
   draft.add_subdivision();
   add_groups(scene, draft);
   draft.add_channels();

@@ -1,7 +1,7 @@
 // The plan of a scene in space.
 #pragma once
 
-#include "geometry/space/scene/scene.h"
+#include "geometry/space/exchange/prepared_scene.h"
 #include "solver/plan.h"
 
 namespace hottel {
@@ -10,13 +10,11 @@ namespace hottel {
 // that have nothing before them.
 //
 //   (1) rows are those of elements where some polygon is divided, else those of faces
-//   (2) what this version does not simulate in space is not used, whatever is asked for, and the reason says so:
-//       interreflection, unreachable components, illumination, picture, lights
-//   (3) seconds are rough: by the pairs that face each other, of which some are looked at, and what such pairs take in
-//       rooms with boxes
+//   (2) light between the faces is used where a grid is asked for, a picture wherever there is a polygon
+//   (3) seconds are rough, of one core: by the pairs that face each other, of which some are looked at, and by how many
+//       surfaces may stand between some of these, and between some elements and the sky
 //
-// REQUIRES: a valid scene (validate). COST: about 10 microseconds a polygon, and as nothing_between.h says; nothing is
-// computed of the light itself.
-Plan plan_scene(const Scene3& scene, const PlanRequest& request);
+// COST: as nothing_between.h says, and some milliseconds; nothing is computed of the light itself.
+Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request);
 
 }  // namespace hottel

@@ -51,6 +51,16 @@ Arithmetic arithmetic_here() {
   return {one + tiny == 1 && std::fegetround() == FE_TONEAREST, smallest / 2 > 0};
 }
 
+TEST(Parallel, TellsHowManyThreadsMayWork) {
+  const int all = threads_allowed();
+  EXPECT_GE(all, 1);
+  {
+    const ThreadLimit one(1), many(1000);
+    EXPECT_EQ(threads_allowed(), 1);
+  }
+  EXPECT_EQ(threads_allowed(), all);
+}
+
 TEST(Parallel, RoundsToNearestAndKeepsSubnormalsOnEveryThread) {
   const unsigned saved = control();
   const int saved_round = std::fegetround();

@@ -40,6 +40,8 @@ class Arrangement2 {
   Arrangement2 cut_into(const Scene2& scene, const Division2& division) const;
 
   const Vertices2& vertices() const { return overlay_.vertices; }
+  // How many of them, the first ones, are ends of surfaces as they were typed; crossings and cuts come after.
+  std::size_t typed_points() const { return typed_points_; }
   const std::vector<Segment2>& pieces() const { return overlay_.pieces; }
   const Triangulation2& triangulation() const { return triangulation_; }
   const Solids2& solids() const { return solids_; }

@@ -90,7 +90,7 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
   std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();
   if (request.memory > 0) {
     most_pairs = request.memory / kBytesPerPair;
-    const std::uint64_t pairs = sweeps ? estimated_pairs(arrangement, table) : count_all_pairs(table);
+    const std::uint64_t pairs = sweeps ? estimated_sight(arrangement, table).pairs : count_all_pairs(table);
     if (pairs > most_pairs)
       throw RequestError("about " + std::to_string(pairs) + " visible pairs need about " +
                          std::to_string(pairs * kBytesPerPair) + " bytes; allowed are " +

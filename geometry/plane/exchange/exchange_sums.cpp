@@ -60,24 +60,28 @@ std::vector<PairSum2> sum_visible_pairs(const Arrangement2& arrangement, const E
   return result;
 }
 
-std::uint64_t estimated_pairs(const Arrangement2& arrangement, const ElementTable2& table) {
+SightEstimate2 estimated_sight(const Arrangement2& arrangement, const ElementTable2& table, std::uint64_t most) {
   // Pairs that see each other through one opening have four terms; there are few with less.
   constexpr std::uint64_t kTermsPerPair = 4;
-  constexpr std::uint64_t kSample = 256;
   const std::uint64_t n = arrangement.vertices().size();
   std::mt19937_64 random(1);
-  const std::uint64_t sample = std::min(kSample, n);
-  std::uint64_t terms = 0;
+  const std::uint64_t sample = std::min(most, n);
+  if (sample == 0) return {};
+  std::uint64_t terms = 0, seen = 0, seen_typed = 0;
   View2 view;
   for (std::uint64_t k = 0; k < sample; ++k) {
     const auto v = VertexId(sample == n ? k : random() % n);
     look_around(arrangement.vertices(), arrangement.triangulation(), v, view);
+    seen += view.seen.size();
+    seen_typed += static_cast<std::uint64_t>(std::ranges::count_if(
+        view.seen, [&](const View2::Seen& s) { return s.vertex.index() < arrangement.typed_points(); }));
     // Every gap is met from both its ends: half of it belongs to this one.
     for_each_gap(arrangement.vertices(), v, view, false, [&](const Gap2& gap) {
       for_each_term(gap, table, [&terms](std::uint32_t, std::uint32_t, int) { ++terms; });
     });
   }
-  return sample == 0 ? 0 : terms * n / (2 * kTermsPerPair * sample);
+  const auto each = [sample](std::uint64_t sum) { return static_cast<double>(sum) / static_cast<double>(sample); };
+  return {terms * n / (2 * kTermsPerPair * sample), each(seen), each(seen_typed)};
 }
 
 Int128 closure_defect(const std::vector<PairSum2>& pairs, const ElementTable2& table) {

@@ -39,9 +39,16 @@ std::vector<PairSum2> sum_visible_pairs(const Arrangement2& arrangement, const E
 // backs, where both directions have a row; benchmarks/factors).
 inline constexpr std::uint64_t kBytesPerPair = 200;
 
-// Returns about how many visible pairs there are, from the sweeps about 256 vertices drawn by a fixed seed, or about
-// all of them where there are fewer. The same scene always gives the same estimate. It may be wrong either way.
-std::uint64_t estimated_pairs(const Arrangement2& arrangement, const ElementTable2& table);
+// What the sweeps about some vertices tell of a scene.
+struct SightEstimate2 {
+  std::uint64_t pairs = 0;  // about so many see each other
+  double seen = 0;          // vertices seen from a vertex, on average
+  double seen_typed = 0;    // of these, ends of edges as they were typed
+};
+
+// Estimates from `most` vertices drawn by a fixed seed, or from all of them where there are fewer. The same scene always
+// gives the same estimate. It may be wrong either way.
+SightEstimate2 estimated_sight(const Arrangement2& arrangement, const ElementTable2& table, std::uint64_t most = 256);
 
 // Checks property (2) of sum_visible_pairs as an identity of integers. Returns the largest defect of a row, in units
 // of Vertices2::fixed_unit(): 0 when it holds.

@@ -175,6 +175,14 @@ PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const Pair
   return halves.problem.empty() ? halves : whole;
 }
 
+std::size_t PairMeasurer3::count_between(const Patch3& i, const Patch3& j) const {
+  const DefaultFloatingPoint environment;
+  Patch3 copies[2];
+  const PairSetting3 setting(prepared_->blockers, prepared_->boxes, prepared_->placed(i, copies[0]),
+                             prepared_->placed(j, copies[1]));
+  return setting.sight == Sight3::kMixed ? setting.bodies.bodies.size() - 2 : 0;
+}
+
 // What the halves of a patch cost with the other one, about: the squares of the numbers of surfaces between.
 double PairMeasurer3::work_in_halves(const Patch3& i, const Patch3& j, bool cuts_first) const {
   double work = 0;

@@ -32,6 +32,10 @@ class PairMeasurer3 {
   PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request = {},
                        PairDetails3* details = nullptr) const;
 
+  // Returns how many surfaces may stand between two patches: 0 where the pair is hidden or clear. What such a pair
+  // costs grows with it. COST: some 10 microseconds.
+  std::size_t count_between(const Patch3& i, const Patch3& j) const;
+
  private:
   // `cuts`: how often patches may still be cut.
   PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request, int cuts,

@@ -213,7 +213,7 @@ struct PictureInput {
 };
 
 struct PlanInput {
-  ScenePtr scene;
+  StagePtr<PreparedScene2> prepared;
   PlanRequest request;
   friend bool operator==(const PlanInput&, const PlanInput&) = default;
 };
@@ -401,11 +401,13 @@ Simulation2::Version::Version(ScenePtr its_scene, SimulationRequest2 its_request
   grid = request.grid ? *request.grid : keeps_grid ? before->grid : default_grid(*scene);
   granularity = request.granularity.value_or(is_divided(*scene) || request.everything ? Granularity::kElement
                                                                                       : Granularity::kFace);
+  set_arrangements(before);
   const PlanRequest of_plan{request.everything,
                             request.wants_light ? std::uint64_t{grid.nx} * grid.ny : std::uint64_t{0}};
-  plan = node_of("plan", PlanInput{scene, of_plan}, old(before, &Version::plan),
-                 [](const PlanInput& input, const StageProgress&) { return plan_scene(*input.scene, input.request); });
-  set_arrangements(before);
+  plan = node_of("plan", PlanInput{parted.stage, of_plan}, old(before, &Version::plan),
+                 [](const PlanInput& input, const StageProgress& progress) {
+                   return plan_scene(*input.prepared->get(progress), input.request);
+                 });
   set_factors(before);
   set_light(before);
   set_findings(before);

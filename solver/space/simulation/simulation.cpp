@@ -121,9 +121,10 @@ bool are_lit_alike(const Scene3& a, const Scene3& b) {
   return true;
 }
 
-StagePtr<Plan> plan_stage(const ScenePtr& scene, const PlanRequest& request) {
-  return std::make_shared<Stage<Plan>>("plan",
-                                       [scene, request](const StageProgress&) { return plan_scene(*scene, request); });
+StagePtr<Plan> plan_stage(const StagePtr<PreparedScene3>& prepared, const PlanRequest& request) {
+  return std::make_shared<Stage<Plan>>("plan", [prepared, request](const StageProgress& progress) {
+    return plan_scene(*prepared->get(progress), request);
+  });
 }
 
 }  // namespace
@@ -152,9 +153,9 @@ struct Simulation3::Version {
     const bool keeps_factors = other != nullptr && other->request.factors == request.factors;
     const bool keeps_lights = keeps_factors && other->request.lights == request.lights;
     const bool keeps_system = keeps_factors && other->request.system == request.system;
-    plan = other != nullptr && other->request.plan == request.plan ? other->plan : plan_stage(scene, request.plan);
     arranged = other != nullptr ? other->arranged : prepared_stage(scene);
     prepared = other != nullptr ? other->prepared : arranged;
+    plan = other != nullptr && other->request.plan == request.plan ? other->plan : plan_stage(prepared, request.plan);
     if (keeps_factors) {
       measured = other->measured;
       factors = other->factors;
@@ -178,13 +179,13 @@ struct Simulation3::Version {
 
   // Of another scene.
   Version(const Version& other, ScenePtr its_scene) : scene(std::move(its_scene)), request(other.request) {
-    plan = plan_stage(scene, request.plan);
     const bool has_same_shape = is_same_shape(*other.scene, *scene);
     const bool are_alike = has_same_shape && are_alike_as_before_3(other.scene->materials, scene->materials);
     const bool has_same_elements =
         has_same_shape && std::ranges::equal(other.scene->surfaces, scene->surfaces, &Surface::is_divided_alike);
     arranged = are_alike ? other.arranged : prepared_stage(scene);
     prepared = are_alike ? prepared_stage(scene, arranged) : arranged;
+    plan = plan_stage(prepared, request.plan);
     if (!has_same_elements) {
       set_factors();
     } else if (are_alike) {

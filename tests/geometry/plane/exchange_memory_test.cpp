@@ -18,7 +18,7 @@ class ExchangeMemory : public testing::Test {
  protected:
   const PreparedScene2 prepared_ = prepare(generated("comb", 300, 5));
   const ElementTable2 table_{prepared_.scene, prepared_.arrangement, prepared_.division, Granularity::kFace};
-  const std::uint64_t foreseen_ = estimated_pairs(prepared_.arrangement, table_);
+  const std::uint64_t foreseen_ = estimated_sight(prepared_.arrangement, table_).pairs;
   const std::uint64_t pairs_ = count();
 
   std::uint64_t count() const {

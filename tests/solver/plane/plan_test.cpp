@@ -51,8 +51,8 @@ TEST(Plan, WithoutOcclusionKnowsItsPairsWithoutLooking) {
 }
 
 TEST(Plan, AtAnotherSpeedHasAllSecondsTimesIt) {
-  const Plan plan = plan_scene(analytic_scene("furnace"), {.everything = false, .grid_cells = 1000});
-  const Plan slower = plan_at_speed(plan, 2.5);
+  const Plan plan = plan_scene(prepare(analytic_scene("furnace")), {.everything = false, .grid_cells = 1000});
+  const Plan slower = plan_at_speed(plan, {.slowness = 2.5});
   ASSERT_EQ(plan.effects().size(), slower.effects().size());
   double sum = 0;
   for (std::size_t k = 0; k < plan.effects().size(); ++k) {
@@ -62,20 +62,40 @@ TEST(Plan, AtAnotherSpeedHasAllSecondsTimesIt) {
     sum += plan.effects()[k].seconds_estimate;
   }
   EXPECT_GT(sum, 0);
-  EXPECT_THROW(plan_at_speed(plan, 0), ContractViolation);
+  EXPECT_THROW(plan_at_speed(plan, {.slowness = 0}), ContractViolation);
+}
+
+// What works on all threads takes a part of the time.
+TEST(Plan, OnSeveralThreadsTakesLess) {
+  const Plan plan = plan_scene(prepare(analytic_scene("furnace")), {.everything = true, .grid_cells = 1000});
+  const Plan shared = plan_at_speed(plan, {.slowness = 1, .threads = 4});
+  double least = 1, most = 0;
+  for (std::size_t k = 0; k < plan.effects().size(); ++k) {
+    const double alone = plan.effects()[k].seconds_estimate;
+    if (alone == 0) continue;
+    const double part = shared.effects()[k].seconds_estimate / alone;
+    EXPECT_EQ(part < 1, plan.effects()[k].effect == Plan::kOcclusion || plan.effects()[k].effect == Plan::kIllumination)
+        << plan.effects()[k].effect;
+    least = std::min(least, part);
+    most = std::max(most, part);
+  }
+  EXPECT_GT(least, 0.25);
+  EXPECT_LT(least, 0.5);
+  EXPECT_EQ(most, 1);
+  EXPECT_THROW(plan_at_speed(plan, {.slowness = 1, .threads = 0}), ContractViolation);
 }
 
 // A picture of the light where there is light to draw.
 TEST(Plan, ReckonsWithThePictureOfAGrid) {
-  EXPECT_TRUE(plan_scene(convex_polygon(5), {.everything = false, .grid_cells = 4}).uses(Plan::kPicture));
-  EXPECT_FALSE(plan_scene(convex_polygon(5), {}).uses(Plan::kPicture));
+  EXPECT_TRUE(plan_scene(prepare(convex_polygon(5)), {.everything = false, .grid_cells = 4}).uses(Plan::kPicture));
+  EXPECT_FALSE(plan_scene(prepare(convex_polygon(5)), {}).uses(Plan::kPicture));
 }
 
 TEST(Plan, WithoutInterreflectionSolvesNothing) {
   Scene2 scene = analytic_scene("square_radiosity");
   EXPECT_EQ(ExactScene(scene).solve().factorizations, 1u);
   for (Material& material : scene.materials) material.reflectivity = {};
-  EXPECT_FALSE(plan_scene(scene, {}).uses(Plan::kInterreflection));
+  EXPECT_FALSE(plan_scene(prepare(scene), {}).uses(Plan::kInterreflection));
   const ExactScene black(scene);
   for (const Solver solver : {Solver::kAuto, Solver::kCholesky, Solver::kCg, Solver::kLu, Solver::kJacobi}) {
     RadiosityOptions options;

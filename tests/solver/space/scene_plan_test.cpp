@@ -30,6 +30,8 @@ constexpr const char* kFloor = R"({"name": "floor", "points": [[0,0,0],[1,0,0],[
 constexpr const char* kWall = R"({"name": "wall", "points": [[0,0,0],[0,1,0],[0,1,1],[0,0,1]], "material": "m"})";
 Scene3 corner() { return scene_of(std::string(kFloor) + ", " + kWall); }
 
+Plan plan_of(const Scene3& scene, const PlanRequest& request) { return plan_scene(prepare(scene), request); }
+
 PlannedEffect effect_of(const Plan& plan, const std::string& name) {
   for (const PlannedEffect& effect : plan.effects())
     if (effect.effect == name) return effect;
@@ -38,7 +40,7 @@ PlannedEffect effect_of(const Plan& plan, const std::string& name) {
 
 TEST(Plan3, ListsEachEffectOnceInOrder) {
   std::vector<std::string> names;
-  const Plan plan = plan_scene(scene_file("two_boxes.json"), {});
+  const Plan plan = plan_of(scene_file("two_boxes.json"), {});
   for (const PlannedEffect& effect : plan.effects()) {
     names.push_back(effect.effect);
     EXPECT_FALSE(effect.reason.empty());
@@ -54,47 +56,47 @@ TEST(Plan3, ListsEachEffectOnceInOrder) {
 }
 
 TEST(Plan3, KnowsWhereBeamsEndAndWhatMoves) {
-  const Plan stage = plan_scene(read_scene_3(std::string(HOTTEL_SOURCE_DIR) + "/scenes/lights/stage.json"), {});
+  const Plan stage = plan_of(read_scene_3(std::string(HOTTEL_SOURCE_DIR) + "/scenes/lights/stage.json"), {});
   EXPECT_EQ(effect_of(stage, Plan::kLights).reason, "2 lights");
   EXPECT_EQ(effect_of(stage, Plan::kBeams).reason, "2 beams with a border: --light-levels divides what it crosses");
   EXPECT_TRUE(stage.uses(Plan::kMovement));
-  const Plan dark = plan_scene(scene_file("two_boxes.json"), {.everything = true});
+  const Plan dark = plan_of(scene_file("two_boxes.json"), {.everything = true});
   EXPECT_FALSE(dark.uses(Plan::kBeams));
   EXPECT_FALSE(dark.uses(Plan::kMovement));
 }
 
 TEST(Plan3, NothingHidesInAConvexRoomNorWhereNothingIsFaced) {
-  EXPECT_FALSE(plan_scene(scene_file("cube.json"), {}).uses(Plan::kOcclusion));
-  EXPECT_FALSE(plan_scene(scene_of(kFloor), {}).uses(Plan::kOcclusion));
-  EXPECT_FALSE(plan_scene(scene_of(""), {}).uses(Plan::kOcclusion));
-  EXPECT_TRUE(plan_scene(scene_file("two_boxes.json"), {}).uses(Plan::kOcclusion));
+  EXPECT_FALSE(plan_of(scene_file("cube.json"), {}).uses(Plan::kOcclusion));
+  EXPECT_FALSE(plan_of(scene_of(kFloor), {}).uses(Plan::kOcclusion));
+  EXPECT_FALSE(plan_of(scene_of(""), {}).uses(Plan::kOcclusion));
+  EXPECT_TRUE(plan_of(scene_file("two_boxes.json"), {}).uses(Plan::kOcclusion));
   // The wall stands between the floor and a part of the sky.
-  EXPECT_TRUE(plan_scene(corner(), {}).uses(Plan::kOcclusion));
-  EXPECT_EQ(effect_of(plan_scene(scene_file("cube.json"), {}), Plan::kOcclusion).reason,
+  EXPECT_TRUE(plan_of(corner(), {}).uses(Plan::kOcclusion));
+  EXPECT_EQ(effect_of(plan_of(scene_file("cube.json"), {}), Plan::kOcclusion).reason,
             "one convex room: nothing can hide anything");
-  EXPECT_EQ(effect_of(plan_scene(scene_of(kFloor), {}), Plan::kOcclusion).reason, "no face has anything before it");
+  EXPECT_EQ(effect_of(plan_of(scene_of(kFloor), {}), Plan::kOcclusion).reason, "no face has anything before it");
 }
 
 TEST(Plan3, TheSkyIsSeenUnlessTheSceneIsClosedOrPromisedToBe) {
-  EXPECT_TRUE(plan_scene(corner(), {}).uses(Plan::kSky));
-  EXPECT_FALSE(plan_scene(scene_of(kFloor, R"(, "closed": true)"), {}).uses(Plan::kSky));
+  EXPECT_TRUE(plan_of(corner(), {}).uses(Plan::kSky));
+  EXPECT_FALSE(plan_of(scene_of(kFloor, R"(, "closed": true)"), {}).uses(Plan::kSky));
   Scene3 cube = scene_file("cube.json");
   cube.closed = false;
-  EXPECT_EQ(effect_of(plan_scene(cube, {}), Plan::kSky).reason, "one closed room");
-  const Plan lit = plan_scene(scene_of(kFloor, R"(, "sky": {"emission": 1})"), {});
+  EXPECT_EQ(effect_of(plan_of(cube, {}), Plan::kSky).reason, "one closed room");
+  const Plan lit = plan_of(scene_of(kFloor, R"(, "sky": {"emission": 1})"), {});
   EXPECT_EQ(effect_of(lit, Plan::kSky).reason, "the sky emits");
 }
 
 TEST(Plan3, TellsWhatTheTableOfTheSceneSays) {
-  const Plan boxes = plan_scene(scene_file("two_boxes.json"), {});
+  const Plan boxes = plan_of(scene_file("two_boxes.json"), {});
   EXPECT_EQ(effect_of(boxes, Plan::kBackFaces).reason, "1 back with a material");
   EXPECT_THAT(effect_of(boxes, Plan::kGroups).reason, HasSubstr("2 groups of several polygons"));
   EXPECT_TRUE(boxes.uses(Plan::kChannels));
   EXPECT_FALSE(boxes.uses(Plan::kSubdivision));
   Scene3 divided = scene_file("two_boxes.json");
   divided.surfaces[3].elements = 2;
-  EXPECT_EQ(effect_of(plan_scene(divided, {}), Plan::kSubdivision).reason, "1 polygon divided into elements");
-  const Plan cube = plan_scene(scene_file("cube.json"), {});
+  EXPECT_EQ(effect_of(plan_of(divided, {}), Plan::kSubdivision).reason, "1 polygon divided into elements");
+  const Plan cube = plan_of(scene_file("cube.json"), {});
   EXPECT_FALSE(cube.uses(Plan::kGroups));
   EXPECT_FALSE(cube.uses(Plan::kBackFaces));
   EXPECT_FALSE(cube.uses(Plan::kChannels));
@@ -102,13 +104,13 @@ TEST(Plan3, TellsWhatTheTableOfTheSceneSays) {
 
 TEST(Plan3, LightBetweenFacesIsUsedIffThereIsAGrid) {
   for (const bool everything : {false, true}) {
-    const Plan plan = plan_scene(scene_file("cube.json"), {.everything = everything, .grid_cells = 9});
+    const Plan plan = plan_of(scene_file("cube.json"), {.everything = everything, .grid_cells = 9});
     const PlannedEffect effect = effect_of(plan, Plan::kIllumination);
     EXPECT_TRUE(effect.used);
     EXPECT_EQ(effect.reason, "light between the faces, 9 cells");
     EXPECT_GT(effect.seconds_estimate, 0);
     const PlannedEffect without =
-        effect_of(plan_scene(scene_file("cube.json"), {.everything = everything}), Plan::kIllumination);
+        effect_of(plan_of(scene_file("cube.json"), {.everything = everything}), Plan::kIllumination);
     EXPECT_FALSE(without.used);
     EXPECT_EQ(without.reason, "no grid is asked for");
     EXPECT_EQ(without.seconds_estimate, 0);
@@ -117,14 +119,14 @@ TEST(Plan3, LightBetweenFacesIsUsedIffThereIsAGrid) {
     EXPECT_TRUE(plan.uses(Plan::kInterreflection));
     EXPECT_EQ(plan.uses(Plan::kUnreachable), everything);  // one room: light reaches all of it
   }
-  const Plan plain = plan_scene(scene_of(kFloor), {});
+  const Plan plain = plan_of(scene_of(kFloor), {});
   EXPECT_EQ(effect_of(plain, Plan::kPicture).reason, "what a camera chosen for the scene sees");
-  EXPECT_FALSE(plan_scene(scene_of(""), {}).uses(Plan::kPicture));
+  EXPECT_FALSE(plan_of(scene_of(""), {}).uses(Plan::kPicture));
   EXPECT_TRUE(effect_of(plain, Plan::kIllumination).is_simulated);
 }
 
 TEST(Plan3, EverythingIsUsedWhereItIsAskedForAndTheReasonSaysSo) {
-  const Plan plan = plan_scene(scene_file("cube.json"), {.everything = true});
+  const Plan plan = plan_of(scene_file("cube.json"), {.everything = true});
   for (const char* name : {Plan::kOcclusion, Plan::kBackFaces, Plan::kSky, Plan::kSubdivision, Plan::kGroups}) {
     EXPECT_TRUE(plan.uses(name)) << name;
     EXPECT_THAT(effect_of(plan, name).reason, testing::StartsWith("asked for; the scene does not need it: ")) << name;
@@ -132,13 +134,13 @@ TEST(Plan3, EverythingIsUsedWhereItIsAskedForAndTheReasonSaysSo) {
 }
 
 TEST(Plan3, CountsThePairsThatFaceEachOther) {
-  const auto text = [](const Scene3& scene) { return effect_of(plan_scene(scene, {}), Plan::kExchange).reason; };
+  const auto text = [](const Scene3& scene) { return effect_of(plan_of(scene, {}), Plan::kExchange).reason; };
   EXPECT_EQ(text(scene_file("cube.json")), "6 rows, about 15 pairs that face each other");
   Scene3 divided = scene_file("cube.json");
   divide_into(divided, 3);
   EXPECT_EQ(text(divided), "54 rows, about 1215 pairs that face each other");  // 15 * 9 * 9
   EXPECT_EQ(text(scene_of(kFloor)), "1 row, about 0 pairs that face each other");
-  EXPECT_FALSE(plan_scene(scene_of(""), {}).uses(Plan::kExchange));
+  EXPECT_FALSE(plan_of(scene_of(""), {}).uses(Plan::kExchange));
 }
 
 // Of so many faces some pairs are looked at only.
@@ -150,10 +152,10 @@ TEST(Plan3, EstimatesThePairsOfManyFaces) {
               R"(,1,0]], "material": "m"}, )" + R"({"points": [[)" + x + ",0,1],[" + y + ",1,1],[" + y +
               R"(,0,1]], "material": "m"})";
   }
-  const PlannedEffect exchange = effect_of(plan_scene(scene_of(plates), {}), Plan::kExchange);
+  const PlannedEffect exchange = effect_of(plan_of(scene_of(plates), {}), Plan::kExchange);
   const double pairs = 60 * 60;  // each low plate and each high one; 2e-5 s each
   EXPECT_NEAR(exchange.seconds_estimate / 2e-5, pairs, 0.2 * pairs);
-  EXPECT_EQ(exchange.reason, effect_of(plan_scene(scene_of(plates), {}), Plan::kExchange).reason);
+  EXPECT_EQ(exchange.reason, effect_of(plan_of(scene_of(plates), {}), Plan::kExchange).reason);
 }
 
 }  // namespace
