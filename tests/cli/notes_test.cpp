@@ -1,0 +1,54 @@
+// What commands tell of files that were not made for them, and of what they leave or overwrite.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/cli/program.h"
+
+namespace hottel {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing_cli::Outcome;
+using testing_cli::Workplace;
+using Json = nlohmann::json;
+
+std::string plates(const std::string& more, const std::string& emission) {
+  return "{\"hottel\": 1, \"dimension\": 2, " + more +
+         "\n \"materials\": {\"w\": {\"reflectivity\": 0.5}, \"l\": {\"emission\": " + emission +
+         "}},\n \"edges\": [\n"
+         "  {\"name\": \"b\", \"points\": [[0,0],[0,4]], \"material\": \"w\"},\n"
+         "  {\"name\": \"a\", \"points\": [[4,4],[4,0]], \"material\": \"l\"}]}\n";
+}
+
+TEST(Notes, TellHowManyRepeatedPointsAndEmptyGeometriesArePassedOver) {
+  const Workplace place;
+  place.write("map.wkt", "SRID=4326;POLYGON((0 0,4 0,4 0,4 3,0 3,0 0),EMPTY)");
+  place.write("room.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 3 4\n");
+  place.write("plan.svg", "<svg xmlns='http://www.w3.org/2000/svg'><polygon points='0 0 4 0 4 0 4 3'/></svg>");
+  for (const char* line : {"hottel convert map.wkt out.json", "hottel check map.wkt", "hottel solve map.wkt -o out",
+                           "hottel visibility map.wkt --at 1,1", "hottel visibility map.wkt --events"}) {
+    const Outcome outcome = place.run(line);
+    EXPECT_EQ(outcome.code, 0) << line;
+    EXPECT_THAT(outcome.err, HasSubstr("1 repeated point and 1 empty geometry passed over\n")) << line;
+  }
+  for (const char* line :
+       {"hottel convert room.obj room.json", "hottel check room.obj", "hottel convert plan.svg plan.json"})
+    EXPECT_THAT(place.run(line).err, HasSubstr("1 repeated point passed over\n")) << line;
+  EXPECT_THAT(place.run("hottel check room.json").err, Not(HasSubstr("passed over")));
+}
+
+TEST(Notes, PlacesMayHaveBlanksAfterCommas) {
+  const Workplace place;
+  place.write("map.wkt", "POLYGON((0 0,4 0,4 3,0 3,0 0))");
+  const Outcome plain = place.run("hottel visibility map.wkt --at 1,2"),
+                spaced = place.run("hottel visibility map.wkt --at '1, 2'");
+  EXPECT_EQ(spaced.code, 0) << spaced.err;
+  EXPECT_EQ(spaced.out, plain.out);
+}
+
+}  // namespace
+}  // namespace hottel
