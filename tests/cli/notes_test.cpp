@@ -50,5 +50,17 @@ TEST(Notes, PlacesMayHaveBlanksAfterCommas) {
   EXPECT_EQ(spaced.out, plain.out);
 }
 
+TEST(Notes, AnAreaIsADecimalWhereItsFractionIsLong) {
+  const Workplace place;
+  place.write("map.wkt", "POLYGON((0 0,4 0,4 3,0 3,0 0),(1 1,2.1 1,2.3 2.7,1 2,1 1))");
+  const std::string line = "hottel visibility map.wkt --at 0.123456789012345678901,0.3456789012345678901";
+  const Outcome text = place.run(line);
+  EXPECT_THAT(text.out, HasSubstr("\narea ≈ "));
+  for (const std::string& each : testing_cli::lines_of(text.out)) EXPECT_LT(each.size(), 300u);
+  const std::string exact = Json::parse(place.run(line + " --json").out)["area"]["exact"];
+  EXPECT_GT(exact.size(), 40u);
+  EXPECT_THAT(place.run("hottel visibility map.wkt --at 1/3,1/7").out, HasSubstr(" = (1/3, 1/7)"));
+}
+
 }  // namespace
 }  // namespace hottel
