@@ -62,5 +62,29 @@ TEST(Notes, AnAreaIsADecimalWhereItsFractionIsLong) {
   EXPECT_THAT(place.run("hottel visibility map.wkt --at 1/3,1/7").out, HasSubstr(" = (1/3, 1/7)"));
 }
 
+TEST(Notes, HelpAndErrorsOfPlotsHaveNamesOnly) {
+  const Workplace place;
+  const std::string help = place.run("hottel compare --help").out;
+  for (const char c : help) EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= ' ') << static_cast<int>(c);
+  EXPECT_THAT(help, HasSubstr("{elements,parameter,time}"));
+  place.write("s.json", plates("", "1"));
+  const Outcome wrong = place.run("hottel compare s.json --plot-x size");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("size not in {elements,parameter,time}"));
+}
+
+TEST(Notes, ComparingWarnsOfABrokenPromise) {
+  const Workplace place;
+  place.write("s.json", plates("\"closed\": true,", "1"));
+  const std::string told = "s.json:4: the scene promises to be closed, but the front of 'b' sees the sky";
+  EXPECT_THAT(place.run("hottel solve s.json").err, HasSubstr(told));
+  for (const char* line :
+       {"hottel compare s.json --methods center -o out", "hottel compare s.json --divide 1,2 -o out"}) {
+    const Outcome compared = place.run(line);
+    EXPECT_THAT(compared.err, HasSubstr("warning: " + told)) << line;
+  }
+  EXPECT_EQ(place.run("hottel compare s.json --methods center -o out").code, 0);
+}
+
 }  // namespace
 }  // namespace hottel
