@@ -86,5 +86,13 @@ TEST(Notes, ComparingWarnsOfABrokenPromise) {
   EXPECT_EQ(place.run("hottel compare s.json --methods center -o out").code, 0);
 }
 
+TEST(Notes, LightBeyondDoublesIsToldWithTheLineOfItsFace) {
+  const Workplace place;
+  place.write("s.json", plates("", "1e309"));
+  const Outcome outcome = place.run("hottel solve s.json");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("s.json:4: the light of 'b' is beyond the range of doubles"));
+}
+
 }  // namespace
 }  // namespace hottel
