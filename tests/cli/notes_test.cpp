@@ -94,5 +94,21 @@ TEST(Notes, LightBeyondDoublesIsToldWithTheLineOfItsFace) {
   EXPECT_THAT(outcome.err, HasSubstr("s.json:4: the light of 'b' is beyond the range of doubles"));
 }
 
+TEST(Notes, RepairingAFileInItsPlaceIsTold) {
+  const Workplace place;
+  const std::string fine = plates("", "1");
+  place.write("s.json", fine);
+  const Outcome nothing = place.run("hottel check s.json --fix ./s.json");
+  EXPECT_THAT(nothing.err, HasSubstr("s.json is left as it is: nothing is repaired"));
+  EXPECT_EQ(place.read("s.json"), fine);
+  EXPECT_THAT(place.run("hottel check s.json --fix t.json").err, Not(HasSubstr("s.json is")));
+  std::string ajar = fine;
+  ajar.replace(ajar.find("[4,4],[4,0]"), 11, "[0.0000001,4],[4,0]");
+  place.write("s.json", ajar);
+  const Outcome repaired = place.run("hottel check s.json --fix s.json --within 0.001");
+  EXPECT_THAT(repaired.err, HasSubstr("s.json is overwritten by the repaired scene"));
+  EXPECT_NE(place.read("s.json"), ajar);
+}
+
 }  // namespace
 }  // namespace hottel
