@@ -110,5 +110,15 @@ TEST(Notes, RepairingAFileInItsPlaceIsTold) {
   EXPECT_NE(place.read("s.json"), ajar);
 }
 
+TEST(Notes, FramesOfALongerRunAreNamed) {
+  const Workplace place;
+  place.write("s.json", plates("", "1"));
+  EXPECT_THAT(place.run("hottel animate s.json --frames 5 --no-film -o film").err, Not(HasSubstr("earlier run")));
+  EXPECT_THAT(place.run("hottel animate s.json --frames 3 --fps 3 --no-film -o film").err,
+              HasSubstr("film holds 2 frames of an earlier run beyond these, frame_00003.png to frame_00004.png"));
+  EXPECT_THAT(place.run("hottel animate s.json --frames 4 --fps 3 --no-film -o film").err,
+              HasSubstr("film holds 1 frame of an earlier run beyond these, frame_00004.png: it is not"));
+}
+
 }  // namespace
 }  // namespace hottel
