@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "kernel/support/counted.h"
-
 namespace hottel {
 
 // Counts what readers of formats that are not hottel's own passed over.
@@ -16,14 +14,7 @@ struct PassedOver {
   std::size_t empty_geometries = 0;  // null, EMPTY, or a list of no positions
 
   // "2 repeated points and 1 empty geometry passed over"; empty where nothing was.
-  std::string note() const {
-    std::string text;
-    if (repeated_points > 0) text = counted(repeated_points, "repeated point");
-    if (empty_geometries > 0)
-      text += (text.empty() ? "" : " and ") + std::to_string(empty_geometries) +
-              (empty_geometries == 1 ? " empty geometry" : " empty geometries");
-    return text.empty() ? text : text + " passed over";
-  }
+  std::string note() const;
 };
 
 // Takes out every point that is the same as the one before it, and those at the end of a ring that are the same as its

@@ -10,7 +10,7 @@
 
 #include "geometry/plane/scene/scene_entries.h"
 #include "io/scene/passed_over.h"
-#include "io/scene/plane/map_reader.h"
+#include "io/scene/plane/map_defaults.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {

@@ -7,18 +7,12 @@
 
 #include "geometry/plane/scene/scene.h"
 #include "io/scene/passed_over.h"
+#include "io/scene/plane/map_defaults.h"
 
 namespace hottel {
 
-// The material of all that names none, and the reflectivity of all materials: a map says neither.
-inline constexpr const char* kMapMaterial = "white";
-inline const Rational kMapReflectivity{1, 2};
-
 // Whether a file name ends as that of a map: .geojson or .wkt.
 bool is_map_2(const std::filesystem::path& file);
-
-// On which side of its outline a polygon is seen from.
-enum class MapSide2 : unsigned char { kInside, kOutside };
 
 // Returns the scene of a map. GeoJSON: Polygon, MultiPolygon, LineString, MultiLineString, GeometryCollection, Feature,
 // FeatureCollection; well-known text, with or without an SRID: the same geometries in capitals, TRIANGLE as a POLYGON
