@@ -25,6 +25,7 @@
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/frames_file.h"
 #include "io/scene/scene_json.h"
+#include "kernel/support/counted.h"
 #include "kernel/support/memory.h"
 #include "kernel/support/stopwatch.h"
 #include "kernel/version.h"
@@ -179,6 +180,24 @@ void write_mp4(const std::filesystem::path& folder, std::uint32_t frames, const 
   write_output_file(folder / "animation.mp4", read_text_file(run.output));
 }
 
+// Pictures that an earlier, longer run left in the folder: the first and the last one, and how many there are.
+std::optional<std::string> note_of_frames_beyond(const std::filesystem::path& folder, std::uint32_t frames) {
+  std::set<std::string> beyond;
+  const std::size_t length = frame_file_name(0).size();
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+    const std::string name = entry.path().filename().string();
+    if (name.size() != length || !name.starts_with("frame_") || !name.ends_with(".png")) continue;
+    const std::string digits = name.substr(6, length - 10);
+    if (digits.find_first_not_of("0123456789") == std::string::npos && std::stoul(digits) >= frames)
+      beyond.insert(name);
+  }
+  if (beyond.empty()) return std::nullopt;
+  return fmt::format("{} holds {} of an earlier run beyond these, {}{}: {} not of this animation", folder.string(),
+                     counted(beyond.size(), "frame"), *beyond.begin(),
+                     beyond.size() > 1 ? " to " + *beyond.rbegin() : "", beyond.size() > 1 ? "they are" : "it is");
+}
+
 std::string summary(const FramesMade& made, std::uint32_t frames, std::uint32_t were_there,
                     const std::filesystem::path& folder, const std::vector<std::string>& files) {
   FrameCounts all;
@@ -277,6 +296,7 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
   write_output_file(directory / "animation.json", json);
   if (options.json) streams.write("", json);
   streams.note(summary(made, frames, were_there, directory, files));
+  if (const auto note = note_of_frames_beyond(directory, frames)) streams.note(*note);
 }
 
 ExitCode animate(const AnimateOptions& options, Streams& streams) {

@@ -3,6 +3,7 @@
 
 #include "cli/check_in_space.h"
 #include "cli/command.h"
+#include "cli/overwriting.h"
 #include "cli/scene_input.h"
 #include "io/results/plane/check_report.h"
 #include "io/scene/scene_json.h"
@@ -53,11 +54,15 @@ ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const
     changes = factor_changes(*before->factors, *after->factors,
                              [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
-  out.write(text);
-  out.finish();
+  const bool is_input = is_same_file(options.fix, options.scene), is_written = !is_input || !repair.steps.empty();
+  if (is_written) {
+    out.write(text);
+    out.finish();
+  }
   streams.write("", options.json ? check_json(repaired, after->findings, &report)
                                  : repair_text(scene, report) + check_text(repaired, after->findings));
-  out.commit();
+  if (is_written) out.commit();
+  if (is_input) streams.note(overwriting_note(options.fix, is_written));
   return exit_code(*after);
 }
 
@@ -73,7 +78,7 @@ ExitCode check(const CheckCommandOptions& options, Streams& streams) {
   const Rational distance = distance_of(options);
   const Scene scene = read_scene_noting(options.scene, options.polygons, streams);
   if (const auto* in_space = std::get_if<Scene3>(&scene))
-    return check_in_space(*in_space, options.fix, distance, options.json, streams);
+    return check_in_space(*in_space, options.scene, options.fix, distance, options.json, streams);
   return check_in_plane(options, distance, std::get<Scene2>(scene), streams);
 }
 

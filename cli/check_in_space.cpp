@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/overwriting.h"
 #include "geometry/space/check/repair.h"
 #include "io/results/space/check_report.h"
 #include "io/scene/scene_json.h"
@@ -27,8 +28,8 @@ ExitCode exit_code(const SceneCheck3& check) { return has_error(check.findings) 
 
 }  // namespace
 
-ExitCode check_in_space(const Scene3& scene, const std::string& fix, const Rational& distance, bool as_json,
-                        const Streams& streams) {
+ExitCode check_in_space(const Scene3& scene, const std::string& file, const std::string& fix, const Rational& distance,
+                        bool as_json, const Streams& streams) {
   if (fix.empty()) {
     const SceneCheck3 check = look_at(scene, streams);
     streams.write("", as_json ? check_json(scene, check.findings) : check_text(scene, check.findings));
@@ -47,11 +48,15 @@ ExitCode check_in_space(const Scene3& scene, const std::string& fix, const Ratio
     changes = factor_changes(*before.factors, *after.factors,
                              [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
-  out.write(text);
-  out.finish();
+  const bool is_input = is_same_file(fix, file), is_written = !is_input || !repair.steps.empty();
+  if (is_written) {
+    out.write(text);
+    out.finish();
+  }
   streams.write("", as_json ? check_json(repaired, after.findings, &report)
                             : repair_text(scene, report) + check_text(repaired, after.findings));
-  out.commit();
+  if (is_written) out.commit();
+  if (is_input) streams.note(overwriting_note(fix, is_written));
   return exit_code(after);
 }
 

@@ -28,6 +28,20 @@
 namespace hottel {
 namespace {
 
+const std::map<std::string, PlotX> kPlotX{
+    {"time", PlotX::kTime}, {"parameter", PlotX::kParameter}, {"elements", PlotX::kElements}};
+const std::map<std::string, PlotY> kPlotY{{"max", PlotY::kMaxError},
+                                          {"rms", PlotY::kRmsError},
+                                          {"radiosity", PlotY::kRadiosityError},
+                                          {"faces", PlotY::kFaceError}};
+
+template <class Value>
+CLI::IsMember one_of(const std::map<std::string, Value>& names) {
+  std::vector<std::string> keys;
+  for (const auto& [name, value] : names) keys.push_back(name);
+  return CLI::IsMember(keys);
+}
+
 constexpr std::array kErrorsReadOff = {1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9};
 
 // What a dimension draws of the light that a method gets wrong.
@@ -143,6 +157,7 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
 
   const std::shared_ptr<FactorStore> store = options.store.open("exact");
   const typename Kind::Comparison comparison = Kind::comparison(options, std::move(scene), store, streams);
+  warn_if_not_closed(comparison, streams);
   if (map && !comparison.exact_solution())
     throw RequestError(options.scene + ": --map draws errors of the light, and there is none to compare: " +
                        comparison.why_no_solution());
@@ -274,21 +289,19 @@ void add_compare(Commands& commands) {
           "without --methods")
       ->type_name("FILE.npy");
   command
-      .add_option("--plot-x", options->plot_x,
-                  "what the plot has along x: the time of the factors, the rays, points or pixels of a method, or of "
-                  "--divide the elements, which it has without it")
+      .add_option_function<std::string>(
+          "--plot-x", [options](const std::string& name) { options->plot_x = kPlotX.at(name); },
+          "what the plot has along x: the time of the factors, the rays, points or pixels of a method, or of "
+          "--divide the elements, which it has without it")
       ->type_name("time|parameter|elements")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, PlotX>{
-          {"time", PlotX::kTime}, {"parameter", PlotX::kParameter}, {"elements", PlotX::kElements}}));
+      ->check(one_of(kPlotX));
   command
-      .add_option("--plot-y", options->plot_y,
-                  "and along y: the largest error of a factor, its root mean square, the largest of a radiosity, or of "
-                  "--divide that of the mean radiosity of a face, which it has without it")
+      .add_option_function<std::string>(
+          "--plot-y", [options](const std::string& name) { options->plot_y = kPlotY.at(name); },
+          "and along y: the largest error of a factor, its root mean square, the largest of a radiosity, or of "
+          "--divide that of the mean radiosity of a face, which it has without it")
       ->type_name("max|rms|radiosity|faces")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, PlotY>{{"max", PlotY::kMaxError},
-                                                                       {"rms", PlotY::kRmsError},
-                                                                       {"radiosity", PlotY::kRadiosityError},
-                                                                       {"faces", PlotY::kFaceError}}));
+      ->check(one_of(kPlotY));
   CLI::Option* const divide =
       command
           .add_option("--divide", options->divide,

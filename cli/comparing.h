@@ -15,6 +15,7 @@
 #include "cli/scene_input.h"
 #include "cli/store_option.h"
 #include "cli/streams.h"
+#include "geometry/closed_promise.h"
 #include "io/foreign/foreign_method.h"
 #include "io/foreign/plane/foreign_matrix.h"
 #include "io/foreign/space/foreign_matrix.h"
@@ -81,6 +82,16 @@ struct ComparedSpace {
                       streams.stages());
   }
 };
+
+// Tells where a scene promises to be closed and is not. Factors are compared all the same: they are those of the scene.
+template <class Comparison>
+void warn_if_not_closed(const Comparison& comparison, const Streams& streams) {
+  try {
+    require_closed(comparison.prepared().scene, comparison.exact());
+  } catch (const RequestError& error) {
+    streams.note("warning: " + std::string(error.what()));
+  }
+}
 
 // A method with what it is called, in tables and in curves.
 template <class Prepared>

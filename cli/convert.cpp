@@ -41,21 +41,26 @@ std::string reflectivities(const std::vector<std::string>& materials, const Rati
 }
 
 void convert_drawing(const ConvertOptions& options, Streams& streams) {
-  const Scene2 scene = read_svg_2(options.in);
+  PassedOver passed_over;
+  const Scene2 scene = read_svg_2(options.in, &passed_over);
   streams.write(options.out, naming_file(options.in, [&] { return write_scene_2(scene); }));
   std::vector<std::string> materials;
   for (const Material& material : scene.materials) materials.push_back(material.name);
   streams.note(fmt::format("{}; {}", counted(scene.surfaces.size(), "edge"),
                            reflectivities(materials, kSvgReflectivity, "a drawing")));
+  note_passed_over(passed_over, streams);
 }
 
 void convert_map(const ConvertOptions& options, Streams& streams) {
-  const Scene2 scene = read_map_2(options.in, options.front == "outside" ? MapSide2::kOutside : MapSide2::kInside);
+  PassedOver passed_over;
+  const Scene2 scene =
+      read_map_2(options.in, options.front == "outside" ? MapSide2::kOutside : MapSide2::kInside, &passed_over);
   streams.write(options.out, naming_file(options.in, [&] { return write_scene_2(scene); }));
   std::vector<std::string> materials;
   for (const Material& material : scene.materials) materials.push_back(material.name);
   streams.note(fmt::format("{}; {}", counted(scene.surfaces.size(), "edge"),
                            reflectivities(materials, kMapReflectivity, "a map")));
+  note_passed_over(passed_over, streams);
 }
 
 // What was plane but for the spacing of binary floats may be too far off for the digits that are written. number_text:
@@ -90,7 +95,10 @@ void write_as_mesh(const ConvertOptions& options, MeshFormat3 format, const Scen
 
 void convert_mesh(const ConvertOptions& options, Streams& streams) {
   Triangulator3 triangulator;
-  const MeshScene3 mesh = read_mesh_scene_3(options.in, options.polygons.triangulates ? &triangulator : nullptr);
+  PassedOver passed_over;
+  const MeshScene3 mesh =
+      read_mesh_scene_3(options.in, options.polygons.triangulates ? &triangulator : nullptr, &passed_over);
+  note_passed_over(passed_over, streams);
   note_cuts(triangulator, streams);
   if (const auto format = mesh_format_3(options.out)) return write_as_mesh(options, *format, mesh.scene, streams);
   note_lost_planes(mesh.scene, scene_number, streams);

@@ -18,6 +18,10 @@ void PolygonOptions::add_to(CLI::App& command) {
                    "in space: read polygons that are not plane as triangles NAME[k], each a surface");
 }
 
+void note_passed_over(const PassedOver& passed_over, const Streams& streams) {
+  if (const std::string note = passed_over.note(); !note.empty()) streams.note(note);
+}
+
 void note_cuts(const Triangulator3& triangulator, const Streams& streams) {
   if (const std::string note = triangulator.note(); !note.empty()) streams.note(note);
 }
@@ -51,7 +55,9 @@ Scene read_scene_noting(const std::string& file, const PolygonOptions& options, 
       note_unused(deck.output, streams);
     scene = std::move(deck.scene);
   } else {
-    scene = read_scene(file, used);
+    PassedOver passed_over;
+    scene = read_scene(file, used, &passed_over);
+    note_passed_over(passed_over, streams);
   }
   if (options.triangulates && std::holds_alternative<Scene2>(scene))
     throw UsageError("--triangulate cuts polygons in space; " + file + " is in the plane");
@@ -62,8 +68,17 @@ Scene read_scene_noting(const std::string& file, const PolygonOptions& options, 
 Scene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams) {
   if (is_vs3(file)) return std::get<Scene3>(read_scene_noting(file, options, streams));
   Triangulator3 triangulator;
-  Scene3 scene = read_scene_3(file, options.triangulates ? &triangulator : nullptr);
+  PassedOver passed_over;
+  Scene3 scene = read_scene_3(file, options.triangulates ? &triangulator : nullptr, &passed_over);
+  note_passed_over(passed_over, streams);
   note_cuts(triangulator, streams);
+  return scene;
+}
+
+Scene2 read_scene_noting_2(const std::string& file, const Streams& streams) {
+  PassedOver passed_over;
+  Scene2 scene = read_scene_2(file, &passed_over);
+  note_passed_over(passed_over, streams);
   return scene;
 }
 
@@ -117,13 +132,17 @@ double tolerance_of(const std::optional<std::string>& option, double usual) {
 }
 
 std::vector<std::string> parts_at_commas(const std::string& text) {
+  const auto trimmed = [](const std::string& part) {
+    const std::size_t begin = part.find_first_not_of(" \t");
+    return begin == std::string::npos ? std::string() : part.substr(begin, part.find_last_not_of(" \t") + 1 - begin);
+  };
   std::vector<std::string> parts;
   std::size_t begin = 0;
   for (std::size_t end = text.find(','); end != std::string::npos; end = text.find(',', begin)) {
-    parts.push_back(text.substr(begin, end - begin));
+    parts.push_back(trimmed(text.substr(begin, end - begin)));
     begin = end + 1;
   }
-  parts.push_back(text.substr(begin));
+  parts.push_back(trimmed(text.substr(begin)));
   return parts;
 }
 

@@ -27,12 +27,17 @@ struct PolygonOptions {
 };
 
 // Returns the scene of a file, as read_scene does, and tells what of a deck of View3D is read otherwise than View3D
-// does, and which polygons were cut into triangles. Throws UsageError where a scene in the plane is to have them cut.
-// Those who obey what a deck asks of the output take that; else it is told that they do not.
+// does, what was passed over in a map or a mesh, and which polygons were cut into triangles. Throws UsageError where a
+// scene in the plane is to have them cut. Those who obey what a deck asks of the output take that; else it is told that
+// they do not.
 Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
                         DeckOutput3* output = nullptr);
 // The same for those who can use a scene in space only.
 Scene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams);
+// The same for those who can use a scene in the plane only.
+Scene2 read_scene_noting_2(const std::string& file, const Streams& streams);
+// Tells what was passed over, if anything was.
+void note_passed_over(const PassedOver& passed_over, const Streams& streams);
 // Tells which polygons were cut, if any were.
 void note_cuts(const Triangulator3& triangulator, const Streams& streams);
 
@@ -61,7 +66,7 @@ Rational number_of(const std::string& text, const std::string& option);
 // The number of an option --tolerance, or what is usual. Throws UsageError unless it is a positive double.
 double tolerance_of(const std::optional<std::string>& option, double usual);
 
-// The parts of a text between commas: one more than it has commas.
+// The parts of a text between commas, without blanks around them: one more than it has commas.
 std::vector<std::string> parts_at_commas(const std::string& text);
 
 // Two numbers from 1 to `most` with an x between them, "400x300". Throws UsageError, naming the option and its

@@ -52,7 +52,9 @@ Point2 point(const std::string& text) {
 
 // Whole faces: nothing here is asked of their elements.
 Simulation2 simulation_of(Scene2 scene) { return Simulation2(std::move(scene), {.granularity = Granularity::kFace}); }
-Simulation2 simulation_of(const VisibilityOptions& options) { return simulation_of(read_scene_2(options.scene)); }
+Simulation2 simulation_of(const VisibilityOptions& options, const Streams& streams) {
+  return simulation_of(read_scene_noting_2(options.scene, streams));
+}
 
 ShownAnswer from_point(const Simulation2& simulation, const PreparedScene2& prepared, const Point2& eye,
                        const Streams& streams) {
@@ -207,7 +209,7 @@ void write_polygons(const PolygonRequest& request, const PreparedScene2& prepare
 
 ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
   const PolygonRequest request = polygon_request(options);
-  const Simulation2 simulation = simulation_of(options);
+  const Simulation2 simulation = simulation_of(options, streams);
   const auto prepared = simulation.prepared(streams.stages());
   std::optional<PointLights2> lights;
   if (options.irradiance) lights.emplace(point_lights(simulation, streams.stages()));
@@ -225,7 +227,7 @@ ExitCode from_points(const VisibilityOptions& options, Streams& streams) {
 ExitCode from_edge(const VisibilityOptions& options, Streams& streams) {
   if (is_file(options.out)) throw UsageError("--edge writes to standard output, not to '" + options.out + "'");
   if (options.edge == "sky") throw UsageError("--edge is a face, which the sky is not");
-  const auto prepared = simulation_of(options).prepared(streams.stages());
+  const auto prepared = simulation_of(options, streams).prepared(streams.stages());
   const Face face = face_of(prepared->scene, options.edge);
   require_free(*prepared, face);
   const EdgeSight2 sight = edge_sight(*prepared, face, streams.progress("weak visibility"));
@@ -241,14 +243,14 @@ SceneLines scene_lines(const VisibilityOptions& options) {
 ExitCode events(const VisibilityOptions& options, Streams& streams) {
   const SceneLines lines = scene_lines(options);
   require_sense(lines, "critical lines are");
-  write_events(lines, *simulation_of(options).prepared(streams.stages()), streams);
+  write_events(lines, *simulation_of(options, streams).prepared(streams.stages()), streams);
   return ExitCode::kDone;
 }
 
 ExitCode graph(const VisibilityOptions& options, Streams& streams) {
   const SceneLines lines = scene_lines(options);
   require_sense(lines, "the visibility graph is");
-  write_graph(lines, *simulation_of(options).prepared(streams.stages()), streams);
+  write_graph(lines, *simulation_of(options, streams).prepared(streams.stages()), streams);
   return ExitCode::kDone;
 }
 

@@ -48,6 +48,15 @@ std::string read_text_file(const std::filesystem::path& file) {
   return text;
 }
 
+std::string read_named_file(const TextSource& files, const std::filesystem::path& file, const FileLine& where,
+                            const std::string& what) {
+  try {
+    return files(file);
+  } catch (const InputError& error) {
+    throw InputError(where, what + " " + error.what(), error.hints());
+  }
+}
+
 std::string sha256(std::string_view bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
   unsigned int length = 0;

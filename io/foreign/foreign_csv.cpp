@@ -23,6 +23,8 @@ std::optional<std::size_t> column_called(const Record& head, std::string_view na
 }
 
 bool is_number(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  text.remove_suffix(text.size() - std::min(text.find_last_not_of(" \t") + 1, text.size()));
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -33,6 +35,15 @@ void require_fields(const CsvReader& csv, std::size_t count) {
   if (csv.fields().size() == count) return;
   throw InputError(csv.where(),
                    std::to_string(csv.fields().size()) + " fields where " + std::to_string(count) + " are expected");
+}
+
+// Two names and a number are an entry of a list of pairs, in which columns are told by the first line.
+void refuse_headless_list(const FileLine& first_line, const Record& fields) {
+  if (fields.size() < 3 || fields[0].empty() || is_number(fields[1]) || fields[1].empty() || !is_number(fields[2]))
+    return;
+  throw InputError(first_line, "the first line must be from,to,factor, or the names of a matrix' columns",
+                   {"what follows begins with two names and a number: " + quoted_name(fields[0]) + ", " +
+                    quoted_name(fields[1]) + ", " + quoted_name(fields[2])});
 }
 
 void require_distinct(const std::string& file, const std::vector<ForeignName>& names) {
@@ -65,18 +76,21 @@ ForeignKind foreign_kind(const std::filesystem::path& file, std::string_view tex
   if (text.starts_with("%%MatrixMarket")) return ForeignKind::kMatrixMarket;
   if (text.starts_with("View3D")) return ForeignKind::kView3d;
   const std::string ending = file.extension().string();
-  for (const char* other : {".npy", ".mtx", ".txt", ".bin"})
+  for (const char* other : {".npy", ".mtx", ".bin"})
     if (ending == other) return ForeignKind::kUnknown;
   if (ending != ".csv" && text.substr(0, 4096).find('\0') != std::string_view::npos) return ForeignKind::kUnknown;
-  CsvReader csv(file.string(), text);
+  CsvReader csv(file.string(), text, csv_dialect_of(text));
   if (!csv.next()) return ForeignKind::kUnknown;
+  // Of texts that are not called csv a table of numbers is one.
+  if (ending == ".txt" && !std::all_of(csv.fields().begin(), csv.fields().end(), is_number))
+    return ForeignKind::kUnknown;
   if (column_called(csv.fields(), "radiosity")) return ForeignKind::kRadiosity;
   if (column_called(csv.fields(), "from") && column_called(csv.fields(), "to")) return ForeignKind::kPairList;
   return ForeignKind::kDenseCsv;
 }
 
 ForeignMatrix read_pair_list(const std::string& file, std::string_view text) {
-  CsvReader csv(file, text);
+  CsvReader csv(file, text, csv_dialect_of(text));
   csv.next();
   const Record head = csv.fields();
   const auto from = column_called(head, "from"), to = column_called(head, "to"), factor = column_called(head, "factor");
@@ -109,7 +123,7 @@ ForeignMatrix read_pair_list(const std::string& file, std::string_view text) {
 }
 
 ForeignMatrix read_dense_csv(const std::string& file, std::string_view text) {
-  CsvReader csv(file, text);
+  CsvReader csv(file, text, csv_dialect_of(text));
   csv.next();
   ForeignMatrix matrix;
   matrix.file = file;
@@ -123,10 +137,12 @@ ForeignMatrix read_dense_csv(const std::string& file, std::string_view text) {
   for (const std::string_view name : csv.fields()) matrix.column_names.push_back({std::string(name), csv.where().line});
   matrix.column_names.erase(matrix.column_names.begin());
   matrix.columns = static_cast<std::uint32_t>(matrix.column_names.size());
+  refuse_headless_list(csv.where(), csv.fields());
   if (matrix.columns == 0 || !csv.next())
     throw InputError(csv.where(),
                      "is no list of pairs (from,to,factor) and no matrix with names in its first row and "
                      "column");
+  refuse_headless_list({file, matrix.column_names.front().line}, csv.fields());
   read_rows(csv, true, matrix);
   require_distinct(file, matrix.column_names);
   require_distinct(file, matrix.row_names);

@@ -67,7 +67,7 @@ ForeignMatrix read_as_written(const std::filesystem::path& file, std::string_vie
   throw InputError(
       {name, 0}, text.empty() ? "is empty" : "holds no view factors in a format that hottel reads",
       {"hottel reads csv, Matrix Market (%%MatrixMarket), NumPy (.npy) and View3D's text and binary output",
-       "each is told by its first bytes, csv by the ending .csv"});
+       "each is told by its first bytes, csv by the ending .csv, or .txt where it begins with numbers"});
 }
 
 }  // namespace

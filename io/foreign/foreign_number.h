@@ -14,7 +14,8 @@ class ForeignNumbers {
  public:
   explicit ForeignNumbers(std::string file) : file_(std::move(file)) {}
 
-  // Returns the double nearest to the number, 0 where it is too small for one; a "+" before it is allowed.
+  // Returns the double nearest to the number, 0 where it is too small for one; a "+" before it and blanks
+  // around it are allowed.
   // Throws InputError for what is no finite decimal number, or is too large for a double. The text is read
   // alike in every locale.
   double read(std::string_view token, int line);

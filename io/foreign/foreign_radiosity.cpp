@@ -66,7 +66,7 @@ bool holds_radiosities(const std::filesystem::path& file) {
 ForeignRadiosities read_foreign_radiosities(const std::filesystem::path& file, const ExchangeMatrix& matrix,
                                             const std::vector<std::string>& channels) {
   const std::string name = file.string(), text = read_text_file(file);
-  CsvReader csv(name, text);
+  CsvReader csv(name, text, csv_dialect_of(text));
   const bool has_head = csv.next();
   const Columns columns(csv);
   const auto face = columns.find("face"), part = columns.find("element"), channel = columns.find("channel"),

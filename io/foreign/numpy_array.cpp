@@ -14,8 +14,6 @@
 namespace hottel {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "numbers are read as the machine holds them");
-
 struct NumpyHead {
   std::string_view dictionary, body;
 };
@@ -51,6 +49,24 @@ std::string_view value_of(std::string_view dictionary, std::string_view key) {
   return {};
 }
 
+// "'<f8'", and what follows.
+NumpyType type_of(const std::string& file, std::string_view descr) {
+  std::string_view name;
+  if (descr.starts_with('\'') || descr.starts_with('"')) {
+    const std::size_t end = descr.find(descr.front(), 1);
+    if (end != std::string_view::npos) name = descr.substr(1, end - 1);
+  }
+  const bool has_order = !name.empty() && std::string_view("<>=|").find(name.front()) != std::string_view::npos;
+  const std::string_view rest = name.substr(has_order ? 1 : 0);
+  const bool is_float = rest == "f4" || rest == "f8";
+  const bool is_integer = rest.size() == 2 && (rest[0] == 'i' || rest[0] == 'u') &&
+                          std::string_view("1248").find(rest[1]) != std::string_view::npos;
+  if (!is_float && !is_integer)
+    throw InputError({file, 0}, "holds numbers of the type " + (name.empty() ? "of no name" : quoted_name(name)) +
+                                    "; floats of 4 or 8 bytes and integers are read ('<f8', '>f4', '|u1', ...)");
+  return {rest[0], static_cast<unsigned>(rest[1] - '0'), has_order && name.front() == '>'};
+}
+
 // "(3, 4)"
 std::vector<std::uint32_t> shape_of(const std::string& file, std::string_view shape) {
   const std::size_t end = shape.find(')');
@@ -77,36 +93,35 @@ std::uint64_t NumpyArray::count() const {
 }
 
 double NumpyArray::number(std::uint64_t place) const {
-  if (is_double) {
-    double value = 0;
-    std::memcpy(&value, body.data() + place * sizeof value, sizeof value);
-    return value;
+  std::uint64_t bits = 0;
+  for (unsigned k = 0; k < type.bytes; ++k) {
+    const unsigned at = type.is_big_endian ? k : type.bytes - 1 - k;  // from the highest byte down
+    bits = bits << 8 | static_cast<unsigned char>(body[place * type.bytes + at]);
   }
-  float value = 0;
-  std::memcpy(&value, body.data() + place * sizeof value, sizeof value);
-  return value;
+  if (type.kind == 'u') return static_cast<double>(bits);
+  if (type.kind == 'i') {
+    const unsigned unused = 64 - 8 * type.bytes;
+    return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
+  }
+  return type.bytes == 8 ? std::bit_cast<double>(bits) : std::bit_cast<float>(static_cast<std::uint32_t>(bits));
 }
 
 double NumpyArray::relative_rounding() const {
-  return std::ldexp(1.0, is_double ? -std::numeric_limits<double>::digits : -std::numeric_limits<float>::digits);
+  const bool is_float32 = type.kind == 'f' && type.bytes == 4;
+  return std::ldexp(1.0, is_float32 ? -std::numeric_limits<float>::digits : -std::numeric_limits<double>::digits);
 }
 
 NumpyArray parse_numpy(const std::string& file, std::string_view text, std::size_t most_sides) {
   const auto [dictionary, body] = split(file, text);
   NumpyArray array;
-  const std::string_view type = value_of(dictionary, "descr").substr(0, 5);
-  array.is_double = type == "'<f8'";
-  if (!array.is_double && type != "'<f4'")
-    throw InputError({file, 0}, "holds numbers of the type " + quoted_name(type) +
-                                    "; float64 ('<f8') or float32 "
-                                    "('<f4') are read");
+  array.type = type_of(file, value_of(dictionary, "descr"));
   const std::string_view order = value_of(dictionary, "fortran_order");
   if (!order.starts_with("True") && !order.starts_with("False"))
     throw InputError({file, 0}, "NumPy's head does not say whether the order is Fortran's");
   array.is_by_columns = order.starts_with("True");
   array.shape = shape_of(file, value_of(dictionary, "shape"));
   array.body = body;
-  const std::size_t bytes = array.is_double ? sizeof(double) : sizeof(float);
+  const std::size_t bytes = array.type.bytes;
   std::uint64_t room = body.size() / bytes;  // what is left of it, side by side: the product may overflow
   bool fits = body.size() % bytes == 0;
   std::string sides;

@@ -40,7 +40,7 @@ JsonValue version(const JsonValue& root, std::string_view key, std::initializer_
 
 // Returns the scene of a text. Refuses one of another dimension than `wanted`, if there is one.
 Scene parse(std::string_view text, const std::string& name, const TextSource& files, std::optional<int> wanted,
-            Triangulator3* triangulator = nullptr) {
+            Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr) {
   const JsonDocument document(text, name);
   const JsonValue root = document.root();
   require_kind(root, JsonKind::kObject, {"the scene"});
@@ -51,19 +51,20 @@ Scene parse(std::string_view text, const std::string& name, const TextSource& fi
     return read_document_2(root, name);
   }
   if (wanted == 2) refuse(dimension, kInThePlaneOnly, {kDoneInSpace});
-  return read_document_3(root, name, files, triangulator);
+  return read_document_3(root, name, files, triangulator, passed_over);
 }
 
-Scene read(const std::filesystem::path& file, std::optional<int> wanted, Triangulator3* triangulator = nullptr) {
+Scene read(const std::filesystem::path& file, std::optional<int> wanted, Triangulator3* triangulator = nullptr,
+           PassedOver* passed_over = nullptr) {
   const std::string name = file.string();
   if (is_map_2(file)) {
     if (wanted == 3) throw InputError({name, 0}, kInSpaceOnly);
-    return read_map_2(file);
+    return read_map_2(file, MapSide2::kInside, passed_over);
   }
   if (!is_vs3(file) && !mesh_format_3(file))
-    return parse(read_text_file(file), name, read_text_file, wanted, triangulator);
+    return parse(read_text_file(file), name, read_text_file, wanted, triangulator, passed_over);
   if (wanted == 2) throw InputError({name, 0}, kInThePlaneOnly, {kDoneInSpace});
-  return is_vs3(file) ? read_vs3_3(file, triangulator).scene : read_mesh_scene_3(file, triangulator).scene;
+  return is_vs3(file) ? read_vs3_3(file, triangulator).scene : read_mesh_scene_3(file, triangulator, passed_over).scene;
 }
 
 }  // namespace
@@ -72,18 +73,20 @@ Scene parse_scene(std::string_view text, const std::string& name_for_messages, c
   return parse(text, name_for_messages, files, std::nullopt);
 }
 
-Scene read_scene(const std::filesystem::path& file, Triangulator3* triangulator) {
-  return read(file, std::nullopt, triangulator);
+Scene read_scene(const std::filesystem::path& file, Triangulator3* triangulator, PassedOver* passed_over) {
+  return read(file, std::nullopt, triangulator, passed_over);
 }
 
-Scene2 read_scene_2(const std::filesystem::path& file) { return std::get<Scene2>(read(file, 2)); }
+Scene2 read_scene_2(const std::filesystem::path& file, PassedOver* passed_over) {
+  return std::get<Scene2>(read(file, 2, nullptr, passed_over));
+}
 
 Scene2 parse_scene_2(std::string_view text, const std::string& name_for_messages) {
   return std::get<Scene2>(parse(text, name_for_messages, read_text_file, 2));
 }
 
-Scene3 read_scene_3(const std::filesystem::path& file, Triangulator3* triangulator) {
-  return std::get<Scene3>(read(file, 3, triangulator));
+Scene3 read_scene_3(const std::filesystem::path& file, Triangulator3* triangulator, PassedOver* passed_over) {
+  return std::get<Scene3>(read(file, 3, triangulator, passed_over));
 }
 
 Scene3 parse_scene_3(std::string_view text, const std::string& name_for_messages, const TextSource& files) {

@@ -51,23 +51,30 @@ double reciprocity_defect(const ExchangeMatrix& matrix) {
   });
 }
 
-void require_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission, const RadiositySolution& solution) {
-  const auto require = [](bool is_a_double, const std::string& what) {
-    if (!is_a_double) throw RequestError(what + " is beyond the range of doubles");
+std::optional<BeyondDoubles> beyond_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission,
+                                            const RadiositySolution& solution) {
+  const auto told = [](const std::string& what, std::optional<std::uint32_t> element = {}) {
+    return BeyondDoubles{what + " is beyond the range of doubles", element};
   };
   for (const Rational& emission : sky_emission.value)
-    require(std::isfinite(to_double(emission)), "the emission of the sky");
+    if (!std::isfinite(to_double(emission))) return told("the emission of the sky");
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
     const Element& element = matrix.elements()[i];
-    require(element.area.value > 0 && std::isfinite(element.area.value), "the area of '" + element.name + "'");
+    if (!(element.area.value > 0 && std::isfinite(element.area.value)))
+      return told("the area of '" + element.name + "'", i);
     for (const ChannelSolution& channel : solution.channels)
-      require(std::isfinite(channel.elements[i].radiosity) && std::isfinite(channel.elements[i].irradiance),
-              "the light of '" + element.name + "'");
+      if (!std::isfinite(channel.elements[i].radiosity) || !std::isfinite(channel.elements[i].irradiance))
+        return told("the light of '" + element.name + "'", i);
   }
   const EnergyBalance& energy = solution.energy;
-  require(std::isfinite(energy.emitted) && std::isfinite(energy.absorbed) && std::isfinite(energy.to_sky),
-          "the power of the light in all");
+  if (!std::isfinite(energy.emitted) || !std::isfinite(energy.absorbed) || !std::isfinite(energy.to_sky))
+    return told("the power of the light in all");
+  return std::nullopt;
+}
+
+void require_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission, const RadiositySolution& solution) {
+  if (const auto beyond = beyond_doubles(matrix, sky_emission, solution)) throw RequestError(beyond->text);
 }
 
 namespace {

@@ -1,6 +1,10 @@
 // What must balance: rows, pairs, and the light as a whole.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string>
+
 #include "geometry/exchange_matrix.h"
 #include "geometry/material.h"
 #include "solver/radiosity/radiosity_solution.h"
@@ -18,8 +22,18 @@ double closure_defect(const ExchangeMatrix& matrix);
 // COST: a search for each entry, in parallel; the same for any number of threads.
 double reciprocity_defect(const ExchangeMatrix& matrix);
 
-// Throws RequestError, naming what, where areas of rows, the sky's emission, the light of a solution or its power are
-// too large to be written as doubles, or areas too small.
+// What cannot be written as a double: a sentence, and the element whose it is, if it is that of one.
+struct BeyondDoubles {
+  std::string text;
+  std::optional<std::uint32_t> element;
+};
+
+// Returns the first of areas of rows, the sky's emission, the light of a solution and its power that is too large to be
+// written as a double, or an area that is too small; nothing where all can be.
+std::optional<BeyondDoubles> beyond_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission,
+                                            const RadiositySolution& solution);
+
+// Throws RequestError where there is any (beyond_doubles).
 void require_doubles(const ExchangeMatrix& matrix, const Spectrum& sky_emission, const RadiositySolution& solution);
 
 // Sums the energy of a channel, row by row, without rounding that matters.

@@ -91,6 +91,53 @@ TEST(MapReader, SaysTheSameInBothFormats) {
   EXPECT_EQ(write_scene_2(parse(kHall)), write_scene_2(parse_scene_2(write_scene_2(parse(kHall)), "map")));
 }
 
+TEST(MapReader, RefusesRingsThatCrossThemselvesSayingWhere_6) {
+  EXPECT_EQ(refusal("\nPOLYGON ((0 0, 4 0, 0 3, 4 3, 0 0))"),
+            "map:2: the ring 'polyline[0]' of a polygon crosses itself at (2, 1.5)");
+  EXPECT_THAT(refusal("POLYGON ((0 0, 4 0,\n0 3, 6 3, 0 0))"),
+              HasSubstr("map:1: the ring 'polyline[0]' of a polygon crosses itself at (2.4"));
+  EXPECT_THAT(refusal("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0),\n(1 1, 5 1, 1 5, 7 5, 1 1))"),
+              HasSubstr("map:2: the ring 'polyline[1]' of a polygon crosses itself at"));
+  // Touching is no crossing, nor is a way there and back, and a line may cross itself.
+  parse("POLYGON ((0 0, 4 0, 4 3, 2 0, 0 3, 0 0))");
+  parse("POLYGON ((0 0, 2 1, 4 0, 4 3, 2 1, 0 3, 0 0))");
+  parse("POLYGON ((0 0, 4 0, 4 3, 6 3, 4 3, 0 3, 0 0))");
+  parse("LINESTRING (0 0, 4 0, 0 3, 4 3, 0 0)");
+}
+
+TEST(MapReader, PassesOverRepeatedPointsAndEmptyGeometriesAndCountsThem_7) {
+  const std::string plain = write_scene_2(parse("POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0)) LINESTRING (5 5, 6 6)"));
+  for (const auto& [text, note] : std::vector<std::pair<std::string, std::string>>{
+           {"POLYGON ((0 0, 4 0, 4 0, 4 3, 0 3, 0 0)) LINESTRING (5 5, 6 6)", "1 repeated point passed over"},
+           {"POLYGON ((0 0, 0 0, 4 0, 4 3, 0 3, 0 0, 0 0, 0 0), EMPTY) POLYGON EMPTY LINESTRING (5 5, 6 6, 12/2 6)",
+            "4 repeated points and 2 empty geometries passed over"},
+           {"MULTIPOLYGON (EMPTY, ((0 0, 4 0, 4 3, 0 3, 0 0))) LINESTRING (5 5, 6 6)", "1 empty geometry passed over"},
+           {R"({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": null},
+                {"type": "Feature", "geometry": {"type": "Polygon",
+                 "coordinates": [[[0,0],[4,0],[4.0,0],[4,3],[0,3],[0,0]], []]}},
+                {"type": "LineString", "coordinates": []}, {"type": "MultiPolygon", "coordinates": [[]]},
+                {"type": "LineString", "coordinates": [[5,5],[5,5],[6,6]]}]})",
+            "2 repeated points and 4 empty geometries passed over"}}) {
+    PassedOver passed_over;
+    EXPECT_EQ(write_scene_2(parse_map_2(text, "map", MapSide2::kInside, &passed_over)), plain) << text;
+    EXPECT_EQ(passed_over.note(), note) << text;
+  }
+}
+
+TEST(MapReader, ReadsWellKnownTextAsDatabasesWriteIt) {
+  const std::string plain = write_scene_2(parse("POLYGON ((0 0, 4 0, 4 3, 0 0)) LINESTRING (0 0, 1 1, 1 0, 0 0)"));
+  for (const char* text : {"SRID=4326;POLYGON((0 0,4 0,4 3,0 0));\nSRID=4326; LINESTRING(0 0,1 1,1 0,0 0);",
+                           "srid = 0 ; TRIANGLE((0 0,4 0,4 3,0 0)) LINEARRING(0 0,1 1,1 0,0 0)",
+                           "GEOMETRYCOLLECTION(TRIANGLE((0 0,4 0,4 3,0 0)), LINEARRING(0 0,1 1,1 0,0 0))"})
+    EXPECT_EQ(write_scene_2(parse(text)), plain) << text;
+}
+
+TEST(MapReader, TakesANumberForAName_5) {
+  const Scene2 scene = parse(R"({"type": "Feature", "id": "a", "properties": {"name": 5},
+      "geometry": {"type": "LineString", "coordinates": [[0,0],[1,1]]}})");
+  EXPECT_THAT(names_of(scene), ElementsAre("5"));
+}
+
 TEST(MapReader, RefusesWhatIsNoWallByItsLine_6) {
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {"\nPOINT (1 2)", "map:2: 'POINT' has no walls"},
@@ -99,15 +146,23 @@ TEST(MapReader, RefusesWhatIsNoWallByItsLine_6) {
            {"POLYGON ((0 0, 1 1, 2 2, 0 0))", "map:1: a ring of a polygon has no area"},
            {"POLYGON Z ((0 0 0, 1 1 1, 2 2 2, 0 0 0))", "Z is not understood"},
            {"LINESTRING (0 0)", "map:1: a line has fewer than two points"},
-           {"LINESTRING (0 0,\n1 1,\n1 1)", "map:2:"},
+           {"LINESTRING (0 0,\n0 0, 0 0)", "map:1: a line has no length"},
+           {"POLYGON ((1 1, 1 1,\n1 1))", "map:1: a ring of a polygon has fewer than three corners"},
+           {"POLYGON ((0 0, 4 0, 4 0,\n0 0, 0 0))", "map:1: a ring of a polygon has fewer than three corners"},
+           {"\nLINEARRING (0 0, 1 1, 2 0)", "map:2: a LINEARRING is not closed"},
+           {"\nPOLYGONZ ((0 0, 1 1, 2 0, 0 0))", "map:2: 'POLYGONZ' is not understood"},
+           {"SRID=x;POLYGON ((0 0, 1 1, 2 0, 0 0))", "map:1: a coordinate is not a number: 'x'"},
+           {"SRID 4326;LINESTRING (0 0, 1 1)", "map:1: '=' is expected"},
+           {"POLYGON (EMPTY,\n(0 0, 1 1, 2 0, 0 0))", "map:2: a polygon has a hole, and its outline is empty"},
+           {R"({"type": "Polygon", "coordinates": [[], [[0,0],[1,0],[1,1],[0,0]]]})", "its outline is empty"},
            {"LINESTRING (0 0, x 1)", "map:1: a coordinate is not a number: 'x'"},
-           {"CIRCULARSTRING (0 0, 1 1, 2 0)", "has no walls"},
+           {"CIRCULARSTRING (0 0, 1 1, 2 0)", "'CIRCULARSTRING' is not understood"},
            {"POLYGON EMPTY", "map: there is no line and no polygon in it"},
            {" ", "map: the file is empty"},
            {"{\"type\": \"Point\",\n \"coordinates\": [1, 2]}", "map:1: 'Point' has no walls"},
            {"{\"type\": \"LineString\",\n \"coordinates\": [[1, 2],\n[3, 4, 5]]}",
             "map:3: a position in the plane has two"},
-           {R"({"type": "Feature", "geometry": null})", "its geometry is null"},
+           {R"({"type": "Feature", "geometry": null})", "map: there is no line and no polygon in it"},
            {R"({"type": "Feature", "properties": {"front": "left"}, "geometry": {"type": "LineString"}})",
             "front is 'left'"},
            {R"({"type": "Feature", "id": "a#b", "geometry": {"type": "LineString", "coordinates": [[0,0],[1,1]]}})",

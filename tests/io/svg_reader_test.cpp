@@ -124,6 +124,19 @@ TEST(SvgReader, KnowsTheLineOfEverySurface) {
   EXPECT_EQ(scene("<title>x</title>\n<g>\n<line x2='1'/></g>").surfaces[0].line, 4);
 }
 
+TEST(SvgReader, PassesOverPointsThatRepeatTheOneBeforeAndCountsThem) {
+  const auto read = [](const std::string& points, const std::string& path, PassedOver* passed_over) {
+    return write_scene_2(parse_svg_2(
+        "<svg xmlns='http://www.w3.org/2000/svg'><polygon points='" + points + "'/><path d='" + path + "'/></svg>",
+        "drawing.svg", passed_over));
+  };
+  PassedOver none, some;
+  EXPECT_EQ(read("0 0 4 0 4 3", "M0 0 1 1 2 0Z", &none),
+            read("0 0 4 0 4 0 4 3 0 0 0 0", "M0 0 0 0 1 1 l0 0 L2 0 0 0 0 0Z", &some));
+  EXPECT_EQ(none.repeated_points, 0u);
+  EXPECT_EQ(some.repeated_points, 5u);
+}
+
 TEST(SvgReader, PassesOverWhatIsNeverDrawn) {
   EXPECT_EQ(lines("<title>t</title><defs><circle r='1'/></defs><other:circle/><style>.a{fill:red}</style>"
                   "<line id='a' x2='1' style='stroke:red; display: inline'><title>t</title></line>")
@@ -157,14 +170,15 @@ TEST(SvgReader, RefusesWhatItCannotReadExactlyAtItsLine) {
   expect_refusal("<path d='M1 1'/>", "has no lines");
   expect_refusal("<path d='M0 0 L1'/>", "no number where one is due");
   expect_refusal("<path d='M0 0 1 1 ,'/>", "no number where one is due");
-  expect_refusal("<path id='p' d='M0 0 1 1 1 1'/>", "two equal points in a row");
+  expect_refusal("<path id='p' d='M1 1 1 1 1 1'/>", "has no length: all its points are the same");
+  expect_refusal("<polygon points='1 1 1 1 1 1'/>", "has no length: all its points are the same");
   expect_refusal("<polyline points='0 0 1'/>", "no number where one is due");
   expect_refusal("<polyline points='0 0'/>", "fewer than two points");
   expect_refusal("<line x2='1cm'/>", "has the unit 'cm'");
   expect_refusal("<line x2='50%'/>", "has the unit '%'");
   expect_refusal("<line x2='nan'/>", "no number");
   expect_refusal("<line x2='1e99999'/>", "too long");
-  expect_refusal("<line x1='1' x2='1'/>", "two equal points");
+  expect_refusal("<line x1='1' x2='1'/>", "has no length: all its points are the same");
   expect_refusal("<rect width='1' height='0'/>", "no positive width and height");
   expect_refusal("<rect width='1' height='1' rx='.1'/>", "rounded corners");
   expect_refusal("<line x2='1' transform='rotate(45)'/>", "only multiples of 90 are exact");

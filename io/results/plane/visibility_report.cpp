@@ -40,11 +40,22 @@ Json json_of(const Rounded& number) {
   return {{"value", number.value}, {"lower", bounds.lower}, {"upper", bounds.upper}};
 }
 
-// "(1.5, 0.3333333333333333)", with "= (3/2, 1/3)" where a decimal would not say all.
+// People do not read longer fractions; the JSON has them.
+constexpr std::size_t kLongestFraction = 40;
+
+// "12", "0.3333333333333333 = 1/3" where a decimal would not say all, "≈ 0.3333333333333333" for a long fraction.
+std::string text_of(const Rational& value) {
+  if (is_a_double(value)) return decimal_text(value);
+  const std::string exact = to_string(value);
+  return exact.size() > kLongestFraction ? "≈ " + decimal_text(value) : decimal_text(value) + " = " + exact;
+}
+
+// "(1.5, 0.3333333333333333) = (3/2, 1/3)", the same way.
 std::string text_of(const Point2& p) {
-  std::string text = fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y));
-  if (!is_a_double(p.x) || !is_a_double(p.y)) text += fmt::format(" = ({}, {})", to_string(p.x), to_string(p.y));
-  return text;
+  const std::string text = fmt::format("({}, {})", decimal_text(p.x), decimal_text(p.y));
+  if (is_a_double(p.x) && is_a_double(p.y)) return text;
+  const std::string x = to_string(p.x), y = to_string(p.y);
+  return std::max(x.size(), y.size()) > kLongestFraction ? "≈ " + text : fmt::format("{} = ({}, {})", text, x, y);
 }
 
 std::string where(const PreparedScene2& prepared, const VisibilityPolygon2& polygon) {
@@ -93,9 +104,7 @@ void add_polygon(const PreparedScene2& prepared, const VisibilityPolygon2& polyg
   answer.json["location"] = where(prepared, polygon);
   answer.json["area"] = polygon.area ? json_of(*polygon.area) : Json();
   answer.text = fmt::format("from {}, {}\n", text_of(polygon.eye), where(prepared, polygon));
-  answer.text += polygon.area ? fmt::format("area {}{}\n", decimal_text(*polygon.area),
-                                            is_a_double(*polygon.area) ? "" : " = " + to_string(*polygon.area))
-                              : "area unbounded: the sky is seen\n";
+  answer.text += polygon.area ? "area " + text_of(*polygon.area) + "\n" : "area unbounded: the sky is seen\n";
   answer.json["polygon"] = Json::array();
   answer.text += "\nvisibility polygon, counter-clockwise\n";
   for (const Point2& corner : polygon.corners()) {

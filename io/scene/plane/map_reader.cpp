@@ -1,15 +1,13 @@
 #include "io/scene/plane/map_reader.h"
 
-#include <algorithm>
-#include <unordered_map>
-#include <unordered_set>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "geometry/name.h"
-#include "geometry/plane/scene/scene_entries.h"
 #include "io/files/text_file.h"
 #include "io/scene/json_fields.h"
+#include "io/scene/plane/map_polylines.h"
 #include "io/scene/plane/well_known_text.h"
 #include "kernel/support/failure.h"
 
@@ -17,93 +15,11 @@ namespace hottel {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr const char* kNoOutline = "a polygon has a hole, and its outline is empty";
 
-// What a feature says of its geometry.
-struct Feature {
-  std::string name;
-  int name_line = 0;
-  std::string material = kMapMaterial, back;
-  std::uint32_t elements = 1;
-  MapSide2 side = MapSide2::kInside;
-};
-
+using Feature = MapFeature2;
+using Map = MapPolylines2;
 using Ring = std::vector<PolylinePoint2>;
-
-// Twice the area, positive counter-clockwise.
-Rational doubled_area(const Ring& ring) {
-  Rational sum = 0;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point2 &a = ring[k].at, &b = ring[(k + 1) % ring.size()].at;
-    sum += a.x * b.y - b.x * a.y;
-  }
-  return sum;
-}
-
-// Collects polylines.
-class Map {
- public:
-  explicit Map(const std::string& file) { scene_.file = file; }
-
-  void add_line(Ring line, const Feature& feature, const FileLine& where) {
-    if (line.size() < 2) throw InputError(where, "a line has fewer than two points");
-    const bool closed = line.size() > 3 && line.front().at == line.back().at;
-    if (closed) line.pop_back();
-    add(std::move(line), closed, feature);
-  }
-
-  // A ring of a polygon; its first one is the outline.
-  void add_ring(Ring ring, bool is_hole, const Feature& feature, const FileLine& where) {
-    if (ring.size() < 2 || !(ring.front().at == ring.back().at))
-      throw InputError(where, "a ring of a polygon is not closed: its last point must be its first");
-    ring.pop_back();
-    if (ring.size() < 3) throw InputError(where, "a ring of a polygon has fewer than three corners");
-    const Rational area = doubled_area(ring);
-    if (area == 0) throw InputError(where, "a ring of a polygon has no area");
-    // The front is on the right: clockwise looks inward.
-    const bool looks_inward = is_hole == (feature.side == MapSide2::kOutside);
-    if ((area < 0) != looks_inward) std::reverse(ring.begin() + 1, ring.end());
-    add(std::move(ring), true, feature);
-  }
-
-  Scene2 scene() {
-    validate(scene_);
-    return std::move(scene_);
-  }
-
- private:
-  void add(Ring points, bool closed, const Feature& feature) {
-    Surface like;
-    like.material = material(feature.material);
-    if (!feature.back.empty()) like.back = material(feature.back);
-    like.elements = feature.elements;
-    like.group = static_cast<std::uint32_t>(scene_.groups.size());
-    const std::string name = free_name(feature);
-    scene_.groups.push_back(name);
-    add_polyline(scene_, like, name, std::move(points), closed);
-  }
-
-  std::string free_name(const Feature& feature) {
-    if (feature.name.empty()) return "polyline[" + std::to_string(scene_.groups.size()) + "]";
-    if (const auto problem = name_problem(feature.name); !problem.empty())
-      throw InputError({scene_.file, feature.name_line},
-                       "the name " + quoted_name(feature.name) + " " + std::string(problem));
-    std::string name = feature.name;
-    for (std::size_t& k = count_[feature.name]; !names_.insert(name).second;)
-      name = feature.name + "~" + std::to_string(std::max<std::size_t>(++k, 2));
-    return name;
-  }
-
-  std::uint32_t material(const std::string& name) {
-    const auto [found, is_new] = material_.emplace(name, static_cast<std::uint32_t>(scene_.materials.size()));
-    if (is_new) scene_.materials.push_back({name, Spectrum::scalar(kMapReflectivity), {}});
-    return found->second;
-  }
-
-  Scene2 scene_;
-  std::unordered_map<std::string, std::uint32_t> material_;
-  std::unordered_map<std::string, std::size_t> count_;
-  std::unordered_set<std::string> names_;
-};
 
 // ---- GeoJSON
 
@@ -128,7 +44,7 @@ class GeoJsonMap {
       for_each(required(object, "geometries"), [&](const JsonValue& item) { read(item, feature); });
     } else if (type == "Feature") {
       const JsonValue geometry = required(object, "geometry");
-      if (geometry.kind() == JsonKind::kNull) refuse(geometry, "a feature has no shape: its geometry is null");
+      if (geometry.kind() == JsonKind::kNull) return map_.pass_over_empty();
       read(geometry, feature_of(object, feature));
     } else if (type == "FeatureCollection") {
       for_each(required(object, "features"), [&](const JsonValue& item) { read(item, feature); });
@@ -170,7 +86,8 @@ class GeoJsonMap {
     for (const auto& [key, value] : properties.members()) {
       if (value.kind() == JsonKind::kNull) continue;
       const auto word = [&, k = key, v = value] { return read_string(v, {"property", k.text()}); };
-      if (key.text() == "name" && value.kind() == JsonKind::kString && !value.text().empty()) take_name(value);
+      const bool may_name = value.kind() == JsonKind::kString || value.kind() == JsonKind::kNumber;
+      if (key.text() == "name" && may_name && !value.text().empty()) take_name(value);
       if (key.text() == "material" || key.text() == "back") {
         const std::string name = word();
         if (const auto problem = material_name_problem(name); !problem.empty()) refuse(value, problem);
@@ -208,13 +125,25 @@ class GeoJsonMap {
   static FileLine where(const JsonValue& value) { return {value.file(), value.line()}; }
 
   void read_polygon(const JsonValue& rings, const Feature& feature) {
-    bool is_hole = false;
+    bool is_hole = false, is_empty = false;
+    require_kind(rings, JsonKind::kArray, {"a list of GeoJSON"});
+    if (rings.size() == 0) return map_.pass_over_empty();
     for_each(rings, [&](const JsonValue& ring) {
-      map_.add_ring(positions(ring), is_hole, feature, where(ring));
+      require_kind(ring, JsonKind::kArray, {"a list of GeoJSON"});
+      if (ring.size() == 0) {
+        map_.pass_over_empty();
+        is_empty |= !is_hole;
+      } else if (is_empty) {
+        refuse(ring, kNoOutline);
+      } else {
+        map_.add_ring(positions(ring), is_hole, feature, where(ring));
+      }
       is_hole = true;
     });
   }
   void read_line(const JsonValue& line, const Feature& feature) {
+    require_kind(line, JsonKind::kArray, {"a list of GeoJSON"});
+    if (line.size() == 0) return map_.pass_over_empty();
     map_.add_line(positions(line), feature, where(line));
   }
 
@@ -228,38 +157,70 @@ class WellKnownMap {
   WellKnownMap(WellKnownText2& text, Map& map, const Feature& feature) : text_(text), map_(map), feature_(feature) {}
 
   void read_all() {
-    while (text_.skip_blanks()) read_geometry(0);
+    while (text_.skip_blanks())
+      if (!text_.takes(';')) read_geometry(0);
   }
 
  private:
+  // What a geometry is made of.
+  enum class Parts : unsigned char { kRings, kLine, kClosedLine, kPolygons, kLines, kGeometries };
+
+  static std::optional<Parts> parts_of(std::string_view type) {
+    if (type == "POLYGON" || type == "TRIANGLE") return Parts::kRings;
+    if (type == "LINESTRING") return Parts::kLine;
+    if (type == "LINEARRING") return Parts::kClosedLine;
+    if (type == "MULTIPOLYGON") return Parts::kPolygons;
+    if (type == "MULTILINESTRING") return Parts::kLines;
+    if (type == "GEOMETRYCOLLECTION") return Parts::kGeometries;
+    return std::nullopt;
+  }
+
+  // SRID=4326; which says where on the earth the coordinates are: they are taken as they stand.
+  void pass_over_srid() {
+    text_.expect('=');
+    text_.number();
+    text_.expect(';');
+  }
+
   void read_geometry(int depth) {
     text_.skip_blanks();
     const FileLine where = text_.here();
     const std::string type = text_.word();
     if (type.empty()) text_.refuse_here("POLYGON, LINESTRING or another geometry");
-    const bool is_known = type == "POLYGON" || type == "MULTIPOLYGON" || type == "LINESTRING" ||
-                          type == "MULTILINESTRING" || type == "GEOMETRYCOLLECTION";
-    if (!is_known)
-      throw InputError(where, quoted_name(type) + " has no walls",
-                       {"understood: POLYGON, MULTIPOLYGON, LINESTRING, MULTILINESTRING, GEOMETRYCOLLECTION"});
+    if (type == "SRID" && depth == 0) return pass_over_srid();
+    const auto parts = parts_of(type);
+    if (!parts)
+      throw InputError(
+          where, quoted_name(type) + (type == "POINT" || type == "MULTIPOINT" ? " has no walls" : " is not understood"),
+          {"understood: POLYGON, MULTIPOLYGON, TRIANGLE, LINESTRING, MULTILINESTRING, LINEARRING, GEOMETRYCOLLECTION"});
     if (depth == kMaxJsonDepth) throw InputError(where, "collections are nested too deep");
-    if (!text_.begins()) return;
-    if (type == "POLYGON")
-      read_rings();
-    else if (type == "LINESTRING")
-      map_.add_line(positions(), feature_, where);
-    else if (type == "GEOMETRYCOLLECTION")
-      text_.read_list([this, depth] { read_geometry(depth + 1); });
-    else
-      text_.read_list([&] {
-        text_.skip_blanks();
-        const FileLine part = text_.here();
-        if (!text_.begins()) return;
-        if (type == "MULTIPOLYGON")
-          read_rings();
-        else
-          map_.add_line(positions(), feature_, part);
-      });
+    if (begins()) read_parts(*parts, where, depth);
+  }
+
+  void read_parts(Parts parts, const FileLine& where, int depth) {
+    switch (parts) {
+      case Parts::kRings:
+        return read_rings();
+      case Parts::kLine:
+        return map_.add_line(positions(), feature_, where);
+      case Parts::kClosedLine:
+        return map_.add_closed_line(positions(), feature_, where);
+      case Parts::kGeometries:
+        return text_.read_list([this, depth] { read_geometry(depth + 1); });
+      case Parts::kPolygons:
+      case Parts::kLines:
+        text_.read_list([&] {
+          text_.skip_blanks();
+          const FileLine part = text_.here();
+          if (begins()) read_parts(parts == Parts::kPolygons ? Parts::kRings : Parts::kLine, part, depth);
+        });
+    }
+  }
+
+  bool begins() {
+    const bool is_there = text_.begins();
+    if (!is_there) map_.pass_over_empty();
+    return is_there;
   }
 
   Ring positions() {
@@ -273,12 +234,17 @@ class WellKnownMap {
   }
 
   void read_rings() {
-    bool is_hole = false;
+    bool is_hole = false, is_empty = false;
     text_.read_list([&] {
       text_.skip_blanks();
       const FileLine where = text_.here();
-      text_.expect('(');
-      map_.add_ring(positions(), is_hole, feature_, where);
+      if (!begins()) {
+        is_empty |= !is_hole;
+      } else if (is_empty) {
+        throw InputError(where, kNoOutline);
+      } else {
+        map_.add_ring(positions(), is_hole, feature_, where);
+      }
       is_hole = true;
     });
   }
@@ -294,9 +260,11 @@ bool is_map_2(const std::filesystem::path& file) {
   return file.extension() == ".geojson" || file.extension() == ".wkt";
 }
 
-Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, MapSide2 side) {
+Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, MapSide2 side,
+                   PassedOver* passed_over) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  Map map(name_for_messages);
+  PassedOver untold;
+  Map map(name_for_messages, passed_over != nullptr ? *passed_over : untold);
   Feature feature;
   feature.side = side;
   const std::size_t start = text.find_first_not_of(" \t\r\n");
@@ -313,8 +281,8 @@ Scene2 parse_map_2(std::string_view text, const std::string& name_for_messages, 
   return scene;
 }
 
-Scene2 read_map_2(const std::filesystem::path& file, MapSide2 side) {
-  return parse_map_2(read_text_file(file), file.string(), side);
+Scene2 read_map_2(const std::filesystem::path& file, MapSide2 side, PassedOver* passed_over) {
+  return parse_map_2(read_text_file(file), file.string(), side, passed_over);
 }
 
 }  // namespace hottel

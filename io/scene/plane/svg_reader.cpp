@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <pugixml.hpp>
 #include <unordered_map>
@@ -48,7 +49,10 @@ struct Inherited {
 
 class SvgReader {
  public:
-  SvgReader(std::string_view text, const std::string& file) : text_(text) { scene_.file = file; }
+  SvgReader(std::string_view text, const std::string& file, PassedOver& passed_over)
+      : text_(text), passed_over_(passed_over) {
+    scene_.file = file;
+  }
 
   Scene2 read() {
     if (const auto nul = text_.find('\0'); nul != std::string_view::npos) refuse(line_at(nul), "has a NUL byte");
@@ -281,6 +285,8 @@ class SvgReader {
       refuse(line_of(node), subject(node) + ": the id " + std::string(problem));
     std::vector<Point2>& p = run.points;
     if (p.size() < 2) refuse(node, "has fewer than two points");
+    passed_over_.repeated_points += drop_repeated(p, run.closed, std::equal_to<>());
+    if (p.size() < 2) refuse(node, "has no length: all its points are the same");
     for (Point2& point : p) {
       point = style.transform.apply(point);
       point.y = -point.y;
@@ -295,7 +301,6 @@ class SvgReader {
     surface.line = line_of(node);
     scene_.groups.push_back(name);
     for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-      if (p[i] == p[i + 1]) refuse(node, "has two equal points in a row (piece " + std::to_string(i) + ")");
       surface.name = is_edge ? name : piece_name(name, i);
       scene_.add(surface, {p[i], p[i + 1]});
     }
@@ -309,6 +314,7 @@ class SvgReader {
   }
 
   std::string_view text_;
+  PassedOver& passed_over_;
   pugi::xml_document document_;
   Scene2 scene_;
   std::unordered_map<std::string, std::uint32_t> materials_;
@@ -318,10 +324,13 @@ class SvgReader {
 
 }  // namespace
 
-Scene2 parse_svg_2(std::string_view text, const std::string& name_for_messages) {
-  return SvgReader(text, name_for_messages).read();
+Scene2 parse_svg_2(std::string_view text, const std::string& name_for_messages, PassedOver* passed_over) {
+  PassedOver untold;
+  return SvgReader(text, name_for_messages, passed_over != nullptr ? *passed_over : untold).read();
 }
 
-Scene2 read_svg_2(const std::filesystem::path& file) { return parse_svg_2(read_text_file(file), file.string()); }
+Scene2 read_svg_2(const std::filesystem::path& file, PassedOver* passed_over) {
+  return parse_svg_2(read_text_file(file), file.string(), passed_over);
+}
 
 }  // namespace hottel

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "geometry/plane/scene/scene.h"
+#include "io/scene/passed_over.h"
 
 namespace hottel {
 
@@ -24,16 +25,18 @@ inline const Rational kSvgReflectivity{1, 2};
 //   (4) names are the ids ("ID.1", "ID.2", ... for a path of several parts); without an id edge[k] and polyline[k], k
 //       counted over elements of that kind. Materials are data-material, or else the class, or else "white"; data-back
 //       is the material of the back. data-material, data-back, data-front and class hold for everything in a group
-//   (5) nothing is dropped: what cannot be read exactly (curves, text, images, <use>, rounded corners, hidden or
+//   (5) a point that repeats the one before, or of a closed run the first, is passed over, and counted; a run that has
+//       one point left is refused
+//   (6) nothing else is dropped: what cannot be read exactly (curves, text, images, <use>, rounded corners, hidden or
 //       clipped elements, rotations other than quarter turns, lengths with units), styles that hide, move or resize
 //       (svg_style.h), data- keys other than those above, scripts, and references to entities are refused at their
 //       line, the element named with its container. What SVG does not draw by itself (definitions, titles, metadata,
 //       elements of other namespaces) is passed over
 //
 // Throws InputError with file and line.                                                              COST: linear.
-Scene2 read_svg_2(const std::filesystem::path& file);
+Scene2 read_svg_2(const std::filesystem::path& file, PassedOver* passed_over = nullptr);
 
 // The same for a text in memory.
-Scene2 parse_svg_2(std::string_view text, const std::string& name_for_messages);
+Scene2 parse_svg_2(std::string_view text, const std::string& name_for_messages, PassedOver* passed_over = nullptr);
 
 }  // namespace hottel

@@ -76,7 +76,7 @@ Point2 WellKnownText2::position() {
 
 Rational WellKnownText2::number() {
   if (!skip_blanks()) refuse_here("a coordinate");
-  const std::size_t end = std::min(text_.find_first_of(" \t\r\n,()", at_), text_.size());
+  const std::size_t end = std::min(text_.find_first_of(" \t\r\n,();", at_), text_.size());
   if (end == at_) refuse_here("a coordinate");
   const std::string_view token = text_.substr(at_, end - at_);
   at_ = end;

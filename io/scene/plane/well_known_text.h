@@ -38,14 +38,14 @@ class WellKnownText2 {
     while (takes(','));
     expect(')');
   }
+  // A number, up to a blank, a comma, a bracket or a ';'.
+  Rational number();
   // Two numbers, up to a comma or a ')'.
   Point2 position();
 
   [[noreturn]] void refuse_here(const std::string& expected) const;
 
  private:
-  Rational number();
-
   std::string_view text_;
   const std::string& name_;
   std::size_t at_ = 0;

@@ -1,6 +1,7 @@
 #include "io/scene/space/mesh_adder.h"
 
 #include <filesystem>
+#include <functional>
 
 #include "geometry/name.h"
 #include "geometry/scene_names.h"
@@ -22,7 +23,8 @@ Polygon3 scaled(Polygon3 polygon, const Rational& scale) {
 
 }  // namespace
 
-MeshAdder3::MeshAdder3(Scene3& scene, Triangulator3* triangulator) : scene_(scene), triangulator_(triangulator) {
+MeshAdder3::MeshAdder3(Scene3& scene, Triangulator3* triangulator, PassedOver* passed_over)
+    : scene_(scene), triangulator_(triangulator), passed_over_(passed_over) {
   for (std::uint32_t k = 0; k < scene.materials.size(); ++k) own_.emplace(scene.materials[k].name, k);
 }
 
@@ -60,6 +62,10 @@ void MeshAdder3::add(const Mesh3& mesh, const MeshEntry3& entry) {
     surface.group = *groups[group];
     surface.line = entry.line > 0 ? entry.line : face.line;
     Polygon3 polygon = face.polygon;
+    const std::size_t repeated = drop_repeated(polygon.points, true, std::equal_to<>());
+    if (polygon.points.size() < 3)
+      refuse("face " + quoted_name(surface.name) + " has no area: it has fewer than three points that differ");
+    if (passed_over_ != nullptr) passed_over_->repeated_points += repeated;
     accept_nearly_plane(polygon, mesh.float_digits > 0 ? float_spacing(polygon, mesh.float_digits) : mesh.unit);
     const auto [problem, hint] = polygon_problem(polygon);
     polygon = scaled(std::move(polygon), entry.scale);
@@ -97,14 +103,14 @@ std::uint32_t MeshAdder3::added_material(const Mesh3& mesh, int line, Material m
   return entry->second;
 }
 
-MeshScene3 scene_of(const Mesh3& mesh, Triangulator3* triangulator) {
+MeshScene3 scene_of(const Mesh3& mesh, Triangulator3* triangulator, PassedOver* passed_over) {
   MeshScene3 result;
   result.scene.file = mesh.file;
   MeshEntry3 entry;
   entry.name = std::filesystem::path(mesh.file).stem().string();
   if (!name_problem(entry.name).empty()) entry.name = "mesh";
   entry.invents_materials = true;
-  MeshAdder3 adder(result.scene, triangulator);
+  MeshAdder3 adder(result.scene, triangulator, passed_over);
   adder.add(mesh, entry);
   validate(result.scene);
   result.invented = adder.invented();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/space/scene/triangulator.h"
+#include "io/scene/passed_over.h"
 #include "io/scene/space/mesh.h"
 
 namespace hottel {
@@ -35,12 +36,13 @@ struct MeshEntry3 {
 //       become groups of the scene, numbered by their first faces
 //   (2) a material is the one that the scene had of that name before any mesh, else that of the mesh's MTL files; only
 //       those that faces have are added. Meshes may share one, if it is the same in both files
-//   (3) faces that are plane but for the last digits of the file are nearly plane (accept_nearly_plane)
+//   (3) a corner of a face that repeats the one before, or the first, is passed over, and counted
+//   (4) faces that are plane but for the last digits of the file are nearly plane (accept_nearly_plane)
 class MeshAdder3 {
  public:
-  // Faces that are not plane are refused, or cut by the triangulator. REQUIRES that both outlive this, and that the
+  // Faces that are not plane are refused, or cut by the triangulator. REQUIRES that all outlive this, and that the
   // scene has all materials of its own, and gets others from here only.
-  explicit MeshAdder3(Scene3& scene, Triangulator3* triangulator = nullptr);
+  explicit MeshAdder3(Scene3& scene, Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr);
 
   // Throws InputError with the file of the mesh and the line of the face (or its byte, in a binary file), naming it,
   // for a face that is no polygon (polygon_problem), or has no material; for a group whose name cannot be one
@@ -58,6 +60,7 @@ class MeshAdder3 {
   Triangulator3* triangulator_;
   std::unordered_map<std::string, std::uint32_t> own_, added_;  // materials
   std::vector<std::string> invented_;
+  PassedOver* passed_over_;
 };
 
 // A mesh as a scene, and the names of its materials that no file defines.
@@ -74,6 +77,6 @@ struct MeshScene3 {
 //       be a name
 //
 // A triangulator cuts faces that are not plane. Throws InputError as MeshAdder3 and validate do.
-MeshScene3 scene_of(const Mesh3& mesh, Triangulator3* triangulator = nullptr);
+MeshScene3 scene_of(const Mesh3& mesh, Triangulator3* triangulator = nullptr, PassedOver* passed_over = nullptr);
 
 }  // namespace hottel

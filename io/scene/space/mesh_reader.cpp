@@ -39,10 +39,10 @@ Mesh3 parse_mesh_3(MeshFormat3 format, std::string_view bytes, const std::string
   return parse_stl_3(bytes, file);
 }
 
-MeshScene3 read_mesh_scene_3(const std::filesystem::path& file, Triangulator3* triangulator) {
+MeshScene3 read_mesh_scene_3(const std::filesystem::path& file, Triangulator3* triangulator, PassedOver* passed_over) {
   const auto format = mesh_format_3(file);
   HOTTEL_REQUIRE(format.has_value());
-  return scene_of(parse_mesh_3(*format, read_text_file(file), file.string()), triangulator);
+  return scene_of(parse_mesh_3(*format, read_text_file(file), file.string()), triangulator, passed_over);
 }
 
 }  // namespace hottel

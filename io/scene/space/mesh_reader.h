@@ -27,6 +27,7 @@ Mesh3 parse_mesh_3(MeshFormat3 format, std::string_view bytes, const std::string
                    const TextSource& files = read_text_file);
 
 // Returns the scene that a file of a mesh is by itself (scene_of). REQUIRES that mesh_format_3 knows its ending.
-MeshScene3 read_mesh_scene_3(const std::filesystem::path& file, Triangulator3* triangulator = nullptr);
+MeshScene3 read_mesh_scene_3(const std::filesystem::path& file, Triangulator3* triangulator = nullptr,
+                             PassedOver* passed_over = nullptr);
 
 }  // namespace hottel

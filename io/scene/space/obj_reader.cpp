@@ -142,10 +142,14 @@ class ObjReader3 {
     const std::filesystem::path path = std::filesystem::path(mesh_.file).parent_path() / name;
     if (std::find(libraries_.begin(), libraries_.end(), path) != libraries_.end()) return;
     libraries_.push_back(path);
-    for (const Material& material : parse_mtl(files_(path), path.string())) {
+    for (const Material& material : parse_mtl(library_text(path), path.string())) {
       const auto [entry, is_new] = mesh_.library.emplace(material.name, material);
       if (!is_new) at_.refuse("the material " + quoted_name(entry->first) + " stands in two MTL files");
     }
+  }
+
+  std::string library_text(const std::filesystem::path& path) const {
+    return read_named_file(files_, path, {mesh_.file, at_.line()}, "the file of materials");
   }
 
   ObjStatements at_;

@@ -18,8 +18,8 @@ namespace {
 
 class SpaceReader3 {
  public:
-  SpaceReader3(const std::string& name, const TextSource& files, Triangulator3* triangulator)
-      : table_(scene_), files_(files), triangulator_(triangulator) {
+  SpaceReader3(const std::string& name, const TextSource& files, Triangulator3* triangulator, PassedOver* passed_over)
+      : table_(scene_), files_(files), triangulator_(triangulator), passed_over_(passed_over) {
     scene_.file = name;
   }
 
@@ -146,7 +146,7 @@ class SpaceReader3 {
   }
 
   void read_meshes(const JsonValue& meshes) {
-    MeshAdder3 adder(scene_, triangulator_);
+    MeshAdder3 adder(scene_, triangulator_, passed_over_);
     if (meshes.kind() != JsonKind::kArray) return read_mesh(meshes, "mesh[0]", adder);
     table_.read_list(meshes, "mesh", "mesh",
                      [&](const JsonValue& value, const std::string& name) { read_mesh(value, name, adder); });
@@ -180,7 +180,8 @@ class SpaceReader3 {
     if (!format)
       refuse(file, owner + ": the file " + quoted_name(name) + " is not read by this version: it does not end in " +
                        kMeshEndings3);
-    return parse_mesh_3(*format, files_(path), path.string(), files_);
+    const std::string bytes = read_named_file(files_, path, {file.file(), file.line()}, owner + ": the file");
+    return parse_mesh_3(*format, bytes, path.string(), files_);
   }
 
   Point3 read_point(const JsonValue& value, const Subject& subject) const {
@@ -272,14 +273,15 @@ class SpaceReader3 {
   std::vector<std::pair<std::string, JsonValue>> masks_;  // by name, with what they say
   const TextSource& files_;
   Triangulator3* triangulator_;
+  PassedOver* passed_over_;
   std::unordered_map<std::string, std::uint32_t> shared_groups_;  // of "group"
 };
 
 }  // namespace
 
 Scene3 read_document_3(const JsonValue& root, const std::string& name_for_messages, const TextSource& files,
-                       Triangulator3* triangulator) {
-  return SpaceReader3(name_for_messages, files, triangulator).read(root);
+                       Triangulator3* triangulator, PassedOver* passed_over) {
+  return SpaceReader3(name_for_messages, files, triangulator, passed_over).read(root);
 }
 
 }  // namespace hottel

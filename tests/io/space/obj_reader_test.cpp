@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/scene/scene_json.h"
 #include "io/scene/space/mesh_adder.h"
 #include "kernel/support/failure.h"
 #include "tests/refusal.h"
@@ -137,6 +138,15 @@ TEST(ObjReader, CallsFacesMeshWhereTheFileCannotGiveThemItsName) {
   }
 }
 
+TEST(ObjReader, PassesOverCornersThatRepeatTheOneBeforeAndCountsThem) {
+  const std::string plain =
+      write_scene_3(scene_of(parse_obj_3(kSquare + "f 1 2 3\nf 1 3 4\n", "in/room.obj", source_of({}))).scene);
+  PassedOver passed_over;
+  const Mesh3 mesh = parse_obj_3(kSquare + "v 1 1 0.0\nf 1 2 3 3\nf 1 1 3 5 4 1\n", "in/room.obj", source_of({}));
+  EXPECT_EQ(write_scene_3(scene_of(mesh, nullptr, &passed_over).scene), plain);
+  EXPECT_EQ(passed_over.repeated_points, 4u);
+}
+
 TEST(ObjReader, KeepsTheLineOfAFace) { EXPECT_EQ(read(kSquare + "\nf 1 2 3\n").scene.surfaces[0].line, 6); }
 
 TEST(ObjReader, RefusesFacesThatAreNoPolygonsByNameAndLine) {
@@ -144,7 +154,9 @@ TEST(ObjReader, RefusesFacesThatAreNoPolygonsByNameAndLine) {
               StartsWith("in/room.obj:6: face 'box[0]' is not plane: points lie 0.1"));
   EXPECT_EQ(refusal("v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\nf 1 2 3 4\n"),
             "in/room.obj:5: face 'room[0]' crosses itself at the point (1, 1, 0)");
-  EXPECT_EQ(refusal(kSquare + "f 1 2 3\nf 1 2 1\n"), "in/room.obj:6: face 'room[1]' has the point (0, 0, 0) twice");
+  EXPECT_EQ(refusal(kSquare + "f 1 2 3\nf 1 2 1\n"),
+            "in/room.obj:6: face 'room[1]' has no area: it has fewer than three points that differ");
+  EXPECT_EQ(refusal(kSquare + "f 1 2 3 1 4\n"), "in/room.obj:5: face 'room[0]' has the point (0, 0, 0) twice");
   EXPECT_EQ(refusal("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"),
             "in/room.obj:4: face 'room[0]' has no area: its points lie on one line");
 }
@@ -216,12 +228,20 @@ TEST(ObjReader, ReadsSeveralMtlFilesAndEachOnce) {
 }
 
 TEST(ObjReader, RefusesMaterialsThatAreNotThere) {
-  EXPECT_EQ(refusal("mtllib lost.mtl\n"), "in/lost.mtl: is not there");
+  EXPECT_EQ(refusal("mtllib lost.mtl\n"), "in/room.obj:1: the file of materials in/lost.mtl: is not there");
   EXPECT_EQ(refusal("mtllib\n"), "in/room.obj:1: mtllib names no file");
   EXPECT_EQ(refusal("mtllib a.mtl\n" + kSquare + "usemtl gray\nf 1 2 3\n", {{"in/a.mtl", kMaterials}}),
             "in/room.obj:6: the material 'gray' is not defined");
   EXPECT_EQ(refusal("mtllib a.mtl\n" + kSquare + "usemtl white\nf 1 2 3\n", {{"in/a.mtl", kMaterials}}),
             "in/room.obj:6: the material 'white' is not defined");
+}
+
+TEST(ObjReader, RefusesAMissingMtlFileWhereItIsNamed) {
+  const TextSource none = [](const std::filesystem::path& file) -> std::string {
+    throw InputError({file.string(), 0}, "there is no such file");
+  };
+  EXPECT_EQ(refusal_by([&] { parse_obj_3(kSquare + "mtllib no.mtl\nf 1 2 3\n", "in/room.obj", none); }),
+            "in/room.obj:5: the file of materials in/no.mtl: there is no such file");
 }
 
 TEST(ObjReader, RefusesWrongMtlFilesByTheirLines) {
