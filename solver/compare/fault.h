@@ -17,7 +17,8 @@ enum class Fault {
   kSkyIsRest,       // the sky gets what the (wrong) row lacks of 1
   kMissing,         // 0
   kBehind,          // light between faces that do not face each other
-  kSamplingNoise    // the scatter of rays
+  kSamplingNoise,   // the scatter of rays, which may lean
+  kSystematic       // errors as of few rays, where many were counted
 };
 
 }  // namespace hottel
