@@ -46,7 +46,7 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
                     const Methods<Prepared>& methods, const std::vector<NamedMethod>& radiosity_files) {
   std::vector<std::string> names;
   std::map<std::string, int> members;
-  bool has_foreign = !radiosity_files.empty();
+  bool has_foreign = !radiosity_files.empty() || !options.grid_file.empty();
   bool has_parameter = false;
   for (const auto& [name, curve, method] : methods) {
     names.push_back(name);
@@ -63,7 +63,8 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
     throw UnknownName("--map takes one of the methods that are compared, not '" + options.map + "'", options.map,
                       names);
   if (options.beyond && !has_foreign)
-    throw UsageError("--beyond is about results of others: none of the methods is file: or run:");
+    throw UsageError(
+        "--beyond is about results of others: none of the methods is file: or run:, and there is no --grid-file");
   if (options.at_most > 0 && std::ranges::none_of(members, [](const auto& each) { return each.second > 1; }))
     throw UsageError(
         "--at-most leaves out the rest of a family: --sweep, or several methods of one, give it something "
@@ -168,7 +169,8 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
       "What accuracy costs: " + stem, size_text(comparison.exact()));
   std::vector<std::string> light;  // what is said of it
   if (grid) {
-    const JudgedGrid judged = naming_file(options.scene, [&] { return judge_grid(options.grid_file, comparison); });
+    const JudgedGrid judged = naming_file(
+        options.scene, [&] { return judge_grid(options.grid_file, comparison, options.beyond.value_or(kBeyond)); });
     grid->write(judged.csv);
     grid_picture->write(judged.picture);
     light = judged.sentences;
@@ -255,7 +257,7 @@ void add_compare(Commands& commands) {
   command
       .add_option("--beyond", options->beyond,
                   "of file: and run:, call a pair off when it is wrong by more than X (without it " +
-                      shortest(kBeyond) + ") and the digits written")
+                      shortest(kBeyond) + ") and the digits written; of --grid-file a cell, by X of the largest light")
       ->type_name("X")
       ->check(number_not_below_zero());
   command

@@ -135,10 +135,13 @@ GridValues grid_of(const std::vector<double>& values) { return {2, 3, 1, values}
 TEST(GridErrors, AreOverCellsThatBothHaveAndSayWhere) {
   const double nan = std::nan("");
   const std::vector<double> exact = {1, 2, nan, 4, 5, 6}, found = {1, 2.5, 7, kInfinity, 5, 4};
-  const GridErrors errors = grid_errors(grid_of(found), grid_of(exact)).at(0);
+  const GridErrors errors = grid_errors(grid_of(found), grid_of(exact), 1e-6, {}).at(0);
   EXPECT_EQ(errors.cells, 4u);
   EXPECT_EQ(errors.missing, 1u);
   EXPECT_EQ(errors.extra, 1u);
+  EXPECT_EQ(errors.off, 2u);
+  EXPECT_EQ(grid_errors(grid_of(found), grid_of(exact), 0.1, {}).at(0).off, 1u) << "a tenth of 6";
+  EXPECT_EQ(grid_errors(grid_of(found), grid_of(exact), 0, {0, 0, 0.6}).at(0).off, 0u) << "digits of the file";
   EXPECT_EQ(errors.max, 2);
   EXPECT_DOUBLE_EQ(errors.rms, std::sqrt((0.25 + 4) / 4));
   EXPECT_EQ(errors.ix, 2u);
@@ -158,9 +161,21 @@ TEST(GridErrors, AreReadAsTurnedOrScaledLight) {
   std::vector<double> scaled = exact;
   for (double& value : scaled) value *= 2 * std::numbers::pi;
   EXPECT_EQ(read(scaled), "times 2 pi");
+  for (double& value : scaled) value *= 2;
+  EXPECT_EQ(read(scaled), "times 4 pi");
+  for (double& value : scaled) value /= 2;
   std::swap_ranges(scaled.begin(), scaled.begin() + 3, scaled.begin() + 3);
   EXPECT_THAT(read(scaled),
               ::testing::AllOf(::testing::StartsWith("upside down"), ::testing::EndsWith("and times 2 pi")));
+}
+
+TEST(GridErrors, AreReadAsExchangedAxesWhereThereAreAsManyOfBoth) {
+  const std::vector<double> exact = {1, 2, 4, 8, 16, 32, 64, 128, 256};
+  const auto square = [](const std::vector<double>& values) { return GridValues{3, 3, 1, values}; };
+  const auto read = [&](const std::vector<double>& found) { return grid_reading(square(found), square(exact)); };
+  EXPECT_THAT(read({1, 8, 64, 2, 16, 128, 4, 32, 256}), ::testing::StartsWith("that of exchanged axes"));
+  EXPECT_THAT(read({4, 32, 256, 2, 16, 128, 1, 8, 64}), ::testing::StartsWith("turned by a quarter"));
+  EXPECT_THAT(read({2, 16, 128, 4, 32, 256, 8, 64, 512}), ::testing::EndsWith("and times 2")) << "exchanged, doubled";
 }
 
 TEST(FaceMeans, AreWeightedByAreaAndComparedByTheLargest) {
