@@ -12,6 +12,7 @@
 #include <set>
 
 #include "geometry/name.h"
+#include "solver/compare/named_factors.h"
 
 namespace hottel {
 namespace {
@@ -46,6 +47,11 @@ std::vector<std::string> names_of(const std::string& element) {
 }
 
 std::string words_of(const Sum& sum) {
+  const double ratio = 1 + sum.error / sum.exact;
+  if (sum.of == kAllFactors)
+    for (const NamedFactor& named : kNamedFactors)
+      if (std::abs(named.value - 1) > 0.1 && std::abs(ratio / named.value - 1) < 0.02)
+        return fmt::format("all factors are about the exact ones times {}", named.words);
   const bool is_more = sum.error > 0;
   const char* how = sum.of.starts_with("what ")   ? (is_more ? "is too much" : "is short")
                     : sum.of.starts_with("hits ") ? (is_more ? "are too many" : "are short")

@@ -180,6 +180,8 @@ TEST(SamplingNoise, CountersThatLoseHitsOrMoveThemAreCalledBiased) {
     tell("lamp", lamp, {"leaky: what leaves 'lamp' is short by 20 %"});
     for (auto& [pair, value] : all) value *= 0.97;
     tell("all", all, {"all factors are too small by 3 %"});
+    for (auto& [pair, value] : all) value /= -0.97;
+    tell("sign", all, {"all factors are about the exact ones times -1 (the sign)"});
     // A tenth of what hits the box is counted on a wall: rows sum to 1 as before.
     for (const auto& [pair, value] : right)
       if (const auto wall = moved.find({pair.first, *judged.exact.find("room[0]")});
