@@ -164,9 +164,18 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
     outcome.results.back().info.family = foreign_curve(file, taken);
     taken.push_back(outcome.results.back().info.family);
   }
-  const LogPlot plot = comparison_plot(
-      outcome.results, {options.plot_x.value_or(PlotX::kTime), options.plot_y.value_or(PlotY::kMaxError)},
-      "What accuracy costs: " + stem, size_text(comparison.exact()));
+  // Files of radiosities have no factors: then the plot is of what all have.
+  const bool is_of_radiosities =
+      !options.plot_y && !radiosity_files.empty() && std::ranges::all_of(outcome.results, [](const MethodResult& each) {
+        return each.max_radiosity_error.has_value();
+      });
+  if (is_of_radiosities)
+    streams.note("the plot is of errors of radiosities, which all have: --plot-y max draws those of view factors");
+  const LogPlot plot =
+      comparison_plot(outcome.results,
+                      {options.plot_x.value_or(PlotX::kTime),
+                       options.plot_y.value_or(is_of_radiosities ? PlotY::kRadiosityError : PlotY::kMaxError)},
+                      "What accuracy costs: " + stem, size_text(comparison.exact()));
   std::vector<std::string> light;  // what is said of it
   if (grid) {
     const JudgedGrid judged = naming_file(

@@ -286,6 +286,7 @@ TEST(WorkReading, NamesTheCheapestFamilyAndTheFactor) {
   EXPECT_EQ(to_sentence(readings[3]),
             "at an error of 1e-09 exact (4 s) stands alone: no other method that is timed reaches it");
   EXPECT_TRUE(read_off(std::span(curves).subspan(1), std::array{0.1}).empty());
+  EXPECT_TRUE(read_off(std::span(curves).first(1), std::array{0.1}).empty()) << "exact alone";
 }
 
 // A method that gives the matrix it is given.
