@@ -248,7 +248,7 @@ TEST(Foreign, CompareJudgesRadiositiesToo) {
       "sed 's/^\\(floor,0,g,[^,]*,[^,]*,[^,]*\\),[^,]*/\\1,0.75/' "
       "solved/radiosity.csv > b.csv; hottel compare " +
       kBox + " --methods file:b.csv" + compare);
-  EXPECT_THAT(outcome.err, HasSubstr("1 of 27 radiosities lie outside the proven bounds"));
+  EXPECT_THAT(outcome.err, HasSubstr("1 of 27 radiosities lies outside the proven bounds"));
   EXPECT_THAT(outcome.err, HasSubstr("'floor' (g): 0.75 instead of"));
   place.write("c.csv", "face,channel,radiosity\nlamp,r,1\n");
   outcome = place.run("hottel compare " + kBox + " --methods file:c.csv" + compare);
