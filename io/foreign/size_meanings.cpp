@@ -60,7 +60,7 @@ std::vector<SizeMeaning> size_meanings(const ForeignMatrix& foreign, const std::
     if (!has_all) std::erase_if(sides, [](const Side& side) { return !side.has_material; });
     if (sides.size() + (has_sky ? 1 : 0) != foreign.rows) return;
     SizeMeaning meaning;
-    meaning.words = std::string(has_all ? "all " : "the ") + (is_whole ? "faces, undivided" : noun) +
+    meaning.words = std::string(has_all ? "all " : "the ") + (is_whole ? "undivided faces" : noun) +
                     (has_all ? "" : " with a material") + (has_sky ? " and the sky" : "");
     meaning.asymmetry = asymmetry(foreign, sides);
     if (!is_whole)

@@ -71,11 +71,18 @@ std::vector<Hypothesis> hypotheses_of(const JudgedScene& scene, const JudgedPair
   hypotheses.push_back(suppose_row_factor(judged));
   hypotheses.push_back(suppose_reversed(scene, judged));
   hypotheses.push_back(suppose_permuted(judged));
+  hypotheses.push_back(suppose_shifted(judged));
+  hypotheses.push_back(suppose_rows_permuted(judged));
+  hypotheses.push_back(suppose_columns_permuted(judged));
   hypotheses.push_back(suppose_no_occlusion(judged, unobstructed));
   hypotheses.push_back(suppose_all_or_nothing(judged, unobstructed));
   hypotheses.push_back(suppose_sky_missing(judged));
   hypotheses.push_back(suppose_sky_is_rest(judged));
   hypotheses.push_back(suppose_missing(judged));
+  // It takes runs of methods: not where another reading explains all.
+  if (std::none_of(hypotheses.begin(), hypotheses.end(),
+                   [&](const Hypothesis& each) { return each.count() == judged.off(); }))
+    hypotheses.push_back(suppose_method(scene, judged));
   hypotheses.push_back(suppose_behind(judged, unobstructed));
   hypotheses.push_back(suppose_sampling_noise(judged, {}, false));
   return hypotheses;

@@ -5,10 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
+#include "solver/plane/methods/method_catalogue.h"
 #include "tests/solver/plane/judged_matrices.h"
 
 namespace hottel {
@@ -248,6 +250,65 @@ TEST_P(VerdictTest, CountsFactorsBelowZeroAndAboveOne) {
 
 INSTANTIATE_TEST_SUITE_P(Written, VerdictTest, testing::Bool(),
                          [](const auto& is_printed) { return is_printed.param ? "ToSixDecimals" : "InFull"; });
+
+TEST(Verdict, FindsIndicesThatAreShifted) {
+  const Judged judged(clutter());
+  const std::uint32_t n = judged.exact.size() + 1;  // the sky among them
+  const auto exact = [&](std::uint32_t i, std::uint32_t j) {
+    return i == judged.exact.sky() ? 0 : judged.exact.factor(i, j).value;
+  };
+  const auto said = [&](const Judged::Value& value, Fault fault) {
+    const Verdict verdict = judged.judge_it(value, false);
+    EXPECT_EQ(faults(verdict), std::vector{fault}) << judged.sentences(verdict);
+    return judged.sentences(verdict);
+  };
+  EXPECT_THAT(said([&](auto i, auto j, double) { return exact((i + n - 1) % n, (j + n - 1) % n); }, Fault::kShifted),
+              HasSubstr("indices are shifted, rows and columns by 1"));
+  EXPECT_THAT(said([&](auto i, auto j, double) { return exact(i, (j + n - 1) % n); }, Fault::kShifted),
+              HasSubstr("only the columns by 1"));
+  EXPECT_THAT(said([&](auto i, auto j, double) { return exact((i + 1) % n, j); }, Fault::kShifted),
+              HasSubstr("only the rows by 1"));
+}
+
+TEST(Verdict, FindsRowsOrColumnsInAnotherOrder) {
+  const Judged judged(convex_room());
+  const std::vector<std::uint32_t> order = {3, 0, 4, 1, 2};
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t i = 0; i < judged.exact.size(); ++i)
+    if (judged.exact.has_row(i)) rows.push_back(i);
+  ASSERT_EQ(rows.size(), order.size());
+  const auto moved = [&](std::uint32_t i) {
+    const auto found = std::find(rows.begin(), rows.end(), i);
+    return found == rows.end() ? i : rows[order[static_cast<std::size_t>(found - rows.begin())]];
+  };
+  for (const bool is_of_rows : {true, false}) {
+    const Verdict verdict = judged.judge_it(
+        [&](auto i, auto j, double) {
+          return is_of_rows ? judged.exact.factor(moved(i), j).value : judged.exact.factor(i, moved(j)).value;
+        },
+        false);
+    EXPECT_EQ(faults(verdict), std::vector{is_of_rows ? Fault::kRowsPermuted : Fault::kColumnsPermuted})
+        << judged.sentences(verdict);
+    EXPECT_THAT(judged.sentences(verdict), HasSubstr(is_of_rows ? "only the rows are" : "only the columns are"));
+  }
+}
+
+TEST(Verdict, FindsOneTriangleAlone) {
+  const Judged judged(clutter());
+  const Verdict verdict = judged.judge_it([](auto i, auto j, double e) { return j > i ? 0 : e; }, false);
+  EXPECT_THAT(judged.sentences(verdict), HasSubstr("only one triangle of the matrix is there, the lower one"));
+}
+
+TEST(Verdict, FindsFactorsOfAnApproximateMethod) {
+  const Judged judged(apartment());
+  for (const char* name : {"center", "vertices", "gauss:2"}) {
+    MethodReport report;
+    const ExchangeMatrix matrix = methods_2().make(name)->compute(judged.prepared, {.wants_visibility = false}, report);
+    const Verdict verdict = judge(judged.prepared, judged.exact, matrix, {});
+    EXPECT_EQ(faults(verdict).at(0), Fault::kMethod) << judged.sentences(verdict);
+    EXPECT_THAT(judged.sentences(verdict), HasSubstr(fmt::format("as `{}` gives", name)));
+  }
+}
 
 TEST(Verdict, NamesNoReadingOfFewerPairsThanItsShare) {
   const Judged judged(clutter());
