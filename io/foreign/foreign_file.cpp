@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "geometry/name.h"
 #include "io/files/text_file.h"
@@ -42,7 +43,7 @@ void name_faces(ForeignMatrix& matrix, bool is_numpy) {
   } else {
     if (!is_numpy) return;
     beside = matrix.file + ".json";
-    names = sidecar_names(beside);
+    for (std::string& name : sidecar_names(beside)) names.push_back({std::move(name), 0});
     if (names.empty()) return;
   }
   if (names.size() != matrix.columns || matrix.rows > names.size())

@@ -4,12 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "io/foreign/foreign_file.h"
-
 namespace hottel {
 
-// Returns the member `names` of FILE.json, each with line 0. Empty where there is no such file, or it is no object with
+// Returns the member `names` of FILE.json. Empty where there is no such file, or it is no object with
 // an array of texts of that name: it may be about something else. COST: reads the file.
-std::vector<ForeignName> sidecar_names(const std::string& sidecar);
+std::vector<std::string> sidecar_names(const std::string& sidecar);
 
 }  // namespace hottel
