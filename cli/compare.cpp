@@ -60,7 +60,7 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
                     const Methods<Prepared>& methods, const std::vector<NamedMethod>& radiosity_files) {
   std::vector<std::string> names;
   std::map<std::string, int> members;
-  bool has_foreign = !radiosity_files.empty();
+  bool has_foreign = !radiosity_files.empty() || !options.grid_file.empty();
   bool has_parameter = false;
   for (const auto& [name, curve, method] : methods) {
     names.push_back(name);
@@ -77,7 +77,8 @@ void require_effect(const CompareOptions& options, const MethodCatalogue<Prepare
     throw UnknownName("--map takes one of the methods that are compared, not '" + options.map + "'", options.map,
                       names);
   if (options.beyond && !has_foreign)
-    throw UsageError("--beyond is about results of others: none of the methods is file: or run:");
+    throw UsageError(
+        "--beyond is about results of others: none of the methods is file: or run:, and there is no --grid-file");
   if (options.at_most > 0 && std::ranges::none_of(members, [](const auto& each) { return each.second > 1; }))
     throw UsageError(
         "--at-most leaves out the rest of a family: --sweep, or several methods of one, give it something "
@@ -178,12 +179,22 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
     outcome.results.back().info.family = foreign_curve(file, taken);
     taken.push_back(outcome.results.back().info.family);
   }
-  const LogPlot plot = comparison_plot(
-      outcome.results, {options.plot_x.value_or(PlotX::kTime), options.plot_y.value_or(PlotY::kMaxError)},
-      "What accuracy costs: " + stem, size_text(comparison.exact()));
+  // Files of radiosities have no factors: then the plot is of what all have.
+  const bool is_of_radiosities =
+      !options.plot_y && !radiosity_files.empty() && std::ranges::all_of(outcome.results, [](const MethodResult& each) {
+        return each.max_radiosity_error.has_value();
+      });
+  if (is_of_radiosities)
+    streams.note("the plot is of errors of radiosities, which all have: --plot-y max draws those of view factors");
+  const LogPlot plot =
+      comparison_plot(outcome.results,
+                      {options.plot_x.value_or(PlotX::kTime),
+                       options.plot_y.value_or(is_of_radiosities ? PlotY::kRadiosityError : PlotY::kMaxError)},
+                      "What accuracy costs: " + stem, size_text(comparison.exact()));
   std::vector<std::string> light;  // what is said of it
   if (grid) {
-    const JudgedGrid judged = naming_file(options.scene, [&] { return judge_grid(options.grid_file, comparison); });
+    const JudgedGrid judged = naming_file(
+        options.scene, [&] { return judge_grid(options.grid_file, comparison, options.beyond.value_or(kBeyond)); });
     grid->write(judged.csv);
     grid_picture->write(judged.picture);
     light = judged.sentences;
@@ -270,7 +281,7 @@ void add_compare(Commands& commands) {
   command
       .add_option("--beyond", options->beyond,
                   "of file: and run:, call a pair off when it is wrong by more than X (without it " +
-                      shortest(kBeyond) + ") and the digits written")
+                      shortest(kBeyond) + ") and the digits written; of --grid-file a cell, by X of the largest light")
       ->type_name("X")
       ->check(number_not_below_zero());
   command

@@ -14,7 +14,20 @@
 namespace hottel {
 namespace {
 
-std::string cells_text(const ForeignGrid& grid) { return fmt::format("{}x{}", grid.nx, grid.ny); }
+// Throws InputError where the scene says how many cells there are, and the file has others.
+void require_cells(const ForeignGrid& grid, std::uint32_t nx, std::uint32_t ny) {
+  if (grid.nx == nx && grid.ny == ny) return;
+  throw InputError({grid.file, 0},
+                   fmt::format("is of the shape ({}, {}), and the grid of the scene of ({}, {}){}", grid.ny, grid.nx,
+                               ny, nx, grid.nx == ny && grid.ny == nx ? ": the axes are exchanged" : ""),
+                   {"(ny, nx): rows along the first index, the lowest first"});
+}
+
+void require_few_cells(const ForeignGrid& grid, std::uint32_t most) {
+  if (std::max(grid.nx, grid.ny) > most || std::min(grid.nx, grid.ny) < 1)
+    throw InputError({grid.file, 0}, fmt::format("has {} x {} cells, where a grid has from 1 to {} along an axis",
+                                                 grid.nx, grid.ny, most));
+}
 
 void require_channels(const ForeignGrid& grid, const RadiositySolution& solution) {
   if (grid.channels == solution.channels.size()) return;
@@ -24,22 +37,26 @@ void require_channels(const ForeignGrid& grid, const RadiositySolution& solution
 }
 
 JudgedGrid judged(const ForeignGrid& foreign, std::span<const double> exact, const RadiositySolution& solution,
-                  const GridPlace& place) {
+                  const GridPlace& place, double beyond) {
   const GridValues found{foreign.ny, foreign.nx, foreign.channels, foreign.values},
       right{foreign.ny, foreign.nx, foreign.channels, exact};
-  const std::vector<GridErrors> errors = grid_errors(found, right);
+  const std::vector<GridErrors> errors = grid_errors(found, right, beyond, foreign.digits);
   return {grid_csv(errors, solution.channel_names, place), grid_error_picture(found, right, foreign.file, place),
-          grid_sentences(errors, solution.channel_names, place, grid_reading(found, right))};
+          grid_sentences(errors, solution.channel_names, place, beyond, grid_reading(found, right))};
 }
 
 }  // namespace
 
-JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparison) {
+JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparison, double beyond) {
   const RadiositySolution& solution = comparison.required_solution();
   const ForeignGrid foreign = read_foreign_grid(file);
   require_channels(foreign, solution);
   const PreparedScene2& prepared = comparison.prepared();
-  const Grid2 grid = grid_of(prepared.scene, cells_text(foreign));
+  if (prepared.scene.grid)
+    require_cells(foreign, prepared.scene.grid->nx, prepared.scene.grid->ny);
+  else
+    require_few_cells(foreign, kMaxGridCells);
+  const Grid2 grid = grid_over(prepared.scene, foreign.nx, foreign.ny);
   const std::array<double, 2> min = to_doubles(grid.min), max = to_doubles(grid.max);
   if (foreign.region)
     for (std::size_t k = 0; k < 2; ++k) {
@@ -53,19 +70,24 @@ JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparis
   const IlluminationGrid2 exact = with_lights(
       prepared, illuminate_points(prepared, grid, table, sent_out_2(table, solution, prepared.scene.sky_emission)));
   return judged(foreign, exact.values, solution,
-                {{min[0], min[1], 0}, {max[0] - min[0], 0, 0}, {0, max[1] - min[1], 0}, grid.nx, grid.ny, false});
+                {{min[0], min[1], 0}, {max[0] - min[0], 0, 0}, {0, max[1] - min[1], 0}, grid.nx, grid.ny, false},
+                beyond);
 }
 
-JudgedGrid judge_grid(const std::string& file, const MethodComparison3& comparison) {
+JudgedGrid judge_grid(const std::string& file, const MethodComparison3& comparison, double beyond) {
   const RadiositySolution& solution = comparison.required_solution();
   const ForeignGrid foreign = read_foreign_grid(file);
   require_channels(foreign, solution);
   const PreparedScene3& prepared = comparison.prepared();
-  const std::optional<Grid3> grid = grid_of(prepared.scene, cells_text(foreign));
+  const std::optional<Grid3>& grid = prepared.scene.grid;
+  if (!grid)
+    throw InputError({file, 0}, "is light on a grid, and the scene does not say where one lies",
+                     {"\"grid\": {\"origin\": [x, y, z], \"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [nu, nv]}"});
+  require_cells(foreign, grid->nu, grid->nv);
   const IlluminationGrid3 exact = illuminate_points(prepared, Granularity::kElement, solution, *grid);
   const auto doubles = [](const auto& p) { return std::array{to_double(p.x), to_double(p.y), to_double(p.z)}; };
   return judged(foreign, exact.values, solution,
-                {doubles(grid->origin), doubles(grid->u), doubles(grid->v), grid->nu, grid->nv, true});
+                {doubles(grid->origin), doubles(grid->u), doubles(grid->v), grid->nu, grid->nv, true}, beyond);
 }
 
 }  // namespace hottel

@@ -14,10 +14,10 @@ struct JudgedGrid {
 };
 
 // Holds a file (read_foreign_grid) against the exact mean irradiance at the centres of the cells: of the scene's own
-// grid, or in the plane of its bounding box, with as many cells as the file has. Throws InputError where it has other
-// channels than the scene or says that it lies elsewhere, RequestError where there is no exact light, and in space
-// where the scene has no grid.
-JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparison);
-JudgedGrid judge_grid(const std::string& file, const MethodComparison3& comparison);
+// grid, or in the plane of its bounding box, with as many cells as the file has. beyond: as in grid_errors(). Throws
+// InputError naming the file where it has other cells than the scene's own grid, other channels, or says that it lies
+// elsewhere, and in space where the scene has no grid; RequestError where there is no exact light.
+JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparison, double beyond);
+JudgedGrid judge_grid(const std::string& file, const MethodComparison3& comparison, double beyond);
 
 }  // namespace hottel

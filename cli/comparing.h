@@ -143,12 +143,17 @@ Methods<Prepared> methods_to_run(const MethodCatalogue<Prepared>& catalogue, con
 }
 
 // Runs a method, called as asked for. What is read from a file has no time: what it takes to read says nothing of what
-// it took to compute. Throws RequestError naming scene and method.
+// it took to compute. Throws RequestError naming scene and method, InputError where a file has no pair to judge.
 template <class Comparison, class Method>
 MethodResult run(const Comparison& comparison, const Method& compared, const CompareOptions& options) {
   const bool is_file = family_of_method(compared.method->info().name) == "file";
   try {
     MethodResult result = comparison.run(*compared.method, is_file ? 1 : options.repeat);
+    if (result.report.written && result.errors.pairs == 0 && comparison.exact().entry_count() > 0) {
+      const std::string problem = "holds no factor of any face: there is nothing to judge";
+      if (is_file) throw InputError({result.info.reference, 0}, problem);
+      throw RequestError("what it wrote " + problem);
+    }
     result.info.name = compared.name;
     result.info.family = compared.curve;
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "geometry/name.h"
 #include "io/files/text_file.h"
+#include "io/foreign/sidecar_names.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -30,12 +32,20 @@ void put_in_order(ForeignMatrix& matrix) {
   std::erase_if(entries, [](const ForeignEntry& entry) { return entry.value == 0; });
 }
 
-// Names from FILE.faces.csv, where the file itself has none.
-void name_faces(ForeignMatrix& matrix) {
-  const std::string beside = matrix.file + ".faces.csv";
+// Names from FILE.faces.csv, or beside a NumPy array from FILE.json, where the file itself has none.
+void name_faces(ForeignMatrix& matrix, bool is_numpy) {
+  if (matrix.is_list || !matrix.column_names.empty()) return;
+  std::string beside = matrix.file + ".faces.csv";
+  std::vector<ForeignName> names;
   std::error_code ignored;
-  if (matrix.is_list || !matrix.column_names.empty() || !std::filesystem::exists(beside, ignored)) return;
-  std::vector<ForeignName> names = read_faces_csv(beside, read_text_file(beside));
+  if (std::filesystem::exists(beside, ignored)) {
+    names = read_faces_csv(beside, read_text_file(beside));
+  } else {
+    if (!is_numpy) return;
+    beside = matrix.file + ".json";
+    for (std::string& name : sidecar_names(beside)) names.push_back({std::move(name), 0});
+    if (names.empty()) return;
+  }
   if (names.size() != matrix.columns || matrix.rows > names.size())
     throw InputError({beside, 0}, "names " + std::to_string(names.size()) + " faces for a matrix of " +
                                       std::to_string(matrix.rows) + " x " + std::to_string(matrix.columns));
@@ -79,8 +89,9 @@ ForeignMatrix parse_foreign_matrix(const std::filesystem::path& file, std::strin
 }
 
 ForeignMatrix read_foreign_matrix(const std::filesystem::path& file) {
-  ForeignMatrix matrix = parse_foreign_matrix(file, read_text_file(file));
-  name_faces(matrix);
+  const std::string text = read_text_file(file);
+  ForeignMatrix matrix = parse_foreign_matrix(file, text);
+  name_faces(matrix, foreign_kind(file, text) == ForeignKind::kNumpy);
   return matrix;
 }
 

@@ -32,9 +32,9 @@ struct ForeignMatrix {
   std::string file;
   std::uint32_t rows = 0, columns = 0;
 
-  // Empty when the file does not name its faces: then they are in the order of the scene.
+  // Empty when nothing names its faces: then they are in the order of the scene.
   std::vector<ForeignName> row_names, column_names;
-  std::string names_file;        // FILE, or FILE.faces.csv
+  std::string names_file;        // FILE, FILE.faces.csv or FILE.json
   bool is_list = false;          // a list of pairs: what it leaves out is 0
   std::vector<char> has_row;     // of a list: which of the names stand before a factor; else empty
   std::vector<char> has_column;  // and which behind one
@@ -54,7 +54,7 @@ struct ForeignMatrix {
 //   other csv           dense: names in the first row and column, or numbers alone
 //
 // Faces of a file without names are named by FILE.faces.csv, if there is one (columns `face`, perhaps `index` from 1,
-// and `element`).
+// and `element`), those of a NumPy array else by the sidecar FILE.json (sidecar_names.h).
 //
 // Throws InputError (with the line, where there is one) for what is none of these or breaks off, for numbers that are
 // not finite, for places given twice. COST: one pass; the file is held in memory.

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/compare/written_factors.h"
+
 namespace hottel {
 
 // A value for each cell and channel of a file, in C order (ny, nx, channels), row 0 the lowest y (in space: at the
@@ -16,6 +18,7 @@ struct ForeignGrid {
   std::string file;
   std::uint32_t ny = 0, nx = 0, channels = 1;
   std::vector<double> values;
+  WrittenDigits digits;  // of float32 or float64
 
   // Corners of the outermost cells, where FILE.json says them, as hottel writes it beside illumination.npy.
   std::optional<std::array<std::array<double, 2>, 2>> region;  // min, max

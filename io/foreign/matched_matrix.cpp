@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <unordered_map>
 
 #include "geometry/name.h"
 #include "geometry/near_names.h"
+#include "io/foreign/size_meanings.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
 
@@ -20,6 +22,7 @@ constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 // Which element each row and column of a file is; kUnused where none.
 struct Places {
   std::vector<std::uint32_t> row, column;
+  std::string note;  // where the size of the file has more than one meaning
 };
 
 class Matching {
@@ -32,7 +35,7 @@ class Matching {
 
   Places places() const {
     if (foreign_.column_names.empty() && !foreign_.is_list) return by_order();
-    Places places{by_name(foreign_.row_names), by_name(foreign_.column_names)};
+    Places places{by_name(foreign_.row_names), by_name(foreign_.column_names), ""};
     if (!foreign_.is_list) {
       require_all(places.row, "row");
       require_all(places.column, "column");
@@ -44,6 +47,7 @@ class Matching {
   std::vector<std::uint32_t> by_name(const std::vector<ForeignName>& names) const;
   void require_all(const std::vector<std::uint32_t>& places, const char* what) const;
   Places by_order() const;
+  std::optional<Places> by_best_meaning() const;
   std::vector<std::uint32_t> in_order(std::uint32_t size) const;
 
   const ForeignMatrix& foreign_;
@@ -98,8 +102,30 @@ std::vector<std::uint32_t> Matching::in_order(std::uint32_t size) const {
   return places;
 }
 
+// Of a square matrix whose size has several meanings the one in which A F is the most symmetric; of equal ones the
+// first.
+std::optional<Places> Matching::by_best_meaning() const {
+  if (foreign_.rows != foreign_.columns) return std::nullopt;
+  const std::vector<SizeMeaning> meanings = size_meanings(foreign_, elements_);
+  const SizeMeaning* best = nullptr;
+  for (const SizeMeaning& each : meanings)
+    if (!each.places.empty() && (!best || each.asymmetry < best->asymmetry)) best = &each;
+  if (!best || meanings.size() < 2) return std::nullopt;
+  Places places{best->places, best->places, ""};
+  for (const SizeMeaning& each : meanings)
+    if (&each != best)
+      places.note += fmt::format("{}{} (A F would be off its transpose by {:.2g})", places.note.empty() ? "" : ", ",
+                                 each.words, each.asymmetry);
+  places.note = fmt::format(
+      "without names {0} x {0} is taken for {1} (A F is off its transpose by {2:.2g} of it); it may "
+      "be {3}, and names in {4}.faces.csv settle it",
+      foreign_.rows, best->words, best->asymmetry, places.note, foreign_.file);
+  return places;
+}
+
 Places Matching::by_order() const {
-  Places places{in_order(foreign_.rows), in_order(foreign_.columns)};
+  if (auto places = by_best_meaning()) return *places;
+  Places places{in_order(foreign_.rows), in_order(foreign_.columns), ""};
   if (!places.row.empty() && !places.column.empty() && foreign_.columns >= foreign_.rows) return places;
   const std::size_t n = sky_, m = with_material_.size();
   const auto sizes = [](std::size_t k) { return fmt::format("{0} x {0}, {0} x {1}, {1} x {1}", k, k + 1); };
@@ -128,18 +154,20 @@ void compare_areas(const ForeignMatrix& foreign, const Places& places, const std
                            listed_names(different));
 }
 
-// What was read and is not used, and what the file has no place for; a list has one for whatever it names.
+// What was read and is not used, and what the file has no place for (a gap, where light goes or not); a list has one
+// for whatever it names.
 void note_gaps(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& unused_rows, bool is_list,
                const WrittenFactors& written, MethodReport& report) {
   std::vector<std::string> names;
   for (const std::uint32_t i : unused_rows) names.push_back(matrix.name(i));
   if (!names.empty()) report.notes.push_back("rows of faces without a material are not used: " + listed_names(names));
   if (!is_list && !written.has_column[matrix.sky()])
-    report.notes.push_back("there is no column for the sky: what rows lack of 1 is not counted as going there");
+    report.gaps.push_back("there is no column for the sky: what rows lack of 1 is not counted as going there");
   names.clear();
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     if (!is_list && !written.has_column[i]) names.push_back(matrix.elements()[i].name);
-  if (!names.empty()) report.notes.push_back("there are no columns for " + listed_names(names));
+  if (!names.empty()) report.gaps.push_back("there are no columns for " + listed_names(names));
+  report.notes.insert(report.notes.end(), report.gaps.begin(), report.gaps.end());
   std::size_t negative = 0;
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     for (const FactorEntry& entry : matrix.row(i)) negative += entry.factor.value < 0;
@@ -152,6 +180,7 @@ void note_gaps(const ExchangeMatrix& matrix, const std::vector<std::uint32_t>& u
 ExchangeMatrix match_foreign_matrix(const ForeignMatrix& foreign, std::vector<Element> elements, MethodReport& report) {
   const Places places = Matching(foreign, elements).places();
   ExchangeMatrix matrix(std::move(elements), Guarantee::kEstimated);
+  if (!places.note.empty()) report.notes.push_back(places.note);
   compare_areas(foreign, places, matrix.elements(), report);
 
   std::vector<ForeignEntry> entries;

@@ -39,9 +39,10 @@ std::string grid_csv(std::span<const GridErrors> errors, std::span<const std::st
 }
 
 std::vector<std::string> grid_sentences(std::span<const GridErrors> errors, std::span<const std::string> channels,
-                                        const GridPlace& place, const std::string& reading) {
+                                        const GridPlace& place, double beyond, const std::string& reading) {
   std::vector<std::string> sentences;
   std::uint64_t missing = 0, extra = 0;
+  bool any_off = false;
   for (std::size_t c = 0; c < errors.size(); ++c) {
     const GridErrors& each = errors[c];
     missing = std::max(missing, each.missing);
@@ -55,18 +56,27 @@ std::vector<std::string> grid_sentences(std::span<const GridErrors> errors, std:
       sentences.push_back(of + counted(each.cells, "cell") + " hold the exact light");
       continue;
     }
+    if (each.off == 0) {
+      sentences.push_back(
+          fmt::format("{}all {} cells agree with the exact light within {:.2g} of the largest and the digits written "
+                      "(largest difference {:.2g})",
+                      of, each.cells, beyond, each.max));
+      continue;
+    }
+    any_off = true;
     const std::array<double, 3> at = place.centre(each.ix, each.iy);
     const std::string where =
         fmt::format("{:.6g}, {:.6g}", at[0], at[1]) + (place.is_in_space ? fmt::format(", {:.6g}", at[2]) : "");
-    sentences.push_back(
-        fmt::format("{}{} cells are off by up to {:.3g}, {:.3g} root mean square, of up to {:.3g}; the worst is cell "
-                    "{}, {} at ({}): "
-                    "{:.6g} instead of {:.6g}",
-                    of, each.cells, each.max, each.rms, each.largest, each.ix, each.iy, where, each.value, each.exact));
+    sentences.push_back(fmt::format(
+        "{}{} of {} {} off{} {:.3g}, {:.3g} root mean square over all, of up to {:.3g}; the worst is cell {}, {} at "
+        "({}): {:.6g} instead of {:.6g}",
+        of, each.off, counted(each.cells, "cell"), each.off == 1 ? "is" : "are", each.off == 1 ? " by" : " by up to",
+        each.max, each.rms, each.largest, each.ix, each.iy, where, each.value, each.exact));
   }
   if (missing > 0) sentences.push_back(counted(missing, "cell") + " of the room have no finite value");
   if (extra > 0) sentences.push_back(counted(extra, "cell") + " in solids, or at lights, have a value");
-  if (!reading.empty()) sentences.push_back("the light is " + reading + ": this explains nine tenths of the error");
+  if (any_off && !reading.empty())
+    sentences.push_back("the light is " + reading + ": this explains nine tenths of the error");
   return sentences;
 }
 

@@ -24,8 +24,9 @@ struct GridPlace {
 // the plane.
 std::string grid_csv(std::span<const GridErrors> errors, std::span<const std::string> channels, const GridPlace& place);
 
-// A sentence a channel, without a full stop, then one for cells that one of the two lacks, and one for the reading.
+// A sentence a channel, without a full stop, of how many cells are off; then one for cells that one of the two lacks,
+// and one for the reading.
 std::vector<std::string> grid_sentences(std::span<const GridErrors> errors, std::span<const std::string> channels,
-                                        const GridPlace& place, const std::string& reading);
+                                        const GridPlace& place, double beyond, const std::string& reading);
 
 }  // namespace hottel

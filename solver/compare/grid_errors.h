@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/compare/written_factors.h"
+
 namespace hottel {
 
 // A value for each cell and channel, in C order (ny, nx, channels).
@@ -23,20 +25,24 @@ struct GridErrors {
   std::uint64_t cells = 0;       // such cells
   std::uint64_t missing = 0;     // of which only the exact light has one
   std::uint64_t extra = 0;       // of which only the other has one: in solids, and at lights
+  std::uint64_t off = 0;         // of cells: wrong by more than was allowed, and half of the last digit written
   double max = 0, rms = 0;       // NaN without cells [unit of the light]
   double largest = 0;            // exact value
   std::uint32_t ix = 0, iy = 0;  // where max is; the first of equals
   double value = 0, exact = 0;   // there
 };
 
-// Returns the errors by channel. REQUIRES as many cells and channels of both. COST: one pass.
-std::vector<GridErrors> grid_errors(const GridValues& found, const GridValues& exact);
+// Returns the errors by channel. beyond: what a cell may be off, of the largest exact value; digits: of the file.
+// REQUIRES as many cells and channels of both. COST: two passes.
+std::vector<GridErrors> grid_errors(const GridValues& found, const GridValues& exact, double beyond,
+                                    const WrittenDigits& digits);
 
 // How a grid reads that is off: "upside down", "times 2 pi". Empty where nothing of this brings the root mean square,
 // over all channels, below a tenth; what does best is told.
 //
-// Tried are the rows, the columns and both the other way round, each with no ratio and with the one that fits best,
-// by its name where it has one (named_factors.h). REQUIRES as above.
+// Tried are the rows, the columns and both the other way round, where there are as many of both also with the axes
+// exchanged, each with no ratio and with the one that fits best, by its name where it has one (named_factors.h).
+// REQUIRES as above.
 std::string grid_reading(const GridValues& found, const GridValues& exact);
 
 }  // namespace hottel

@@ -231,6 +231,17 @@ Hypothesis suppose_sky_is_rest(const JudgedPairs& judged) {
 Hypothesis suppose_missing(const JudgedPairs& judged) {
   Hypothesis result = hypothesis(Fault::kMissing, judged, [](const JudgedPair&) { return std::optional(0.0); });
   result.words = "pairs that see each other are missing or 0";
+  std::uint64_t above = 0, below = 0;  // the diagonal
+  for (const JudgedPair& pair : judged.pairs()) {
+    if (std::abs(pair.value) <= judged.tolerance(pair.value) || pair.to == judged.exact().sky()) continue;
+    if (!judged.exact().has_row(pair.to)) continue;
+    ++(pair.to > pair.from ? above : below);
+  }
+  if (above + below >= kFewest && (above == 0 || below == 0))
+    result.words = fmt::format(
+        "only one triangle of the matrix is there, the {} one, as of a symmetric one; the other half is 0 (A F is "
+        "symmetric, F is not)",
+        above == 0 ? "lower" : "upper");
   return result;
 }
 

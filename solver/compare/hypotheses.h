@@ -52,11 +52,20 @@ Hypothesis suppose_row_factor(const JudgedPairs& judged);
 // Nothing is explained with fewer than two pairs off, nor beyond 500 faces. COST: a search that takes back what does
 // not fit, and gives up after 20 million comparisons; memory for the square of the number of faces.
 Hypothesis suppose_permuted(const JudgedPairs& judged);
+// Rows, columns or both shifted by one to three places over all elements and the sky, over all elements, or over those
+// with a row: value(i, j) is exact(i + s, j + t) with (s, t) = (s, s), (s, 0) or (0, s), going round. Explains nothing
+// unless it does for nine tenths of the pairs off, and for three factors that are not 0.
+Hypothesis suppose_shifted(const JudgedPairs& judged);
+// Only the rows in another order: each row that is off holds the numbers of another one; and the same of columns.
+// Nothing is explained unless all do, with fewer than two rows, nor beyond 500 faces. COST: all pairs of rows.
+Hypothesis suppose_rows_permuted(const JudgedPairs& judged);
+Hypothesis suppose_columns_permuted(const JudgedPairs& judged);
 // Factors to the sky that are 0.
 Hypothesis suppose_sky_missing(const JudgedPairs& judged);
 // Factors to the sky that are what the other factors of the row lack of 1.
 Hypothesis suppose_sky_is_rest(const JudgedPairs& judged);
-// Factors of any column that are 0, though the exact ones are not.
+// Factors of any column that are 0, though the exact ones are not. The words tell where one triangle of the matrix is
+// all there is.
 Hypothesis suppose_missing(const JudgedPairs& judged);
 
 }  // namespace hottel

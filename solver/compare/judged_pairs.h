@@ -51,7 +51,9 @@ class JudgedPairs {
   std::uint64_t off() const { return off_; }
 
   // How far a number of the file may be from what is right: what the caller allows, and half of its last digit.
-  double tolerance(double value) const { return beyond_ + written_.digits.rounding(value); }
+  double tolerance(double value) const { return beyond_ + rounding(value); }
+  // Half of its last digit alone.
+  double rounding(double value) const { return written_.digits.rounding(value); }
   // Whether `with` would explain the value of a pair: it is within tolerance() of it, and at most half as far away as
   // the exact factor is.
   bool agrees(const JudgedPair& pair, double with) const;

@@ -71,6 +71,10 @@ class MethodComparison {
         },
         runs);
     result.notes = result.report.notes;
+    // Of columns that are not there missing_sentences() names those to which light goes.
+    std::erase_if(result.notes, [&](const std::string& note) {
+      return std::find(result.report.gaps.begin(), result.report.gaps.end(), note) != result.report.gaps.end();
+    });
     const bool is_read = result.report.written.has_value();
     result.errors = matrix_errors(result.matrix, exact(), result.report.written.value_or(WrittenFactors()));
     if (is_read)

@@ -28,6 +28,7 @@ struct MethodReport {
   std::optional<double> seconds;          // where the method knows better than who called it (an outside command)
   std::optional<WrittenFactors> written;  // where the factors were read from a file
   std::vector<std::string> notes;         // e.g. the seed
+  std::vector<std::string> gaps;  // those of the notes that tell of columns a file has not, be there light or not
 };
 
 // What is said first of factors by a method that is not exact. of: what is guaranteed of them.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "geometry/name.h"
 #include "solver/compare/named_factors.h"
@@ -56,6 +57,49 @@ class RadiosityJudge {
   const RadiositySolution& solution_;
 };
 
+// Radiosities of a channel, by the elements that have a row.
+struct Listed {
+  std::vector<std::uint32_t> elements;
+  std::vector<double> found, exact;
+};
+
+// Whether two lists hold the same values, one for one.
+bool agree(const std::vector<double>& found, const std::vector<double>& exact, double slack,
+           const WrittenDigits& digits) {
+  return std::equal(found.begin(), found.end(), exact.begin(), [&](double value, double right) {
+    return std::abs(value - right) <= slack + digits.rounding(value);
+  });
+}
+
+// How the values of a channel stand at the places of others, with an example; empty where they are not the same ones.
+std::string order_words(const Listed& listed, const ExchangeMatrix& matrix, double slack, const WrittenDigits& digits) {
+  std::vector<double> found = listed.found, exact = listed.exact;
+  std::sort(found.begin(), found.end());
+  std::sort(exact.begin(), exact.end());
+  const std::size_t n = found.size();
+  if (n < 2 || exact.back() - exact.front() <= 4 * slack || !agree(found, exact, slack, digits)) return "";
+  constexpr std::size_t kMostShifted = 5000;
+  std::size_t shift = 0;
+  for (std::size_t by = 1; by < n && n <= kMostShifted && shift == 0; ++by) {
+    std::vector<double> rotated = listed.exact;
+    std::rotate(rotated.begin(), rotated.begin() + static_cast<std::ptrdiff_t>(by), rotated.end());
+    if (agree(listed.found, rotated, slack, digits)) shift = by;
+  }
+  std::size_t worst = 0, of = 0;
+  for (std::size_t k = 0; k < n; ++k)
+    if (std::abs(listed.found[k] - listed.exact[k]) > std::abs(listed.found[worst] - listed.exact[worst])) worst = k;
+  const auto distance = [&](std::size_t k) { return std::abs(listed.found[worst] - listed.exact[k]); };
+  for (std::size_t k = 0; k < n; ++k)
+    if (distance(k) < distance(of)) of = k;
+  if (shift > 0) of = (worst + shift) % n;
+  const std::string how = shift == 0      ? "in another order"
+                          : shift > n / 2 ? fmt::format("shifted by {} the other way", n - shift)
+                                          : fmt::format("shifted by {}", shift);
+  return fmt::format("radiosities of other faces, {}: what stands for {} is that of {}", how,
+                     quoted_name(matrix.elements()[listed.elements[worst]].name),
+                     quoted_name(matrix.elements()[listed.elements[of]].name));
+}
+
 }  // namespace
 
 RadiosityVerdict judge_radiosities(const ExchangeMatrix& exact, const RadiositySolution& solution,
@@ -88,6 +132,22 @@ RadiosityVerdict judge_radiosities(const ExchangeMatrix& exact, const RadiosityS
     verdict.explained = explained;
     verdict.hypothesis = hypothesis.words;
   }
+  std::string of_others;  // in every channel, or nothing
+  for (std::size_t c = 0; c < solution.channels.size() && outside.size() > 1; ++c) {
+    Listed listed;
+    for (std::uint32_t i = 0; i < exact.size(); ++i) {
+      if (!exact.has_row(i)) continue;
+      listed.elements.push_back(i);
+      listed.found.push_back(by_channel[c][i]);
+      listed.exact.push_back(solution.channels[c].elements[i].radiosity);
+    }
+    of_others = order_words(listed, exact, beyond * brightest, digits);
+    if (of_others.empty()) break;
+  }
+  if (!of_others.empty() && verdict.explained < verdict.outside) {
+    verdict.hypothesis = of_others;
+    verdict.explained = verdict.outside;
+  }
   const auto count = static_cast<std::ptrdiff_t>(std::min(kMostNamed, outside.size()));
   std::partial_sort(outside.begin(), outside.begin() + count, outside.end(),
                     [](const JudgedRadiosity& a, const JudgedRadiosity& b) { return a.error() > b.error(); });
@@ -104,10 +164,10 @@ std::vector<std::string> verdict_sentences(const RadiosityVerdict& verdict, cons
     worst += fmt::format(
         "{}{}{}: {:.6g} instead of {:.6g}", worst.empty() ? "" : "; ", quoted_name(exact.elements()[each.element].name),
         solution.channels.size() > 1 ? " (" + solution.channel_names[each.channel] + ")" : "", each.value, each.exact);
-  std::vector<std::string> sentences = {fmt::format(
-      "{} of {} radiosities lie outside the proven bounds, whatever digits were left out; the largest error "
-      "is {:.3g} of the largest radiosity ({})",
-      verdict.outside, verdict.count, verdict.max_error, worst)};
+  std::vector<std::string> sentences = {
+      fmt::format("{} of {} radiosities {} outside the proven bounds, whatever digits were left out; the largest error "
+                  "is {:.3g} of the largest radiosity ({})",
+                  verdict.outside, verdict.count, verdict.outside == 1 ? "lies" : "lie", verdict.max_error, worst)};
   if (!verdict.hypothesis.empty())
     sentences.push_back(fmt::format("these are {}: this explains {} of the {}", verdict.hypothesis, verdict.explained,
                                     verdict.outside));

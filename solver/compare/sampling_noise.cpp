@@ -3,163 +3,197 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
+#include <limits>
+
+#include "kernel/support/counted.h"
 
 namespace hottel {
 namespace {
 
-constexpr double kMedianOfSquares = 0.4549;  // of a standard normal number
-constexpr double kFewestHits = 5;            // below, a count is no normal number
+constexpr double kFewestHits = 5;  // below, a count is no normal number
 constexpr std::size_t kFewestPairs = 20;
 constexpr double kFewestRays = 8;
 constexpr double kAgree = 3;       // ratio of the rays told by median and by mean
 constexpr double kFar = 4;         // deviations
 constexpr double kMostFar = 0.02;  // share of pairs
 constexpr double kMostOneSided = 0.75;
-constexpr double kDeviations = 5;
+constexpr std::size_t kFewestOfRow = 4;
+constexpr double kRareHits = 0.5;      // expected of pairs that a counter mostly misses
+constexpr double kTooManyRays = 4;     // times as many as the errors tell of
+constexpr double kLogOfChance = 9.21;  // 1e-4
+constexpr double kDeviationsOfScale = 1.5;
 
 double to_two_digits(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
   return std::round(value / unit) * unit;
 }
 
-// Of one random ray; N have the N-th part of it. Where rays are spread evenly over places and directions only those of
-// cells count that a border crosses: the root of it, over N^(3/2).
-double variance_of_one(const JudgedPair& pair, bool is_even) {
-  const double of_random = pair.exact * (1 - pair.exact);
-  return is_even ? std::sqrt(of_random) : of_random;
-}
-
+// Errors, or what is left of them, as scatter.
 class NoiseFit {
  public:
-  NoiseFit(const JudgedPairs& judged, const std::vector<char>& leave_out, bool is_even)
-      : judged_(judged), leave_out_(leave_out), is_even_(is_even) {
-    double squares = 0, variances = 0, random = 0;
-    for_each([&](const JudgedPair& pair) {
-      ++pairs_;
+  NoiseFit(const JudgedPairs& judged, const std::vector<char>& leave_out, const std::vector<ScatteredPair>& pairs,
+           RaySpread spread, bool is_of_rests)
+      : judged_(judged), pairs_(pairs), spread_(spread), is_of_rests_(is_of_rests) {
+    double squares = 0, variances = 0;
+    for (const JudgedPair& pair : judged.pairs()) {
+      if (!leave_out.empty() && leave_out[judged.index_of(pair)]) continue;
+      ++count_;
       lit_ += pair.exact == 0 && std::abs(pair.value) > judged_.tolerance(pair.value);
-      squares += pair.error() * pair.error();
-      variances += variance_of_one(pair, is_even_);
-      random += variance_of_one(pair, false);
-    });
+      if (!is_of_rests_) squares += pair.error() * pair.error();
+    }
+    for (const ScatteredPair& each : pairs_) {
+      if (is_of_rests_) squares += each.rest * each.rest;
+      variances += each.variance;
+    }
     if (!(squares > 0)) return;
     scale_ = variances / squares;
-    rays_ = is_even_ ? std::pow(scale_, 2.0 / 3) : scale_;
-    as_random_ = random / squares;
+    if (!is_of_rests_) return;
+    const ScatterScale by_median = scatter_scale(pairs_, rays(), kFewestHits);
+    scale_ = by_median.scale > 0 ? scale_ * by_median.freedom / static_cast<double>(pairs_.size()) : 0;
   }
 
-  double rays() const { return rays_; }
+  double scale() const { return scale_; }
+  double rays() const { return rays_of(scale_); }
+  double rays_of(double scale) const { return spread_ == RaySpread::kEven ? std::pow(scale, 2.0 / 3) : scale; }
 
-  bool is_like_noise() const {
-    if (!(rays_ >= kFewestRays) || !std::isfinite(rays_)) return false;
-    if (static_cast<double>(lit_) > kMostFar * static_cast<double>(pairs_)) return false;
-    std::vector<double> squares;
-    std::size_t far = 0, off = 0, above = 0;
-    for_each([&](const JudgedPair& pair) {
-      if (rays_ * std::min(pair.exact, 1 - pair.exact) < kFewestHits) return;
-      const double square = pair.error() * pair.error() / variance_of_one(pair, is_even_);
-      squares.push_back(square);
-      far += square * scale_ > kFar * kFar;
-      off += pair.is_off;
-      above += pair.value > pair.exact;
-    });
-    const auto count = static_cast<double>(squares.size()), over = static_cast<double>(above);
-    if (squares.size() < kFewestPairs || static_cast<double>(far) > kMostFar * count ||
-        static_cast<double>(off) < count / 2 || std::max(over, count - over) > kMostOneSided * count)
-      return false;
-    const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-    std::nth_element(squares.begin(), middle, squares.end());
-    const double by_median = kMedianOfSquares / *middle;
-    return by_median < kAgree * scale_ && scale_ < kAgree * by_median;
-  }
-
-  std::optional<SamplingBias> bias() const {
-    const std::uint32_t sky = judged_.exact().sky();
-    const std::array<std::pair<const char*, std::function<double(const JudgedPair&)>>, 3> sums = {{
-        {"factors of the sky", [sky](const JudgedPair& pair) { return pair.to == sky ? 1.0 : 0.0; }},
-        {"factors of partly hidden pairs",
-         [sky](const JudgedPair& pair) {
-           return pair.to != sky && pair.visibility > 0 && pair.visibility < 1 ? 1.0 : 0.0;
-         }},
-        {"large factors", [](const JudgedPair& pair) { return pair.exact; }},
-    }};
-    std::optional<SamplingBias> strongest;
-    for (const auto& [of, weight] : sums) {
-      const SamplingBias bias = lean(of, weight);
-      if (std::abs(bias.deviations) > std::abs(strongest ? strongest->deviations : kDeviations)) strongest = bias;
-    }
-    return strongest;
-  }
-
-  std::vector<char> explains() const {
-    std::vector<char> result(judged_.pairs().size(), 0);
-    for_each([&](const JudgedPair& pair) {
-      const double scatter = kFar * std::sqrt(variance_of_one(pair, is_even_) / scale_) + kFewestHits / rays_;
-      result[judged_.index_of(pair)] =
-          static_cast<char>(pair.is_off && pair.exact > 0 && pair.error() <= scatter + judged_.tolerance(pair.value));
-    });
-    return result;
-  }
+  bool is_like_noise() const;
+  double counted() const;
+  void explain(std::vector<char>& explains) const;
 
  private:
-  template <class Visit>
-  void for_each(const Visit& visit) const {
-    for (const JudgedPair& pair : judged_.pairs())
-      if (leave_out_.empty() || !leave_out_[judged_.index_of(pair)]) visit(pair);
-  }
-
-  // A weighted sum of the errors, in deviations of N independent rays a row.
-  SamplingBias lean(const char* of, const std::function<double(const JudgedPair&)>& weight) const {
-    double sum = 0, expected = 0, variance = 0;
-    for (std::uint32_t i = 0; i < judged_.exact().size(); ++i) {
-      double squares = 0, mean = 0;
-      for (const JudgedPair& pair : judged_.row(i)) {
-        if (!leave_out_.empty() && leave_out_[judged_.index_of(pair)]) continue;
-        const double w = weight(pair);
-        sum += w * (pair.value - pair.exact);
-        mean += w * pair.exact;
-        squares += w * w * pair.exact;
-      }
-      expected += mean;
-      variance += std::max(0.0, squares - mean * mean) / as_random_;
-    }
-    const double least = 1e-12 * expected;  // what roundings leave of a sum that is the same in every row
-    if (!(variance > least * least)) return {of, 0, 0};
-    return {of, sum / expected, sum / std::sqrt(variance)};
-  }
+  double error(const ScatteredPair& each) const { return is_of_rests_ ? each.rest : each.error; }
 
   const JudgedPairs& judged_;
-  const std::vector<char>& leave_out_;
-  std::size_t pairs_ = 0, lit_ = 0;  // lit: though nothing goes there
-  bool is_even_;
-  double scale_ = 0;      // variance_of_one over the mean square: N, or N^(3/2)
-  double rays_ = 0;       // N
-  double as_random_ = 0;  // random rays that scatter as much in the mean
+  const std::vector<ScatteredPair>& pairs_;
+  RaySpread spread_;
+  bool is_of_rests_;
+  std::size_t count_ = 0, lit_ = 0;  // lit: though nothing goes there
+  double scale_ = 0;                 // variance_of_one over the mean square: N, or N^(3/2)
 };
+
+bool NoiseFit::is_like_noise() const {
+  if (!(rays() >= kFewestRays) || !std::isfinite(rays())) return false;
+  if (static_cast<double>(lit_) > kMostFar * static_cast<double>(count_)) return false;
+  std::vector<double> squares;
+  std::size_t far = 0, off = 0, above = 0;
+  for (const ScatteredPair& each : pairs_) {
+    if (rays() * std::min(each.pair->exact, 1 - each.pair->exact) < kFewestHits) continue;
+    const double square = error(each) * error(each) / each.variance;
+    squares.push_back(square);
+    far += square * scale_ > kFar * kFar;
+    off += each.pair->is_off && std::abs(error(each)) > judged_.tolerance(each.pair->value);
+    above += error(each) > 0;
+  }
+  const auto count = static_cast<double>(squares.size()), over = static_cast<double>(above);
+  if (squares.size() < kFewestPairs || static_cast<double>(far) > kMostFar * count ||
+      static_cast<double>(off) < count / 2 || std::max(over, count - over) > kMostOneSided * count)
+    return false;
+  const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
+  std::nth_element(squares.begin(), middle, squares.end());
+  const double by_median = kMedianOfSquares / *middle;
+  return by_median < kAgree * scale_ && scale_ < kAgree * by_median;
+}
+
+// Rays of which the least factor is one, where these are more than the errors tell of; else 0. Each row has rays of its
+// own: at least as many as the errors of all tell, or twice those of its own.
+double NoiseFit::counted() const {
+  if (is_symmetric(judged_, pairs_)) return 0;  // sums of two counts
+  double least = std::numeric_limits<double>::infinity(), expected = 0, hit = 0, most_rays = rays();
+  for (std::size_t begin = 0, end = 0; begin < pairs_.size(); begin = end) {
+    double squares = 0, variances = 0;
+    for (; end < pairs_.size() && pairs_[end].pair->from == pairs_[begin].pair->from; ++end) {
+      squares += pairs_[end].error * pairs_[end].error;
+      variances += pairs_[end].variance;
+    }
+    if (end - begin < kFewestOfRow) continue;
+    const double rays_here = std::max(rays(), 2 * rays_of(variances / squares));
+    for (std::size_t k = begin; k < end; ++k) {
+      const double value = pairs_[k].pair->value, hits = rays_here * pairs_[k].pair->exact;
+      const bool is_hit = value > judged_.tolerance(value);
+      if (is_hit) least = std::min(least, value);
+      if (hits > kRareHits) continue;
+      expected += 1 - std::exp(-hits);
+      hit += is_hit;
+    }
+    most_rays = std::max(most_rays, rays_here);
+  }
+  const bool is_often_hit = hit - expected > std::sqrt(2 * kLogOfChance * expected) + 2.0 / 3 * kLogOfChance;
+  return is_often_hit && 1 / least > kTooManyRays * most_rays ? 1 / least : 0;
+}
+
+void NoiseFit::explain(std::vector<char>& explains) const {
+  for (const ScatteredPair& each : pairs_) {
+    const JudgedPair& pair = *each.pair;
+    const double scatter = kFar * std::sqrt(each.variance / scale_) + kFewestHits / rays();
+    if (pair.is_off && std::abs(error(each)) <= scatter + judged_.tolerance(pair.value))
+      explains[judged_.index_of(pair)] = 1;
+  }
+}
+
+std::optional<SamplingNoise> noise_of(const JudgedPairs& judged, const std::vector<char>& leave_out, RaySpread spread,
+                                      bool may_lean) {
+  const std::vector<ScatteredPair> pairs = scattered_pairs(judged, leave_out, spread);
+  const NoiseFit whole(judged, leave_out, pairs, spread, false), rests(judged, leave_out, pairs, spread, true);
+  const bool is_noise = whole.is_like_noise();
+  if (!is_noise && !(may_lean && rests.is_like_noise())) return std::nullopt;
+  SamplingNoise noise{whole.rays(),
+                      spread == RaySpread::kEven,
+                      {},
+                      is_noise ? whole.counted() : 0,
+                      std::vector<char>(judged.pairs().size(), 0)};
+  if (is_noise) whole.explain(noise.explains);
+  if (noise.counted > 0) return noise;
+  // The median of the rests, less what it may be off; where they are too few, all errors.
+  const ScatterScale by_median = scatter_scale(pairs, whole.rays(), kFewestHits);
+  const double scale = by_median.scale > 0
+                           ? std::max(whole.scale() * (is_noise ? 1 : 0),
+                                      by_median.scale / (1 + kDeviationsOfScale * 2.33 / std::sqrt(by_median.freedom)))
+                           : whole.scale();
+  noise.bias = noise_bias(judged, pairs, spread, scale, whole.rays_of(scale));
+  if (!noise.bias.is_biased()) return is_noise ? std::optional(noise) : std::nullopt;
+  if (rests.is_like_noise()) {
+    noise.rays = rests.rays();
+    rests.explain(noise.explains);
+  }
+  return noise;
+}
+
+std::string bias_words(const NoiseBias& bias) {
+  std::string words;
+  if (bias.is_leaky)
+    words = fmt::format("rows of {} sum to what they should, as those of a counter do, and {} not, by up to {:.2g}",
+                        counted(bias.rows.exact, "face"),
+                        counted(bias.rows.off, "row") + (bias.rows.off == 1 ? " does" : " do"), bias.rows.most);
+  for (const SamplingBias& sum : bias.sums) words += (words.empty() ? "" : ", ") + sum.words;
+  if (!bias.is_leaky) words += fmt::format(" (by chance less than once in {:.0f})", 1 / kBiasLevel);
+  return words;
+}
 
 }  // namespace
 
-std::optional<SamplingNoise> sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out) {
-  for (const bool is_even : {false, true})
-    if (const NoiseFit fit(judged, leave_out, is_even); fit.is_like_noise())
-      return SamplingNoise{fit.rays(), is_even, fit.bias(), fit.explains()};
+std::optional<SamplingNoise> sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out,
+                                            bool may_lean) {
+  for (const RaySpread spread : {RaySpread::kRandom, RaySpread::kEven})
+    if (auto noise = noise_of(judged, leave_out, spread, may_lean)) return noise;
   return std::nullopt;
 }
 
-Hypothesis suppose_sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out) {
-  const std::optional<SamplingNoise> noise = sampling_noise(judged, leave_out);
+Hypothesis suppose_sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out, bool may_lean) {
+  const std::optional<SamplingNoise> noise = sampling_noise(judged, leave_out, may_lean);
   if (!noise) return explains_nothing(Fault::kSamplingNoise, judged);
   Hypothesis result{Fault::kSamplingNoise, noise->explains, ""};
-  result.words = fmt::format("the errors scatter as about {:.0f} {} rays a face would give, ",
-                             to_two_digits(noise->rays), noise->is_even ? "evenly spread" : "random");
-  if (noise->bias)
-    result.words += fmt::format("but biased: {} are {:.2g} % too {} in sum, {:.0f} deviations", noise->bias->of,
-                                100 * std::abs(noise->bias->relative), noise->bias->relative > 0 ? "large" : "small",
-                                std::abs(noise->bias->deviations));
-  else
-    result.words += "unbiased";
+  if (noise->counted > 0) {
+    result.fault = Fault::kSystematic;
+    result.words = fmt::format(
+        "the errors are too large for chance: factors so small take about {:.0f} rays a face, which scatter {:.2g} "
+        "times less; they come of a rule, as that rays leave by another law than the cosine",
+        to_two_digits(noise->counted), std::sqrt(noise->counted / noise->rays));
+    return result;
+  }
+  result.words = fmt::format("the errors scatter as about {:.0f} {} rays a face would give, {}",
+                             to_two_digits(noise->rays), noise->is_even ? "evenly spread" : "random",
+                             noise->bias.is_biased() ? "but biased: " + bias_words(noise->bias) : "unbiased");
   return result;
 }
 

@@ -7,15 +7,9 @@
 
 #include "solver/compare/hypotheses.h"
 #include "solver/compare/judged_pairs.h"
+#include "solver/compare/noise_bias.h"
 
 namespace hottel {
-
-// A sum over pairs that is further from the exact one than the scatter allows.
-struct SamplingBias {
-  std::string of;       // "factors of the sky", "factors of partly hidden pairs", "large factors"
-  double relative = 0;  // of the exact sum: 0.03 is three per cent too much
-  double deviations = 0;
-};
 
 // What errors look like that come of counting where rays end.
 //
@@ -23,10 +17,11 @@ struct SamplingBias {
 // F (1 - F) / N, and rows are independent of each other. So (value - exact)² / (F (1 - F)) has the mean 1/N whatever F
 // is, and the median 0.455/N where N F is not small.
 struct SamplingNoise {
-  double rays = 0;                   // N, from the mean over all pairs
-  bool is_even = false;              // spread evenly, not at random
-  std::optional<SamplingBias> bias;  // the strongest, beyond kDeviations; nothing: none of the three sums leans
-  std::vector<char> explains;        // by place in judged.pairs(): off, and within what N rays scatter
+  double rays = 0;       // N: from the mean over all pairs; of what leans from the rests (scattered_pairs.h)
+  bool is_even = false;  // spread evenly, not at random
+  NoiseBias bias;
+  double counted = 0;          // rays a face that the least factor tells of, where they would scatter far less; else 0
+  std::vector<char> explains;  // by place in judged.pairs(): off, and within what N rays scatter
 };
 
 // Returns the noise that the errors are, or nothing where they are not like it.
@@ -34,16 +29,21 @@ struct SamplingNoise {
 //   (1) they are like it iff of the pairs with 5 rays or more the median and the mean tell of numbers of rays within a
 //       factor of 3, no more than 2 % are more than 4 deviations off, at least half are off, and no side, too much or
 //       too little, has more than 3/4; and of all pairs no more than 2 % have light where there is none. There must be
-//       20 pairs, and 8 rays
-//   (2) a bias is told where a sum over pairs is off by 5 deviations of N independent rays a row
+//       20 pairs, and 8 rays. Where `may_lean`, errors that are not may be once shares of rows and columns are taken
+//       off, and these are told as biases
+//   (2) a bias is told as noise_bias() tells it
 //   (3) rays that are spread evenly over places and directions (stratified, Sobol) scatter less, and large factors less
-//   so
-//       beside small ones: the variance is taken for sqrt(F (1 - F)) / N^(3/2). It is tried where random rays do not
+//       so beside small ones: the variance is taken for sqrt(F (1 - F)) / N^(3/2). It is tried where random rays do not
 //       fit
-// leave_out: by place in judged.pairs(), pairs that do not count; empty: all do. COST: a few passes, and one sort.
-std::optional<SamplingNoise> sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out = {});
+//   (4) `counted`: N rays miss most of the faces of which N F is below 1/2, and give the others 1/N. Where many more of
+//       these have hits, and smaller ones, more rays were counted than the errors tell of: they are none of chance
+// leave_out: by place in judged.pairs(), pairs that do not count; empty: all do. COST: a few passes, and two sorts.
+std::optional<SamplingNoise> sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out = {},
+                                            bool may_lean = true);
 
-// As a hypothesis; explains nothing where there is no such noise. The words say how many rays, and whether they lean.
-Hypothesis suppose_sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out = {});
+// As a hypothesis; explains nothing where there is no such noise. The words say how many rays, and whether they lean;
+// the fault is kSystematic where more rays were counted.
+Hypothesis suppose_sampling_noise(const JudgedPairs& judged, const std::vector<char>& leave_out = {},
+                                  bool may_lean = true);
 
 }  // namespace hottel

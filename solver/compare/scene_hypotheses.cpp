@@ -137,4 +137,29 @@ Hypothesis suppose_reversed(const JudgedScene& scene, const JudgedPairs& judged)
   return result;
 }
 
+Hypothesis suppose_method(const JudgedScene& scene, const JudgedPairs& judged) {
+  Hypothesis best = explains_nothing(Fault::kMethod, judged);
+  if (judged.exact().size() > kMostApproximated) return best;
+  std::uint64_t most = 0;
+  for (const ApproximateFactors& each : scene.approximate_factors()) {
+    Hypothesis hypothesis = explains_nothing(Fault::kMethod, judged);
+    std::uint64_t evidence = 0;
+    for (const JudgedPair& pair : judged.pairs()) {
+      if (!pair.is_off) continue;
+      const double factor = each.matrix.factor(pair.from, pair.to).value;
+      if (!judged.agrees(pair, factor)) continue;
+      hypothesis.explains[judged.index_of(pair)] = 1;
+      const double unobstructed = pair.visibility > 0 ? pair.exact / pair.visibility : 0;
+      evidence += factor != 0 && !judged.agrees(pair, unobstructed);
+    }
+    if (static_cast<double>(evidence) < kLeastShareOfMethod * static_cast<double>(judged.off()) ||
+        hypothesis.count() <= most)
+      continue;
+    most = hypothesis.count();
+    best = std::move(hypothesis);
+    best.words = fmt::format("factors are those of an approximate method, as `{}` gives", each.method);
+  }
+  return best;
+}
+
 }  // namespace hottel

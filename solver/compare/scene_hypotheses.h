@@ -9,6 +9,8 @@
 
 namespace hottel {
 
+inline constexpr double kLeastShareOfMethod = 0.2;
+
 // Hypotheses that need more of a scene than its exact matrix. `unobstructed`: as JudgedScene::unobstructed_factors()
 // returns them, by place in judged.pairs().
 //
@@ -20,6 +22,10 @@ Hypothesis suppose_all_or_nothing(const JudgedPairs& judged, const std::vector<d
 // Pairs that do not face each other (exact factor and unobstructed one are 0) have a factor, whatever its value. The
 // sky is left aside.
 Hypothesis suppose_behind(const JudgedPairs& judged, const std::vector<double>& unobstructed);
+// Factors that an approximate method gives, the one that explains most. Only values other than 0 and the exact ones
+// count as evidence, of which there are to be kLeastShareOfMethod of the pairs off. COST: that of
+// JudgedScene::approximate_factors(); nothing beyond kMostApproximated elements.
+Hypothesis suppose_method(const JudgedScene& scene, const JudgedPairs& judged);
 // The back of a surface is taken for its front: its rows and columns are those of its other side. Explains nothing
 // where the scene cannot tell the factors of both sides.
 //

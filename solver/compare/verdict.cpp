@@ -71,18 +71,25 @@ std::vector<Hypothesis> hypotheses_of(const JudgedScene& scene, const JudgedPair
   hypotheses.push_back(suppose_row_factor(judged));
   hypotheses.push_back(suppose_reversed(scene, judged));
   hypotheses.push_back(suppose_permuted(judged));
+  hypotheses.push_back(suppose_shifted(judged));
+  hypotheses.push_back(suppose_rows_permuted(judged));
+  hypotheses.push_back(suppose_columns_permuted(judged));
   hypotheses.push_back(suppose_no_occlusion(judged, unobstructed));
   hypotheses.push_back(suppose_all_or_nothing(judged, unobstructed));
   hypotheses.push_back(suppose_sky_missing(judged));
   hypotheses.push_back(suppose_sky_is_rest(judged));
   hypotheses.push_back(suppose_missing(judged));
+  // It takes runs of methods: not where another reading explains all.
+  if (std::none_of(hypotheses.begin(), hypotheses.end(),
+                   [&](const Hypothesis& each) { return each.count() == judged.off(); }))
+    hypotheses.push_back(suppose_method(scene, judged));
   hypotheses.push_back(suppose_behind(judged, unobstructed));
-  hypotheses.push_back(suppose_sampling_noise(judged));
+  hypotheses.push_back(suppose_sampling_noise(judged, {}, false));
   return hypotheses;
 }
 
 // Takes the reading that explains most of what is left, again and again, while it explains its share. What is left may
-// scatter as rays do where all pairs together did not.
+// scatter as rays do where all pairs together did not, or once shares of rows and columns are taken off.
 void choose_findings(std::vector<Hypothesis> hypotheses, const JudgedPairs& judged, Verdict& verdict) {
   std::vector<char> is_open(judged.pairs().size(), 0);
   for (const JudgedPair& pair : judged.pairs()) is_open[judged.index_of(pair)] = pair.is_off;
@@ -94,7 +101,7 @@ void choose_findings(std::vector<Hypothesis> hypotheses, const JudgedPairs& judg
                                        [](const Hypothesis& a, const Hypothesis& b) { return a.count() < b.count(); });
     if (static_cast<double>(best->count()) < std::max(1.0, kLeastShare * static_cast<double>(judged.off()))) {
       verdict.has_unnamed = verdict.has_unnamed || best->count() > 0;
-      if (is_scatter_asked || verdict.findings.empty()) break;
+      if (is_scatter_asked) break;
       is_scatter_asked = true;
       std::vector<char> is_settled(is_open.size(), 0);
       for (const JudgedPair& pair : judged.pairs())

@@ -58,8 +58,7 @@ inline constexpr double kLeastShare = 0.02;  // of the pairs off, that a reading
 //   (3) the findings and what is unexplained partition the pairs that are off
 //   (4) a reading is a finding only where it explains kLeastShare of the pairs that are off, or more
 //   (5) the scatter of rays (sampling_noise.h) is a reading like others; where the errors are no such scatter as a
-//   whole,
-//       what the others leave is asked again
+//       whole, what the others leave is asked again, and may lean then
 // Rows and columns that the file does not have are not judged.
 // REQUIRES: both matrices are over the elements of the scene; the exact one has visibilities.
 // COST: a few passes over both matrices; when something is off, what the scene takes to answer (judged_scene.h).

@@ -69,7 +69,10 @@ std::vector<WorkReading> read_off(std::span<const WorkCurve> curves, std::span<c
   const auto exact =
       std::find_if(curves.begin(), curves.end(), [](const WorkCurve& c) { return c.family == kExactFamily; });
   std::vector<WorkReading> readings;
-  if (exact == curves.end()) return readings;
+  const bool is_alone = std::all_of(curves.begin(), curves.end(), [](const WorkCurve& curve) {
+    return curve.family == kExactFamily || is_exact_again(curve.family);
+  });
+  if (exact == curves.end() || is_alone) return readings;
   for (const double error : errors) {
     WorkReading reading{error, exact->points.front().seconds, "", std::numeric_limits<double>::infinity()};
     for (const WorkCurve& curve : curves) {

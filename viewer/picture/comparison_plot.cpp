@@ -72,11 +72,14 @@ LogPlot comparison_plot(std::span<const MethodResult> results, PlotAxes axes, co
   plot.zero_label = "exact";
   for (const MethodResult& result : results) {
     const double x = along_x(result, axes.x), y = along_y(result, axes.y);
-    if (!std::isfinite(y)) continue;
     const bool is_level = std::isnan(x);
     auto curve = std::ranges::find_if(plot.curves, [&](const LogPlotCurve& each) {
       return each.name == result.info.family && each.is_level == is_level;
     });
+    if (!std::isfinite(y)) {  // no point, and none is joined across it
+      if (!std::isnan(y) && curve != plot.curves.end()) curve->points.push_back({x, y, ""});
+      continue;
+    }
     if (curve == plot.curves.end()) {
       if (result.info.family == kExactFamily && !is_level) plot.emphasised = static_cast<int>(plot.curves.size());
       curve = plot.curves.insert(curve, LogPlotCurve{result.info.family, {}, is_level});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "viewer/picture/palette.h"
 
@@ -36,6 +37,24 @@ bool overlap(const std::array<Pixel, 2>& a, const std::array<Pixel, 2>& b) {
 
 std::array<Pixel, 2> box_about(Pixel centre, double half) {
   return {{{centre.x - half, centre.y - half}, {centre.x + half, centre.y + half}}};
+}
+
+// Whether a plot shows a point.
+bool is_shown(const LogPlotPoint& point, bool is_level) {
+  return std::isfinite(point.y) && point.y >= 0 && (is_level || (std::isfinite(point.x) && point.x > 0));
+}
+
+// Whether a line meets a box: what is left of it between the sides.
+bool crosses(const std::array<Pixel, 2>& box, const std::array<Pixel, 2>& line) {
+  double begin = 0, end = 1;
+  const auto cut = [&](double from, double to, double low, double high) {
+    if (from == to) return from >= low && from <= high;
+    const double a = (low - from) / (to - from), b = (high - from) / (to - from);
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+    return begin <= end;
+  };
+  return cut(line[0].x, line[1].x, box[0].x, box[1].x) && cut(line[0].y, line[1].y, box[0].y, box[1].y);
 }
 
 }  // namespace
@@ -74,11 +93,27 @@ LogPlotPainter::LogPlotPainter(const LogPlot& plot) : plot_(plot), unit_(std::ma
   bottom_right_ = {plot.width - (kLegendWidth + 50) * unit_, plot.height - 96 * unit_};
 }
 
+// The lines between points that follow each other; none across one that is left out.
+std::vector<std::array<Pixel, 2>> LogPlotPainter::lines(const LogPlotCurve& curve) const {
+  std::vector<std::array<Pixel, 2>> result;
+  if (curve.is_level) {
+    for (const LogPlotPoint& point : shown(curve)) {
+      const double y = at(1, point.y).y;
+      result.push_back({Pixel{top_left_.x, y}, Pixel{bottom_right_.x, y}});
+    }
+    return result;
+  }
+  for (std::size_t p = 1; p < curve.points.size(); ++p) {
+    const LogPlotPoint &from = curve.points[p - 1], &to = curve.points[p];
+    if (is_shown(from, false) && is_shown(to, false)) result.push_back({at(from.x, from.y), at(to.x, to.y)});
+  }
+  return result;
+}
+
 std::vector<LogPlotPoint> LogPlotPainter::shown(const LogPlotCurve& curve) const {
   std::vector<LogPlotPoint> points;
   for (const LogPlotPoint& point : curve.points)
-    if (std::isfinite(point.y) && point.y >= 0 && (curve.is_level || (std::isfinite(point.x) && point.x > 0)))
-      points.push_back(point);
+    if (is_shown(point, curve.is_level)) points.push_back(point);
   return points;
 }
 
@@ -207,35 +242,45 @@ void LogPlotPainter::draw_curve(PictureCanvas& canvas, std::size_t k) const {
       for (double y = top_left_.y; y < bottom_right_.y; y += 16 * unit_)
         canvas.stroke(Mark::kCurve, {x, y}, {x, std::min(y + 8 * unit_, bottom_right_.y)}, palette::kInk, 1.8 * unit_);
     }
-  for (std::size_t p = 1; p < points.size(); ++p)
-    canvas.stroke(Mark::kCurve, at(points[p - 1].x, points[p - 1].y), at(points[p].x, points[p].y), colour(k),
-                  2.6 * unit_);
+  for (const auto& [from, to] : lines(plot_.curves[k])) canvas.stroke(Mark::kCurve, from, to, colour(k), 2.6 * unit_);
   for (const LogPlotPoint& point : points) draw_marker(canvas, k, at(point.x, point.y), Mark::kPoint);
 }
 
-// Each label above, below, right or left of its point, where it first meets nothing that is there already.
+// Each label about its point, where it first meets nothing that is there already: no line where that can be.
 void LogPlotPainter::draw_labels(PictureCanvas& canvas) const {
-  std::vector<std::array<Pixel, 2>> taken;
-  for (const LogPlotCurve& curve : plot_.curves)
+  std::vector<std::array<Pixel, 2>> taken, strokes;
+  for (const LogPlotCurve& curve : plot_.curves) {
     for (const LogPlotPoint& point : shown(curve))
       if (!curve.is_level) taken.push_back(box_about(at(point.x, point.y), 8 * unit_));
+    const auto of_curve = lines(curve);
+    strokes.insert(strokes.end(), of_curve.begin(), of_curve.end());
+  }
   for (std::size_t k = 0; k < plot_.curves.size(); ++k)
     for (const LogPlotPoint& point : shown(plot_.curves[k])) {
       if (point.label.empty() || plot_.curves[k].is_level) continue;
       const TextStyle style{.size = 14 * unit_, .colour = colour(k)};
       const double wide = canvas.text_width(point.label, style), high = 14 * unit_, gap = 12 * unit_;
       const auto [x, y] = at(point.x, point.y);
-      for (const Pixel corner : {Pixel{x - wide / 2, y - gap - high}, Pixel{x - wide / 2, y + gap},
-                                 Pixel{x + gap, y - high / 2}, Pixel{x - gap - wide, y - high / 2}}) {
+      const double left = x - gap - wide, right = x + gap, above = y - gap - high, below = y + gap;
+      std::optional<std::array<Pixel, 2>> best;
+      bool is_best_clear = false;
+      for (const Pixel corner : {Pixel{x - wide / 2, above}, Pixel{x - wide / 2, below}, Pixel{right, y - high / 2},
+                                 Pixel{left, y - high / 2}, Pixel{right, above}, Pixel{left, above},
+                                 Pixel{right, below}, Pixel{left, below}}) {
         const std::array<Pixel, 2> box{{corner, {corner.x + wide, corner.y + high}}};
         const bool is_inside = box[0].x > top_left_.x && box[1].x < bottom_right_.x && box[0].y > top_left_.y &&
                                box[1].y < bottom_right_.y;
         if (!is_inside || std::any_of(taken.begin(), taken.end(), [&](const auto& b) { return overlap(box, b); }))
           continue;
-        canvas.text(Mark::kLabel, {corner.x, corner.y + 0.85 * high}, point.label, style);
-        taken.push_back(box);
-        break;
+        const bool is_clear =
+            std::none_of(strokes.begin(), strokes.end(), [&](const auto& line) { return crosses(box, line); });
+        if (best && (is_best_clear || !is_clear)) continue;
+        best = box;
+        is_best_clear = is_clear;
       }
+      if (!best) continue;
+      canvas.text(Mark::kLabel, {(*best)[0].x, (*best)[0].y + 0.85 * high}, point.label, style);
+      taken.push_back(*best);
     }
 }
 

@@ -1,6 +1,7 @@
 // Curves over two logarithmic axes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -39,7 +40,8 @@ struct LogPlot {
 //
 //   (1) a point at 10^a, 10^b lies in proportion to a and b; axes begin and end at whole decades
 //   (2) values that are 0 lie on a level of their own below the lowest decade, named zero_label, apart by a dashed line
-//   (3) points that are not finite, or not positive along x, are left out and break no line; a level has no x
+//   (3) points that are not finite, or not positive along x, are left out, and no line goes across them; a level has
+//       no x
 //   (4) the points of a curve are joined in their order; each curve has a colour and a marker of its own (of 10 x 6)
 //   (5) nothing leaves the picture
 // Degenerate: without points the axes span one decade.
@@ -70,6 +72,7 @@ class LogPlotPainter {
   void draw_legend(PictureCanvas& canvas) const;
   void draw_marker(PictureCanvas& canvas, std::size_t curve, Pixel centre, Mark mark) const;
   std::vector<LogPlotPoint> shown(const LogPlotCurve& curve) const;
+  std::vector<std::array<Pixel, 2>> lines(const LogPlotCurve& curve) const;
   Colour colour(std::size_t curve) const;
 
   const LogPlot& plot_;

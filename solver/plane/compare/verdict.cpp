@@ -10,7 +10,9 @@
 #include "geometry/plane/exchange/pair_alone.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "solver/compare/approximate_factors.h"
 #include "solver/compare/judged_scene.h"
+#include "solver/plane/methods/method_catalogue.h"
 
 namespace hottel {
 namespace {
@@ -38,6 +40,10 @@ class JudgedScene2 final : public JudgedScene {
         },
         kPairsATask);
     return result;
+  }
+
+  std::vector<ApproximateFactors> approximate_factors() const override {
+    return approximate_factors_of(methods_2(), prepared_);
   }
 
   std::optional<ExchangeMatrix> factors_of_both_sides() const override {

@@ -12,7 +12,9 @@
 #include "geometry/space/exchange/unobstructed.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "solver/compare/approximate_factors.h"
 #include "solver/compare/judged_scene.h"
+#include "solver/space/methods/method_catalogue.h"
 
 namespace hottel {
 namespace {
@@ -40,6 +42,10 @@ class JudgedScene3 final : public JudgedScene {
         },
         kPairsATask);
     return result;
+  }
+
+  std::vector<ApproximateFactors> approximate_factors() const override {
+    return approximate_factors_of(methods_3(), prepared_);
   }
 
   std::optional<ExchangeMatrix> factors_of_both_sides() const override {

@@ -61,6 +61,27 @@ TEST_F(RadiosityVerdictTest, NamesWhatStandsForRadiosities) {
   }
 }
 
+TEST_F(RadiosityVerdictTest, TellsRadiositiesOfOtherFaces) {
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t i = 0; i < exact_.size(); ++i)
+    if (exact_.has_row(i)) rows.push_back(i);
+  const auto hypothesis = [&](const std::function<std::size_t(std::size_t)>& of) {
+    std::vector<std::vector<double>> values;
+    for (const auto& channel : solution_.channels) {
+      values.emplace_back(exact_.size(), 0.0);
+      for (std::size_t k = 0; k < rows.size(); ++k) values.back()[rows[k]] = channel.elements[rows[of(k)]].radiosity;
+    }
+    const RadiosityVerdict verdict = judge_radiosities(exact_, solution_, values, {}, 1e-6);
+    EXPECT_EQ(verdict.explained, verdict.outside);
+    return verdict.hypothesis;
+  };
+  const std::size_t n = rows.size();
+  EXPECT_THAT(hypothesis([n](std::size_t k) { return (k + 1) % n; }),
+              testing::StartsWith("radiosities of other faces, shifted by 1: what stands for "));
+  EXPECT_THAT(hypothesis([n](std::size_t k) { return (k + n - 1) % n; }), HasSubstr("shifted by 1 the other way"));
+  EXPECT_THAT(hypothesis([n](std::size_t k) { return n - 1 - k; }), HasSubstr("in another order"));
+}
+
 TEST_F(RadiosityVerdictTest, NamesTheFaceThatIsWrong) {
   const double wall = solution_.channels[1].elements[6].radiosity;
   const RadiosityVerdict verdict =

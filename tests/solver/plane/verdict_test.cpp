@@ -5,102 +5,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <numbers>
-#include <random>
 
-#include "geometry/plane/exchange/exchange.h"
-#include "geometry/plane/exchange/pair_alone.h"
-#include "geometry/plane/generate/generators.h"
-#include "io/scene/scene_json.h"
-#include "solver/compare/sampling_noise.h"
 #include "solver/plane/methods/method_catalogue.h"
+#include "tests/solver/plane/judged_matrices.h"
 
 namespace hottel {
 namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
-
-// A room with no two walls alike, a scene that people live in, and clutter.
-Scene2 convex_room() {
-  return parse_scene_2(R"({"hottel": 1, "dimension": 2, "materials": {"white": {"reflectivity": 0.5}},
-    "polylines": [{"name": "room", "points": [[0, 0], [0, 3], [2, 4], [5, 3], [4, 0]], "closed": true,
-                   "material": "white"}]})",
-                       "room.json");
-}
-Scene2 apartment() { return read_scene_2(std::string(HOTTEL_SOURCE_DIR) + "/scenes/showcase/apartment.json"); }
-Scene2 clutter() { return generate_2({.kind = "clutter", .n = 60, .seed = 11}); }
-Scene2 box_under_a_lamp() { return read_scene_2(std::string(HOTTEL_SOURCE_DIR) + "/tests/contract/box.json"); }
-
-struct Judged {
-  explicit Judged(Scene2 scene) : prepared(prepare(std::move(scene))), exact(exact_exchange(prepared)) {}
-
-  // The matrix of value(from, to, exact factor), over all pairs of rows and columns.
-  using Value = std::function<double(std::uint32_t, std::uint32_t, double)>;
-  ExchangeMatrix changed(const Value& value) const {
-    std::vector<std::size_t> begin(1, 0);
-    std::vector<FactorEntry> entries;
-    for (std::uint32_t i = 0; i < exact.size(); ++i) {
-      for (std::uint32_t j = 0; j <= exact.sky() && exact.has_row(i); ++j)
-        if (const double v = value(i, j, exact.factor(i, j).value); v != 0) entries.push_back({j, {v, 0}, 1});
-      begin.push_back(entries.size());
-    }
-    ExchangeMatrix matrix(exact.elements(), Guarantee::kEstimated);
-    matrix.assign(std::move(begin), std::move(entries));
-    return matrix;
-  }
-
-  // As it is, and as View3D prints it.
-  Verdict judge_it(const Value& value, bool is_printed) const {
-    VerdictOptions options;
-    if (is_printed) options.written.digits = {6, 6, 0};
-    return judge(prepared, exact, changed([&](std::uint32_t i, std::uint32_t j, double e) {
-                   const double v = value(i, j, e);
-                   return is_printed && v != 0 ? std::stod(fmt::format("{:.6f}", v)) : v;
-                 }),
-                 options);
-  }
-  std::string sentences(const Verdict& verdict) const {
-    std::string text;
-    for (const std::string& sentence : verdict_sentences(verdict, exact)) text += sentence + "\n";
-    return text;
-  }
-
-  const FactorEntry* entry(std::uint32_t i, std::uint32_t j) const {
-    for (const FactorEntry& each : exact.row(i))
-      if (each.to == j) return &each;
-    return nullptr;
-  }
-  double vis(std::uint32_t i, std::uint32_t j) const { return entry(i, j) ? entry(i, j)->visibility : 0; }
-  // Factor without obstacles.
-  double free(std::uint32_t i, std::uint32_t j) const {
-    if (const FactorEntry* known = entry(i, j)) return known->factor.value / known->visibility;
-    const RootSum sum = PairsAlone2(prepared, table, Granularity::kFace).exact(i, j);
-    return sum.is_zero() ? 0 : round_quotient(sum, RootSum(Rational(1))).number.value / exact.elements()[i].area.value;
-  }
-  // A pair of faces with rows, of unequal areas and with a visibility that satisfies the condition.
-  ElementPair pair_with(const std::function<bool(double)>& visibility) const {
-    for (std::uint32_t i = 0; i < exact.size(); ++i)
-      for (std::uint32_t j = 0; j < exact.size(); ++j)
-        if (exact.has_row(i) && exact.has_row(j) && exact.factor(i, j).value > 0.01 && visibility(vis(i, j)) &&
-            std::abs(exact.factor(i, j).value - exact.factor(j, i).value) > 0.01)
-          return {i, j};
-    throw std::runtime_error("no such pair");
-  }
-
-  PreparedScene2 prepared;
-  ExchangeMatrix exact;
-  ElementTable2 table{prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace};
-};
-
-std::vector<Fault> faults(const Verdict& verdict) {
-  std::vector<Fault> result;
-  for (const FoundFault& finding : verdict.findings) result.push_back(finding.fault);
-  return result;
-}
 
 class VerdictTest : public testing::TestWithParam<bool> {  // printed to 6 decimals, or not
  protected:
@@ -334,91 +251,63 @@ TEST_P(VerdictTest, CountsFactorsBelowZeroAndAboveOne) {
 INSTANTIATE_TEST_SUITE_P(Written, VerdictTest, testing::Bool(),
                          [](const auto& is_printed) { return is_printed.param ? "ToSixDecimals" : "InFull"; });
 
-// Rays that leave each face at random and end where the exact factors say, counted. `lean` changes the odds of a pair.
-ExchangeMatrix counted(const Judged& judged, int rays,
-                       const std::function<double(std::uint32_t, const FactorEntry&)>& lean = {}) {
-  std::mt19937_64 random(7);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> hits;
-  for (std::uint32_t i = 0; i < judged.exact.size(); ++i) {
-    std::vector<double> odds;
-    for (const FactorEntry& entry : judged.exact.row(i))
-      odds.push_back(entry.factor.value * (lean ? lean(i, entry) : 1.0));
-    if (odds.empty()) continue;
-    std::discrete_distribution<std::size_t> draw(odds.begin(), odds.end());
-    for (int k = 0; k < rays; ++k) hits[{i, judged.exact.row(i)[draw(random)].to}] += 1.0 / rays;
-  }
-  return judged.changed([&](std::uint32_t i, std::uint32_t j, double) {
-    const auto hit = hits.find({i, j});
-    return hit == hits.end() ? 0.0 : hit->second;
-  });
-}
-
-TEST(Verdict, TellsHowManyRaysScatterSo) {
-  for (const auto& scene : {apartment, clutter})
-    for (const int rays : {100, 1000, 10000}) {
-      const Judged judged(scene());
-      const ExchangeMatrix matrix = counted(judged, rays);
-      const JudgedPairs pairs(judged.exact, matrix, 1e-6, {});
-      const auto noise = sampling_noise(pairs);
-      ASSERT_TRUE(noise) << rays;
-      EXPECT_NEAR(noise->rays / rays, 1, 0.15);
-      EXPECT_FALSE(noise->bias) << noise->bias->of << " " << noise->bias->deviations;
-      const Verdict verdict = judge(judged.prepared, judged.exact, matrix, {});
-      EXPECT_THAT(faults(verdict), testing::ElementsAre(Fault::kSamplingNoise)) << judged.sentences(verdict);
-      EXPECT_LE(verdict.unexplained, verdict.off / 100);
-      EXPECT_THAT(judged.sentences(verdict), HasSubstr("random rays a face would give, unbiased"));
-    }
-}
-
-TEST(Verdict, TellsRaysOfHottelsOwnWhetherRandomOrSpreadEvenly) {
-  const Judged judged(apartment());
-  for (const auto& [name, words] :
-       {std::pair("rays:1024", "random"), std::pair("rays:1024:stratified", "evenly spread"),
-        std::pair("rays:1024:sobol", "evenly spread")}) {
-    MethodReport report;
-    const ExchangeMatrix matrix = methods_2().make(name)->compute(judged.prepared, {.wants_visibility = false}, report);
-    const auto noise = sampling_noise(JudgedPairs(judged.exact, matrix, 1e-6, {}));
-    ASSERT_TRUE(noise) << name;
-    EXPECT_EQ(noise->is_even, std::string(words) != "random") << name;
-    EXPECT_LT(std::abs(std::log(noise->rays / 1024)), std::log(4)) << name << " " << noise->rays;
-    EXPECT_FALSE(noise->bias) << name;
-    EXPECT_THAT(judged.sentences(judge(judged.prepared, judged.exact, matrix, {})),
-                HasSubstr(std::string(words) + " rays a face would give, unbiased"));
-  }
-  for (const char* name : {"center", "hemicube:256", "gauss:8", "strings"}) {
-    MethodReport report;
-    const ExchangeMatrix matrix = methods_2().make(name)->compute(judged.prepared, {.wants_visibility = false}, report);
-    EXPECT_FALSE(sampling_noise(JudgedPairs(judged.exact, matrix, 1e-6, {}))) << name;
-  }
-}
-
-TEST(Verdict, TellsScatterThatLeans) {
-  const Judged judged(apartment());
-  const Verdict verdict =
-      judge(judged.prepared, judged.exact,
-            counted(judged, 1000, [](auto, const FactorEntry& entry) { return entry.visibility < 1 ? 1.1 : 1.0; }), {});
-  EXPECT_EQ(faults(verdict).at(0), Fault::kSamplingNoise) << judged.sentences(verdict);
-  EXPECT_THAT(judged.sentences(verdict), HasSubstr("but biased: factors of partly hidden pairs are "));
-  EXPECT_THAT(judged.sentences(verdict), HasSubstr("% too large in sum"));
-}
-
-TEST(Verdict, TakesErrorsOfARuleForNoScatter) {
-  const Judged judged(apartment());
-  for (const auto& value : std::vector<Judged::Value>{
-           [](auto, auto, double e) { return 1.01 * e; },
-           [&](auto i, auto j, double e) { return judged.vis(i, j) < 1 ? (judged.vis(i, j) < 0.5 ? 0 : 2 * e) : e; }})
-    EXPECT_FALSE(sampling_noise(JudgedPairs(judged.exact, judged.changed(value), 1e-6, {})));
-}
-
-TEST(Verdict, TellsScatterBesideAnotherFault) {
+TEST(Verdict, FindsIndicesThatAreShifted) {
   const Judged judged(clutter());
-  const ExchangeMatrix matrix = counted(judged, 1000);
-  const auto is_wall = [&](std::uint32_t j) { return judged.exact.name(j).starts_with("wall"); };
-  const Verdict verdict =
-      judge(judged.prepared, judged.exact,
-            judged.changed([&](auto i, auto j, double) { return is_wall(j) ? 0 : matrix.factor(i, j).value; }), {});
-  EXPECT_THAT(faults(verdict), testing::ElementsAre(Fault::kMissing, Fault::kSamplingNoise))
-      << judged.sentences(verdict);
+  const std::uint32_t n = judged.exact.size() + 1;  // the sky among them
+  const auto exact = [&](std::uint32_t i, std::uint32_t j) {
+    return i == judged.exact.sky() ? 0 : judged.exact.factor(i, j).value;
+  };
+  const auto said = [&](const Judged::Value& value, Fault fault) {
+    const Verdict verdict = judged.judge_it(value, false);
+    EXPECT_EQ(faults(verdict), std::vector{fault}) << judged.sentences(verdict);
+    return judged.sentences(verdict);
+  };
+  EXPECT_THAT(said([&](auto i, auto j, double) { return exact((i + n - 1) % n, (j + n - 1) % n); }, Fault::kShifted),
+              HasSubstr("indices are shifted, rows and columns by 1"));
+  EXPECT_THAT(said([&](auto i, auto j, double) { return exact(i, (j + n - 1) % n); }, Fault::kShifted),
+              HasSubstr("only the columns by 1"));
+  EXPECT_THAT(said([&](auto i, auto j, double) { return exact((i + 1) % n, j); }, Fault::kShifted),
+              HasSubstr("only the rows by 1"));
+}
+
+TEST(Verdict, FindsRowsOrColumnsInAnotherOrder) {
+  const Judged judged(convex_room());
+  const std::vector<std::uint32_t> order = {3, 0, 4, 1, 2};
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t i = 0; i < judged.exact.size(); ++i)
+    if (judged.exact.has_row(i)) rows.push_back(i);
+  ASSERT_EQ(rows.size(), order.size());
+  const auto moved = [&](std::uint32_t i) {
+    const auto found = std::find(rows.begin(), rows.end(), i);
+    return found == rows.end() ? i : rows[order[static_cast<std::size_t>(found - rows.begin())]];
+  };
+  for (const bool is_of_rows : {true, false}) {
+    const Verdict verdict = judged.judge_it(
+        [&](auto i, auto j, double) {
+          return is_of_rows ? judged.exact.factor(moved(i), j).value : judged.exact.factor(i, moved(j)).value;
+        },
+        false);
+    EXPECT_EQ(faults(verdict), std::vector{is_of_rows ? Fault::kRowsPermuted : Fault::kColumnsPermuted})
+        << judged.sentences(verdict);
+    EXPECT_THAT(judged.sentences(verdict), HasSubstr(is_of_rows ? "only the rows are" : "only the columns are"));
+  }
+}
+
+TEST(Verdict, FindsOneTriangleAlone) {
+  const Judged judged(clutter());
+  const Verdict verdict = judged.judge_it([](auto i, auto j, double e) { return j > i ? 0 : e; }, false);
+  EXPECT_THAT(judged.sentences(verdict), HasSubstr("only one triangle of the matrix is there, the lower one"));
+}
+
+TEST(Verdict, FindsFactorsOfAnApproximateMethod) {
+  const Judged judged(apartment());
+  for (const char* name : {"center", "vertices", "gauss:2"}) {
+    MethodReport report;
+    const ExchangeMatrix matrix = methods_2().make(name)->compute(judged.prepared, {.wants_visibility = false}, report);
+    const Verdict verdict = judge(judged.prepared, judged.exact, matrix, {});
+    EXPECT_EQ(faults(verdict).at(0), Fault::kMethod) << judged.sentences(verdict);
+    EXPECT_THAT(judged.sentences(verdict), HasSubstr(fmt::format("as `{}` gives", name)));
+  }
 }
 
 TEST(Verdict, NamesNoReadingOfFewerPairsThanItsShare) {

@@ -58,13 +58,22 @@ TEST(LogPlot, JoinsThePointsOfACurveInTheirOrder) {
   EXPECT_TRUE(canvas.wrote("b"));
 }
 
-TEST(LogPlot, LeavesOutWhatHasNoPlaceAndBreaksNoLine) {
+TEST(LogPlot, LeavesOutWhatHasNoPlaceAndDrawsNoLineAcrossIt) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const LogPlot plot =
-      plot_of({{"a", {{1, 1}, {2, infinity}, {3, std::nan("")}, {0, 1}, {-1, 1}, {4, -1}, {10, 0.1}}}});
+  const RecordingCanvas canvas = drawn(plot_of(
+      {{"a", {{1, 1}, {2, 0.5}, {3, infinity}, {4, std::nan("")}, {0, 1}, {-1, 1}, {5, -1}, {8, 0.2}, {10, 0.1}}}}));
+  EXPECT_EQ(points(canvas), 4u);
+  EXPECT_EQ(canvas.calls(Mark::kCurve, Kind::kStroke).size(), 2u);
+}
+
+// Three points in a row, the middle one labelled, and a second curve through the place above it.
+TEST(LogPlot, PutsNoLabelOnALineWhereThereIsAnotherPlace) {
+  const LogPlot plot = plot_of({{"a", {{1, 0.03}, {10, 0.03, "8"}, {100, 0.03}}}, {"b", {{1, 0.032}, {100, 0.032}}}});
   const RecordingCanvas canvas = drawn(plot);
-  EXPECT_EQ(points(canvas), 2u);
-  EXPECT_EQ(canvas.count(Mark::kCurve), 1u);
+  const auto labels = canvas.calls(Mark::kLabel, Kind::kText);
+  ASSERT_EQ(labels.size(), 1u);
+  const LogPlotPainter painter(plot);
+  EXPECT_GT(labels[0].points.at(0).y, painter.at(10, 0.03).y) << "below both";
 }
 
 TEST(LogPlot, ShowsZeroOnALevelOfItsOwnBelowAllDecades) {

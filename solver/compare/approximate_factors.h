@@ -1,0 +1,36 @@
+// Factors of a scene by the methods of a catalogue that are cheap and not exact, for verdicts.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "kernel/support/failure.h"
+#include "solver/compare/judged_scene.h"
+#include "solver/exchange_method.h"
+#include "solver/method_catalogue.h"
+
+namespace hottel {
+
+// Those that other programs use as well: from centres and vertices, and with few points.
+inline constexpr std::array kApproximateMethods = {"center",   "center-vis", "center-vis:inverse-square=1",
+                                                   "vertices", "gauss:2",    "gauss:4"};
+
+// What JudgedScene::approximate_factors() returns. A method that the catalogue does not have, or that cannot be run, is
+// left out. COST: one run of each.
+template <class Prepared>
+std::vector<ApproximateFactors> approximate_factors_of(const MethodCatalogue<Prepared>& methods,
+                                                       const Prepared& prepared) {
+  std::vector<ApproximateFactors> all;
+  for (const char* name : kApproximateMethods) {
+    try {
+      MethodReport report;
+      all.push_back({name, methods.make(name)->compute(
+                               prepared, {.granularity = Granularity::kElement, .wants_visibility = false}, report)});
+    } catch (const UsageError&) {
+    } catch (const RequestError&) {
+    }
+  }
+  return all;
+}
+
+}  // namespace hottel
