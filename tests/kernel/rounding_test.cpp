@@ -178,6 +178,15 @@ TEST(RoundQuotientOfRootSums, MeetsTheEndsOfTheRangeOfDouble) {
   EXPECT_EQ(round(3 * power_of_two(-1075)), (Rounded{2 * kSmallest, -1}));
 }
 
+TEST(FixedDivisor, IsUsableWhereItIsGreaterThanItsError) {
+  EXPECT_FALSE(FixedDivisor().is_usable());
+  EXPECT_FALSE(FixedDivisor({0, 0}).is_usable());
+  EXPECT_FALSE(FixedDivisor({5, 5}).is_usable());
+  EXPECT_FALSE(FixedDivisor({-5, 0}).is_usable());
+  EXPECT_TRUE(FixedDivisor({5, 4}).is_usable());
+  EXPECT_TRUE(FixedDivisor({1, 0}).is_usable());
+}
+
 TEST(RoundQuotientOfRootSums, Consistency) {
   std::mt19937_64 random(3);
   for (int k = 0; k < 2000; ++k) {

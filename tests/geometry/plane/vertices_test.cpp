@@ -42,6 +42,43 @@ Points from_doubles(const std::vector<std::pair<double, double>>& coordinates) {
   return points;
 }
 
+// Words and big numbers come to the same integers: those without a common factor.
+TEST(Vertices2Form, DoesNotDependOnHowLongTheCoordinatesAre) {
+  std::mt19937_64 random(9);
+  const auto coordinate = [&random](int kind) -> Rational {
+    const long value = static_cast<long>(random() % 2001) - 1000;
+    switch (kind) {
+      case 0:
+        return value;
+      case 1:
+        return fraction(value, 1000);
+      case 2:
+        return fraction(value, static_cast<long>(random() % 12) + 1);
+      default:
+        return fraction(value * 6, 35);
+    }
+  };
+  const Rational stretch = fraction((Integer(1) << 300) * 7, 11);
+  for (int scene = 0; scene < 200; ++scene) {
+    Points points, far;
+    for (int k = 0; k < 2 + scene % 7; ++k) points.push_back({coordinate(scene % 4), coordinate(scene % 4)});
+    points.push_back(points.front());
+    points.back().x += fraction(1, 1 + scene % 5);  // not all are one point
+    for (const Point2& p : points) far.push_back({p.x * stretch, p.y * stretch});
+    const std::size_t typed = scene % 3 == 0 ? points.size() - 1 : points.size();
+    const Vertices2 words(points, typed), big(far, typed);
+    ASSERT_TRUE(words.is_small());
+    ASSERT_TRUE(big.is_small());
+    EXPECT_EQ(words.scale() * stretch, big.scale()) << scene;
+    EXPECT_EQ(words.exponent(), big.exponent());
+    EXPECT_EQ(words.approximation_error(), big.approximation_error());
+    for (const VertexId v : words.ids()) {
+      EXPECT_EQ(words.exact(v), big.exact(v)) << scene;
+      EXPECT_EQ(words.to_scene(words.exact(v)), points[v.index()]) << scene;
+    }
+  }
+}
+
 TEST(Vertices2Form, IsSmallWhereACommonDenominatorMakesItSo) {
   EXPECT_TRUE(Vertices2(Points{}, 0).is_small());
   EXPECT_TRUE(Vertices2(from_doubles({{0, 0}, {1, 2}}), 2).is_small());
