@@ -407,7 +407,7 @@ TEST(Solve, RefusesWhatDoublesCannotTellAndNamesTheFile) {
     place.write("room.json", scene);
     const Outcome outcome = place.run("hottel solve room.json -o room --grid 4x4 --quiet" + options);
     EXPECT_EQ(outcome.code, 1) << scene << options;
-    EXPECT_THAT(outcome.err, StartsWith("room.json: "));
+    EXPECT_THAT(outcome.err, StartsWith("room.json:"));
     EXPECT_THAT(outcome.err, HasSubstr("beyond the range of doubles"));
     EXPECT_FALSE(std::filesystem::exists(place.path("room"))) << scene << options;
   }
@@ -416,7 +416,8 @@ TEST(Solve, RefusesWhatDoublesCannotTellAndNamesTheFile) {
 TEST(Plan, EstimatesAreThoseOfTheMachineWhichIsMeasuredOnce) {
   const Workplace place;
   place.write("s.json", contents(std::string(HOTTEL_SOURCE_DIR) + "/scenes/analytic/furnace.json"));
-  const std::string here = "unset HOTTEL_SPEED; export XDG_CACHE_HOME=$PWD/cache; ", plan = "hottel plan s.json --json --threads 1";
+  const std::string here = "unset HOTTEL_SPEED; export XDG_CACHE_HOME=$PWD/cache; ",
+                    plan = "hottel plan s.json --json --threads 1";
   const Outcome first = place.run(here + plan);
   ASSERT_EQ(first.code, 0) << first.err;
   const std::string kept = place.read("cache/hottel/speed");
