@@ -38,3 +38,13 @@ awk -F, 'NR == 2 && $5 != 0 { print $0; exit 1 }' compared/grid.csv || fail "the
 "$program" compare "$scene" --divide 1,2,4 --repeat 1 -o compared \
   --methods "mine=run:$program factors {scene} --per element --elements {elements} --method center --quiet -o {out}" 2> said
 [ "$(grep -c ',mine,' compared/divide.csv)" = 3 ] || fail "divide.csv has not three divisions of it"
+
+# His counter of rays is unbiased. Another one loses a fifth of what hits one face: it is named.
+scene=$(realpath "$2")/scenes/showcase/museum.json
+"$program" factors "$scene" --method rays:4000 --quiet -o counter.csv
+awk -F, 'BEGIN { OFS = "," } NR > 1 && $2 == "hall_2[0]" { $3 = sprintf("%.17g", 0.8 * $3) } { print $1, $2, $3 }' \
+  counter.csv > leaky.csv
+"$program" compare "$scene" --methods file:counter.csv --repeat 1 -o compared 2> said
+grep -q 'as about 4[0-9]* random rays a face would give, unbiased' said || fail "rays are not recognised: $(cat said)"
+"$program" compare "$scene" --methods file:leaky.csv --repeat 1 -o compared 2> said
+grep -q "but biased: .*hits on 'hall_2' are short by 20 %" said || fail "a leak is not found: $(cat said)"
