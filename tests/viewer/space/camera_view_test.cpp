@@ -226,9 +226,12 @@ std::string box(const std::string& name, const std::array<double, 6>& b, bool is
 // What stands in the middle of a room, or hides its middle, keeps no camera out of the room.
 TEST(CameraView3, ACameraIsChosenWhereThereIsLight) {
   const std::string room = box("room", {0, 0, 0, 6, 6, 6}, true);
-  for (const std::string& inside : {box("pillar", {2.7, 2.7, 0, 3.3, 3.3, 6}, false),  // a solid
-                                    box("screen", {1, 1, 1, 5, 5, 5}, false),          // a large one
-                                    box("inside", {2, 2, 2, 4, 4, 4}, true)}) {  // a room in the room, of one side
+  for (const std::string& inside :
+       {box("pillar", {2.7, 2.7, 0, 3.3, 3.3, 6}, false),  // a solid
+        box("screen", {1, 1, 1, 5, 5, 5}, false),          // a large one
+        std::string(R"(, {"name": "L", "points": [[1,1,3], [5,1,3], [5,5,3], [4,5,3], )"
+                    R"([4,2,3], [1,2,3]], "material": "m", "back": "m"})"),  // of two pieces
+        box("inside", {2, 2, 2, 4, 4, 4}, true)}) {                          // a room in the room, of one side
     const Simulation3 simulation = simulation_of(parse_scene_3(
         R"({"hottel": 1, "dimension": 3, "materials": {"m": {"reflectivity": 0.5, "emission": 1}}, "polygons": [)" +
             (room + inside).substr(2) + "]}",

@@ -84,8 +84,10 @@ Place place_of(const PreparedScene3& prepared, const Point3& eye) {
   const PointMap3 map = map_from(prepared.blockers(), {.eye = eye, .normal = {}});
   if (map.sky_fraction >= 0.5) return Place::kOpen;
   double lit = 0;
-  for (const PointMap3::Share& share : map.shares)
-    if (prepared.scene.surfaces[share.face.surface].material_of(share.face.is_back)) lit += share.fraction;
+  for (const PointMap3::Share& share : map.shares) {
+    const Face& seen = prepared.arrangement().owner(share.face.surface, share.face.is_back);
+    if (prepared.scene.surfaces[seen.surface].material_of(seen.is_back)) lit += share.fraction;
+  }
   return lit >= 0.5 ? Place::kRoom : Place::kHidden;
 }
 
