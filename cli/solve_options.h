@@ -54,9 +54,9 @@ Tone tone_asked(const std::string& name);
 void require_room_for_light(const SolveOptions& options, const std::array<std::uint32_t, 2>& cells, int channels,
                             const std::string& advice, const std::filesystem::path& directory);
 
-// What the picture shows, as --show, --channel and --bar ask for it. Throws UsageError for what is not there, and for options
-// of light (--tone, --exposure, --contours) where something else is shown; and, for --render, unless its file is a
-// picture.
+// What the picture shows, as --show, --channel and --bar ask for it. Throws UsageError for what is not there, and for
+// options of light (--tone, --exposure, --contours) where something else is shown; and, for --render, unless its file
+// is a picture.
 Shown shown_of(const SolveOptions& options);
 
 // The range of what is shown, for a report; nothing of nothing.

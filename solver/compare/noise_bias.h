@@ -47,8 +47,7 @@ bool is_symmetric(const JudgedPairs& judged, std::span<const ScatteredPair> pair
 //   (2) V is that of rests: losses do not widen it. Rows that scatter more than others, and columns, count with
 //       what they scatter themselves
 //   (3) where A_i F_ij = A_j F_ji holds to the digits, each pair is one number and the tests are of their signs: of
-//   sums
-//       T over the root of the sum of the squares
+//       sums T over the root of the sum of the squares
 // pairs: as scattered_pairs() returns them; scale, rays: of what they scatter. COST: a few passes over the pairs.
 NoiseBias noise_bias(const JudgedPairs& judged, std::span<const ScatteredPair> pairs, RaySpread spread, double scale,
                      double rays);

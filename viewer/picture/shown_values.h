@@ -63,7 +63,7 @@ struct ShownValues {
 //       those to the fronts of a group, or of all whose names begin with NAME*
 //   (4) the colours of a net flux part at 0: faces that gain and faces that lose are told apart at sight
 //   (5) values that six digits do not tell apart have one colour, and so have net fluxes below 1e-9 of the largest
-//       radiosity: the scale is empty then (lower == upper). So are roundings and what a tolerance leaves no pattern
+//       radiosity: the scale is empty then (lower == upper), and roundings make no pattern
 //   (6) the ends of the scale are those asked for, where some are, whatever the values; a logarithmic one begins at the
 //       least value above 0
 //

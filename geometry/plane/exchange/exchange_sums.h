@@ -46,8 +46,8 @@ struct SightEstimate2 {
   double seen_typed = 0;    // of these, ends of edges as they were typed
 };
 
-// Estimates from `most` vertices drawn by a fixed seed, or from all of them where there are fewer. The same scene always
-// gives the same estimate. It may be wrong either way.
+// Estimates from `most` vertices drawn by a fixed seed, or from all of them where there are fewer. The same scene
+// always gives the same estimate. It may be wrong either way.
 SightEstimate2 estimated_sight(const Arrangement2& arrangement, const ElementTable2& table, std::uint64_t most = 256);
 
 // Checks property (2) of sum_visible_pairs as an identity of integers. Returns the largest defect of a row, in units

@@ -29,9 +29,8 @@ bool is_map_2(const std::filesystem::path& file);
 //       members are passed over
 //   (6) points, positions of three coordinates, rings that are not closed, have fewer than three corners or no area or
 //       cross themselves, lines without length, and curves are refused: no geometry is dropped
-//   (7) points that repeat the one before, and geometries that are null or empty, are no geometry: they are passed
-//   over,
-//       and counted
+//   (7) points that repeat the one before, and geometries that are null or empty, are no geometry: they are counted
+//       and passed over
 // Throws InputError with file and line.                                                              COST: linear.
 Scene2 read_map_2(const std::filesystem::path& file, MapSide2 side = MapSide2::kInside,
                   PassedOver* passed_over = nullptr);

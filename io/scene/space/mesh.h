@@ -31,8 +31,8 @@ struct MeshFace3 {
 // What a file of a mesh says.
 //
 //   (1) coordinates are exact; a face has three points or more, some perhaps equal, and may be no polygon yet
-//   (polygon_problem) (2) groups and materials are those that faces have, in the order of the faces; only OBJ files
-//   name any
+//       (polygon_problem)
+//   (2) groups and materials are those that faces have, in the order of the faces; only OBJ files name any
 struct Mesh3 {
   std::string file;
   std::vector<MeshFace3> faces;

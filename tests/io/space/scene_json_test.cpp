@@ -283,7 +283,8 @@ TEST(SceneJson3, RefusesWrongMeshes) {
             "in/scene.json:3: mesh[0]: the name 'sky' is kept for the sky");
   EXPECT_EQ(refusal(with_mesh(", \"points\": []"), kFiles), "in/scene.json:3: mesh[0] has the unknown key 'points'");
   EXPECT_EQ(refusal(scene_with("\"mesh\": {}")), "in/scene.json:3: mesh[0] has no \"file\"");
-  EXPECT_EQ(refusal(scene_with("\"mesh\": {\"file\": \"lost.obj\"}")), "in/scene.json:3: mesh 'mesh[0]': the file in/lost.obj: is not there");
+  EXPECT_EQ(refusal(scene_with("\"mesh\": {\"file\": \"lost.obj\"}")),
+            "in/scene.json:3: mesh 'mesh[0]': the file in/lost.obj: is not there");
   EXPECT_EQ(refusal(scene_with("\"mesh\": {\"file\": \"a.dxf\"}")),
             "in/scene.json:3: mesh 'mesh[0]': the file 'a.dxf' is not read by this version: it does not end in .obj, "
             ".ply, .off or .stl");

@@ -33,9 +33,9 @@ PixelValues3 camera_view_3(const PreparedScene3& prepared, Granularity granulari
                            const Camera3& camera);
 
 // Returns a camera for a scene that has none. Where its middle sees more of the sky than of the scene, from outside,
-// above. Else from within, near the middle of a side or a corner, wherever an eye sees faces with a material in at least
-// half of all directions; from outside where none of these does. 800 x 600 pixels. COST: two maps as a rule, nine at the
-// most.
+// above. Else from within, near the middle of a side or a corner, wherever an eye sees faces with a material in at
+// least half of all directions; from outside where none of these does. 800 x 600 pixels. COST: two maps as a rule, nine
+// at the most.
 Camera3 default_camera_3(const PreparedScene3& prepared);
 
 }  // namespace hottel
