@@ -3,7 +3,7 @@
 
 #include "cli/check_in_space.h"
 #include "cli/command.h"
-#include "cli/overwriting.h"
+#include "cli/repaired_file.h"
 #include "cli/scene_input.h"
 #include "io/results/plane/check_report.h"
 #include "io/scene/scene_json.h"
@@ -39,7 +39,7 @@ ExitCode exit_code(const SceneCheck2& check) { return has_error(check.findings) 
 
 // Writes the repaired scene, and tells what was done and what is found in it.
 ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const Scene2& scene, Streams& streams) {
-  OutputFile out(options.fix);
+  RepairedFile out(options.fix, options.scene);
   const auto before = look_at(scene, streams);
   Repair2 repair = distance > 0 ? close_gaps(scene, distance) : unrepaired(scene);
   reverse_inside_out(repair);
@@ -54,15 +54,10 @@ ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const
     changes = factor_changes(*before->factors, *after->factors,
                              [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
-  const bool is_input = is_same_file(options.fix, options.scene), is_written = !is_input || !repair.steps.empty();
-  if (is_written) {
-    out.write(text);
-    out.finish();
-  }
+  out.write(text, !repair.steps.empty());
   streams.write("", options.json ? check_json(repaired, after->findings, &report)
                                  : repair_text(scene, report) + check_text(repaired, after->findings));
-  if (is_written) out.commit();
-  if (is_input) streams.note(overwriting_note(options.fix, is_written));
+  out.commit(streams);
   return exit_code(*after);
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "cli/overwriting.h"
+#include "cli/repaired_file.h"
 #include "geometry/space/check/repair.h"
 #include "io/results/space/check_report.h"
 #include "io/scene/scene_json.h"
@@ -35,7 +35,7 @@ ExitCode check_in_space(const Scene3& scene, const std::string& file, const std:
     streams.write("", as_json ? check_json(scene, check.findings) : check_text(scene, check.findings));
     return exit_code(check);
   }
-  OutputFile out(fix);
+  RepairedFile out(fix, file);
   const SceneCheck3 before = look_at(scene, streams);
   Repair3 repair = distance > 0 ? close_gaps(scene, distance) : unrepaired(scene);
   reverse_upside_down(repair);
@@ -48,15 +48,10 @@ ExitCode check_in_space(const Scene3& scene, const std::string& file, const std:
     changes = factor_changes(*before.factors, *after.factors,
                              [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
-  const bool is_input = is_same_file(fix, file), is_written = !is_input || !repair.steps.empty();
-  if (is_written) {
-    out.write(text);
-    out.finish();
-  }
+  out.write(text, !repair.steps.empty());
   streams.write("", as_json ? check_json(repaired, after.findings, &report)
                             : repair_text(scene, report) + check_text(repaired, after.findings));
-  if (is_written) out.commit();
-  if (is_input) streams.note(overwriting_note(fix, is_written));
+  out.commit(streams);
   return exit_code(after);
 }
 

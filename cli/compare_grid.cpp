@@ -85,9 +85,8 @@ JudgedGrid judge_grid(const std::string& file, const MethodComparison3& comparis
                      {"\"grid\": {\"origin\": [x, y, z], \"u\": [x, y, z], \"v\": [x, y, z], \"cells\": [nu, nv]}"});
   require_cells(foreign, grid->nu, grid->nv);
   const IlluminationGrid3 exact = illuminate_points(prepared, Granularity::kElement, solution, *grid);
-  const auto doubles = [](const auto& p) { return std::array{to_double(p.x), to_double(p.y), to_double(p.z)}; };
   return judged(foreign, exact.values, solution,
-                {doubles(grid->origin), doubles(grid->u), doubles(grid->v), grid->nu, grid->nv, true}, beyond);
+                {to_doubles(grid->origin), to_doubles(grid->u), to_doubles(grid->v), grid->nu, grid->nv, true}, beyond);
 }
 
 }  // namespace hottel

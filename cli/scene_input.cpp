@@ -9,6 +9,7 @@
 #include "geometry/plane/scene/division.h"
 #include "geometry/space/scene/division.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/trimmed.h"
 #include "solver/plane/light/illumination_grid.h"
 
 namespace hottel {
@@ -132,17 +133,16 @@ double tolerance_of(const std::optional<std::string>& option, double usual) {
 }
 
 std::vector<std::string> parts_at_commas(const std::string& text) {
-  const auto trimmed = [](const std::string& part) {
-    const std::size_t begin = part.find_first_not_of(" \t");
-    return begin == std::string::npos ? std::string() : part.substr(begin, part.find_last_not_of(" \t") + 1 - begin);
+  const auto between = [&text](std::size_t begin, std::size_t end) {
+    return std::string(trimmed(std::string_view(text).substr(begin, end - begin), " \t"));
   };
   std::vector<std::string> parts;
   std::size_t begin = 0;
   for (std::size_t end = text.find(','); end != std::string::npos; end = text.find(',', begin)) {
-    parts.push_back(trimmed(text.substr(begin, end - begin)));
+    parts.push_back(between(begin, end));
     begin = end + 1;
   }
-  parts.push_back(trimmed(text.substr(begin)));
+  parts.push_back(between(begin, text.size()));
   return parts;
 }
 

@@ -62,10 +62,9 @@ struct GridFiles {
     seconds["illumination"] = light->seconds;
     const std::size_t shape[3] = {light->grid.nv, light->grid.nu, light->channels};
     write_npy(shape, light->values, [this](std::string_view bytes) { npy.write(bytes); });
-    const auto rounded = [](const auto& p) { return std::array{to_double(p.x), to_double(p.y), to_double(p.z)}; };
     const Grid3& grid = light->grid;
-    sidecar.write(
-        illumination_sidecar({rounded(grid.origin), rounded(grid.u), rounded(grid.v), grid.nu, grid.nv}, channels));
+    sidecar.write(illumination_sidecar(
+        {to_doubles(grid.origin), to_doubles(grid.u), to_doubles(grid.v), grid.nu, grid.nv}, channels));
     if (!png) return;
     const auto picture = simulation.picture(progress);
     seconds["picture"] += picture->seconds;
@@ -98,9 +97,8 @@ std::unique_ptr<const RenderedView3> view_of(const SolveOptions& options, const 
 }
 
 PictureView picture_view_of(const RenderedView3& view, const Scene3& scene) {
-  const auto rounded = [](const auto& p) { return std::array{to_double(p.x), to_double(p.y), to_double(p.z)}; };
   const Camera3& camera = view.camera();
-  return {rounded(camera.eye), rounded(camera.target), rounded(camera.up), to_double(camera.field_of_view),
+  return {to_doubles(camera.eye), to_doubles(camera.target), to_doubles(camera.up), to_double(camera.field_of_view),
           !scene.camera.has_value()};
 }
 

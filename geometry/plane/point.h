@@ -19,4 +19,9 @@ struct Point2 {
 // Returns the doubles nearest to the coordinates.
 inline std::array<double, 2> to_doubles(const Point2& point) { return {to_double(point.x), to_double(point.y)}; }
 
+// Twice the area of the triangle a b c: positive counter-clockwise, 0 where they are on a line.
+inline Rational doubled_area(const Point2& a, const Point2& b, const Point2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
 }  // namespace hottel

@@ -1,6 +1,8 @@
 // Points of space and the ways between them.
 #pragma once
 
+#include <array>
+
 #include "kernel/rational.h"
 
 namespace hottel {
@@ -20,6 +22,10 @@ struct Vector3 {
   bool is_zero() const { return x == 0 && y == 0 && z == 0; }
   friend bool operator==(const Vector3&, const Vector3&) = default;
 };
+
+// Returns the doubles nearest to the coordinates.
+inline std::array<double, 3> to_doubles(const Point3& p) { return {to_double(p.x), to_double(p.y), to_double(p.z)}; }
+inline std::array<double, 3> to_doubles(const Vector3& v) { return {to_double(v.x), to_double(v.y), to_double(v.z)}; }
 
 // The way from b to a.
 inline Vector3 operator-(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

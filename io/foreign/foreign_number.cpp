@@ -6,6 +6,7 @@
 
 #include "geometry/name.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/trimmed.h"
 
 namespace hottel {
 namespace {
@@ -41,8 +42,7 @@ DigitCount count_digits(std::string_view token) {
 
 double ForeignNumbers::read(std::string_view token, int line) {
   const std::string_view as_written = token;
-  token.remove_prefix(std::min(token.find_first_not_of(" \t"), token.size()));
-  token.remove_suffix(token.size() - std::min(token.find_last_not_of(" \t") + 1, token.size()));
+  token = trimmed(token, " \t");
   if (token.starts_with('+') && !token.starts_with("+-")) token.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);

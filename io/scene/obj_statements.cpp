@@ -5,17 +5,12 @@
 #include "geometry/number.h"
 #include "io/files/text_file.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/trimmed.h"
 
 namespace hottel {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\v\f";
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
-}
 
 // The line without its comment.
 std::string_view without_comment(std::string_view line) {
@@ -58,11 +53,11 @@ bool ObjStatements::next() {
       }
       statement = joined_;
     }
-    statement = trimmed(statement);
+    statement = trimmed(statement, kBlanks);
     if (statement.empty()) continue;
     const std::size_t end = std::min(statement.find_first_of(kBlanks), statement.size());
     keyword_ = statement.substr(0, end);
-    rest_ = trimmed(statement.substr(end));
+    rest_ = trimmed(statement.substr(end), kBlanks);
     return true;
   }
   return false;
@@ -73,7 +68,7 @@ std::vector<std::string_view> ObjStatements::words() const {
   for (std::string_view rest = rest_; !rest.empty();) {
     const std::size_t end = std::min(rest.find_first_of(kBlanks), rest.size());
     words.push_back(rest.substr(0, end));
-    rest = trimmed(rest.substr(end));
+    rest = trimmed(rest.substr(end), kBlanks);
   }
   return words;
 }

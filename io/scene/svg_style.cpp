@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/name.h"
+#include "kernel/support/trimmed.h"
 
 namespace hottel {
 namespace {
@@ -142,12 +143,7 @@ class StyleScanner {
 
 }  // namespace
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\n\r\f";
-  const auto begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
+std::string_view trimmed(std::string_view text) { return trimmed(text, " \t\n\r\f"); }
 
 std::optional<std::string> property_problem(std::string_view name, std::string_view value, StylePlace place) {
   const std::string plain = plain_name(name);

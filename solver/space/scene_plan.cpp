@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <random>
 
 #include "geometry/space/arrangement/arrangement.h"
@@ -172,7 +173,9 @@ Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request) {
   const bool is_room = is_plain && is_convex_room(scene, blockers);
   const bool hides = !is_room && !(is_plain && faces_nothing(scene, blockers));
   const double pairs = faces.facing_pairs();
-  const Hiding hiding(prepared);
+  const bool sees_sky = !is_room && (!scene.closed || request.everything);
+  std::optional<Hiding> hiding;
+  if (hides || sees_sky) hiding.emplace(prepared);
   PlanDraft draft(scene, request, {.one = "polygon", .across = "across polygons"});
   draft.add(Plan::kExchange, !is_empty,
             fmt::format("{}, about {} pairs that face each other", counted(faces.rows(), "row"), short_count(pairs)),
@@ -181,9 +184,9 @@ Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request) {
             is_empty  ? "the scene is empty"
             : is_room ? "one convex room: nothing can hide anything"
                       : "no face has anything before it",
-            hides ? pairs * hiding.seconds_of_a_pair() : 0);
+            hides ? pairs * hiding->seconds_of_a_pair() : 0);
   draft.add_back_faces();
-  draft.add_sky(is_room, is_room ? 0 : static_cast<double>(faces.rows()) * hiding.seconds_under_sky());
+  draft.add_sky(is_room, sees_sky ? static_cast<double>(faces.rows()) * hiding->seconds_under_sky() : 0);
   draft.add_subdivision();
   add_groups(scene, draft);
   draft.add_channels();

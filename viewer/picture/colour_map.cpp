@@ -131,6 +131,10 @@ double ColourScale::position(double value) const {
   return std::clamp((value / 2 - lower / 2) / span, 0.0, 1.0);
 }
 
+double ColourScale::value(double position) const {
+  return logarithmic ? lower * std::pow(upper / lower, position) : std::lerp(lower, upper, position);
+}
+
 Colour signed_map_colour(double position) {
   const double t = std::clamp(position, -1.0, 1.0);
   const OklabPolar& end = t < 0 ? kBelowZero : kAboveZero;
@@ -187,9 +191,8 @@ double draw_legend(PictureCanvas& canvas, const ColourScale& scale, const std::s
   constexpr std::uint32_t kShades = 256;
   Raster shades(kShades, 1);
   for (std::uint32_t k = 0; k < kShades; ++k)
-    shades.pixels[k] =
-        pixel_of(scale.about_zero ? scale_colour(scale, std::lerp(scale.lower, scale.upper, (k + 0.5) / kShades))
-                                  : map_colour((k + 0.5) / kShades));
+    shades.pixels[k] = pixel_of(scale.about_zero ? scale_colour(scale, scale.value((k + 0.5) / kShades))
+                                                 : map_colour((k + 0.5) / kShades));
   double wide = std::max(bar_width, canvas.text_width(title, heading));
   if (scale.has_zero) {  // apart, at the left of a shorter bar
     const double swatch = 16 * unit, gap = 8 * unit;

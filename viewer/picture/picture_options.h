@@ -36,6 +36,9 @@ struct ColourScale {
   // REQUIRES lower <= upper, both finite; logarithmic: lower > 0. A value <= 0 on a logarithmic scale has position 0.
   double position(double value) const;
 
+  // Returns the value at a position from 0 to 1: position(value(t)) is t but for rounding, where lower < upper.
+  double value(double position) const;
+
   // Returns the value over the largest distance of lower and upper from 0, clamped to [-1, 1]; 0 when both are 0.
   // REQUIRES finite ends.
   double signed_position(double value) const;

@@ -98,9 +98,11 @@ ColourScale scale_of(const Shown& shown, const std::vector<std::optional<double>
 
 // "irradiance [W/m²]: 1.2 to 34.5".
 std::string title_of(const ShownValues& values) {
-  const auto& [lower, upper] = std::pair(values.scale.lower, values.scale.upper);
-  return values.name + (values.unit == "1" ? ": " : " [" + values.unit + "]: ") +
-         (lower < upper ? fmt::format("{:.6g} to {:.6g}", lower, upper) : fmt::format("{:.6g}", lower));
+  const ColourScale& scale = values.scale;
+  std::string title = values.name + (values.unit == "1" ? ": " : " [" + values.unit + "]: ");
+  title += fmt::format("{:.6g}", scale.lower);
+  if (scale.lower < scale.upper) title += fmt::format(" to {:.6g}", scale.upper);
+  return title;
 }
 
 std::string name_of(const Shown& shown, const RadiositySolution& solution) {

@@ -12,18 +12,13 @@ namespace {
 
 constexpr double kMost = std::numeric_limits<double>::max();
 
-// Twice the area of the triangle a b c, positive counter-clockwise.
-Rational turn(const Point2& a, const Point2& b, const Point2& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 // What surely holds a coordinate.
 double below(const Rational& value) { return std::max(std::nextafter(to_double(value), -kMost), -kMost); }
 double above(const Rational& value) { return std::min(std::nextafter(to_double(value), kMost), kMost); }
 
 std::optional<Point2> crossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  const Rational at_c = turn(a, b, c), at_d = turn(a, b, d);
-  if (sgn(at_c) * sgn(at_d) >= 0 || sgn(turn(c, d, a)) * sgn(turn(c, d, b)) >= 0) return std::nullopt;
+  const Rational at_c = doubled_area(a, b, c), at_d = doubled_area(a, b, d);
+  if (sgn(at_c) * sgn(at_d) >= 0 || sgn(doubled_area(c, d, a)) * sgn(doubled_area(c, d, b)) >= 0) return std::nullopt;
   const Rational t = at_c / (at_c - at_d);
   return Point2{c.x + t * (d.x - c.x), c.y + t * (d.y - c.y)};
 }

@@ -53,10 +53,6 @@ Strings strings_between(const Vertices2& vertices, const Segment2& f, const Segm
   return result;
 }
 
-Rational cross(const Point2& o, const Point2& p, const Point2& q) {
-  return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
-}
-
 Rational squared_distance(const Point2& p, const Point2& q) {
   const Rational dx = q.x - p.x, dy = q.y - p.y;
   return dx * dx + dy * dy;
@@ -87,7 +83,7 @@ RootSum unobstructed_exact(const Vertices2& vertices, const Segment2& f, const S
   RootSum sum;
   if (strings.crosses) {
     const Point2 a = vertices.exact(f.a), b = vertices.exact(f.b), c = vertices.exact(g.a), d = vertices.exact(g.b);
-    const Rational at_a = cross(c, d, a), at_b = cross(c, d, b), t = at_a / (at_a - at_b);
+    const Rational at_a = doubled_area(c, d, a), at_b = doubled_area(c, d, b), t = at_a / (at_a - at_b);
     const Point2 x{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
     const Point2 p = vertices.exact(strings.p), q = vertices.exact(strings.q);
     sum.add(1, squared_distance(p, x));

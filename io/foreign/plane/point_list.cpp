@@ -8,18 +8,13 @@
 #include "io/scene/json_fields.h"
 #include "io/scene/plane/well_known_text.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/trimmed.h"
 
 namespace hottel {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kBlanks = " \t\r\n";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
@@ -36,10 +31,10 @@ std::vector<Point2> points_of_csv(std::string_view text, const std::string& name
   CsvReader reader(name, text);
   for (bool is_first = true; reader.next(); is_first = false) {
     const auto& fields = reader.fields();
-    if (fields.size() == 1 && trimmed(fields[0]).empty()) continue;
+    if (fields.size() == 1 && trimmed(fields[0], kBlanks).empty()) continue;
     if (fields.size() != 2)
       throw InputError(reader.where(), "a point has two coordinates x,y, not " + std::to_string(fields.size()));
-    const std::string_view x = trimmed(fields[0]), y = trimmed(fields[1]);
+    const std::string_view x = trimmed(fields[0], kBlanks), y = trimmed(fields[1], kBlanks);
     if (is_first && upper_case(x) == "X" && upper_case(y) == "Y") continue;
     points.push_back({coordinate_of_2(x, reader.where()), coordinate_of_2(y, reader.where())});
   }
@@ -146,7 +141,7 @@ class WellKnownPoints {
 std::vector<Point2> read_points_2(std::string_view text, const std::string& name) {
   std::string_view content = text;
   if (content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
-  const std::string_view start = trimmed(content);
+  const std::string_view start = trimmed(content, kBlanks);
   const bool is_word = !start.empty() && is_letter(start.front());
   const bool is_header = is_word && (start.front() == 'x' || start.front() == 'X');
   std::vector<Point2> points;

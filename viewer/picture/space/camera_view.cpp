@@ -1,12 +1,14 @@
 #include "viewer/picture/space/camera_view.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/visibility/point_map.h"
+#include "geometry/space/visibility/seen_faces.h"
 
 namespace hottel {
 namespace {
@@ -81,13 +83,11 @@ enum class Place : unsigned char { kRoom, kOpen, kHidden };
 
 Place place_of(const PreparedScene3& prepared, const Point3& eye) {
   if (prepared.arrangement().solids().around(eye)) return Place::kHidden;
-  const PointMap3 map = map_from(prepared.blockers(), {.eye = eye, .normal = {}});
+  const PointMap3 map = with_owners(map_from(prepared.blockers(), {.eye = eye, .normal = {}}), prepared.arrangement());
   if (map.sky_fraction >= 0.5) return Place::kOpen;
   double lit = 0;
-  for (const PointMap3::Share& share : map.shares) {
-    const Face& seen = prepared.arrangement().owner(share.face.surface, share.face.is_back);
-    if (prepared.scene.surfaces[seen.surface].material_of(seen.is_back)) lit += share.fraction;
-  }
+  for (const PointMap3::Share& share : map.shares)
+    if (prepared.scene.surfaces[share.face.surface].material_of(share.face.is_back)) lit += share.fraction;
   return lit >= 0.5 ? Place::kRoom : Place::kHidden;
 }
 

@@ -114,12 +114,7 @@ std::vector<double> RenderedView3::weights() const {
 std::vector<double> RenderedView3::levels() const {
   std::vector<double> result;
   if (paint_.scale) {
-    const auto& [lower, upper] = std::pair(paint_.scale->lower, paint_.scale->upper);
-    for (int k = 1; k < kBands; ++k) {
-      const double position = static_cast<double>(k) / kBands;
-      result.push_back(paint_.scale->logarithmic ? lower * std::pow(upper / lower, position)
-                                                 : std::lerp(lower, upper, position));
-    }
+    for (int k = 1; k < kBands; ++k) result.push_back(paint_.scale->value(static_cast<double>(k) / kBands));
     return result;
   }
   const auto shown = [&](double light) { return (*tone_)(std::vector<double>(paint_.channels, light)).r; };
