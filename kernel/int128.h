@@ -16,11 +16,14 @@ struct DoubleDouble {
   double hi = 0, lo = 0;
 };
 
-// Returns a double near value, off by at most 2^-51 |value| + 2^11. Exact from 0 up to 2^53; but a small negative
-// number may come out as 0, as -1 does. (The compiler's own conversion is a slow call.)
+// Returns a double near value, off by at most 2^-51 |value|; exact for |value| <= 2^53. (The compiler's own conversion
+// is a slow call. Both halves are signed: of an unsigned one x86 asks whether its upper bit is set, which any number
+// may answer either way.)
+// REQUIRES: |value| < 2^126.
 inline double double_near(Int128 value) {
-  return static_cast<double>(static_cast<std::int64_t>(value >> 64)) * 0x1p64 +
-         static_cast<double>(static_cast<std::uint64_t>(value));
+  const auto low = static_cast<std::int64_t>(value);
+  const auto high = static_cast<std::int64_t>(value >> 64) + (low < 0 ? 1 : 0);
+  return static_cast<double>(high) * 0x1p64 + static_cast<double>(low);
 }
 
 // Returns value as a double-double: exact for |value| < 2^106, otherwise off by up to 2^-103 |value|.

@@ -24,18 +24,37 @@ struct RoundedByTier {
   Tier tier;
 };
 
+class FixedDivisor;
+
+// A dividend, prepared for some quotients.
+class FixedDividend {
+ public:
+  // REQUIRES |value| < 2^126.
+  FixedDividend(const FixedSum& sum) : sum_(sum), value_(to_double_double(sum.value)) {}
+
+  // True unless it is greater than its error.
+  bool may_be_zero() const { return value_.hi <= sum_.error; }
+
+ private:
+  friend class FixedDivisor;
+  friend std::optional<RoundedByTier> round_quotient(const FixedDividend& numerator, const FixedDivisor& denominator);
+  FixedSum sum_;
+  DoubleDouble value_;
+};
+
 // A divisor, prepared for many quotients.
 class FixedDivisor {
  public:
   FixedDivisor() = default;  // one that fits nothing
+  explicit FixedDivisor(const FixedDividend& sum);
   // REQUIRES |value| < 2^126.
-  explicit FixedDivisor(const FixedSum& sum);
+  explicit FixedDivisor(const FixedSum& sum) : FixedDivisor(FixedDividend(sum)) {}
 
   // True iff it is greater than its error: only then something is divided by it.
   bool is_usable() const { return inverse_ > 0; }
 
  private:
-  friend std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedDivisor& denominator);
+  friend std::optional<RoundedByTier> round_quotient(const FixedDividend& numerator, const FixedDivisor& denominator);
   FixedSum sum_;
   DoubleDouble value_;
   double inverse_ = 0, relative_error_ = 0;
@@ -47,12 +66,13 @@ class FixedDivisor {
 //   (1) what is returned is correctly rounded whatever the numbers within both error bounds are
 //   (2) without errors, or of a zero without error, the tier is kDouble and there always is a result
 //
-// REQUIRES: |value| < 2^126 of both, and a divisor that is usable.
+// REQUIRES: a divisor that is usable.
 // COST: a few dozen operations on doubles, none of them a division, unless both errors are 0: then a rational is made
 // and rounded.
-std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedDivisor& denominator);
+std::optional<RoundedByTier> round_quotient(const FixedDividend& numerator, const FixedDivisor& denominator);
+// The same of numbers that are divided once. REQUIRES: |value| < 2^126 of both.
 inline std::optional<RoundedByTier> round_quotient(const FixedSum& numerator, const FixedSum& denominator) {
-  return round_quotient(numerator, FixedDivisor(denominator));
+  return round_quotient(FixedDividend(numerator), FixedDivisor(denominator));
 }
 
 // An exact unit, prepared for turning fixed-point sums into doubles.
@@ -61,13 +81,13 @@ class FixedScale {
   explicit FixedScale(const Rational& unit);  // REQUIRES unit > 0
 
  private:
-  friend std::optional<RoundedByTier> round_scaled(const FixedSum& sum, const FixedScale& scale);
+  friend std::optional<RoundedByTier> round_scaled(const FixedDividend& sum, const FixedScale& scale);
   FixedDivisor divisor_;  // unit = 2^exponent / divisor
   long exponent_;
 };
 
 // Returns sum * unit correctly rounded, or nothing when the error bounds (or the range of double) do not allow it.
-std::optional<RoundedByTier> round_scaled(const FixedSum& sum, const FixedScale& scale);
+std::optional<RoundedByTier> round_scaled(const FixedDividend& sum, const FixedScale& scale);
 
 // Returns numerator / denominator correctly rounded, always.
 //

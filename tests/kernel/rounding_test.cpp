@@ -178,6 +178,14 @@ TEST(RoundQuotientOfRootSums, MeetsTheEndsOfTheRangeOfDouble) {
   EXPECT_EQ(round(3 * power_of_two(-1075)), (Rounded{2 * kSmallest, -1}));
 }
 
+TEST(FixedDividend, MayBeZeroUnlessItIsGreaterThanItsError) {
+  EXPECT_TRUE(FixedDividend({0, 0}).may_be_zero());
+  EXPECT_TRUE(FixedDividend({5, 5}).may_be_zero());
+  EXPECT_TRUE(FixedDividend({-5, 0}).may_be_zero());
+  EXPECT_FALSE(FixedDividend({5, 4}).may_be_zero());
+  EXPECT_FALSE(FixedDividend({1, 0}).may_be_zero());
+}
+
 TEST(FixedDivisor, IsUsableWhereItIsGreaterThanItsError) {
   EXPECT_FALSE(FixedDivisor().is_usable());
   EXPECT_FALSE(FixedDivisor({0, 0}).is_usable());

@@ -196,20 +196,22 @@ Triangulation2::Triangulation2(const Vertices2& vertices, const std::vector<Segm
       ++next;
     } while (++face != first);
   }
-  half_edges_.assign(3 * next.index(), {VertexId(0), HalfEdgeId::none()});
-  across_.assign(half_edges_.size(), HalfEdgeId::none());
-  side_.assign(half_edges_.size(), kSky);
+  passages_.assign(3 * next.index(), {VertexId(0), Beyond2(kSky), Beyond2(kSky)});
+  across_.assign(passages_.size(), HalfEdgeId::none());
   for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face)
     for (int i = 0; i < 3; ++i) {
-      const std::size_t h = half_edge(face->info(), i).index();
-      half_edges_[h].corner = face->vertex(i)->point().id;
+      const HalfEdgeId h = half_edge(face->info(), i);
+      passages_[h.index()].corner = face->vertex(i)->point().id;
       const auto neighbour = face->neighbor(i);
-      if (!cdt.is_infinite(neighbour)) across_[h] = half_edge(neighbour->info(), neighbour->index(face));
+      if (!cdt.is_infinite(neighbour)) across_[h.index()] = half_edge(neighbour->info(), neighbour->index(face));
+      Beyond2 beyond(kSky);
       if (face->is_constrained(i))
-        side_[h] =
-            piece_between.side_facing_left(face->vertex(Cdt::ccw(i))->point().id, face->vertex(Cdt::cw(i))->point().id);
-      else
-        half_edges_[h].twin = across_[h];
+        beyond = Beyond2(piece_between.side_facing_left(face->vertex(Cdt::ccw(i))->point().id,
+                                                        face->vertex(Cdt::cw(i))->point().id));
+      else if (!across(h).is_none())
+        beyond = Beyond2(across(h));
+      passages_[next_half_edge(h).index()].on_left = beyond;
+      passages_[previous_half_edge(h).index()].on_right = beyond;
     }
 
   // What stands on the edge opposite corner k, as the inside of a triangle sees it, or of the outside of the hull.

@@ -33,6 +33,29 @@ constexpr HalfEdgeId previous_half_edge(HalfEdgeId h) {
   return HalfEdgeId(place_in_triangle(h) == 0 ? h.number() + 2 : h.number() - 1);
 }
 
+// What one comes upon behind an edge of a triangle: the triangle on its other side, by the half-edge through which one
+// enters it, or the side of what stands on the edge.
+class Beyond2 {
+ public:
+  explicit constexpr Beyond2(HalfEdgeId entry) : code_(entry.number()) {}
+  explicit constexpr Beyond2(PieceSideId side) : code_(-2 - side.number()) {}
+
+  constexpr bool is_open() const { return code_ >= 0; }
+  constexpr HalfEdgeId entry() const { return HalfEdgeId(code_); }        // REQUIRES is_open()
+  constexpr PieceSideId side() const { return PieceSideId(-2 - code_); }  // a side or kSky; REQUIRES !is_open()
+  friend constexpr bool operator==(const Beyond2&, const Beyond2&) = default;
+
+ private:
+  std::int32_t code_;
+};
+
+// A triangle as one who enters it through a half-edge h meets it: the corner opposite h, what lies behind the edge from
+// target(h) to it, to the right of who looks at the corner from h, and behind the one from it to origin(h).
+struct Passage2 {
+  VertexId corner;
+  Beyond2 on_right, on_left;
+};
+
 // One neighbour of a vertex and what lies between it and the next one, counter-clockwise.
 struct StarEntry2 {
   VertexId neighbour;
@@ -48,6 +71,7 @@ struct StarEntry2 {
 //   (2) is_open(h): nothing stands on the edge, and twin(h) is the half-edge on its other side. Else twin(h) is none,
 //       and side(h) is the side of the piece that stands on it, as seen from inside the triangle, or kSky on an edge
 //       of the convex hull that is no piece
+//       beyond(h) tells the two together, and passage(h) has those of the other two edges of the triangle
 //   (3) across(h) is the half-edge on the other side whatever stands there; none on the hull only
 //   (4) of is_open(h), is_piece(h) and is_bare_hull(h) exactly one is true
 //   (5) star(v) is in counter-clockwise order and holds every edge at v
@@ -65,17 +89,19 @@ class Triangulation2 {
   // no vertex lies inside a piece. Neither list is kept.
   Triangulation2(const Vertices2& vertices, const std::vector<Segment2>& pieces);
 
-  std::size_t triangle_count() const { return half_edges_.size() / 3; }
+  std::size_t triangle_count() const { return passages_.size() / 3; }
   IdRange<TriangleId> triangles() const { return IdRange<TriangleId>(triangle_count()); }
-  IdRange<HalfEdgeId> half_edges() const { return IdRange<HalfEdgeId>(half_edges_.size()); }
+  IdRange<HalfEdgeId> half_edges() const { return IdRange<HalfEdgeId>(passages_.size()); }
+  const Passage2& passage(HalfEdgeId h) const { return passages_[h.index()]; }
   // The half-edge h runs from origin(h) to target(h), and corner(h) is the third corner of its triangle.
-  VertexId corner(HalfEdgeId h) const { return half_edges_[h.index()].corner; }  // opposite half-edge h
+  VertexId corner(HalfEdgeId h) const { return passage(h).corner; }  // opposite half-edge h
   VertexId origin(HalfEdgeId h) const { return corner(next_half_edge(h)); }
   VertexId target(HalfEdgeId h) const { return corner(previous_half_edge(h)); }
-  HalfEdgeId twin(HalfEdgeId h) const { return half_edges_[h.index()].twin; }
+  Beyond2 beyond(HalfEdgeId h) const { return passage(next_half_edge(h)).on_left; }
+  bool is_open(HalfEdgeId h) const { return beyond(h).is_open(); }
+  HalfEdgeId twin(HalfEdgeId h) const { return is_open(h) ? beyond(h).entry() : HalfEdgeId::none(); }
   HalfEdgeId across(HalfEdgeId h) const { return across_[h.index()]; }
-  bool is_open(HalfEdgeId h) const { return !twin(h).is_none(); }
-  PieceSideId side(HalfEdgeId h) const { return side_[h.index()]; }  // where it is not open
+  PieceSideId side(HalfEdgeId h) const { return beyond(h).side(); }  // where it is not open
   bool is_piece(HalfEdgeId h) const { return !is_open(h) && side(h) != kSky; }
   bool is_bare_hull(HalfEdgeId h) const { return !is_open(h) && side(h) == kSky; }
   // The neighbours of v. Where there are triangles, a vertex on the convex hull has one entry with opposite none: the
@@ -86,14 +112,8 @@ class Triangulation2 {
   std::span<const VertexId> sweep_order() const { return sweep_order_; }
 
  private:
-  // What is asked together lies together.
-  struct HalfEdge {
-    VertexId corner;
-    HalfEdgeId twin;
-  };
-  std::vector<HalfEdge> half_edges_;
+  std::vector<Passage2> passages_;  // what is asked together lies together
   std::vector<HalfEdgeId> across_;
-  std::vector<PieceSideId> side_;
   std::vector<VertexId> sweep_order_;
   std::vector<std::uint32_t> star_begin_;
   std::vector<StarEntry2> star_;

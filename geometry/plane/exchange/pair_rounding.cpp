@@ -11,17 +11,17 @@ PairRounding2::PairRounding2(const PreparedScene2& prepared, const ElementTable2
       half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {
   for (std::uint32_t label = 0; label < table.count(); ++label) {
     const FixedSum& length = table.length(label);
-    double_length_.push_back(table.has_row(label) ? FixedDivisor({2 * length.value, 2 * length.error})
+    double_length_.push_back(table.has_row(label) ? FixedDivisor(FixedSum{2 * length.value, 2 * length.error})
                                                   : FixedDivisor());
   }
 }
 
 RoundedPair2 PairRounding2::quick(const PairSum2& pair, TierCounts& tiers) const {
   const Vertices2& vertices = prepared_.arrangement.vertices();
-  const FixedSum sum = pair.sum(vertices.length_error());
+  const FixedDividend sum(pair.sum(vertices.length_error()));
   RoundedPair2 result;
   // A sum that may be zero is looked at exactly before anything is printed of it.
-  const bool may_be_zero = to_double_double(pair.value).hi <= sum.error;
+  const bool may_be_zero = sum.may_be_zero();
   const auto settle = [&](const FixedDivisor& divisor, Rounded& number, bool& is_open) {
     const auto rounded = may_be_zero || !divisor.is_usable() ? std::nullopt : round_quotient(sum, divisor);
     is_open = !rounded;

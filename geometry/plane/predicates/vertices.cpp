@@ -277,10 +277,11 @@ FixedLength2 Vertices2::small_distance(VertexId i, VertexId j) const {
       high != 0 ? 128 - std::countl_zero(high) : 64 - std::countl_zero(static_cast<std::uint64_t>(squared));
   const int half_shift = (125 - width) / 2;
   const auto n = static_cast<Int128>(squared << (2 * half_shift));
-  const auto root =
-      static_cast<std::int64_t>(std::sqrt(static_cast<double>(static_cast<std::int64_t>(n >> 62)) * 0x1p62));
+  const double approximate = static_cast<double>(static_cast<std::int64_t>(n >> 62)) * 0x1p62;
+  const double near_root = std::sqrt(approximate);
+  const auto root = static_cast<std::int64_t>(near_root);
   const Int128 remainder = n - static_cast<Int128>(root) * root;
-  const double inverse = 0.5 / static_cast<double>(root);
+  const double inverse = near_root * (0.5 / approximate);  // the division does not wait for the root
   const double rest = static_cast<double>(static_cast<std::int64_t>(remainder >> 11)) * (inverse * 0x1p51);
   auto coarse = static_cast<std::int64_t>(rest);  // in units of 2^-40
   // A root that is an integer is found as one.
@@ -288,7 +289,9 @@ FixedLength2 Vertices2::small_distance(VertexId i, VertexId j) const {
   if (((coarse + 4) & (kOne - 1)) <= 8) coarse = (coarse + kOne / 2) & -kOne;
   const Int128 left =
       (remainder << 40) - 2 * static_cast<Int128>(root) * coarse - ((static_cast<Int128>(coarse) * coarse) >> 40);
-  const auto fine = static_cast<std::int64_t>(double_near(left) * (inverse * 0x1p22));
+  // Below 2^70, of which the upper bits suffice.
+  const double rest_of_rest = static_cast<double>(static_cast<std::int64_t>(left >> 16));
+  const auto fine = static_cast<std::int64_t>(rest_of_rest * (inverse * 0x1p38));
   const Int128 value = (static_cast<Int128>(root) << 62) + (static_cast<Int128>(coarse) << 22) + fine;
   const int drop = half_shift + 62 - fixed_bits_;
   const bool is_exact = left == 0 && (coarse & (kOne - 1)) == 0;

@@ -157,14 +157,15 @@ class VertexEye2 {
 
   // REQUIRES: the vertices outlive the eye.
   VertexEye2(const Vertices2& vertices, VertexId at)
-      : vertices_(vertices),
+      : vertices_(&vertices),
+        approximate_(vertices.approximate_.data()),
         at_(at),
-        x_(vertices.approximate_[at.index()].x),
-        y_(vertices.approximate_[at.index()].y),
+        x_(approximate_[at.index()].x),
+        y_(approximate_[at.index()].y),
         error_(vertices.error_anywhere_) {}
 
   Ray ray(VertexId j) const {
-    const Vertices2::Approximate& p = vertices_.approximate_[j.index()];
+    const Vertices2::Approximate& p = approximate_[j.index()];
     return {j, p.x - x_, p.y - y_};
   }
 
@@ -173,11 +174,17 @@ class VertexEye2 {
     const double determinant = j.x * k.y - j.y * k.x;
     if (determinant > error_) return 1;
     if (determinant < -error_) return -1;
-    return vertices_.orientation(at_, j.vertex, k.vertex);
+    return vertices_->orientation(at_, j.vertex, k.vertex);
+  }
+  // True iff orientation(j, k) > 0: for those who ask no more it is faster.
+  bool turns_left(const Ray& j, const Ray& k) const {
+    const double determinant = j.x * k.y - j.y * k.x;
+    return determinant > error_ || (determinant >= -error_ && vertices_->orientation(at_, j.vertex, k.vertex) > 0);
   }
 
  private:
-  const Vertices2& vertices_;
+  const Vertices2* vertices_;
+  const Vertices2::Approximate* approximate_;
   VertexId at_;
   double x_, y_, error_;
 };

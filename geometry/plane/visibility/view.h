@@ -39,6 +39,7 @@ class PlainEye {
   explicit PlainEye(const Orientation& orientation) : orientation_(orientation) {}
   Ray ray(VertexId j) const { return {j}; }
   int orientation(const Ray& j, const Ray& k) const { return orientation_(j.vertex, k.vertex); }
+  bool turns_left(const Ray& j, const Ray& k) const { return orientation(j, k) > 0; }
 
  private:
   Orientation orientation_;
@@ -58,44 +59,45 @@ auto eye_at(const Points& points, VertexId v) {
 
 // Follows the cone between right and left into the triangle of half-edge `entry`, which it enters through it,
 // counter-clockwise; appends the vertices found strictly inside
-// the cone and what is seen between them. Eye has a ray(v) to each vertex, whose member `vertex` is v, and an
-// orientation(j, k) of two rays, the sign of the triangle eye, j, k.
+// the cone and what is seen between them. Eye has a ray(v) to each vertex, whose member `vertex` is v, and a
+// turns_left(j, k) of two rays, whether the triangle eye, j, k is counter-clockwise.
 // REQUIRES: the last entry of the view is the right end.
 // COST: one or two orientations for each triangle the cone enters; no recursion.
 // SEE: triangular expansion: Bungiu, Hemmer, Hershberger, Huang, Kröller, Efficient computation of
 // visibility polygons, 2014.
 template <class Eye>
 void expand_cone(const Triangulation2& triangulation, HalfEdgeId entry, RayOf<Eye> right, RayOf<Eye> left,
-                 const Eye& eye, View2& view) {
+                 const Eye eye, View2& view) {
   using Ray = RayOf<Eye>;
   struct Cone {
-    HalfEdgeId half_edge;
+    Beyond2 beyond;
     Ray right, left;
   };
-  thread_local std::vector<Cone> waiting;
-  const std::size_t bottom = waiting.size();
-  for (HalfEdgeId exit;;) {
-    if (entry.is_none()) {
-      view.seen.back().behind = triangulation.side(exit);
-      if (waiting.size() == bottom) return;
-      exit = waiting.back().half_edge;
-      right = waiting.back().right;
-      left = waiting.back().left;
-      waiting.pop_back();
+  thread_local std::vector<Cone> waiting(64, Cone{Beyond2(entry), right, left});
+  std::size_t depth = 0;  // how many of them wait
+  for (Beyond2 beyond(entry);;) {
+    if (!beyond.is_open()) {
+      view.seen.back().behind = beyond.side();
+      if (depth == 0) return;
+      --depth;
+      beyond = waiting[depth].beyond;
+      right = waiting[depth].right;
+      left = waiting[depth].left;
       view.seen.push_back({right.vertex, kSky, kNoPiece, kNoPiece});
-    } else {
-      const Ray apex = eye.ray(triangulation.corner(entry));
-      if (eye.orientation(right, apex) <= 0) {
-        exit = previous_half_edge(entry);  // the whole cone passes left of the apex
-      } else if (eye.orientation(apex, left) <= 0) {
-        exit = next_half_edge(entry);
-      } else {
-        waiting.push_back({previous_half_edge(entry), apex, left});
-        exit = next_half_edge(entry);
-        left = apex;
-      }
+      continue;
     }
-    entry = triangulation.twin(exit);
+    const Passage2& passage = triangulation.passage(beyond.entry());
+    const Ray apex = eye.ray(passage.corner);
+    if (!eye.turns_left(right, apex)) {
+      beyond = passage.on_left;  // the whole cone passes left of the apex
+    } else if (!eye.turns_left(apex, left)) {
+      beyond = passage.on_right;
+    } else {
+      if (depth == waiting.size()) waiting.resize(2 * depth, waiting.front());
+      waiting[depth++] = {passage.on_left, apex, left};
+      beyond = passage.on_right;
+      left = apex;
+    }
   }
 }
 
@@ -103,11 +105,11 @@ void expand_cone(const Triangulation2& triangulation, HalfEdgeId entry, RayOf<Ey
 template <class Eye>
 void expand_cone_through(const Triangulation2& triangulation, HalfEdgeId exit, VertexId right, VertexId left,
                          const Eye& eye, View2& view) {
-  const HalfEdgeId entry = triangulation.twin(exit);
-  if (entry.is_none())
-    view.seen.back().behind = triangulation.side(exit);
+  const Beyond2 beyond = triangulation.beyond(exit);
+  if (beyond.is_open())
+    expand_cone(triangulation, beyond.entry(), eye.ray(right), eye.ray(left), eye, view);
   else
-    expand_cone(triangulation, entry, eye.ray(right), eye.ray(left), eye, view);
+    view.seen.back().behind = beyond.side();
 }
 
 // Fills the view from vertex v, by the signs of points.orientation(i, j, k). What the view held before is lost.

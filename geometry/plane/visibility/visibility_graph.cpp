@@ -21,7 +21,8 @@ class Distances {
 
   double between(VertexId v, VertexId w) const {
     const FixedLength2 length = vertices_.distance(v, w);
-    if (const auto rounded = round_scaled({length.value, length.is_exact ? 0 : vertices_.length_error()}, unit_))
+    if (const auto rounded =
+            round_scaled(FixedSum{length.value, length.is_exact ? 0 : vertices_.length_error()}, unit_))
       return rounded->number.value;
     RootSum exact, one;
     exact.add(vertices_.scale(), vertices_.squared_distance(v, w));

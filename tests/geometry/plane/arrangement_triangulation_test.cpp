@@ -67,6 +67,10 @@ void check(const Scene2& scene) {
       EXPECT_EQ(triangulation.side(h), piece == kNoPiece ? kSky : piece);
       EXPECT_TRUE(piece != kNoPiece || across.is_none());
     }
+    EXPECT_EQ(triangulation.beyond(h), triangulation.is_open(h) ? Beyond2(across) : Beyond2(triangulation.side(h)));
+    EXPECT_EQ(triangulation.passage(h).corner, triangulation.corner(h));
+    EXPECT_EQ(triangulation.passage(h).on_right, triangulation.beyond(next_half_edge(h)));
+    EXPECT_EQ(triangulation.passage(h).on_left, triangulation.beyond(previous_half_edge(h)));
   }
   for (const auto& [ends, side] : left_of)
     EXPECT_TRUE(is_line || edges.contains(ends) || edges.contains({ends.second, ends.first}))

@@ -122,6 +122,9 @@ void check_all_triples(const Points& points, const char* what) {
               << what << ": " << i.index() << " " << j.index() << " " << k.index();
           EXPECT_EQ(vertices.direction_sign(i, j, k),
                     exact_direction(points[i.index()], points[j.index()], points[k.index()]));
+          const VertexEye2 eye(vertices, i);
+          EXPECT_EQ(eye.orientation(eye.ray(j), eye.ray(k)), vertices.orientation(i, j, k)) << what;
+          EXPECT_EQ(eye.turns_left(eye.ray(j), eye.ray(k)), vertices.orientation(i, j, k) > 0) << what;
         }
   }
 }
