@@ -38,22 +38,22 @@ bool equals(const RootSum& numerator, const RootSum& denominator, const Rational
 
 }  // namespace
 
-FixedDivisor::FixedDivisor(const FixedDividend& sum) : sum_(sum.sum_), value_(sum.value_) {
-  if (sum.may_be_zero()) return;
-  inverse_ = 1 / value_.hi;
-  relative_error_ = sum_.error / value_.hi;
+FixedDivisor::FixedDivisor(const FixedSum& sum) : number_(sum) {
+  if (number_.may_be_zero()) return;
+  inverse_ = 1 / number_.value_.hi;
+  relative_error_ = sum.error / number_.value_.hi;
 }
 
 std::optional<RoundedByTier> round_quotient(const FixedDividend& numerator, const FixedDivisor& denominator) {
-  const double numerator_error = numerator.sum_.error;
-  if (numerator_error == 0 && numerator.sum_.value == 0) return RoundedByTier{{0.0, 0}, Tier::kDouble};
-  if (numerator_error == 0 && denominator.sum_.error == 0) {
-    Rational quotient(to_integer(numerator.sum_.value), to_integer(denominator.sum_.value));
+  const FixedSum &top = numerator.sum_, &bottom = denominator.number_.sum_;
+  if (top.error == 0 && top.value == 0) return RoundedByTier{{0.0, 0}, Tier::kDouble};
+  if (top.error == 0 && bottom.error == 0) {
+    Rational quotient(to_integer(top.value), to_integer(bottom.value));
     quotient.canonicalize();
     return round_rational(quotient, Tier::kDouble);
   }
-  const DoubleDouble &n = numerator.value_, &d = denominator.value_;
-  if (std::fabs(n.hi) <= 2 * numerator_error) return std::nullopt;
+  const DoubleDouble &n = numerator.value_, &d = denominator.number_.value_;
+  if (std::fabs(n.hi) <= 2 * top.error) return std::nullopt;
   // Off by less than 2^-51 |q|, as q is a product of two rounded factors and both low parts are still left out.
   const double q = n.hi * denominator.inverse_;
   double p, e;
@@ -64,7 +64,7 @@ std::optional<RoundedByTier> round_quotient(const FixedDividend& numerator, cons
   // The five roundings of the correction and both conversions come to less than 2^-100 |q|; the last factor covers the
   // rounding of this bound and the second-order terms of the two relative errors.
   const double error =
-      2.0 * (std::fabs(q) * (0x1p-100 + denominator.relative_error_) + numerator_error * denominator.inverse_);
+      2.0 * (std::fabs(q) * (0x1p-100 + denominator.relative_error_) + top.error * denominator.inverse_);
   const double below = lo - error, above = lo + error;
   if (hi + below != hi || hi + above != hi) return std::nullopt;
   // Either side is as likely: no branch is taken on it.
@@ -85,8 +85,7 @@ FixedScale::FixedScale(const Rational& unit) {
     denominator <<= static_cast<unsigned long>(-exponent_);
   mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
   const Integer high = quotient >> 64, low = quotient - (high << 64);
-  divisor_ =
-      FixedDivisor(FixedSum{(static_cast<Int128>(high.get_ui()) << 64) + low.get_ui(), remainder == 0 ? 0.0 : 1.0});
+  divisor_ = FixedDivisor({(static_cast<Int128>(high.get_ui()) << 64) + low.get_ui(), remainder == 0 ? 0.0 : 1.0});
 }
 
 std::optional<RoundedByTier> round_scaled(const FixedDividend& sum, const FixedScale& scale) {

@@ -46,17 +46,15 @@ class FixedDividend {
 class FixedDivisor {
  public:
   FixedDivisor() = default;  // one that fits nothing
-  explicit FixedDivisor(const FixedDividend& sum);
   // REQUIRES |value| < 2^126.
-  explicit FixedDivisor(const FixedSum& sum) : FixedDivisor(FixedDividend(sum)) {}
+  explicit FixedDivisor(const FixedSum& sum);
 
   // True iff it is greater than its error: only then something is divided by it.
   bool is_usable() const { return inverse_ > 0; }
 
  private:
   friend std::optional<RoundedByTier> round_quotient(const FixedDividend& numerator, const FixedDivisor& denominator);
-  FixedSum sum_;
-  DoubleDouble value_;
+  FixedDividend number_ = FixedSum{};
   double inverse_ = 0, relative_error_ = 0;
 };
 

@@ -4,17 +4,13 @@
 #include <array>
 #include <memory>
 
+#include "kernel/support/trimmed.h"
+
 namespace hottel {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kBlanks = " \t";
-
-std::string_view trimmed(std::string_view field) {
-  const std::size_t begin = field.find_first_not_of(kBlanks);
-  return begin == std::string_view::npos ? field.substr(field.size())
-                                         : field.substr(begin, field.find_last_not_of(kBlanks) + 1 - begin);
-}
 
 // The first two lines that hold anything, without their ends; empty where there is none.
 std::array<std::string_view, 2> first_lines(std::string_view text) {
@@ -23,7 +19,7 @@ std::array<std::string_view, 2> first_lines(std::string_view text) {
     std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     if (line.ends_with('\r')) line.remove_suffix(1);
-    if (!trimmed(line).empty() && !line.starts_with('#')) lines[found++] = line;
+    if (!trimmed(line, kBlanks).empty() && !line.starts_with('#')) lines[found++] = line;
   }
   return lines;
 }
@@ -95,7 +91,7 @@ std::string_view CsvReader::plain() {
   std::string_view field = text_.substr(at_, end - at_);
   at_ = end;
   if (field.ends_with('\r') && (at_ == text_.size() || text_[at_] == '\n')) field.remove_suffix(1);
-  return dialect_.trims ? trimmed(field) : field;
+  return dialect_.trims ? trimmed(field, kBlanks) : field;
 }
 
 void CsvReader::skip_blanks() {

@@ -11,6 +11,7 @@
 #include "io/foreign/csv_reader.h"
 #include "io/foreign/foreign_file.h"
 #include "io/foreign/foreign_number.h"
+#include "kernel/support/trimmed.h"
 
 namespace hottel {
 namespace {
@@ -23,8 +24,7 @@ std::optional<std::size_t> column_called(const Record& head, std::string_view na
 }
 
 bool is_number(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  text.remove_suffix(text.size() - std::min(text.find_last_not_of(" \t") + 1, text.size()));
+  text = trimmed(text, " \t");
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

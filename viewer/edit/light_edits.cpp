@@ -7,6 +7,7 @@
 
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/trimmed.h"
 #include "viewer/edit/decimals.h"
 #include "viewer/edit/material_edits.h"
 #include "viewer/edit/typed_numbers.h"
@@ -32,10 +33,8 @@ std::vector<Part> parts_of(const std::string& text) {
   std::vector<Part> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(';', begin), text.size());
-    std::string part = text.substr(begin, end - begin);
+    const std::string part(trimmed(std::string_view(text).substr(begin, end - begin), " "));
     begin = end + 1;
-    part.erase(0, std::min(part.find_first_not_of(' '), part.size()));
-    part.erase(part.find_last_not_of(' ') + 1);
     if (part.empty()) continue;
     const std::size_t blank = std::min(part.find(' '), part.size());
     parts.push_back({part.substr(0, blank), part.substr(blank)});

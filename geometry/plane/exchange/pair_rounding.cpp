@@ -11,7 +11,7 @@ PairRounding2::PairRounding2(const PreparedScene2& prepared, const ElementTable2
       half_unit_(prepared.arrangement.vertices().fixed_unit() * prepared.arrangement.vertices().scale() / 2) {
   for (std::uint32_t label = 0; label < table.count(); ++label) {
     const FixedSum& length = table.length(label);
-    double_length_.push_back(table.has_row(label) ? FixedDivisor(FixedSum{2 * length.value, 2 * length.error})
+    double_length_.push_back(table.has_row(label) ? FixedDivisor({2 * length.value, 2 * length.error})
                                                   : FixedDivisor());
   }
 }

@@ -289,9 +289,7 @@ FixedLength2 Vertices2::small_distance(VertexId i, VertexId j) const {
   if (((coarse + 4) & (kOne - 1)) <= 8) coarse = (coarse + kOne / 2) & -kOne;
   const Int128 left =
       (remainder << 40) - 2 * static_cast<Int128>(root) * coarse - ((static_cast<Int128>(coarse) * coarse) >> 40);
-  // Below 2^70, of which the upper bits suffice.
-  const double rest_of_rest = static_cast<double>(static_cast<std::int64_t>(left >> 16));
-  const auto fine = static_cast<std::int64_t>(rest_of_rest * (inverse * 0x1p38));
+  const auto fine = static_cast<std::int64_t>(double_near(left) * (inverse * 0x1p22));
   const Int128 value = (static_cast<Int128>(root) << 62) + (static_cast<Int128>(coarse) << 22) + fine;
   const int drop = half_shift + 62 - fixed_bits_;
   const bool is_exact = left == 0 && (coarse & (kOne - 1)) == 0;

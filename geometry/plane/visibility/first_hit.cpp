@@ -48,25 +48,21 @@ class RayLine {
 }  // namespace
 
 FirstHit2::FirstHit2(const Arrangement2& arrangement)
-    : arrangement_(arrangement), gate_(arrangement.side_count(), HalfEdgeId::none()) {
+    : arrangement_(arrangement), gate_(arrangement.side_count(), Beyond2(kSky)) {
   const Triangulation2& triangulation = arrangement.triangulation();
   for (const HalfEdgeId h : triangulation.half_edges())
-    if (triangulation.is_piece(h)) gate_[triangulation.side(h).index()] = h;
+    if (triangulation.is_piece(h)) gate_[triangulation.side(h).index()] = Beyond2(h);
 }
 
 PieceSideId FirstHit2::operator()(const PieceRay2& ray) const {
   const Triangulation2& triangulation = arrangement_.triangulation();
   const RayLine line(arrangement_.vertices(), arrangement_.piece(ray.from), ray);
-  HalfEdgeId entry = gate_[ray.from.index()];
-  PieceSideId met = kSky;
-  while (!entry.is_none()) {
-    // Seen along the ray the entry's origin is on the left, its target on the right.
-    const HalfEdgeId exit =
-        line.side(triangulation.corner(entry)) > 0 ? next_half_edge(entry) : previous_half_edge(entry);
-    entry = triangulation.twin(exit);
-    if (entry.is_none()) met = triangulation.side(exit);
+  Beyond2 beyond = gate_[ray.from.index()];
+  while (beyond.is_open()) {
+    const Passage2& passage = triangulation.passage(beyond.entry());
+    beyond = line.side(passage.corner) > 0 ? passage.on_right : passage.on_left;
   }
-  return met;
+  return beyond.side();
 }
 
 }  // namespace hottel

@@ -32,7 +32,7 @@ class FirstHit2 {
 
  private:
   const Arrangement2& arrangement_;
-  std::vector<HalfEdgeId> gate_;  // by side: the half-edge on it, in the triangle before it; none on the hull
+  std::vector<Beyond2> gate_;  // by side: the triangle before it, entered through it; the sky outside of the hull
 };
 
 }  // namespace hottel

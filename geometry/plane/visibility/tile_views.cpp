@@ -148,12 +148,12 @@ void TileViews2::leave_homes(const Triangulation2& triangulation, const EyeTile2
 void TileViews2::expand(const Triangulation2& triangulation, const EyeTile2& tile) {
   while (!openings_.empty()) {
     const auto [half_edge, first] = openings_.back();
-    const HalfEdgeId entry = triangulation.twin(half_edge);
-    if (!entry.is_none()) {
-      enter(triangulation, tile, entry);
+    const Beyond2 beyond = triangulation.beyond(half_edge);
+    if (beyond.is_open()) {
+      enter(triangulation, tile, beyond.entry());
       continue;
     }
-    for (std::size_t k = first; k < cones_.size(); ++k) see(cones_[k], triangulation.side(half_edge));
+    for (std::size_t k = first; k < cones_.size(); ++k) see(cones_[k], beyond.side());
     cones_.resize(first);
     openings_.pop_back();
   }

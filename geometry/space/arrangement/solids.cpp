@@ -133,7 +133,7 @@ Vector3 ray(std::size_t number, std::size_t axis, int side) {
 // met. Nothing where the ray meets the border of a face.
 std::optional<int> winding_along(const ClosedMesh3& mesh, const Point3& from, const Vector3& way, std::size_t axis,
                                  bool is_along_axis) {
-  const std::array<double, 3> at{to_double(from.x), to_double(from.y), to_double(from.z)};
+  const std::array<double, 3> at = to_doubles(from);
   int winding = 0;
   for (const ClosedMesh3::Face& face : mesh.faces) {
     if (is_along_axis) {

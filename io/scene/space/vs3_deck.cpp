@@ -13,6 +13,7 @@
 #include "io/scene/space/vs3_statements.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
+#include "kernel/support/trimmed.h"
 
 namespace hottel {
 namespace {
@@ -106,10 +107,7 @@ class DeckReader3 {
   }
 
   void read_title() {
-    std::string_view title = at_.rest();
-    constexpr std::string_view kBlanks = " \t";
-    title.remove_prefix(std::min(title.find_first_not_of(kBlanks), title.size()));
-    title = title.substr(0, title.find_last_not_of(kBlanks) + 1);
+    const std::string_view title = trimmed(at_.rest(), " \t");
     if (has_control_character(title)) at_.refuse("the title has a control character or is not UTF-8");
     deck_.title = title;
   }
