@@ -89,7 +89,7 @@ TEST(Animate, GoesOnWhereARunEndedAndMakesTheSameFrames) {
     place.run("timeout -s KILL " + std::string(seconds) + " " + line + "parts");
     for (const auto& row : frames_of(
              testing_cli::fs::exists(place.path("parts/frames.csv")) ? place.read("parts/frames.csv") : std::string()))
-      EXPECT_EQ(row.size(), 8u);
+      EXPECT_EQ(row.size(), 9u);
   }
   EXPECT_EQ(place.run(line + "parts").code, 0);
   for (int k = 0; k < 6; ++k) {
