@@ -11,6 +11,15 @@ function(hottel_compile_options target)
   target_compile_options(${target} PRIVATE -ffp-contract=off)
 endfunction()
 
+# hottel_precompile(TARGET HEADERS...): these headers, of libraries that most sources of the target include, are read
+# once. Sources include what they use all the same: builds without HOTTEL_PRECOMPILED_HEADERS see to that.
+function(hottel_precompile target)
+  if(HOTTEL_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional>
+                              <set> <span> <string> <string_view> <variant> <vector> ${ARGN})
+  endif()
+endfunction()
+
 # hottel_layer(NAME PUBLIC libs... PRIVATE libs... EXCEPT sources...): the folder NAME/, but for these sources, as the
 # library hottel_NAME.
 function(hottel_layer name)
@@ -21,6 +30,7 @@ function(hottel_layer name)
   if(sources)
     add_library(hottel_${name} STATIC ${sources})
     hottel_compile_options(hottel_${name})
+    hottel_precompile(hottel_${name} <gmpxx.h>)
     target_include_directories(hottel_${name} PUBLIC
       "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hottel>")
     target_compile_features(hottel_${name} PUBLIC cxx_std_20)
