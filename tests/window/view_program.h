@@ -72,8 +72,8 @@ class ViewProgram {
     return last;
   }
   // Waits until the window shows something else.
-  bool changes_from(const Raster& before) const {
-    return comes_true([&] { return !(frame() == before); });
+  bool changes_from(const Raster& before, double seconds = kPatience) const {
+    return comes_true([&] { return !(frame() == before); }, seconds);
   }
 
   // A hand on the keyboard and the mouse, in pixels of the window.
