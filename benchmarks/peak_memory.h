@@ -2,6 +2,9 @@
 #pragma once
 
 #include <malloc.h>
+#ifdef HOTTEL_JEMALLOC
+#include <jemalloc/jemalloc.h>
+#endif
 
 #include <fstream>
 #include <string>
@@ -13,7 +16,7 @@ namespace hottel::benchmarks {
 class PeakMemory {
  public:
   PeakMemory() {
-    malloc_trim(0);  // what was freed before must not be found again unnoticed
+    give_back();  // what was freed before must not be found again unnoticed
     std::ofstream("/proc/self/clear_refs") << 5;
     start_ = kilobytes("VmRSS:");
   }
@@ -21,6 +24,14 @@ class PeakMemory {
   double growth() const { return 1024 * (kilobytes("VmHWM:") - start_); }
 
  private:
+  static void give_back() {
+#ifdef HOTTEL_JEMALLOC
+    mallctl(("arena." + std::to_string(MALLCTL_ARENAS_ALL) + ".purge").c_str(), nullptr, nullptr, nullptr, 0);
+#else
+    malloc_trim(0);
+#endif
+  }
+
   static double kilobytes(const std::string& key) {
     std::ifstream status("/proc/self/status");
     for (std::string word; status >> word;)

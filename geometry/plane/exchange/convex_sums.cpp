@@ -76,12 +76,12 @@ class Outline {
 
 }  // namespace
 
-std::vector<PairSum2> sum_convex_pairs(const Arrangement2& arrangement, const ElementTable2& table) {
+PairSums2 sum_convex_pairs(const Arrangement2& arrangement, const ElementTable2& table) {
   const Outline outline(arrangement, table);
-  std::vector<PairSum2> pairs;
+  std::vector<std::vector<PairSum2>> parts(1);
   for (std::uint32_t i = 0; i < table.count(); ++i)
     for (std::uint32_t j = i; j < table.count(); ++j) {
-      PairSum2 pair{i, j, 0, false, 0};
+      PairSum2 pair{.key = pair_key(i, j)};
       const auto add = [&](std::uint32_t u, std::uint32_t v, int sign) {
         const Outline::Length length = outline.between(u, v);
         pair.value += sign > 0 ? length.value : -length.value;
@@ -95,9 +95,9 @@ std::vector<PairSum2> sum_convex_pairs(const Arrangement2& arrangement, const El
           add(f, outline.end(g), -1);
           add(outline.end(f), g, -1);
         }
-      if (pair.value != 0 || pair.inexact != 0) pairs.push_back(pair);
+      if (pair.value != 0 || pair.inexact != 0) parts.front().push_back(pair);
     }
-  return pairs;
+  return {std::move(parts), table.count()};
 }
 
 }  // namespace hottel

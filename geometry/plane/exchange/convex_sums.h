@@ -1,8 +1,6 @@
 // The exchange measures of all pairs of a convex room, where nothing can hide anything.
 #pragma once
 
-#include <vector>
-
 #include "geometry/plane/exchange/exchange_sums.h"
 
 namespace hottel {
@@ -14,6 +12,6 @@ namespace hottel {
 //   (2) the sums differ from those of the sweep by no more than their errors allow
 // REQUIRES: is_convex_room() holds of the scene.
 // COST: four strings for each pair of pieces.
-std::vector<PairSum2> sum_convex_pairs(const Arrangement2& arrangement, const ElementTable2& table);
+PairSums2 sum_convex_pairs(const Arrangement2& arrangement, const ElementTable2& table);
 
 }  // namespace hottel

@@ -9,6 +9,7 @@
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "geometry/plane/exchange/pair_alone.h"
 #include "geometry/plane/exchange/pair_rounding.h"
+#include "geometry/plane/exchange/pair_sums.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/stopwatch.h"
@@ -22,56 +23,115 @@ std::uint64_t count_all_pairs(const ElementTable2& table) {
   return rows * (rows - 1) / 2;
 }
 
-ExchangeMatrix to_matrix(const ElementTable2& table, const std::vector<PairSum2>& pairs,
-                         const std::vector<RoundedPair2>& rounded, bool with_measures) {
-  ExchangeMatrix matrix(table.elements(), Guarantee::kExact);
-  std::vector<std::size_t> begin(table.count() + 1, 0);
-  const auto each_entry = [&](const auto& visit) {
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      if (rounded[k].is_zero) continue;
-      const auto [i, j] = std::pair(pairs[k].i, pairs[k].j);
-      if (table.has_row(i)) visit(i, j, rounded[k].forth, rounded[k]);
-      if (j != i && table.has_row(j)) visit(j, i, rounded[k].back, rounded[k]);
-    }
-  };
-  each_entry([&](std::uint32_t from, std::uint32_t, const Rounded&, const RoundedPair2&) { ++begin[from + 1]; });
-  for (std::uint32_t i = 0; i < table.count(); ++i) begin[i + 1] += begin[i];
-  std::vector<FactorEntry> entries(begin.back());
-  std::vector<double> measures(with_measures ? begin.back() : 0);
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  each_entry([&](std::uint32_t from, std::uint32_t to, const Rounded& factor, const RoundedPair2& pair) {
-    const std::size_t place = next[from]++;
-    entries[place] = {to, factor, to == table.sky() ? factor.value : pair.visibility};
-    if (with_measures) measures[place] = pair.measure;
-  });
-  matrix.assign(std::move(begin), std::move(entries), std::move(measures));
-  return matrix;
-}
+// The entries of a matrix, each put straight where it stays. Different pairs may be put at the same time.
+class Entries {
+ public:
+  Entries(const PairSums2& sums, const ElementTable2& table, bool with_measures)
+      : table_(table),
+        places_(sums, table),
+        entries_(places_.begin().back()),
+        measures_(with_measures ? entries_.size() : 0) {}
 
-// The pairs of each smaller label, [begin, end), labels that lie near each other one after another: what they ask of
-// their partners is in the cache then. REQUIRES pairs in order.
-std::vector<std::pair<std::size_t, std::size_t>> rows_by_place(const std::vector<PairSum2>& pairs,
-                                                               const ElementTable2& table,
-                                                               const Arrangement2& arrangement) {
+  const EntryPlaces2& places() const { return places_; }
+
+  // REQUIRES: `sum` is the k-th of all.
+  void put(std::size_t k, const PairSum2& sum, const RoundedPair2& rounded) {
+    const std::uint32_t i = sum.i(), j = sum.j();
+    const auto put_entry = [&](std::size_t place, std::uint32_t to, const Rounded& factor) {
+      entries_[place] = {rounded.is_zero ? kNowhere : to, factor,
+                         to == table_.sky() ? factor.value : rounded.visibility};
+      if (!measures_.empty()) measures_[place] = rounded.measure;
+    };
+    if (table_.has_row(i)) put_entry(places_.forth(i, k), j, rounded.forth);
+    if (j != i && table_.has_row(j)) put_entry(places_.back(j, k), i, rounded.back);
+  }
+
+  // The matrix of what was put, without what is zero. REQUIRES: every pair was put; nothing is asked of this
+  // afterwards.
+  ExchangeMatrix take(bool has_zeros) {
+    std::vector<std::size_t> begin = places_.begin();
+    if (has_zeros) remove_zeros(begin);
+    ExchangeMatrix matrix(table_.elements(), Guarantee::kExact);
+    matrix.assign(std::move(begin), std::move(entries_), std::move(measures_));
+    return matrix;
+  }
+
+ private:
+  static constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
+
+  void remove_zeros(std::vector<std::size_t>& begin) {
+    std::size_t kept = 0;
+    for (std::size_t row = 0, place = 0; row + 1 < begin.size(); ++row) {
+      const std::size_t end = begin[row + 1];
+      for (; place < end; ++place) {
+        if (entries_[place].to == kNowhere) continue;
+        entries_[kept] = entries_[place];
+        if (!measures_.empty()) measures_[kept] = measures_[place];
+        ++kept;
+      }
+      begin[row + 1] = kept;
+    }
+    entries_.resize(kept);
+    if (!measures_.empty()) measures_.resize(kept);
+  }
+
+  const ElementTable2& table_;
+  const EntryPlaces2 places_;
+  std::vector<FactorEntry> entries_;
+  std::vector<double> measures_;
+};
+
+// All elements, those that lie near each other one after another: what they ask of their partners is in
+// the cache then.
+std::vector<std::uint32_t> labels_by_place(const ElementTable2& table, const Arrangement2& arrangement) {
   std::vector<std::uint32_t> rank(arrangement.vertices().size());
   std::uint32_t next = 0;
   for (const VertexId v : arrangement.triangulation().sweep_order()) rank[v.index()] = next++;
-  struct Row {
-    std::uint32_t place;
-    std::size_t begin, end;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> placed;
+  placed.reserve(table.count());
+  for (std::uint32_t label = 0; label < table.count(); ++label)
+    placed.emplace_back(table.runs(label).empty() ? next : rank[table.runs(label).front().a.index()], label);
+  std::ranges::sort(placed);
+  std::vector<std::uint32_t> labels;
+  labels.reserve(placed.size());
+  for (const auto& [place, label] : placed) labels.push_back(label);
+  return labels;
+}
+
+// A pair that fixed point does not settle.
+struct OpenPair {
+  std::size_t k;  // of all pairs
+  PairSum2 sum;
+  RoundedPair2 rounded;
+};
+
+// A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it.
+void settle_lonely_rows(OpenPair& pair, const EntryPlaces2& places, const ElementTable2& table) {
+  const auto settle = [&](std::uint32_t label, Rounded& factor, bool& is_open) {
+    if (!is_open || label == table.sky() || places.row_size(label) != 1) return;
+    factor = {1.0, 0};
+    is_open = false;
   };
-  std::vector<Row> placed;
-  for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
-    const std::uint32_t label = pairs[begin].i;
-    while (end < pairs.size() && pairs[end].i == label) ++end;
-    const bool is_nowhere = label >= table.count() || table.runs(label).empty();
-    placed.push_back({is_nowhere ? next : rank[table.runs(label).front().a.index()], begin, end});
-  }
-  std::ranges::sort(placed, {}, [](const Row& row) { return std::pair(row.place, row.begin); });
-  std::vector<std::pair<std::size_t, std::size_t>> rows;
-  rows.reserve(placed.size());
-  for (const Row& row : placed) rows.emplace_back(row.begin, row.end);
-  return rows;
+  settle(pair.sum.i(), pair.rounded.forth, pair.rounded.is_forth_open);
+  settle(pair.sum.j(), pair.rounded.back, pair.rounded.is_back_open);
+}
+
+// Settles what is open by exact sums, and puts it anew. Returns how many pairs exchange nothing.
+std::size_t put_exactly(std::vector<OpenPair>& open, const PreparedScene2& prepared, const ElementTable2& table,
+                        const PairRounding2& rounding, Entries& entries, TierCounts& tiers) {
+  std::ranges::sort(open, {}, &OpenPair::k);
+  std::vector<ElementPair> pairs;
+  for (const OpenPair& pair : open) pairs.emplace_back(pair.sum.i(), pair.sum.j());
+  const std::vector<RootSum> sums = exact_sums(prepared.arrangement, table, pairs);
+  std::mutex together;
+  parallel_for(open.size(), [&](std::size_t n) {
+    TierCounts some;
+    rounding.exactly(open[n].sum, sums[n], open[n].rounded, some);
+    entries.put(open[n].k, open[n].sum, open[n].rounded);
+    const std::lock_guard lock(together);
+    tiers += some;
+  });
+  return static_cast<std::size_t>(std::ranges::count_if(open, [](const auto& pair) { return pair.rounded.is_zero; }));
 }
 
 }  // namespace
@@ -97,44 +157,38 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
                          std::to_string(request.memory));
   }
   SumCounts2 counts;
-  const std::vector<PairSum2> pairs = sweeps
-                                          ? sum_visible_pairs(arrangement, table, request.progress, most_pairs, counts)
-                                          : sum_convex_pairs(arrangement, table);
+  const PairSums2 sums = sweeps ? sum_visible_pairs(arrangement, table, request.progress, most_pairs, counts)
+                                : sum_convex_pairs(arrangement, table);
   r.seconds[sweeps ? "sweep" : "strings"] = watch.lap();
-  r.closure_is_exact = closure_defect(pairs, table) == 0;
+  r.closure_is_exact = closure_defect(sums, table) == 0;
   HOTTEL_REQUIRE(r.closure_is_exact);
 
   const PairRounding2 rounding(prepared, table, request);
-  std::vector<RoundedPair2> rounded(pairs.size());
-  std::mutex tiers;
-  const auto count = [&r, &tiers](const TierCounts& some) {
-    const std::lock_guard lock(tiers);
-    r.tiers += some;
-  };
-  const auto rows = rows_by_place(pairs, table, arrangement);
-  parallel_ranges(rows.size(), 16, [&](std::size_t begin, std::size_t end) {
+  Entries entries(sums, table, request.wants_measures);
+  std::vector<OpenPair> open;
+  std::mutex together;
+  const std::vector<std::uint32_t> labels = labels_by_place(table, arrangement);
+  parallel_ranges(labels.size(), 16, [&](std::size_t begin, std::size_t end) {
     TierCounts some;
-    for (std::size_t row = begin; row < end; ++row)
-      for (std::size_t k = rows[row].first; k < rows[row].second; ++k) rounded[k] = rounding.quick(pairs[k], some);
-    count(some);
+    std::vector<OpenPair> left;
+    for (std::size_t n = begin; n < end; ++n) {
+      std::size_t k = sums.before(labels[n]);
+      for (const PairSum2& sum : sums.row(labels[n])) {
+        OpenPair pair{k++, sum, rounding.quick(sum, some)};
+        if (pair.rounded.is_open()) settle_lonely_rows(pair, entries.places(), table);
+        entries.put(pair.k, sum, pair.rounded);
+        if (pair.rounded.is_open()) left.push_back(pair);
+      }
+    }
+    const std::lock_guard lock(together);
+    r.tiers += some;
+    open.insert(open.end(), left.begin(), left.end());
   });
-  settle_lonely_rows(pairs, table, rounded);
   r.seconds["round"] = watch.lap();
 
-  std::vector<std::size_t> open;
-  std::vector<ElementPair> open_pairs;
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (rounded[k].is_open()) {
-      open.push_back(k);
-      open_pairs.emplace_back(pairs[k].i, pairs[k].j);
-    }
+  std::size_t zeros = 0;
   if (!open.empty()) {
-    const std::vector<RootSum> sums = exact_sums(arrangement, table, open_pairs);
-    parallel_for(open.size(), [&](std::size_t k) {
-      TierCounts some;
-      rounding.exactly(pairs[open[k]], sums[k], rounded[open[k]], some);
-      count(some);
-    });
+    zeros = put_exactly(open, prepared, table, rounding, entries, r.tiers);
     r.seconds["exact"] = watch.lap();
   }
 
@@ -142,11 +196,10 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
   r.vertices = arrangement.vertices().size();
   r.pieces = arrangement.pieces().size();
   r.elements = table.count();
-  r.pairs = static_cast<std::uint64_t>(
-      std::count_if(rounded.begin(), rounded.end(), [](const auto& pair) { return !pair.is_zero; }));
+  r.pairs = sums.size() - zeros;
   r.gaps = counts.gaps;
   r.terms = counts.updates;
-  ExchangeMatrix matrix = to_matrix(table, pairs, rounded, request.wants_measures);
+  ExchangeMatrix matrix = entries.take(zeros > 0);
   r.seconds["matrix"] = watch.lap();
   return matrix;
 }

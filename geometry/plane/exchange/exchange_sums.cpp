@@ -13,7 +13,7 @@ class Sweep {
  public:
   Sweep(const Arrangement2& arrangement, const ElementTable2& table) : arrangement_(arrangement), table_(table) {}
 
-  void operator()(VertexId v, TermBuffer2<FixedTerm2>& out) const {
+  void operator()(VertexId v, TermBuffer2<PairSum2>& out) const {
     const Vertices2& vertices = arrangement_.vertices();
     thread_local View2 view;
     look_around(vertices, arrangement_.triangulation(), v, view);
@@ -27,9 +27,10 @@ class Sweep {
           is_measured = true;
         }
         ++out.updates;
-        const Int128 value = i == j ? 2 * length.value : length.value;
+        const unsigned directions = i == j ? 2 : 1;
+        const Int128 value = directions * length.value;
         const bool is_obstructed = (table_.ends_among(i, gap.v, gap.w) | table_.ends_among(j, gap.v, gap.w)) != 3;
-        out.add({pair_key(i, j), length.is_exact ? 0u : (i == j ? 2u : 1u), is_obstructed, sign > 0 ? value : -value});
+        out.add({pair_key(i, j), length.is_exact ? 0 : directions, is_obstructed, sign > 0 ? value : -value});
       });
     });
   }
@@ -41,23 +42,12 @@ class Sweep {
 
 }  // namespace
 
-std::vector<PairSum2> sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
-                                        const std::function<void(double)>& progress, std::uint64_t most_pairs,
-                                        SumCounts2& counts) {
+PairSums2 sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
+                            const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts) {
   const std::size_t label_count = table.covered() + 1;
-  auto sums = sum_terms<FixedTerm2>(arrangement.triangulation().sweep_order(), label_count, Sweep(arrangement, table),
-                                    progress, most_pairs, counts);
-  std::size_t total = 0;
-  for (const auto& part : sums) total += part.size();
-  std::vector<PairSum2> result;
-  result.reserve(total);
-  for (auto& part : sums) {
-    for (const FixedTerm2& sum : part)
-      result.push_back({static_cast<std::uint32_t>(sum.key >> 32), static_cast<std::uint32_t>(sum.key), sum.inexact,
-                        sum.is_obstructed != 0, sum.value});
-    std::vector<FixedTerm2>().swap(part);
-  }
-  return result;
+  return {sum_terms<PairSum2>(arrangement.triangulation().sweep_order(), label_count, Sweep(arrangement, table),
+                              progress, most_pairs, counts),
+          table.count()};
 }
 
 SightEstimate2 estimated_sight(const Arrangement2& arrangement, const ElementTable2& table, std::uint64_t most) {
@@ -84,12 +74,13 @@ SightEstimate2 estimated_sight(const Arrangement2& arrangement, const ElementTab
   return {terms * n / (2 * kTermsPerPair * sample), each(seen), each(seen_typed)};
 }
 
-Int128 closure_defect(const std::vector<PairSum2>& pairs, const ElementTable2& table) {
-  std::vector<Int128> sum(table.sky() + 1, 0);
-  for (const PairSum2& pair : pairs) {
-    sum[pair.i] += pair.value;
-    if (pair.j != pair.i) sum[pair.j] += pair.value;
-  }
+Int128 closure_defect(const PairSums2& sums, const ElementTable2& table) {
+  std::vector<Int128> sum(table.covered() + 1, 0);
+  for (std::uint32_t i = 0; i < sums.rows(); ++i)
+    for (const PairSum2& pair : sums.row(i)) {
+      sum[i] += pair.value;
+      if (pair.j() != i) sum[pair.j()] += pair.value;
+    }
   Int128 defect = 0;
   for (std::uint32_t label = 0; label < table.count(); ++label) {
     if (!table.has_row(label)) continue;

@@ -7,22 +7,12 @@
 
 #include "geometry/plane/arrangement/arrangement.h"
 #include "geometry/plane/exchange/element_table.h"
-#include "geometry/plane/exchange/term_sums.h"
+#include "geometry/plane/exchange/pair_sums.h"
 
 namespace hottel {
 
-// 2 S(i, j) of one pair of labels, i <= j.
-struct PairSum2 {
-  std::uint32_t i, j;
-  std::uint32_t inexact;  // how many of the lengths added were rounded
-  bool is_obstructed;     // a vertex that is no end of i or j took part: only then can anything hide j from i
-  Int128 value;           // in units of Vertices2::fixed_unit()
-
-  FixedSum sum(double length_error) const { return {value, inexact * length_error}; }
-};
-
-// Returns the sums of all pairs for which something was added and at least one of the two has a row, sorted by (i, j).
-// A pair (i, i) occurs for groups only and counts both directions of a line.
+// Returns the sums of all pairs for which something was added and at least one of the two has a row. A pair (i, i)
+// occurs for groups only and counts both directions of a line.
 //
 //   (1) the value does not depend on the number of threads: 128-bit integer addition is associative
 //   (2) sum over j of value(i, j) == 2 length(i) to the last bit, for every label i that has a row: each length enters
@@ -31,9 +21,8 @@ struct PairSum2 {
 // `progress` is called from time to time with the fraction done and may throw to stop.
 //
 // Throws RequestError when the pairs become more than `most_pairs`.
-std::vector<PairSum2> sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
-                                        const std::function<void(double)>& progress, std::uint64_t most_pairs,
-                                        SumCounts2& counts);
+PairSums2 sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
+                            const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts);
 
 // What a visible pair takes in memory at the most, from the sums to the matrix, in bytes (measured on clutter with
 // backs, where both directions have a row; benchmarks/factors).
@@ -52,6 +41,6 @@ SightEstimate2 estimated_sight(const Arrangement2& arrangement, const ElementTab
 
 // Checks property (2) of sum_visible_pairs as an identity of integers. Returns the largest defect of a row, in units
 // of Vertices2::fixed_unit(): 0 when it holds.
-Int128 closure_defect(const std::vector<PairSum2>& pairs, const ElementTable2& table);
+Int128 closure_defect(const PairSums2& sums, const ElementTable2& table);
 
 }  // namespace hottel

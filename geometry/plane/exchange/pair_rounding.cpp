@@ -29,22 +29,23 @@ RoundedPair2 PairRounding2::quick(const PairSum2& pair, TierCounts& tiers) const
     number = rounded->number;
     tiers.count(rounded->tier);
   };
-  if (table_.has_row(pair.i)) settle(double_length_[pair.i], result.forth, result.is_forth_open);
-  if (table_.has_row(pair.j)) settle(double_length_[pair.j], result.back, result.is_back_open);
+  const std::uint32_t i = pair.i(), j = pair.j();
+  if (table_.has_row(i)) settle(double_length_[i], result.forth, result.is_forth_open);
+  if (table_.has_row(j)) settle(double_length_[j], result.back, result.is_back_open);
   if (request_.wants_measures) {
     const auto rounded = may_be_zero ? std::nullopt : round_scaled(sum, half_unit_);
     result.is_measure_open = !rounded;
     if (rounded) result.measure = rounded->number.value;
   }
-  if (!request_.wants_visibility || pair.j == table_.sky()) return result;
-  if (!alone_.are_straight(pair.i, pair.j)) {
+  if (!request_.wants_visibility || j == table_.sky()) return result;
+  if (!alone_.are_straight(i, j)) {
     result.is_visibility_open = true;
   } else if (!pair.is_obstructed && !may_be_zero) {
     result.visibility = 1;
     tiers.count(Tier::kDouble);
   } else {
     Rounded visibility;
-    const auto free = alone_.quick(pair.i, pair.j);
+    const auto free = alone_.quick(i, j);
     settle(free ? FixedDivisor(*free) : FixedDivisor(), visibility, result.is_visibility_open);
     result.visibility = visibility_of(visibility);
   }
@@ -64,12 +65,12 @@ void PairRounding2::exactly(const PairSum2& pair, const RootSum& sum, RoundedPai
     tiers.count(rounded.tier);
     return rounded.number;
   };
-  if (result.is_forth_open) result.forth = settle(pair.i);
-  if (result.is_back_open) result.back = settle(pair.j);
+  if (result.is_forth_open) result.forth = settle(pair.i());
+  if (result.is_back_open) result.back = settle(pair.j());
   if (result.is_measure_open)
     result.measure = round_quotient(sum * (vertices.scale() / 2), RootSum(Rational(1))).number.value;
   if (!result.is_visibility_open) return;
-  const RootSum free = alone_.exact(pair.i, pair.j) * (Rational(2) / vertices.scale());
+  const RootSum free = alone_.exact(pair.i(), pair.j()) * (Rational(2) / vertices.scale());
   if ((free - sum).is_zero()) {
     result.visibility = 1;
     tiers.count(Tier::kRootSum);
@@ -77,26 +78,6 @@ void PairRounding2::exactly(const PairSum2& pair, const RootSum& sum, RoundedPai
     const RoundedByTier rounded = round_quotient(sum, free);
     tiers.count(rounded.tier);
     result.visibility = visibility_of(rounded.number);
-  }
-}
-
-void settle_lonely_rows(const std::vector<PairSum2>& pairs, const ElementTable2& table,
-                        std::vector<RoundedPair2>& rounded) {
-  std::vector<std::uint32_t> partners(table.count() + 1, 0);
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    ++partners[pairs[k].i];
-    if (pairs[k].i != pairs[k].j) ++partners[pairs[k].j];
-  }
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    RoundedPair2& pair = rounded[k];
-    if (pair.is_forth_open && partners[pairs[k].i] == 1) {
-      pair.forth = {1.0, 0};
-      pair.is_forth_open = false;
-    }
-    if (pair.is_back_open && pairs[k].j != table.sky() && partners[pairs[k].j] == 1) {
-      pair.back = {1.0, 0};
-      pair.is_back_open = false;
-    }
   }
 }
 

@@ -51,10 +51,4 @@ class PairRounding2 {
   const FixedScale half_unit_;               // 2 S in fixed point to S in scene units
 };
 
-// A face that sees one thing only sees it with factor 1, by closure: no arithmetic is needed to know it. Settles the
-// open factors of labels that stand in one pair only; the others are left as they are.
-// REQUIRES: rounded[k] is that of pairs[k]; a pair of a label with itself counts as one.
-void settle_lonely_rows(const std::vector<PairSum2>& pairs, const ElementTable2& table,
-                        std::vector<RoundedPair2>& rounded);
-
 }  // namespace hottel

@@ -99,9 +99,9 @@ std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::s
   return sums;
 }
 
-template std::vector<std::vector<FixedTerm2>> sum_terms(std::span<const VertexId>, std::size_t,
-                                                        const TermSweep<FixedTerm2>&,
-                                                        const std::function<void(double)>&, std::uint64_t, SumCounts2&);
+template std::vector<std::vector<PairSum2>> sum_terms(std::span<const VertexId>, std::size_t,
+                                                      const TermSweep<PairSum2>&, const std::function<void(double)>&,
+                                                      std::uint64_t, SumCounts2&);
 template std::vector<std::vector<PlainTerm2>> sum_terms(std::span<const VertexId>, std::size_t,
                                                         const TermSweep<PlainTerm2>&,
                                                         const std::function<void(double)>&, std::uint64_t, SumCounts2&);

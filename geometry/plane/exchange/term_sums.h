@@ -9,6 +9,7 @@
 #include "geometry/pair_table.h"
 #include "geometry/plane/predicates/vertices.h"
 #include "kernel/int128.h"
+#include "kernel/rounding.h"
 
 namespace hottel {
 
@@ -20,20 +21,24 @@ constexpr std::uint64_t pair_key(std::uint32_t i, std::uint32_t j) {
   return i <= j ? (static_cast<std::uint64_t>(i) << 32) | j : (static_cast<std::uint64_t>(j) << 32) | i;
 }
 
-// A term in fixed point.
+// A term of 2 S(i, j) in fixed point, or the sum of some of them.
 //
 //   (1) any order of addition gives the same sum, bit for bit: integers are added modulo 2^128
 //   (2) is_obstructed is 1 as soon as it is 1 in one term of the sum
 //
-// REQUIRES: the final sum of a key fits into 128 bits. Sums on the way need not.
-struct FixedTerm2 {
+// REQUIRES: the final sum of a pair fits into 128 bits. Sums on the way need not.
+struct PairSum2 {
   static constexpr bool kOrderMatters = false;
-  std::uint64_t key;
-  std::uint32_t inexact;  // how many of the lengths were rounded
-  std::uint32_t is_obstructed;
-  Int128 value;
+  std::uint64_t key = 0;                // pair_key(i, j)
+  std::uint64_t inexact : 63 = 0;       // how many of the lengths added were rounded
+  std::uint64_t is_obstructed : 1 = 0;  // a vertex that is no end of i or j took part: only then can j be hidden from i
+  Int128 value = 0;                     // in units of Vertices2::fixed_unit()
 
-  void add(const FixedTerm2& term) {
+  std::uint32_t i() const { return static_cast<std::uint32_t>(key >> 32); }  // i <= j
+  std::uint32_t j() const { return static_cast<std::uint32_t>(key); }
+  FixedSum sum(double length_error) const { return {value, static_cast<double>(inexact) * length_error}; }
+
+  void add(const PairSum2& term) {
     // Only the final sum is bounded: on the way it may wrap around.
     value = static_cast<Int128>(static_cast<UInt128>(value) + static_cast<UInt128>(term.value));
     inexact += term.inexact;
@@ -129,10 +134,10 @@ std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::s
                                          const TermSweep<Term>& sweep, const std::function<void(double)>& progress,
                                          std::uint64_t most_pairs, SumCounts2& counts);
 
-extern template std::vector<std::vector<FixedTerm2>> sum_terms(std::span<const VertexId>, std::size_t,
-                                                               const TermSweep<FixedTerm2>&,
-                                                               const std::function<void(double)>&, std::uint64_t,
-                                                               SumCounts2&);
+extern template std::vector<std::vector<PairSum2>> sum_terms(std::span<const VertexId>, std::size_t,
+                                                             const TermSweep<PairSum2>&,
+                                                             const std::function<void(double)>&, std::uint64_t,
+                                                             SumCounts2&);
 extern template std::vector<std::vector<PlainTerm2>> sum_terms(std::span<const VertexId>, std::size_t,
                                                                const TermSweep<PlainTerm2>&,
                                                                const std::function<void(double)>&, std::uint64_t,

@@ -119,14 +119,18 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, const std::func
   const ElementTable2 table = table_of(prepared);
   const double length_error = prepared.arrangement.vertices().length_error();
   SumCounts2 counts;
-  const std::vector<PairSum2> pairs =
+  const PairSums2 pairs =
       sum_visible_pairs(prepared.arrangement, table, progress, std::numeric_limits<std::uint64_t>::max(), counts);
+  const auto each_pair = [&pairs](const auto& visit) {
+    for (std::uint32_t i = 0; i < pairs.rows(); ++i)
+      for (const PairSum2& pair : pairs.row(i)) visit(i, pair.j(), pair);
+  };
   const auto each_entry = [&](const auto& visit) {
-    for (const PairSum2& pair : pairs) {
-      if (pair.value == 0 && pair.inexact == 0) continue;
-      if (table.has_row(pair.i)) visit(pair.i, pair.j, pair);
-      if (pair.j != pair.i && table.has_row(pair.j)) visit(pair.j, pair.i, pair);
-    }
+    each_pair([&](std::uint32_t i, std::uint32_t j, const PairSum2& pair) {
+      if (pair.value == 0 && pair.inexact == 0) return;
+      if (table.has_row(i)) visit(i, j, pair);
+      if (j != i && table.has_row(j)) visit(j, i, pair);
+    });
   };
   std::vector<FactorEntry> entries;
   std::vector<Enclosure> bounds;
@@ -146,8 +150,9 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, const std::func
   std::vector<std::size_t> begin = lay_out_rows(table.count(), each_entry, allot, put);
 
   report.notes.push_back(fmt::format("every factor lies within {:.2g} of the real one", 1.06 * widest));
-  const auto undecided = std::count_if(pairs.begin(), pairs.end(), [&](const PairSum2& pair) {
-    return pair.inexact > 0 && double_near(pair.value) <= pair.sum(length_error).error;
+  std::size_t undecided = 0;
+  each_pair([&](std::uint32_t, std::uint32_t, const PairSum2& pair) {
+    undecided += pair.inexact > 0 && double_near(pair.value) <= pair.sum(length_error).error;
   });
   if (undecided > 0)
     report.notes.push_back(fmt::format("of {} pairs it is not decided whether they see each other", undecided));
