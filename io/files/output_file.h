@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -47,9 +48,9 @@ class OutputFile {
   OutputFile& operator=(OutputFile&&) = delete;
   ~OutputFile();
 
-  // Appends bytes; they are buffered, and go out some 64 KiB at a time. Throws OutputError, ReaderGone when standard
-  // output is a pipe that nobody reads, Interrupted when a stop is asked for while a write waits. REQUIRES that
-  // finish() or commit() has not been called.
+  // Appends bytes; they go out in pieces of some 64 KiB, or as they come where they are more. Throws OutputError,
+  // ReaderGone when standard output is a pipe that nobody reads, Interrupted when a stop is asked for while a write
+  // waits. REQUIRES that finish() or commit() has not been called.
   void write(std::string_view bytes);
 
   // Puts everything on disk and closes; nothing may be written afterwards. To replace several files together, finish()
@@ -64,6 +65,8 @@ class OutputFile {
  private:
   void open();
   void drain();
+  void hand_on(std::string_view bytes);
+  void begin_with_disk();
   [[noreturn]] void fail(int error);
 
   std::string name_;  // for messages
@@ -73,6 +76,7 @@ class OutputFile {
   int descriptor_ = -1;
   bool is_owned_ = true;  // the descriptor is ours to close
   std::string buffer_;
+  std::uint64_t written_ = 0, begun_ = 0;  // bytes handed on, and those that the disk was told of
 };
 
 // Writes a whole file; see OutputFile. Until it returns a file that was there before is untouched.
