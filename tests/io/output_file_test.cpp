@@ -80,6 +80,21 @@ TEST_F(OutputFileTest, WritesMoreThanItsBuffer) {
   EXPECT_EQ(read_text_file(file("a.csv")), text + "y");
 }
 
+TEST_F(OutputFileTest, KeepsTheOrderOfPiecesOfAnySize) {
+  // More than the disk is told of at once (8 MiB), in pieces smaller and larger than the buffer (64 KiB).
+  std::string text;
+  OutputFile output(file("a.csv"));
+  for (std::size_t k = 0, size = 1; text.size() < 30'000'000; ++k, size = size * 5 % 300'007) {
+    const std::string piece(size, static_cast<char>('a' + k % 26));
+    text += piece;
+    output.write(piece);
+  }
+  OutputFile moved(std::move(output));
+  moved.write("end");
+  moved.commit();
+  EXPECT_TRUE(read_text_file(file("a.csv")) == text + "end");
+}
+
 TEST_F(OutputFileTest, ReplacesNothingAfterAnInterrupt) {
   write_output_file(file("a.csv"), "old");
   OutputFile output(file("a.csv"));
