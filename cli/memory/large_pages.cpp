@@ -1,5 +1,5 @@
 // How the programs take memory: in pages of two megabytes, by jemalloc. Matrices and hash tables are large and are read
-// all over; small pages cost a third of the time of exact factors, half of it for clearing them one by one.
+// all over; with small pages exact factors take a tenth to a half longer, much of it for clearing them one by one.
 // The library leaves this to the programs that it is linked into.
 //
 //   thp:always             large pages wherever the system has them

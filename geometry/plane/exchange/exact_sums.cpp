@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "geometry/plane/exchange/gap_terms.h"
+#include "geometry/plane/exchange/term_sums.h"
 #include "kernel/support/parallel.h"
 
 namespace hottel {
@@ -107,11 +108,8 @@ std::vector<VertexId> vertices_between(const Arrangement2& arrangement, const El
 std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const ElementTable2& table,
                                 const std::vector<ElementPair>& pairs) {
   const Vertices2& vertices = arrangement.vertices();
-  const auto key = [](std::uint32_t i, std::uint32_t j) {
-    return (static_cast<std::uint64_t>(std::min(i, j)) << 32) | std::max(i, j);
-  };
   std::unordered_map<std::uint64_t, std::size_t> number;
-  for (std::size_t k = 0; k < pairs.size(); ++k) number.emplace(key(pairs[k].first, pairs[k].second), k);
+  for (std::size_t k = 0; k < pairs.size(); ++k) number.emplace(pair_key(pairs[k].first, pairs[k].second), k);
 
   const std::vector<VertexId> between = vertices_between(arrangement, table, pairs);
   std::vector<FoundTerm> terms;
@@ -123,7 +121,7 @@ std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const ElementTa
       look_around(vertices, arrangement.triangulation(), between[k], view);
       for_each_gap(vertices, between[k], view, true, [&](const Gap2& gap) {
         for_each_term(gap, table, [&](std::uint32_t i, std::uint32_t j, int sign) {
-          if (const auto place = number.find(key(i, j)); place != number.end())
+          if (const auto place = number.find(pair_key(i, j)); place != number.end())
             found.push_back({place->second, gap.v, gap.w, i == j ? 2 * sign : sign});
         });
       });
@@ -144,7 +142,8 @@ std::vector<RootSum> exact_sums(const Arrangement2& arrangement, const ElementTa
       sums[k].add(terms[t].sign, vertices.squared_distance(terms[t].v, terms[t].w));
   });
   for (std::size_t k = 0; k < pairs.size(); ++k)  // pairs that were asked for more than once
-    if (const std::size_t first = number.at(key(pairs[k].first, pairs[k].second)); first != k) sums[k] = sums[first];
+    if (const std::size_t first = number.at(pair_key(pairs[k].first, pairs[k].second)); first != k)
+      sums[k] = sums[first];
   return sums;
 }
 

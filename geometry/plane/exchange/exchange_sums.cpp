@@ -76,11 +76,10 @@ SightEstimate2 estimated_sight(const Arrangement2& arrangement, const ElementTab
 
 Int128 closure_defect(const PairSums2& sums, const ElementTable2& table) {
   std::vector<Int128> sum(table.covered() + 1, 0);
-  for (std::uint32_t i = 0; i < sums.rows(); ++i)
-    for (const PairSum2& pair : sums.row(i)) {
-      sum[i] += pair.value;
-      if (pair.j() != i) sum[pair.j()] += pair.value;
-    }
+  sums.for_each([&sum](const PairSum2& pair) {
+    sum[pair.i()] += pair.value;
+    if (pair.j() != pair.i()) sum[pair.j()] += pair.value;
+  });
   Int128 defect = 0;
   for (std::uint32_t label = 0; label < table.count(); ++label) {
     if (!table.has_row(label)) continue;

@@ -22,12 +22,11 @@ PairSums2::PairSums2(std::vector<std::vector<PairSum2>> parts, std::uint32_t row
 EntryPlaces2::EntryPlaces2(const PairSums2& sums, const ElementTable2& table)
     : sums_(sums), begin_(table.count() + std::size_t{1}, 0), back_entries_(table.count(), 0), back_(sums.size()) {
   std::size_t k = 0;
-  for (std::uint32_t i = 0; i < sums.rows(); ++i)
-    for (const PairSum2& sum : sums.row(i)) {
-      const std::uint32_t j = sum.j();
-      if (j != i && table.has_row(j)) back_[k] = back_entries_[j]++;
-      ++k;
-    }
+  sums.for_each([&](const PairSum2& sum) {
+    const std::uint32_t j = sum.j();
+    if (j != sum.i() && table.has_row(j)) back_[k] = back_entries_[j]++;
+    ++k;
+  });
   for (std::uint32_t i = 0; i < table.count(); ++i)
     begin_[i + 1] = begin_[i] + back_entries_[i] + (table.has_row(i) ? sums.row(i).size() : 0);
 }

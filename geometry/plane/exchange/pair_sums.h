@@ -26,6 +26,12 @@ class PairSums2 {
   // How many pairs stand in the rows before row i; of all pairs where i is rows().
   std::size_t before(std::uint32_t i) const { return before_[i]; }
   std::size_t size() const { return before_.back(); }
+  // Calls visit(const PairSum2&) for all pairs, row by row.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (const std::span<const PairSum2>& row : rows_)
+      for (const PairSum2& sum : row) visit(sum);
+  }
 
  private:
   std::vector<std::vector<PairSum2>> parts_;

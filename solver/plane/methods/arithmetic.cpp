@@ -121,12 +121,9 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, const std::func
   SumCounts2 counts;
   const PairSums2 pairs =
       sum_visible_pairs(prepared.arrangement, table, progress, std::numeric_limits<std::uint64_t>::max(), counts);
-  const auto each_pair = [&pairs](const auto& visit) {
-    for (std::uint32_t i = 0; i < pairs.rows(); ++i)
-      for (const PairSum2& pair : pairs.row(i)) visit(i, pair.j(), pair);
-  };
   const auto each_entry = [&](const auto& visit) {
-    each_pair([&](std::uint32_t i, std::uint32_t j, const PairSum2& pair) {
+    pairs.for_each([&](const PairSum2& pair) {
+      const std::uint32_t i = pair.i(), j = pair.j();
       if (pair.value == 0 && pair.inexact == 0) return;
       if (table.has_row(i)) visit(i, j, pair);
       if (j != i && table.has_row(j)) visit(j, i, pair);
@@ -151,7 +148,7 @@ ExchangeMatrix enclosed_exchange(const PreparedScene2& prepared, const std::func
 
   report.notes.push_back(fmt::format("every factor lies within {:.2g} of the real one", 1.06 * widest));
   std::size_t undecided = 0;
-  each_pair([&](std::uint32_t, std::uint32_t, const PairSum2& pair) {
+  pairs.for_each([&](const PairSum2& pair) {
     undecided += pair.inexact > 0 && double_near(pair.value) <= pair.sum(length_error).error;
   });
   if (undecided > 0)

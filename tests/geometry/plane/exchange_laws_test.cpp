@@ -260,12 +260,7 @@ TEST_P(ExactExchange2, IsTheSumOverElements) {
 
 // S of two groups is the sum over their faces; a group sees itself, counted once for each direction.
 TEST_P(ExactExchange2, IsTheSumOverGroups) {
-  Scene2 grouped = scene(40);
-  grouped.groups.clear();
-  for (std::size_t k = 0; k < grouped.surfaces.size(); ++k) {
-    if (k % 5 == 0) grouped.groups.push_back("group " + std::to_string(k));
-    grouped.surfaces[k].group = static_cast<std::uint32_t>(grouped.groups.size() - 1);
-  }
+  const Scene2 grouped = in_groups_of_five(scene(40));
   const Exact faces(grouped), groups(grouped, Granularity::kGroup);
   std::map<std::string, std::uint32_t> number_of;
   for (std::uint32_t i = 0; i < groups.matrix().size(); ++i) number_of[groups.matrix().elements()[i].name] = i;

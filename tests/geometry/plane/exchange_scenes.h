@@ -83,6 +83,16 @@ inline Scene2 generated(const std::string& kind, std::uint64_t n, std::uint64_t 
   return generate_2(request);
 }
 
+// The scene with a group for each five edges that follow each other.
+inline Scene2 in_groups_of_five(Scene2 scene) {
+  scene.groups.clear();
+  for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
+    if (k % 5 == 0) scene.groups.push_back("group " + std::to_string(k));
+    scene.surfaces[k].group = static_cast<std::uint32_t>(scene.groups.size() - 1);
+  }
+  return scene;
+}
+
 // Some of each kind, small enough for exact sums of all pairs.
 inline std::vector<Scene2> all_kinds(std::uint64_t n) {
   std::vector<Scene2> scenes;

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <set>
 
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "tests/geometry/plane/exchange_scenes.h"
@@ -21,21 +20,12 @@ struct Case {
 
 class PairSums : public testing::TestWithParam<Case> {
  protected:
-  // Every fifth edge begins a group.
-  static Scene2 grouped(Scene2 scene) {
-    scene.groups.clear();
-    for (std::size_t k = 0; k < scene.surfaces.size(); ++k) {
-      if (k % 5 == 0) scene.groups.push_back("group " + std::to_string(k));
-      scene.surfaces[k].group = static_cast<std::uint32_t>(scene.groups.size() - 1);
-    }
-    return scene;
-  }
   static PairSums2 sums_of(const PreparedScene2& prepared, const ElementTable2& table) {
     SumCounts2 counts;
     return sum_visible_pairs(prepared.arrangement, table, {}, std::numeric_limits<std::uint64_t>::max(), counts);
   }
 
-  const PreparedScene2 prepared_ = prepare(grouped(generated(GetParam().kind, 200, 3)));
+  const PreparedScene2 prepared_ = prepare(in_groups_of_five(generated(GetParam().kind, 200, 3)));
   const ElementTable2 table_{prepared_.scene, prepared_.arrangement, prepared_.division, GetParam().granularity};
   const PairSums2 sums_ = sums_of(prepared_, table_);
 };
