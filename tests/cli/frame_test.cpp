@@ -17,6 +17,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/temporary_folder.h"
+
 namespace hottel {
 namespace {
 
@@ -39,12 +41,9 @@ std::string read_all(const fs::path& file) {
 class Frame : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "hottel-frame-XXXXXX").string();
-    directory_ = ::mkdtemp(pattern.data());
     fs::create_directory(directory_ / "work");
     fs::create_directory_symlink(fs::path(HOTTEL_SOURCE_DIR) / "scenes", directory_ / "work/scenes");
   }
-  void TearDown() override { fs::remove_all(directory_); }
 
   fs::path file(const std::string& name) const { return directory_ / "work" / name; }
   void write(const std::string& name, const std::string& text) const { std::ofstream(file(name)) << text; }
@@ -72,7 +71,7 @@ class Frame : public ::testing::Test {
   }
   Outcome run(const std::string& line) const { return wait(start(line)); }
 
-  fs::path directory_;
+  TemporaryFolder directory_;
 };
 
 constexpr const char* kTriangle = "scenes/analytic/triangle_345.json";

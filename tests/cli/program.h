@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/temporary_folder.h"
+
 namespace hottel::testing_cli {
 
 namespace fs = std::filesystem;
@@ -37,17 +39,7 @@ inline std::vector<std::string> lines_of(const std::string& text) {
 // A directory that is removed at the end. `hottel` in a shell line is the program that was built.
 class Workplace {
  public:
-  Workplace() {
-    std::string pattern = (fs::temp_directory_path() / "hottel-XXXXXX").string();
-    directory_ = ::mkdtemp(pattern.data());
-    fs::create_directory(directory_ / "work");
-  }
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
-  ~Workplace() {
-    std::error_code ignored;
-    fs::remove_all(directory_, ignored);
-  }
+  Workplace() { fs::create_directory(directory_ / "work"); }
 
   fs::path path(const std::string& name) const { return directory_ / "work" / name; }
   void write(const std::string& name, const std::string& text) const {
@@ -78,7 +70,7 @@ class Workplace {
   }
 
  private:
-  fs::path directory_;
+  TemporaryFolder directory_;
 };
 
 }  // namespace hottel::testing_cli

@@ -78,7 +78,7 @@ TEST_F(ForeignCommandTest, LeavesNoFolderBehind) {
       count += entry.path().filename().string().starts_with("hottel-run-");
     return count;
   };
-  ::setenv("TMPDIR", directory_.c_str(), 1);
+  ::setenv("TMPDIR", directory_.path().c_str(), 1);
   EXPECT_THAT(why_not("echo half > {out}; exit 1"), HasSubstr("status 1"));
   EXPECT_EQ(folders(), 0u);
   ::unsetenv("TMPDIR");

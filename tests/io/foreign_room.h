@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -17,6 +16,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/method_catalogue.h"
+#include "tests/temporary_folder.h"
 
 namespace hottel {
 
@@ -29,12 +29,6 @@ inline constexpr char kRoom[] = R"({"hottel": 1, "dimension": 2, "materials": {"
 
 class ForeignRoomTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (std::filesystem::temp_directory_path() / "hottel-foreign-XXXXXX").string();
-    directory_ = ::mkdtemp(pattern.data());
-  }
-  void TearDown() override { std::filesystem::remove_all(directory_); }
-
   std::string path(const std::string& name) const { return (directory_ / name).string(); }
   std::string write(const std::string& name, std::string_view text) const {
     write_output_file(path(name), text);
@@ -68,7 +62,7 @@ class ForeignRoomTest : public ::testing::Test {
     return methods;
   }
 
-  std::filesystem::path directory_;
+  TemporaryFolder directory_;
   MethodReport report_;
 };
 

@@ -13,6 +13,7 @@
 
 #include "io/files/text_file.h"
 #include "kernel/support/interrupt.h"
+#include "tests/temporary_folder.h"
 
 namespace hottel {
 namespace {
@@ -22,15 +23,9 @@ namespace fs = std::filesystem;
 // A directory of its own for each test.
 class OutputFileTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "hottel-output-XXXXXX").string();
-    directory_ = ::mkdtemp(pattern.data());
-  }
-  void TearDown() override { fs::remove_all(directory_); }
-
   fs::path file(const std::string& name) const { return directory_ / name; }
   std::size_t files() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory_), fs::directory_iterator()));
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory_.path()), fs::directory_iterator()));
   }
   static std::string why(const fs::path& path, std::string_view bytes = "new") {
     try {
@@ -41,7 +36,7 @@ class OutputFileTest : public ::testing::Test {
     return "";
   }
 
-  fs::path directory_;
+  TemporaryFolder directory_;
 };
 
 TEST_F(OutputFileTest, LeavesTheEarlierFileUntilItIsCommitted) {
@@ -117,7 +112,7 @@ TEST_F(OutputFileTest, KeepsPermissionsAndSymbolicLinks) {
 
 TEST_F(OutputFileTest, RefusesPathsThatCannotBeWritten) {
   write_output_file(file("a.csv"), "old");
-  EXPECT_EQ(why(directory_), directory_.string() + ": is a directory, not a file");
+  EXPECT_EQ(why(directory_.path()), directory_.path().string() + ": is a directory, not a file");
   EXPECT_EQ(why(file("a.csv") / "b.csv"), (file("a.csv") / "b.csv").string() + ": cannot be written: Not a directory");
   EXPECT_EQ(why(file("no") / "b.csv"), (file("no") / "b.csv").string() +
                                            ": cannot be written: there is no directory '" + file("no").string() + "'");

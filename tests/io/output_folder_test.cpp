@@ -1,12 +1,12 @@
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <optional>
 
 #include "io/files/output_file.h"
+#include "tests/temporary_folder.h"
 
 namespace hottel {
 namespace {
@@ -15,13 +15,7 @@ namespace fs = std::filesystem;
 
 class OutputFolderTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "hottel-folder-XXXXXX").string();
-    root_ = ::mkdtemp(pattern.data());
-  }
-  void TearDown() override { fs::remove_all(root_); }
-
-  fs::path root_;
+  TemporaryFolder root_;
 };
 
 TEST_F(OutputFolderTest, IsThereWhileItLivesAndAfterwardsOnlyWithSomethingInIt) {
@@ -30,7 +24,7 @@ TEST_F(OutputFolderTest, IsThereWhileItLivesAndAfterwardsOnlyWithSomethingInIt) 
       const OutputFolder folder(root_ / name);
       EXPECT_TRUE(fs::is_directory(root_ / name));
     }
-    EXPECT_TRUE(fs::is_empty(root_)) << name;
+    EXPECT_TRUE(fs::is_empty(root_.path())) << name;
   }
   {
     const OutputFolder folder(root_ / "a/b/c");

@@ -1,10 +1,8 @@
 // Factors from a store against factors without one: bit for bit.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cmath>
-#include <filesystem>
 
 #include "io/scene/scene_json.h"
 #include "io/store/factor_store.h"
@@ -14,26 +12,17 @@
 #include "solver/space/simulation/simulation.h"
 #include "solver/store.h"
 #include "tests/sanitizers.h"
+#include "tests/temporary_folder.h"
 
 namespace hottel {
 namespace {
 
-namespace fs = std::filesystem;
-
 class StoreFile {
  public:
-  StoreFile() {
-    std::string pattern = (fs::temp_directory_path() / "hottel-kept-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~StoreFile() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
   std::shared_ptr<FactorStore> open() const { return open_factor_store(folder_ / "store"); }
 
  private:
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 bool is_same(double a, double b) {

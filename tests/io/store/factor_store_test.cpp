@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
@@ -15,27 +14,12 @@
 #include "io/files/output_file.h"
 #include "io/store/stored_record.h"
 #include "kernel/support/failure.h"
+#include "tests/temporary_folder.h"
 
 namespace hottel {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (fs::temp_directory_path() / "hottel-store-XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
 
 StoreTable table_of(const std::string& key, const std::vector<std::string>& elements) {
   return {key, "scene by method", elements};
@@ -87,7 +71,7 @@ TEST(StoredRecord, OfAnyBytesIsARowOfTheElementsOrNone) {
 }
 
 TEST(FactorStore, ReturnsWhatWasKept) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::vector<KeptRow> rows = some_rows(5, 1);
   open_factor_store(folder / "s")->keep(table_of("key", kElements), 1, rows);
   const auto store = open_factor_store(folder / "s");
@@ -102,7 +86,7 @@ TEST(FactorStore, ReturnsWhatWasKept) {
 }
 
 TEST(FactorStore, PlacesElementsOfOtherRuns) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto store = open_factor_store(folder / "s");
   store->keep(table_of("key", kElements), 0, some_rows(5, 1));
   const auto kept = store->read(table_of("key", {"b", "d#1 of 3", "d#2 of 2"}), 0);
@@ -114,7 +98,7 @@ TEST(FactorStore, PlacesElementsOfOtherRuns) {
 }
 
 TEST(FactorStore, GivesWayToWhatIsUsed) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto store = open_factor_store(folder / "s");
   std::vector<std::string> many;
   for (int k = 0; k < 300; ++k) many.push_back("e" + std::to_string(k));
@@ -140,7 +124,7 @@ TEST(FactorStore, GivesWayToWhatIsUsed) {
 }
 
 TEST(FactorStore, FindsChangedBytesOrTheyHaveNoEffect) {
-  const Folder folder;
+  const TemporaryFolder folder;
   std::vector<std::string> names;
   for (int k = 0; k < 100; ++k) names.push_back("element " + std::to_string(k));
   const StoreTable table = table_of("key", names);
@@ -183,7 +167,7 @@ TEST(FactorStore, FindsChangedBytesOrTheyHaveNoEffect) {
 }
 
 TEST(FactorStore, RefusesFilesThatAreNone) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto why = [&](const std::string& name) -> std::string {
     try {
       open_factor_store(folder / name);
@@ -220,7 +204,7 @@ TEST(FactorStore, RefusesFilesThatAreNone) {
 
 // Two processes that make a store at once: one of them is still at it when the other comes.
 TEST(FactorStore, WaitsForWhomMakesIt) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const fs::path file = folder / "s";
   open_factor_store(file);
   sqlite3* other = nullptr;
@@ -239,7 +223,7 @@ TEST(FactorStore, WaitsForWhomMakesIt) {
 }
 
 TEST(FactorStore, HasManyReadersAndWritersAtOnce) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::vector<KeptRow> rows = some_rows(5, 9);
   std::vector<std::thread> threads;
   std::atomic<int> wrong{0};

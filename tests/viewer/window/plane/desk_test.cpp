@@ -2,7 +2,6 @@
 #include "viewer/window/plane/desk.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -15,6 +14,7 @@
 #include "io/files/text_file.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
+#include "tests/temporary_folder.h"
 #include "tests/viewer/edit/plane/edited_scenes.h"
 #include "viewer/edit/plane/scene_edits.h"
 #include "viewer/picture/palette.h"
@@ -32,22 +32,6 @@ using testing::IsEmpty;
 using testing::StartsWith;
 using EventKind = WindowEvent::Kind;
 namespace fs = std::filesystem;
-
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (fs::temp_directory_path() / "hottel-XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path_); }
-  const fs::path& path() const { return path_; }
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
 
 // A desk with the small room on it, or another scene: the screen is 0, the room 1..4, the step 5, 6, the table 7..10.
 class Hand {
@@ -96,7 +80,7 @@ class Hand {
   }
 
   static constexpr double kPatience = 300;
-  Folder folder;
+  TemporaryFolder folder;
   RecordingWindow window;
   std::optional<Desk2> desk;
 

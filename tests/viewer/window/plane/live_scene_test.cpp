@@ -15,6 +15,7 @@
 #include "solver/plane/methods/computed_factors.h"
 #include "tests/sanitizers.h"
 #include "tests/solver/plane/edited_scenes.h"
+#include "tests/temporary_folder.h"
 #include "tests/viewer/edit/plane/edited_scenes.h"
 #include "viewer/edit/plane/scene_edits.h"
 #include "viewer/window/plane/camera.h"
@@ -631,16 +632,11 @@ TEST(Camera2, FitsWhatHasNoExtent) {
 
 class SceneFileTest : public testing::Test {
  protected:
-  SceneFileTest() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "hottel-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~SceneFileTest() override { std::filesystem::remove_all(folder_); }
   std::filesystem::path path(const char* name) const { return folder_ / name; }
   void write(const char* name, const std::string& text) const { std::ofstream(path(name)) << text; }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(SceneFileTest, GivesBackWhatIsWritten) {

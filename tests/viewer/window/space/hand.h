@@ -1,8 +1,6 @@
 // A hand on a desk in space, without a screen.
 #pragma once
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -11,26 +9,12 @@
 
 #include "geometry/scene_names.h"
 #include "io/scene/scene_json.h"
+#include "tests/temporary_folder.h"
 #include "viewer/window/recording_window.h"
 #include "viewer/window/script_player.h"
 #include "viewer/window/space/desk.h"
 
 namespace hottel::testing_desk {
-
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "hottel-XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 // A room of 2 x 2 x 2 with a solid box on its floor and a lamp below its ceiling.
 inline constexpr const char* kRoom = R"({"hottel": 1, "dimension": 3,
@@ -93,7 +77,7 @@ class Hand {
   }
 
   static constexpr double kPatience = 300;
-  Folder folder;
+  TemporaryFolder folder;
   RecordingWindow window;
   std::optional<Desk3> desk;
 };
