@@ -71,10 +71,10 @@ PlainMatrix plain_exchange(const PreparedScene2& prepared) {
   PlainMatrix matrix;
   matrix.begin.assign(elements.count() + 1, 0);
   const auto each_entry = [&](const auto& visit) {
-    for (const auto& [key, value] : sums) {
-      const auto i = static_cast<std::uint32_t>(key >> 32), j = static_cast<std::uint32_t>(key);
-      if (elements.has_row(i)) visit(i, j, value);
-      if (i != j && elements.has_row(j)) visit(j, i, value);
+    for (const PlainTerm2& sum : sums) {
+      const std::uint32_t i = sum.i(), j = sum.j();
+      if (elements.has_row(i)) visit(i, j, sum.value);
+      if (i != j && elements.has_row(j)) visit(j, i, sum.value);
     }
   };
   each_entry([&](std::uint32_t i, std::uint32_t, double) { ++matrix.begin[i + 1]; });

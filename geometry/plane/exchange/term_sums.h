@@ -20,6 +20,9 @@ namespace hottel {
 constexpr std::uint64_t pair_key(std::uint32_t i, std::uint32_t j) {
   return i <= j ? (static_cast<std::uint64_t>(i) << 32) | j : (static_cast<std::uint64_t>(j) << 32) | i;
 }
+// The two labels of a key.
+constexpr std::uint32_t smaller_label(std::uint64_t key) { return static_cast<std::uint32_t>(key >> 32); }
+constexpr std::uint32_t larger_label(std::uint64_t key) { return static_cast<std::uint32_t>(key); }
 
 // A term of 2 S(i, j) in fixed point, or the sum of some of them.
 //
@@ -34,8 +37,8 @@ struct PairSum2 {
   std::uint64_t is_obstructed : 1 = 0;  // a vertex that is no end of i or j took part: only then can j be hidden from i
   Int128 value = 0;                     // in units of Vertices2::fixed_unit()
 
-  std::uint32_t i() const { return static_cast<std::uint32_t>(key >> 32); }  // i <= j
-  std::uint32_t j() const { return static_cast<std::uint32_t>(key); }
+  std::uint32_t i() const { return smaller_label(key); }
+  std::uint32_t j() const { return larger_label(key); }
   FixedSum sum(double length_error) const { return {value, static_cast<double>(inexact) * length_error}; }
 
   void add(const PairSum2& term) {
@@ -52,6 +55,8 @@ struct PlainTerm2 {
   std::uint64_t key;
   double value;
 
+  std::uint32_t i() const { return smaller_label(key); }
+  std::uint32_t j() const { return larger_label(key); }
   void add(const PlainTerm2& term) { value += term.value; }
 };
 

@@ -252,7 +252,7 @@ ExchangeMatrix plain_matrix(const ElementTable2& table, const PlainSums2& sums, 
     };
     for (const auto& part : sums)
       for (const PlainTerm2& sum : part) {
-        const auto i = static_cast<std::uint32_t>(sum.key >> 32), j = static_cast<std::uint32_t>(sum.key);
+        const std::uint32_t i = sum.i(), j = sum.j();
         if (sum.value == 0) continue;
         visit_row(i, j, sum.value);
         if (j != i) visit_row(j, i, sum.value);
