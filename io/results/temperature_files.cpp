@@ -10,7 +10,7 @@
 #include "geometry/scene_names.h"
 #include "io/results/csv_field.h"
 #include "kernel/support/failure.h"
-#include "solver/radiosity/grey_temperature.h"
+#include "solver/radiosity/element_temperatures.h"
 
 namespace hottel {
 

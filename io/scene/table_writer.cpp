@@ -7,6 +7,7 @@
 #include <optional>
 #include <unordered_set>
 
+#include "geometry/grey_temperature.h"
 #include "io/scene/exact_decimal.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
@@ -38,6 +39,22 @@ std::string spectrum(const Spectrum& s) {
   return fmt::format("[{}, {}, {}]", json_number(s.value[0]), json_number(s.value[1]), json_number(s.value[2]));
 }
 
+Spectrum emissivity_of(const Material& m) {
+  Spectrum result{{}, m.reflectivity.is_scalar};
+  for (std::size_t c = 0; c < result.value.size(); ++c) result.value[c] = 1 - m.reflectivity.value[c];
+  return result;
+}
+
+// The temperature of a material that, given by it, reads back the same.
+std::optional<Spectrum> writable_temperature(const Material& m) {
+  if (m.emission.is_zero() || (m.emission.is_scalar && !m.reflectivity.is_scalar)) return std::nullopt;
+  const auto temperature = grey_temperature(m);
+  if (!temperature) return std::nullopt;
+  Spectrum result = Spectrum::scalar(*temperature);
+  result.is_scalar = m.emission.is_scalar || !m.reflectivity.is_scalar;
+  return result;
+}
+
 void write_materials(const SceneTable& table, std::string& out) {
   if (table.materials.empty()) return;
   std::unordered_set<std::string> names;
@@ -51,6 +68,9 @@ void write_materials(const SceneTable& table, std::string& out) {
     };
     if (m.is_insulated()) {
       members = "\"insulated\": true";
+    } else if (const auto temperature = writable_temperature(m)) {
+      add("emissivity", emissivity_of(m));
+      add("temperature", *temperature);
     } else {
       add("reflectivity", m.reflectivity);
       add("emission", m.emission);
@@ -107,8 +127,13 @@ void write_head(const SceneTable& table, int dimension, std::string& out) {
 }
 
 void write_sky(const SceneTable& table, std::string& out) {
-  if (!table.sky_emission.is_zero() || !table.sky_emission.is_scalar)
-    out += fmt::format(",\n  \"sky\": {{\"emission\": {}}}", spectrum(table.sky_emission));
+  if (!table.sky_emission.is_zero() || !table.sky_emission.is_scalar) {
+    Material black;
+    black.emission = table.sky_emission;
+    const auto temperature = writable_temperature(black);
+    out += fmt::format(",\n  \"sky\": {{\"{}\": {}}}", temperature ? "temperature" : "emission",
+                       spectrum(temperature ? *temperature : table.sky_emission));
+  }
   if (table.closed) out += ",\n  \"closed\": true";
 }
 

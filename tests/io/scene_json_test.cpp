@@ -134,6 +134,37 @@ TEST(SceneJson, AnInsulatedMaterialReflectsAllAndStaysInsulated) {
   EXPECT_NE(text.find("\"b\": {\"reflectivity\": 1}"), std::string::npos) << text;
 }
 
+// Temperatures stay temperatures, and whatever is written reads back as it was given, channel by channel.
+TEST(SceneJson, WritesTemperaturesAsSuch) {
+  const auto written = [](const std::string& material) {
+    const Scene2 scene = parse(R"({"hottel": 1, "dimension": 2, "materials": {"m": )" + material + "}}");
+    const std::string text = write_scene_2(scene);
+    const Material &before = scene.materials[0], again = parse(text).materials[0];
+    EXPECT_EQ(before, again) << text;
+    EXPECT_EQ(before.reflectivity.is_scalar, again.reflectivity.is_scalar) << text;
+    EXPECT_EQ(before.emission.is_scalar, again.emission.is_scalar) << text;
+    const std::size_t begin = text.find("\"m\": ") + 5;
+    return text.substr(begin, text.find('\n', begin) - begin);
+  };
+  for (const char* kept :
+       {R"({"emissivity": 0.9, "temperature": 288.15})", R"({"emissivity": [0.9, 0.5, 0], "temperature": 288})",
+        R"({"emissivity": 0.9, "temperature": [5, 5, 5]})", R"({"emissivity": 1, "temperature": "1/3"})",
+        R"({"reflectivity": 0.5, "emission": 10})", R"({"reflectivity": 1, "emission": 10})",
+        R"({"reflectivity": [0.1, 0.2, 0.3], "emission": [1, 2, 3]})"})
+    EXPECT_EQ(written(kept), kept);
+  EXPECT_EQ(written(R"({"emissivity": 0.9})"), R"({"reflectivity": 0.1})");
+  EXPECT_EQ(written(R"({"emissivity": [0.9, 0.5, 0], "temperature": [288, 288, 7]})"),
+            R"({"emissivity": [0.9, 0.5, 0], "temperature": 288})");
+  EXPECT_EQ(written(R"({"reflectivity": [0, 0, 0], "emission": "5.670374419e-8"})"),
+            R"({"reflectivity": [0, 0, 0], "emission": 0.00000005670374419})");
+  written(R"({"emissivity": [0.9, 0.5, 0.1], "temperature": [288, 289, 290]})");
+  for (const char* sky : {"{\"temperature\": 263.15}", "{\"emission\": 2}", "{\"temperature\": [263, 263, 263]}",
+                          "{\"emission\": [1, 2, 3]}"}) {
+    const std::string text = write_scene_2(parse(scene_with(std::string("\"sky\": ") + sky)));
+    EXPECT_NE(text.find(std::string("\"sky\": ") + sky), std::string::npos) << text;
+  }
+}
+
 TEST(SceneJson, AUnitIsANameAndKept) {
   const Scene2 scene = parse(scene_with("\"unit\": \"mm\""));
   EXPECT_EQ(scene.unit, "mm");

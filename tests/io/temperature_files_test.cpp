@@ -10,7 +10,7 @@
 
 #include "geometry/plane/scene/scene_builder.h"
 #include "io/scene/scene_json.h"
-#include "solver/radiosity/grey_temperature.h"
+#include "solver/radiosity/element_temperatures.h"
 
 namespace hottel {
 namespace {

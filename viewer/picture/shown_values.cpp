@@ -7,10 +7,11 @@
 #include <string_view>
 #include <utility>
 
+#include "geometry/grey_temperature.h"
 #include "geometry/near_names.h"
 #include "geometry/scene_names.h"
 #include "kernel/support/failure.h"
-#include "solver/radiosity/grey_temperature.h"
+#include "solver/radiosity/element_temperatures.h"
 
 namespace hottel {
 namespace {

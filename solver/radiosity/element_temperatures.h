@@ -1,4 +1,4 @@
-// The temperature of a surface, read off what it emits.
+// The temperatures of elements: what their material says, or what they come to by themselves.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,6 @@
 #include "solver/radiosity/radiosity_solution.h"
 
 namespace hottel {
-
-// Returns the temperature [K] of a grey body of this material: the rational T for which emission = (1 - reflectivity)
-// sigma T⁴ exactly, in every channel that is not white.
-//
-//   (1) a material given by emissivity and temperature, or equal to such a one, has the temperature that was typed;
-//       0 where it emits nothing
-//   (2) nothing for a material whose emission is no such number, as of a lamp that is given in W/m²; for channels of
-//       different temperatures; and for one that is white in all channels: what it emits says nothing of how warm it is
-// COST: microseconds.
-std::optional<Rational> grey_temperature(const Material& material);
 
 // Returns the temperature [K] of a black body that sends out this much [W/m²]: (power / sigma) to the 1/4.
 double black_temperature(double power);
