@@ -222,7 +222,7 @@ std::string summary(const FramesMade& made, std::uint32_t frames, std::uint32_t 
                         : fmt::format("; {} to {} active elements\n", least, most);
   text += fmt::format("factors: {} pairs computed, {} taken from what was kept; {} {} computed none\n", all.computed,
                       all.read, without_work, without_work == 1 ? "frame" : "frames");
-  if (defect > 0) text += fmt::format("rows close to {:.2g} as they were computed\n", defect);
+  if (defect > 0) text += fmt::format("rows sum to 1 within {:.2g} as they were computed\n", defect);
   text += fmt::format("radiosities: {:.3g} s in all, {:.3g} s at most for a frame\n", all.seconds, longest);
   text += "\nin " + folder.string() + ":";
   for (const std::string& file : files) text += " " + file;

@@ -44,7 +44,7 @@ std::string factors_text(const FactorsReport& report) {
     for (const std::string& note : report.of_method.notes) text += "\n" + note;
     return text + (report.store ? "\n" + store_text(*report.store) : "");
   }
-  std::string text = fmt::format("{} of {}, every factor correctly rounded; rows close exactly\n",
+  std::string text = fmt::format("{} of {}, every factor correctly rounded; before that rows sum to exactly 1\n",
                                  counted(counts.pairs, "visible pair"), rows);
   if (report.store && report.store->use.computed == 0)
     text += fmt::format("taken from a store; {:.3f} s", seconds);

@@ -203,7 +203,7 @@ TEST_F(FactorsInSpace, TheReportIsOneObjectWithItsTiers) {
   for (const char* count : {"hidden", "clear", "mixed", "pairs"}) EXPECT_GT(counts[count].get<int>(), 0) << count;
   EXPECT_LT(json["closure"]["max_defect"].get<double>(), 1e-8);
   EXPECT_FALSE(json["closure"]["exact"].get<bool>());
-  EXPECT_THAT(outcome.err, HasSubstr("rows close to "));
+  EXPECT_THAT(outcome.err, HasSubstr("rows sum to 1 within "));
   EXPECT_EQ(place_.run("hottel factors two_boxes.json --json --quiet").err, "");
 }
 

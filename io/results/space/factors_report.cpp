@@ -76,7 +76,7 @@ std::string factors_text(const FactorsReport3& report) {
               : fmt::format("{} enclosed and {} estimated within {} of the smaller area", counts.enclosed, estimated,
                             shortest(report.tolerance));
   text += fmt::format(
-      "; rows close to {:.1e}\n"
+      "; rows sum to 1 within {:.1e}\n"
       "patches that are hidden from each other: {}, clear: {}, with something between: {}; {:.3f} s",
       counts.max_defect, counts.hidden, counts.clear, counts.mixed, seconds);
   if (report.store) text += "\n" + store_text(*report.store);
