@@ -69,6 +69,16 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
+// What may have been meant by an option that a command has not: one of a name near it, or the place of the output.
+std::vector<std::string> option_hints(const std::string& option, const CLI::App& command) {
+  if (option != "-o" && option != "--out" && option != "--output")
+    return near_name_hints(option, option_names(command));
+  if (command.get_option_no_throw("-o") != nullptr) return {"-o says where to write"};
+  if (command.get_option_no_throw("OUT") != nullptr)
+    return {"where to write is an argument: hottel " + command.get_name() + " IN OUT"};
+  return {};
+}
+
 std::string after_colon(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return "hottel: " + text;
@@ -193,7 +203,7 @@ ExitCode Commands::parse_and_run(int argc, const char* const* argv) {
       message = (chosen.empty() ? "there is no " : command.get_name() + " has no ") + std::string(what) + " '" +
                 one_line(extra) + "'";
       if (is_option(extra))
-        hints = near_name_hints(extra, option_names(command));
+        hints = option_hints(extra, command);
       else if (chosen.empty())
         hints = near_name_hints(extra, command_names(program_));
     }

@@ -54,6 +54,10 @@ const Lookup kLookups[] = {
     {"kind", "generate clutterr", "there is no kind of scene called 'clutterr'", "did you mean 'clutter'?"},
     {"command", "factor rooms.json", "there is no command 'factor'", "did you mean 'factors'?"},
     {"option", "factors rooms.json --pictur p.png", "factors has no option '--pictur'", "did you mean '--picture'?"},
+    {"output", "factors rooms.json --output f.csv", "factors has no option '--output'", "-o says where to write"},
+    {"output_as_an_argument", "convert rooms.json -o new.json", "convert has no option '-o'",
+     "where to write is an argument: hottel convert IN OUT"},
+    {"output_of_none", "plan rooms.json -o plan.json", "plan has no option '-o'", nullptr},
     {"nothing_near", "visibility rooms.json --from fluorescent --to wall", "is called 'fluorescent'", nullptr},
 };
 
