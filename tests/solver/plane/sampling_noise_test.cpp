@@ -12,6 +12,7 @@
 #include <random>
 
 #include "solver/plane/methods/method_catalogue.h"
+#include "tests/sanitizers.h"
 #include "tests/solver/plane/judged_matrices.h"
 
 namespace hottel {
@@ -100,7 +101,7 @@ std::string bias_of(const Judged& judged, const Factors& factors) {
   return (noise->bias.is_leaky ? "leaky: " : "") + (noise->bias.sums.empty() ? "" : noise->bias.sums[0].words);
 }
 
-constexpr std::uint64_t kSeeds = 200;
+constexpr std::uint64_t kSeeds = kHasAddressSanitizer ? 20 : 200;
 
 struct Counter {
   const char* name;
