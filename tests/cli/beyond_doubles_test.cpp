@@ -132,9 +132,8 @@ TEST_F(BeyondDoubles, CheckForeseesWhatSolveRefuses) {
 
 TEST_F(BeyondDoubles, ANumberTooLongToBeWrittenIsToldByItsSize) {
   std::string text = room("0");
-  place_.write("s.json",
-               text.replace(text.find("\"emission\": 1"), 34,
-                            "\"emissivity\": \"1/3\", \"temperature\": [\"1e2000\", \"1e2000\", \"2e2000\"]"));
+  place_.write("s.json", text.replace(text.find("\"emission\": 1"), 34,
+                                      "\"emissivity\": \"1/3\", \"temperature\": [\"1e2000\", 1, 1]"));
   expect_refused("convert s.json out.json", "s.json: a number of ");
   EXPECT_THAT(place_.run("hottel convert s.json out.json").err, HasSubstr("e+7992, does not fit into a scene file"));
 }
