@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hottel {
@@ -20,8 +21,8 @@ constexpr std::size_t spread_key(std::uint64_t key, int shift) { return (key * 0
 //   (3) after take() the table is empty and may be filled anew
 //
 // REQUIRES: no term has the key kEmptyKey.
-// COST: about 10 ns a term where the table is in the cache; 1.3 to 2.7 times the size of a Term for each key, which
-// what take() returns keeps.
+// COST: about 10 ns a term where the table is in the cache, and little more where many are added at once; 1.3 to 2.7
+// times the size of a Term for each key, which what take() returns keeps.
 template <class Term>
 class PairTable {
  public:
@@ -38,6 +39,16 @@ class PairTable {
     }
   }
 
+  // Adds all of them, one after another. The place of each is fetched while those before it are added.
+  void add(std::span<const Term> terms) {
+    constexpr std::size_t kAhead = 8;
+    for (std::size_t n = 0; n < terms.size(); ++n) {
+      if (n + kAhead < terms.size() && !slots_.empty())
+        __builtin_prefetch(&slots_[first_place(terms[n + kAhead].key)], 1);
+      add(terms[n]);
+    }
+  }
+
   // The number of different keys.
   std::size_t size() const { return count_; }
 
@@ -50,9 +61,11 @@ class PairTable {
   }
 
  private:
+  std::size_t first_place(std::uint64_t key) const { return spread_key(key, shift_); }
+
   Term& find(std::uint64_t key) {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t place = spread_key(key, shift_);
+    std::size_t place = first_place(key);
     while (slots_[place].key != kEmptyKey && slots_[place].key != key) place = (place + 1) & mask;
     return slots_[place];
   }

@@ -53,8 +53,10 @@ template <class Term>
 std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::size_t labels,
                                          const TermSweep<Term>& sweep, const std::function<void(double)>& progress,
                                          std::uint64_t most_pairs, SumCounts2& counts) {
-  int partition_shift = 0;
-  while ((labels >> partition_shift) > 64) ++partition_shift;
+  // So many that the table of one stays in the cache with millions of pairs, so few that a small scene has few tables.
+  constexpr std::size_t kPartitions = 256;
+  int partition_shift = 5;
+  while ((labels >> partition_shift) > kPartitions) ++partition_shift;
   const std::size_t partitions = ((labels - 1) >> partition_shift) + 1;
   std::vector<PairTable<Term>> tables(partitions);
 
@@ -75,7 +77,7 @@ std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::s
     for (const TermBuffer2<Term>& out : buffers.all()) in_flight += out.size();
     parallel_for(partitions, [&](std::size_t partition) {
       for (TermBuffer2<Term>& out : buffers.all()) {
-        for (const Term& term : out.partition(partition)) tables[partition].add(term);
+        tables[partition].add(out.partition(partition));
         out.partition(partition).clear();
       }
     });
