@@ -55,7 +55,7 @@ std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::s
                                          std::uint64_t most_pairs, SumCounts2& counts) {
   // So many that the table of one stays in the cache with millions of pairs, so few that a small scene has few tables.
   constexpr std::size_t kPartitions = 256;
-  int partition_shift = 5;
+  int partition_shift = 5;  // 32 labels and more share a table
   while ((labels >> partition_shift) > kPartitions) ++partition_shift;
   const std::size_t partitions = ((labels - 1) >> partition_shift) + 1;
   std::vector<PairTable<Term>> tables(partitions);
