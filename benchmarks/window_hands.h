@@ -23,15 +23,13 @@ struct Room {
   std::string name;
   std::string file;
   SimulationRequest2 request;
-  std::size_t edges = 0;
 };
 
 // A scene in a folder, with light on 256 x 192 cells.
 inline Room room_of(const std::string& name, const Scene2& scene, const Folder& folder) {
-  const std::size_t edges = scene.edges.size();
-  const std::string file = folder.file(name + std::to_string(edges) + ".json");
+  const std::string edges = std::to_string(scene.edges.size()), file = folder.file(name + edges + ".json");
   std::ofstream(file) << write_scene_2(scene);
-  return {name + "/edges:" + std::to_string(edges), file, {.grid = grid_over(scene, 256, 192)}, edges};
+  return {name + "/edges:" + edges, file, {.grid = grid_over(scene, 256, 192)}};
 }
 
 // Rooms of furniture: `hottel generate room --n EDGES --seed 1`.
@@ -45,8 +43,7 @@ inline Scene2 furnished(std::uint64_t edges) {
 
 inline Room apartment() {
   const std::string file = "scenes/showcase/apartment.json";
-  const std::size_t edges = read_scene_2(file).edges.size();
-  return {"apartment/edges:" + std::to_string(edges), file, {}, edges};
+  return {"apartment/edges:" + std::to_string(read_scene_2(file).edges.size()), file, {}};
 }
 
 // A desk of 1280 x 800 pixels that shows light, and what a mouse and a keyboard do to it.

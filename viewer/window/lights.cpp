@@ -1,5 +1,7 @@
 #include "viewer/window/lights.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -61,6 +63,10 @@ std::string begin_to_move(std::optional<Rational>& time, bool is_dragging, bool 
   if (!can_move) return "no light moves";
   time = 0;
   return "the lights move";
+}
+
+std::string why_lights_stand(const Rational& seconds, const std::string& problem) {
+  return fmt::format("after {:.4g} s: {}", to_double(seconds), problem);
 }
 
 Prompt light_prompt(const Light& light, std::vector<Rational> rotation,

@@ -38,6 +38,9 @@ void draw_light(PictureCanvas& canvas, const Light& light, const LightMark& mark
 // Lets lights begin to move, at the time 0, where nothing is dragged and some light can. Returns what is to be said.
 std::string begin_to_move(std::optional<Rational>& time, bool is_dragging, bool can_move);
 
+// What is to be said where lights come to stand, so long after they began to move.
+std::string why_lights_stand(const Rational& seconds, const std::string& problem);
+
 // Asks for the values of a light and the rotation of its axis. change: what to do with those that are read.
 Prompt light_prompt(const Light& light, std::vector<Rational> rotation,
                     const std::function<void(const Light& light, std::span<const Rational> rotation)>& change);

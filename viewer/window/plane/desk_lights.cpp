@@ -1,6 +1,4 @@
 // What a desk does to lights, and how it draws them.
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "geometry/plane/scene/moving_lights.h"
@@ -64,9 +62,9 @@ void Desk2::move_lights() {
     problem = error.what();
   }
   if (!problem.empty()) {
-    const std::string when = fmt::format("after {:.4g} s: ", to_double(*time_));
+    const std::string why = why_lights_stand(*time_, problem);
     stop();
-    message_ = when + problem;
+    message_ = why;
     return;
   }
   moved_ = std::move(moved);

@@ -1,12 +1,9 @@
 // What a desk in space does to lights, and how it draws them.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
 #include "geometry/space/scene/light_place_problem.h"
 #include "geometry/space/scene/moving_lights.h"
-#include "kernel/decimal.h"
 #include "viewer/edit/decimals.h"
 #include "viewer/edit/light_edits.h"
 #include "viewer/edit/space/light_region.h"
@@ -133,9 +130,9 @@ void Desk3::move_lights() {
   for (std::uint32_t k = 0; k < moved->lights.size() && problem.empty(); ++k)
     if (moved->light_places[k].position != scene()->light_places[k].position) problem = place_problem(*moved, k);
   if (!problem.empty()) {
-    const std::string when = fmt::format("after {} s ", short_text(*time_));
+    const std::string why = why_lights_stand(*time_, problem);
     stop();
-    message_ = when + problem;
+    message_ = why;
     return;
   }
   shown_ = moved;

@@ -204,7 +204,7 @@ TEST(Desk3Lights, StandAgainWhereTheyWouldMeetASurface) {
   EXPECT_EQ(hand.desk->time(), Rational(9, 20));
   hand.play("pause 0.05");
   EXPECT_EQ(hand.desk->time(), std::nullopt);
-  EXPECT_THAT(hand.desk->message(), StartsWith("after 0.5 s bulb lies on the surface 'rear'"));
+  EXPECT_THAT(hand.desk->message(), StartsWith("after 0.5 s: bulb lies on the surface 'rear'"));
 }
 
 TEST(Desk3Lights, AreDrawnInTheirColour) {
