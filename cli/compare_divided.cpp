@@ -56,7 +56,7 @@ NamedMethod at_division(const NamedMethod& method, std::uint32_t elements) {
 }
 
 template <class Kind>
-ExitCode compare_in(const CompareOptions& options, const typename Kind::Scene& scene, Streams& streams) {
+ExitCode compare_divided_in(const CompareOptions& options, const typename Kind::Scene& scene, Streams& streams) {
   require_divisions(options);
   const auto catalogue = Kind::methods();
   const std::vector<NamedMethod> named = methods_besides_exact(catalogue, options);
@@ -122,8 +122,8 @@ ExitCode compare_in(const CompareOptions& options, const typename Kind::Scene& s
 
 ExitCode compare_divided(const CompareOptions& options, Scene scene, Streams& streams) {
   if (const auto* const in_space = std::get_if<Scene3>(&scene))
-    return compare_in<ComparedSpace>(options, *in_space, streams);
-  return compare_in<ComparedPlane>(options, std::get<Scene2>(scene), streams);
+    return compare_divided_in<ComparedSpace>(options, *in_space, streams);
+  return compare_divided_in<ComparedPlane>(options, std::get<Scene2>(scene), streams);
 }
 
 }  // namespace hottel

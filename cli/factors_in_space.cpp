@@ -36,7 +36,7 @@ void require_what_space_has(const FactorsOptions& options) {
   if (options.memory > 0) refuse_of("--memory");
 }
 
-FactorsRequest3 request_of(const FactorsOptions& options) {
+FactorsRequest3 request_in_space(const FactorsOptions& options) {
   return {.method = options.is_exact() ? nullptr : all_methods_3().make(options.method),
           .granularity = options.per(),
           .wants_visibility = options.is_exact() && (options.matrix.empty() || options.matrix == "visibility"),
@@ -51,7 +51,7 @@ FactorsRequest3 request_of(const FactorsOptions& options) {
 
 void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams& streams) {
   require_what_space_has(options);
-  const FactorsRequest3 request = request_of(options);
+  const FactorsRequest3 request = request_in_space(options);
   options.elements.apply_to(scene);
   require_room_for(options, [&](DenseFormat format) {
     const ElementCounts3 counts = element_counts(scene, request.granularity);

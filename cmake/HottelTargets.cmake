@@ -12,18 +12,41 @@ function(hottel_compile_options target)
 endfunction()
 
 # hottel_precompile(TARGET HEADERS...): these headers, of libraries that most sources of the target include, are read
-# once. Sources include what they use all the same: builds without HOTTEL_PRECOMPILED_HEADERS see to that.
+# once. Sources include what they use all the same: builds without HOTTEL_BATCHES see to that.
 function(hottel_precompile target)
-  if(HOTTEL_PRECOMPILED_HEADERS)
+  if(HOTTEL_BATCHES)
     target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional>
                               <set> <span> <string> <string_view> <variant> <vector> ${ARGN})
   endif()
 endfunction()
 
-# hottel_layer(NAME PUBLIC libs... PRIVATE libs... EXCEPT sources...): the folder NAME/, but for these sources, as the
-# library hottel_NAME.
+# hottel_batch(TARGET SOURCES...): these sources of the target are compiled eight at a time, folder by folder, so that
+# headers and templates are read once for all of them. Names that are local to a source must differ within its folder.
+function(hottel_batch target)
+  if(NOT HOTTEL_BATCHES)
+    return()
+  endif()
+  set(folder_before "")
+  foreach(source IN LISTS ARGN)
+    cmake_path(GET source PARENT_PATH folder)
+    if(NOT folder STREQUAL folder_before)
+      set(folder_before "${folder}")
+      set(place 0)
+    endif()
+    math(EXPR batch "${place} / 8")
+    math(EXPR place "${place} + 1")
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE name)
+    string(MAKE_C_IDENTIFIER "${name}_${batch}" name)
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${name}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# hottel_layer(NAME [BATCHED] PUBLIC libs... PRIVATE libs... EXCEPT sources...): the folder NAME/, but for these sources, as
+# the library hottel_NAME. Layers that decide about numbers are compiled source by source: what a name means there
+# depends on no neighbour.
 function(hottel_layer name)
-  cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE;EXCEPT" ${ARGN})
+  cmake_parse_arguments(arg "BATCHED" "" "PUBLIC;PRIVATE;EXCEPT" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${name}/*.cpp")
   list(TRANSFORM arg_EXCEPT PREPEND "${PROJECT_SOURCE_DIR}/")
   list(REMOVE_ITEM sources ${arg_EXCEPT})
@@ -31,6 +54,9 @@ function(hottel_layer name)
     add_library(hottel_${name} STATIC ${sources})
     hottel_compile_options(hottel_${name})
     hottel_precompile(hottel_${name} <gmpxx.h>)
+    if(arg_BATCHED)
+      hottel_batch(hottel_${name} ${sources})
+    endif()
     target_include_directories(hottel_${name} PUBLIC
       "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hottel>")
     target_compile_features(hottel_${name} PUBLIC cxx_std_20)

@@ -17,7 +17,7 @@ struct View3dHead {
   std::string_view body;
 };
 
-View3dHead read_head(const std::string& file, std::string_view text) {
+View3dHead read_view3d_head(const std::string& file, std::string_view text) {
   const auto refuse = [&](const std::string& what) { throw InputError({file, 1}, what); };
   const std::size_t end = text.find('\n');
   if (end == std::string_view::npos) refuse("breaks off in View3D's first line");
@@ -97,7 +97,7 @@ void read_binary(const View3dHead& head, ForeignMatrix& matrix) {
 }  // namespace
 
 ForeignMatrix read_view3d(const std::string& file, std::string_view text) {
-  const View3dHead head = read_head(file, text);
+  const View3dHead head = read_view3d_head(file, text);
   ForeignMatrix matrix;
   matrix.file = file;
   matrix.rows = matrix.columns = head.count;

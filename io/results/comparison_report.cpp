@@ -133,12 +133,9 @@ std::string comparison_text(const ComparisonReport& report) {
 
 namespace {
 
-// Empty for what is not known.
-std::string field(const std::optional<double>& value) { return value && !std::isnan(*value) ? shortest(*value) : ""; }
-
-// Empty also for a length beyond the range of doubles.
+// Empty for what is not known, and for a length beyond the range of doubles.
 std::string length_field(const std::optional<double>& value) {
-  return field(value && std::isfinite(*value) ? value : std::nullopt);
+  return csv_number(value && std::isfinite(*value) ? value : std::nullopt);
 }
 
 }  // namespace
@@ -147,8 +144,8 @@ std::string compare_csv(std::span<const MethodResult> results) {
   std::string text = "method,guarantee,seconds,max_error,rms_error,closure,max_radiosity_error\n";
   for (const MethodResult& each : results)
     text += fmt::format("{},{},{},{},{},{},{}\n", csv_field(each.info.name), to_string(each.info.guarantee),
-                        field(each.timing.median), field(each.errors.max), field(each.errors.rms),
-                        field(each.errors.closure), field(each.max_radiosity_error));
+                        csv_number(each.timing.median), csv_number(each.errors.max), csv_number(each.errors.rms),
+                        csv_number(each.errors.closure), csv_number(each.max_radiosity_error));
   return text;
 }
 
@@ -157,8 +154,8 @@ std::string worst_csv(std::span<const ExplainedPair> pairs) {
   for (const auto& [method, from, to, error, explanation] : pairs)
     text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_field(method), csv_field(from), csv_field(to),
                         shortest(error.value), shortest(error.exact), shortest(error.error()),
-                        field(explanation.visibility), length_field(explanation.distance), field(explanation.angle),
-                        csv_field(explanation.reason));
+                        csv_number(explanation.visibility), length_field(explanation.distance),
+                        csv_number(explanation.angle), csv_field(explanation.reason));
   return text;
 }
 
@@ -169,7 +166,7 @@ std::string readings_csv(std::span<const WorkCurve> curves, std::span<const doub
   for (const double error : errors)
     for (const WorkCurve& curve : curves)
       text += fmt::format("{},{},{},{}\n", shortest(error), csv_field(curve.family),
-                          field(seconds_to_reach(curve.points, error)),
+                          csv_number(seconds_to_reach(curve.points, error)),
                           exact == curves.end() ? "" : shortest(exact->points.front().seconds));
   return text;
 }

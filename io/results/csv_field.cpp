@@ -1,5 +1,9 @@
 #include "io/results/csv_field.h"
 
+#include <cmath>
+
+#include "kernel/rational.h"
+
 namespace hottel {
 
 std::string csv_field(const std::string& text) {
@@ -11,5 +15,7 @@ std::string csv_field(const std::string& text) {
   }
   return quoted + "\"";
 }
+
+std::string csv_number(std::optional<double> value) { return value && !std::isnan(*value) ? shortest(*value) : ""; }
 
 }  // namespace hottel

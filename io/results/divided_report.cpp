@@ -16,8 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string field(const std::optional<double>& value) { return value && !std::isnan(*value) ? shortest(*value) : ""; }
-
 std::string short_number(const std::optional<double>& value) {
   return value && !std::isnan(*value) ? fmt::format("{:.2g}", *value) : "-";
 }
@@ -44,9 +42,9 @@ std::string divide_csv(std::span<const DividedResult> results) {
       "divide,elements,method,guarantee,seconds,max_error,rms_error,closure,max_radiosity_error,face_radiosity_error\n";
   for (const auto& [divide, each] : results)
     text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", divide, each.elements, csv_field(each.info.name),
-                        to_string(each.info.guarantee), field(each.timing.median), field(each.errors.max),
-                        field(each.errors.rms), field(each.errors.closure), field(each.max_radiosity_error),
-                        field(each.face_radiosity_error));
+                        to_string(each.info.guarantee), csv_number(each.timing.median), csv_number(each.errors.max),
+                        csv_number(each.errors.rms), csv_number(each.errors.closure),
+                        csv_number(each.max_radiosity_error), csv_number(each.face_radiosity_error));
   return text;
 }
 

@@ -9,11 +9,7 @@
 #include "kernel/support/counted.h"
 
 namespace hottel {
-namespace {
-
-std::string field(double value) { return std::isnan(value) ? "" : shortest(value); }
-
-}  // namespace
+namespace {}  // namespace
 
 std::array<double, 3> GridPlace::centre(std::uint32_t iu, std::uint32_t iv) const {
   std::array<double, 3> point = origin;
@@ -28,12 +24,12 @@ std::string grid_csv(std::span<const GridErrors> errors, std::span<const std::st
     const GridErrors& each = errors[c];
     const std::array<double, 3> at = place.centre(each.ix, each.iy);
     text += fmt::format("{},{},{},{},{},{},{}", csv_field(channels[c]), each.cells, each.missing, each.extra,
-                        field(each.max), field(each.rms), field(each.largest));
+                        csv_number(each.max), csv_number(each.rms), csv_number(each.largest));
     if (each.cells == 0)
       text += ",,,,,,,\n";
     else
-      text += fmt::format(",{},{},{},{},{},{},{}\n", each.ix, each.iy, field(at[0]), field(at[1]),
-                          place.is_in_space ? field(at[2]) : "", field(each.value), field(each.exact));
+      text += fmt::format(",{},{},{},{},{},{},{}\n", each.ix, each.iy, csv_number(at[0]), csv_number(at[1]),
+                          place.is_in_space ? csv_number(at[2]) : "", csv_number(each.value), csv_number(each.exact));
   }
   return text;
 }

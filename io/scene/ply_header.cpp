@@ -36,9 +36,10 @@ constexpr std::array<std::pair<const char*, PlyFormat>, 3> kFormats{{{"ascii", P
 
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
-  constexpr std::string_view kBlanks = " \t\v\f\r";
-  for (std::size_t k = line.find_first_not_of(kBlanks); k < line.size(); k = line.find_first_not_of(kBlanks, k)) {
-    const std::size_t end = std::min(line.find_first_of(kBlanks, k), line.size());
+  constexpr std::string_view kBetweenWords = " \t\v\f\r";
+  for (std::size_t k = line.find_first_not_of(kBetweenWords); k < line.size();
+       k = line.find_first_not_of(kBetweenWords, k)) {
+    const std::size_t end = std::min(line.find_first_of(kBetweenWords, k), line.size());
     words.push_back(line.substr(k, end - k));
     k = end;
   }

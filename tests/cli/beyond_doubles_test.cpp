@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel {
+namespace hottel::beyond_doubles_test {
 namespace {
 
 using testing::EndsWith;
@@ -208,4 +208,4 @@ TEST_F(BeyondDoubles, WhatIsSeenIsNotDrawn) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::beyond_doubles_test

@@ -12,7 +12,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel {
+namespace hottel::heat_test {
 namespace {
 
 using testing::HasSubstr;
@@ -200,4 +200,4 @@ TEST(Insulated, IsAQuantityOfPictures) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::heat_test

@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel {
+namespace hottel::mesh_convert_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -75,4 +75,4 @@ TEST(MeshConvert, MeshesThatCannotBeWrittenLeaveWhatWasThere) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::mesh_convert_test

@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel {
+namespace hottel::notes_test {
 namespace {
 
 using testing::HasSubstr;
@@ -121,4 +121,4 @@ TEST(Notes, FramesOfALongerRunAreNamed) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::notes_test

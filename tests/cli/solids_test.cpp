@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel {
+namespace hottel::solids_test {
 namespace {
 
 using testing::AllOf;
@@ -162,4 +162,4 @@ TEST(Solids, ACoveredPlaceOfAFaceIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::solids_test

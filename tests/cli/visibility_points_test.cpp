@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel {
+namespace hottel::visibility_points_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -171,4 +171,4 @@ TEST(VisibilityGraph, OfASceneBeyondDoublesIsWrittenExactly) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::visibility_points_test

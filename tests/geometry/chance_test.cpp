@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-namespace hottel {
+namespace hottel::chance_test {
 namespace {
 
 TEST(Chance, IsTheSameOnEveryMachine) {
@@ -57,4 +57,4 @@ TEST(SideOfSquareAndCube, AreTheLeastThatSuffice) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::chance_test

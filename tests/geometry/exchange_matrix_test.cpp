@@ -12,7 +12,7 @@
 
 #include "kernel/support/failure.h"
 
-namespace hottel {
+namespace hottel::exchange_matrix_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -175,4 +175,4 @@ TEST(ExchangeMatrix, HasFactorsByName) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::exchange_matrix_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hottel {
+namespace hottel::face_test {
 namespace {
 
 TEST(Face, IsFoundAgainByItsNumber) {
@@ -17,4 +17,4 @@ TEST(Face, IsOrderedBySurfaceTheFrontBeforeTheBack) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::face_test

@@ -7,7 +7,7 @@
 
 #include "kernel/support/failure.h"
 
-namespace hottel {
+namespace hottel::npy_test {
 namespace {
 
 TEST(Npy, HeadersAreWhatNumPyWrites) {
@@ -49,4 +49,4 @@ TEST(Npy, NumbersFollowInCOrder) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::npy_test

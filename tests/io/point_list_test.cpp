@@ -10,7 +10,7 @@
 
 #include "kernel/support/failure.h"
 
-namespace hottel {
+namespace hottel::point_list_test {
 namespace {
 
 using testing::ElementsAre;
@@ -92,4 +92,4 @@ TEST(PointList, WhatIsNoPointIsRefusedWithItsLine) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::point_list_test

@@ -10,7 +10,7 @@
 
 #include "tests/refusal.h"
 
-namespace hottel {
+namespace hottel::scene_json_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -484,4 +484,4 @@ TEST(ReadScene2, NamesFilesThatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::scene_json_test

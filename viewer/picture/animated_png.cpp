@@ -6,17 +6,12 @@
 #include <vector>
 
 #include "kernel/support/failure.h"
+#include "viewer/picture/big_endian.h"
 
 namespace hottel {
 namespace {
 
 constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
-
-std::string big_endian(std::uint32_t value) {
-  std::string bytes;
-  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>((value >> shift) & 0xff);
-  return bytes;
-}
 
 std::string big_endian16(std::uint16_t value) { return big_endian(value).substr(2); }
 

@@ -19,6 +19,15 @@
 #include "viewer/picture/png_file.h"
 
 namespace hottel {
+
+// A text of an SVG. Cairo draws letters as shapes there; so a line is drawn in the place of each text, marked by a
+// miter limit that nothing else has, and the text is put in its place when all is written.
+struct SvgText {
+  double x, y, width;  // of the left end of its base line
+  std::string text;
+  TextStyle style;
+};
+
 namespace {
 
 constexpr const char* kTypeface = "DejaVu Sans Condensed";  // another sans serif stands in where it is missing
@@ -85,14 +94,6 @@ std::string with_own_numbers(std::string_view svg, std::string_view word) {
   }
   return result += svg;
 }
-
-// A text of an SVG. Cairo draws letters as shapes there; so a line is drawn in the place of each text, marked by a
-// miter limit that nothing else has, and the text is put in its place when all is written.
-struct SvgText {
-  double x, y, width;  // of the left end of its base line
-  std::string text;
-  TextStyle style;
-};
 
 constexpr std::size_t kFirstMark = 1'000'000;
 constexpr std::string_view kMarkedStyle = "stroke-miterlimit:";

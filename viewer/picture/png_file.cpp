@@ -9,6 +9,7 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "viewer/picture/big_endian.h"
 #include "viewer/picture/raster.h"
 
 namespace hottel {
@@ -17,11 +18,6 @@ namespace {
 constexpr int kLevel = 4;
 constexpr std::size_t kStripBytes = std::size_t{1} << 19;  // of pixels, about
 constexpr unsigned char kUp = 2;                           // each byte less the one above it
-
-std::string big_endian(std::uint32_t number) {
-  return {static_cast<char>(number >> 24), static_cast<char>(number >> 16), static_cast<char>(number >> 8),
-          static_cast<char>(number)};
-}
 
 const Bytef* bytes_of(std::string_view text) { return reinterpret_cast<const Bytef*>(text.data()); }
 

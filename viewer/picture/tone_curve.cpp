@@ -15,7 +15,7 @@ namespace {
 // The words of Tone, in its order.
 constexpr std::array<const char*, 4> kTones{"linear", "reinhard", "log", "max"};
 
-constexpr double kMiddle = 0.25, kLogSteepness = 2;
+constexpr double kMiddleLight = 0.25, kLogSteepness = 2;
 
 std::array<double, 3> rgb(std::span<const double> value) {
   return value.size() < 3 ? std::array{value[0], value[0], value[0]} : std::array{value[0], value[1], value[2]};
@@ -98,7 +98,7 @@ ToneCurve::ToneCurve(Tone tone, double exposure, std::span<const double> values,
       scale_ = largest > 0 ? exposure / largest : exposure;
       break;
     case Tone::kReinhard:
-      scale_ = kMiddle * exposure / middle;
+      scale_ = kMiddleLight * exposure / middle;
       break;
     case Tone::kLog:
       scale_ = kLogSteepness * exposure / middle;

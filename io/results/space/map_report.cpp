@@ -10,19 +10,13 @@
 #include "geometry/scene_names.h"
 #include "geometry/space/arrangement/solids.h"
 #include "geometry/space/scene/scene.h"
+#include "io/results/space/exact_point.h"
 #include "kernel/support/counted.h"
 
 namespace hottel {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json json_of(const Point3& p) {
-  return {{"x", to_double(p.x)},
-          {"y", to_double(p.y)},
-          {"z", to_double(p.z)},
-          {"exact", {to_string(p.x), to_string(p.y), to_string(p.z)}}};
-}
 
 std::string solid_name(const Scene3& scene, const Solids3& solids, std::uint32_t mesh) {
   return scene.groups[solids.meshes()[mesh].group].name;
@@ -84,8 +78,8 @@ std::string text_of(const Scene3& scene, const Solids3& solids, const PointMap3&
 VisibilityAnswer map_answer(const Scene3& scene, const Solids3& solids, const Look3& look, const PointMap3& map,
                             const std::string& what) {
   const bool has_factors = look.normal.has_value();
-  Json json{{"at", json_of(look.eye)}};
-  if (has_factors) json["normal"] = json_of(*look.normal);
+  Json json{{"at", exact_point(look.eye)}};
+  if (has_factors) json["normal"] = exact_point(*look.normal);
   json["faces"] = faces_of(scene, map, has_factors);
   const double sky = not_negative(map.sky_fraction);
   json["sky"] = {{"fraction", sky}, {"solid_angle", solid_angle(sky)}};
@@ -100,7 +94,7 @@ VisibilityAnswer map_answer(const Scene3& scene, const Solids3& solids, const Lo
 }
 
 VisibilityAnswer answer_in_solid_3(const Look3& look, const std::string& solid, const std::string& what) {
-  const Json json{{"at", json_of(look.eye)},
+  const Json json{{"at", exact_point(look.eye)},
                   {"solid", solid},
                   {"faces", Json::array()},
                   {"sky", {{"fraction", 0}, {"solid_angle", 0}}},

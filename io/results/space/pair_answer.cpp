@@ -7,6 +7,7 @@
 
 #include "geometry/scene_names.h"
 #include "geometry/space/scene/scene.h"
+#include "io/results/space/exact_point.h"
 
 namespace hottel {
 namespace {
@@ -66,13 +67,6 @@ Json json_of(const Estimate3& number) {
   return {{"value", number.value}, {"lower", number.bounds.lower}, {"upper", number.bounds.upper}};
 }
 
-Json json_of(const Point3& p) {
-  return {{"x", to_double(p.x)},
-          {"y", to_double(p.y)},
-          {"z", to_double(p.z)},
-          {"exact", {hottel::to_string(p.x), hottel::to_string(p.y), hottel::to_string(p.z)}}};
-}
-
 Json names_of(const Scene3& scene, const std::vector<std::uint32_t>& surfaces) {
   Json names = Json::array();
   for (const std::uint32_t s : surfaces) names.push_back(scene.surfaces[s].name);
@@ -86,7 +80,7 @@ Json json_of(const Scene3& scene, const PairReport3::Stretch& stretch) {
   Json json{{"role", to_string(stretch.role)}, {"of", nullptr}};
   if (stretch.is_on_from) json["of"] = "from";
   if (stretch.is_on_to) json["of"] = "to";
-  json["ends"] = {json_of(stretch.from), json_of(stretch.to)};
+  json["ends"] = {exact_point(stretch.from), exact_point(stretch.to)};
   json["at"] = names_of(scene, stretch.surfaces);
   json["relied"] = stretch.relied;
   json["exchange"] = stretch.measure;

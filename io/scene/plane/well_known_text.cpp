@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
 
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool is_letter_of_word(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void WellKnownText2::refuse_here(const std::string& expected) const {
 std::string WellKnownText2::word() {
   skip_blanks();
   std::string result;
-  for (; at_ < text_.size() && is_letter(text_[at_]); ++at_)
+  for (; at_ < text_.size() && is_letter_of_word(text_[at_]); ++at_)
     result += static_cast<char>(std::toupper(static_cast<unsigned char>(text_[at_])));
   return result;
 }
@@ -53,7 +53,7 @@ void WellKnownText2::expect(char c) {
 
 bool WellKnownText2::begins() {
   skip_blanks();
-  if (at_ < text_.size() && is_letter(text_[at_])) {
+  if (at_ < text_.size() && is_letter_of_word(text_[at_])) {
     const FileLine where = here();
     const std::string found = word();
     if (found == "EMPTY") return false;

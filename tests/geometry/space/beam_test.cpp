@@ -12,7 +12,7 @@
 
 #include "tests/oracle/space/beam_share.h"
 
-namespace hottel {
+namespace hottel::beam_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -273,4 +273,4 @@ TEST(Beam3, SaysWhatIsWrongWithIt) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::beam_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace hottel {
+namespace hottel::polygon_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -35,7 +35,7 @@ Polygon3 polygon(const std::string& text) {
 std::string problem(const std::string& text) { return polygon_problem(polygon(text)).text; }
 
 // Turned by the rotation of (2, 3, 6) / 7, exactly.
-Polygon3 turned(const Polygon3& flat) {
+Polygon3 tilted(const Polygon3& flat) {
   Polygon3 result;
   for (const Point3& p : flat.points)
     result.points.push_back(
@@ -85,7 +85,7 @@ TEST(Polygon3, MayHavePointsInTheMiddleOfItsSides) {
 TEST(Polygon3, IsConvexOnWhicheverSideAndWhereverItBegins) {
   const auto expect = [](Polygon3 p, bool is_one) {
     for (std::size_t begin = 0; begin < p.points.size(); ++begin) {
-      for (Polygon3 q : {p, turned(p)}) {
+      for (Polygon3 q : {p, tilted(p)}) {
         EXPECT_EQ(polygon_problem(q).text, "") << begin;
         EXPECT_EQ(is_convex(q), is_one) << begin;
         std::reverse(q.points.begin(), q.points.end());
@@ -135,7 +135,7 @@ TEST(Polygon3, HasTheNormalOfItsFrontTwiceAsLongAsItsArea) {
   Polygon3 back = square;
   std::reverse(back.points.begin(), back.points.end());
   EXPECT_EQ(doubled_area(back), (Vector3{0, 0, -12}));
-  Polygon3 other = turned(square);
+  Polygon3 other = tilted(square);
   const Vector3 normal = doubled_area(other);
   EXPECT_EQ(dot(normal, normal), 144);
   std::rotate(other.points.begin(), other.points.begin() + 2, other.points.end());
@@ -177,4 +177,4 @@ TEST(Polygon3, OfAHullHasNoProblemAndWithTwoPointsSwappedOne) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::polygon_test

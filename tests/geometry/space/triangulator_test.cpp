@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace hottel {
+namespace hottel::triangulator_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -161,4 +161,4 @@ TEST(Triangulator, SurfacesKeepAllButTheirNamesAndTheNoteTellsThem) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::triangulator_test

@@ -13,7 +13,7 @@
 #include "tests/io/space/mesh_bytes.h"
 #include "tests/refusal.h"
 
-namespace hottel {
+namespace hottel::ply_reader_test {
 namespace {
 
 using testing::ElementsAre;
@@ -263,4 +263,4 @@ TEST(PlyReader, RefusesWhatIsNoMesh) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::ply_reader_test

@@ -16,7 +16,7 @@
 #include "solver/plane/light/illumination_grid.h"
 #include "solver/radiosity/radiosity.h"
 
-namespace hottel {
+namespace hottel::floating_point_environment_test {
 namespace {
 
 struct Everything {
@@ -140,4 +140,4 @@ TEST(FloatingPointEnvironment, OfWorkersMayFlushSubnormalNumbersToZero) {
 #endif
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::floating_point_environment_test

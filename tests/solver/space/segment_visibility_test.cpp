@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace hottel {
+namespace hottel::segment_visibility_test {
 namespace {
 
 constexpr std::uint32_t kNoSurface = 0xfffffffe;
@@ -137,4 +137,4 @@ TEST(SegmentVisibility3, APolygonHidesNothingFromItsOwnPointsAndTheSkyIsBeyondAl
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::segment_visibility_test

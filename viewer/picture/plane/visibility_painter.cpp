@@ -13,7 +13,7 @@
 namespace hottel {
 namespace {
 
-constexpr double kFooter = 44;
+constexpr double kFooterOfSights = 44;
 constexpr double kFar = 1e4;  // times as far as anything that is seen
 
 struct Rectangle {
@@ -138,7 +138,7 @@ PairDrawing2 drawing_of(const PairSight2& sight) {
 }
 
 VisibilityPainter2::VisibilityPainter2(const PreparedScene2& prepared, const VisibilityDrawing2& drawing)
-    : VisibilityPainter2(drawing, SceneSheet2(prepared, drawing.sheet, kFooter, {drawing.eye})) {}
+    : VisibilityPainter2(drawing, SceneSheet2(prepared, drawing.sheet, kFooterOfSights, {drawing.eye})) {}
 
 VisibilityPainter2::VisibilityPainter2(const VisibilityDrawing2& drawing, SceneSheet2 sheet)
     : drawing_(drawing), sheet_(std::move(sheet)) {}
@@ -165,7 +165,7 @@ void VisibilityPainter2::draw(PictureCanvas& canvas) const {
 }
 
 PairPainter2::PairPainter2(const PreparedScene2& prepared, const PairDrawing2& drawing)
-    : PairPainter2(drawing, SceneSheet2(prepared, drawing.sheet, kFooter, drawing.critical_on_a)) {}
+    : PairPainter2(drawing, SceneSheet2(prepared, drawing.sheet, kFooterOfSights, drawing.critical_on_a)) {}
 
 PairPainter2::PairPainter2(const PairDrawing2& drawing, SceneSheet2 sheet)
     : drawing_(drawing), sheet_(std::move(sheet)) {

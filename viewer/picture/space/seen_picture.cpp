@@ -13,13 +13,13 @@
 namespace hottel {
 namespace {
 
-constexpr std::uint32_t kRowsAtOnce = 8;  // so that their values stay in the cache
-constexpr double kLeastArea = 1e-9;       // square pixels, of what can be pointed at
+constexpr std::uint32_t kRowsAtOnce = 8;   // so that their values stay in the cache
+constexpr double kLeastPickedArea = 1e-9;  // square pixels, of what can be pointed at
 
 // False for a polygon without an area.
 bool holds(const PixelPolygon& polygon, const Pixel& at) {
   const double area = pixel_area_doubled_3(polygon);
-  if (std::fabs(area) < kLeastArea) return false;
+  if (std::fabs(area) < kLeastPickedArea) return false;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Pixel &a = polygon[k], &b = polygon[k + 1 == polygon.size() ? 0 : k + 1];
     const double side = (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x);

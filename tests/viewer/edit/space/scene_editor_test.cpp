@@ -7,7 +7,7 @@
 #include "kernel/support/failure.h"
 #include "viewer/edit/space/light_region.h"
 
-namespace hottel {
+namespace hottel::scene_editor_test {
 namespace {
 
 // A floor, a wall behind it, a spot above the floor and a bulb.
@@ -42,7 +42,7 @@ void drag(SceneEditor3& editor, const Direction3& from, const Direction3& to) {
 
 // (1)
 TEST(SceneEditor3, EveryEditIsOneStepAndSelectsTheLight) {
-  SceneEditor3 editor = hottel::editor();
+  SceneEditor3 editor = scene_editor_test::editor();
   const auto is_one_step = [&](const char* what, const auto& edit) {
     SCOPED_TRACE(what);
     editor.select_light(0);
@@ -81,7 +81,7 @@ TEST(SceneEditor3, EveryEditIsOneStepAndSelectsTheLight) {
 }
 
 TEST(SceneEditor3, WhatChangesNothingIsNoStep) {
-  SceneEditor3 editor = hottel::editor();
+  SceneEditor3 editor = scene_editor_test::editor();
   drag(editor, {0, 2, 0}, {0.001, 2, 0});
   EXPECT_EQ(editor.change_light(0, editor.scene()->lights[0], {}), "");
   EXPECT_EQ(editor.change_materials(editor.scene()->materials, "change"), "");
@@ -93,7 +93,7 @@ TEST(SceneEditor3, WhatChangesNothingIsNoStep) {
 }
 
 TEST(SceneEditor3, ADragThatIsDroppedChangesNothing) {
-  SceneEditor3 editor = hottel::editor();
+  SceneEditor3 editor = scene_editor_test::editor();
   const auto before = editor.scene();
   for (const bool by_undo : {false, true}) {
     ASSERT_TRUE(editor.press(at({0, 2, 0})));
@@ -112,7 +112,7 @@ TEST(SceneEditor3, ADragThatIsDroppedChangesNothing) {
 
 // (2)
 TEST(SceneEditor3, LightsStayWhereTheyWereAndItIsSaidWhy) {
-  SceneEditor3 editor = hottel::editor();
+  SceneEditor3 editor = scene_editor_test::editor();
   ASSERT_TRUE(editor.press(at({0, 2, 0})));
   editor.drag(at({0, 2, -0.5}));
   const auto good = editor.scene();
@@ -136,7 +136,7 @@ TEST(SceneEditor3, LightsStayWhereTheyWereAndItIsSaidWhy) {
 
 // (3)
 TEST(SceneEditor3, KeepsTheSelectionByItsName) {
-  SceneEditor3 editor = hottel::editor();
+  SceneEditor3 editor = scene_editor_test::editor();
   editor.select_light(0);
   editor.erase();
   editor.select_light(0);
@@ -152,7 +152,7 @@ TEST(SceneEditor3, KeepsTheSelectionByItsName) {
 
 // What is saved is what is seen.
 TEST(SceneEditor3, WhatIsEditedIsReadAgainAsItIsWritten) {
-  SceneEditor3 editor = hottel::editor();
+  SceneEditor3 editor = scene_editor_test::editor();
   drag(editor, {0, 2, 0}, {0.333, 2, 0.1});
   drag(editor, {1.333, 2, 0.1}, {0.7, 2, 0.6});
   editor.change_light(1, editor.scene()->lights[1], {0, 0, 30});
@@ -168,4 +168,4 @@ TEST(SceneEditor3, WhatIsEditedIsReadAgainAsItIsWritten) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::scene_editor_test

@@ -23,7 +23,7 @@
 #include "viewer/window/recording_window.h"
 #include "viewer/window/script_player.h"
 
-namespace hottel {
+namespace hottel::desk_test {
 namespace {
 
 using testing::ElementsAre;
@@ -988,4 +988,4 @@ TEST(DeskThread, PlaysAScript) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::desk_test

@@ -36,7 +36,7 @@
 #include "viewer/window/plane/camera.h"
 #include "viewer/window/plane/look_painter.h"
 
-namespace hottel {
+namespace hottel::look_test {
 namespace {
 
 using testing::Contains;
@@ -579,4 +579,4 @@ TEST(DrawLook2, WithoutLightThereIsThePlan) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::look_test
