@@ -158,7 +158,7 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
 
   const std::shared_ptr<FactorStore> store = options.store.open("exact");
   const typename Kind::Comparison comparison = Kind::comparison(options, std::move(scene), store, streams);
-  warn_if_not_closed(comparison, streams);
+  require_closed(comparison.prepared().scene, comparison.exact());
   if (map && !comparison.exact_solution())
     throw RequestError(options.scene + ": --map draws errors of the light, and there is none to compare: " +
                        comparison.why_no_solution());

@@ -74,7 +74,7 @@ ExitCode compare_divided_in(const CompareOptions& options, const typename Kind::
     typename Kind::Scene parts = scene;
     divided.elements.apply_to(parts);
     const typename Kind::Comparison comparison = Kind::comparison(options, std::move(parts), store, streams);
-    if (results.empty()) warn_if_not_closed(comparison, streams);
+    if (results.empty()) require_closed(comparison.prepared().scene, comparison.exact());
     std::vector<NamedMethod> here = {{kExactFamily, ""}};
     for (const NamedMethod& each : named) here.push_back(at_division(each, elements));
     for (const NamedMethod& each : here) {

@@ -67,8 +67,8 @@ JudgedGrid judge_grid(const std::string& file, const MethodComparison2& comparis
             {"the scene may say where: \"grid\": {\"min\": [x, y], \"max\": [x, y], \"cells\": [nx, ny]}"});
     }
   const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
-  const IlluminationGrid2 exact = with_lights(
-      prepared, illuminate_points(prepared, grid, table, sent_out_2(table, solution, prepared.scene.sky_emission)));
+  const IlluminationGrid2 exact =
+      with_lights(prepared, illuminate_points(prepared, grid, table, sent_out_2(table, solution, prepared.scene)));
   return judged(foreign, exact.values, solution,
                 {{min[0], min[1], 0}, {max[0] - min[0], 0, 0}, {0, max[1] - min[1], 0}, grid.nx, grid.ny, false},
                 beyond);

@@ -83,16 +83,6 @@ struct ComparedSpace {
   }
 };
 
-// Tells where a scene promises to be closed and is not. Factors are compared all the same: they are those of the scene.
-template <class Comparison>
-void warn_if_not_closed(const Comparison& comparison, const Streams& streams) {
-  try {
-    require_closed(comparison.prepared().scene, comparison.exact());
-  } catch (const RequestError& error) {
-    streams.note("warning: " + std::string(error.what()));
-  }
-}
-
 // A method with what it is called, in tables and in curves.
 template <class Prepared>
 struct ComparedMethod {

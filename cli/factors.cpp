@@ -110,6 +110,7 @@ SimulationRequest2 request_of(const FactorsOptions& options) {
 
 Factors factors_of(const FactorsOptions& options, const Simulation2& simulation, const Streams& streams) {
   Factors factors;
+  simulation.require_closed(streams.stages());
   factors.computed = simulation.factors(streams.stages());
   factors.prepared = simulation.prepared();
   factors.report = {options.scene, options.method, simulation.granularity(), factors.computed->report};

@@ -9,6 +9,7 @@
 #include "cli/script_f.h"
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/exchange/written_corners.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/space/element_files.h"
 #include "io/results/space/factors_report.h"
@@ -64,6 +65,7 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
   const Simulation3 simulation(std::move(scene), {.factors = request});
 
   FactorsFiles files(options, streams);
+  simulation.require_closed(streams.stages());
   const auto computed = simulation.factors(streams.stages());
   const auto prepared = simulation.prepared();
   std::optional<GrayFactors> gray;
@@ -77,7 +79,7 @@ void factors_in_space(const FactorsOptions& options, Scene3 scene, const Streams
       write_table(options, table, files, [&](const Sink& sink) {
         const ElementTable3 elements(prepared->scene, prepared->arrangement(), prepared->blockers(),
                                      request.granularity);
-        write_faces_csv_3(table, element_corners(elements, prepared->blockers().vertices()), sink);
+        write_faces_csv_3(table, written_corners(elements, prepared->blockers().vertices()), sink);
       });
     });
   files.finish();

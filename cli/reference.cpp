@@ -9,6 +9,7 @@
 #include "geometry/plane/scene/division.h"
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/exchange/written_corners.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
 #include "io/results/reference_set.h"
@@ -98,7 +99,7 @@ SceneReference refer_in_space(const std::string& name, GivenScene given, double 
                           .write_faces = [&](const Sink& sink) {
                             const ElementTable3 elements(prepared->scene, prepared->arrangement(), prepared->blockers(),
                                                          Granularity::kElement);
-                            write_faces_csv_3(table, element_corners(elements, prepared->blockers().vertices()), sink);
+                            write_faces_csv_3(table, written_corners(elements, prepared->blockers().vertices()), sink);
                           }});
 }
 

@@ -163,8 +163,10 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   if (temperature)
     write_temperature_csv(simulation.scene(), factors->matrix, *solution,
                           [&temperature](std::string_view text) { temperature->write(text); });
-  write_radiosity_vtu(*simulation.prepared(), request.factors.granularity, factors->matrix, *solution,
-                      [&vtu](std::string_view text) { vtu.write(text); });
+  naming_file(options.scene, [&] {
+    write_radiosity_vtu(*simulation.prepared(), request.factors.granularity, factors->matrix, *solution,
+                        [&vtu](std::string_view text) { vtu.write(text); });
+  });
   std::map<std::string, double> seconds = factors->report.seconds;
   seconds.insert(solution->seconds.begin(), solution->seconds.end());
   seconds["read"] = seconds_to_read;

@@ -7,17 +7,20 @@
 
 namespace hottel {
 
+void refuse_promise(const SceneTable& scene, const Element& element, std::optional<double> factor) {
+  const Surface& surface = scene.surfaces[element.surface];
+  throw RequestError(fmt::format("{}:{}: the scene promises to be closed, but the front of '{}' sees the sky{}",
+                                 scene.file, surface.line, element.is_part() ? surface.name : element.name,
+                                 factor ? fmt::format(" (F = {})", shortest(*factor)) : ""));
+}
+
 void require_closed(const SceneTable& scene, const ExchangeMatrix& matrix) {
   if (!scene.closed) return;
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     const Element& element = matrix.elements()[i];
     if (element.is_back || !matrix.has_row(i)) continue;
     const Rounded sky = matrix.factor(i, matrix.sky());
-    if (sky.value == 0 && sky.side == 0) continue;
-    const Surface& surface = scene.surfaces[element.surface];
-    throw RequestError(
-        fmt::format("{}:{}: the scene promises to be closed, but the front of '{}' sees the sky (F = {})", scene.file,
-                    surface.line, surface.name, shortest(sky.value)));
+    if (sky.value != 0 || sky.side != 0) refuse_promise(scene, element, sky.value);
   }
 }
 

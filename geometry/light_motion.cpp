@@ -1,6 +1,7 @@
 #include "geometry/light_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "kernel/ball.h"
@@ -58,6 +59,8 @@ PathPlace place_on_path(const std::vector<std::vector<Rational>>& points, bool i
                          .times(Ball::of(Rational(to[k] - from[k]), kMotionPrecision), kMotionPrecision);
     place.point.push_back(nearest(Ball::of(from[k], kMotionPrecision).plus(way, kMotionPrecision)));
   }
+  for (const double coordinate : place.point)
+    if (!std::isfinite(coordinate)) throw RequestError("its place on its path is beyond the range of doubles");
   return place;
 }
 

@@ -14,12 +14,16 @@ namespace hottel {
 // Digits that motions are computed with, before they are rounded to doubles. The same on every machine.
 inline constexpr long kMotionPrecision = 320;
 
-// Returns what is wrong with a path of either dimension, as the end of a sentence about a light; empty when nothing is.
-template <class Path>
-std::string path_problem(const Path& path) {
+// Returns what is wrong with the path of a light that stands at a position, in either dimension, as the end of a
+// sentence about the light; empty when nothing is. text_of: what a point is called.
+template <class Path, class Point, class Text>
+std::string path_problem(const Path& path, const Point& position, const Text& text_of) {
   if (path.seconds <= 0) return "has a path of no time: seconds must be greater than 0";
   if (std::ranges::adjacent_find(path.points, std::ranges::not_equal_to()) == path.points.end())
     return "has a path that leads nowhere: it needs two points that differ";
+  if (position != path.points.front())
+    return "has its position at " + text_of(position) + " but its path starts at " + text_of(path.points.front()) +
+           ": leave the position out, or say where the path starts";
   return "";
 }
 
@@ -34,6 +38,7 @@ struct PathPlace {
 //
 //   (1) coordinates are rounded to doubles: those of the real place, or their neighbours
 //   (2) the first point is where part is 0, and of a way that is not closed the last one where it is 1, each rounded
+// Throws RequestError where a coordinate is beyond the range of doubles.
 // REQUIRES two points that differ, of as many coordinates each, and 0 <= part <= 1.
 PathPlace place_on_path(const std::vector<std::vector<Rational>>& points, bool is_closed, const Rational& part);
 

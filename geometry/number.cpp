@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/name.h"
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -43,7 +44,7 @@ bool is_in_lowest_terms(const Rational& value) {
 
 Number::Number(double value) {
   if (std::isfinite(value))
-    value_ = value;
+    value_ = exact_value(value);
   else
     problem_ = {"is not a number: '" + shortest(value) + "'", ""};
 }

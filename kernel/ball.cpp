@@ -36,6 +36,14 @@ Ball Ball::of(const Rational& value, long precision) {
   return result;
 }
 
+Ball Ball::up_to_power_of_two(long exponent) {
+  Ball result;
+  arf_set_si_2exp_si(arb_midref(result.number_->x), 1, exponent - 1);
+  mag_one(arb_radref(result.number_->x));
+  mag_mul_2exp_si(arb_radref(result.number_->x), arb_radref(result.number_->x), exponent - 1);
+  return result;
+}
+
 Ball Ball::root(const Integer& radicand, long precision) {
   Ball result;
   set_integer(result.number_->x, radicand);
@@ -189,6 +197,16 @@ Ball Ball::over(const Ball& other, long precision) const {
 Ball Ball::square_root(long precision) const {
   Ball result;
   arb_sqrtpos(result.number_->x, number_->x, precision);
+  return result;
+}
+
+Ball Ball::power(const Rational& exponent, long precision) const {
+  Ball result;
+  fmpq_t q;
+  fmpq_init(q);
+  fmpq_set_mpq(q, exponent.get_mpq_t());
+  arb_pow_fmpq(result.number_->x, number_->x, q, precision);
+  fmpq_clear(q);
   return result;
 }
 

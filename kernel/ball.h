@@ -28,6 +28,8 @@ class Ball {
   ~Ball();
 
   static Ball of(const Rational& value, long precision);
+  // All numbers from 0 to 2^exponent; its lower bound is 0.
+  static Ball up_to_power_of_two(long exponent);
   // Square root of an integer. REQUIRES: radicand >= 0.
   static Ball root(const Integer& radicand, long precision);
   static Ball pi(long precision);
@@ -54,6 +56,8 @@ class Ball {
 
   // Of the numbers in the ball that are not negative.
   Ball square_root(long precision) const;
+  // To an exponent. REQUIRES: sign() > 0.
+  Ball power(const Rational& exponent, long precision) const;
 
   // Adds a * b, rounded once.
   void add_product(const Ball& a, const Ball& b, long precision);

@@ -1,5 +1,6 @@
 #include "kernel/beam_arc.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -211,11 +212,45 @@ struct BeamArcs::State {
     return turning(course, range) - course.s * cosine_power(course.c0, power_ball) * sum;
   }
 
+  // c^k is next to nothing from 2^-least_digits() on: below what a ball of this precision tells beside 1.
+  long least_digits() const { return precision + 16; }
+
+  // The integral of s (1 - c^k) / (1 - c^2) du where c^k is next to nothing: that of dphi.
+  Real far_power(const Course& course, const Range& range) const {
+    Real factor(precision);
+    arb_one(factor.x);
+    arb_add_error_2exp_si(factor.x, -least_digits());
+    return turning(course, range) * factor;
+  }
+
+  // An angle u, exactly, beyond which c^k is next to nothing; c is c0 cos u. Nothing where u is not below pi/3, as for
+  // small k.
+  std::optional<Real> reach(const Course& course, const Real& third) const {
+    Real least(precision), angle(precision);  // 2^(-digits / k)
+    arb_const_log2(least.x, precision);
+    least = -times(least, least_digits()) / power_ball;
+    arb_exp(least.x, least.x, precision);
+    if (arb_lt(course.c0.x, least.x)) return angle;
+    const Real ratio = least / course.c0;
+    arb_acos(angle.x, ratio.x, precision);
+    if (!arb_is_finite(angle.x) || !arb_lt(angle.x, third.x)) return std::nullopt;
+    arb_get_ubound_arf(arb_midref(angle.x), angle.x, precision);
+    mag_zero(arb_radref(angle.x));
+    return angle;
+  }
+
   // The integral of s (1 - c^k) / (1 - c^2) du over angles from -pi/2 to pi/2.
   Real real_power(const Course& course, const Range& range) const {
     if (arb_is_zero(course.c0.x)) return course.s * range.length();
     const Real third = over(pi(), 3), quarter_turn = over(pi(), 2);
     Real result(precision);
+    if (const auto near = reach(course, third)) {
+      if (const Range inner = range.within(-*near, *near); !inner.is_empty) result = inner_power(course, inner);
+      for (const Range& half : {range, Range{-range.high, -range.low}})
+        if (const Range outer = half.within(*near, quarter_turn); !outer.is_empty)
+          result = result + far_power(course, outer);
+      return result;
+    }
     if (const Range inner = range.within(-third, third); !inner.is_empty) result = inner_power(course, inner);
     if (const Range outer = range.within(third, quarter_turn); !outer.is_empty)
       result = result + outer_power(course, outer);

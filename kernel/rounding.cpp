@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "kernel/ball.h"
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -10,15 +11,15 @@ namespace {
 
 RoundedByTier round_rational(const Rational& value, Tier tier) {
   const double nearest = to_double(value);
-  const int side = std::isfinite(nearest) ? cmp(value, Rational(nearest)) : -sgn(value);
+  const int side = std::isfinite(nearest) ? cmp(value, exact_value(nearest)) : -sgn(value);
   return {{nearest, static_cast<signed char>(side > 0 ? 1 : side < 0 ? -1 : 0)}, tier};
 }
 
 // The number half-way between two neighbouring doubles, where infinity stands for the power of two it begins at.
 Rational half_way(double below, double above) {
   const Rational beyond(Integer(1) << 1024);
-  const Rational low = std::isinf(below) ? Rational(-beyond) : Rational(below);
-  const Rational high = std::isinf(above) ? beyond : Rational(above);
+  const Rational low = std::isinf(below) ? Rational(-beyond) : exact_value(below);
+  const Rational high = std::isinf(above) ? beyond : exact_value(above);
   return (low + high) / 2;
 }
 
@@ -117,7 +118,7 @@ RoundedByTier round_quotient(const RootSum& numerator, const RootSum& denominato
     if (is_known_not_to_be_a_tie || precision < 256) continue;
     // The quotient may be a double itself, or lie half-way between two: only the canonical sum can tell.
     if (nearest.lower == nearest.upper) {
-      if (equals(numerator, denominator, Rational(nearest.lower))) return {{nearest.lower, 0}, Tier::kRootSum};
+      if (equals(numerator, denominator, exact_value(nearest.lower))) return {{nearest.lower, 0}, Tier::kRootSum};
       is_known_not_to_be_a_tie = true;
     } else if (std::nextafter(nearest.lower, nearest.upper) == nearest.upper) {
       const Rational tie = half_way(nearest.lower, nearest.upper);

@@ -7,6 +7,7 @@
 #include "io/results/listed_factors.h"
 #include "io/results/text_buffer.h"
 #include "kernel/support/parallel.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
@@ -56,8 +57,7 @@ void write_factors_csv(const FactorTable& table, const Sink& sink) {
   const auto write_area = [&](std::uint32_t i, TextBuffer& out) {
     out << ',';
     if (i == matrix.sky()) return;
-    require_double(matrix.elements()[i].area.value, area_of(matrix, i));
-    out << matrix.elements()[i].area.value;
+    out << required_double(matrix.elements()[i].area, area_of(matrix, i));
   };
   write_in_blocks(matrix, sink, [&](std::uint32_t first, std::uint32_t end, TextBuffer& out) {
     const auto write = [&](std::uint32_t from, const FactorEntry& entry, const Enclosure& bounds, Guarantee guarantee) {

@@ -16,6 +16,7 @@
 #include "io/results/text_buffer.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
@@ -49,6 +50,16 @@ double emittance(const FactorTable& table, std::uint32_t label) {
 
 std::string view3d_header(const FactorTable& table, int format, std::size_t count) {
   return fmt::format("{:<30}", fmt::format("View3D 4.0.0 {} 0 {} {}", format, table.gray_channel ? 1 : 0, count));
+}
+
+// Throws RequestError where single precision has an infinity or 0 for what is neither. value: as written_double has it.
+template <class Name>
+void require_single(double value, const Name& name) {
+  const auto single = static_cast<float>(value);
+  const bool is_below = std::isnan(value) || (single == 0 && value != 0);
+  if (is_below || std::isinf(single))
+    throw RequestError(name() + " is " + (is_below ? "below" : "beyond") +
+                       " the range of single precision, which is that of this format");
 }
 
 // Calls visit(factors of the row, by label) for each of these that is asked for.
@@ -91,8 +102,8 @@ void write_faces_csv(const FactorTable& table, std::span<const std::array<double
     const std::string face = table.granularity == Granularity::kGroup
                                  ? element.name
                                  : face_name(table.scene, {element.surface, element.is_back});
-    require_double(element.area.value, area_of(matrix, i));
-    out << fmt::format("{},{},{},", i + 1, csv_field(face), element.node().text()) << element.area.value << ","
+    out << fmt::format("{},{},{},", i + 1, csv_field(face), element.node().text())
+        << required_double(element.area, area_of(matrix, i)) << ","
         << (element.material ? csv_field(table.scene.materials[*element.material].name) : "");
     if (table.granularity == Granularity::kGroup) {
       out << ",,,,\n";
@@ -128,8 +139,8 @@ std::string factors_sidecar(const FactorTable& table) {
   nlohmann::ordered_json names = nlohmann::ordered_json::array(), areas = nlohmann::ordered_json::array();
   for (const Element& element : table.matrix.elements()) {
     names.push_back(element.name);
-    areas.push_back(std::isfinite(element.area.value) ? nlohmann::ordered_json(element.area.value)
-                                                      : nlohmann::ordered_json());
+    const double area = written_double(element.area);
+    areas.push_back(std::isfinite(area) ? nlohmann::ordered_json(area) : nlohmann::ordered_json());
   }
   names.push_back(table.matrix.name(table.matrix.sky()));
   areas.push_back(nullptr);
@@ -141,7 +152,7 @@ std::string factors_sidecar(const FactorTable& table) {
 void write_factors_view3d_text(const FactorTable& table, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   const std::vector<std::uint32_t> faces = radiating(matrix);
-  for (const std::uint32_t i : faces) require_double(matrix.elements()[i].area.value, area_of(matrix, i));
+  for (const std::uint32_t i : faces) required_double(matrix.elements()[i].area, area_of(matrix, i));
   TextBuffer out(sink);
   const auto line = [&](const auto& value_of, const std::vector<std::uint32_t>& only = {}) {
     bool is_first = true;
@@ -165,8 +176,12 @@ void write_factors_view3d_binary(const FactorTable& table, const Sink& sink) {
   const ExchangeMatrix& matrix = table.matrix;
   const std::vector<std::uint32_t> faces = radiating(matrix);
   for (const std::uint32_t i : faces)
-    if (!(matrix.elements()[i].area.value <= std::numeric_limits<float>::max()))
-      throw RequestError(area_of(matrix, i) + " is beyond the range of single precision, which is that of this format");
+    require_single(written_double(matrix.elements()[i].area), [&] { return area_of(matrix, i); });
+  for_each_listed(table, [&](std::uint32_t from, const FactorEntry& entry, const Enclosure&, Guarantee) {
+    const auto name = [&] { return "the factor from '" + matrix.name(from) + "' to '" + matrix.name(entry.to) + "'"; };
+    if (entry.to != matrix.sky() && matrix.elements()[entry.to].material)
+      require_single(written_double(entry.factor), name);
+  });
   TextBuffer out(sink);
   out << view3d_header(table, 1, faces.size()) << "\r\n";
   for (const std::uint32_t i : faces) out.raw(static_cast<float>(matrix.elements()[i].area.value));
@@ -194,10 +209,13 @@ void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sin
   if (quantity == DenseQuantity::kExchange)  // before the first byte, which may go to standard output
     for (std::uint32_t i = 0; i < matrix.size(); ++i)
       for (std::size_t k = 0; k < matrix.row(i).size(); ++k)
-        if (!std::isfinite(measure(i, k)))
-          throw RequestError("the exchange measure of '" + matrix.name(i) + "' and '" +
-                             matrix.name(matrix.row(i)[k].to) + "' is beyond the range of doubles" +
-                             (matrix.guarantee() == Guarantee::kExact ? "; --exact-form gives it" : ""));
+        if (const double s = measure(i, k); !(s > 0) || std::isinf(s)) {
+          const FactorEntry& entry = matrix.row(i)[k];
+          const bool is_nothing = entry.factor == Rounded{};  // of other methods
+          require_double(is_nothing ? s : written_double(Rounded{s, 1}),
+                         "the exchange measure of '" + matrix.name(i) + "' and '" + matrix.name(entry.to) + "'",
+                         matrix.guarantee() == Guarantee::kExact ? "; --exact-form gives it" : "");
+        }
   auto hidden = table.hidden.begin();
   for (std::uint32_t i = 0; i < names.size(); ++i) {
     std::fill(dense.begin(), dense.end(), absent);

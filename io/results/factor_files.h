@@ -16,12 +16,14 @@
 
 namespace hottel {
 
-// What a file cannot hold, for it is beyond the range of doubles (of single precision in View3D's binary format), is
-// refused by RequestError, naming the face: areas and coordinates in the files that have them, exchange measures.
+// What a file cannot hold, for it is beyond the range of doubles or, though not 0, below it (of single precision in
+// View3D's binary format), is refused by RequestError, naming the face: areas and coordinates in the files that have
+// them, exchange measures, and in single precision factors.
 
 // `from,to,factor,lower,upper,visibility,guarantee`: one line a pair, by from, then to. Shortest decimals that read
 // back to the same double; names quoted as RFC 4180 asks. With areas two columns more, `from_area,to_area`: lengths in
-// the plane, empty for the sky. Throws RequestError for an area that is asked for and beyond the range of doubles.
+// the plane, empty for the sky. Throws RequestError for an area that is asked for and beyond the range of doubles,
+// or below it.
 void write_factors_csv(const FactorTable& table, const Sink& sink);
 
 // Matrix Market `coordinate real general`, 1-based, all faces and the sky last; the faces are named by
@@ -34,7 +36,7 @@ void write_faces_csv(const FactorTable& table, std::span<const std::array<double
 void write_factors_npy(const FactorTable& table, const Sink& sink);
 
 // Returns a JSON object of `quantity`, `shape`, `order`, `axes`, and of `names` and `areas` of rows and columns alike,
-// the sky last; an area that is beyond the range of doubles, as that of the sky, is null.
+// the sky last; an area that is beyond the range of doubles or below it, as that of the sky, is null.
 std::string factors_sidecar(const FactorTable& table);
 
 // View3D's text and binary formats (4.0.0). They know surfaces that radiate only: faces with a material, in order; what
@@ -53,7 +55,7 @@ enum class DenseQuantity { kFactor, kExchange, kVisibility };
 //
 //   (1) what has no entry is 0; of visibilities NaN, but 0 for the pairs of `hidden`
 //   (2) exchange measures are those of the matrix, or A_i F_ij of the doubles where it has none; one that is beyond the
-//       range of doubles throws RequestError before anything is written
+//       range of doubles, or below it, throws RequestError before anything is written
 //   (3) the row of the sky has no entries
 void write_dense_csv(const FactorTable& table, DenseQuantity quantity, const Sink& sink);
 

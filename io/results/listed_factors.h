@@ -46,8 +46,6 @@ void for_each_listed(const FactorTable& table, const Visit& visit) {
 // The names of all elements and the sky, as a csv holds them.
 std::vector<std::string> csv_names(const ExchangeMatrix& matrix);
 
-// Throws RequestError unless the number is a double; `what` says of what it is the number.
-void require_double(double value, const std::string& what);
 std::string area_of(const ExchangeMatrix& matrix, std::uint32_t label);
 
 }  // namespace hottel

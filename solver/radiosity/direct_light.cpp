@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/name.h"
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 #include "solver/radiosity/printed_number.h"
 
@@ -17,7 +18,7 @@ using Channels = std::array<RationalEnclosure, 3>;
 
 void add(const Enclosure& share, const Spectrum& power, Channels& sum) {
   if (share.upper == 0) return;
-  const Rational lower(share.lower), upper(share.upper);
+  const Rational lower = exact_value(share.lower), upper = exact_value(share.upper);
   for (std::size_t c = 0; c < 3; ++c) {
     sum[c].lower += lower * power.value[c];
     sum[c].upper += upper * power.value[c];
@@ -28,7 +29,7 @@ void add(const Enclosure& share, const Spectrum& power, Channels& sum) {
 SourceSpectrum rounded_outward(const Channels& sum, const Enclosure& area, bool is_scalar, const std::string& what) {
   std::array<Enclosure, 3> within;
   for (std::size_t c = 0; c < 3; ++c) {
-    const Rational lower = sum[c].lower / Rational(area.upper), upper = sum[c].upper / Rational(area.lower);
+    const Rational lower = sum[c].lower / exact_value(area.upper), upper = sum[c].upper / exact_value(area.lower);
     within[c] = {rounded_down(lower), rounded_up(upper)};
     if (!std::isfinite(within[c].upper)) throw RequestError(what + " is beyond the range of doubles");
   }
@@ -41,8 +42,8 @@ bool counts(const Enclosure& sky) { return sky.lower > 0 || sky.upper > 0x1p-64;
 Rational missing_share(const LightShares& shares) {
   if (!shares.solid.empty()) return 0;
   Rational rest = 1;
-  for (const Enclosure& share : shares.of_element) rest -= Rational(share.lower);
-  if (counts(shares.sky)) rest -= (Rational(shares.sky.lower) + Rational(shares.sky.upper)) / 2;
+  for (const Enclosure& share : shares.of_element) rest -= exact_value(share.lower);
+  if (counts(shares.sky)) rest -= (exact_value(shares.sky.lower) + exact_value(shares.sky.upper)) / 2;
   return rest;
 }
 
@@ -81,7 +82,8 @@ void add_lights(const ExchangeMatrix& matrix, std::span<const Light> lights, std
     }
     if (sum == Channels()) continue;
     const Enclosure area = matrix.elements()[i].area.enclosure();
-    if (area.lower > 0)  // else it has no radiosity that doubles can tell, and is refused by name
+    if (area.lower > 0 &&
+        std::isfinite(area.upper))  // else it has no radiosity that doubles can tell, and is refused by name
       sources.direct_irradiance[i] =
           rounded_outward(sum, area, is_scalar, "the light of lamps on '" + matrix.elements()[i].name + "'");
   }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "kernel/enclosure.h"
+#include "kernel/exact_double.h"
 #include "kernel/int128.h"
 #include "kernel/rational.h"
 
@@ -69,9 +70,9 @@ inline DoubleDoubleBall DoubleDoubleBall::of(const Rational& value) {
   DoubleDoubleBall result;
   result.hi = to_double(value);
   if (std::isinf(result.hi)) return {0, 0, std::numeric_limits<double>::infinity()};
-  const Rational rest = value - Rational(result.hi);
+  const Rational rest = value - exact_value(result.hi);
   result.lo = to_double(rest);
-  if (rest != Rational(result.lo)) result.radius = std::abs(result.lo) * (2 * kBallRoundoff) + kUnderflow;
+  if (rest != exact_value(result.lo)) result.radius = std::abs(result.lo) * (2 * kBallRoundoff) + kUnderflow;
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/grey_temperature.h"
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -18,7 +19,7 @@ const Rational& stefan_boltzmann() {
 
 // What a black body of this temperature sends out, exactly.
 Rational power_of(double temperature) {
-  const Rational t(temperature);
+  const Rational t = exact_value(temperature);
   return stefan_boltzmann() * t * t * t * t;
 }
 
@@ -35,13 +36,13 @@ BoundedTemperature black_temperature(double power, const Enclosure& bounds) {
   BoundedTemperature result;
   result.lower = black_temperature(bounds.lower);
   if (std::isfinite(result.lower)) {
-    const Rational least(bounds.lower);
+    const Rational least = exact_value(bounds.lower);
     while (result.lower > 0 && power_of(result.lower) > least) result.lower = std::nextafter(result.lower, 0);
     for (double above; power_of(above = std::nextafter(result.lower, kInfinity)) <= least;) result.lower = above;
   }
   result.upper = black_temperature(bounds.upper);
   if (std::isfinite(result.upper)) {
-    const Rational most(bounds.upper);
+    const Rational most = exact_value(bounds.upper);
     while (power_of(result.upper) < most) result.upper = std::nextafter(result.upper, kInfinity);
     for (double below; result.upper > 0 && power_of(below = std::nextafter(result.upper, 0)) >= most;)
       result.upper = below;
@@ -56,7 +57,7 @@ ElementTemperatures::ElementTemperatures(const std::vector<Material>& materials)
     const bool is_in_range = exact && std::isfinite(to_double(*exact));
     if (is_in_range) {
       const double nearest = to_double(*exact);
-      const Rational rounded(nearest);
+      const Rational rounded = exact_value(nearest);
       typed_.push_back(BoundedTemperature{nearest, rounded > *exact ? std::nextafter(nearest, 0) : nearest,
                                           rounded < *exact ? std::nextafter(nearest, HUGE_VAL) : nearest});
     } else {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "kernel/exact_double.h"
 #include "solver/radiosity/factor_ends.h"
 #include "solver/radiosity/irradiance.h"
 #include "solver/radiosity/printed_number.h"
@@ -30,10 +31,10 @@ bool are_narrow(const ExchangeMatrix& matrix, const RadiositySources& sources) {
 
 // A double not above value - width, one not below value + width.
 double lowered(double value, const Rational& width) {
-  return width == 0 || !std::isfinite(value) ? value : rounded_down(Rational(value) - width);
+  return width == 0 || !std::isfinite(value) ? value : rounded_down(exact_value(value) - width);
 }
 double raised(double value, const Rational& width) {
-  return width == 0 || !std::isfinite(value) ? value : rounded_up(Rational(value) + width);
+  return width == 0 || !std::isfinite(value) ? value : rounded_up(exact_value(value) + width);
 }
 
 // The bounds of one channel from those of the least and the most light. are_at_ends: of sources at their ends; else

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 
@@ -20,7 +21,7 @@ constexpr double kOperationError = 0x1p-240;  // of one operation, relative: mor
 // From where on elimination in high precision is worth it for a component of n unknowns: relative width.
 double much(std::uint32_t n) { return std::max(0x1p-44, n * 0x1p-50); }
 
-mpf_class precise(double value) { return mpf_class(value, kBits); }
+mpf_class precise(double value) { return mpf_class(finite(value), kBits); }
 
 // REQUIRES value >= 0.
 double rounded_down(const mpf_class& value) {

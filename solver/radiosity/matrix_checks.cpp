@@ -6,6 +6,7 @@
 
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
@@ -62,7 +63,8 @@ std::optional<BeyondDoubles> beyond_doubles(const ExchangeMatrix& matrix, const 
     if (!matrix.has_row(i)) continue;
     const Element& element = matrix.elements()[i];
     if (!(element.area.value > 0 && std::isfinite(element.area.value)))
-      return told("the area of '" + element.name + "'", i);
+      return BeyondDoubles{
+          "the area of '" + element.name + "' " + written_problem(written_double(Rounded{element.area.value, 1})), i};
     for (const ChannelSolution& channel : solution.channels)
       if (!std::isfinite(channel.elements[i].radiosity) || !std::isfinite(channel.elements[i].irradiance))
         return told("the light of '" + element.name + "'", i);

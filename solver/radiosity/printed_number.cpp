@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/exact_double.h"
+
 namespace hottel {
 namespace {
 
@@ -11,12 +13,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The double nearest to a number, or its neighbour where that is on the wrong side.
 double below(double nearest, const Rational& value) {
   if (nearest == -kInfinity) return nearest;
-  return nearest == kInfinity || Rational(nearest) > value ? std::nextafter(nearest, -kInfinity) : nearest;
+  return nearest == kInfinity || exact_value(nearest) > value ? std::nextafter(nearest, -kInfinity) : nearest;
 }
 
 double above(double nearest, const Rational& value) {
   if (nearest == kInfinity) return nearest;
-  return nearest == -kInfinity || Rational(nearest) < value ? std::nextafter(nearest, kInfinity) : nearest;
+  return nearest == -kInfinity || exact_value(nearest) < value ? std::nextafter(nearest, kInfinity) : nearest;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -12,7 +13,7 @@ namespace {
 
 RationalEnclosure rational(const Enclosure& within) {
   HOTTEL_REQUIRE(std::isfinite(within.lower) && std::isfinite(within.upper));
-  return {Rational(within.lower), Rational(within.upper)};
+  return {exact_value(within.lower), exact_value(within.upper)};
 }
 
 Rational number_at(const RationalEnclosure& within, End end) {

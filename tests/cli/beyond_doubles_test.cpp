@@ -86,6 +86,89 @@ TEST_F(BeyondDoubles, CoordinatesOfFacesFarAwayAreRefused) {
   expect_refused("factors far.json -o x.mtx", "far.json: a coordinate of 'far' is beyond the range of doubles");
 }
 
+// A box of 4 by 3 by 3 times 10^exponent.
+std::string box(const std::string& exponent) {
+  const std::string x = "\"4e" + exponent + "\"", y = "\"3e" + exponent + "\"", z = y;
+  const auto polygon = [](const std::string& name, const std::string& points) {
+    return "{\"name\": \"" + name + "\", \"points\": [" + points + "], \"material\": \"m\"}";
+  };
+  const auto point = [](const std::string& a, const std::string& b, const std::string& c) {
+    return "[" + a + "," + b + "," + c + "]";
+  };
+  const auto four = [](const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
+    return a + "," + b + "," + c + "," + d;
+  };
+  const std::string o = "0";
+  const std::string p[8] = {point(o, o, o), point(x, o, o), point(x, y, o), point(o, y, o),
+                            point(o, o, z), point(x, o, z), point(x, y, z), point(o, y, z)};
+  return R"({"hottel": 1, "dimension": 3, "materials": {"m": {"emission": 1, "reflectivity": 0.5}}, "polygons": [)"
+         "\n" +
+         polygon("bottom", four(p[0], p[1], p[2], p[3])) + ",\n" + polygon("top", four(p[4], p[7], p[6], p[5])) +
+         "]}\n";
+}
+
+TEST_F(BeyondDoubles, WhatIsNotZeroIsNeverWrittenAsZero) {
+  const std::string area = "small.json: the area of 'room[0]' is below the range of doubles";
+  expect_refused("factors small.json --matrix exchange",
+                 "small.json: the exchange measure of 'room[0]' and 'room[1]' is below the range of doubles; "
+                 "--exact-form gives it");
+  expect_refused("factors small.json --matrix exchange --method gauss:4",
+                 "small.json: the exchange measure of 'room[0]' and 'room[1]' is below the range of doubles");
+  expect_refused("factors small.json -o x.csv --areas", area);
+  for (const std::string ending : {"mtx", "txt"}) expect_refused("factors small.json -o x." + ending, area);
+  expect_refused("factors small.json -o x.bin",
+                 "small.json: the area of 'room[0]' is below the range of single precision, which is that of this");
+  place_.write("single.json", room("-50"));
+  expect_refused("factors single.json -o x.bin", "single.json: the area of 'room[0]' is below the range of single");
+  EXPECT_EQ(place_.run("hottel factors single.json -o x.txt").code, 0);
+  expect_refused("solve small.json -o out --quiet",
+                 "small.json:2: the area of 'room[0]' is below the range of doubles");
+  // Factors have no unit.
+  for (const char* line : {"factors small.json", "factors small.json -o x.npy", "factors small.json -o x.csv",
+                           "factors small.json --matrix factor", "factors small.json --script-f"})
+    EXPECT_EQ(place_.run(std::string("hottel ") + line).code, 0) << line;
+  EXPECT_TRUE(Json::parse(place_.read("x.npy.json"))["areas"][0].is_null());
+}
+
+TEST_F(BeyondDoubles, WhatIsNotZeroIsNeverWrittenAsZeroInSpace) {
+  place_.write("tiny.json", box("-200"));
+  const std::string area = "tiny.json: the area of 'bottom' is below the range of doubles";
+  expect_refused("factors tiny.json --matrix exchange",
+                 "tiny.json: the exchange measure of 'bottom' and 'top' is below the range of doubles");
+  expect_refused("factors tiny.json -o x.csv --areas", area);
+  for (const std::string ending : {"mtx", "txt"}) expect_refused("factors tiny.json -o x." + ending, area);
+  expect_refused("factors tiny.json -o x.bin",
+                 "tiny.json: the area of 'bottom' is below the range of single precision");
+  expect_refused("solve tiny.json -o out --quiet", "tiny.json:2: the area of 'bottom' is below the range of doubles");
+  place_.write("plain.json", box("0"));
+  const std::string first = place_.run("hottel factors tiny.json --quiet").out;
+  EXPECT_EQ(first, place_.run("hottel factors plain.json --quiet").out);
+  EXPECT_EQ(place_.run("hottel factors tiny.json -o x.npy").code, 0);
+  EXPECT_TRUE(Json::parse(place_.read("x.npy.json"))["areas"][0].is_null());
+}
+
+TEST_F(BeyondDoubles, CornersNextToZeroAreRefusedUnlessExact) {
+  place_.write("near.json", R"({"hottel": 1, "dimension": 2, "materials": {"m": {"emission": 1}}, "edges": [
+ {"name": "a", "points": [["1e-330", 0], [1, 0]], "material": "m"},
+ {"name": "b", "points": [[1, 1], [0, 1]], "material": "m"}]})");
+  expect_refused("factors near.json -o x.mtx", "near.json: a coordinate of 'a' is below the range of doubles");
+  place_.write("points.csv", "0.5,0.5\n");
+  for (const std::string ending : {"csv", "geojson", "wkt", "npz"})
+    expect_refused(
+        "visibility near.json --points points.csv -o x." + ending,
+        "near.json: a corner of what point 0 sees is below the range of doubles; --exact writes it to a csv");
+  const Outcome exact = place_.run("hottel visibility near.json --points points.csv --exact -o x.csv");
+  EXPECT_EQ(exact.code, 0) << exact.err;
+  EXPECT_THAT(place_.read("x.csv"), HasSubstr("1/1" + std::string(330, '0')));
+  EXPECT_EQ(place_.run("hottel factors near.json").code, 0);
+  place_.write("near3.json", R"({"hottel": 1, "dimension": 3, "materials": {"m": {"emission": 1}}, "polygons": [
+ {"name": "a", "points": [[0, 0, "1e-330"], [1, 0, "1e-330"], [1, 1, "1e-330"], [0, 1, "1e-330"]], "material": "m"}]})");
+  expect_refused("factors near3.json -o x.mtx", "near3.json: a coordinate of 'a' is below the range of doubles");
+  expect_refused("solve near3.json -o out --quiet",
+                 "near3.json: a coordinate of a corner in radiosity.vtu is below the range of doubles");
+  expect_refused("convert near3.json x.stl", "near3.json: the coordinate 1e-330 is below the least float");
+}
+
 TEST_F(BeyondDoubles, MethodsAreComparedWithoutDistancesAndWithoutLight) {
   const Outcome outcome = place_.run("hottel compare large.json --methods center,strings --repeat 1 -o out --quiet");
   EXPECT_EQ(outcome.code, 0) << outcome.err;

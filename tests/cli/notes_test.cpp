@@ -73,17 +73,26 @@ TEST(Notes, HelpAndErrorsOfPlotsHaveNamesOnly) {
   EXPECT_THAT(wrong.err, HasSubstr("size not in {elements,parameter,time}"));
 }
 
-TEST(Notes, ComparingWarnsOfABrokenPromise) {
+TEST(Notes, EveryCommandThatComputesFactorsStopsAtABrokenPromise) {
   const Workplace place;
   place.write("s.json", plates("\"closed\": true,", "1"));
   const std::string told = "s.json:4: the scene promises to be closed, but the front of 'b' sees the sky";
-  EXPECT_THAT(place.run("hottel solve s.json").err, HasSubstr(told));
+  const auto before = place.files();
   for (const char* line :
-       {"hottel compare s.json --methods center -o out", "hottel compare s.json --divide 1,2 -o out"}) {
-    const Outcome compared = place.run(line);
-    EXPECT_THAT(compared.err, HasSubstr("warning: " + told)) << line;
+       {"factors s.json", "factors s.json --method gauss:2", "factors s.json -o x.npy", "factors s.json --per group",
+        "factors s.json --exact-form", "factors s.json --script-f", "solve s.json", "solve s.json --method gauss:2",
+        "compare s.json --methods center -o out", "compare s.json --divide 1,2 -o out", "reference set s.json",
+        "animate s.json --frames 1 --fps 1 -o film"}) {
+    const Outcome outcome = place.run("hottel " + std::string(line));
+    EXPECT_EQ(outcome.code, 1) << line;
+    EXPECT_THAT(outcome.err, StartsWith(told)) << line;
+    EXPECT_EQ(outcome.out, "") << line;
+    EXPECT_EQ(place.files(), before) << line;
   }
-  EXPECT_EQ(place.run("hottel compare s.json --methods center -o out").code, 0);
+  EXPECT_EQ(place.run("hottel check s.json").code, 1);
+  for (const char* line :
+       {"plan s.json", "visibility s.json --from a --to b", "visibility s.json --at 0,1/2", "convert s.json t.json"})
+    EXPECT_EQ(place.run("hottel " + std::string(line)).code, 0) << line;
 }
 
 TEST(Notes, LightBeyondDoublesIsToldWithTheLineOfItsFace) {

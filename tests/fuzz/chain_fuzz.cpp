@@ -145,8 +145,8 @@ void check_light(const PreparedScene2& prepared, const ExchangeMatrix& matrix) {
     brightest = std::max(brightest, element.radiosity);
   }
   const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kFace);
-  const IlluminationGrid2 light = illuminate_points(prepared, grid_over(prepared.scene, 4, 4), table,
-                                                    sent_out_2(table, solution, prepared.scene.sky_emission));
+  const IlluminationGrid2 light =
+      illuminate_points(prepared, grid_over(prepared.scene, 4, 4), table, sent_out_2(table, solution, prepared.scene));
   for (const double value : light.values)
     require(value >= 0 && value <= brightest, "light at a point exceeds the brightest face");
 }

@@ -432,6 +432,12 @@ TEST(SceneJson, RefusesWrongLightsByNameAndLine) {
             "scene.json:3: light 'light[0]': path has fewer than two points");
   EXPECT_EQ(light(R"("type": "point", "power": 1, "path": {"points": [[9, 9], [9, 8]], "seconds": 0})"),
             "scene.json:3: light 'light[0]': path: seconds must be greater than 0");
+  const std::string path = R"(, "path": {"points": [[9, "1/3"], [9, 8]], "seconds": 1})";
+  EXPECT_EQ(light(R"("type": "point", "power": 1, "position": [9, "0.5"])" + path),
+            "scene.json:3: light 'light[0]' has its position at (9, 0.5) but its path starts at (9, 1/3): leave the "
+            "position out, or say where the path starts");
+  EXPECT_EQ(light(R"("type": "point", "power": 1, "position": [9, "1/3"])" + path), "");
+  EXPECT_EQ(light(R"("type": "point", "power": 1)" + path), "");
 }
 
 TEST(SceneJson, RefusesGridsWithoutCells) {

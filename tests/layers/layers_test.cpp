@@ -186,6 +186,35 @@ TEST(Layers, NamesOfASliceSayTheirDimension) {
   EXPECT_GT(names, 300u);
 }
 
+// GMP ends the process by a signal where it is given an infinity, and rounds as it likes: one source asks it.
+TEST(Layers, OneSourceTurnsDoublesIntoExactNumbers) {
+  // Of rationals and integers both ways. What CGAL makes of doubles is made of finite ones; mpf is asked after
+  // finite().
+  const std::regex conversion(R"re( U __gmp[qz]_(init_)?(set|get|cmp)_d$)re");
+  const std::set<std::string> allowed{"exact_double.cpp.o",        "overlay.cpp.o",         "triangulation.cpp.o",
+                                      "plane_triangulation.cpp.o", "arithmetic_cgal.cpp.o", "meeting_boxes.cpp.o"};
+  std::size_t objects = 0;
+  bool is_seen = false;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(HOTTEL_BINARY_DIR) / "CMakeFiles")) {
+    const fs::path path = entry.path();
+    if (path.extension() != ".o" || !is_of_a_source(path)) continue;
+    ++objects;
+    const std::unique_ptr<FILE, int (*)(FILE*)> output(popen(("nm -u '" + path.string() + "'").c_str(), "r"), pclose);
+    ASSERT_TRUE(output);
+    std::array<char, 4096> line;
+    while (std::fgets(line.data(), line.size(), output.get()) != nullptr) {
+      std::string symbol = line.data();
+      while (!symbol.empty() && symbol.back() == '\n') symbol.pop_back();
+      if (!std::regex_search(symbol, conversion)) continue;
+      is_seen = is_seen || path.filename() == "exact_double.cpp.o";
+      EXPECT_TRUE(allowed.contains(path.filename().string()))
+          << path.filename() << " has" << symbol << ": kernel/exact_double.h has the answer for every double";
+    }
+  }
+  EXPECT_GT(objects, 300u);
+  EXPECT_TRUE(is_seen);
+}
+
 TEST(Layers, TheCheckOfNamesSeesWhatItForbids) {
   EXPECT_TRUE(names_its_dimension("hottel::Vertices2::distance(unsigned int) const", '2'));
   EXPECT_TRUE(names_its_dimension("hottel::check_scene(hottel::Scene2 const&, hottel::CheckSources2 const&)", '2'));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -27,7 +28,7 @@ int decades(const Rational& value) {
 
 int decimals_at(double pixels_per_length) {
   HOTTEL_REQUIRE(std::isfinite(pixels_per_length) && pixels_per_length > 0);
-  return -decades(kLeastPixelsPerStep / Rational(pixels_per_length));
+  return -decades(kLeastPixelsPerStep / exact_value(pixels_per_length));
 }
 
 Rational decimal_step(int decimals) { return power_of_ten(-decimals); }
@@ -41,7 +42,7 @@ Rational rounded_decimal(const Rational& value, int decimals) {
 
 Rational rounded_decimal(double value, int decimals) {
   HOTTEL_REQUIRE(std::isfinite(value));
-  return rounded_decimal(Rational(value), decimals);
+  return rounded_decimal(exact_value(value), decimals);
 }
 
 }  // namespace hottel

@@ -6,6 +6,7 @@
 #include "geometry/plane/arrangement/hilbert_order.h"
 #include "geometry/plane/arrangement/point_index.h"
 #include "geometry/plane/scene/division.h"
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -17,7 +18,8 @@ std::vector<Segment2> number_in_space(const std::vector<Edge2>& edges, PointInde
   std::vector<Vertices2::Approximate> approximate;
   approximate.reserve(2 * edges.size());
   for (const Edge2& edge : edges)
-    for (const Point2* p : {&edge.from, &edge.to}) approximate.push_back({p->x.get_d(), p->y.get_d()});
+    for (const Point2* p : {&edge.from, &edge.to})
+      approximate.push_back({truncated_double(p->x), truncated_double(p->y)});
   index.reserve(approximate.size());
   std::vector<Segment2> segments(edges.size(), {VertexId(0), VertexId(0)});
   for (const std::size_t i : hilbert_order(approximate)) {

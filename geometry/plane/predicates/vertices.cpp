@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -215,7 +216,7 @@ void Vertices2::scale_big(const std::vector<Point2>& points, std::size_t typed) 
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto split = [this](const Rational& value, double& hi, double& lo) {
       hi = nearest(value, approximation_shift_);
-      const Rational back = scaled_by_power_of_two(Rational(hi), approximation_shift_);
+      const Rational back = scaled_by_power_of_two(exact_value(hi), approximation_shift_);
       lo = nearest(value - back, approximation_shift_);
     };
     split(large_[i].x, approximate_[i].x, low_[i].x);
@@ -398,7 +399,7 @@ EyeCoordinate2::EyeCoordinate2(const Vertices2& vertices, const Rational& value)
   approximate_ = nearest(value, vertices.approximation_shift_);
   // A coordinate beyond the double range makes every bound infinite: the exact step decides.
   const bool is_exact =
-      vertices.approximation_shift_ == 0 && std::isfinite(approximate_) && Rational(approximate_) == value;
+      vertices.approximation_shift_ == 0 && std::isfinite(approximate_) && exact_value(approximate_) == value;
   error_ = std::max(vertices.input_error_, is_exact ? 0.0 : (std::fabs(approximate_) + 1) * 0x1p-52);
   constexpr std::size_t kLimit = 61;  // differences stay below 2^62, their products below 2^124
   if (vertices.is_small() && bits(value.get_num()) <= kLimit &&

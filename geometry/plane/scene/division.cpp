@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernel/support/failure.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
@@ -82,7 +83,7 @@ std::vector<std::array<double, 4>> element_ends(const Scene2& scene, const std::
     const Edge2& edge = scene.edges[element.surface];
     const EdgeSpan2 span = EdgeSpan2::of(element);
     const Point2 from = point_at(edge, span.from), to = point_at(edge, span.to);
-    ends.push_back({to_double(from.x), to_double(from.y), to_double(to.x), to_double(to.y)});
+    ends.push_back({written_double(from.x), written_double(from.y), written_double(to.x), written_double(to.y)});
   }
   return ends;
 }

@@ -1,6 +1,8 @@
 #include "geometry/plane/scene/moving_lights.h"
 
 #include "geometry/light_motion.h"
+#include "geometry/naming_light.h"
+#include "kernel/exact_double.h"
 
 namespace hottel {
 
@@ -14,7 +16,7 @@ LightPlace2 place_after(const LightPlace2& place, const Rational& time) {
   for (const Point2& p : place.path->points) points.push_back({p.x, p.y});
   const PathPlace at =
       place_on_path(points, place.path->closed, part_of_way(time, place.path->seconds, place.path->closed));
-  result.position = {Rational(at.point[0]), Rational(at.point[1])};
+  result.position = {exact_value(at.point[0]), exact_value(at.point[1])};
   return result;
 }
 
@@ -27,7 +29,10 @@ bool has_moving_lights(const Scene2& scene) {
 }
 
 Scene2 scene_after(Scene2 scene, const Rational& time) {
-  for (LightPlace2& place : scene.light_places) place = place_after(place, time);
+  for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+    const auto after = [&] { return place_after(scene.light_places[k], time); };
+    scene.light_places[k] = naming_light(scene, scene.lights[k], after);
+  }
   return scene;
 }
 

@@ -5,6 +5,7 @@
 #include "geometry/light_motion.h"
 #include "geometry/name.h"
 #include "geometry/number.h"
+#include "kernel/decimal.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -28,7 +29,8 @@ std::string place_problem(const Scene2& scene, const Light& light, const LightPl
   for (std::size_t s = 0; s < scene.edges.size(); ++s)
     if (is_on(place.position, scene.edges[s]))
       return "lies on the surface " + quoted_name(scene.surfaces[s].name) + "; a light has to be beside it";
-  return place.path ? path_problem(*place.path) : "";
+  const auto text_of = [](const Point2& p) { return "(" + short_text(p.x) + ", " + short_text(p.y) + ")"; };
+  return place.path ? path_problem(*place.path, place.position, text_of) : "";
 }
 
 }  // namespace

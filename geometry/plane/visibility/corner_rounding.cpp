@@ -6,7 +6,9 @@
 #include <limits>
 #include <numeric>
 
+#include "kernel/exact_double.h"
 #include "kernel/support/parallel.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
@@ -20,8 +22,8 @@ constexpr int kPlaceBits = 60;
 constexpr int kEyeBits = 61;
 
 DoubleDouble split(const Rational& value) {
-  const double hi = to_double(value);
-  return {hi, std::isfinite(hi) ? to_double(value - Rational(hi)) : 0.0};
+  const double hi = written_double(value);
+  return {hi, std::isfinite(hi) ? to_double(value - exact_value(hi)) : 0.0};
 }
 
 bool is_below(Int128 value, Int128 limit) { return -limit < value && value < limit; }
@@ -135,7 +137,7 @@ EyeRounding2::EyeRounding2(const CornerRounding2& scene, const Point2& at, const
 RoundedPoint2 EyeRounding2::operator()(const ViewCorner2& corner, RoundingCounts2& counts) const {
   if (corner.kind != Kind::kBehind) {
     ++counts.known;
-    if (corner.kind == Kind::kEye) return {to_double(point_.x), to_double(point_.y)};
+    if (corner.kind == Kind::kEye) return {written_double(point_.x), written_double(point_.y)};
     const CornerRounding2::Place& place = scene_.places_[corner.vertex.index()];
     return {place.scene_x.hi, place.scene_y.hi};
   }
@@ -145,7 +147,7 @@ RoundedPoint2 EyeRounding2::operator()(const ViewCorner2& corner, RoundingCounts
   }
   ++counts.exact;
   const Point2 p = exact(corner);
-  return {to_double(p.x), to_double(p.y)};
+  return {written_double(p.x), written_double(p.y)};
 }
 
 // With r = vertex - eye, w along the piece and a from the vertex to its line, the corner is vertex + r N / D, where

@@ -11,7 +11,8 @@
 
 namespace hottel {
 
-// A point in scene coordinates: of each coordinate the nearest double, ties to even.
+// A point in scene coordinates: of each coordinate the nearest double, ties to even, as written_double has it: NaN
+// where that is 0 and the coordinate is not.
 struct RoundedPoint2 {
   double x, y;
   friend bool operator==(const RoundedPoint2&, const RoundedPoint2&) = default;
@@ -28,7 +29,7 @@ class EyeRounding2;
 
 // What is kept of a scene to round corners.
 //
-//   (1) what EyeRounding2 rounds is to_double() of the exact coordinates, bit for bit
+//   (1) what EyeRounding2 rounds is written_double() of the exact coordinates, bit for bit
 //   (2) while it lives any number of threads may use it
 //
 // REQUIRES that the arrangement outlives it. COST: some µs a vertex, on all threads.

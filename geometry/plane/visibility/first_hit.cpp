@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/exact_double.h"
+
 namespace hottel {
 namespace {
 
@@ -34,7 +36,7 @@ class RayLine {
  private:
   int exact_side(VertexId v) const {
     const Point2 a = vertices_.exact(piece_.a), b = vertices_.exact(piece_.b), p = vertices_.exact(v);
-    const Rational s(ray_.s), dx(ray_.dx), dy(ray_.dy);
+    const Rational s = exact_value(ray_.s), dx = exact_value(ray_.dx), dy = exact_value(ray_.dy);
     const Rational cross = dx * (p.y - a.y - s * (b.y - a.y)) - dy * (p.x - a.x - s * (b.x - a.x));
     return cross > 0 ? 1 : -1;
   }

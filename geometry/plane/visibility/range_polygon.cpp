@@ -2,6 +2,7 @@
 
 #include "kernel/ball.h"
 #include "kernel/support/failure.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
@@ -14,14 +15,15 @@ Rational dot(const Point2& p, const Point2& q) { return p.x * q.x + p.y * q.y; }
 
 // base + slope sqrt(radicand), correctly rounded. What is irrational is neither a double nor half-way between two.
 double rounded(const Rational& base, const Rational& slope, const Rational& radicand) {
-  if (slope == 0 || radicand == 0) return to_double(base);
+  if (slope == 0 || radicand == 0) return written_double(base);
   const Integer square = radicand.get_num() * radicand.get_den();
   const Rational factor = slope / radicand.get_den();
-  if (mpz_perfect_square_p(square.get_mpz_t())) return to_double(base + factor * Integer(sqrt(square)));
+  if (mpz_perfect_square_p(square.get_mpz_t())) return written_double(base + factor * Integer(sqrt(square)));
   for (long precision = 128;; precision *= 2) {
     const Ball root = Ball::of(factor, precision).times(Ball::root(square, precision), precision);
     const Enclosure ends = Ball::of(base, precision).plus(root, precision).nearest_of_ends();
-    if (ends.lower == ends.upper) return ends.lower;
+    if (ends.lower == ends.upper)  // and not 0
+      return written_double(Rounded{ends.lower, 1});
   }
 }
 

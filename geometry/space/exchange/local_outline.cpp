@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "kernel/exact_double.h"
+
 namespace hottel {
 namespace {
 
@@ -15,7 +17,7 @@ long double in_long_double(Integer value, long bits) {
     long exponent;
     const double leading = mpz_get_d_2exp(&exponent, value.get_mpz_t());  // towards zero
     sum += std::ldexp(static_cast<long double>(leading), static_cast<int>(exponent - bits));
-    const Integer digits(std::ldexp(leading, 53));
+    const Integer digits = exact_integer(std::ldexp(leading, 53));
     value -= exponent >= 53 ? Integer(digits << static_cast<unsigned long>(exponent - 53))
                             : Integer(digits >> static_cast<unsigned long>(53 - exponent));
   }

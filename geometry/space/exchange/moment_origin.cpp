@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/exact_double.h"
+
 namespace hottel {
 namespace {
 
@@ -21,7 +23,7 @@ MomentOrigin3::MomentOrigin3(const PairBodies3& bodies, const double (&shift)[3]
   for (int a = 0; a < 3; ++a) {
     Rational place(*numerators[a], point_.weight);
     place.canonicalize();
-    moved[a] = place + scaled_by_power_of_two(Rational(shift[a]), vertex_shift);
+    moved[a] = place + scaled_by_power_of_two(exact_value(shift[a]), vertex_shift);
   }
   const Integer common = lcm(lcm(moved[0].get_den(), moved[1].get_den()), moved[2].get_den());
   const auto over = [&common](const Rational& value) -> Integer {
@@ -83,7 +85,7 @@ bool MomentOrigin3::set_on_common_line(double shift) {
   const std::vector<WeightedPoint3> here = crossings(0);
   if (here.size() != 2 || crossings(1).size() != 2) return false;
   const WeightedPoint3 &a = here[0], &b = here[1];
-  const Rational share = Rational(1, 2) + Rational(shift);
+  const Rational share = Rational(1, 2) + exact_value(shift);
   const Integer &p = share.get_num(), &q = share.get_den();
   const IntegerVector from = multiple((q - p) * b.weight, a.numerator), to = multiple(p * a.weight, b.numerator);
   point_ = {{from.x + to.x, from.y + to.y, from.z + to.z}, q * a.weight * b.weight};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "kernel/exact_double.h"
+
 namespace hottel {
 namespace {
 
@@ -94,7 +96,7 @@ void MovingPlanes3::look_from(const Stretch3& stretch) {
   is_small_ = fits;
   if (fits) {
     const BoundedVector from = rounded(stretch.from, 0), way = rounded(stretch.way, 0);
-    const double weight = stretch.weight.get_d();
+    const double weight = truncated_double(stretch.weight);
     for (std::size_t k = 0; k < count && is_small_; ++k) {
       const PairBodies3::Point& p = bodies_.points[k];
       const double w = p.approximate_weight;
@@ -131,7 +133,7 @@ void MovingPlanes3::move_to(double t, double left, double right) {
   ++stamp_;
   t_ = t;
   split_double_3(t, mantissa_, places_);
-  const double whole = mantissa_.get_d();
+  const double whole = truncated_double(mantissa_);
   const double scale = places_ <= 60 ? std::ldexp(1.0, static_cast<int>(places_)) : 0;
   const bool is_exact = is_small_ && scale > 0 && largest_offset_ * scale + whole * largest_drift_ <= kExactLimit;
   unit_ = is_exact ? scale : 1;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/exact_double.h"
+
 namespace hottel {
 namespace {
 
@@ -31,7 +33,7 @@ PairBodies3::PairBodies3(const Blockers3& blockers, const Patch3& i, const Patch
 
 std::uint32_t PairBodies3::add_point(const IntegerVector& exact, const Integer& weight,
                                      const BoundedVector& approximate) {
-  points.push_back({&exact, &weight, approximate, weight.get_d()});
+  points.push_back({&exact, &weight, approximate, truncated_double(weight)});
   if (mpz_sizeinbase(weight.get_mpz_t(), 2) > 53) points.back().approximate.error += 0x1p-52 * approximate.size;
   return static_cast<std::uint32_t>(points.size() - 1);
 }
@@ -59,7 +61,7 @@ void PairBodies3::add_patch(const Blockers3& blockers, const Patch3& patch) {
       continue;
     }
     const BoundedVector approximate = rounded(corner, shift_);
-    const double weight = patch.weight.get_d();
+    const double weight = truncated_double(patch.weight);
     const auto may_be_same = [&](const Point& p) {
       const double slack = 1e-9 * (weight * p.approximate.size + p.approximate_weight * approximate.size);
       // Not a number where weights are infinite: then all may be.

@@ -30,7 +30,7 @@ std::string light_place_problem(const Scene3& scene, const Light& light, const L
       if (contains(facet, place.position))
         return "lies on the surface " + quoted_name(scene.surfaces[s].name) + "; a light has to be beside it";
   }
-  return place.path ? path_problem(*place.path) : "";
+  return place.path ? path_problem(*place.path, place.position, place_text) : "";
 }
 
 }  // namespace hottel

@@ -1,6 +1,8 @@
 #include "geometry/space/scene/moving_lights.h"
 
 #include "geometry/light_motion.h"
+#include "geometry/naming_light.h"
+#include "kernel/exact_double.h"
 
 namespace hottel {
 
@@ -13,14 +15,14 @@ LightPlace3 place_after(const LightPlace3& place, const Rational& time) {
   if (x != 0 || y != 0 || z != 0) {
     const Vector3& d = place.direction;
     const std::vector<double> axis = turned({d.x, d.y, d.z}, {x, y, z});
-    result.direction = {Rational(axis[0]), Rational(axis[1]), Rational(axis[2])};
+    result.direction = {exact_value(axis[0]), exact_value(axis[1]), exact_value(axis[2])};
   }
   if (!place.path) return result;
   std::vector<std::vector<Rational>> points;
   for (const Point3& p : place.path->points) points.push_back({p.x, p.y, p.z});
   const PathPlace at =
       place_on_path(points, place.path->closed, part_of_way(time, place.path->seconds, place.path->closed));
-  result.position = {Rational(at.point[0]), Rational(at.point[1]), Rational(at.point[2])};
+  result.position = {exact_value(at.point[0]), exact_value(at.point[1]), exact_value(at.point[2])};
   return result;
 }
 
@@ -33,7 +35,10 @@ bool has_moving_lights(const Scene3& scene) {
 }
 
 Scene3 scene_after(Scene3 scene, const Rational& time) {
-  for (LightPlace3& place : scene.light_places) place = place_after(place, time);
+  for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+    const auto after = [&] { return place_after(scene.light_places[k], time); };
+    scene.light_places[k] = naming_light(scene, scene.lights[k], after);
+  }
   return scene;
 }
 

@@ -13,6 +13,7 @@ namespace hottel {
 namespace {
 
 constexpr long kFirstPrecision = 128, kLastPrecision = 1 << 12;
+constexpr double kLeastCosine = 0x1p-8;  // below it the cosine of vectors in doubles may be off by 2^-44 of itself
 
 Direction3 in_doubles(const IntegerVector& a) {
   const BoundedVector w = rounded(a, bits(a) - 53);
@@ -59,7 +60,12 @@ void for_each_arc(const ExactCone3& cone, const F& f) {
     f(DirectionArc{cone.inward[k], cone.corners[k], cone.corners[k + 1 == cone.inward.size() ? 0 : k + 1]});
 }
 
-// Whether the point of an arc that is nearest to the axis is an inner one.
+// The point of the great circle of an arc that is nearest to the axis: |m|^2 a - (a . m) m.
+IntegerVector nearest_to(const IntegerVector& axis, const DirectionArc& arc) {
+  return difference(multiple(dot(arc.normal, arc.normal), axis), multiple(dot(axis, arc.normal), arc.normal));
+}
+
+// Whether that is an inner point of the arc.
 bool turns_at_inner_point(const DirectionArc& arc, const IntegerVector& axis) {
   const IntegerVector forward = cross(arc.normal, axis);
   return dot_sign(forward, arc.from) < 0 && dot_sign(forward, arc.to) > 0;
@@ -132,9 +138,7 @@ BeamPower3::Meets BeamPower3::meeting(const Narrow& beam, const ExactCone3& cone
   if (meets || beam.half_angle == 90) return meets ? Meets::kPart : Meets::kNothing;
   for_each_arc(cone, [&](const DirectionArc& arc) {
     if (meets || !turns_at_inner_point(arc, beam.axis)) return;
-    // The point nearest to the axis: |m|^2 a - (a . m) m.
-    meets = beam.side(difference(multiple(dot(arc.normal, arc.normal), beam.axis),
-                                 multiple(dot(beam.axis, arc.normal), arc.normal))) > 0;
+    meets = beam.side(nearest_to(beam.axis, arc)) > 0;
   });
   return meets ? Meets::kPart : Meets::kNothing;
 }
@@ -152,9 +156,7 @@ Ball BeamPower3::share_at(const Narrow& beam, const ExactCone3& cone, Meets meet
   }
   for_each_arc(cone, [&](const DirectionArc& arc) {
     if (beam.side(arc.from) > 0 || beam.side(arc.to) > 0 ||
-        (beam.half_angle < 90 && turns_at_inner_point(arc, beam.axis) &&
-         beam.side(difference(multiple(dot(arc.normal, arc.normal), beam.axis),
-                              multiple(dot(beam.axis, arc.normal), arc.normal))) > 0))
+        (beam.half_angle < 90 && turns_at_inner_point(arc, beam.axis) && beam.side(nearest_to(beam.axis, arc)) > 0))
       sum = sum.plus(arcs.entering(arc), precision);
   });
   const ExactCone3::Located axis = cone.locate(beam.axis);
@@ -178,6 +180,21 @@ Ball BeamPower3::share_at(const Narrow& beam, const ExactCone3& cone, Meets meet
   return sum.over(turn, precision);
 }
 
+// True only where the share of the cone is below 2^-960, as it is where the falloff is large and all of the cone is far
+// from the axis: then no digits are needed to know all that doubles tell. What leaves beyond the angle t is
+// (cos^k t - cos^k f) / (1 - cos^k f), and so at most cos^k t, k = n + 1.
+bool BeamPower3::is_far_below_doubles(const ExactCone3& cone) const {
+  if (beam_.falloff < 1 || cone.locate(narrow_.axis).place != ExactCone3::Place::kOutside) return false;
+  double most = 0;  // cosine of what is nearest to the axis: of a corner, or of the nearest point of a side
+  for_each_arc(cone, [&](const DirectionArc& arc) {
+    most = std::max(most, dot(axis_, in_doubles(arc.from)));
+    if (turns_at_inner_point(arc, narrow_.axis))
+      most = std::max(most, dot(axis_, in_doubles(nearest_to(narrow_.axis, arc))));
+  });
+  constexpr double kError = 1e-14;
+  return (exponent_ + 1) * std::log2(most + kError) < -970;
+}
+
 Ball BeamPower3::share(const ExactCone3& cone, long digits) const {
   const auto refined = [digits](const auto& at) {
     Ball result;
@@ -191,6 +208,7 @@ Ball BeamPower3::share(const ExactCone3& cone, long digits) const {
     return refined([&](long p) { return solid_angle(cone, p).over(full_turn(p).plus(full_turn(p), p), p); });
   const Meets meets = meeting(narrow_, cone);
   if (meets == (is_wide_ ? Meets::kAll : Meets::kNothing)) return {};
+  if (is_far_below_doubles(cone)) return Ball::up_to_power_of_two(-960);
   if (!is_wide_) return refined([&](long p) { return share_at(narrow_, cone, meets, p); });
   // Of all directions, those around the opposite axis left out: 1 - cos f is 1 + the cosine of what is left out.
   return refined([&](long p) {
@@ -207,16 +225,19 @@ BeamPower3::Meets BeamPower3::meets(const ExactCone3& cone) const {
 }
 
 double BeamPower3::intensity(const IntegerVector& direction) const {
-  if (side(direction) < 0) return 0;
-  if (exponent_ == 0) return axial_;
-  const double cosine = dot(axis_, in_doubles(direction));
-  return cosine > 0 ? axial_ * std::pow(cosine, exponent_) : 0;
+  return side(direction) < 0 ? 0 : uncut_intensity(direction);
 }
 
 double BeamPower3::uncut_intensity(const IntegerVector& direction) const {
   if (beam_.falloff == 0) return axial_;
   if (dot_sign(narrow_.axis, direction) <= 0) return 0;  // not wide: there is a falloff
-  return axial_ * std::pow(std::max(dot(axis_, in_doubles(direction)), 0.0), exponent_);
+  const double cosine = dot(axis_, in_doubles(direction));
+  if (cosine > kLeastCosine) return axial_ * std::pow(cosine, exponent_);
+  const auto number = [](const Integer& value) { return Ball::of(Rational(value), kFirstPrecision); };
+  const Integer squares = dot(narrow_.axis, narrow_.axis) * dot(direction, direction);
+  const Ball height =
+      number(dot(narrow_.axis, direction)).over(number(squares).square_root(kFirstPrecision), kFirstPrecision);
+  return axial_ * height.power(beam_.falloff, kFirstPrecision).nearest_of_ends().lower;
 }
 
 }  // namespace hottel

@@ -39,12 +39,14 @@ std::string beam_problem(const Beam3& beam);
 //   (1) side(w) is +1, 0, -1 for directions within the open beam, on its border, beyond: exactly. Of a beam to all
 //       directions, +1
 //   (2) share(cone) is a ball around the part of P that goes into the cone, at most 2^-digits of it wide where 4096
-//       bits are enough for that, as they are for shares down to 10^-500; exactly 0, the number, where the open beam
-//       and the cone have no common inner direction
+//       bits are enough for that, as they are for shares down to 10^-500; with a falloff it may be from 0 to 2^-960
+//       where the part is less than that; exactly 0, the number, where the open beam and the cone have no common inner
+//       direction
 //   (3) meets(cone) is exact, and kNothing iff the share is 0
 //   (4) shares of cones that are turned or mirrored together with the axis are those of the cones before
 //   (5) intensity(w) is I / P in doubles, for directions of any length: off by a few ulps, and some n ulps more where n
-//       is large; 0 iff w is beyond the border. [unit: 1 / steradian]
+//       is large; 0 where w is beyond the border, and at a right angle to the axis with a falloff. Both are decided
+//       exactly. [unit: 1 / steradian]
 //   (6) uncut_intensity(w) is the same number wherever w is, though nothing leaves there; but 0 where n > 0 and w is
 //   not
 //       within 90 degrees
@@ -54,7 +56,7 @@ std::string beam_problem(const Beam3& beam);
 //
 // For several threads at once.
 // COST: share: some ten microseconds a corner and half a microsecond more for each whole n up to 1000; for other n up
-// to some milliseconds for each that is in the beam.
+// to some milliseconds for each that is in the beam, however large n is.
 // SEE: docs/design/space/lights.md; kernel/beam_arc.h.
 class BeamPower3 {
  public:
@@ -82,6 +84,7 @@ class BeamPower3 {
 
     int side(const IntegerVector& direction) const;
   };
+  bool is_far_below_doubles(const ExactCone3& cone) const;
   static Meets meeting(const Narrow& beam, const ExactCone3& cone);
   static Ball share_at(const Narrow& beam, const ExactCone3& cone, Meets meets, long precision);
 

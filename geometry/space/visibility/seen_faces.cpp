@@ -7,6 +7,7 @@
 
 #include "geometry/space/scene/polygon.h"
 #include "geometry/space/visibility/convex_cut.h"
+#include "kernel/exact_double.h"
 
 namespace hottel {
 namespace {
@@ -114,7 +115,7 @@ class SolidsTakenOut {
     const double half = dot(normal, rounded(polygon.points.front() - eye_)) / dot(normal, way) / 2;
     if (!std::isfinite(half)) return meshes_.front();
     const Direction3 step = half * way;
-    const Point3 middle{eye_.x + Rational(step.x), eye_.y + Rational(step.y), eye_.z + Rational(step.z)};
+    const Point3 middle{eye_.x + exact_value(step.x), eye_.y + exact_value(step.y), eye_.z + exact_value(step.z)};
     const auto around = arrangement_.solids().around(middle);
     return around && std::find(meshes_.begin(), meshes_.end(), *around) != meshes_.end() ? *around : meshes_.front();
   }

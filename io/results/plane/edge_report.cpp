@@ -9,6 +9,7 @@
 #include "io/results/csv_field.h"
 #include "kernel/decimal.h"
 #include "kernel/support/failure.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
@@ -36,10 +37,9 @@ std::string along_name(const PreparedScene2& prepared, const CriticalLine2& line
 
 std::string coordinate_text(const Rational& value, bool is_exact) {
   if (is_exact) return to_string(value);
-  const double nearest = to_double(value);
-  if (!std::isfinite(nearest))
-    throw RequestError("a coordinate of a critical line is beyond the range of doubles; --exact writes it");
-  return shortest(nearest);
+  const double written = written_double(value);
+  require_double(written, "a coordinate of a critical line", "; --exact writes it");
+  return shortest(written);
 }
 
 std::string point_text(const Point2& p, bool is_exact) {

@@ -11,20 +11,22 @@
 #include "kernel/decimal.h"
 #include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-double finite_coordinate(double value) {
-  if (!std::isfinite(value))
-    throw RequestError("a coordinate of a vertex is beyond the range of doubles; --exact writes it");
-  return value;
+double told_coordinate(const Rational& value) {
+  const double written = written_double(value);
+  require_double(written, "a coordinate of a vertex", "; --exact writes it");
+  return written;
 }
 
-double finite_length(double value) {
-  if (!std::isfinite(value)) throw RequestError("a length in the visibility graph is beyond the range of doubles");
+// A length, which is not 0.
+double told_length(double value) {
+  require_double(written_double(Rounded{value, 1}), "a length in the visibility graph");
   return value;
 }
 
@@ -56,7 +58,7 @@ std::string GraphWriter2::point(const GraphVertex2& vertex) const {
   const Vertices2& vertices = prepared_.arrangement.vertices();
   const Point2 p = vertices.to_scene(vertices.exact(vertex.id));
   if (format_ == GraphFormat2::kExactCsv) return to_string(p.x) + "," + to_string(p.y);
-  return shortest(finite_coordinate(to_double(p.x))) + "," + shortest(finite_coordinate(to_double(p.y)));
+  return shortest(told_coordinate(p.x)) + "," + shortest(told_coordinate(p.y));
 }
 
 void GraphWriter2::write_vertices() {
@@ -65,7 +67,7 @@ void GraphWriter2::write_vertices() {
   const char* before = "\n    ";
   for (const GraphVertex2& vertex : labels_->vertices) {
     const Point2 p = vertices.to_scene(vertices.exact(vertex.id));
-    Json entry{{"x", finite_coordinate(to_double(p.x))}, {"y", finite_coordinate(to_double(p.y))}};
+    Json entry{{"x", told_coordinate(p.x)}, {"y", told_coordinate(p.y)}};
     entry["exact"] = {to_string(p.x), to_string(p.y)};
     entry["surface"] = prepared_.scene.surfaces[vertex.surface].name;
     entry["crossing"] = vertex.is_crossing;
@@ -85,14 +87,14 @@ std::string GraphWriter2::pair_as_csv(const VisiblePair2& pair) const {
     return csv_field(prepared_.scene.surfaces[labels_->vertices[vertex].surface].name);
   };
   return fmt::format("{},{},{},{},{},{},{},{}\n", pair.v, pair.w, labels_->points[pair.v], labels_->points[pair.w],
-                     shortest(finite_length(pair.length)), csv_field(along(pair)), name(pair.v), name(pair.w));
+                     shortest(told_length(pair.length)), csv_field(along(pair)), name(pair.v), name(pair.w));
 }
 
 std::string GraphWriter2::pair_as_json(const VisiblePair2& pair) const {
   const std::string name = along(pair);
   Json entry;
   entry["vertices"] = {pair.v, pair.w};
-  entry["length"] = finite_length(pair.length);
+  entry["length"] = told_length(pair.length);
   entry["along"] = name.empty() ? Json() : Json(name);
   return entry.dump();
 }

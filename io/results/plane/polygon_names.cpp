@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "kernel/support/failure.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 
@@ -11,9 +12,10 @@ std::string no_polygon_name(const PreparedScene2& prepared, const RoundedPolygon
 }
 
 void require_finite(const RoundedPolygon2::Corner& corner, std::size_t point) {
-  if (!std::isfinite(corner.x) || !std::isfinite(corner.y))
-    throw RequestError("a corner of what point " + std::to_string(point) +
-                       " sees is beyond the range of doubles; --exact writes it to a csv");
+  for (const double coordinate : {corner.x, corner.y})
+    if (!std::isfinite(coordinate))
+      require_double(coordinate, "a corner of what point " + std::to_string(point) + " sees",
+                     "; --exact writes it to a csv");
 }
 
 }  // namespace hottel

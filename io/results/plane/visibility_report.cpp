@@ -10,6 +10,7 @@
 #include "geometry/scene_names.h"
 #include "geometry/visibility_quotient.h"
 #include "kernel/decimal.h"
+#include "kernel/exact_double.h"
 
 namespace hottel {
 namespace {
@@ -26,7 +27,7 @@ struct Draft {
 
 bool is_a_double(const Rational& value) {
   const double nearest = to_double(value);
-  return std::isfinite(nearest) && Rational(nearest) == value;
+  return std::isfinite(nearest) && exact_value(nearest) == value;
 }
 
 Json json_of(const Rational& value) { return {{"value", to_double(value)}, {"exact", to_string(value)}}; }

@@ -2,20 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <string>
 
 #include "geometry/scene_names.h"
 #include "io/results/csv_field.h"
 #include "kernel/rational.h"
 #include "kernel/support/failure.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
 
 std::string number(double value, const char* what, const Element& element) {
-  if (!std::isfinite(value))
-    throw RequestError(fmt::format("{} of '{}' is beyond the range of doubles", what, element.name));
+  require_double(value, fmt::format("{} of '{}'", what, element.name));
   return shortest(value);
 }
 
@@ -41,7 +40,7 @@ void write_faces_csv_3(const FactorTable& table, std::span<const std::vector<std
                                  ? element.name
                                  : face_name(table.scene, {element.surface, element.is_back});
     text += fmt::format("{},{},{},{},{},{}\n", i + 1, csv_field(face), element.node().text(),
-                        number(element.area.value, "the area", element),
+                        number(written_double(element.area), "the area", element),
                         element.material ? csv_field(table.scene.materials[*element.material].name) : "",
                         points_text(corners[i], element));
   }

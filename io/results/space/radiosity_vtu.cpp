@@ -8,6 +8,7 @@
 
 #include "geometry/space/exchange/element_table.h"
 #include "kernel/rational.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
@@ -29,6 +30,12 @@ void write_array(const std::string& attributes, std::size_t count, const Text& t
   sink("        <DataArray " + attributes + " format=\"ascii\">\n");
   for (std::size_t k = 0; k < count; ++k) sink("          " + text(k) + "\n");
   sink("        </DataArray>\n");
+}
+
+std::string number(const Rational& coordinate) {
+  const double written = written_double(coordinate);
+  require_double(written, "a coordinate of a corner in radiosity.vtu");
+  return shortest(written);
 }
 
 using Quantity = std::pair<const char*, double (*)(const ElementRadiosity&)>;
@@ -62,7 +69,7 @@ void write_radiosity_vtu(const PreparedScene3& prepared, Granularity granularity
       "type=\"Float64\" NumberOfComponents=\"3\"", points.size(),
       [&](std::size_t k) {
         const Point3& p = points[k];
-        return shortest(to_double(p.x)) + " " + shortest(to_double(p.y)) + " " + shortest(to_double(p.z));
+        return number(p.x) + " " + number(p.y) + " " + number(p.z);
       },
       sink);
   sink("      </Points>\n      <Cells>\n");

@@ -17,7 +17,9 @@
 #include "io/scene/exact_decimal.h"
 #include "io/scene/space/mesh_pieces.h"
 #include "kernel/decimal.h"
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
@@ -38,10 +40,9 @@ struct Held {
 
 Held decimal_or_double(const Rational& value) {
   if (auto text = exact_decimal_text(value)) return {*std::move(text), value};
-  const double rounded = to_double(value);
-  if (!std::isfinite(rounded))
-    throw RequestError("a number, about " + decimal_text(value) + ", is beyond the largest double");
-  return {shortest(rounded), Rational(rounded)};
+  const double rounded = written_double(value);
+  if (!std::isfinite(rounded)) require_double(rounded, "a number, about " + decimal_text(value) + ",");
+  return {shortest(rounded), exact_value(rounded)};
 }
 
 // The float nearest to a value, ties to even.
@@ -52,13 +53,15 @@ float nearest_float(const Rational& value) {
   for (const float candidate : {guess, std::nextafter(guess, -kInfinity), std::nextafter(guess, kInfinity)}) {
     if (!std::isfinite(candidate)) continue;
     if (best) {
-      const int order = cmp(Rational(abs(Rational(candidate) - value)), Rational(abs(Rational(*best) - value)));
+      const int order = cmp(Rational(abs(exact_value(candidate) - value)), Rational(abs(exact_value(*best) - value)));
       if (order > 0 || (order == 0 && (std::bit_cast<std::uint32_t>(candidate) & 1) != 0)) continue;
     }
     best = candidate;
   }
-  if (!best || abs(value) > Rational(std::numeric_limits<float>::max()))
+  if (!best || abs(value) > exact_value(std::numeric_limits<float>::max()))
     throw RequestError("the coordinate " + short_text(value) + " is beyond the largest float, which STL has");
+  if (*best == 0 && value != 0)
+    throw RequestError("the coordinate " + short_text(value) + " is below the least float, which STL has");
   return *best;
 }
 
@@ -141,7 +144,7 @@ class MeshWriter3 {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (format_ == MeshFormat3::kStl) {
           floats_.push_back(nearest_float(*exact[axis]));
-          held[axis].value = Rational(floats_.back());
+          held[axis].value = exact_value(floats_.back());
         } else {
           held[axis] = decimal_or_double(*exact[axis]);
         }

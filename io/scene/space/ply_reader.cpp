@@ -11,6 +11,7 @@
 #include "io/scene/binary_values.h"
 #include "io/scene/ply_header.h"
 #include "io/scene/text_words.h"
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -104,7 +105,7 @@ class BinaryBody {
     float_digits_ = float_digits_ == 0 ? digits : std::min(float_digits_, digits);
     const double value = property.type == PlyType::kFloat32 ? values_.take<float>() : values_.take<double>();
     if (!std::isfinite(value)) refuse(property.name + " of " + item_.text() + " is not finite");
-    return Rational(value);
+    return exact_value(value);
   }
   // Integers have the unit 1.
   void tell_digits(Mesh3& mesh) const {

@@ -6,6 +6,7 @@
 #include "geometry/name.h"
 #include "io/scene/binary_values.h"
 #include "io/scene/text_words.h"
+#include "kernel/exact_double.h"
 #include "kernel/support/counted.h"
 #include "kernel/support/failure.h"
 
@@ -125,7 +126,7 @@ Mesh3 parse_binary(std::string_view bytes, const std::string& file) {
         if (!std::isfinite(value))
           throw InputError({file, 0}, "a coordinate of triangle " + std::to_string(mesh.faces.size()) +
                                           " is not finite (byte " + std::to_string(at) + ")");
-        *coordinate = Rational(value);
+        *coordinate = exact_value(value);
       }
       face.polygon.points.push_back(std::move(point));
     }

@@ -12,6 +12,7 @@
 #include "geometry/space/scene/near_plane.h"
 #include "io/scene/space/vs3_statements.h"
 #include "kernel/decimal.h"
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/trimmed.h"
 
@@ -59,7 +60,7 @@ CosineAndSine turn(const Rational& degrees, bool& is_exact) {
   if (rest != 0) {
     is_exact = false;
     const double half = std::tan(to_double(rest) * (std::numbers::pi / 360));
-    const Rational t = scaled_by_power_of_two(Rational(std::nearbyint(std::ldexp(half, 52))), -52);
+    const Rational t = scaled_by_power_of_two(exact_value(std::nearbyint(std::ldexp(half, 52))), -52);
     const Rational squared = t * t;
     result = {(1 - squared) / (1 + squared), 2 * t / (1 + squared)};
   }

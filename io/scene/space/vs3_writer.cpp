@@ -13,6 +13,7 @@
 #include "io/scene/exact_decimal.h"
 #include "io/scene/space/mesh_pieces.h"
 #include "kernel/support/failure.h"
+#include "kernel/written_double.h"
 
 namespace hottel {
 namespace {
@@ -222,10 +223,9 @@ class DeckWriter3 {
   std::string coordinate(const Rational& value) {
     if (auto text = exact_decimal_text(value); text && text->size() <= kMostOfNumber) return *std::move(text);
     rounded_.insert(value);
-    const double nearest = to_double(value);
-    if (!std::isfinite(nearest))
-      throw RequestError("a coordinate is beyond the range of doubles, in which View3D computes");
-    return shortest(nearest);
+    const double written = written_double(value);
+    require_double(written, "a coordinate", ", in which View3D computes");
+    return shortest(written);
   }
 
   std::string emittance_of(std::size_t s, bool is_back) {

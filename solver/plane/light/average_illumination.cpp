@@ -66,7 +66,7 @@ AverageIllumination2 illuminate_averages(const PreparedScene2& prepared, const G
   CellSums2 sums(frame, channels);
   const double lost = add_all(arrangement, radiosity, frame, progress, sums);
 
-  const std::vector<double> shares = free_shares(arrangement, grid, frame);
+  const std::vector<double> shares = free_shares(arrangement, FreeParts2(prepared), grid, frame);
   const std::size_t cells = std::size_t{grid.nx} * grid.ny;
   AverageIllumination2 result{{grid, channels, std::vector<double>(cells * channels)}, std::vector<double>(cells), 0};
   const std::vector<double> largest = largest_radiosities(arrangement, radiosity);

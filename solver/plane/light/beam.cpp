@@ -4,7 +4,10 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <tuple>
+#include <utility>
 
+#include "kernel/coprime_integers.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -27,6 +30,17 @@ int sign_of(const Make& make) {
   throw RequestError("the direction of a light cannot be told from the border of its beam");
 }
 
+Point2 coprime(const Point2& direction) {
+  const auto [x, y] = coprime_integers<2>({direction.x, direction.y});
+  return {Rational(x), Rational(y)};
+}
+
+// A direction of any length in doubles, the larger of which is 1.
+std::pair<double, double> in_doubles(const Point2& direction) {
+  const Rational size = std::max<Rational>(abs(direction.x), abs(direction.y));
+  return {to_double(direction.x / size), to_double(direction.y / size)};
+}
+
 // The angle of (cosine, sine) in degrees, in (-180, 180], where it is a multiple of 45.
 std::optional<int> eighth(const Rational& cosine, const Rational& sine) {
   if (sine == 0) return cosine > 0 ? 0 : 180;
@@ -47,14 +61,12 @@ Rational reduced(const Rational& degrees) {
 }  // namespace
 
 Beam2::Beam2(const Light& light, const LightPlace2& place)
-    : direction_(light.type == LightType::kSpot ? place.direction : Point2{1, 0}),
+    : direction_(light.type == LightType::kSpot ? coprime(place.direction) : Point2{1, 0}),
       turned_(reduced(place.turned)),
       half_angle_(light.half_angle()),
       falloff_(light.falloff),
       is_round_(light.is_round()) {
-  const Rational size = std::max<Rational>(abs(direction_.x), abs(direction_.y));
-  x_ = to_double(direction_.x / size);
-  y_ = to_double(direction_.y / size);
+  std::tie(x_, y_) = in_doubles(direction_);
   falloff_in_doubles_ = to_double(falloff_);
   half_in_radians_ = to_double(half_angle_) / 180 * std::numbers::pi;
   turned_in_radians_ = to_double(turned_) / 180 * std::numbers::pi;
@@ -73,7 +85,10 @@ int Beam2::compare(const Point2& direction, const Rational& degrees) const {
   if (degrees > 180) return -1;
   const Rational cosine = dot(direction_, direction), sine = cross(direction_, direction);
   if (const auto known = eighth(cosine, sine)) return sgn(Rational(*known - degrees));
-  const double angle = std::atan2(to_double(sine), to_double(cosine)) * 180 / std::numbers::pi;
+  double along = to_double(cosine), across = to_double(sine);
+  if (const double size = std::max(std::fabs(along), std::fabs(across)); !(size > kLeastSize && size < 1 / kLeastSize))
+    std::tie(along, across) = in_doubles({cosine, sine});
+  const double angle = std::atan2(across, along) * 180 / std::numbers::pi;
   if (const double rest = angle - to_double(degrees); std::fabs(rest) > 1e-9) return rest > 0 ? 1 : -1;
   return sign_of(
       [&](long precision) { return raw_angle(direction, precision).minus(radians(degrees, precision), precision); });
@@ -118,17 +133,37 @@ Ball Beam2::power_up_to(const Point2& direction, Side side, long precision) cons
   return side == Side::kAbove ? border : Ball().minus(border, precision);
 }
 
+// True only where the share is below 2^-960, as it is where the falloff is large and all directions are far from the
+// axis: then no digits are needed to know all that doubles tell. Let t be the angle of the nearest direction, and
+// T = 1 / sqrt(n). As log cos t <= -t^2 / 2 what is sent out is at most pi exp(-n t^2 / 2); and for n >= 1 half the
+// beam is at least min(f, T) cos(1), as cos^n T grows with n. Where f < T, n t^2 is below 1.
+bool Beam2::is_far_below_doubles(const Point2& from, const Point2& to, Side first, Side last, bool is_behind) const {
+  if (falloff_ < 1) return false;
+  // The angles that directions in the beam may have: from where they begin, and from the border where they are beyond.
+  const auto angle_in = [&](const Point2& direction, Side side) {
+    return side == Side::kInside ? angle(direction, kFirstPrecision).nearest_of_ends().lower
+                                 : static_cast<int>(side) * half_in_radians_;
+  };
+  const double a = angle_in(from, first), b = angle_in(to, last);
+  const bool holds_axis = is_behind ? a <= 0 || b >= 0 : a <= 0 && b >= 0;
+  if (holds_axis) return false;
+  const double nearest = std::min(std::fabs(a), std::fabs(b)), n = falloff_in_doubles_;
+  const double most = std::log2(n) / 2 - n * nearest * nearest / (2 * std::numbers::ln2);  // and log2(3) more
+  return most < -970;
+}
+
 Enclosure Beam2::share(const Point2& from, const Point2& to) const {
   const Side first = side(from), last = side(to);
   const bool is_behind = passes_behind(from, to);
   if (is_dark(from, to, first, last, is_behind)) return {0, 0};
+  if (is_far_below_doubles(from, to, first, last, is_behind)) return {0, 0x1p-961};
   for (long precision = kFirstPrecision;; precision *= 2) {
     const Ball border = border_power(precision);
     Ball power = power_up_to(to, last, precision).minus(power_up_to(from, first, precision), precision);
     if (is_behind) power = power.plus(border.plus(border, precision), precision);
     const Enclosure bounds = power.over(border.plus(border, precision), precision).bounds();
-    const bool is_least = bounds.lower >= 0 && bounds.upper < 0x1p-960;  // doubles tell no more
-    if (is_least || (bounds.lower > 0 && bounds.width() <= 0x1p-50 * bounds.lower)) return bounds;
+    if (bounds.upper < 0x1p-960) return {std::max(bounds.lower, 0.0), bounds.upper};  // doubles tell no more
+    if (bounds.lower > 0 && bounds.width() <= 0x1p-50 * bounds.lower) return bounds;
     if (precision > kMostPrecision) throw RequestError("the power of a light between two directions cannot be told");
   }
 }
@@ -163,13 +198,28 @@ bool Beam2::touches_only(const Point2& from, const Point2& to, Side first, Side 
 
 bool Beam2::contains(const Point2& direction) const { return is_round_ || side(direction) == Side::kInside; }
 
+// Of the angle from the axis: the cosine of the raw angle less what the axis is turned.
+Ball Beam2::cosine(const Point2& direction, long precision) const {
+  const Rational along = dot(direction_, direction), across = cross(direction_, direction);
+  const auto part = [&](const Rational& value, const Rational& degrees) {
+    return Ball::of(value, precision).times(Ball::sine_of_degrees(degrees, precision), precision);
+  };
+  const Rational squares = dot(direction_, direction_) * dot(direction, direction);
+  return part(along, 90 - turned_)
+      .plus(part(across, turned_), precision)
+      .over(Ball::of(squares, precision).square_root(precision), precision);
+}
+
 double Beam2::uncut_intensity(const Point2& direction) const {
   if (falloff_ == 0) return peak_;
   const Rational axis = turned_ - 360 * turns_to_add(direction);
   if (compare(direction, axis - 90) <= 0 || compare(direction, axis + 90) >= 0) return 0;
-  const Rational size = std::max<Rational>(abs(direction.x), abs(direction.y));
-  const double cosine = std::cos(angle_in_doubles(to_double(direction.x / size), to_double(direction.y / size)));
-  return peak_ * std::pow(std::max(cosine, 0.0), falloff_in_doubles_);
+  const auto [x, y] = in_doubles(direction);
+  if (const double t = angle_in_doubles(x, y); !is_near_right_angle(t))
+    return peak_ * std::pow(std::cos(t), falloff_in_doubles_);
+  for (long precision = kFirstPrecision;; precision *= 2)
+    if (const Ball height = cosine(direction, precision); height.sign() > 0 && height.is_relatively_narrow(100))
+      return peak_ * height.power(falloff_, precision).nearest_of_ends().lower;
 }
 
 double Beam2::angle_in_doubles(double x, double y) const {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "kernel/exact_double.h"
 #include "kernel/rational.h"
 
 namespace hottel {
@@ -10,7 +11,7 @@ namespace {
 DoubleDouble fine(const Rational& value) {
   const double hi = to_double(value);
   if (!std::isfinite(hi)) return {hi, 0};
-  return {hi, to_double(value - Rational(hi))};
+  return {hi, to_double(value - exact_value(hi))};
 }
 
 DoubleDouble difference(const DoubleDouble& a, const DoubleDouble& b) {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <span>
 
-#include "geometry/plane/arrangement/solid_regions.h"
 #include "geometry/plane/visibility/point_location.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
@@ -48,12 +47,12 @@ Rational doubled_area(const std::vector<Point2>& polygon) {
 
 class FreeShares {
  public:
-  FreeShares(const Arrangement2& arrangement, const Grid2& grid, const CellFrame2& frame)
+  FreeShares(const Arrangement2& arrangement, const FreeParts2& parts, const Grid2& grid, const CellFrame2& frame)
       : arrangement_(arrangement),
         triangulation_(arrangement.triangulation()),
+        parts_(parts),
         grid_(grid),
         frame_(frame),
-        regions_(arrangement),
         width_((grid.max.x - grid.min.x) / rational(grid.nx)),
         height_((grid.max.y - grid.min.y) / rational(grid.ny) / width_),
         shares_(std::size_t{grid.nx} * grid.ny, kUnknown) {
@@ -92,13 +91,12 @@ class FreeShares {
 
   void find_cells_at_borders() {
     std::vector<char> is_near(shares_.size(), 0);
-    for (std::uint32_t region = 0; region < regions_.count(); ++region)
-      for (const SolidRegions2::Border& border : regions_.borders(region))
-        for (std::size_t k = 0; k < border.size(); ++k) {
-          const VertexId a = border[k], b = border[k + 1 == border.size() ? 0 : k + 1];
-          for_each_cell_of({a, b, b},
-                           [&](std::uint32_t ix, std::uint32_t iy) { is_near[std::size_t{iy} * grid_.nx + ix] = 1; });
-        }
+    for (const HalfEdgeId h : triangulation_.half_edges()) {
+      if (parts_.has(h) == parts_.has_beyond(triangulation_, h)) continue;
+      const VertexId a = triangulation_.origin(h), b = triangulation_.target(h);
+      for_each_cell_of({a, b, b},
+                       [&](std::uint32_t ix, std::uint32_t iy) { is_near[std::size_t{iy} * grid_.nx + ix] = 1; });
+    }
     place_.assign(shares_.size(), 0);
     for (std::size_t cell = 0; cell < is_near.size(); ++cell) {
       if (is_near[cell] == 0) continue;
@@ -110,7 +108,7 @@ class FreeShares {
   void find_triangles_in_them() {
     triangles_.resize(at_border_.size());
     for (const TriangleId t : triangulation_.triangles()) {
-      if (regions_.of(half_edge(t, 0)) == SolidRegions2::kNone) continue;
+      if (parts_.has(t) == parts_.has_outside()) continue;
       for_each_cell_of(corners(t), [&](std::uint32_t ix, std::uint32_t iy) {
         const std::uint32_t place = place_[std::size_t{iy} * grid_.nx + ix];
         if (place != 0) triangles_[place - 1].push_back(t);
@@ -128,15 +126,16 @@ class FreeShares {
         bottom = height_ * Rational(Integer(static_cast<unsigned long>(cell / grid_.nx)));
     const Rational right = left + 1, top = bottom + height_;
     const std::vector<Point2> whole{{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-    Rational rest = 2 * height_;
+    Rational counted = 0;
     for (const TriangleId t : triangles) {
       const std::array<VertexId, 3> of_triangle = corners(t);
       const Point2 &a = exact_[of_triangle[0].index()], &b = exact_[of_triangle[1].index()],
                    &c = exact_[of_triangle[2].index()];
-      rest -= doubled_area(left_part(left_part(left_part(whole, a, b), b, c), c, a));
+      counted += doubled_area(left_part(left_part(left_part(whole, a, b), b, c), c, a));
     }
-    if (rest == 0) return 0;
-    return std::max(to_double(rest / (2 * height_)), std::numeric_limits<double>::min());
+    const Rational free = parts_.has_outside() ? Rational(2 * height_ - counted) : counted;
+    if (free == 0) return 0;
+    return std::max(to_double(free / (2 * height_)), std::numeric_limits<double>::min());
   }
 
   // Neighbours that no border comes near are alike: one look serves them all.
@@ -150,38 +149,39 @@ class FreeShares {
         if (row[ix] != kUnknown) continue;
         const bool is_like_the_last = ix > 0 && place_[iy * grid_.nx + ix - 1] == 0;
         const auto centre = [&] { return cell_centre(grid_, ix, static_cast<std::uint32_t>(iy)); };
-        row[ix] = is_like_the_last                                                           ? row[ix - 1]
-                  : is_solid(location.locate(Eye2(vertices, vertices.from_scene(centre())))) ? 0
-                                                                                             : 1;
+        row[ix] = is_like_the_last                                                          ? row[ix - 1]
+                  : is_free(location.locate(Eye2(vertices, vertices.from_scene(centre())))) ? 1
+                                                                                            : 0;
       }
     });
   }
 
-  bool is_solid(const Location2& at) const {
+  bool is_free(const Location2& at) const {
     HalfEdgeId h = at.half_edge;
-    if (at.kind == Location2::Kind::kOutside) return false;
+    if (at.kind == Location2::Kind::kOutside) return parts_.has_outside();
     if (at.kind == Location2::Kind::kOnVertex) h = triangulation_.star(at.vertex).front().opposite;
-    return !h.is_none() && regions_.of(h) != SolidRegions2::kNone;
+    return h.is_none() ? parts_.has_outside() : parts_.has(h);
   }
 
   const Arrangement2& arrangement_;
   const Triangulation2& triangulation_;
+  const FreeParts2& parts_;
   const Grid2& grid_;
   const CellFrame2& frame_;
-  const SolidRegions2 regions_;
   const Rational width_, height_;  // of a cell: in the scene; in its own width
   std::vector<Point2> exact_;      // vertices, in cells from the first corner of the grid
   std::vector<double> shares_;
   std::vector<std::size_t> at_border_;              // cells that a border may come near
   std::vector<std::uint32_t> place_;                // by cell: 1 + where it is in at_border_, else 0
-  std::vector<std::vector<TriangleId>> triangles_;  // by place: the solid ones that may reach into it
+  std::vector<std::vector<TriangleId>> triangles_;  // by place: those unlike the outside that may reach into it
 };
 
 }  // namespace
 
-std::vector<double> free_shares(const Arrangement2& arrangement, const Grid2& grid, const CellFrame2& frame) {
-  if (arrangement.solids().is_empty()) return {};
-  return FreeShares(arrangement, grid, frame).find();
+std::vector<double> free_shares(const Arrangement2& arrangement, const FreeParts2& parts, const Grid2& grid,
+                                const CellFrame2& frame) {
+  if (parts.has_all()) return {};
+  return FreeShares(arrangement, parts, grid, frame).find();
 }
 
 }  // namespace hottel

@@ -89,16 +89,19 @@ IlluminationGrid2 illuminate_inverse_square(const PreparedScene2& prepared, cons
     }
     const double cx = x[cell % grid.nx], cy = y[cell / grid.nx];
     const std::size_t m = view.seen.size();
+    bool is_outside = prepared.scene.closed;  // and no face with a material is seen
     for (std::size_t k = 0; k < m; ++k) {
       if (view.seen[k].behind == kSky) continue;
       const std::uint32_t label = table.of(view.seen[k].behind);
       if (label == table.covered() || !table.elements()[label].material) continue;
+      is_outside = false;
       const double r = std::max(std::hypot(middle[label].x - cx, middle[label].y - cy), nearest);
       const double weight =
           lengths.seen_fraction(eye, view.seen[k], view.seen[k + 1 == m ? 0 : k + 1].vertex, label) / (r * r);
       for (std::uint32_t c = 0; c < channels; ++c) sum[c] += weight * by_element[std::size_t{label} * channels + c];
     }
     if (std::any_of(sum, sum + channels, [](double value) { return !std::isfinite(value); })) is_beyond = true;
+    if (is_outside) std::fill_n(sum, channels, std::numeric_limits<double>::quiet_NaN());
   };
   for_each_cell_view(prepared, grid, progress, visit);
   if (is_beyond) throw RequestError("the inverse square of lengths in this scene is beyond the range of doubles");

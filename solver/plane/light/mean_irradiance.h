@@ -14,7 +14,9 @@ namespace hottel {
 //       ratio of the scene's extent to the distance of the vertex
 //   (2) exactly B where everything seen sends out B; never below the least nor above the largest radiosity seen
 //   (3) exactly 0 where nothing but black backs and a dark sky is seen
-//   (4) NaN exactly in solids: in the interior of their union
+//   (4) NaN exactly in solids, in the interior of their union, and where the scene is closed and no face with a
+//   material
+//       is seen
 // REQUIRES: location and view are those of the eye; columns and what is sent out are of one table; result has one place
 // per channel.
 void mean_irradiance(const Vertices2& vertices, const LightColumns2& columns, const SentOut2& sent_out, const Eye2& eye,

@@ -16,7 +16,7 @@ PointLights2::PointLights2(std::shared_ptr<const PreparedScene2> prepared, const
     : prepared_(std::move(prepared)),
       channel_names_(solution.channel_names),
       columns_(prepared_->arrangement, table),
-      sent_out_(sent_out_2(table, solution, prepared_->scene.sky_emission)),
+      sent_out_(sent_out_2(table, solution, prepared_->scene)),
       lit_(std::make_shared<const LitRegions2>(*prepared_)) {}
 
 std::vector<double> PointLights2::at(const Eye2& eye, const Location2& location, const View2& view) const {

@@ -15,7 +15,7 @@ namespace hottel {
 // (lit_region.h).
 //
 //   (1) at() of a point is what at() of its view is, bit for bit
-//   (2) NaN in solids, in every channel
+//   (2) NaN in solids and outside a closed scene (LightRow2::is_nowhere), in every channel
 // REQUIRES the solution of a matrix of the scene of that granularity. Any number of threads may ask at once.
 class PointLights2 {
  public:

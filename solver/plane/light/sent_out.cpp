@@ -8,7 +8,8 @@
 
 namespace hottel {
 
-SentOut2::SentOut2(const ElementTable2& table, std::span<const double> by_element, std::span<const double> sky)
+SentOut2::SentOut2(const ElementTable2& table, std::span<const double> by_element, std::span<const double> sky,
+                   bool is_closed)
     : channels_(static_cast<std::uint32_t>(sky.size())),
       stride_(channels_ > 1 && channels_ < kPadded ? kPadded : channels_) {
   HOTTEL_REQUIRE(channels_ > 0 && by_element.size() == std::size_t{table.count()} * channels_);
@@ -20,6 +21,15 @@ SentOut2::SentOut2(const ElementTable2& table, std::span<const double> by_elemen
     if (table.elements()[label].material)
       std::ranges::copy(by_element.subspan(std::size_t{label} * channels_, channels_), place(label));
   std::ranges::copy(sky, place(table.sky()));
+  if (!is_closed) return;
+  for (const Element& element : table.elements()) is_with_material_.push_back(element.material.has_value());
+  is_with_material_.push_back(false);  // the sky
+}
+
+// Whether the scene is closed, and the row has no face with a material.
+bool SentOut2::is_outside(const LightRow2& row) const {
+  return !is_with_material_.empty() &&
+         std::ranges::none_of(row.columns, [this](std::uint32_t column) { return is_with_material_[column]; });
 }
 
 constexpr std::size_t kLookedAt = 4;  // entries, before it is asked whether they are enough
@@ -59,7 +69,7 @@ std::array<double, kChannels> SentOut2::light_of(const LightRow2& row, std::size
 }
 
 void SentOut2::light(const LightRow2& row, std::span<double> result) const {
-  if (row.is_in_solid) {
+  if (row.is_in_solid || is_outside(row)) {
     std::ranges::fill(result, std::numeric_limits<double>::quiet_NaN());
   } else if (stride_ == kPadded) {
     std::copy_n(light_of<kPadded>(row, 0).begin(), channels_, result.begin());
@@ -81,8 +91,9 @@ std::vector<double> sky_by_channel_2(const Spectrum& sky_emission, std::size_t c
   return result;
 }
 
-SentOut2 sent_out_2(const ElementTable2& table, const RadiositySolution& solution, const Spectrum& sky_emission) {
-  return {table, radiosity_by_element_2(solution), sky_by_channel_2(sky_emission, solution.channels.size())};
+SentOut2 sent_out_2(const ElementTable2& table, const RadiositySolution& solution, const SceneTable& scene) {
+  return {table, radiosity_by_element_2(solution), sky_by_channel_2(scene.sky_emission, solution.channels.size()),
+          scene.closed};
 }
 
 }  // namespace hottel

@@ -18,8 +18,10 @@ namespace hottel {
 class SentOut2 {
  public:
   // by_element: channels values for each of table.elements(), in their order (that of ExchangeMatrix::elements()).
-  // sky: one value per channel. Throws ContractViolation unless there is at least one channel, and as many values.
-  SentOut2(const ElementTable2& table, std::span<const double> by_element, std::span<const double> sky);
+  // sky: one value per channel. is_closed: the scene promises to be closed, so that whoever sees no face with a
+  // material is outside of it. Throws ContractViolation unless there is at least one channel, and as many values.
+  SentOut2(const ElementTable2& table, std::span<const double> by_element, std::span<const double> sky,
+           bool is_closed = false);
 
   std::uint32_t channels() const { return channels_; }
   double of(std::uint32_t column, std::uint32_t channel) const {
@@ -30,7 +32,7 @@ class SentOut2 {
   //
   //   (2) not below the smallest and not above the largest radiosity that is seen: exactly B where everything seen
   //       sends out B, exactly 0 where only what is black is seen
-  //   (3) NaN in every channel where the row is in a solid, and only there
+  //   (3) NaN in every channel where the row is in a solid or outside a closed scene, and only there
   //   (4) the same bits whether the row lists what is black or not
   // The real number lies between the two of (2), so that keeping to them brings no error.
   // REQUIRES: finite radiosities; a row of the same table; result has one place per channel. COST: about 1 ns an entry.
@@ -42,9 +44,12 @@ class SentOut2 {
   template <std::size_t kChannels>
   void keep_within(const LightRow2& row, std::size_t channel, std::array<double, kChannels>& sum) const;
 
+  bool is_outside(const LightRow2& row) const;
+
   static constexpr std::uint32_t kPadded = 4;  // places for two to four channels: as many as wide registers hold
   std::uint32_t channels_, stride_;
-  std::vector<double> values_;  // by column and channel
+  std::vector<double> values_;          // by column and channel
+  std::vector<bool> is_with_material_;  // by column; of a closed scene
 };
 
 // What SentOut2 and FaceRadiosity2 want of a solution: radiosities element-major, channels inside; the sky's emission
@@ -52,7 +57,7 @@ class SentOut2 {
 std::vector<double> radiosity_by_element_2(const RadiositySolution& solution);
 std::vector<double> sky_by_channel_2(const Spectrum& sky_emission, std::size_t channels);
 
-// Of a solution of a matrix of the table's elements, and the scene's sky.
-SentOut2 sent_out_2(const ElementTable2& table, const RadiositySolution& solution, const Spectrum& sky_emission);
+// Of a solution of a matrix of the table's elements, and the scene's sky and promise.
+SentOut2 sent_out_2(const ElementTable2& table, const RadiositySolution& solution, const SceneTable& scene);
 
 }  // namespace hottel

@@ -1,9 +1,11 @@
 #include "solver/plane/light/solved_light.h"
 
+#include <algorithm>
 #include <array>
 
 #include "kernel/support/failure.h"
 #include "solver/plane/light/average_illumination.h"
+#include "solver/plane/light/free_parts.h"
 
 namespace hottel {
 namespace {
@@ -30,13 +32,16 @@ SolvedLight2 illuminate(LightKind2 kind, const PreparedScene2& prepared, const G
                        "\" does not know the scene's lights; \"point\" does");
   const auto channels = static_cast<std::uint32_t>(solution.channels.size());
   const std::vector<double> by_element = radiosity_by_element_2(solution);
-  const std::vector<double> sky = sky_by_channel_2(prepared.scene.sky_emission, channels);
+  std::vector<double> sky = sky_by_channel_2(prepared.scene.sky_emission, channels);
   const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, granularity);
   if (kind == LightKind2::kInverseSquare)
     return {illuminate_inverse_square(prepared, grid, table, by_element, channels, progress)};
   if (kind == LightKind2::kPoint)
-    return {
-        with_lights(prepared, illuminate_points(prepared, grid, table, SentOut2(table, by_element, sky), progress))};
+    return {with_lights(
+        prepared,
+        illuminate_points(prepared, grid, table, SentOut2(table, by_element, sky, prepared.scene.closed), progress))};
+  // From where there is light nobody sees the sky then; but what lies outside is in the cells too.
+  if (!FreeParts2(prepared).has_outside()) std::ranges::fill(sky, 0.0);
   const FaceRadiosity2 faces(prepared.arrangement, table, by_element, sky);
   AverageIllumination2 averages = illuminate_averages(prepared, grid, faces, progress);
   return {std::move(averages.grid), averages.max_error};

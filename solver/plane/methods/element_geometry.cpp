@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernel/exact_double.h"
 #include "kernel/int128.h"
 
 namespace hottel {
@@ -13,7 +14,7 @@ constexpr double kShortest = 0x1p-500;
 void split(const Rational& value, int exponent, double& high, double& low) {
   const Rational local = scaled_by_power_of_two(value, -exponent);
   high = to_double(local);
-  low = to_double(local - Rational(high));
+  low = to_double(local - exact_value(high));
 }
 
 std::vector<LocalPoint2> places_of(const Vertices2& vertices) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "kernel/exact_double.h"
 #include "solver/methods/gauss_rule.h"
 #include "solver/plane/methods/cosine_kernel.h"
 #include "solver/plane/methods/method_catalogue.h"
@@ -32,7 +33,8 @@ class Gauss2 final : public PairMethod2 {
       RunPoints2 exact;
       std::vector<std::vector<LocalPoint2>> local;  // by run
     };
-    const std::vector<Rational> places(rule_.place.begin(), rule_.place.end());
+    std::vector<Rational> places;
+    for (const double place : rule_.place) places.push_back(exact_value(place));
     const auto points = std::make_shared<Points>(Points{RunPoints2(prepared, geometry, places), {}});
     for (const ElementRun2& run : geometry.all_runs()) {
       points->local.emplace_back();

@@ -177,6 +177,7 @@ struct RadiositiesInput {
   StagePtr<std::vector<LightShares>> shares;  // of the power of the lights; null: there are none
   Spectra powers;
   bool closed = false;
+  StagePtr<ComputedFactors2> exact;  // of the scene, by whatever method the factors are: for the promise
   friend bool operator==(const RadiositiesInput& a, const RadiositiesInput& b) {
     return a.system == b.system && a.emissions == b.emissions && a.shares == b.shares && a.powers == b.powers &&
            a.closed == b.closed;
@@ -258,9 +259,8 @@ RadiositySolution make_radiosities(const RadiositiesInput& input, const StagePro
   const auto prepared = input.prepared->get(progress);
   const Scene2& scene = prepared->scene;
   const ExchangeMatrix& matrix = factors->matrix;
-  if (input.method->info().guarantee == Guarantee::kExact)  // an error of another method is none of the scene
-    require_closed(scene, matrix);
-  else
+  if (input.closed) require_closed(scene, input.exact->get(progress)->matrix);
+  if (input.method->info().guarantee != Guarantee::kExact)
     require_not_negative(matrix, scene.file, input.method->info().name);
   const auto shares = input.shares ? input.shares->get(progress) : nullptr;
   return scene_radiosities(*input.system->get(progress), scene,
@@ -287,8 +287,7 @@ LightRows2 make_rows(const RowsInput& input, const StageProgress& progress) {
 IlluminationGrid2 light_of_rows(const LightRows2& rows, const LightInput& input, const PreparedScene2& prepared,
                                 const RadiositySolution& solution) {
   const ElementTable2 table = table_of(prepared, input.granularity);
-  return with_lights(prepared,
-                     illuminate_points(rows, input.grid, sent_out_2(table, solution, prepared.scene.sky_emission)));
+  return with_lights(prepared, illuminate_points(rows, input.grid, sent_out_2(table, solution, prepared.scene)));
 }
 
 SolvedLight2 make_light(const LightInput& input, const StageProgress& progress) {
@@ -472,7 +471,8 @@ void Simulation2::Version::set_light(const Version* before) {
                                   .emissions = emissions_of(*scene),
                                   .shares = scene->lights.empty() ? nullptr : shares.stage,
                                   .powers = powers_of(*scene),
-                                  .closed = scene->closed};
+                                  .closed = scene->closed,
+                                  .exact = exact_factors.stage};
   radiosities = node_of("radiosity", to_solve, old(before, &Version::radiosities), make_radiosities);
   rows = node_of("illumination", RowsInput{arrangement().stage, granularity, grid, request.memory},
                  old(before, &Version::rows), make_rows);
@@ -522,6 +522,10 @@ std::shared_ptr<const Plan> Simulation2::plan(const StageProgress& progress) con
 std::shared_ptr<const PreparedScene2> Simulation2::prepared(const StageProgress& progress) const {
   return version_->prepared.stage->get(progress);
 }
+void Simulation2::require_closed(const StageProgress& progress) const {
+  if (scene().closed) hottel::require_closed(scene(), version_->exact_factors.stage->get(progress)->matrix);
+}
+
 std::shared_ptr<const ComputedFactors2> Simulation2::factors(const StageProgress& progress) const {
   return version_->factors.stage->get(progress);
 }

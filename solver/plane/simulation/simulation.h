@@ -47,8 +47,8 @@ struct PreparedScene2;
 //
 // RequestErrors name the scene's file. Stages throw what their functions throw: InputError where claims conflict or a
 // "behind" cannot be obeyed (prepare); RequestError where the memory does not suffice, where a method cannot be run,
-// where `closed` is broken (exact factors) or a factor negative (others), where there is no solution, or none in
-// doubles.
+// where `closed` is broken (which exact factors tell, whatever the method) or a factor negative, where there is no
+// solution, or none in doubles.
 class Simulation2 {
  public:
   // Throws InputError naming file, line and surface unless the scene is valid (validate), UsageError where the
@@ -69,6 +69,8 @@ class Simulation2 {
   std::shared_ptr<const Plan> plan(const StageProgress& progress = {}) const;
   std::shared_ptr<const PreparedScene2> prepared(const StageProgress& progress = {}) const;  // with this scene
   std::shared_ptr<const ComputedFactors2> factors(const StageProgress& progress = {}) const;
+  // Throws RequestError where the scene promises to be closed and is not. Factors themselves do not ask.
+  void require_closed(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
   std::shared_ptr<const std::vector<LightShares>> light_shares(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;

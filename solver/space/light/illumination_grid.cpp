@@ -39,10 +39,14 @@ class SentOut {
     for (const Rational& emission : prepared.scene.sky_emission.value) sky_.push_back(to_double(emission));
   }
 
-  // Writes the mean over all directions.
+  // Writes the mean over all directions; nothing outside a closed scene, where no face with a material is seen.
   void mean(const Point3& eye, std::span<double> result) const {
-    std::fill(result.begin(), result.end(), 0.0);
     const PointMap3 map = map_from(prepared_.blockers(), {.eye = eye, .normal = {}});
+    const auto is_black = [this](const PointMap3::Fragment& fragment) {
+      return parts_[fragment.face.number()].parts.empty();
+    };
+    if (prepared_.scene.closed && std::ranges::all_of(map.fragments, is_black)) return;
+    std::fill(result.begin(), result.end(), 0.0);
     for (const PointMap3::Fragment& fragment : map.fragments) {
       const Side& side = parts_[fragment.face.number()];
       if (side.parts.empty()) continue;

@@ -15,7 +15,8 @@ namespace hottel {
 struct PreparedScene3;
 
 // A value for each cell and channel, in C order (nv, nu, channels): index 0 is the cell at the origin, and cells along
-// u follow each other. NaN in all channels: the centre of the cell is in a solid.
+// u follow each other. NaN in all channels: the centre of the cell is in a solid, or the
+// scene is closed and the centre sees no face with a material.
 struct IlluminationGrid3 {
   Grid3 grid;
   std::uint32_t channels = 1;

@@ -1,5 +1,7 @@
 #include "solver/space/methods/patch_rule.h"
 
+#include "kernel/exact_double.h"
+
 namespace hottel {
 namespace {
 
@@ -43,7 +45,7 @@ Point3 exact_point(std::span<const Point3> corners, const RulePoint3& point) {
   Point3 result = first;
   for (std::size_t k = 1; k < 4; ++k) {
     if (point.share[k] == 0) continue;
-    const Rational share(point.share[k]);
+    const Rational share = exact_value(point.share[k]);
     const Point3& corner = corners[point.corner[k]];
     result.x += share * (corner.x - first.x);
     result.y += share * (corner.y - first.y);

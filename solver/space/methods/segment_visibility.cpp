@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/exact_double.h"
 #include "kernel/rational.h"
 
 namespace hottel {
@@ -17,7 +18,8 @@ struct ExactVector {
 };
 
 ExactVector exact_difference(const Point& a, const Point& b) {
-  return {Rational(a.x) - Rational(b.x), Rational(a.y) - Rational(b.y), Rational(a.z) - Rational(b.z)};
+  return {exact_value(a.x) - exact_value(b.x), exact_value(a.y) - exact_value(b.y),
+          exact_value(a.z) - exact_value(b.z)};
 }
 ExactVector exact_cross(const ExactVector& a, const ExactVector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

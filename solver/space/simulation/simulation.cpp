@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/closed_promise.h"
+#include "geometry/space/exchange/closed_promise.h"
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/exchange/exchange_rows.h"
 #include "geometry/space/scene/validation.h"
@@ -211,8 +212,8 @@ struct Simulation3::Version {
       set_lit();
       set_shares();
     }
-    const bool keeps_system =
-        factors == other.factors && reflectivities_of(scene->materials) == reflectivities_of(other.scene->materials);
+    const bool keeps_system = factors == other.factors && scene->closed == other.scene->closed &&
+                              reflectivities_of(scene->materials) == reflectivities_of(other.scene->materials);
     if (keeps_system) system = other.system;
     set_system(keeps_system);
     set_light();
@@ -295,13 +296,15 @@ struct Simulation3::Version {
 
   void make_system() {
     system = std::make_shared<Stage<RadiositySolver>>(
-        "radiosity", [its = scene, made = factors, asked = request.system,
+        "radiosity", [its = scene, made = factors, ready = prepared, asked = request.system,
                       method = request.factors.method](const StageProgress& progress) {
           const auto computed = made->get(progress);
-          if (method == nullptr)  // an error of another method is none of the scene
-            require_closed(*its, computed->matrix);
-          else
+          if (method == nullptr) {
+            hottel::require_closed(*its, computed->matrix);
+          } else {  // an error of the method is none of the scene
+            if (its->closed) hottel::require_closed(*ready->get(progress));
             require_not_negative(computed->matrix, its->file, method->info().name);
+          }
           return naming_file(its->file, [&] {
             return RadiositySolver(std::shared_ptr<const ExchangeMatrix>(computed, &computed->matrix),
                                    reflectivities_of(its->materials),
@@ -356,6 +359,13 @@ std::shared_ptr<const PreparedScene3> Simulation3::prepared(const StageProgress&
 }
 std::shared_ptr<const ComputedFactors3> Simulation3::factors(const StageProgress& progress) const {
   return version_->factors->get(progress);
+}
+void Simulation3::require_closed(const StageProgress& progress) const {
+  if (!scene().closed) return;
+  if (request().factors.method == nullptr)
+    hottel::require_closed(scene(), factors(progress)->matrix);
+  else
+    hottel::require_closed(*prepared(progress));
 }
 std::shared_ptr<const std::vector<LightShares>> Simulation3::light_shares(const StageProgress& progress) const {
   return version_->shares->get(progress);

@@ -137,6 +137,9 @@ class Simulation3 {
   std::shared_ptr<const Plan> plan(const StageProgress& progress = {}) const;
   std::shared_ptr<const PreparedScene3> prepared(const StageProgress& progress = {}) const;
   std::shared_ptr<const ComputedFactors3> factors(const StageProgress& progress = {}) const;
+  // Throws RequestError where the scene promises to be closed and is not, whatever the method. Factors themselves do
+  // not ask.
+  void require_closed(const StageProgress& progress = {}) const;
   std::shared_ptr<const std::vector<LightShares>> light_shares(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;

@@ -37,7 +37,8 @@ const ExactCone3 kOctant = cone_of({vector(1, 0, 0), vector(0, 1, 0), vector(0, 
 
 TEST(BeamPower3, AnOctantGetsItsPart) {
   EXPECT_EQ(share({}, kOctant), 0.125);
-  for (const Rational& falloff : {Rational(0), Rational(1), Rational(2), Rational(5, 2), Rational(100)}) {
+  for (const Rational& falloff : {Rational(0), Rational(1), Rational(2), Rational(5, 2), Rational(100),
+                                  Rational(24691, 2), Rational(1'000'000)}) {
     EXPECT_DOUBLE_EQ(share({{0, 0, 1}, 90, falloff}, kOctant), 0.25) << falloff;  // the axis at a corner
     EXPECT_DOUBLE_EQ(share({{0, 0, 1}, 30, falloff}, kOctant), 0.25) << falloff;
     EXPECT_DOUBLE_EQ(share({{1, 0, 1}, 45, falloff}, kOctant), 0.5) << falloff;  // on an edge, to its ends
@@ -167,8 +168,8 @@ TEST(BeamPower3, WholeFalloffsAreNextToOthers) {
   for (int n = 0; n < 60; ++n) {
     const ExactCone3 cone = random_cone(engine, 9, 5);
     Beam3 beam = random_beam(engine, sum(cone.corners[0], cone.corners[1]));
-    const Rational wholes[] = {1, 2, 3, 20, 301};
-    beam.falloff = wholes[n % 5];
+    const Rational wholes[] = {1, 2, 3, 20, 301, 1000};
+    beam.falloff = wholes[n % 6];
     const Ball whole = BeamPower3(beam).share(cone, 120);
     beam.falloff += little;
     const Ball other = BeamPower3(beam).share(cone, 120);
@@ -215,6 +216,78 @@ TEST(BeamPower3, TinyConesHaveAllTheirDigits) {
       expect({{1, 0, 1}, 60, n},
              std::pow(0.5, exponent / 2) * (exponent + 1) / (2 * kPi * (1 - std::pow(0.5, exponent + 1))));
     }
+  }
+}
+
+// Cones of a few beam widths beside the axis: what leaves beyond the angle t is cos^(n+1) t, less what is cut off.
+TEST(BeamPower3, LargeFalloffsHaveTheirShares) {
+  for (const Rational& falloff : {Rational(1001), Rational(24691, 2), Rational(1'000'000)}) {
+    const double k = to_double(falloff) + 1;
+    for (const long reach : {1, 3, 10, 30}) {
+      // A quadrant around (0, 0, 1) beyond a plane: by symmetry four of them are what a square leaves out, which holds
+      // the circle within it and is within the circle around it.
+      const long far = static_cast<long>(1000 * std::sqrt(k)), near = 1000 * reach;
+      double outside = 0;
+      for (const auto& [x, y] : {std::pair{1L, 1L}, {-1L, 1L}, {-1L, -1L}, {1L, -1L}}) {
+        const IntegerVector a = vector(near * x, near * y, far), b = vector(-near * y, near * x, far);
+        const Ball ball = BeamPower3({{0, 0, 1}, 90, falloff})
+                              .share(cone_of({a, vector(far * x, far * y, 0), vector(-far * y, far * x, 0), b}));
+        EXPECT_TRUE(ball.is_relatively_narrow(50)) << falloff << " " << reach;
+        outside += ball.nearest_of_ends().lower;
+      }
+      const double inside =
+          share({{0, 0, 1}, 90, falloff}, cone_of({vector(near, near, far), vector(-near, near, far),
+                                                   vector(-near, -near, far), vector(near, -near, far)}));
+      EXPECT_NEAR(inside + outside, 1, 1e-15) << falloff << " " << reach;
+      const auto beyond = [&](double slope) { return std::exp(-k / 2 * std::log1p(slope * slope)); };
+      const double slope = static_cast<double>(near) / static_cast<double>(far);
+      EXPECT_LT(outside, beyond(slope)) << falloff << " " << reach;
+      EXPECT_GT(outside, beyond(slope * std::sqrt(2))) << falloff << " " << reach;
+    }
+  }
+}
+
+TEST(BeamPower3, WhatIsFarBelowDoublesIsBounded) {
+  for (const Rational& falloff : {Rational(1'000'000), Rational(1'999'999, 2)})
+    for (const Vector3& axis : {Vector3{-1, -1, -1}, Vector3{-1, 2, 2}, Vector3{-1, 3, 5}}) {
+      const BeamPower3 power({axis, 90, falloff});
+      const Enclosure bounds = power.share(kOctant).bounds();
+      EXPECT_GE(bounds.lower, 0);
+      EXPECT_LE(bounds.upper, 0x1p-960);
+      EXPECT_EQ(bounds.upper > 0, power.meets(kOctant) != BeamPower3::Meets::kNothing);
+    }
+}
+
+TEST(BeamPower3, DirectionsAreOfAnyLength) {
+  for (const Rational& falloff : {Rational(0), Rational(1, 2), Rational(1'000'000)}) {
+    const Beam3 plain{{3, 4, 5}, 50, falloff};
+    for (const char* length : {"1e300", "1e308", "1e-330", "1e400", "1e-4000"}) {
+      const Rational by = *parse_rational(length);
+      const BeamPower3 power({{3 * by, 4 * by, 5 * by}, 50, falloff});
+      EXPECT_EQ(power.share(kOctant).bounds(), BeamPower3(plain).share(kOctant).bounds()) << length;
+      EXPECT_EQ(power.intensity(vector(2, 3, 4)), BeamPower3(plain).intensity(vector(2, 3, 4))) << length;
+    }
+  }
+}
+
+TEST(BeamPower3, RightAnglesToTheAxisAreDarkWhereTheIntensityFalls) {
+  for (const Rational& falloff : {Rational(1, 1000), Rational(1, 2), Rational(1), Rational(1'000'000)}) {
+    const BeamPower3 power({{3, 7, 11}, 180, falloff});
+    for (const IntegerVector& way : {vector(7, -3, 0), vector(0, 11, -7), vector(-7, 3, 0)}) {
+      EXPECT_EQ(power.side(way), 0);
+      EXPECT_EQ(power.intensity(way), 0) << falloff;
+      EXPECT_EQ(power.uncut_intensity(way), 0) << falloff;
+    }
+    EXPECT_EQ(power.uncut_intensity(vector(-3, -7, -11)), 0);
+  }
+  // Beside them the cosine has all its digits: 1 / 10^k.
+  for (const int k : {3, 9, 20, 300}) {
+    Integer far;
+    mpz_ui_pow_ui(far.get_mpz_t(), 10, static_cast<unsigned long>(k));
+    const BeamPower3 power({{0, 0, 1}, 90, Rational(1, 2)});
+    const double expected = std::pow(10.0, -k / 2.0) * power.intensity(vector(0, 0, 1));
+    EXPECT_NEAR(power.intensity({far, Integer(0), Integer(1)}), expected, 1e-6 * expected) << k;
+    EXPECT_GT(power.intensity({far, Integer(0), Integer(1)}), 0.999999 * expected);
   }
 }
 

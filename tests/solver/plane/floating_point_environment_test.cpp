@@ -44,9 +44,7 @@ Everything everything(const Scene2& scene) {
       for (const double value : {element.radiosity, element.lower, element.upper, element.irradiance})
         result.radiosities.push_back(value);
   const ElementTable2 table(scene, prepared.arrangement, prepared.division, Granularity::kFace);
-  result.light =
-      illuminate_points(prepared, default_grid(scene, 24), table, sent_out_2(table, solution, scene.sky_emission))
-          .values;
+  result.light = illuminate_points(prepared, default_grid(scene, 24), table, sent_out_2(table, solution, scene)).values;
   // Nothing is seen in solids: NaN, which equals nothing.
   std::replace_if(
       result.light.begin(), result.light.end(), [](double value) { return std::isnan(value); }, -1.0);

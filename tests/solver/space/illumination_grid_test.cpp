@@ -54,6 +54,19 @@ TEST(IlluminationGrid3, CellsAreAtTheirCentres) {
   }
 }
 
+// Outside one sees black backs and the sky: cells there have no light where the scene promises to be closed.
+TEST(IlluminationGrid3, CellsOutsideAClosedSceneAreNan) {
+  const Grid3 across{{-1, Rational(1, 2), Rational(1, 2)}, {3, 0, 0}, {0, Rational(1, 100), 0}, 6, 1};
+  for (const bool is_closed : {false, true}) {
+    Scene3 scene = black_cube(1);
+    scene.closed = is_closed;
+    scene.sky_emission = Spectrum::scalar(2);
+    const IlluminationGrid3 grid = light(simulation_of(scene), across);
+    for (std::uint32_t k = 0; k < 6; ++k)
+      EXPECT_EQ(std::isnan(grid.at(k, 0)), is_closed && (k < 2 || k > 3)) << is_closed << " " << k;
+  }
+}
+
 TEST(IlluminationGrid3, EachElementCountsByItsOwnSolidAngle) {
   const Simulation3 simulation = simulation_of(black_cube(2), Granularity::kElement);
   const auto& elements = simulation.factors()->matrix.elements();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -52,8 +53,8 @@ LocalEdges2::LocalEdges2(const Scene2& scene) {
 
 Place2 LocalEdges2::to_local(const Place2& place) const {
   HOTTEL_REQUIRE(std::isfinite(place[0]) && std::isfinite(place[1]));
-  return {to_double(scaled_by_power_of_two(Rational(place[0]) - origin_.x, shift_)),
-          to_double(scaled_by_power_of_two(Rational(place[1]) - origin_.y, shift_))};
+  return {to_double(scaled_by_power_of_two(exact_value(place[0]) - origin_.x, shift_)),
+          to_double(scaled_by_power_of_two(exact_value(place[1]) - origin_.y, shift_))};
 }
 
 double LocalEdges2::to_local(double length) const { return scaled(length, shift_); }

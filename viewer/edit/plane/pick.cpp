@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/exact_double.h"
+
 namespace hottel {
 namespace {
 
@@ -16,7 +18,7 @@ double side_of(const LocalEdge2& e, const Place2& p) {
 }
 
 bool is_at_back(const Edge2& e, const Place2& place) {
-  const Rational x(place[0]), y(place[1]);
+  const Rational x = exact_value(place[0]), y = exact_value(place[1]);
   return (e.to.x - e.from.x) * (y - e.from.y) > (e.to.y - e.from.y) * (x - e.from.x);
 }
 

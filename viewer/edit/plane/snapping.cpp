@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/plane/scene/closest_point.h"
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 
 namespace hottel {
@@ -65,7 +66,7 @@ Point2 Snapper2::on_edge(const Edge2& edge, const Place2& place, int decimals) c
             is_level ? from.y : clamped(rounded_decimal(place[1], decimals), from.y, to.y)};
   const Rational wide = abs(to.x - from.x), tall = abs(to.y - from.y);
   const int digits = std::max(1, decimals + decades(std::max(wide, tall)));
-  const Rational t = rounded_decimal(position_on(edge, {Rational(place[0]), Rational(place[1])}), digits);
+  const Rational t = rounded_decimal(position_on(edge, {exact_value(place[0]), exact_value(place[1])}), digits);
   return point_at(edge, clamped(t, 0, 1));
 }
 

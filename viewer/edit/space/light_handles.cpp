@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/light_motion.h"
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 #include "viewer/edit/decimals.h"
 #include "viewer/edit/light_list.h"
@@ -58,7 +59,7 @@ void move(LightPlace3& place, const Vector3& way) {
 // A place in decimals, but for coordinates that are nearly those of another one.
 Point3 rounded(const Direction3& place, const Point3& other, int decimals) {
   const auto coordinate = [decimals](double value, const Rational& before) {
-    const Rational change = Rational(value) - before;
+    const Rational change = exact_value(value) - before;
     return 2 * abs(change) < decimal_step(decimals) ? before : rounded_decimal(value, decimals);
   };
   return {coordinate(place.x, other.x), coordinate(place.y, other.y), coordinate(place.z, other.z)};
@@ -132,7 +133,7 @@ Rational focus_at_mouse(const Light& light, const Beam& beam, const Pointer3& po
     least = away;
     nearest = degrees;
   }
-  return nearest > 0 ? Rational(nearest) : light.focus;
+  return nearest > 0 ? exact_value(nearest) : light.focus;
 }
 
 bool is_in_front(const LightPlace3& place, const Pointer3& pointer) {

@@ -42,8 +42,7 @@ std::vector<IlluminationGrid2> light_of(const MethodComparison2& comparison, con
                                         const RadiositySolution& exact) {
   const PreparedScene2& prepared = comparison.prepared();
   const ElementTable2 table(prepared.scene, prepared.arrangement, prepared.division, Granularity::kElement);
-  const SentOut2 both[] = {sent_out_2(table, found, prepared.scene.sky_emission),
-                           sent_out_2(table, exact, prepared.scene.sky_emission)};
+  const SentOut2 both[] = {sent_out_2(table, found, prepared.scene), sent_out_2(table, exact, prepared.scene)};
   return illuminate_points(prepared, default_grid(prepared.scene, kCells), table, both);
 }
 

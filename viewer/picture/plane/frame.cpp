@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/plane/scene/bounding_box.h"
+#include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
 #include "viewer/picture/cairo_canvas.h"
 
@@ -23,7 +24,7 @@ Frame2::Frame2(const Scene2& scene, const std::vector<std::array<double, 2>>& ex
   for (std::size_t k = 0; k < extra_points.size(); ++k) {
     const auto& [x, y] = extra_points[k];
     HOTTEL_REQUIRE(std::isfinite(x) && std::isfinite(y));
-    const Point2 point{Rational(x), Rational(y)};
+    const Point2 point{exact_value(x), exact_value(y)};
     if (k == 0 && scene.edges.empty()) box = Box2::of(point);
     box.include(point);
   }

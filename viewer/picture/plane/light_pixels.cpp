@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kernel/rounded_share.h"
 #include "kernel/support/failure.h"
@@ -134,8 +135,12 @@ void LightPixels2::blend(std::uint32_t ix, std::uint32_t iy, const Places& x, co
   const auto value_at = [&](std::uint32_t corner) {
     return grid_.values.data() + (std::size_t{rows[corner / 2]} * cells.nx + columns[corner % 2]) * channels;
   };
-  for (std::uint32_t corner = 0; has_gaps_ && corner < 4; ++corner)
-    if (std::isnan(*value_at(corner))) barred = static_cast<std::uint8_t>(barred | 1 << corner);
+  bool sees_gap = false;
+  for (std::uint32_t corner = 0; has_gaps_ && corner < 4; ++corner) {
+    if (!std::isnan(*value_at(corner))) continue;
+    sees_gap = sees_gap || (barred >> corner & 1) == 0;
+    barred = static_cast<std::uint8_t>(barred | 1 << corner);
+  }
   double total = 0;
   std::fill_n(pixel, channels, 0.0);
   for (const bool only_seen_counts : {false, true}) {  // the second time without weights
@@ -151,6 +156,10 @@ void LightPixels2::blend(std::uint32_t ix, std::uint32_t iy, const Places& x, co
     if (total > 1e-3 || barred == 15) break;
     std::fill_n(pixel, channels, 0.0);
     total = 0;
+  }
+  if (barred == 15 && sees_gap) {  // on the side of a wall where there is no light, be its cell on the other one
+    std::fill_n(pixel, channels, std::numeric_limits<double>::quiet_NaN());
+    return;
   }
   if (barred == 15) {
     std::copy_n(grid_.values.data() + (std::size_t{iy} * cells.nx + ix) * channels, channels, pixel);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/plane/scene/bounding_box.h"
+#include "kernel/exact_double.h"
 
 namespace hottel {
 namespace {
@@ -50,8 +51,8 @@ Pixel Camera2::at(const std::array<double, 2>& place, FrameSize size) const {
 
 Frame2 Camera2::frame(FrameSize size) const {
   const double half_x = size.width / 2.0 / scale_, half_y = size.height / 2.0 / scale_;
-  const Point2 min{Rational(middle_[0]) - Rational(half_x), Rational(middle_[1]) - Rational(half_y)};
-  const Point2 max{Rational(middle_[0]) + Rational(half_x), Rational(middle_[1]) + Rational(half_y)};
+  const Point2 min{exact_value(middle_[0]) - exact_value(half_x), exact_value(middle_[1]) - exact_value(half_y)};
+  const Point2 max{exact_value(middle_[0]) + exact_value(half_x), exact_value(middle_[1]) + exact_value(half_y)};
   return {min, max, static_cast<double>(size.width), static_cast<double>(size.height)};
 }
 

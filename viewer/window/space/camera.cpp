@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernel/exact_double.h"
+
 namespace hottel {
 namespace {
 
@@ -66,14 +68,14 @@ Camera3 EyeCamera3::camera(FrameSize frame) const {
   const int bits = kBits - std::ilogb(size_);
   const auto exact = [bits](const Direction3& p) {
     const auto coordinate = [bits](double value) {
-      return scaled_by_power_of_two(Rational(std::nearbyint(std::ldexp(value, bits))), -bits);
+      return scaled_by_power_of_two(exact_value(std::nearbyint(std::ldexp(value, bits))), -bits);
     };
     return Point3{coordinate(p.x), coordinate(p.y), coordinate(p.z)};
   };
   Camera3 result;
   result.eye = exact(eye_);
   result.target = exact(target_);
-  result.up = {Rational(up_.x), Rational(up_.y), Rational(up_.z)};
+  result.up = {exact_value(up_.x), exact_value(up_.y), exact_value(up_.z)};
   result.field_of_view = field_of_view_;
   result.width = std::min(frame.width, kMaxPixels);
   result.height = std::min(frame.height, kMaxPixels);
