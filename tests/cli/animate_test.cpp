@@ -9,7 +9,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::animate_test {
+namespace hottel::animate_test::animate_test {
 namespace {
 
 using testing::HasSubstr;
@@ -172,4 +172,4 @@ TEST(Animate, AStoreServesLaterRunsInSpace) {
 }
 
 }  // namespace
-}  // namespace hottel::animate_test
+}  // namespace hottel::animate_test::animate_test

@@ -10,7 +10,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::check_in_space_test {
+namespace hottel::check_in_space_test::check_in_space_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -200,4 +200,4 @@ TEST(CheckInSpace, OptionsThatMakeNoSenseAreRefusedAsInThePlane) {
 }
 
 }  // namespace
-}  // namespace hottel::check_in_space_test
+}  // namespace hottel::check_in_space_test::check_in_space_test

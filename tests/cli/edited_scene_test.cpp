@@ -10,7 +10,7 @@
 #include "tests/sanitizers.h"
 #include "tests/solver/plane/edited_scenes.h"
 
-namespace hottel::testing_cli::edited_scene_test {
+namespace hottel::testing_cli::edited_scene_test::edited_scene_test {
 namespace {
 
 constexpr std::uint32_t kCells = 6;
@@ -82,4 +82,4 @@ TEST(EditedScene, IsThatOfAFreshProcess) {
 }
 
 }  // namespace
-}  // namespace hottel::testing_cli::edited_scene_test
+}  // namespace hottel::testing_cli::edited_scene_test::edited_scene_test

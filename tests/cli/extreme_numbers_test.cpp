@@ -10,7 +10,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel {
+namespace hottel::extreme_numbers_test {
 namespace {
 
 using testing::HasSubstr;
@@ -235,4 +235,4 @@ TEST(ExtremeNumbers, DirectionsOfBeamsAreOfAnyLength) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::extreme_numbers_test

@@ -4,7 +4,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::testing_cli::memory_test {
+namespace hottel::testing_cli::memory_test::memory_test {
 namespace {
 
 TEST(Memory, ThatRunsOutInTheSweepIsAnUnmetRequestAndLeavesNoFiles) {
@@ -19,4 +19,4 @@ TEST(Memory, ThatRunsOutInTheSweepIsAnUnmetRequestAndLeavesNoFiles) {
 }
 
 }  // namespace
-}  // namespace hottel::testing_cli::memory_test
+}  // namespace hottel::testing_cli::memory_test::memory_test

@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::plan_in_space_test {
+namespace hottel::plan_in_space_test::plan_in_space_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -81,4 +81,4 @@ TEST(PlanInSpace, AMeshIsASceneByItself) {
 }
 
 }  // namespace
-}  // namespace hottel::plan_in_space_test
+}  // namespace hottel::plan_in_space_test::plan_in_space_test

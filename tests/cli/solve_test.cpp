@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::solve_test {
+namespace hottel::solve_test::solve_test {
 namespace {
 
 using testing::ElementsAre;
@@ -436,4 +436,4 @@ TEST(Plan, EstimatesAreThoseOfTheMachineWhichIsMeasuredOnce) {
 }
 
 }  // namespace
-}  // namespace hottel::solve_test
+}  // namespace hottel::solve_test::solve_test

@@ -11,7 +11,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/written_double.h"
 
-namespace hottel {
+namespace hottel::exact_double_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -72,4 +72,4 @@ TEST(WrittenDouble, TellsWhatDoublesLose) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::exact_double_test

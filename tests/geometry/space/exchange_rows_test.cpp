@@ -11,7 +11,7 @@
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
 
-namespace hottel::exchange_rows_test {
+namespace hottel::exchange_rows_test::exchange_rows_test {
 namespace {
 
 void expect_same(const ExchangeMatrix& a, const ExchangeMatrix& b) {
@@ -96,4 +96,4 @@ TEST(ExchangeRows3, ARowThatHasComeIsWhole) {
 }
 
 }  // namespace
-}  // namespace hottel::exchange_rows_test
+}  // namespace hottel::exchange_rows_test::exchange_rows_test

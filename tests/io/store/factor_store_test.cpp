@@ -16,7 +16,7 @@
 #include "kernel/support/failure.h"
 #include "tests/temporary_folder.h"
 
-namespace hottel::factor_store_test {
+namespace hottel::factor_store_test::factor_store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -250,4 +250,4 @@ TEST(FactorStore, HasManyReadersAndWritersAtOnce) {
 }
 
 }  // namespace
-}  // namespace hottel::factor_store_test
+}  // namespace hottel::factor_store_test::factor_store_test

@@ -13,7 +13,7 @@
 
 #include "kernel/exact_double.h"
 
-namespace hottel {
+namespace hottel::beam_test {
 namespace {
 
 using WideNumber = boost::multiprecision::cpp_bin_float_100;
@@ -195,4 +195,4 @@ TEST(Beam2, LargeFalloffsTakeNoLongerThanSmallOnes) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::beam_test

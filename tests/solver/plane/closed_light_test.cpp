@@ -10,7 +10,7 @@
 #include "solver/plane/simulation/questions.h"
 #include "solver/plane/simulation/simulation.h"
 
-namespace hottel {
+namespace hottel::closed_light_test {
 namespace {
 
 // A room from 0 to 4, in it a box without an inside, beside it a chamber of black backs; a grid from -2 to 6.
@@ -107,4 +107,4 @@ TEST(ClosedLight2, FollowsThePromiseOfEachVersion) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::closed_light_test

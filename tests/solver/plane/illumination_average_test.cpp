@@ -10,7 +10,7 @@
 #include "tests/oracle/gauss_rule.h"
 #include "tests/solver/plane/lit_scenes.h"
 
-namespace hottel::illumination_average_test {
+namespace hottel::illumination_average_test::illumination_average_test {
 namespace {
 
 using testing::Each;
@@ -289,4 +289,4 @@ TEST(AverageIllumination2, ReportsProgressAndStops) {
 }
 
 }  // namespace
-}  // namespace hottel::illumination_average_test
+}  // namespace hottel::illumination_average_test::illumination_average_test

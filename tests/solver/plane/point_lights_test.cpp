@@ -11,7 +11,7 @@
 #include "solver/plane/simulation/questions.h"
 #include "solver/plane/simulation/simulation.h"
 
-namespace hottel::point_lights_test {
+namespace hottel::point_lights_test::point_lights_test {
 namespace {
 
 Simulation2 apartment() { return Simulation2(read_scene_2(HOTTEL_SOURCE_DIR "/scenes/showcase/apartment.json")); }
@@ -39,4 +39,4 @@ TEST(PointLights2, AreNanInSolids) {
 }
 
 }  // namespace
-}  // namespace hottel::point_lights_test
+}  // namespace hottel::point_lights_test::point_lights_test

@@ -12,7 +12,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::scene_plan_test {
+namespace hottel::scene_plan_test::scene_plan_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -159,4 +159,4 @@ TEST(Plan3, EstimatesThePairsOfManyFaces) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_plan_test
+}  // namespace hottel::scene_plan_test::scene_plan_test

@@ -14,7 +14,7 @@
 #include "viewer/picture/space/camera_view.h"
 #include "viewer/window/space/commands.h"
 
-namespace hottel::desk_test {
+namespace hottel::desk_test::desk_test {
 namespace {
 
 using testing::ElementsAre;
@@ -312,4 +312,4 @@ TEST(Desk3, SaysWhyThereIsNoLight) {
 }
 
 }  // namespace
-}  // namespace hottel::desk_test
+}  // namespace hottel::desk_test::desk_test

@@ -12,7 +12,7 @@
 #include "solver/space/simulation/simulation.h"
 #include "viewer/window/space/live_scene.h"
 
-namespace hottel::nearest_rows_test {
+namespace hottel::nearest_rows_test::nearest_rows_test {
 namespace {
 
 Scene3 boxes() {
@@ -129,4 +129,4 @@ TEST_F(Arriving, RowsThatAreMissingKeepTheirLight) {
 }
 
 }  // namespace
-}  // namespace hottel::nearest_rows_test
+}  // namespace hottel::nearest_rows_test::nearest_rows_test
