@@ -13,6 +13,8 @@ namespace {
 constexpr int kCoarse = 6, kFine = 9;  // points of the two rules
 // Two rules may agree by chance: their difference is held to this part of the tolerance.
 constexpr double kSafety = 8;
+// Where rounding makes more than this part of the tolerance, no more is won than to be as good as it.
+constexpr double kMostRounding = 0.8;
 // Parts of a stretch are not divided below this.
 constexpr double kShortest = 0x1p-48;
 constexpr double kTiny = 0x1p-49;
@@ -55,6 +57,8 @@ bool EdgeSum3::add(const std::vector<PairStretch3>& stretches, PairMeasure3& res
     ways_.push_back(ratio(s.way, s.weight, shift_));
     const IntegerVector offset = difference(multiple(origin_.weight, s.from), multiple(s.weight, origin_.numerator));
     moments_.push_back(ratio(cross(offset, s.way), s.weight * s.weight * origin_.weight, 2 * shift_));
+    const Direction3 from = ratio(offset, s.weight * origin_.weight, shift_);
+    reach_ = std::max({reach_, length(from), length(from + ways_.back())});
     for (std::size_t p = first; p < pieces_.size(); ++p) {
       const StretchPiece3& piece = pieces_[p];
       add_parts(static_cast<std::uint32_t>(p), place, piece.low, piece.high);
@@ -79,7 +83,7 @@ void EdgeSum3::refine(double tolerance, double residual_tolerance) {
   std::make_heap(heap.begin(), heap.end(), is_better);
   for (std::uint32_t count = 0; count < kMostBisections && !heap.empty(); ++count) {
     if (count % 64 == 0) sum_up();
-    const bool is_hopeless = rounding_ > tolerance && kSafety * error_ <= rounding_;
+    const bool is_hopeless = rounding_ > kMostRounding * tolerance && kSafety * error_ <= rounding_;
     const bool is_done = kSafety * error_ + rounding_ <= 0.99 * tolerance;
     if ((is_done || is_hopeless) && residual_error_ <= residual_tolerance) break;
     std::pop_heap(heap.begin(), heap.end(), is_better);

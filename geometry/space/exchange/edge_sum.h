@@ -20,6 +20,8 @@ class EdgeSum3 {
   bool add(const std::vector<PairStretch3>& stretches, PairMeasure3& result);
 
   bool is_empty() const { return pieces_.empty(); }
+  // How far from the origin a stretch reaches along which something is seen, about.
+  double reach() const { return reach_; }
 
   // Halves the worst parts until the error is within the tolerance and that of the residual within its own, or as small
   // as rounding lets them be.
@@ -66,6 +68,7 @@ class EdgeSum3 {
   std::vector<Seen> seen_;  // with ways_ and moments_
   std::vector<StretchPiece3> pieces_;
   std::vector<Direction3> ways_, moments_;
+  double reach_ = 0;
   std::vector<Part> parts_;
   double value_ = 0, error_ = 0, rounding_ = 0, residual_error_ = 0, residual_rounding_ = 0;
   Direction3 residual_;

@@ -164,6 +164,7 @@ ElementTable3::ElementTable3(const Scene3& scene, const Arrangement3& arrangemen
     add_groups(scene, arrangement, blockers);
   else
     add_faces(scene, arrangement, blockers, granularity);
+  holders_ = is_by_group_ ? 2 * static_cast<std::uint32_t>(scene.surfaces.size()) : count();
   add_sky(blockers);
   for (const Part& part : parts_) {
     while (begin_.size() <= part.label) begin_.push_back(static_cast<std::size_t>(&part - parts_.data()));
@@ -177,16 +178,16 @@ bool ElementTable3::has_contact(std::uint32_t label) const {
                      [label](const Contact& contact) { return contact.mask == label || contact.base == label; });
 }
 
-void ElementTable3::add_parts(FacePatches3 patches, std::uint32_t label) {
+void ElementTable3::add_parts(FacePatches3 patches, std::uint32_t label, std::uint32_t holder) {
   const auto known = free_.find(label);
   if (!patches.is_free || known != free_.end()) {
     std::vector<Part>& free = free_[label];
     if (known == free_.end())
       for (const Part& part : parts_)
         if (part.label == label) free.push_back(part);
-    for (const SidePatch3& some : patches.uncovered()) free.push_back({some.patch, label, some.is_back});
+    for (const SidePatch3& some : patches.uncovered()) free.push_back({some.patch, label, holder, some.is_back});
   }
-  for (SidePatch3& some : patches.patches) parts_.push_back({std::move(some.patch), label, some.is_back});
+  for (SidePatch3& some : patches.patches) parts_.push_back({std::move(some.patch), label, holder, some.is_back});
 }
 
 void ElementTable3::add_faces(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers,
@@ -210,14 +211,14 @@ void ElementTable3::add_faces(const Scene3& scene, const Arrangement3& arrangeme
         elements_.push_back({element_name(name, parts, leaf), s, leaf.part, parts, is_back, material, {}, leaf.path});
         const std::uint32_t label = count() - 1;
         if (!elements_.back().is_part()) {
-          add_parts(face_patches(arrangement, blockers, face), label);
+          add_parts(face_patches(arrangement, blockers, face), label, label);
         } else if (whole) {
           Patch3 patch = divided->patch(leaf, *whole);
           if (is_back) turn_round(patch);
-          parts_.push_back({std::move(patch), label, is_back});
+          parts_.push_back({std::move(patch), label, label, is_back});
         } else {
           const std::vector<Point3> corners = divided->corners(leaf);
-          add_parts(face_patches(arrangement, blockers, face, &corners), label);
+          add_parts(face_patches(arrangement, blockers, face, &corners), label, label);
         }
       }
     }
@@ -240,7 +241,8 @@ void ElementTable3::add_groups(const Scene3& scene, const Arrangement3& arrangem
             {scene.groups[surface.group].name + (is_back ? ":back" : ""), s, 0, 1, is_back, material, {}});
       else if (material)
         elements_[label + is_back].material = material;
-      add_parts(face_patches(arrangement, blockers, {s, is_back}), label + is_back);
+      const Face face{s, is_back};
+      add_parts(face_patches(arrangement, blockers, face), label + is_back, face.number());
     }
   }
   std::stable_sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.label < b.label; });
@@ -274,7 +276,7 @@ void ElementTable3::add_sky(const Blockers3& blockers) {
         corner.*v = (across ? high : low).*v;
       }
       if (is_high) turn_round(wall);
-      parts_.push_back({std::move(wall), sky(), false});
+      parts_.push_back({std::move(wall), sky(), holders_, false});
     }
 }
 

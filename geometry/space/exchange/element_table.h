@@ -63,7 +63,8 @@ class ElementTable3 {
   struct Part {
     Patch3 patch;
     std::uint32_t label;
-    bool is_back;  // of the piece
+    std::uint32_t holder;  // the element; of groups the number of the face, 2 for each surface; next to all, the sky
+    bool is_back;          // of the piece
   };
   // All patches by label, those of the sky last.
   const std::vector<Part>& parts() const { return parts_; }
@@ -83,6 +84,8 @@ class ElementTable3 {
     return place == free_.end() ? parts(label) : std::span<const Part>(place->second);
   }
   bool is_by_group() const { return is_by_group_; }
+  // Holders are what the tolerance is told of: elements, or faces where a group is one.
+  std::uint32_t holders() const { return holders_; }
 
   // An element of a mask and one of its base, with the area that they share: S of both, as extents are.
   struct Contact {
@@ -100,7 +103,7 @@ class ElementTable3 {
   void add_faces(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers,
                  Granularity granularity);
   void add_groups(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers);
-  void add_parts(FacePatches3 patches, std::uint32_t label);
+  void add_parts(FacePatches3 patches, std::uint32_t label, std::uint32_t holder);
   void add_sky(const Blockers3& blockers);
   // Returns the area of each contact as an AreaSum3 takes it: a multiple of a length that is given by its square.
   using Share = std::pair<Rational, Integer>;
@@ -113,6 +116,7 @@ class ElementTable3 {
   std::vector<std::size_t> begin_;                             // of the patches of a label
   std::vector<Contact> contacts_;
   bool is_by_group_ = false;
+  std::uint32_t holders_ = 0;  // without the sky
   std::vector<Rounded> extents_;
 };
 

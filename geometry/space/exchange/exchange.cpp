@@ -9,12 +9,14 @@
 #include <utility>
 
 #include "geometry/name.h"
+#include "geometry/space/check/near_contacts.h"
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange_rows.h"
 #include "geometry/space/exchange/facing.h"
 #include "geometry/space/exchange/groups_alone.h"
 #include "geometry/space/exchange/pair_sums.h"
 #include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/space/exchange/rest_for_sky.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
@@ -35,15 +37,26 @@ std::string pair_text(const std::vector<Element>& elements, std::uint32_t i, std
   return quoted_name(elements[i].name) + " and " + (j == elements.size() ? "the sky" : quoted_name(elements[j].name));
 }
 
-void require_measured(const ElementTable3& table, const std::vector<FailedPair3>& failures) {
+// Rounded up, so that it holds.
+std::string reached_text(const FailedPair3& failure) {
+  if (failure.is_undecided) return failure.problem;
+  const double scale = std::pow(10.0, std::floor(std::log10(failure.reached)) - 1);
+  return fmt::format("{:.1e} was reached: {}", std::ceil(failure.reached / scale) * scale, failure.problem);
+}
+
+void require_measured(const PreparedScene3& prepared, const ElementTable3& table, double tolerance,
+                      const std::vector<FailedPair3>& failures) {
   if (failures.empty()) return;
-  std::string text = failures.size() == 1 ? "a pair could not be measured"
-                                          : fmt::format("{} pairs could not be measured", failures.size());
+  std::string text =
+      fmt::format("{} could not be measured within {} of the smaller area",
+                  failures.size() == 1 ? "a pair" : fmt::format("{} pairs", failures.size()), shortest(tolerance));
   for (std::size_t k = 0; k < std::min(failures.size(), kNamedPairs); ++k)
     text += fmt::format("{} {} ({})", k == 0 ? ":" : ";", pair_text(table.elements(), failures[k].i, failures[k].j),
-                        failures[k].problem);
-  throw RequestError(text + (failures.size() > kNamedPairs ? "; ..." : "") +
-                     ". Where surfaces all but touch, 'hottel check' says so, and its --fix joins them");
+                        reached_text(failures[k]));
+  if (failures.size() > kNamedPairs) text += "; ...";
+  if (!find_contacts(prepared.scene).near.empty())
+    text += ". Some surfaces all but touch: 'hottel check' says where, and its --fix joins them";
+  throw RequestError(text);
 }
 
 [[noreturn]] void refuse_memory(std::uint64_t count, const char* what, std::uint64_t each, std::uint64_t allowed) {
@@ -234,7 +247,7 @@ std::span<const PairSum3> ExchangeRows3::add(std::span<const std::uint32_t> labe
                              counts);
   const auto is_of_sky = [this](const FailedPair3& failure) { return failure.j == table_.sky(); };
   const auto of_others = std::stable_partition(sums.failures.begin(), sums.failures.end(), is_of_sky);
-  require_measured(table_, {of_others, sums.failures.end()});
+  require_measured(prepared_, table_, request_.tolerance, {of_others, sums.failures.end()});
   without_sky_.insert(without_sky_.end(), sums.failures.begin(), of_others);
   report_ = std::move(counts);
   report_.seconds["pairs"] += watch.lap();
@@ -301,7 +314,7 @@ ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {
     std::ranges::sort(without_sky_, {}, &FailedPair3::i);
     PairSums3 sums{std::move(pairs_), std::move(without_sky_)};
     take_rest_for_sky(table_, request_.tolerance, sums);
-    require_measured(table_, sums.failures);
+    require_measured(prepared_, table_, request_.tolerance, sums.failures);
     pairs_ = std::move(sums.pairs);
   }
   report_.surfaces = prepared_.scene.surfaces.size();

@@ -1,7 +1,9 @@
 #include "geometry/space/exchange/groups_alone.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "geometry/space/arrangement/surface_boxes.h"
 #include "geometry/space/exchange/facing.h"
@@ -26,9 +28,10 @@ class PartOfScene {
     unit_ = to_double(ratio * ratio);
   }
 
-  // REQUIRES patches of these pieces. The measure is in the unit of this part of the scene.
-  PairMeasure3 measure(const Part& a, const Part& b, double tolerance) const {
-    return measurer_.measure(here(a), here(b), {.tolerance = tolerance});
+  // REQUIRES patches of these pieces. The measure is in the unit of this part of the scene, the share in
+  // that of the whole.
+  PairMeasure3 measure(const Part& a, const Part& b, double share) const {
+    return measurer_.measure(here(a), here(b), {.share = share / unit_});
   }
   double unit() const { return unit_; }  // in that of the whole scene
 
@@ -66,7 +69,10 @@ bool is_partly_before(const Blockers3& blockers, std::uint32_t surface, const Pa
 }  // namespace
 
 GroupsAlone3::GroupsAlone3(const PreparedScene3& prepared, const ElementTable3& table, double tolerance)
-    : prepared_(prepared), table_(table), tolerance_(tolerance), members_(prepared.scene.groups.size()) {
+    : prepared_(prepared),
+      table_(table),
+      shares_(table, prepared.blockers().vertices(), tolerance),
+      members_(prepared.scene.groups.size()) {
   for (std::uint32_t s = 0; s < prepared.scene.surfaces.size(); ++s)
     members_[prepared.scene.surfaces[s].group].push_back(s);
 }
@@ -117,19 +123,26 @@ bool GroupsAlone3::is_undisturbed(std::uint32_t i, std::uint32_t j) const {
     kept.insert(kept.end(), {a.patch.surface, b.patch.surface});
     std::sort(kept.begin(), kept.end());
     kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
-    return PartOfScene(prepared_, std::move(kept)).measure(a, b, tolerance_).is_whole;
+    return PartOfScene(prepared_, std::move(kept)).measure(a, b, shares_.share(a, b)).is_whole;
   });
+}
+
+void GroupsAlone3::refuse(std::uint32_t i, std::uint32_t j, const std::string& problem) const {
+  throw RequestError("the visibility of '" + table_.elements()[i].name + "' and '" + table_.elements()[j].name +
+                     "' cannot be told, for what they exchange when alone cannot: " + problem);
 }
 
 GroupsAlone3::Measure GroupsAlone3::measure(std::uint32_t i, std::uint32_t j) const {
   const PartOfScene part(prepared_, pieces_of(i, j));
   const double unit = (i == j ? 2 : 1) * part.unit();
   Measure sum;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> holders;
+  std::string problem;
   for_each_facing(i, j, [&](const Part& a, const Part& b) {
-    const PairMeasure3 pair = part.measure(a, b, tolerance_);
-    if (!pair.problem.empty())
-      throw RequestError("the visibility of '" + table_.elements()[i].name + "' and '" + table_.elements()[j].name +
-                         "' cannot be told, for what they exchange when alone cannot: " + pair.problem);
+    const PairMeasure3 pair = part.measure(a, b, shares_.share(a, b));
+    if (pair.is_undecided) refuse(i, j, pair.problem);
+    if (problem.empty()) problem = pair.problem;
+    holders.emplace(a.holder, b.holder);
     sum.value += pair.measure * unit;
     sum.error += pair.error * unit;
     // Each product and sum rounds once; the unit is off by half a unit.
@@ -138,6 +151,9 @@ GroupsAlone3::Measure GroupsAlone3::measure(std::uint32_t i, std::uint32_t j) co
     sum.bounds.upper += pair.bounds.upper * unit * (1 + kOutward);
     return true;
   });
+  double allowed = 0;
+  for (const auto& [a, b] : holders) allowed += (i == j ? 2 : 1) * shares_.allowed(a, b);
+  if (!problem.empty() && !(sum.error <= allowed)) refuse(i, j, problem);
   for (const ElementTable3::Contact& contact : table_.contacts()) {
     if (std::pair(contact.mask, contact.base) != std::pair(i, j) &&
         std::pair(contact.base, contact.mask) != std::pair(i, j))

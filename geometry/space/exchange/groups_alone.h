@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/pair_shares.h"
 #include "geometry/space/exchange/prepared_scene.h"
 
 namespace hottel {
@@ -39,12 +41,13 @@ class GroupsAlone3 {
   // All pieces on the surfaces of both, ascending.
   std::vector<std::uint32_t> pieces_of(std::uint32_t i, std::uint32_t j) const;
   bool may_stand_between(std::uint32_t piece, const Part& a, const Part& b) const;
+  [[noreturn]] void refuse(std::uint32_t i, std::uint32_t j, const std::string& problem) const;
   template <class Visit>
   bool for_each_facing(std::uint32_t i, std::uint32_t j, const Visit& visit) const;
 
   const PreparedScene3& prepared_;
   const ElementTable3& table_;
-  const double tolerance_;
+  const PairShares3 shares_;
   std::vector<std::vector<std::uint32_t>> members_;  // surfaces by group
 };
 

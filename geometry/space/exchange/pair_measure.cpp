@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <tuple>
 
 #include "geometry/space/arrangement/merged_blockers.h"
 #include "geometry/space/arrangement/surface_boxes.h"
@@ -29,21 +30,33 @@ constexpr double kNextShare = 0x1p-8, kLeastShare = 0x1p-16;
 constexpr std::size_t kMostBetween = 30;
 constexpr int kMostCuts = 12, kCutsWhereItFails = 3;
 
+constexpr const char* kNotConverged = "the integral along edges did not converge";
+
 // What is seen is not nothing, however little it is.
 constexpr double kLittle = 0x1p-200;
 
 // Nothing hides anything: the measure is that of the two alone.
-void take_alone(const UnobstructedMeasure3& alone, PairMeasure3& result) {
+void take_alone(const UnobstructedMeasure3& alone, double allowed, PairMeasure3& result) {
   result.is_whole = true;
   result.measure = alone.measure;
   result.error = alone.error;
   result.bounds = alone.bounds;
-  if (!alone.has_converged) result.problem = "the integral over two patches that see each other did not converge";
+  if (!(alone.error <= allowed)) result.problem = "the integral over two patches that see each other did not converge";
+}
+
+// What is known is what is proven: the number is half-way between the bounds.
+void take_bounds(PairMeasure3& result) {
+  const Enclosure& bounds = result.bounds;
+  result.measure = bounds.lower + (bounds.upper - bounds.lower) / 2;
+  result.error = std::max(bounds.upper - result.measure, result.measure - bounds.lower);
+  result.residual = 0;
 }
 
 // Adds what a part of a pair exchanges.
 void add_part(const PairMeasure3& part, PairMeasure3& sum) {
   sum.is_whole = sum.is_whole && part.is_whole;
+  sum.is_undecided = sum.is_undecided || part.is_undecided;
+  if (sum.problem.empty()) sum.problem = part.problem;
   sum.measure += part.measure;
   sum.error += part.error;
   sum.bounds = sum_of_nonnegative(sum.bounds, part.bounds);
@@ -70,19 +83,37 @@ double most_hidden(const PairSetting3& setting, const Blockers3& blockers, const
   return sum * (1 + kRoundings);
 }
 
-// Takes the measure of the two alone less half of what is hidden at most, and tells so, where that is allowed.
-bool take_nearly_alone(const PairSetting3& setting, const Blockers3& blockers, const Patch3& i, const Patch3& j,
-                       double allowed, double tolerance, const UnobstructedMeasure3& alone, PairMeasure3& result) {
-  if (!alone.has_converged) return false;
+// Raises the lower bound to the measure of the two alone less what is hidden at most.
+void bound_what_is_hidden(const PairSetting3& setting, const Blockers3& blockers, const Patch3& i, const Patch3& j,
+                          double tolerance, const UnobstructedMeasure3& alone, PairMeasure3& result) {
   const double hidden =
       std::min(most_hidden(setting, blockers, i, tolerance), most_hidden(setting, blockers, j, tolerance));
-  const double error = alone.error + hidden / 2;
-  if (!(error <= allowed)) return false;
-  result.measure = std::max(kLittle * alone.bounds.upper, alone.measure - hidden / 2);
-  result.error = error;
-  result.bounds = {std::max(0.0, std::nextafter(alone.bounds.lower - hidden, 0.0)), alone.bounds.upper};
-  result.residual = 0;
-  return true;
+  result.bounds.lower = std::max(0.0, std::nextafter(alone.bounds.lower - hidden, 0.0));
+}
+
+// The sum along edges, to what is allowed.
+void integrate(const PairSetting3& setting, const MomentOrigin3& origin, double allowed, double least, EdgeSum3& sum,
+               PairMeasure3& result) {
+  const double full = 2 * std::numbers::pi;
+  // What is missing, or wrong, at a place moves the measure by its part of the residual times its way from the origin.
+  const double residual_tolerance = std::max(kResidualTolerance * std::sqrt(least), full * allowed / sum.reach());
+  // Two rules may agree by chance; the residual tells.
+  for (double share = 1; share >= kLeastShare; share *= kNextShare) {
+    sum.refine(share * full * allowed, share * residual_tolerance);
+    Direction3 residual = sum.residual();
+    if (origin.is_on_common_line()) {
+      // Where both patches reach the line that their planes share, it adds pi / 2 times both unit normals and its
+      // length.
+      const Direction3 across = direction_of_both_normals(setting.bodies);
+      residual = residual - std::max(0.0, dot(residual, across)) * across;
+    }
+    result.residual = length(residual);
+    result.residual_bound = std::max(sum.residual_error(), residual_tolerance);
+    if (result.residual <= result.residual_bound) break;
+  }
+  result.measure = sum.value() / full;
+  result.error = sum.error() / full;
+  result.nodes = sum.nodes();
 }
 
 void tell_between(const PairSetting3& setting, PairDetails3& details) {
@@ -149,6 +180,11 @@ PairMeasurer3::~PairMeasurer3() = default;
 PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request,
                                     PairDetails3* details) const {
   const DefaultFloatingPoint environment;
+  if (request.share == 0) {
+    PairRequest3 shared = request;
+    shared.share = request.tolerance * least_area(i, j);
+    return measure(i, j, shared, details);
+  }
   Patch3 copies[2];
   const Patch3 &first = prepared_->placed(i, copies[0]), &second = prepared_->placed(j, copies[1]);
   const bool is_usual = !request.is_reversed && !request.always_along_edges &&
@@ -170,9 +206,11 @@ PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const Pair
       return halves;
     }
   PairMeasure3 whole = measure_along(setting, i, j, request, details);
-  if (!is_mixed || whole.problem.empty() || cuts <= kMostCuts - kCutsWhereItFails) return whole;
+  const bool may_cut = request.effort == Effort3::kAll && cuts > kMostCuts - kCutsWhereItFails;
+  if (!is_mixed || whole.problem.empty() || !may_cut) return whole;
   PairMeasure3 halves = measure_in_halves(i, j, request, cuts);
-  return halves.problem.empty() ? halves : whole;
+  const auto rank = [](const PairMeasure3& a) { return std::tuple(a.is_undecided, !a.problem.empty(), a.error); };
+  return rank(halves) < rank(whole) ? halves : whole;
 }
 
 std::size_t PairMeasurer3::count_between(const Patch3& i, const Patch3& j) const {
@@ -196,12 +234,8 @@ double PairMeasurer3::work_in_halves(const Patch3& i, const Patch3& j, bool cuts
 
 PairMeasure3 PairMeasurer3::measure_in_halves(const Patch3& i, const Patch3& j, const PairRequest3& request,
                                               int cuts) const {
-  const Vertices3& vertices = prepared_->blockers.vertices();
-  const auto least_area = [&](const Patch3& a, const Patch3& b) {
-    return std::min(patch_area(vertices, a).lower, patch_area(vertices, b).lower);
-  };
-  const double allowed = request.tolerance * least_area(i, j);
   const bool cuts_first = work_in_halves(i, j, true) <= work_in_halves(i, j, false);
+  const double tolerance = request.share / least_area(i, j);
   PairMeasure3 sum;
   sum.sight = Sight3::kMixed;
   sum.is_whole = true;
@@ -210,20 +244,27 @@ PairMeasure3 PairMeasurer3::measure_in_halves(const Patch3& i, const Patch3& j, 
     const auto sides = PairBodies3(prepared_->blockers, a, b).patch_sides;
     if (!sides[0].has_front || !sides[1].has_front) continue;  // it does not face the other patch: S0 = 0
     PairRequest3 part = request;
-    part.tolerance = std::clamp(allowed / (2 * least_area(a, b)), request.tolerance / 8, request.tolerance);
-    const PairMeasure3 found = measure(a, b, part, cuts - 1, nullptr);
-    if (!found.problem.empty()) return found;
-    add_part(found, sum);
+    part.share = std::max(request.share / 2, tolerance / 8 * least_area(a, b));
+    add_part(measure(a, b, part, cuts - 1, nullptr), sum);
+    if (sum.is_undecided) return sum;
   }
   if (sum.bounds.upper == 0) {
     sum.is_whole = false;
     sum.measure = sum.error = 0;
   } else if (sum.is_whole) {
-    take_alone(unobstructed_measure(vertices, i, j, request.tolerance / 4), sum);
-  } else if (!(sum.error <= allowed)) {
-    sum.problem = "the integral along edges did not converge";
+    sum.problem.clear();
+    take_alone(unobstructed_measure(prepared_->blockers.vertices(), i, j, tolerance / 4), request.share, sum);
+  } else if (sum.error <= request.share) {
+    sum.problem.clear();
+  } else if (sum.problem.empty()) {
+    sum.problem = kNotConverged;
   }
   return sum;
+}
+
+double PairMeasurer3::least_area(const Patch3& i, const Patch3& j) const {
+  const Vertices3& vertices = prepared_->blockers.vertices();
+  return std::min(patch_area(vertices, i).lower, patch_area(vertices, j).lower);
 }
 
 PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Patch3& i, const Patch3& j,
@@ -234,11 +275,12 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
   result.sight = setting.sight;
   if (details) tell_between(setting, *details);
   if (setting.sight == Sight3::kHidden) return result;
+  const double least = least_area(i, j), allowed = request.share, tolerance = allowed / least / 4;
   const auto measure_alone = [&](Effort3 effort) {
-    return unobstructed_measure(blockers.vertices(), i, j, request.tolerance / 4, effort);
+    return unobstructed_measure(blockers.vertices(), i, j, tolerance, effort);
   };
   if (setting.sight == Sight3::kClear && !request.always_along_edges) {
-    take_alone(measure_alone(Effort3::kAll), result);
+    take_alone(measure_alone(Effort3::kAll), allowed, result);
     return result;
   }
   const UnobstructedMeasure3 alone = measure_alone(Effort3::kUsual);
@@ -250,6 +292,8 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
   if (details) details->looked_at = static_cast<std::uint32_t>(stretches.size());
   result.bounds = {0, alone.bounds.upper};
   if (!sum.add(stretches, result)) {
+    take_bounds(result);
+    result.is_undecided = true;
     result.problem = "a stretch of an edge is cut into too many pieces";
     return result;
   }
@@ -259,43 +303,23 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
     return result;
   }
   if (result.is_whole && !request.always_along_edges) {
-    take_alone(alone.has_converged ? alone : measure_alone(Effort3::kAll), result);
+    take_alone(alone.has_converged ? alone : measure_alone(Effort3::kAll), allowed, result);
     return result;
   }
-  const double least = std::min(patch_area(blockers.vertices(), i).lower, patch_area(blockers.vertices(), j).lower);
-  const double full = 2 * std::numbers::pi, residual_tolerance = kResidualTolerance * std::sqrt(least);
-  // Two rules may agree by chance; the residual tells.
-  for (double share = 1; share >= kLeastShare; share *= kNextShare) {
-    sum.refine(share * full * request.tolerance * least, share * residual_tolerance);
-    Direction3 residual = sum.residual();
-    if (origin.is_on_common_line()) {
-      // Where both patches reach the line that their planes share, it adds pi / 2 times both unit normals and its
-      // length.
-      const Direction3 across = direction_of_both_normals(setting.bodies);
-      residual = residual - std::max(0.0, dot(residual, across)) * across;
-    }
-    result.residual = length(residual);
-    result.residual_bound = std::max(sum.residual_error(), residual_tolerance);
-    if (result.residual <= result.residual_bound) break;
-  }
-  result.measure = sum.value() / full;
-  result.error = sum.error() / full;
-  result.nodes = sum.nodes();
+  integrate(setting, origin, allowed, least, sum, result);
   if (details) sum.tell(*details);
   // Something is seen.
   result.measure = std::clamp(result.measure, kLittle * alone.bounds.upper, alone.bounds.upper);
-  const bool has_failed = !(result.error <= request.tolerance * least) || !(result.residual <= result.residual_bound);
-  if (has_failed && alone.bounds.upper <= request.tolerance * least) {
-    // So little goes at most that it need not be known: patches that see each other at grazing angles, and needles.
-    result.error = alone.bounds.upper;
-    result.residual = 0;
-  } else if (has_failed && take_nearly_alone(setting, blockers, i, j, request.tolerance * least, request.tolerance / 4,
-                                             alone, result)) {
-    // So little is hidden at most that it need not be known: something small, far away.
-  } else if (!(result.error <= request.tolerance * least))
-    result.problem = "the integral along edges did not converge";
-  else if (!(result.residual <= result.residual_bound))
-    result.problem = "the residual of translation is not zero";
+  const bool is_sure = result.residual <= result.residual_bound;
+  if (is_sure && result.error <= allowed) return result;
+  const char* const problem = is_sure ? kNotConverged : "the residual of translation is not zero";
+  // So little goes at most, or so little is hidden, that it need not be known: patches that see each other at grazing
+  // angles, and needles; something small, far away.
+  if (alone.bounds.upper / 2 > allowed) bound_what_is_hidden(setting, blockers, i, j, tolerance, alone, result);
+  PairMeasure3 bounded = result;
+  take_bounds(bounded);
+  if (!is_sure || bounded.error <= std::max(allowed, result.error)) result = std::move(bounded);
+  if (!(result.error <= allowed)) result.problem = problem;
   return result;
 }
 

@@ -41,6 +41,7 @@ class PairMeasurer3 {
   PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request, int cuts,
                        PairDetails3* details) const;
   PairMeasure3 measure_in_halves(const Patch3& i, const Patch3& j, const PairRequest3& request, int cuts) const;
+  double least_area(const Patch3& i, const Patch3& j) const;
   double work_in_halves(const Patch3& i, const Patch3& j, bool cuts_first) const;
   PairMeasure3 measure_along(const PairSetting3& setting, const Patch3& i, const Patch3& j, const PairRequest3& request,
                              PairDetails3* details) const;

@@ -10,6 +10,7 @@
 #include "geometry/scene_names.h"
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/groups_alone.h"
+#include "geometry/space/exchange/pair_shares.h"
 #include "geometry/space/exchange/unobstructed.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
@@ -37,12 +38,15 @@ void add(const Estimate3& some, Estimate3& sum) {
 // Hidden before clear before mixed: of several pairs together.
 Sight3 together(Sight3 a, Sight3 b) { return std::max(a, b); }
 
+using Part = ElementTable3::Part;
+
 class Reporter {
  public:
   Reporter(const PreparedScene3& prepared, const std::optional<Face>& from, const std::optional<Face>& to,
            double tolerance)
       : prepared_(prepared),
         table_(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kFace),
+        shares_(table_, prepared.blockers().vertices(), tolerance),
         from_(from),
         to_(to) {
     const Vertices3& vertices = prepared.blockers().vertices();
@@ -57,11 +61,15 @@ class Reporter {
   PairReport3 make() {
     const bool are_both_covered =
         from_ && to_ && table_.is_partly_covered(from_->number()) && table_.is_partly_covered(to_->number());
-    const std::vector<Patch3> of_from = patches(from_, false), of_to = patches(to_, are_both_covered);
+    const std::vector<const Part*> of_from = patches(from_, false), of_to = patches(to_, are_both_covered);
     report_.is_whole = true;
-    for (const Patch3& i : of_from)
-      for (const Patch3& j : of_to)
-        if (i.is_sky() || i.surface != j.surface) add_pair(i, j);
+    std::vector<PatchPair> pairs;
+    for (const Part* i : of_from)
+      for (const Part* j : of_to)
+        if (i->patch.is_sky() || i->patch.surface != j->patch.surface)
+          pairs.push_back({i, j, shares_.share(*i, *j), {}, {}});
+    measure(pairs);
+    for (PatchPair& pair : pairs) add_pair(pair);
     add_contacts();
     report_.is_whole = report_.is_whole && report_.exchange.bounds.upper > 0;
     auto& between = report_.between;
@@ -83,16 +91,46 @@ class Reporter {
     throw RequestError(name(from_) + " and " + name(to_) + ": " + problem);
   }
 
-  std::vector<Patch3> patches(const std::optional<Face>& face, bool are_free) const {
-    std::vector<Patch3> result;
+  // Two patches, the first of `from`.
+  struct PatchPair {
+    const Part *from, *to;
+    double share;
+    PairMeasure3 measure;
+    PairDetails3 details;
+  };
+
+  std::vector<const Part*> patches(const std::optional<Face>& face, bool are_free) const {
+    std::vector<const Part*> result;
     const std::uint32_t label = face ? face->number() : table_.sky();
-    for (const ElementTable3::Part& part : are_free ? table_.free_parts(label) : table_.parts(label))
-      result.push_back(part.patch);
+    for (const Part& part : are_free ? table_.free_parts(label) : table_.parts(label)) result.push_back(&part);
     if (result.empty() && !table_.has_contact(label))
       throw RequestError(quoted_name(face_name(prepared_.scene, *face)) +
                          " has no area: it lies in solids, or others have all of its place");
     return result;
   }
+
+  // As sum_pairs does: those that are not within their share come last, and more is tried for them where all together
+  // are not within the tolerance.
+  void measure(std::vector<PatchPair>& pairs) {
+    for (PatchPair& pair : pairs) measure(pair, {.share = pair.share, .effort = Effort3::kUsual});
+    const auto open = std::stable_partition(pairs.begin(), pairs.end(),
+                                            [](const PatchPair& pair) { return pair.measure.problem.empty(); });
+    if (open == pairs.end()) return;
+    const double allowed = shares_.allowed(number_of(from_), number_of(to_));
+    if (!(error_of(pairs) <= allowed) || is_undecided(pairs))
+      for (auto pair = open; pair != pairs.end(); ++pair) measure(*pair, {.share = pair->share});
+    if (!(error_of(pairs) <= allowed) || is_undecided(pairs)) fail(open->measure.problem);
+  }
+
+  static double error_of(const std::vector<PatchPair>& pairs) {
+    double sum = 0;
+    for (const PatchPair& pair : pairs) sum += pair.measure.error;
+    return sum;
+  }
+  static bool is_undecided(const std::vector<PatchPair>& pairs) {
+    return std::any_of(pairs.begin(), pairs.end(), [](const PatchPair& pair) { return pair.measure.is_undecided; });
+  }
+  std::uint32_t number_of(const std::optional<Face>& face) const { return face ? face->number() : table_.sky(); }
 
   // A mask and its base see each other all over, across no distance.
   void add_contacts() {
@@ -104,11 +142,9 @@ class Reporter {
     }
   }
 
-  void add_pair(const Patch3& i, const Patch3& j) {
-    PairDetails3 details;
-    PairRequest3 request{.tolerance = report_.tolerance};
-    const PairMeasure3 found = measured(i, j, request, details);
-    if (!found.problem.empty()) fail(found.problem);
+  void add_pair(PatchPair& pair) {
+    PairDetails3& details = pair.details;
+    const PairMeasure3& found = pair.measure;
     report_.sight = together(report_.sight, found.sight);
     add({found.measure, found.error, found.bounds}, report_.exchange);
     if (found.sight == Sight3::kHidden) {
@@ -120,9 +156,10 @@ class Reporter {
     report_.is_whole &= found.is_whole;
     PairMeasure3 along = found;
     if (details.stretches.empty() && found.bounds.upper > 0) {
-      details = {};
-      request.always_along_edges = true;
-      along = measured(i, j, request, details);
+      PatchPair same{pair.from, pair.to, pair.share, {}, {}};
+      measure(same, {.share = pair.share, .always_along_edges = true});
+      along = std::move(same.measure);
+      details = std::move(same.details);
       if (report_.problem.empty()) report_.problem = along.problem;
     }
     report_.maps += along.maps;
@@ -135,8 +172,10 @@ class Reporter {
     take(std::move(details));
   }
 
-  PairMeasure3 measured(const Patch3& i, const Patch3& j, const PairRequest3& request, PairDetails3& details) const {
-    return prepared_.measurer().measure(is_turned_ ? j : i, is_turned_ ? i : j, request, &details);
+  void measure(PatchPair& pair, const PairRequest3& request) const {
+    const Patch3 &i = pair.from->patch, &j = pair.to->patch;
+    pair.details = {};
+    pair.measure = prepared_.measurer().measure(is_turned_ ? j : i, is_turned_ ? i : j, request, &pair.details);
   }
 
   std::uint32_t surface_of(std::uint32_t piece) const { return prepared_.arrangement().pieces()[piece].surface; }
@@ -167,7 +206,7 @@ class Reporter {
     return {origin.x + unit * p.numerator.x, origin.y + unit * p.numerator.y, origin.z + unit * p.numerator.z};
   }
 
-  void set_unobstructed(const std::vector<Patch3>& of_from, const std::vector<Patch3>& of_to) {
+  void set_unobstructed(const std::vector<const Part*>& of_from, const std::vector<const Part*>& of_to) {
     if (!from_ || !to_) {
       const Rounded& area = table_.extent((from_ ? from_ : to_)->number());
       report_.unobstructed = {area.value, 0, area.enclosure()};
@@ -175,8 +214,8 @@ class Reporter {
       const auto alone = GroupsAlone3(prepared_, table_, report_.tolerance).measure(from_->number(), to_->number());
       report_.unobstructed = {alone.value, alone.error, alone.bounds};
     } else if (from_->surface != to_->surface) {
-      const UnobstructedMeasure3 alone =
-          unobstructed_measure(prepared_.blockers().vertices(), of_from.front(), of_to.front(), report_.tolerance);
+      const UnobstructedMeasure3 alone = unobstructed_measure(prepared_.blockers().vertices(), of_from.front()->patch,
+                                                              of_to.front()->patch, report_.tolerance);
       if (!alone.has_converged) fail("the integral over two patches that see each other did not converge");
       report_.unobstructed = {alone.measure, alone.error, alone.bounds};
     }
@@ -226,6 +265,7 @@ class Reporter {
 
   const PreparedScene3& prepared_;
   const ElementTable3 table_;
+  const PairShares3 shares_;
   const std::optional<Face> from_, to_;
   bool is_turned_ = false;          // pairs are measured from the face that comes first
   double length_ = 1, square_ = 1;  // of the doubles of Vertices3

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <mutex>
 #include <random>
+#include <span>
+#include <tuple>
 #include <utility>
 
 #include "geometry/space/arrangement/closed_hull.h"
 #include "geometry/space/exchange/facing.h"
+#include "geometry/space/exchange/pair_shares.h"
 #include "geometry/space/exchange/unobstructed.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
@@ -60,18 +64,33 @@ class Tasks {
   std::vector<std::size_t> first_;  // the first task of each patch
 };
 
-// What one task found, in the order of the patches.
+// Two patches that could not be measured within their share.
+struct OpenPair {
+  PairSum3 sum;  // i, j: holders
+  const Part *a, *b;
+  bool is_undecided;
+  std::string problem;
+};
+
+// What one task found, in the order of the patches, by holders.
 struct Found {
   std::vector<PairSum3> pairs;
-  std::vector<FailedPair3> failures;
+  std::vector<OpenPair> open;
 };
 
 class Measuring {
  public:
   Measuring(const PreparedScene3& prepared, const ElementTable3& table, const PairSumRequest3& request)
-      : prepared_(prepared), table_(table), request_(request), tasks_(table), hull_(prepared.blockers()) {}
+      : prepared_(prepared),
+        table_(table),
+        request_(request),
+        tasks_(table),
+        hull_(prepared.blockers()),
+        shares_(table, prepared.blockers().vertices(), request.tolerance) {}
 
   const Tasks& tasks() const { return tasks_; }
+  const PairShares3& shares() const { return shares_; }
+  double tolerance() const { return request_.tolerance; }
 
   void run(const Task& task, Found& found, ExchangeReport3& counts) const {
     const Part& a = table_.parts()[task.patch];
@@ -113,28 +132,51 @@ class Measuring {
   }
 
   void measure(const Part& a, const Part& b, Found& found, ExchangeReport3& counts) const {
-    const PairMeasure3 pair = prepared_.measurer().measure(a.patch, b.patch, {.tolerance = request_.tolerance});
+    const PairMeasure3 pair = measured(a, b, Effort3::kUsual);
     ++(pair.sight == Sight3::kHidden ? counts.hidden : pair.sight == Sight3::kClear ? counts.clear : counts.mixed);
-    counts.maps += pair.maps;
-    counts.pieces += pair.pieces;
-    counts.nodes += pair.nodes;
-    counts.signs += pair.signs;
-    if (!pair.problem.empty()) {
-      found.failures.push_back({a.label, b.label, pair.problem});
-      return;
-    }
+    add_work(pair, counts);
     const bool is_zero = pair.bounds.upper == 0;
-    PairSum3 sum{.i = a.label, .j = b.label, .is_whole = !is_zero && pair.is_whole};
+    if (is_zero && !stands_for_what_is_hidden(a, b)) return;
+    const PairSum3 sum = sum_of(a, b, pair);
+    if (pair.problem.empty())
+      found.pairs.push_back(sum);
+    else
+      found.open.push_back({sum, &a, &b, pair.is_undecided, pair.problem});
+  }
+
+ public:
+  // Tries more.
+  void measure_again(OpenPair& open, ExchangeReport3& counts) const {
+    const PairMeasure3 pair = measured(*open.a, *open.b, Effort3::kAll);
+    add_work(pair, counts);
+    open.sum = sum_of(*open.a, *open.b, pair);
+    open.is_undecided = pair.is_undecided;
+    open.problem = pair.problem;
+  }
+
+ private:
+  PairMeasure3 measured(const Part& a, const Part& b, Effort3 effort) const {
+    return prepared_.measurer().measure(a.patch, b.patch, {.share = shares_.share(a, b), .effort = effort});
+  }
+
+  PairSum3 sum_of(const Part& a, const Part& b, const PairMeasure3& pair) const {
+    const bool is_zero = pair.bounds.upper == 0;
+    PairSum3 sum{.i = a.holder, .j = b.holder, .is_whole = !is_zero && pair.is_whole};
     if (!is_zero) {
       sum.measure = pair.measure;
       sum.error = pair.error;
       sum.bounds = pair.bounds;
-    } else if (!stands_for_what_is_hidden(a, b)) {
-      return;
     }
-    if (request_.wants_visibility && !b.patch.is_sky() && !sum.is_whole && !is_of_groups(a, b))
+    if (request_.wants_visibility && !b.patch.is_sky() && !is_zero && !sum.is_whole && !is_of_groups(a, b))
       sum.alone = unobstructed_measure(prepared_.blockers().vertices(), a.patch, b.patch, request_.tolerance).measure;
-    found.pairs.push_back(sum);
+    return sum;
+  }
+
+  static void add_work(const PairMeasure3& pair, ExchangeReport3& counts) {
+    counts.maps += pair.maps;
+    counts.pieces += pair.pieces;
+    counts.nodes += pair.nodes;
+    counts.signs += pair.signs;
   }
 
   bool is_of_groups(const Part& a, const Part& b) const {
@@ -152,6 +194,7 @@ class Measuring {
   const PairSumRequest3& request_;
   const Tasks tasks_;
   const ClosedHull3 hull_;
+  const PairShares3 shares_;
 };
 
 void add_counts(ExchangeReport3& report, const ExchangeReport3& some) {
@@ -172,21 +215,96 @@ void add_to(PairSum3& sum, const PairSum3& other) {
   sum.is_whole = sum.is_whole && other.is_whole;
 }
 
-// Sums what stands for one pair of elements, in the order of the list.
-std::vector<PairSum3> by_elements(std::vector<PairSum3> pairs) {
+std::pair<std::uint32_t, std::uint32_t> key_of(const PairSum3& pair) { return {pair.i, pair.j}; }
+
+// Sums what has the same numbers, in the order of the list.
+void sum_equal(std::vector<PairSum3>& pairs) {
   std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const PairSum3& a, const PairSum3& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
+                   [](const PairSum3& a, const PairSum3& b) { return key_of(a) < key_of(b); });
   std::size_t count = 0;
   for (const PairSum3& pair : pairs) {
-    if (count > 0 && pairs[count - 1].i == pair.i && pairs[count - 1].j == pair.j)
+    if (count > 0 && key_of(pairs[count - 1]) == key_of(pair))
       add_to(pairs[count - 1], pair);
     else
       pairs[count++] = pair;
   }
   pairs.resize(count);
-  for (PairSum3& pair : pairs)
-    if (pair.i == pair.j) add_to(pair, PairSum3(pair));
-  return pairs;
+}
+
+// Tries more for pairs of patches that are not within their shares, where what all patches of their holders may be off
+// together is not within the tolerance. Puts them among `pairs`, which are summed by holders, or tells that they
+// failed.
+void settle(const Measuring& measuring, std::vector<OpenPair>& open, std::vector<PairSum3>& pairs,
+            std::vector<FailedPair3>& failures, ExchangeReport3& report) {
+  if (open.empty()) return;
+  std::stable_sort(open.begin(), open.end(),
+                   [](const OpenPair& a, const OpenPair& b) { return key_of(a.sum) < key_of(b.sum); });
+  std::vector<std::span<OpenPair>> of_holders;
+  for (std::size_t k = 0, end; k < open.size(); k = end) {
+    for (end = k + 1; end < open.size() && key_of(open[end].sum) == key_of(open[k].sum);) ++end;
+    of_holders.emplace_back(open.data() + k, open.data() + end);
+  }
+  // What the holders' measure may be off, over the smaller of their areas.
+  const auto reached = [&](std::span<const OpenPair> some) {
+    const auto [i, j] = key_of(some.front().sum);
+    const auto others = std::lower_bound(pairs.begin(), pairs.end(), some.front().sum,
+                                         [](const PairSum3& a, const PairSum3& b) { return key_of(a) < key_of(b); });
+    double error = others != pairs.end() && key_of(*others) == std::pair(i, j) ? others->error : 0;
+    for (const OpenPair& one : some) error += one.sum.error;
+    return (i == j ? 2 : 1) * error / measuring.shares().least_area(i, j);
+  };
+  const auto is_done = [&](std::span<const OpenPair> some) {
+    return reached(some) <= measuring.tolerance() &&
+           std::none_of(some.begin(), some.end(), [](const OpenPair& one) { return one.is_undecided; });
+  };
+  std::vector<OpenPair*> again;
+  for (const std::span<OpenPair> some : of_holders)
+    if (!is_done(some))
+      for (OpenPair& one : some) again.push_back(&one);
+  std::mutex together;
+  parallel_ranges(again.size(), 1, [&](std::size_t begin, std::size_t end) {
+    ExchangeReport3 counts;
+    for (std::size_t k = begin; k < end; ++k) {
+      throw_if_interrupted();
+      measuring.measure_again(*again[k], counts);
+    }
+    const std::lock_guard lock(together);
+    add_counts(report, counts);
+  });
+  std::vector<PairSum3> more;
+  for (const std::span<const OpenPair> some : of_holders) {
+    if (is_done(some)) {
+      for (const OpenPair& one : some) more.push_back(one.sum);
+      continue;
+    }
+    const auto why = std::max_element(some.begin(), some.end(), [](const OpenPair& a, const OpenPair& b) {
+      return std::pair(a.is_undecided, a.sum.error) < std::pair(b.is_undecided, b.sum.error);
+    });
+    failures.push_back({some.front().a->label, some.front().b->label, reached(some), why->is_undecided, why->problem});
+  }
+  pairs.insert(pairs.end(), more.begin(), more.end());
+}
+
+// Of holders as elements. Each pair of elements once, the worst.
+void take_labels(const ElementTable3& table, std::vector<PairSum3>& pairs) {
+  if (!table.is_by_group()) return;
+  std::vector<std::uint32_t> label(table.holders() + std::size_t{1}, 0);
+  for (const Part& part : table.parts()) label[part.holder] = part.label;
+  for (PairSum3& pair : pairs) {
+    pair.i = label[pair.i];
+    pair.j = label[pair.j];
+    if (pair.i > pair.j) std::swap(pair.i, pair.j);
+  }
+}
+
+void keep_worst(std::vector<FailedPair3>& failures) {
+  const auto key = [](const FailedPair3& failure) { return std::pair(failure.i, failure.j); };
+  std::stable_sort(failures.begin(), failures.end(), [&](const FailedPair3& a, const FailedPair3& b) {
+    return std::tuple(key(a), !a.is_undecided, -a.reached) < std::tuple(key(b), !b.is_undecided, -b.reached);
+  });
+  failures.erase(std::unique(failures.begin(), failures.end(),
+                             [&](const FailedPair3& a, const FailedPair3& b) { return key(a) == key(b); }),
+                 failures.end());
 }
 
 }  // namespace
@@ -204,7 +322,8 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
     for (std::size_t t = begin; t < end; ++t) {
       measuring.run(tasks[t], found[t], counts);
       found[t].pairs.shrink_to_fit();
-      const std::size_t more = found[t].pairs.size();
+      found[t].open.shrink_to_fit();
+      const std::size_t more = found[t].pairs.size() + found[t].open.size();
       if (found_pairs.fetch_add(more, std::memory_order_relaxed) + more > request.most_pairs)
         throw RequestError("more than " + std::to_string(request.most_pairs) +
                            " pairs see each other: they need more memory than is allowed");
@@ -216,11 +335,15 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
 
   PairSums3 result;
   result.pairs.reserve(found_pairs);
+  std::vector<OpenPair> open;
   for (Found& some : found) {
     result.pairs.insert(result.pairs.end(), some.pairs.begin(), some.pairs.end());
-    result.failures.insert(result.failures.end(), some.failures.begin(), some.failures.end());
+    std::move(some.open.begin(), some.open.end(), std::back_inserter(open));
     some = {};
   }
+  sum_equal(result.pairs);
+  settle(measuring, open, result.pairs, result.failures, report);
+  take_labels(table, result.pairs);
   for (const ElementTable3::Contact& contact : table.contacts()) {
     const std::uint32_t i = std::min(contact.mask, contact.base), j = std::max(contact.mask, contact.base);
     if (request.turn != nullptr && !request.turn->has(i, j)) continue;
@@ -229,56 +352,11 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
     result.pairs.push_back(
         {.i = i, .j = j, .measure = area, .bounds = contact.extent.enclosure(), .alone = are_patches ? area : 0});
   }
-  result.pairs = by_elements(std::move(result.pairs));
-  std::stable_sort(result.failures.begin(), result.failures.end(), [](const FailedPair3& a, const FailedPair3& b) {
-    return std::pair(a.i, a.j) < std::pair(b.i, b.j);
-  });
+  sum_equal(result.pairs);
+  for (PairSum3& pair : result.pairs)
+    if (pair.i == pair.j) add_to(pair, PairSum3(pair));
+  keep_worst(result.failures);
   return result;
-}
-
-void take_rest_for_sky(const ElementTable3& table, double tolerance, PairSums3& sums) {
-  constexpr double kRounding = 0x1p-48;
-  std::vector<char> has_other_failure(table.count(), 0), wants(table.count(), 0);
-  for (const FailedPair3& failure : sums.failures) {
-    if (failure.j == table.sky()) {
-      wants[failure.i] = 1;
-      continue;
-    }
-    has_other_failure[failure.i] = has_other_failure[failure.j] = 1;
-  }
-  if (std::find(wants.begin(), wants.end(), 1) == wants.end()) return;
-  std::vector<PairSum3> rest(table.count());
-  for (std::uint32_t i = 0; i < table.count(); ++i) {
-    const Rounded& area = table.extent(i);
-    rest[i] = {.i = i, .j = table.sky(), .measure = area.value, .error = kRounding * area.value};
-    rest[i].bounds = area.enclosure();
-  }
-  const auto take = [](PairSum3& left, const PairSum3& pair) {
-    left.measure -= pair.measure;
-    left.error += pair.error;
-    left.bounds = {std::nextafter(left.bounds.lower - pair.bounds.upper, -1.0),
-                   std::nextafter(left.bounds.upper - pair.bounds.lower, 2 * left.bounds.upper)};
-  };
-  for (const PairSum3& pair : sums.pairs) {
-    if (pair.j == table.sky()) continue;
-    take(rest[pair.i], pair);
-    if (pair.j != pair.i) take(rest[pair.j], pair);
-  }
-  const auto is_known = [&](std::uint32_t i) {
-    const PairSum3& left = rest[i];
-    return wants[i] != 0 && has_other_failure[i] == 0 && left.measure > left.error &&
-           left.error <= tolerance * table.extent(i).value;
-  };
-  std::erase_if(sums.failures, [&](const FailedPair3& f) { return f.j == table.sky() && is_known(f.i); });
-  std::erase_if(sums.pairs, [&](const PairSum3& pair) { return pair.j == table.sky() && is_known(pair.i); });
-  for (std::uint32_t i = 0; i < table.count(); ++i) {
-    if (!is_known(i)) continue;
-    rest[i].bounds.lower = std::max(0.0, rest[i].bounds.lower);
-    const auto place = std::upper_bound(
-        sums.pairs.begin(), sums.pairs.end(), rest[i],
-        [](const PairSum3& a, const PairSum3& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
-    sums.pairs.insert(place, rest[i]);
-  }
 }
 
 std::uint64_t estimated_pairs(const PreparedScene3& prepared, const ElementTable3& table) {
@@ -299,7 +377,7 @@ std::uint64_t estimated_pairs(const PreparedScene3& prepared, const ElementTable
     Found found;
     ExchangeReport3 ignored;
     measuring.run(single[k], found, ignored);
-    visible += found.pairs.size();
+    visible += found.pairs.size() + found.open.size();
   });
   const double all = static_cast<double>(sky_begin) * static_cast<double>(sky_begin - 1) / 2;
   return static_cast<std::uint64_t>(all * static_cast<double>(visible) / kSample);

@@ -28,10 +28,12 @@ struct PairSum3 {
   friend bool operator==(const PairSum3&, const PairSum3&) = default;
 };
 
-// A pair of patches, by the elements that they are of, that could not be measured.
+// Two elements that could not be measured within the tolerance.
 struct FailedPair3 {
   std::uint32_t i, j;
-  std::string problem;
+  double reached;       // the tolerance that was, relative to the smaller area
+  bool is_undecided;    // it could not be decided whether they see each other: then none was
+  std::string problem;  // of one of their patches
 };
 
 // Some pairs of all: those of which one element at least is called up, and none was before, and that are not known from
@@ -69,17 +71,14 @@ struct PairSums3 {
 //   (3) a pair (i, i), of a group, counts both directions of a line
 //   (4) contacts of masks are pairs like others: whole, and as large as what they share
 //   (5) adds to the hidden, clear and mixed pairs, the maps, pieces, nodes and signs of the report
+//   (6) each pair of patches has its share of the tolerance (PairShares3). Where one could not be held, more is tried
+//       only if all patches of both elements together are not within the tolerance; if they are not then either, the
+//       pair has failed, and is told once
 //
 // Throws Interrupted where it is asked to stop.
 // COST: parallel; that of measuring each pair of faces that face each other, and 50 ns for each other pair.
 PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, const PairSumRequest3& request,
                     ExchangeReport3& report);
-
-// Gives elements whose pair with the sky could not be measured what their other pairs leave of their areas, where that
-// is known within the tolerance, and more than its error: their rows then close by definition. Next to a small thing,
-// or one that is very far from the others, doubles have too few digits for the far walls of the sky, and enough for
-// these. REQUIRES all pairs of these elements, in order.
-void take_rest_for_sky(const ElementTable3& table, double tolerance, PairSums3& sums);
 
 // Returns about how many pairs of patches exchange light, from 512 drawn by a fixed seed and measured. The same scene
 // always gives the same estimate. It may be wrong either way.

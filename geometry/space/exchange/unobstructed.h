@@ -3,6 +3,7 @@
 
 #include "geometry/space/arrangement/blockers.h"
 #include "geometry/space/arrangement/patch.h"
+#include "geometry/space/exchange/pair_result.h"
 #include "kernel/enclosure.h"
 
 namespace hottel {
@@ -16,16 +17,14 @@ struct UnobstructedMeasure3 {
   bool has_converged = true;  // else error is above what was asked for
 };
 
-// kUsual leaves out the last way to measure, in numbers of 320 bits: then needles a million times as long as wide may
-// not converge.
-enum class Effort3 : unsigned char { kUsual, kAll };
-
 // Returns the measure of two patches that see each other without anything between them.
 //
 //   (1) of each patch only what is in front of the other one counts; measure and bounds are 0 exactly iff one of them
 //       has no part in front of the other
 //   (2) symmetric bit for bit; independent of translation and, but for the unit, of scale by powers of two
 //   (3) error <= tolerance * min(A_i, A_j) where has_converged
+//   (4) kUsual leaves out the last way to measure, in numbers of 320 bits: then needles a million times as long as wide
+//       may not converge
 //
 // Some 1e-14 of the smaller area is had for all pairs whatever, touching or not, needles of 1 to 2^250 too; for patches
 // that are small against their distance, some 1e-14 of S0. Proven means: given that log and atan2 of the library are
