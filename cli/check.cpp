@@ -61,7 +61,7 @@ ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const
     changes = factor_changes(*before->factors, *after->factors,
                              [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
-  out.write(text, !repair.steps.empty());
+  out.write(text, is_anything_done(repair.steps));
   streams.write("", options.json ? check_json(repaired, after->findings, &report)
                                  : repair_text(scene, report) + check_text(repaired, after->findings));
   out.commit(streams);

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -40,17 +39,16 @@ FindingCounts counts_of(const Findings& findings) {
 }
 
 // The one way to a repair that does no harm, whatever the dimension. `close(scene, held)` returns a Repair of a scene
-// in which surfaces that are held keep their places; Repair::moved has the surfaces that moved together. `find` returns
-// what is found in a scene.
+// in which surfaces that are held keep their places; Repair::moved has the surfaces that moved together,
+// Repair::origins where each came from. `find` returns what is found in a scene.
 template <class Scene, class Close, class Find>
 class HarmlessRepair {
  public:
   using Surfaces = std::vector<std::uint32_t>;
 
   // REQUIRES that all outlive this.
-  HarmlessRepair(const Scene& scene, const Close& close, const Find& find) : scene_(scene), close_(close), find_(find) {
-    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) place_.emplace(scene.surfaces[s].name, s);
-  }
+  HarmlessRepair(const Scene& scene, const Close& close, const Find& find)
+      : scene_(scene), close_(close), find_(find) {}
 
   // Returns a repair after which no more is found than before, and which leaves its own result as it is. What moves
   // together is left as it was where moved it would move again, or more would be found (not-repaired).
@@ -108,14 +106,6 @@ class HarmlessRepair {
     return text;
   }
 
-  // Which surface of the scene a surface of the repaired one was.
-  template <class Repair>
-  Surfaces origins(const Repair& repair) const {
-    Surfaces origins;
-    for (const std::string& name : repair.former_names) origins.push_back(place_.at(name));
-    return origins;
-  }
-
   template <class Repair>
   static std::set<std::size_t> all_of(const Repair& repair) {
     std::set<std::size_t> all;
@@ -135,7 +125,7 @@ class HarmlessRepair {
   // What would move once more.
   template <class Repair>
   std::set<std::size_t> unsteady(const Repair& repair, const std::vector<char>& held) const {
-    const Surfaces origin = origins(repair);
+    const Surfaces& origin = repair.origins;
     std::vector<char> still_held;
     for (const std::uint32_t s : origin) still_held.push_back(held[s]);
     const Repair again = close_(repair.scene, still_held);
@@ -164,7 +154,7 @@ class HarmlessRepair {
         for (const std::size_t k : touched) counts[k].add(finding, times);
       }
     };
-    const Surfaces origin = origins(repair);
+    const Surfaces& origin = repair.origins;
     add(
         before_, [](std::uint32_t s) { return s; }, -1);
     add(
@@ -178,7 +168,6 @@ class HarmlessRepair {
   const Scene& scene_;
   const Close& close_;
   const Find& find_;
-  std::unordered_map<std::string, std::uint32_t> place_;  // of surfaces by name
   bool is_looked_at_ = false;
   decltype(std::declval<const Find&>()(std::declval<const Scene&>())) before_{};
 };

@@ -82,7 +82,7 @@ class GapCloser {
   Repair2 close() {
     for (int pass = 0; pass < kMostPasses && improve(); ++pass) {
     }
-    Repair2 repair{scene_, {}, {}, moved_together()};
+    Repair2 repair{scene_, {}, {}, moved_together(), {}};
     tell_moves(repair.steps);
     rebuild(repair);
     for (const auto& [v, s] : left_)
@@ -263,6 +263,7 @@ class GapCloser {
         continue;
       }
       same.push_back(s);
+      repair.origins.push_back(s);
       kept.push_back(scene_.surfaces[s]);
       edges.push_back({place_[now.a.index()], place_[now.b.index()]});
     }
@@ -319,7 +320,7 @@ Repair2 close_gaps(const Scene2& scene, const Rational& distance) {
 }
 
 Repair2 unrepaired(const Scene2& scene) {
-  Repair2 repair{scene, {}, {}, {}};
+  Repair2 repair{scene, {}, {}};
   for (const Surface& surface : scene.surfaces) repair.former_names.push_back(surface.name);
   return repair;
 }

@@ -18,7 +18,8 @@ struct Repair2 {
   std::vector<RepairStep> steps;
   std::vector<std::string> former_names;  // by surface: what it was called before the repair
   // The surfaces, as they were numbered before, of which an end moved; those whose ends moved together in one list.
-  std::vector<std::vector<std::uint32_t>> moved;
+  std::vector<std::vector<std::uint32_t>> moved{};
+  std::vector<std::uint32_t> origins{};  // by surface, as close_gaps leaves them: which one it was before
 };
 
 // Returns the scene as it is, without any step.

@@ -40,7 +40,7 @@ class GapCloser {
       start();
       for (int pass = 0; pass < kMostPasses && improve(); ++pass) {
       }
-      Repair3 repair{scene_, {}, {}, {}};
+      Repair3 repair{scene_, {}, {}};
       tell_moves(repair.steps);
       if (const Corners blamed = rebuild(repair); !blamed.empty()) {
         for (const std::uint32_t s : blamed) keep_corners_of(s, refused);
@@ -311,7 +311,8 @@ class GapCloser {
     repair.scene.surfaces.clear();
     repair.scene.polygons.clear();
     std::vector<std::uint32_t> now(scene_.surfaces.size());  // of those that stay as they are
-    const auto keep = [&](const Surface& surface, Polygon3 polygon) {
+    const auto keep = [&](std::uint32_t s, const Surface& surface, Polygon3 polygon) {
+      repair.origins.push_back(s);
       repair.former_names.push_back(surface.name);
       repair.scene.add(surface, std::move(polygon));
     };
@@ -319,7 +320,7 @@ class GapCloser {
       const Surface& surface = scene_.surfaces[s];
       if (!is_changed(s)) {
         now[s] = static_cast<std::uint32_t>(repair.scene.surfaces.size());
-        keep(surface, scene_.polygons[s]);
+        keep(s, surface, scene_.polygons[s]);
         continue;
       }
       Polygon3 polygon = polygon_now(s);
@@ -329,7 +330,7 @@ class GapCloser {
       }
       const bool keeps_side = dot(doubled_area(polygon), doubled_area(scene_.polygons[s])) > 0;
       if (keeps_side && polygon_problem(polygon).text.empty()) {
-        keep(surface, std::move(polygon));
+        keep(s, surface, std::move(polygon));
         continue;
       }
       const std::vector<Polygon3> triangles = keeps_side ? fan_of(polygon) : std::vector<Polygon3>();
@@ -342,7 +343,7 @@ class GapCloser {
       for (std::size_t k = 0; k < triangles.size(); ++k) {
         Surface piece = surface;
         piece.name = piece_name(surface.name, k);
-        keep(piece, triangles[k]);
+        keep(s, piece, triangles[k]);
       }
       repair.steps.push_back({"triangulated", surface.name,
                               fmt::format("{} would not be plane any more: {} triangles, {} to {}", name(s),

@@ -26,7 +26,7 @@ Findings3 shape_and_contacts(const Scene3& scene) {
 }  // namespace
 
 Repair3 unrepaired(const Scene3& scene) {
-  Repair3 repair{scene, {}, {}, {}};
+  Repair3 repair{scene, {}, {}};
   for (const Surface& surface : scene.surfaces) repair.former_names.push_back(surface.name);
   return repair;
 }

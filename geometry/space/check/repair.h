@@ -18,7 +18,8 @@ struct Repair3 {
   std::vector<std::string> former_names;  // by surface: what it was called before the repair
   // The surfaces, as they were numbered before, of which a corner moved; those whose corners moved together in one
   // list.
-  std::vector<std::vector<std::uint32_t>> moved;
+  std::vector<std::vector<std::uint32_t>> moved{};
+  std::vector<std::uint32_t> origins{};  // by surface, as close_gaps leaves them: which one it was before
 };
 
 // Returns the scene as it is, without any step.

@@ -28,11 +28,12 @@ class Furnisher {
                                RoomNumbers3::kFloats, RoomNumbers3::kFloats}[static_cast<std::size_t>(below(8))];
     is_rounded_ = room_.numbers >= RoomNumbers3::kTyped;
     furniture_ = below(4) == 0 ? 1 : kWalls;
+    const auto most = static_cast<std::size_t>(between(14, kMostRoomPolygons));
     add_room();
     for (int failed = 0; failed < kTries;) {
       const std::size_t before = room_.bodies.size();
       add_furniture();
-      if (polygons() <= kMostRoomPolygons) continue;
+      if (polygons() <= most) continue;
       room_.bodies.resize(before);
       ++failed;
     }

@@ -9,7 +9,7 @@
 namespace hottel::storm {
 
 // The most polygons of a furnished room.
-inline constexpr std::size_t kMostRoomPolygons = 40;
+inline constexpr long kMostRoomPolygons = 40;
 
 // How the numbers of a room came about.
 //   kExact: as they are meant, parallel to the axes; kTurned: turned about the vertical by an angle whose sine and
@@ -25,11 +25,11 @@ struct FurnishedRoom3 {
   SolidBodies3 bodies;
 };
 
-// Returns a room of four to six walls and its furniture, kMostRoomPolygons polygons at most. Cupboards stand along a
-// wall, in a corner, on each other; prisms and boxes stand turned; there are tables with legs, shelves (sheets and thin
-// boxes), sheets before a wall, needles. The gaps between neighbours, to walls, floor and ceiling, and the steps
-// between fronts, are 0, or 2^-1 to 2^-50, or 1e-3 to 1e-15, or ordinary; where the room has a material on its outside
-// too they may be negative: what stands there overlaps.
+// Returns a room of four to six walls and its furniture, 14 to kMostRoomPolygons polygons at most. Cupboards stand
+// along a wall, in a corner, on each other; prisms and boxes stand turned; there are tables with legs, shelves (sheets
+// and thin boxes), sheets before a wall, needles. The gaps between neighbours, to walls, floor and ceiling, and the
+// steps between fronts, are 0, or 2^-1 to 2^-50, or 1e-3 to 1e-15, or ordinary; where the room has a material on its
+// outside too they may be negative: what stands there overlaps.
 //
 //   (1) sheets have a material on both sides, and so has a room that anything may stand out of: no face sees a black
 //       back

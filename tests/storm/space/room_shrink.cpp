@@ -12,7 +12,7 @@ namespace {
 
 using Kind = SolidBody3::Kind;
 
-constexpr int kMostTries = 400;
+constexpr int kMostTries = 150;
 constexpr std::array<Rational Point3::*, 3> kRoomAxes{&Point3::x, &Point3::y, &Point3::z};
 const Rational kTypedUnit(1, 1'000'000);
 
