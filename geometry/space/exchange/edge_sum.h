@@ -2,38 +2,40 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "geometry/space/exchange/edge_integral.h"
 #include "geometry/space/exchange/pair_details.h"
 #include "geometry/space/exchange/pair_result.h"
 #include "geometry/space/exchange/stretch_map.h"
 
 namespace hottel {
 
-// Sums of moments times integrals over the pieces of all stretches, the worst ones halved until the sum is good enough.
+// Sums of moments times integrals over the pieces of all stretches, the worst ones halved until the sum is good enough:
+// in doubles, and in more digits where these do not suffice.
 class EdgeSum3 {
  public:
+  // REQUIRES: both outlive this.
   EdgeSum3(const PairBodies3& bodies, const WeightedPoint3& origin, long shift)
-      : bodies_(bodies), origin_(origin), shift_(shift) {}
+      : bodies_(bodies), origin_(origin), shift_(shift), mapper_(bodies) {}
 
-  // False where a stretch could not be divided.
+  // False where a stretch could not be divided. REQUIRES: the stretches outlive this.
   bool add(const std::vector<PairStretch3>& stretches, PairMeasure3& result);
 
-  bool is_empty() const { return pieces_.empty(); }
+  bool is_empty() const { return seen_.empty(); }
   // How far from the origin a stretch reaches along which something is seen, about.
   double reach() const { return reach_; }
 
-  // Halves the worst parts until the error is within the tolerance and that of the residual within its own, or as small
-  // as rounding lets them be.
+  // As EdgeIntegral3 does.
   void refine(double tolerance, double residual_tolerance);
+  const EdgeValues3& values() const { return values_; }
+  // Begins anew, in long doubles, then in WideReal. False where there are no more. COST: of a node some 10 times as
+  // much as in doubles, then some 100 times.
+  bool take_more_digits();
+  std::uint32_t nodes() const;
 
-  double value() const { return value_; }
-  double error() const;
-  const Direction3& residual() const { return residual_; }
-  double residual_error() const;
-  std::uint32_t nodes() const { return nodes_; }
-
-  // Tells what it is the sum of. REQUIRES: the stretches are still there.
+  // Tells what it is the sum of.
   void tell(PairDetails3& details) const;
 
  private:
@@ -43,36 +45,26 @@ class EdgeSum3 {
     std::size_t first_piece;
     std::uint32_t relied;
   };
-  // An interval of t within a piece, and what it adds.
-  struct Part {
-    std::uint32_t piece, stretch;
-    double low, high;
-    Direction3 value;
-    double error, residual_error;  // what two quadratures differ by
-    double rounding, residual_rounding;
-  };
 
-  // Divides until the rules see all that happens.
-  void add_parts(std::uint32_t piece, std::uint32_t stretch, double low, double high);
-
-  Part make_part(std::uint32_t piece, std::uint32_t stretch, double low, double high);
-
-  // So short that nodes would fall on its ends: Lambda is less than pi anywhere.
-  Part tiny_part(std::uint32_t piece, std::uint32_t stretch, double low, double high);
-
-  void sum_up();
+  const std::vector<StretchPiece3>& pieces_in_doubles() const { return doubles_.pieces(); }
+  std::size_t end_of_pieces(std::size_t seen) const;
+  // Where a stretch begins, from the origin, times both weights.
+  IntegerVector from_origin(const Stretch3& s) const;
+  template <class Real>
+  std::uint32_t add_stretch(const Stretch3& s, EdgeIntegral3<Real>& integral) const;
+  template <class Real>
+  void widen(EdgeIntegral3<Real>& integral);
 
   const PairBodies3& bodies_;
   const WeightedPoint3& origin_;
   long shift_;
-  std::vector<Seen> seen_;  // with ways_ and moments_
-  std::vector<StretchPiece3> pieces_;
-  std::vector<Direction3> ways_, moments_;
+  StretchMapper3 mapper_;
+  std::vector<Seen> seen_;
+  EdgeIntegral3<double> doubles_;
+  std::optional<EdgeIntegral3<long double>> long_doubles_;
+  std::optional<EdgeIntegral3<WideReal>> wide_;
+  EdgeValues3 values_;
   double reach_ = 0;
-  std::vector<Part> parts_;
-  double value_ = 0, error_ = 0, rounding_ = 0, residual_error_ = 0, residual_rounding_ = 0;
-  Direction3 residual_;
-  std::uint32_t nodes_ = 0;
 };
 
 }  // namespace hottel

@@ -27,6 +27,9 @@ class Clipper {
   std::vector<FlatPoint3> flat_;
 };
 
+// Whether a part is more than 15/16 of a whole, by vectors of areas in one plane.
+bool is_nearly_all(const Vector3& part, const Vector3& whole) { return 16 * dot(part, whole) > 15 * dot(whole, whole); }
+
 }  // namespace
 
 void turn_round(Patch3& patch) { std::reverse(patch.corners.begin() + 1, patch.corners.end()); }
@@ -106,6 +109,11 @@ FacePatches3 face_patches(const Arrangement3& arrangement, const Blockers3& bloc
       }
     if (free.empty()) continue;
     if (rest.is_zero()) free.assign(1, patch);  // a part beside what is covered
+    if (is_nearly_all(rest, doubled_area({whole, {}}))) {
+      result.patches.insert(result.patches.end(), free.begin(), free.end());
+      if (!result.is_free) result.free.insert(result.free.end(), free.begin(), free.end());
+      continue;
+    }
     if (!rest.is_zero() && result.is_free) {
       result.free = result.patches;
       result.is_free = false;

@@ -22,7 +22,8 @@ struct SidePatch3 {
 //
 //   (1) `patches` are whole where a solid covers some of them: what is covered exchanges nothing with what is free. So
 //       S of two faces is that of the patches of one and of what is free of the other. A patch that is covered wholly
-//       is left out
+//       is left out; of one that is covered by more than 15/16, what is free are the patches: S is small against what
+//       the whole would exchange, and digits would be lost
 //   (2) `free` are those without what is covered, where is_free is false; else they are the same, and it is empty
 //   (3) each lies within one piece, its front to the side of the face
 struct FacePatches3 {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/space/exchange/integer_reals.h"
 #include "geometry/space/exchange/moving_planes.h"
 
 namespace hottel {
@@ -21,6 +22,33 @@ Direction3 to_doubles(const IntegerVector& a, long shift) {
   return {to_double(a.x, shift), to_double(a.y, shift), to_double(a.z, shift)};
 }
 
+// Those of the first power that is not zero.
+long leading_bits(const std::array<IntegerVector, 3>& powers) {
+  return bits(!is_zero(powers[0]) ? powers[0] : !is_zero(powers[1]) ? powers[1] : powers[2]);
+}
+
+template <class Real>
+LocalVector3<Real> wide(const IntegerVector& a, long shift) {
+  LocalVector3<Real> result;
+  set_quotient(a.x, 1, shift, result.x);
+  set_quotient(a.y, 1, shift, result.y);
+  set_quotient(a.z, 1, shift, result.z);
+  return result;
+}
+
+MovingVector3 rounded_powers(const std::array<IntegerVector, 3>& powers, double base) {
+  const long shift = leading_bits(powers) - 53;
+  MovingVector3 result{rounded(powers[0], shift), to_doubles(powers[1], shift), to_doubles(powers[2], shift)};
+  result.base = base;
+  return result;
+}
+
+template <class Real>
+WideVector3<Real> wide_powers(const std::array<IntegerVector, 3>& powers, double base) {
+  const long shift = leading_bits(powers);
+  return {wide<Real>(powers[0], shift), wide<Real>(powers[1], shift), wide<Real>(powers[2], shift), base};
+}
+
 }  // namespace
 
 bool MovingPlanes3::is_fine(const MovingVector3& vector, double low, double high) const {
@@ -32,12 +60,14 @@ bool MovingPlanes3::is_fine(const MovingVector3& vector, double low, double high
   return lost <= kIllConditioned * size_of(d);
 }
 
-MovingVector3 MovingPlanes3::rounded_polynomial(const ExactPolynomial& exact, double low, double high) const {
+std::pair<MovingPlanes3::ExactPolynomial, double> MovingPlanes3::about_shortest(const ExactPolynomial& exact,
+                                                                                double low, double high) const {
   const auto& powers = exact.powers;
   const long top = std::max({bits(powers[0]), bits(powers[1]), bits(powers[2])});
-  MovingVector3 result{rounded(powers[0], top - 53), to_doubles(powers[1], top - 53), to_doubles(powers[2], top - 53)};
-  const double s = shortest_between(result, low - t_, high - t_), t = t_ + s;
-  // About t: s = (p / q) with q a power of two, and everything times q^2.
+  const MovingVector3 about{rounded(powers[0], top - 53), to_doubles(powers[1], top - 53),
+                            to_doubles(powers[2], top - 53)};
+  const double t = t_ + shortest_between(about, low - t_, high - t_);
+  // s = (p / q) with q a power of two, and everything times q^2.
   Integer p;
   unsigned places;
   split_double_3(t, p, places);
@@ -51,28 +81,42 @@ MovingVector3 MovingPlanes3::rounded_polynomial(const ExactPolynomial& exact, do
     for (Integer* value : {&b.x, &b.y, &b.z}) *value <<= times * common;
     return b;
   };
-  const IntegerVector first =
-      sum(sum(scaled(powers[0], 2), multiple(p, scaled(powers[1], 1))), multiple(p * p, powers[2]));
-  const IntegerVector second = sum(scaled(powers[1], 2), multiple(2 * p, scaled(powers[2], 1)));
-  const IntegerVector third = scaled(powers[2], 2);
-  const long shift = bits(!is_zero(first) ? first : !is_zero(second) ? second : third) - 53;
-  result = {rounded(first, shift), to_doubles(second, shift), to_doubles(third, shift)};
-  result.base = t;
-  return result;
+  return {{{sum(sum(scaled(powers[0], 2), multiple(p, scaled(powers[1], 1))), multiple(p * p, powers[2])),
+            sum(scaled(powers[1], 2), multiple(2 * p, scaled(powers[2], 1))), scaled(powers[2], 2)}},
+          t};
 }
 
 MovingVector3 MovingPlanes3::fine_normal(PlaneId3 plane, double low, double high) {
   MovingVector3 result = normal(plane);
-  if (!is_fine(result, low, high)) return rounded_polynomial({{exact_normal(plane), exact_turn(plane), {}}}, low, high);
   result.base = t_;
-  return result;
+  if (is_fine(result, low, high)) return result;
+  const auto [about, base] = about_shortest({{exact_normal(plane), exact_turn(plane), {}}}, low, high);
+  return rounded_powers(about.powers, base);
 }
 
 MovingVector3 MovingPlanes3::fine_direction(const MovingCorner3& corner, double low, double high) {
   MovingVector3 result = corner.direction;
-  if (!is_fine(result, low, high)) return rounded_polynomial(exact_direction(corner), low, high);
   result.base = t_;
-  return result;
+  if (is_fine(result, low, high)) return result;
+  const auto [about, base] = about_shortest(exact_direction(corner), low, high);
+  return rounded_powers(about.powers, base);
 }
+
+template <class Real>
+WideVector3<Real> MovingPlanes3::wide_normal(PlaneId3 plane, double low, double high) {
+  const auto [about, base] = about_shortest({{exact_normal(plane), exact_turn(plane), {}}}, low, high);
+  return wide_powers<Real>(about.powers, base);
+}
+
+template <class Real>
+WideVector3<Real> MovingPlanes3::wide_direction(const MovingCorner3& corner, double low, double high) {
+  const auto [about, base] = about_shortest(exact_direction(corner), low, high);
+  return wide_powers<Real>(about.powers, base);
+}
+
+template WideVector3<long double> MovingPlanes3::wide_normal(PlaneId3, double, double);
+template WideVector3<WideReal> MovingPlanes3::wide_normal(PlaneId3, double, double);
+template WideVector3<long double> MovingPlanes3::wide_direction(const MovingCorner3&, double, double);
+template WideVector3<WideReal> MovingPlanes3::wide_direction(const MovingCorner3&, double, double);
 
 }  // namespace hottel

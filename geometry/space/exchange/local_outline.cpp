@@ -3,35 +3,10 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "geometry/space/exchange/integer_reals.h"
+
 namespace hottel {
 namespace {
-
-constexpr unsigned kFractionBits = 128;
-
-// The number value * 2^-bits: by parts of 53 bits, so off by at most 2^-62 of it.
-long double in_long_double(Integer value, long bits) {
-  long double sum = 0;
-  for (int part = 0; part < 3 && value != 0; ++part) {
-    long exponent;
-    const double leading = mpz_get_d_2exp(&exponent, value.get_mpz_t());  // towards zero
-    sum += std::ldexp(static_cast<long double>(leading), static_cast<int>(exponent - bits));
-    const Integer digits(std::ldexp(leading, 53));
-    value -= exponent >= 53 ? Integer(digits << static_cast<unsigned long>(exponent - 53))
-                            : Integer(digits >> static_cast<unsigned long>(53 - exponent));
-  }
-  return sum;
-}
-
-void set_quotient(const Integer& top, const Integer& bottom, long bits, long double& result) {
-  result = bottom == 1 ? in_long_double(top, bits)
-                       : in_long_double((top << kFractionBits) / bottom, static_cast<long>(kFractionBits) + bits);
-}
-void set_quotient(const Integer& top, const Integer& bottom, long bits, WideReal& result) {
-  mpfr_t& number = result.backend().data();
-  mpfr_set_z(number, top.get_mpz_t(), MPFR_RNDN);
-  mpfr_div_z(number, number, bottom.get_mpz_t(), MPFR_RNDN);
-  mpfr_mul_2si(number, number, -bits, MPFR_RNDN);
-}
 
 template <class Real>
 LocalVector3<Real> position(const LocalPair3& pair, int side, const LocalPair3::Corner& corner, int exponent) {

@@ -7,11 +7,13 @@
 #include <memory>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "geometry/space/exchange/moving_vector.h"
 #include "geometry/space/exchange/pair_bodies.h"
 #include "geometry/space/exchange/stretch.h"
+#include "geometry/space/exchange/wide_vector.h"
 #include "geometry/space/visibility/eye_plane.h"
 
 namespace hottel {
@@ -88,6 +90,11 @@ class MovingPlanes3 {
   // for what is close to an end: where doubles lose them, taken from integers, about the t at which they are shortest.
   MovingVector3 fine_normal(PlaneId3 plane, double low, double high);
   MovingVector3 fine_direction(const MovingCorner3& corner, double low, double high);
+  // The same from integers, in long doubles or WideReal.
+  template <class Real>
+  WideVector3<Real> wide_normal(PlaneId3 plane, double low, double high);
+  template <class Real>
+  WideVector3<Real> wide_direction(const MovingCorner3& corner, double low, double high);
 
   const SignCounts& counts() const { return counts_; }
   // How many signs were relied on.
@@ -159,7 +166,8 @@ class MovingPlanes3 {
   void narrow_exactly(const std::array<Integer, 3>& c, int sign);
   void take_root(double root);
   bool is_fine(const MovingVector3& vector, double low, double high) const;
-  MovingVector3 rounded_polynomial(const ExactPolynomial& exact, double low, double high) const;
+  // The powers about the t where it is shortest between low and high, multiplied with one number, and t.
+  std::pair<ExactPolynomial, double> about_shortest(const ExactPolynomial& exact, double low, double high) const;
 
   const PairBodies3& bodies_;
   std::vector<Plane> planes_;

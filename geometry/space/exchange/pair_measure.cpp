@@ -91,7 +91,9 @@ void bound_what_is_hidden(const PairSetting3& setting, const Blockers3& blockers
   result.bounds.lower = std::max(0.0, std::nextafter(alone.bounds.lower - hidden, 0.0));
 }
 
-// The sum along edges, to what is allowed.
+bool is_sure(const PairMeasure3& result) { return result.residual <= result.residual_bound; }
+
+// The sum along edges, to what is allowed. Sets measure, error and residual.
 void integrate(const PairSetting3& setting, const MomentOrigin3& origin, double allowed, double least, EdgeSum3& sum,
                PairMeasure3& result) {
   const double full = 2 * std::numbers::pi;
@@ -100,19 +102,20 @@ void integrate(const PairSetting3& setting, const MomentOrigin3& origin, double 
   // Two rules may agree by chance; the residual tells.
   for (double share = 1; share >= kLeastShare; share *= kNextShare) {
     sum.refine(share * full * allowed, share * residual_tolerance);
-    Direction3 residual = sum.residual();
+    const EdgeValues3& values = sum.values();
+    Direction3 residual = values.residual;
     if (origin.is_on_common_line()) {
       // Where both patches reach the line that their planes share, it adds pi / 2 times both unit normals and its
       // length.
       const Direction3 across = direction_of_both_normals(setting.bodies);
       residual = residual - std::max(0.0, dot(residual, across)) * across;
     }
+    result.measure = values.value / full;
+    result.error = values.error / full;
     result.residual = length(residual);
-    result.residual_bound = std::max(sum.residual_error(), residual_tolerance);
-    if (result.residual <= result.residual_bound) break;
+    result.residual_bound = std::max(values.residual_error, residual_tolerance);
+    if (is_sure(result)) break;
   }
-  result.measure = sum.value() / full;
-  result.error = sum.error() / full;
   result.nodes = sum.nodes();
 }
 
@@ -307,18 +310,22 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
     return result;
   }
   integrate(setting, origin, allowed, least, sum, result);
+  const auto is_done = [&] { return is_sure(result) && result.error <= allowed; };
+  PairMeasure3 bounded = result;
+  if (!is_done()) {
+    // So little goes at most, or so little is hidden, that it need not be known: patches that see each other at grazing
+    // angles, and needles; something small, far away.
+    if (alone.bounds.upper / 2 > allowed) bound_what_is_hidden(setting, blockers, i, j, tolerance, alone, bounded);
+    take_bounds(bounded);
+    if (request.effort == Effort3::kAll && bounded.error > allowed)
+      while (!is_done() && sum.take_more_digits()) integrate(setting, origin, allowed, least, sum, result);
+  }
   if (details) sum.tell(*details);
   // Something is seen.
   result.measure = std::clamp(result.measure, kLittle * alone.bounds.upper, alone.bounds.upper);
-  const bool is_sure = result.residual <= result.residual_bound;
-  if (is_sure && result.error <= allowed) return result;
-  const char* const problem = is_sure ? kNotConverged : "the residual of translation is not zero";
-  // So little goes at most, or so little is hidden, that it need not be known: patches that see each other at grazing
-  // angles, and needles; something small, far away.
-  if (alone.bounds.upper / 2 > allowed) bound_what_is_hidden(setting, blockers, i, j, tolerance, alone, result);
-  PairMeasure3 bounded = result;
-  take_bounds(bounded);
-  if (!is_sure || bounded.error <= std::max(allowed, result.error)) result = std::move(bounded);
+  if (is_done()) return result;
+  const char* const problem = is_sure(result) ? kNotConverged : "the residual of translation is not zero";
+  if (!is_sure(result) || bounded.error <= std::max(allowed, result.error)) result = std::move(bounded);
   if (!(result.error <= allowed)) result.problem = problem;
   return result;
 }

@@ -278,38 +278,44 @@ MovingCorner3 StretchMapper3::corner_of(std::uint64_t label) {
   return planes_.corner({a, false}, {b, (label & 1) != 0});
 }
 
-void StretchMapper3::set_arcs(StretchPiece3& piece) {
-  planes_.move_to(piece.base, 0, 0);
-  const std::size_t count = piece.signature.size();
-  piece.planes.reserve(count);
-  piece.corners.reserve(count);
-  piece.arcs.reserve(count);
+// Sets labels_ and planes_of_arcs_ too.
+void StretchMapper3::list_arcs(const std::vector<ArcEnd3>& signature, std::vector<SeenArc3>& arcs) {
+  const std::size_t count = signature.size();
+  arcs.reserve(count);
   labels_.clear();
   planes_of_arcs_.clear();
   const auto place_of = [&](std::uint64_t label) {
     const auto known = std::find(labels_.begin(), labels_.end(), label);
     if (known != labels_.end()) return static_cast<std::uint32_t>(known - labels_.begin());
     labels_.push_back(label);
-    piece.corners.push_back(planes_.fine_direction(corner_of(label), piece.low, piece.high));
     return static_cast<std::uint32_t>(labels_.size() - 1);
   };
   // On each plane as many arcs begin as end: any begin with any end.
   for (std::size_t k = 0; k < count;) {
     std::size_t end = k;
-    while (end < count && piece.signature[end].plane == piece.signature[k].plane) ++end;
-    const auto plane = static_cast<std::uint32_t>(piece.planes.size());
-    planes_of_arcs_.push_back(piece.signature[k].plane);
-    piece.planes.push_back(planes_.fine_normal(piece.signature[k].plane, piece.low, piece.high));
+    while (end < count && signature[end].plane == signature[k].plane) ++end;
+    const auto plane = static_cast<std::uint32_t>(planes_of_arcs_.size());
+    planes_of_arcs_.push_back(signature[k].plane);
     begins_.clear();
     ends_.clear();
-    for (; k < end; ++k) (piece.signature[k].count < 0 ? begins_ : ends_).push_back(piece.signature[k]);
+    for (; k < end; ++k) (signature[k].count < 0 ? begins_ : ends_).push_back(signature[k]);
     for (std::size_t b = 0, e = 0; b < begins_.size() && e < ends_.size();) {
-      const int arcs = std::min(-begins_[b].count, ends_[e].count);
-      piece.arcs.push_back({plane, place_of(begins_[b].label), place_of(ends_[e].label), static_cast<double>(arcs), 0});
-      if ((begins_[b].count += arcs) == 0) ++b;
-      if ((ends_[e].count -= arcs) == 0) ++e;
+      const int arcs_here = std::min(-begins_[b].count, ends_[e].count);
+      const std::uint32_t first = place_of(begins_[b].label), last = place_of(ends_[e].label);
+      arcs.push_back({plane, first, last, static_cast<double>(arcs_here), 0});
+      if ((begins_[b].count += arcs_here) == 0) ++b;
+      if ((ends_[e].count -= arcs_here) == 0) ++e;
     }
   }
+}
+
+void StretchMapper3::set_arcs(StretchPiece3& piece) {
+  planes_.move_to(piece.base, 0, 0);
+  list_arcs(piece.signature, piece.arcs);
+  for (const std::uint64_t label : labels_)
+    piece.corners.push_back(planes_.fine_direction(corner_of(label), piece.low, piece.high));
+  for (const PlaneId3 plane : planes_of_arcs_)
+    piece.planes.push_back(planes_.fine_normal(plane, piece.low, piece.high));
   for (const std::uint32_t k : piece.find_turns()) {
     StretchPiece3::Arc& arc = piece.arcs[k];
     const PlaneId3 plane = planes_of_arcs_[arc.plane];
@@ -319,5 +325,25 @@ void StretchMapper3::set_arcs(StretchPiece3& piece) {
   for (const std::vector<MovingVector3>* vectors : {&piece.planes, &piece.corners})
     for (const MovingVector3& vector : *vectors) add_near_zero(vector, piece);
 }
+
+template <class Real>
+WidePiece3<Real> StretchMapper3::widened(const PairStretch3& stretch, const StretchPiece3& piece) {
+  planes_.take(stretch.line());
+  planes_.move_to(piece.base, 0, 0);
+  WidePiece3<Real> wide;
+  wide.low = piece.low;
+  wide.high = piece.high;
+  wide.near_zeros = piece.near_zeros;
+  list_arcs(piece.signature, wide.arcs);
+  wide.arcs = piece.arcs;
+  for (const std::uint64_t label : labels_)
+    wide.corners.push_back(planes_.wide_direction<Real>(corner_of(label), piece.low, piece.high));
+  for (const PlaneId3 plane : planes_of_arcs_)
+    wide.planes.push_back(planes_.wide_normal<Real>(plane, piece.low, piece.high));
+  return wide;
+}
+
+template WidePiece3<long double> StretchMapper3::widened(const PairStretch3&, const StretchPiece3&);
+template WidePiece3<WideReal> StretchMapper3::widened(const PairStretch3&, const StretchPiece3&);
 
 }  // namespace hottel

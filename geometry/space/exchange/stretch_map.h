@@ -11,6 +11,7 @@
 #include "geometry/space/exchange/stretch.h"
 #include "geometry/space/exchange/stretch_hull.h"
 #include "geometry/space/exchange/stretch_piece.h"
+#include "geometry/space/exchange/wide_piece.h"
 
 namespace hottel {
 
@@ -45,6 +46,10 @@ class StretchMapper3 {
   // Appends the parts of a stretch in which something is seen. False where it took too many steps.
   bool divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces);
 
+  // A part of a stretch with more digits. REQUIRES that it is one of that stretch.
+  template <class Real>
+  WidePiece3<Real> widened(const PairStretch3& stretch, const StretchPiece3& piece);
+
   // Whether a surface was found to hide something, at any stretch so far.
   bool is_anything_hidden() const { return is_anything_hidden_; }
   std::uint32_t maps() const { return maps_; }
@@ -68,6 +73,7 @@ class StretchMapper3 {
   Hides hides(std::uint32_t body, int facing, std::uint32_t patch) const;
   void set_signature(StretchPiece3& piece) const;
   void set_arcs(StretchPiece3& piece);
+  void list_arcs(const std::vector<ArcEnd3>& signature, std::vector<SeenArc3>& arcs);
   static void add_near_zero(const MovingVector3& vector, StretchPiece3& piece);
   MovingCorner3 corner_of(std::uint64_t label);
 
@@ -80,8 +86,8 @@ class StretchMapper3 {
   std::size_t seen_count_ = 0;
   MovingCutter3::Cone cone_;
   std::vector<PlaneSide3> sides_;
-  std::vector<std::uint64_t> labels_;
-  std::vector<PlaneId3> planes_of_arcs_;  // as the planes of the piece
+  std::vector<std::uint64_t> labels_;     // as the corners of the piece
+  std::vector<PlaneId3> planes_of_arcs_;  // as its planes
   std::vector<ArcEnd3> begins_, ends_;
   std::vector<std::uint32_t> hints_;  // what told apart last: by body, direction and side
   StretchHull3 hull_;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/space/exchange/arc_sum.h"
 #include "geometry/space/exchange/moving_planes.h"
 
 namespace hottel {
@@ -24,11 +25,7 @@ struct ArcEnd3 {
 //   (3) where all corners are close to each other Lambda is summed of differences of their directions: it loses digits
 //       with its size, not with the square of it
 struct StretchPiece3 {
-  struct Arc {
-    std::uint32_t plane, begin, end;  // in planes, corners
-    double count;
-    int turn = 0;  // of arcs of more than a right angle: the sign of the angle, which never passes half a turn
-  };
+  using Arc = SeenArc3;
   double low = 0, high = 0, base = 0;  // of t; base: where it was looked
   std::vector<ArcEnd3> signature;      // sorted
   std::vector<MovingVector3> planes, corners;
@@ -46,8 +43,12 @@ struct StretchPiece3 {
   // True iff one of these is so close to the interval that rules of few points might not see what it does.
   bool is_steep(double from, double to) const;
 
-  // Lambda at t = from + offset. `rounding`, where it is not null, is raised to what doubles may have lost, at most.
+  // Lambda at t = from + offset (sum_of_arcs). `rounding`, where it is not null, is raised to what doubles may have
+  // lost, at most.
   Direction3 lambda(double from, double offset, double* rounding = nullptr) const;
 };
+
+// StretchPiece3::is_steep.
+bool is_any_near(const std::vector<StretchPiece3::NearZero>& near_zeros, double from, double to);
 
 }  // namespace hottel

@@ -13,7 +13,7 @@ namespace hottel {
 namespace {
 
 // Another one wherever the same scene and request may give other numbers, or they are kept otherwise, than before.
-constexpr const char* kKind = "space 1";
+constexpr const char* kKind = "space 2";
 
 void add_points(StoreKey& key, const std::vector<Point3>& points) {
   key.add_count(points.size());
