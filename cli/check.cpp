@@ -1,5 +1,8 @@
 // hottel check: what is worth telling about a scene before light is computed, and a repaired scene.
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/check_in_space.h"
 #include "cli/command.h"
@@ -9,6 +12,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
+#include "solver/plane/check/scene_repair.h"
 #include "solver/plane/simulation/simulation.h"
 
 namespace hottel {
@@ -41,20 +45,23 @@ ExitCode exit_code(const SceneCheck2& check) { return has_error(check.findings) 
 ExitCode fix(const CheckCommandOptions& options, const Rational& distance, const Scene2& scene, Streams& streams) {
   RepairedFile out(options.fix, options.scene);
   const auto before = look_at(scene, streams);
-  Repair2 repair = distance > 0 ? close_gaps(scene, distance) : unrepaired(scene);
-  reverse_inside_out(repair);
-  state_solids(repair, repair.steps.empty() ? before->black_backs : look_at(repair.scene, streams)->black_backs);
-  restore_polylines(repair);
-  const std::string text = naming_file(options.scene, [&] { return write_scene_2(repair.scene); });
-  const Scene2 repaired = parse_scene_2(text, options.fix);
-  const auto after = look_at(repaired, streams);
+  std::string text;
+  Scene2 repaired;
+  std::shared_ptr<const SceneCheck2> after;
+  const auto look = [&](const Scene2& some) { return look_at(some, streams); };
+  const auto look_at_written = [&](const Scene2& some) {
+    text = naming_file(options.scene, [&] { return write_scene_2(some); });
+    repaired = parse_scene_2(text, options.fix);
+    return after = look_at(repaired, streams);
+  };
+  const Repair2 repair = repair_scene(scene, distance, *before, {look, look_at_written});
 
   std::optional<std::vector<FactorChange>> changes;
   if (before->factors && after->factors)
     changes = factor_changes(*before->factors, *after->factors,
                              [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
-  out.write(text, !repair.steps.empty());
+  out.write(text, is_anything_done(repair.steps));
   streams.write("", options.json ? check_json(repaired, after->findings, &report)
                                  : repair_text(scene, report) + check_text(repaired, after->findings));
   out.commit(streams);

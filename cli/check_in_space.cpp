@@ -1,14 +1,14 @@
 #include "cli/check_in_space.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cli/repaired_file.h"
-#include "geometry/space/check/repair.h"
 #include "io/results/space/check_report.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/naming_file.h"
-#include "solver/space/check/scene_check.h"
+#include "solver/space/check/scene_repair.h"
 #include "solver/space/simulation/simulation.h"
 
 namespace hottel {
@@ -37,18 +37,21 @@ ExitCode check_in_space(const Scene3& scene, const std::string& file, const std:
   }
   RepairedFile out(fix, file);
   const SceneCheck3 before = look_at(scene, streams);
-  Repair3 repair = distance > 0 ? close_gaps(scene, distance) : unrepaired(scene);
-  reverse_upside_down(repair);
-  const std::string text = naming_file(scene.file, [&] { return write_scene_3(repair.scene); });
-  const Scene3 repaired = parse_scene_3(text, fix);
-  const SceneCheck3 after = look_at(repaired, streams);
+  std::string text;
+  Scene3 repaired;
+  SceneCheck3 after;
+  const Repair3 repair = repair_scene(scene, distance, before, [&](const Scene3& some) {
+    text = naming_file(scene.file, [&] { return write_scene_3(some); });
+    repaired = parse_scene_3(text, fix);
+    return after = look_at(repaired, streams);
+  });
 
   std::optional<std::vector<FactorChange>> changes;
   if (before.factors && after.factors)
     changes = factor_changes(*before.factors, *after.factors,
                              [&](const Element& element) { return former_name(repair, element); });
   const RepairReport report{&repair.steps, changes ? &*changes : nullptr};
-  out.write(text, !repair.steps.empty());
+  out.write(text, is_anything_done(repair.steps));
   streams.write("", as_json ? check_json(repaired, after.findings, &report)
                             : repair_text(scene, report) + check_text(repaired, after.findings));
   out.commit(streams);

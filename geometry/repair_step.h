@@ -1,7 +1,9 @@
 // What a repair of a scene says that it did.
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace hottel {
 
@@ -11,5 +13,10 @@ struct RepairStep {
   std::string surface;
   std::string message;
 };
+
+// True iff something was done.
+inline bool is_anything_done(const std::vector<RepairStep>& steps) {
+  return std::any_of(steps.begin(), steps.end(), [](const RepairStep& step) { return step.kind != "not-repaired"; });
+}
 
 }  // namespace hottel

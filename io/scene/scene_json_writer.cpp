@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <string>
 #include <vector>
 
 #include "geometry/plane/scene/polyline_runs.h"
+#include "geometry/space/scene/near_plane.h"
 #include "io/scene/scene_json.h"
 #include "io/scene/table_writer.h"
 #include "kernel/support/failure.h"
@@ -66,11 +68,42 @@ std::string light_members(const Light& light, const LightPlace2& place) {
   return text + path_text(points, place.path->seconds, place.path->closed);
 }
 
-std::string points_text(const std::vector<Point3>& points) {
-  std::string text;
-  for (const Point3& p : points) text += (text.empty() ? "[" : ", ") + triple(p.x, p.y, p.z);
-  return text + "]";
-}
+// Writes corners so that polygons that are nearly plane stay so when they are read back: that depends on the finest
+// decimal digit of all corners, and so what has finer ones than they have is a fraction, which has none.
+class CornerWriter3 {
+ public:
+  explicit CornerWriter3(const Scene3& scene) {
+    FinestDigit3 finest;
+    for (const Polygon3& polygon : scene.polygons)
+      if (polygon.is_nearly_plane)
+        for (const Point3& p : corners_of(polygon))
+          for (const Rational& x : {p.x, p.y, p.z}) finest.take(digits(x));
+    unit_ = finest.unit();
+  }
+
+  std::string text(const std::vector<Point3>& points) const {
+    std::string text;
+    for (const Point3& p : points)
+      text += fmt::format("{}[{}, {}, {}]", text.empty() ? "[" : ", ", number(p.x), number(p.y), number(p.z));
+    return text + "]";
+  }
+
+ private:
+  // As json_number, without quotes.
+  static std::string digits(const Rational& x) {
+    std::string text = json_number(x);
+    std::erase(text, '"');
+    return text;
+  }
+  std::string number(const Rational& x) const {
+    if (unit_ == 0 || x.get_den() == 1) return json_number(x);
+    FinestDigit3 own;
+    own.take(digits(x));
+    return own.unit() == 0 || own.unit() >= unit_ ? json_number(x) : fmt::format("\"{}\"", to_string(x));
+  }
+
+  Rational unit_;
+};
 
 std::string light_members(const Light& light, const LightPlace3& place) {
   const Point3& at = place.position;
@@ -93,20 +126,21 @@ void write_lights_of(const Scene& scene, std::string& out) {
 void write_polygons(const Scene3& scene, std::string& out) {
   if (scene.polygons.empty()) return;
   const std::vector<std::size_t> members = group_sizes(scene);
+  const CornerWriter3 corners(scene);
   auto mask = scene.masks.begin();
   JsonBlock block(out, "polygons", '[', ']');
   for (std::size_t s = 0; s < scene.polygons.size(); ++s) {
     const Surface& surface = scene.surfaces[s];
     const Group& group = scene.groups[surface.group];
     std::string holes;
-    for (const auto& hole : scene.polygons[s].holes) holes += (holes.empty() ? "" : ", ") + points_text(hole);
+    for (const auto& hole : scene.polygons[s].holes) holes += (holes.empty() ? "" : ", ") + corners.text(hole);
     std::string masks;
     if (mask != scene.masks.end() && mask->surface == s)
       masks = fmt::format(", \"masks\": {}", json_string(scene.surfaces[(mask++)->base].name));
     const bool is_alone = members[surface.group] == 1 && group.name == surface.name;
     block.add(fmt::format(
         "{{\"name\": {}, {}\"points\": {}, {}{}{}}}", json_string(surface.name),
-        is_alone ? "" : fmt::format("\"group\": {}, ", json_string(group.name)), points_text(scene.polygons[s].points),
+        is_alone ? "" : fmt::format("\"group\": {}, ", json_string(group.name)), corners.text(scene.polygons[s].points),
         holes.empty() ? "" : fmt::format("\"holes\": [{}], ", holes), surface_members(scene, surface), masks));
   }
   block.end();

@@ -49,7 +49,10 @@ void tell(int signal, siginfo_t* info, void*) {
     line << "\nsignal " << static_cast<std::uint64_t>(signal) << " at scene " << place.scene << ", law: " << place.law
          << "\nagain: hottel_storm --seed " << place.scene << " --scenes 1 --all";
     if (place.k <= 0)
-      line << (place.k == CrashNotice::kSolids ? " --dimension 3 --solids\n" : " --dimension 3\n");
+      line << " --dimension 3"
+           << (place.k == CrashNotice::kSolids  ? " --solids\n"
+               : place.k == CrashNotice::kRooms ? " --rooms\n"
+                                                : "\n");
     else
       line << " --k " << static_cast<std::uint64_t>(place.k) << "\n";
     line.write();

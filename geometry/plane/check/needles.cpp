@@ -1,7 +1,14 @@
 #include "geometry/plane/check/needles.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
+
+#include "geometry/plane/check/wording.h"
 
 namespace hottel {
 namespace {
@@ -39,6 +46,21 @@ std::vector<Needle2> find_needles(const Arrangement2& arrangement) {
     }
   }
   return needles;
+}
+
+Findings2 needle_findings(const Scene2& scene, const Arrangement2& arrangement) {
+  Findings2 findings;
+  for (const Needle2& needle : find_needles(arrangement)) {
+    const Point2 at = arrangement.vertices().to_scene(arrangement.vertices().exact(needle.at));
+    std::vector<std::uint32_t> surfaces{arrangement.sources(needle.right).front().surface,
+                                        arrangement.sources(needle.left).front().surface};
+    std::sort(surfaces.begin(), surfaces.end());
+    std::string message = fmt::format("{} meet at {} in an angle of about {:.3g} degrees", names_text(scene, surfaces),
+                                      place_text(at), needle.degrees);
+    findings.push_back({Severity::kNote, "needle", std::move(surfaces), at, std::move(message),
+                        "factors are exact here too; approximate methods lose digits between such surfaces"});
+  }
+  return findings;
 }
 
 }  // namespace hottel

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/plane/arrangement/arrangement.h"
+#include "geometry/plane/check/finding.h"
 
 namespace hottel {
 
@@ -25,5 +26,8 @@ struct Needle2 {
 //
 // COST: linear in the triangles; exact arithmetic where doubles do not tell.
 std::vector<Needle2> find_needles(const Arrangement2& arrangement);
+
+// What is worth telling about them. Kind: needle, a note.
+Findings2 needle_findings(const Scene2& scene, const Arrangement2& arrangement);
 
 }  // namespace hottel

@@ -3,17 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "geometry/harmless_repair.h"
 #include "geometry/name.h"
 #include "geometry/plane/arrangement/overlay.h"
 #include "geometry/plane/arrangement/point_index.h"
 #include "geometry/plane/arrangement/solids.h"
+#include "geometry/plane/check/contact_findings.h"
+#include "geometry/plane/check/contacts.h"
+#include "geometry/plane/check/gap_findings.h"
+#include "geometry/plane/check/near_misses.h"
+#include "geometry/plane/check/needles.h"
 #include "geometry/plane/check/point_neighbours.h"
 #include "geometry/plane/check/wording.h"
 #include "geometry/plane/scene/closed_groups.h"
@@ -50,7 +59,7 @@ Point2 short_point_near(const Point2& a, const Point2& b, const Point2& p, const
 
 class GapCloser {
  public:
-  GapCloser(const Scene2& scene, const Rational& distance)
+  GapCloser(const Scene2& scene, const Rational& distance, const std::vector<char>& held)
       : scene_(scene), distance_(distance), squared_(distance * distance) {
     PointIndex2 index;
     for (const auto& [from, to] : scene.edges) segments_.push_back({index.insert(from), index.insert(to)});
@@ -64,13 +73,16 @@ class GapCloser {
     for (std::uint32_t s = 0; s < segments_.size(); ++s)
       for (const VertexId v : {segments_[s].a, segments_[s].b}) ending_[v.index()].push_back(s);
     snapped_to_.resize(place_.size());
+    is_held_.resize(place_.size());
+    for (std::uint32_t s = 0; s < held.size(); ++s)
+      if (held[s] != 0) is_held_[segments_[s].a.index()] = is_held_[segments_[s].b.index()] = 1;
     find_outlines();
   }
 
   Repair2 close() {
     for (int pass = 0; pass < kMostPasses && improve(); ++pass) {
     }
-    Repair2 repair{scene_, {}, {}};
+    Repair2 repair{scene_, {}, {}, moved_together(), {}};
     tell_moves(repair.steps);
     rebuild(repair);
     for (const auto& [v, s] : left_)
@@ -88,8 +100,10 @@ class GapCloser {
 
   // All that was joined at v may go there: nothing would be farther than the distance from where it was.
   bool may_move(VertexId v, const Point2& to) const {
-    return std::all_of(members_[v.index()].begin(), members_[v.index()].end(),
-                       [&](VertexId m) { return squared_distance(origin_[m.index()], to) <= squared_; });
+    return std::all_of(members_[v.index()].begin(), members_[v.index()].end(), [&](VertexId m) {
+      const Point2& from = origin_[m.index()];
+      return is_held_[m.index()] != 0 ? from == to : squared_distance(from, to) <= squared_;
+    });
   }
 
   // At least the distance, in the units of the approximate coordinates: as it compares with the width of the scene.
@@ -183,6 +197,34 @@ class GapCloser {
            closest_point(place_[now.a.index()], place_[now.b.index()], place_[v.index()]).squared > 0;
   }
 
+  bool has_moved(VertexId v) const { return place_[into_[v.index()].index()] != origin_[v.index()]; }
+
+  // The surfaces of which an end moved; those of one list have one that moved in common, or two that were joined, with
+  // another of it.
+  std::vector<std::vector<std::uint32_t>> moved_together() const {
+    std::vector<std::uint32_t> leader(segments_.size());
+    std::iota(leader.begin(), leader.end(), 0U);
+    const auto first = [&](std::uint32_t s) {
+      while (leader[s] != s) s = leader[s] = leader[leader[s]];
+      return s;
+    };
+    std::vector<std::optional<std::uint32_t>> joined(place_.size());  // a surface with an end that went there
+    std::map<std::uint32_t, std::vector<std::uint32_t>> together;
+    const auto ends_of = [&](std::uint32_t s) { return std::array{segments_[s].a, segments_[s].b}; };
+    for (std::uint32_t s = 0; s < segments_.size(); ++s)
+      for (const VertexId v : ends_of(s))
+        if (has_moved(v)) {
+          std::optional<std::uint32_t>& other = joined[into_[v.index()].index()];
+          if (other) leader[first(s)] = first(*other);
+          other = s;
+        }
+    for (std::uint32_t s = 0; s < segments_.size(); ++s)
+      if (std::ranges::any_of(ends_of(s), [&](VertexId v) { return has_moved(v); })) together[first(s)].push_back(s);
+    std::vector<std::vector<std::uint32_t>> result;
+    for (auto& [_, surfaces] : together) result.push_back(std::move(surfaces));
+    return result;
+  }
+
   void tell_moves(std::vector<RepairStep>& steps) const {
     for (const VertexId m : IdRange<VertexId>(origin_.size())) {
       const VertexId v = into_[m.index()];
@@ -221,6 +263,7 @@ class GapCloser {
         continue;
       }
       same.push_back(s);
+      repair.origins.push_back(s);
       kept.push_back(scene_.surfaces[s]);
       edges.push_back({place_[now.a.index()], place_[now.b.index()]});
     }
@@ -254,13 +297,26 @@ class GapCloser {
   std::vector<std::optional<std::uint32_t>> snapped_to_;
   std::vector<std::pair<VertexId, std::uint32_t>> left_;
   std::vector<char> must_close_;  // by group
+  std::vector<char> is_held_;     // by vertex: it stays where it was
 };
+
+// What is found without any light.
+Findings2 shape_and_contacts(const Scene2& scene) {
+  const Arrangement2 arrangement(scene, Division2(scene.surfaces.size(), 1), Conflicts2::kFirstWins);
+  Findings2 findings = contact_findings(scene, find_contacts(scene, arrangement));
+  for (Findings2 more : {gap_findings(scene, find_near_misses(scene), false), needle_findings(scene, arrangement)})
+    std::move(more.begin(), more.end(), std::back_inserter(findings));
+  return findings;
+}
 
 }  // namespace
 
 Repair2 close_gaps(const Scene2& scene, const Rational& distance) {
   HOTTEL_REQUIRE(distance > 0);
-  return GapCloser(scene, distance).close();
+  const auto close = [&](const Scene2& some, const std::vector<char>& held) {
+    return GapCloser(some, distance, held).close();
+  };
+  return HarmlessRepair(scene, close, shape_and_contacts).repair();
 }
 
 Repair2 unrepaired(const Scene2& scene) {

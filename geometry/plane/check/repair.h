@@ -1,6 +1,7 @@
 // A scene whose near misses are closed.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct Repair2 {
   // "merged", "snapped", "dropped", "reversed", "solid", "renumbered", "split", "not-repaired".
   std::vector<RepairStep> steps;
   std::vector<std::string> former_names;  // by surface: what it was called before the repair
+  // The surfaces, as they were numbered before, of which an end moved; those whose ends moved together in one list.
+  std::vector<std::vector<std::uint32_t>> moved{};
+  std::vector<std::uint32_t> origins{};  // by surface, as close_gaps leaves them: which one it was before
 };
 
 // Returns the scene as it is, without any step.
@@ -34,6 +38,9 @@ std::string former_name(const Repair2& repair, const Element& element);
 //   (3) an end that meets a surface exactly and stays within reach meets it afterwards
 //   (4) an end of a surface that makes an angle with another at their common end is not put onto it: the angle may be
 //       meant (not-repaired)
+//   (5) of contacts, near misses and needles no more is found afterwards than before, and no more that is not a note
+//       (notes of needles and crossings count, others do not: they tell how things are that touch); and nothing that
+//       moved would move again. Where it would, what moves together stays as it was (not-repaired)
 // REQUIRES distance > 0. COST: O(n log n) and exact arithmetic near ends.
 Repair2 close_gaps(const Scene2& scene, const Rational& distance);
 

@@ -1,6 +1,7 @@
 // A scene in space whose gaps are closed.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ struct Repair3 {
   Scene3 scene;
   std::vector<RepairStep> steps;          // "merged", "snapped", "triangulated", "dropped", "reversed", "not-repaired"
   std::vector<std::string> former_names;  // by surface: what it was called before the repair
+  // The surfaces, as they were numbered before, of which a corner moved; those whose corners moved together in one
+  // list.
+  std::vector<std::vector<std::uint32_t>> moved{};
+  std::vector<std::uint32_t> origins{};  // by surface, as close_gaps leaves them: which one it was before
 };
 
 // Returns the scene as it is, without any step.
@@ -32,6 +37,9 @@ std::string former_name(const Repair3& repair, const Element& element);
 //       NAME[1], ...: triangulated); where that cannot be, none of its corners moves (not-repaired)
 //   (4) corners of masks and of their bases stay where they are
 //   (5) polygons without an area left are dropped; names, materials, order and all else stay
+//   (6) of contacts, shapes and meshes no more is found afterwards than before, and no more that is not a note (notes
+//       of needles and crossings count, others do not: they tell how things are that touch); and nothing that moved
+//       would move again. Where it would, what moves together stays as it was (not-repaired)
 // Edges that pass by each other are left as they are.
 // REQUIRES a valid scene and distance > 0. COST: O(n log n), and exact arithmetic near corners; once more for each
 // polygon of (3) that keeps its corners.

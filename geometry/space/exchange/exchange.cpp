@@ -17,6 +17,7 @@
 #include "geometry/space/exchange/pair_sums.h"
 #include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/exchange/rest_for_sky.h"
+#include "geometry/unmeasured_pairs.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
@@ -56,7 +57,7 @@ void require_measured(const PreparedScene3& prepared, const ElementTable3& table
   if (failures.size() > kNamedPairs) text += "; ...";
   if (!find_contacts(prepared.scene).near.empty())
     text += ". Some surfaces all but touch: 'hottel check' says where, and its --fix joins them";
-  throw RequestError(text);
+  throw UnmeasuredPairs(text, failures.size());
 }
 
 [[noreturn]] void refuse_memory(std::uint64_t count, const char* what, std::uint64_t each, std::uint64_t allowed) {

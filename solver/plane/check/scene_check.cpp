@@ -25,21 +25,6 @@ namespace {
 
 void append(Findings2& findings, Findings2 more) { std::move(more.begin(), more.end(), std::back_inserter(findings)); }
 
-Findings2 needle_findings(const Scene2& scene, const Arrangement2& arrangement) {
-  Findings2 findings;
-  for (const Needle2& needle : find_needles(arrangement)) {
-    const Point2 at = arrangement.vertices().to_scene(arrangement.vertices().exact(needle.at));
-    std::vector<std::uint32_t> surfaces{arrangement.sources(needle.right).front().surface,
-                                        arrangement.sources(needle.left).front().surface};
-    std::sort(surfaces.begin(), surfaces.end());
-    std::string message = fmt::format("{} meet at {} in an angle of about {:.3g} degrees", names_text(scene, surfaces),
-                                      place_text(at), needle.degrees);
-    findings.push_back({Severity::kNote, "needle", std::move(surfaces), at, std::move(message),
-                        "factors are exact here too; approximate methods lose digits between such surfaces"});
-  }
-  return findings;
-}
-
 // Those that are not in a solid, where nothing is seen.
 std::vector<NearMiss2> free_near_misses(const Scene2& scene, const Arrangement2& arrangement) {
   std::vector<NearMiss2> near_misses = find_near_misses(scene);

@@ -15,6 +15,7 @@
 #include "geometry/space/check/solid_findings.h"
 #include "geometry/space/check/wording.h"
 #include "geometry/space/exchange/prepared_scene.h"
+#include "geometry/unmeasured_pairs.h"
 #include "kernel/support/failure.h"
 #include "solver/check/light_errors.h"
 #include "solver/check/light_fates.h"
@@ -126,6 +127,7 @@ void check_light(const PreparedScene3& prepared, const Meshes3& meshes, const Ch
     else
       matrix = std::make_shared<const ExchangeMatrix>(middle_views(prepared, kMostLooks3));
   } catch (const RequestError& error) {
+    if (const auto* pairs = dynamic_cast<const UnmeasuredPairs*>(&error)) check.unmeasured = pairs->count();
     tell_unchecked(error.what(), "check a part of the scene", check.findings);
     return;
   }

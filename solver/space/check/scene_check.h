@@ -29,6 +29,7 @@ inline constexpr std::size_t kMostFacesChecked3 = 200, kMostLooks3 = 300;
 struct SceneCheck3 {
   Findings3 findings;
   std::shared_ptr<const ExchangeMatrix> factors;
+  std::size_t unmeasured = 0;  // pairs for which there are no factors
 };
 
 // Where a check takes what it needs of a scene (Simulation3 has it). `prepared` may throw InputError where claims

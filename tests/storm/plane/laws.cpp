@@ -14,6 +14,7 @@
 #include "tests/solver/plane/exact_radiosity.h"
 #include "tests/storm/plane/division_laws.h"
 #include "tests/storm/plane/long_map.h"
+#include "tests/storm/plane/repair_laws.h"
 #include "tests/storm/plane/solid_laws.h"
 
 namespace hottel::storm {
@@ -292,6 +293,7 @@ const std::vector<Law>& laws() {
       {"brute force", brute_force_differs, 17},
       {"brute force, elements", brute_force_differs_in_elements, 41},
       {"brute force, groups", brute_force_differs_in_groups, 31},
+      {"repair", repair_is_broken, 19},
   };
   return list;
 }

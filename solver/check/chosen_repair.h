@@ -1,0 +1,42 @@
+// Which of several repairs of a scene to take.
+#pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "geometry/harmless_repair.h"
+
+namespace hottel {
+
+// Whether a scene is worse than another by their checks: more is found in it, as FindingCounts counts, more of its
+// pairs cannot be measured, or its view factors cannot be had where those of the other can.
+template <class Check>
+bool is_worse(const Check& check, const Check& before) {
+  if constexpr (requires { check.unmeasured; })
+    if (check.unmeasured > before.unmeasured) return true;
+  return counts_of(check.findings).is_more_than(counts_of(before.findings)) || (before.factors && !check.factors);
+}
+
+// Makes one repair after the other until a scene is no worse than before, and returns it; the last one, which leaves
+// the scene as it is, whatever is found. What was done by those before it is told as undone (not-repaired). `look`
+// returns the check of what a repair returned, and is called with the one that is taken last.
+template <class Repair, class Check, class Look>
+Repair chosen_repair(const Check& before, const std::vector<std::function<Repair()>>& ways, const Look& look) {
+  std::vector<RepairStep> undone;
+  for (std::size_t k = 0;; ++k) {
+    Repair repair = ways[k]();
+    const bool is_harmful = is_worse(look(repair), before);
+    if (!is_harmful || k + 1 == ways.size()) {
+      repair.steps.insert(repair.steps.end(), undone.begin(), undone.end());
+      return repair;
+    }
+    if (!undone.empty()) continue;
+    for (const RepairStep& step : repair.steps)
+      if (step.kind != "not-repaired")
+        undone.push_back(
+            {"not-repaired", step.surface, "undone, for more would be found than is now: " + step.message});
+  }
+}
+
+}  // namespace hottel

@@ -1,0 +1,21 @@
+#include "solver/space/check/scene_repair.h"
+
+#include <vector>
+
+#include "solver/check/chosen_repair.h"
+
+namespace hottel {
+
+Repair3 repair_scene(const Scene3& scene, const Rational& distance, const SceneCheck3& before,
+                     const std::function<SceneCheck3(const Scene3&)>& check_written) {
+  const auto reversed = [](Repair3 repair) {
+    reverse_upside_down(repair);
+    return repair;
+  };
+  std::vector<std::function<Repair3()>> ways{[&] { return reversed(unrepaired(scene)); },
+                                             [&] { return unrepaired(scene); }};
+  if (distance > 0) ways.insert(ways.begin(), [&] { return reversed(close_gaps(scene, distance)); });
+  return chosen_repair(before, ways, [&](const Repair3& repair) { return check_written(repair.scene); });
+}
+
+}  // namespace hottel
