@@ -8,7 +8,7 @@
 
 #include "tests/sanitizers.h"
 
-namespace hottel::storm {
+namespace hottel::storm::room_storm_test {
 namespace {
 
 constexpr std::uint64_t kRooms = kHasAddressSanitizer ? 5 : 30;
@@ -65,4 +65,4 @@ TEST(FurnishedRoom3, IsValidSmallAndTheSameForItsNumber) {
 }
 
 }  // namespace
-}  // namespace hottel::storm
+}  // namespace hottel::storm::room_storm_test
