@@ -17,6 +17,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
+#include "kernel/written_double.h"
 #include "solver/plan_speed.h"
 #include "solver/plane/simulation/refined.h"
 #include "solver/store_plan.h"
@@ -151,7 +152,10 @@ std::map<std::string, double> seconds_of(const Results& results) {
   return seconds;
 }
 
-GridRegion region_of(const Grid2& grid) { return {to_doubles(grid.min), to_doubles(grid.max), grid.nx, grid.ny}; }
+GridRegion region_of(const Grid2& grid) {
+  const auto told = [](const Point2& p) { return std::array{written_double(p.x), written_double(p.y)}; };
+  return {told(grid.min), told(grid.max), grid.nx, grid.ny};
+}
 
 std::string picture_of(const SolveOptions& options, const Simulation2& simulation, const Results& results,
                        PictureFormat format) {

@@ -22,6 +22,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
+#include "kernel/written_double.h"
 #include "solver/plan_speed.h"
 #include "solver/space/check/lost_light.h"
 #include "solver/space/simulation/refined.h"
@@ -63,8 +64,10 @@ struct GridFiles {
     const std::size_t shape[3] = {light->grid.nv, light->grid.nu, light->channels};
     write_npy(shape, light->values, [this](std::string_view bytes) { npy.write(bytes); });
     const Grid3& grid = light->grid;
-    sidecar.write(illumination_sidecar(
-        {to_doubles(grid.origin), to_doubles(grid.u), to_doubles(grid.v), grid.nu, grid.nv}, channels));
+    const auto told = [](const auto& p) {
+      return std::array{written_double(p.x), written_double(p.y), written_double(p.z)};
+    };
+    sidecar.write(illumination_sidecar({told(grid.origin), told(grid.u), told(grid.v), grid.nu, grid.nv}, channels));
     if (!png) return;
     const auto picture = simulation.picture(progress);
     seconds["picture"] += picture->seconds;

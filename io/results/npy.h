@@ -23,7 +23,8 @@ void write_npy(std::span<const std::size_t> shape, std::span<const double> value
                const std::function<void(std::string_view)>& sink);
 
 // Returns a JSON object of `quantity`, `shape`, `order` ("C": the last index runs fastest), `axes`, `region` (`min` and
-// `max`: the outer borders of the first and the last cells, as the doubles next to them) and `channels`. A place that
+// `max`: the outer borders of the first and the last cells, as the doubles next to them, null where
+// doubles do not tell them) and `channels`. A place that
 // is NaN lies in a solid. way: how the light was computed, as `--illumination` names it.
 struct GridRegion {
   std::array<double, 2> min, max;  // corners

@@ -46,7 +46,8 @@ TEST(IlluminationInSolids, OfARoomOfOneTemperatureIsTheRoomsEverywhereElse) {
 }
 
 TEST(IlluminationInSolids, IsNaNForTheInverseSquareFormulaAtTheSamePoints) {
-  for (const BoxRoom& room : box_rooms()) {
+  for (BoxRoom room : box_rooms()) {
+    room.scene.closed = false;  // of closed scenes: closed_light_test
     const Lit lit(room.scene);
     for (const Grid2& cells : {kQuarters, kBetween}) {
       const IlluminationGrid2 points = lit.grid(cells),
@@ -172,6 +173,7 @@ TEST(AverageInSolids, OwnsUpToWhatSliversDoNotTell) {
 TEST(AverageInSolids, IsDefinedInGridsMuchSmallerAndLargerThanTheScene) {
   BoxRoom room("box");
   room.box({1, 0, 2, 1});
+  room.scene.closed = false;  // so that there is an outside
   const Lit lit(room.scene, 1, kB);
   const Rational tiny(Integer(1), Integer(1) << 40), huge(Integer(1) << 60);
   const Grid2 small{{2 - 4 * tiny, kHalf}, {2 + 4 * tiny, kHalf + 8 * tiny}, 8, 8};  // the right wall is in its middle

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "geometry/plane/visibility/visibility_polygon.h"
@@ -14,7 +15,12 @@
 namespace hottel::point_lights_test::point_lights_test {
 namespace {
 
-Simulation2 apartment() { return Simulation2(read_scene_2(HOTTEL_SOURCE_DIR "/scenes/showcase/apartment.json")); }
+// Without its promise to be closed: there is light outside.
+Simulation2 apartment() {
+  Scene2 scene = read_scene_2(HOTTEL_SOURCE_DIR "/scenes/showcase/apartment.json");
+  scene.closed = false;
+  return Simulation2(std::move(scene));
+}
 
 // (1)
 TEST(PointLights2, SayOfEachPointWhatLightAtSays) {

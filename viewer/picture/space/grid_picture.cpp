@@ -14,7 +14,17 @@ namespace {
 
 constexpr double kLongerSide = 800;
 
-double length(const Vector3& v) { return std::hypot(to_double(v.x), to_double(v.y), to_double(v.z)); }
+// In a unit, which may be of any size.
+double length(const Vector3& v, const Rational& unit) {
+  return std::hypot(to_double(v.x / unit), to_double(v.y / unit), to_double(v.z / unit));
+}
+
+Rational largest_component(const Vector3& u, const Vector3& v) {
+  Rational largest = 0;
+  for (const Rational* component : {&u.x, &u.y, &u.z, &v.x, &v.y, &v.z})
+    largest = std::max<Rational>(largest, abs(*component));
+  return largest;
+}
 
 std::uint32_t pixels_a_cell(double wanted, std::uint32_t cells) {
   return static_cast<std::uint32_t>(
@@ -33,9 +43,11 @@ class GridPainter3 final : public LightPainter3 {
 }  // namespace
 
 std::string grid_picture_3(const IlluminationGrid3& light, const GridPicture3& picture) {
-  const double u = length(light.grid.u), v = length(light.grid.v);
-  const double scale = picture.wanted_width > 0 ? picture.wanted_width / u : kLongerSide / std::max(u, v);
-  const std::uint32_t across = pixels_a_cell(scale * u, light.grid.nu), up = pixels_a_cell(scale * v, light.grid.nv);
+  const Rational unit = largest_component(light.grid.u, light.grid.v);
+  const double u = length(light.grid.u, unit), v = length(light.grid.v, unit);  // one of them at least 1
+  const double width = picture.wanted_width > 0 ? picture.wanted_width : kLongerSide * (u / std::max(u, v));
+  const double height = picture.wanted_width > 0 ? width * (v / u) : kLongerSide * (v / std::max(u, v));
+  const std::uint32_t across = pixels_a_cell(width, light.grid.nu), up = pixels_a_cell(height, light.grid.nv);
   const ToneCurve tone(picture.tone, picture.exposure, light.values, light.channels);
   Raster raster(across * light.grid.nu, up * light.grid.nv);
   for (std::uint32_t y = 0; y < raster.height; ++y)
