@@ -157,7 +157,9 @@ typename EdgeIntegral3<Real>::Part EdgeIntegral3<Real>::tiny_part(std::uint32_t 
 template <class Real>
 void EdgeIntegral3<Real>::sum_up() {
   value_ = 0;
-  error_ = rounding_ = residual_error_ = residual_rounding_ = 0;
+  error_ = residual_error_ = 0;
+  rounding_ = fixed_error_;
+  residual_rounding_ = fixed_residual_error_;
   residual_ = {};
   for (const Part& part : parts_) {
     value_ += dot(stretches_[part.stretch].moment, part.value);

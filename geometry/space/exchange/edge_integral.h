@@ -34,6 +34,12 @@ class EdgeIntegral3 {
   // A piece of a stretch, divided until the rules see all that happens. It has the number of those before it.
   void add(Piece piece, std::uint32_t stretch);
 
+  // What else the value and the residual may be off.
+  void add_error(double of_value, double of_residual) {
+    fixed_error_ += of_value;
+    fixed_residual_error_ += of_residual;
+  }
+
   // Halves the worst parts until the error is within the tolerance and that of the residual within its own, or as small
   // as rounding lets them be. Starts where the last call ended.
   EdgeValues3 refine(double tolerance, double residual_tolerance);
@@ -69,6 +75,7 @@ class EdgeIntegral3 {
   Real value_ = 0;
   Vector residual_;
   double error_ = 0, rounding_ = 0, residual_error_ = 0, residual_rounding_ = 0;
+  double fixed_error_ = 0, fixed_residual_error_ = 0;
   std::uint32_t nodes_ = 0;
 };
 

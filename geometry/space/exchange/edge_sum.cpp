@@ -10,6 +10,13 @@
 namespace hottel {
 namespace {
 
+// Where a piece ends is told within this part of the stretch (MovingPlanes3); what is left out between two is less.
+constexpr double kRootError = 0x1p-46;
+// Short stretches are cut out between numbers with few bits; what is seen begins and ends a little beyond theirs.
+constexpr double kGrid = 0x1p24, kSlack = 1e-6;
+// What is seen at the end of a piece is looked at from this part of it inside.
+constexpr double kInside = 0x1p-20;
+
 // numerator / denominator * 2^-shift, to the last digits.
 Direction3 ratio(const IntegerVector& numerator, const Integer& denominator, long shift) {
   return {rounded_quotient(numerator.x, denominator, shift), rounded_quotient(numerator.y, denominator, shift),
@@ -55,9 +62,12 @@ bool EdgeSum3::add(const std::vector<PairStretch3>& stretches, PairMeasure3& res
     const Stretch3& s = stretch.line();
     const std::uint32_t place = add_stretch(s, doubles_);
     const Direction3 from = ratio(from_origin(s), s.weight * origin_.weight, shift_);
-    reach_ = std::max({reach_, length(from), length(from + ratio(s.way, s.weight, shift_))});
+    const Direction3 way = ratio(s.way, s.weight, shift_);
+    reach_ = std::max({reach_, length(from), length(from + way)});
+    add_jumps(pieces, way, cross(from, way));
     for (StretchPiece3& piece : pieces) doubles_.add(std::move(piece), place);
   }
+  doubles_.add_error(jumps_, residual_jumps_);
   result.is_whole = !mapper_.is_anything_hidden();
   result.maps = mapper_.maps();
   result.pieces = static_cast<std::uint32_t>(pieces_in_doubles().size());
@@ -65,8 +75,34 @@ bool EdgeSum3::add(const std::vector<PairStretch3>& stretches, PairMeasure3& res
   return true;
 }
 
+void EdgeSum3::add_jumps(const std::vector<StretchPiece3>& pieces, const Direction3& way, const Direction3& moment) {
+  // At an end itself a vector may be zero.
+  const auto inside = [](const StretchPiece3& piece) { return kInside * (piece.high - piece.low); };
+  const auto at_low = [&](const StretchPiece3& piece) { return piece.lambda(piece.low, inside(piece)); };
+  const auto at_high = [&](const StretchPiece3& piece) {
+    return piece.lambda(piece.low, piece.high - piece.low - inside(piece));
+  };
+  const auto add = [&](double t, const Direction3& jump) {
+    const double size = kRootError * std::fabs(dot(moment, jump));
+    jump_list_.push_back({seen_.size() - 1, t, size});
+    jumps_ += size;
+    residual_jumps_ += kRootError * length(cross(way, jump));
+  };
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const StretchPiece3& piece = pieces[k];
+    const bool follows = k > 0 && piece.low - pieces[k - 1].high <= kRootError;
+    if (follows)
+      add(piece.low, at_low(piece) - at_high(pieces[k - 1]));
+    else if (piece.low > 0)
+      add(piece.low, at_low(piece));
+    const bool is_followed = k + 1 < pieces.size() && pieces[k + 1].low - piece.high <= kRootError;
+    if (!is_followed && piece.high < 1) add(piece.high, at_high(piece));
+  }
+}
+
 template <class Real>
 void EdgeSum3::widen(EdgeIntegral3<Real>& integral) {
+  integral.add_error(jumps_, residual_jumps_);
   for (std::size_t s = 0; s < seen_.size(); ++s) {
     const std::uint32_t place = add_stretch(seen_[s].stretch->line(), integral);
     for (std::size_t p = seen_[s].first_piece; p < end_of_pieces(s); ++p)
@@ -82,6 +118,34 @@ bool EdgeSum3::take_more_digits() {
   else
     return false;
   return true;
+}
+
+std::vector<PairStretch3> EdgeSum3::cut_at_jumps(double most) const {
+  std::vector<std::vector<double>> ends(seen_.size(), {0.0, 1.0});
+  for (const Jump& jump : jump_list_) {
+    if (!(jump.size > most)) continue;
+    const double place = jump.t * kGrid;
+    ends[jump.seen].push_back(std::max(0.0, (std::floor(place) - 1) / kGrid));
+    ends[jump.seen].push_back(std::min(1.0, (std::ceil(place) + 1) / kGrid));
+  }
+  std::vector<PairStretch3> result;
+  for (std::size_t s = 0; s < seen_.size(); ++s) {
+    std::vector<double>& cuts = ends[s];
+    std::sort(cuts.begin(), cuts.end());
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+      const double from = cuts[k], to = cuts[k + 1], width = to - from;
+      PairStretch3 part = *seen_[s].stretch;
+      if (cuts.size() > 2) {
+        part.made = part_of(seen_[s].stretch->line(), Rational(from), Rational(to));
+        part.known = nullptr;
+        part.low = std::clamp((part.low - from) / width - kSlack, 0.0, 1.0);
+        part.high = std::clamp((part.high - from) / width + kSlack, 0.0, 1.0);
+      }
+      if (part.low < part.high) result.push_back(std::move(part));
+    }
+  }
+  return result;
 }
 
 void EdgeSum3::refine(double tolerance, double residual_tolerance) {

@@ -19,6 +19,8 @@ class EdgeSum3 {
   // REQUIRES: both outlive this.
   EdgeSum3(const PairBodies3& bodies, const WeightedPoint3& origin, long shift)
       : bodies_(bodies), origin_(origin), shift_(shift), mapper_(bodies) {}
+  EdgeSum3(const EdgeSum3&) = delete;  // the mapper knows where its parts are
+  EdgeSum3& operator=(const EdgeSum3&) = delete;
 
   // False where a stretch could not be divided. REQUIRES: the stretches outlive this.
   bool add(const std::vector<PairStretch3>& stretches, PairMeasure3& result);
@@ -35,6 +37,12 @@ class EdgeSum3 {
   bool take_more_digits();
   std::uint32_t nodes() const;
 
+  // What the sum may be off as the ends of pieces are not told to the last digit: part of its error from the beginning.
+  double jumps() const { return jumps_; }
+  // The stretches along which something is seen, a short one cut out around each end of a piece that matters more than
+  // `most`: there ends are told to the digits of the short one.
+  std::vector<PairStretch3> cut_at_jumps(double most) const;
+
   // Tells what it is the sum of.
   void tell(PairDetails3& details) const;
 
@@ -46,8 +54,15 @@ class EdgeSum3 {
     std::uint32_t relied;
   };
 
+  struct Jump {
+    std::size_t seen;
+    double t, size;
+  };
+
   const std::vector<StretchPiece3>& pieces_in_doubles() const { return doubles_.pieces(); }
   std::size_t end_of_pieces(std::size_t seen) const;
+  // Adds what the ends of the pieces of a stretch may be off, times what is no more, or not yet, seen there.
+  void add_jumps(const std::vector<StretchPiece3>& pieces, const Direction3& way, const Direction3& moment);
   // Where a stretch begins, from the origin, times both weights.
   IntegerVector from_origin(const Stretch3& s) const;
   template <class Real>
@@ -64,7 +79,8 @@ class EdgeSum3 {
   std::optional<EdgeIntegral3<long double>> long_doubles_;
   std::optional<EdgeIntegral3<WideReal>> wide_;
   EdgeValues3 values_;
-  double reach_ = 0;
+  std::vector<Jump> jump_list_;
+  double reach_ = 0, jumps_ = 0, residual_jumps_ = 0;
 };
 
 }  // namespace hottel

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <list>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 #include "geometry/space/arrangement/merged_blockers.h"
 #include "geometry/space/arrangement/surface_boxes.h"
@@ -21,14 +23,19 @@
 namespace hottel {
 namespace {
 
-// What the residual may be off, relative to the side of the smaller patch.
-constexpr double kResidualTolerance = 1e-9;
-// How much less is tried where it is more: by steps, down to that.
+// How much less is tried where the residual is not zero: by steps, down to that.
 constexpr double kNextShare = 0x1p-8, kLeastShare = 0x1p-16;
+
+// What ends of pieces may be off is made less than this part of what is allowed, by cutting where one makes this part
+// of that; and how often.
+constexpr double kShareOfJumps = 0.25, kManyJumps = 64;
+constexpr int kMostCutsAtJumps = 4;
 
 // More surfaces between two patches than are taken at once, and how often patches are cut, together.
 constexpr std::size_t kMostBetween = 30;
 constexpr int kMostCuts = 12, kCutsWhereItFails = 3;
+
+constexpr double kOfDouble = 0x1p-51;  // what a measure as a double is told within, of itself
 
 constexpr const char* kNotConverged = "the integral along edges did not converge";
 
@@ -94,11 +101,11 @@ void bound_what_is_hidden(const PairSetting3& setting, const Blockers3& blockers
 bool is_sure(const PairMeasure3& result) { return result.residual <= result.residual_bound; }
 
 // The sum along edges, to what is allowed. Sets measure, error and residual.
-void integrate(const PairSetting3& setting, const MomentOrigin3& origin, double allowed, double least, EdgeSum3& sum,
+void integrate(const PairSetting3& setting, const MomentOrigin3& origin, double allowed, EdgeSum3& sum,
                PairMeasure3& result) {
   const double full = 2 * std::numbers::pi;
   // What is missing, or wrong, at a place moves the measure by its part of the residual times its way from the origin.
-  const double residual_tolerance = std::max(kResidualTolerance * std::sqrt(least), full * allowed / sum.reach());
+  const double residual_tolerance = full * allowed / sum.reach();
   // Two rules may agree by chance; the residual tells.
   for (double share = 1; share >= kLeastShare; share *= kNextShare) {
     sum.refine(share * full * allowed, share * residual_tolerance);
@@ -111,12 +118,39 @@ void integrate(const PairSetting3& setting, const MomentOrigin3& origin, double 
       residual = residual - std::max(0.0, dot(residual, across)) * across;
     }
     result.measure = values.value / full;
-    result.error = values.error / full;
+    result.error = values.error / full + kOfDouble / 4 * std::fabs(result.measure);
     result.residual = length(residual);
     result.residual_bound = std::max(values.residual_error, residual_tolerance);
     if (is_sure(result)) break;
   }
   result.nodes = sum.nodes();
+}
+
+// The sum along the same edges, cut anew where ends of pieces are not told well enough.
+struct FinerSum {
+  std::vector<PairStretch3> stretches;
+  EdgeSum3 sum;
+
+  FinerSum(std::vector<PairStretch3> s, const PairSetting3& setting, const MomentOrigin3& origin, long shift)
+      : stretches(std::move(s)), sum(setting.bodies, origin.point(), shift) {}
+};
+
+// Returns the sum whose ends of pieces are told well enough, or nearly so: `sum` or one of `finer`.
+EdgeSum3& cut_at_jumps(const PairSetting3& setting, const MomentOrigin3& origin, long shift, double allowed,
+                       EdgeSum3& sum, std::list<FinerSum>& finer, PairMeasure3& result) {
+  const double enough = kShareOfJumps * 2 * std::numbers::pi * allowed;
+  EdgeSum3* best = &sum;
+  for (int round = 0; round < kMostCutsAtJumps && best->jumps() > enough; ++round) {
+    FinerSum& next = finer.emplace_back(best->cut_at_jumps(enough / kManyJumps), setting, origin, shift);
+    PairMeasure3 counts;
+    const bool is_divided = next.sum.add(next.stretches, counts);
+    result.maps += counts.maps;
+    result.signs += counts.signs;
+    if (!is_divided || !(next.sum.jumps() < best->jumps() / 2)) break;
+    result.pieces = counts.pieces;
+    best = &next.sum;
+  }
+  return *best;
 }
 
 void tell_between(const PairSetting3& setting, PairDetails3& details) {
@@ -309,7 +343,9 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
     take_alone(alone.has_converged ? alone : measure_alone(Effort3::kAll), allowed, result);
     return result;
   }
-  integrate(setting, origin, allowed, least, sum, result);
+  const EdgeSum3* told = &sum;
+  std::list<FinerSum> finer;
+  integrate(setting, origin, allowed, sum, result);
   const auto is_done = [&] { return is_sure(result) && result.error <= allowed; };
   PairMeasure3 bounded = result;
   if (!is_done()) {
@@ -317,10 +353,16 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
     // angles, and needles; something small, far away.
     if (alone.bounds.upper / 2 > allowed) bound_what_is_hidden(setting, blockers, i, j, tolerance, alone, bounded);
     take_bounds(bounded);
-    if (request.effort == Effort3::kAll && bounded.error > allowed)
-      while (!is_done() && sum.take_more_digits()) integrate(setting, origin, allowed, least, sum, result);
+    // What no double can tell is not asked of wider numbers.
+    if (request.effort == Effort3::kAll && bounded.error > allowed &&
+        kOfDouble * std::fabs(result.measure) <= allowed) {
+      EdgeSum3& best = cut_at_jumps(setting, origin, shift, allowed, sum, finer, result);
+      if (&best != &sum) integrate(setting, origin, allowed, best, result);
+      while (!is_done() && best.take_more_digits()) integrate(setting, origin, allowed, best, result);
+      told = &best;
+    }
   }
-  if (details) sum.tell(*details);
+  if (details) told->tell(*details);
   // Something is seen.
   result.measure = std::clamp(result.measure, kLittle * alone.bounds.upper, alone.bounds.upper);
   if (is_done()) return result;

@@ -19,17 +19,6 @@ Rational quotient(const Integer& numerator, const Integer& denominator) {
   return result;
 }
 
-// The point of a stretch at t.
-WeightedPoint3 point_at(const Stretch3& s, const Rational& t) {
-  const Integer &p = t.get_num(), &q = t.get_den();
-  return {{q * s.from.x + p * s.way.x, q * s.from.y + p * s.way.y, q * s.from.z + p * s.way.z}, q * s.weight};
-}
-
-Stretch3 part_of(const Stretch3& s, const Rational& low, const Rational& high) {
-  if (low == 0 && high == 1) return s;
-  return stretch_between(point_at(s, low), point_at(s, high));
-}
-
 WeightedPoint3 end_of(const Stretch3& s) {
   return {{s.from.x + s.way.x, s.from.y + s.way.y, s.from.z + s.way.z}, s.weight};
 }

@@ -93,6 +93,15 @@ Stretch3 stretch_between(const WeightedPoint3& a, const WeightedPoint3& b) {
           a.weight * b.weight};
 }
 
+Stretch3 part_of(const Stretch3& s, const Rational& low, const Rational& high) {
+  if (low == 0 && high == 1) return s;
+  const auto point_at = [&s](const Rational& t) -> WeightedPoint3 {
+    const Integer &p = t.get_num(), &q = t.get_den();
+    return {{q * s.from.x + p * s.way.x, q * s.from.y + p * s.way.y, q * s.from.z + p * s.way.z}, q * s.weight};
+  };
+  return stretch_between(point_at(low), point_at(high));
+}
+
 std::vector<AtomicStretch3> atomic_stretches(const std::vector<LinePart3>& parts, bool keeps_inside,
                                              std::span<const IntegerVector> normals) {
   std::map<LineKey, std::vector<PlacedPart>> lines;

@@ -24,6 +24,9 @@ struct Stretch3 {
 // From a to b.
 Stretch3 stretch_between(const WeightedPoint3& a, const WeightedPoint3& b);
 
+// Its part from t = low to t = high.
+Stretch3 part_of(const Stretch3& s, const Rational& low, const Rational& high);
+
 // A surface at a stretch: its closure contains it. Seen along the stretch, in directions w, the surface lies left
 // where N . w > 0 with N its normal, or, where is_forward is false, the opposite of it.
 struct StretchFace3 {

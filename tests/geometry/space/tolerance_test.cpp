@@ -1,0 +1,241 @@
+// What the tolerance of view factors in space is relative to, and that ordinary scenes are within it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "box_scene.h"
+#include "geometry/space/exchange/exchange_rows.h"
+#include "geometry/space/exchange/integer_reals.h"
+#include "geometry/space/exchange/pair_shares.h"
+#include "geometry/space/exchange/unobstructed.h"
+#include "geometry/space/scene/near_plane.h"
+#include "kernel/support/failure.h"
+
+namespace hottel {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Rational tenth_to(int k) {
+  return Rational(1) / Rational(Integer("1" + std::string(static_cast<std::size_t>(k), '0')));
+}
+
+// What rows came to.
+struct RowsOf3 {
+  std::map<std::pair<std::string, std::string>, PairSum3> pairs;  // areas in squares of the doubles of vertices
+  std::map<std::string, double> areas;
+  double defect = 0;      // the largest |row sum - 1|
+  double beyond = 0;      // the largest that is not told by the errors of the row
+  double most_error = 0;  // of a pair, over its smaller area
+};
+
+// REQUIRES that all pairs with the sky can be measured.
+RowsOf3 rows_of(const Scene3& scene, double tolerance) {
+  const PreparedScene3 prepared = prepare(scene);
+  ExchangeRows3 rows(prepared, {.tolerance = tolerance});
+  rows.add_all();
+  const ElementTable3& table = rows.table();
+  std::vector<double> sum(table.count(), -1), error(table.count(), 0);
+  RowsOf3 result;
+  const auto name = [&](std::uint32_t i) { return i == table.sky() ? std::string("sky") : table.elements()[i].name; };
+  for (const PairSum3& pair : rows.pairs()) {
+    result.pairs.emplace(std::pair(name(pair.i), name(pair.j)), pair);
+    double least = table.extent(pair.i).value;
+    for (const std::uint32_t from : {pair.i, pair.j}) {
+      if (from == table.sky() || (from == pair.j && pair.i == pair.j)) continue;
+      const double area = table.extent(from).value;
+      least = std::min(least, area);
+      sum[from] += pair.measure / area;
+      error[from] += pair.error / area;
+    }
+    result.most_error = std::max(result.most_error, pair.error / least);
+    EXPECT_LE(pair.bounds.lower, pair.measure);
+    EXPECT_LE(pair.measure, pair.bounds.upper);
+  }
+  for (std::uint32_t i = 0; i < table.count(); ++i) {
+    result.areas[name(i)] = table.extent(i).value;
+    if (!table.has_row(i)) continue;
+    result.defect = std::max(result.defect, std::fabs(sum[i]));
+    result.beyond = std::max(result.beyond, std::fabs(sum[i]) - error[i]);
+  }
+  return result;
+}
+
+// A room of 6 x 6 x 6 with two boxes along its south wall, a gap between them.
+BoxScene3 two_boxes_along_a_wall(const Rational& gap) {
+  BoxScene3 scene;
+  scene.box("room", {0, 0, 0}, {6, 6, 6}, true);
+  scene.box("a", {1, 0, 0}, {2, 1, 1});
+  scene.box("b", {2 + gap, 0, 0}, {3, 1, 2});
+  return scene;
+}
+
+// The same, and all that is nearly flush off by the gap: lifted, off the wall, wider than what it stands on.
+BoxScene3 nearly_flush_boxes(const Rational& gap) {
+  BoxScene3 scene;
+  scene.box("room", {0, 0, 0}, {6, 6, 6}, true);
+  scene.box("a", {1, gap, gap}, {2, 1, 1});
+  scene.box("b", {2 + gap, 0, 0}, {3, 1 + gap, 2});
+  scene.box("c", {gap, 2, 0}, {1, 3, 1});
+  return scene;
+}
+
+TEST(Tolerance3, SliversThatCoversCutOffAreNotHeldToTheirOwnAreas) {
+  const RowsOf3 closed = rows_of(two_boxes_along_a_wall(0), 1e-12);
+  const auto floor_and_wall = std::pair<std::string, std::string>("room bottom", "room south");
+  const auto factor = [&](const RowsOf3& rows) {
+    return rows.pairs.at(floor_and_wall).measure / rows.areas.at("room bottom");
+  };
+  for (const int k : {3, 6, 9, 15}) {
+    const RowsOf3 loose = rows_of(two_boxes_along_a_wall(tenth_to(k)), 1e-9);
+    const RowsOf3 tight = rows_of(two_boxes_along_a_wall(tenth_to(k)), 1e-12);
+    EXPECT_LE(loose.beyond, 1e-14) << k;
+    EXPECT_LE(loose.most_error, 1e-9) << k;
+    EXPECT_LE(tight.beyond, 1e-14) << k;
+    EXPECT_LE(tight.most_error, 1e-12) << k;
+    EXPECT_LE(tight.defect, 1e-11) << k;
+    EXPECT_NEAR(factor(loose), factor(tight), 1e-9) << k;
+    // Of areas of 36, 1 x 1 at the foot of the wall and 1 x the gap: what passes it is at most as much of both.
+    EXPECT_NEAR(factor(tight), factor(closed), std::pow(10.0, -k) / 16 + 1e-11) << k;
+    // The boxes see each other across the gap, but for what leaves by its rims.
+    const PairSum3& across = tight.pairs.at({"a east", "b west"});
+    EXPECT_NEAR(across.measure / tight.areas.at("a east"), 1, 4 * std::pow(10.0, -k) + 1e-12) << k;
+  }
+}
+
+TEST(Tolerance3, BoxesThatAreNearlyFlushAreMeasured) {
+  for (const int k : {4, 13})
+    for (const double tolerance : {1e-9, 1e-12}) {
+      const RowsOf3 rows = rows_of(nearly_flush_boxes(tenth_to(k)), tolerance);
+      EXPECT_LE(rows.beyond, 1e-14) << k;
+      EXPECT_LE(rows.most_error, tolerance) << k;
+      EXPECT_LE(rows.defect, 10 * tolerance) << k;
+    }
+}
+
+TEST(Tolerance3, NeedlesBehindABoxAreMeasured) {
+  for (const int k : {3, 6, 9}) {
+    BoxScene3 scene;
+    scene.box("room", {0, 0, 0}, {6, 6, 6}, true);
+    scene.box("needle", {2, 2, 1}, {2 + tenth_to(k), 3, 2});
+    scene.box("box", {3, 3, 0}, {4, 4, 4});
+    const RowsOf3 rows = rows_of(scene, 1e-12);
+    EXPECT_LE(rows.beyond, 1e-14) << k;
+    EXPECT_LE(rows.most_error, 1e-12) << k;
+    EXPECT_LE(rows.defect, 1e-11) << k;
+  }
+}
+
+// A wall that six digits leave bent, so that it is two triangles, and a box whose corner all but touches it.
+TEST(Tolerance3, AWallOfTwoTrianglesIsOneElement) {
+  const auto place = [](const char* digits) -> Rational { return Rational(Integer(digits)) / 1000000; };
+  const auto quad = [&](std::vector<std::array<const char*, 3>> corners) {
+    Polygon3 polygon;
+    for (const auto& [x, y, z] : corners) polygon.points.push_back({place(x), place(y), place(z)});
+    accept_nearly_plane(polygon, Rational(1) / 1000000);
+    return polygon;
+  };
+  BoxScene3 scene;
+  scene.polygon("bus", quad({{"-624338", "426157", "-646987"},
+                             {"-331967", "-520841", "-780079"},
+                             {"-331967", "-715683", "606297"},
+                             {"-624338", "231315", "739388"}}));
+  scene.polygon("boom", quad({{"-654795", "-249322", "-40089"},
+                              {"-684032", "-154623", "-26780"},
+                              {"-492771", "-96717", "-18642"},
+                              {"-463534", "-191417", "-31951"}}));
+  scene.polygon("side", quad({{"-654795", "-249322", "-40089"},
+                              {"-463534", "-191417", "-31951"},
+                              {"-463534", "-192809", "-22048"},
+                              {"-654795", "-250714", "-30186"}}));
+  for (const double tolerance : {1e-9, 1e-12}) {
+    const RowsOf3 rows = rows_of(scene, tolerance);
+    EXPECT_LE(rows.beyond, 1e-14);
+    EXPECT_LE(rows.most_error, tolerance);
+  }
+}
+
+TEST(Tolerance3, WhatIsSeenAtAllDoesNotDependOnIt) {
+  std::set<std::pair<std::string, std::string>> expected;
+  for (const double tolerance : {1e-12, 1e-9, 1e-3, 10.0}) {
+    std::set<std::pair<std::string, std::string>> seen;
+    for (const auto& [names, pair] : rows_of(nearly_flush_boxes(tenth_to(6)), tolerance).pairs)
+      if (!pair.is_zero()) seen.insert(names);
+    if (expected.empty()) expected = seen;
+    EXPECT_EQ(seen, expected) << tolerance;
+  }
+}
+
+TEST(Tolerance3, APairThatFailsIsNamedOnceWithWhatWasReached) {
+  const auto refusal_of = [](const Scene3& scene, double tolerance) -> std::string {
+    try {
+      rows_of(scene, tolerance);
+    } catch (const RequestError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto count_of = [](const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+  };
+  // Two plates and a screen between them. No double is as near to anything as the tolerance.
+  const auto screened = [](const Rational& height) {
+    BoxScene3 scene;
+    scene.polygon("low", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
+    scene.polygon("high", {{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}});
+    scene.polygon("screen", {{{0, 0, height}, {1, 0, height}, {0, 1, height}}});
+    return scene;
+  };
+  const std::string far = refusal_of(screened(Rational(1) / 2), 1e-20);
+  EXPECT_THAT(far, HasSubstr("could not be measured within 1e-20 of the smaller area: "));
+  EXPECT_THAT(far, HasSubstr(" was reached: "));
+  EXPECT_THAT(far, Not(HasSubstr("all but touch")));
+  EXPECT_EQ(count_of(far, "'low' and 'high'"), 1U) << far;
+  EXPECT_THAT(refusal_of(screened(tenth_to(5)), 1e-20), HasSubstr("Some surfaces all but touch"));
+}
+
+TEST(PairShares3, OfAllPatchesTogetherAreTheTolerance) {
+  const PreparedScene3 prepared = prepare(two_boxes_along_a_wall(tenth_to(6)));
+  for (const Granularity granularity : {Granularity::kFace, Granularity::kGroup}) {
+    const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity);
+    const PairShares3 shares(table, prepared.blockers().vertices(), 1e-9);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> sums;
+    for (const ElementTable3::Part& a : table.parts())
+      for (const ElementTable3::Part& b : table.parts())
+        if (!a.patch.is_sky() || !b.patch.is_sky()) sums[{a.holder, b.holder}] += shares.share(a, b);
+    for (const auto& [holders, sum] : sums) {
+      const double allowed = shares.allowed(holders.first, holders.second);
+      EXPECT_EQ(allowed, 1e-9 * shares.least_area(holders.first, holders.second));
+      EXPECT_LE(sum, allowed * (1 + 1e-12));
+      EXPECT_GE(sum, allowed / 4);
+    }
+  }
+}
+
+TEST(IntegerReals3, QuotientsKeepTheirDigitsHoweverSmall) {
+  const Integer third("333333333333333333333333333333333333333333333333333333333333");
+  const Integer long_one("1" + std::string(60, '0'));
+  for (const long bits : {0L, 70L, -70L}) {
+    long double one;
+    set_quotient(third * 3 + 1, long_one, bits, one);
+    EXPECT_EQ(one, std::ldexp(1.0L, static_cast<int>(-bits)));
+    long double small;
+    set_quotient(1, Integer(3) << 200, bits, small);
+    EXPECT_NEAR(static_cast<double>(std::ldexp(small, static_cast<int>(bits + 200)) * 3), 1, 1e-18);
+    WideReal wide;
+    set_quotient(1, Integer(3) << 200, bits, wide);
+    EXPECT_LE(abs(ldexp(wide, static_cast<int>(bits + 200)) * 3 - 1), WideReal(1e-90));
+  }
+}
+
+}  // namespace
+}  // namespace hottel
