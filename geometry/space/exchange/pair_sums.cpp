@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <exception>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <utility>
 
 #include "geometry/space/arrangement/closed_hull.h"
 #include "geometry/space/exchange/facing.h"
+#include "geometry/space/exchange/pair_handover.h"
+#include "geometry/space/exchange/pair_tasks.h"
 #include "geometry/space/exchange/unobstructed.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
@@ -20,51 +24,9 @@ namespace {
 
 using Part = ElementTable3::Part;
 
-// So few pairs that the most expensive ones do not come at the end of much.
-constexpr std::size_t kPairsOfATask = 16;
-
-// One patch, and some of those after it.
-struct Task {
-  std::size_t patch, begin, end;
-};
-
-// The work in pieces: first each patch that has a row with the sky, which is often the most expensive one; then each
-// patch with those after it, a few at a time.
-class Tasks {
- public:
-  explicit Tasks(const ElementTable3& table) : table_(table), sky_begin_(table.parts().size() - sky_size()) {
-    for (std::size_t a = 0; a < sky_begin_; ++a)
-      if (table.has_row(table.parts()[a].label)) with_sky_.push_back(a);
-    first_.push_back(with_sky_.size());
-    for (std::size_t a = 0; a < sky_begin_; ++a)
-      first_.push_back(first_.back() + (sky_begin_ - a - 1 + kPairsOfATask - 1) / kPairsOfATask);
-  }
-
-  std::size_t count() const { return first_.back(); }
-  Task operator[](std::size_t task) const {
-    if (task < with_sky_.size()) return {with_sky_[task], sky_begin_, table_.parts().size()};
-    const auto after = std::upper_bound(first_.begin(), first_.end(), task);
-    const auto a = static_cast<std::size_t>(after - first_.begin()) - 1;
-    const std::size_t begin = a + 1 + (task - first_[a]) * kPairsOfATask;
-    return {a, begin, std::min(begin + kPairsOfATask, sky_begin_)};
-  }
-  // Of one patch that is no sky and another one after it.
-  bool is_asked(const Part& a, const Part& b) const { return table_.has_row(a.label) || table_.has_row(b.label); }
-
- private:
-  std::size_t sky_size() const { return table_.parts(table_.sky()).size(); }
-
-  const ElementTable3& table_;
-  std::size_t sky_begin_;
-  std::vector<std::size_t> with_sky_;
-  std::vector<std::size_t> first_;  // the first task of each patch
-};
-
-// What one task found, in the order of the patches.
-struct Found {
-  std::vector<PairSum3> pairs;
-  std::vector<FailedPair3> failures;
-};
+using Task = PairTask3;
+using Tasks = PairTasks3;
+using Found = FoundPairs3;
 
 class Measuring {
  public:
@@ -172,7 +134,8 @@ void add_to(PairSum3& sum, const PairSum3& other) {
   sum.is_whole = sum.is_whole && other.is_whole;
 }
 
-// Sums what stands for one pair of elements, in the order of the list.
+}  // namespace
+
 std::vector<PairSum3> by_elements(std::vector<PairSum3> pairs) {
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const PairSum3& a, const PairSum3& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
@@ -189,6 +152,23 @@ std::vector<PairSum3> by_elements(std::vector<PairSum3> pairs) {
   return pairs;
 }
 
+PairSum3 contact_pair(const ElementTable3& table, const ElementTable3::Contact& contact) {
+  const std::uint32_t i = std::min(contact.mask, contact.base), j = std::max(contact.mask, contact.base);
+  const double area = contact.extent.value;
+  const bool are_patches = table.is_one_patch(i) && table.is_one_patch(j);
+  return {.i = i, .j = j, .measure = area, .bounds = contact.extent.enclosure(), .alone = are_patches ? area : 0};
+}
+
+namespace {
+
+// Before a failure, which is told whatever comes of it.
+void hand_over_before(PairHandover3& handover) {
+  try {
+    handover.hand_over();
+  } catch (const std::exception&) {
+  }
+}
+
 }  // namespace
 
 PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, const PairSumRequest3& request,
@@ -199,12 +179,15 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
   ProgressCount progress(request.progress, tasks.count());
   std::atomic<std::uint64_t> found_pairs{0};
   std::mutex together;
-  parallel_ranges(tasks.count(), 1, [&](std::size_t begin, std::size_t end) {
+  std::optional<PairHandover3> handover;
+  if (request.sink) handover.emplace(table, tasks, request, found);
+  const auto measure_all = [&](std::size_t begin, std::size_t end) {
     ExchangeReport3 counts;
     for (std::size_t t = begin; t < end; ++t) {
       measuring.run(tasks[t], found[t], counts);
       found[t].pairs.shrink_to_fit();
       const std::size_t more = found[t].pairs.size();
+      if (handover) handover->has_done(t);
       if (found_pairs.fetch_add(more, std::memory_order_relaxed) + more > request.most_pairs)
         throw RequestError("more than " + std::to_string(request.most_pairs) +
                            " pairs see each other: they need more memory than is allowed");
@@ -212,7 +195,14 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
     }
     const std::lock_guard lock(together);
     add_counts(report, counts);
-  });
+  };
+  try {
+    parallel_ranges(tasks.count(), 1, measure_all);
+  } catch (...) {
+    if (handover) hand_over_before(*handover);
+    throw;
+  }
+  if (handover) handover->hand_over();
 
   PairSums3 result;
   result.pairs.reserve(found_pairs);
@@ -222,14 +212,18 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
     some = {};
   }
   for (const ElementTable3::Contact& contact : table.contacts()) {
-    const std::uint32_t i = std::min(contact.mask, contact.base), j = std::max(contact.mask, contact.base);
-    if (request.turn != nullptr && !request.turn->has(i, j)) continue;
-    const double area = contact.extent.value;
-    const bool are_patches = table.is_one_patch(i) && table.is_one_patch(j);
-    result.pairs.push_back(
-        {.i = i, .j = j, .measure = area, .bounds = contact.extent.enclosure(), .alone = are_patches ? area : 0});
+    const PairSum3 pair = contact_pair(table, contact);
+    if (!handover && (request.turn == nullptr || request.turn->has(pair.i, pair.j))) result.pairs.push_back(pair);
   }
   result.pairs = by_elements(std::move(result.pairs));
+  if (handover) {
+    // What is left is of pairs that could not be measured.
+    std::vector<PairSum3> handed = handover->take();
+    const auto middle = handed.insert(handed.end(), result.pairs.begin(), result.pairs.end());
+    std::inplace_merge(handed.begin(), middle, handed.end(),
+                       [](const PairSum3& a, const PairSum3& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
+    result.pairs = std::move(handed);
+  }
   std::stable_sort(result.failures.begin(), result.failures.end(), [](const FailedPair3& a, const FailedPair3& b) {
     return std::pair(a.i, a.j) < std::pair(b.i, b.j);
   });
