@@ -298,7 +298,7 @@ TEST(KeptFactors, PartsOfASweepAreReadAsTheyWereWritten) {
     if (part.sums.size() == 1) sum.value = static_cast<Int128>(UInt128{1} << 127);
   }
   const std::string bytes = bytes_of(part, 5);
-  const auto read = swept_part_of(bytes, 5);
+  const auto read = swept_part_2(bytes, 5);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->begin, part.begin);
   EXPECT_EQ(read->end, part.end);
@@ -311,10 +311,10 @@ TEST(KeptFactors, PartsOfASweepAreReadAsTheyWereWritten) {
     EXPECT_EQ(read->sums[k].is_obstructed, part.sums[k].is_obstructed);
     EXPECT_TRUE(read->sums[k].value == part.sums[k].value);
   }
-  EXPECT_FALSE(swept_part_of(bytes, 6)) << "of another order";
-  EXPECT_FALSE(swept_part_of(bytes.substr(0, bytes.size() - 1), 5));
-  EXPECT_FALSE(swept_part_of(bytes + "x", 5));
-  EXPECT_FALSE(swept_part_of("", 5));
+  EXPECT_FALSE(swept_part_2(bytes, 6)) << "of another order";
+  EXPECT_FALSE(swept_part_2(bytes.substr(0, bytes.size() - 1), 5));
+  EXPECT_FALSE(swept_part_2(bytes + "x", 5));
+  EXPECT_FALSE(swept_part_2("", 5));
 }
 
 TEST(KeptFactors, DependOnGeometryAndNotOnColours) {

@@ -71,7 +71,7 @@ std::string bytes_of(const SweptPart2& part, std::uint64_t order) {
   return out;
 }
 
-std::optional<SweptPart2> swept_part_of(std::string_view bytes, std::uint64_t order) {
+std::optional<SweptPart2> swept_part_2(std::string_view bytes, std::uint64_t order) {
   Numbers in(bytes);
   if (in.count() != order) return std::nullopt;
   SweptPart2 part;
@@ -110,7 +110,7 @@ SweepParts2 KeptSweep2::parts() const {
   SweepParts2 parts;
   for (const KeptRows& kept : store_.read(table_, 0))
     for (const KeptRow& row : kept.rows)
-      if (auto part = row.row == all ? swept_part_of(row.numbers, order) : std::nullopt)
+      if (auto part = row.row == all ? swept_part_2(row.numbers, order) : std::nullopt)
         parts.before.push_back(std::move(*part));
   parts.sink = [this, order, all](SweptPart2&& part) {
     const KeptRow row{.row = all, .known = {}, .to = {}, .numbers = bytes_of(part, order)};

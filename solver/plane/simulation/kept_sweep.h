@@ -34,6 +34,6 @@ class KeptSweep2 {
 // A part as bytes, and again; nothing for bytes that are none. order: a number that tells the order of a sweep from
 // others.
 std::string bytes_of(const SweptPart2& part, std::uint64_t order);
-std::optional<SweptPart2> swept_part_of(std::string_view bytes, std::uint64_t order);
+std::optional<SweptPart2> swept_part_2(std::string_view bytes, std::uint64_t order);
 
 }  // namespace hottel
