@@ -15,7 +15,9 @@
 #include "cli/scene_input.h"
 #include "cli/solve_options.h"
 #include "cli/store_option.h"
+#include "geometry/plane/exchange/element_table.h"
 #include "geometry/plane/scene/moving_lights.h"
+#include "geometry/space/exchange/element_table.h"
 #include "geometry/space/scene/moving_lights.h"
 #include "io/files/output_file.h"
 #include "io/files/text_file.h"
@@ -243,9 +245,6 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
   const std::filesystem::path directory = output_folder(options.out, options.scene);
   const OutputFolder folder(directory);
   if (FramesMade before = read_frames(directory); before.key == made.key) made = std::move(before);
-  std::erase_if(made.frames, [&](const auto& frame) {
-    return !std::filesystem::is_regular_file(directory / frame_file_name(frame.first));
-  });
   std::uint32_t were_there = 0;
   for (std::uint32_t k = 0; k < frames; ++k) were_there += made.frames.contains(k) ? 1 : 0;
 
@@ -259,19 +258,25 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
       Dimension::simulation(options, std::move(scene), store), options.levels.levels(), kept_bytes, store);
   std::vector<std::string> files{"frame_00000.png", "...", "frames.csv", "animation.json"};
   const auto progress = streams.progress("frames");
+  std::optional<std::uint32_t> last;  // the frame made last, by this run
   for (std::uint32_t k = 0; k < frames; ++k) {
     if (made.frames.contains(k)) continue;
     progress(static_cast<double>(k) / frames);
-    auto frame = animation.at(painter.is_fitted() ? Rational(Rational(k) / per_second) : Rational(0));
-    if (!painter.is_fitted()) {
-      painter.fit_to(frame.simulation, {});
-      if (k > 0) frame = animation.at(Rational(Rational(k) / per_second));
-    }
+    const auto time_of = [&per_second](std::uint32_t frame) { return Rational(Rational(frame) / per_second); };
+    const Rational time = time_of(k);
+    if (!painter.is_fitted() && k > 0) painter.fit_to(animation.at(Rational(0)).simulation, {});
+    if (k > 0 && last != k - 1) animation.follow(time_of(k - 1));
+    const auto frame = animation.at(time);
+    last = k;
+    if (!painter.is_fitted()) painter.fit_to(frame.simulation, {});
     Stopwatch watch;
     OutputFile picture(directory / frame_file_name(k));
-    picture.write(painter.file(frame.simulation, *frame.kept, {}));
+    const std::string bytes = painter.file(frame.simulation, *frame.kept, {});
+    picture.write(bytes);
     const bool is_first = made.frames.empty();
-    made.frames[k] = {to_double(Rational(Rational(k) / per_second)), frame.counts, watch.lap()};
+    FrameLine line{to_double(time), frame.counts, watch.lap(), {}};
+    line.sum = frame_sum(made.key, k, line, bytes);
+    made.frames[k] = std::move(line);
     picture.finish();
     // What is there of other frames is given up with the first of these.
     if (is_first)

@@ -225,7 +225,8 @@ int Commands::run(int argc, const char* const* argv) noexcept {
     install_signal_handlers();
     return static_cast<int>(parse_and_run(argc, argv));
   } catch (...) {
-    return static_cast<int>(report_failure());
+    const ExitCode code = report_failure();
+    return code == ExitCode::kInterrupted ? code_of_interruption() : static_cast<int>(code);
   }
 }
 

@@ -17,9 +17,10 @@
 //   1    RequestError, std::bad_alloc, anything unforeseen
 //   2    UsageError (CLI11 throws its own for unknown commands and options, before run); an argument that is empty
 //   3    InputError, OutputError, std::filesystem::filesystem_error
-//   130  Interrupted. Work that polls kernel/support/interrupt.h stops by itself; other work is ended after a second,
-//   or at
-//        the second Ctrl-C, without a trace: temporary files of OutputFile are removed in the signal handler.
+//   130  Interrupted by Ctrl-C; 128 + signal by another one. Work that polls kernel/support/interrupt.h stops by
+//   itself;
+//        other work is ended after a second, or at the second signal, without a trace: temporary files of OutputFile
+//        are removed in the signal handler.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 
 #include "io/files/pending_removal.h"
@@ -17,26 +18,33 @@ namespace {
   ::_exit(128 + signal);
 }
 
+std::atomic<int> asked_by{0};  // the signal that asked for a stop
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler sets it");
+
 }  // namespace
 
 extern "C" {
 
-static void hottel_end_now(int signal) { end_now(signal == SIGALRM ? SIGINT : signal); }
+// What was asked to stop has not within a second.
+static void hottel_on_alarm(int) { end_now(asked_by == 0 ? SIGINT : asked_by.load()); }
 
-static void hottel_on_interrupt(int) {
-  if (interrupted()) end_now(SIGINT);
+static void hottel_on_stop(int signal) {
+  if (interrupted()) end_now(signal);
+  asked_by = signal;
   request_interrupt();
   ::alarm(1);
 }
 }
 
+int code_of_interruption() { return 128 + (asked_by == 0 ? SIGINT : asked_by.load()); }
+
 void install_signal_handlers() {
   struct sigaction action {};
   sigfillset(&action.sa_mask);
-  action.sa_handler = hottel_on_interrupt;
-  sigaction(SIGINT, &action, nullptr);
-  action.sa_handler = hottel_end_now;
-  for (const int signal : {SIGALRM, SIGTERM}) sigaction(signal, &action, nullptr);
+  action.sa_handler = hottel_on_alarm;
+  sigaction(SIGALRM, &action, nullptr);
+  action.sa_handler = hottel_on_stop;
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
   struct sigaction before {};
   sigaction(SIGHUP, &action, &before);
   if (before.sa_handler == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // started by nohup

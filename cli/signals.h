@@ -3,10 +3,13 @@
 
 namespace hottel {
 
-// Ctrl-C asks for a stop (kernel/support/interrupt.h). Work that does not heed it within a second, or a second Ctrl-C,
-// ends the process there and then with 130; termination and hang-up end it at once with 128 + signal; temporary files
-// and folders (io/files/pending_removal.h) are removed in each case. A closed pipe and an exceeded file size become
-// errors of the write.
+// Ctrl-C, termination and hang-up ask for a stop (kernel/support/interrupt.h): what was computed is committed to a
+// store then. Work that does not heed it within a second, or a second signal, ends the process there and then. The exit
+// code is 128 + signal, 130 for Ctrl-C; temporary files and folders (io/files/pending_removal.h) are removed in each
+// case. A closed pipe and an exceeded file size become errors of the write.
 void install_signal_handlers();
+
+// The exit code of a program that was asked to stop, and did.
+int code_of_interruption();
 
 }  // namespace hottel

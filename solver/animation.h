@@ -48,7 +48,8 @@ inline std::vector<ElementId> active_elements(const ExchangeMatrix& matrix) {
 //       store has. Matrices are kept, with what is ready to solve, as far as the memory goes; then those used longest
 //       ago are given up
 //   (3) the arrangement is made once, and trees once for each place of the lights
-//   (4) counts depend on the frames before
+//   (4) counts depend on the frames before; how many elements are activated on the last one alone, or on that which
+//       was told by follow()
 //
 // Simulation: Simulation2 or Simulation3, of the scene at rest; in space with rows by element. Kept: what a caller
 // likes to keep beside a list of active elements, with about how many bytes() it takes.
@@ -83,6 +84,15 @@ class Animation {
     frame.counts.seconds = watch.lap();
     give_up_what_is_too_much();
     return frame;
+  }
+
+  // The next frame comes after that of this time, which was made elsewhere. Where it is not called, the next one comes
+  // after the last of at(). COST: that of the trees and of a table of elements; no factor is computed.
+  void follow(const Rational& time, const StageProgress& progress = {}) {
+    const Simulation moved = still_.with_scene(scene_after(still_.scene(), time));
+    const Simulation divided = still_.with_scene(with_trees(still_.scene(), trees_of(moved, progress)));
+    const ExchangeMatrix empty(elements_of(*divided.prepared(progress), Granularity::kElement), Guarantee::kEstimated);
+    active_ = active_elements(empty);
   }
 
  private:

@@ -41,6 +41,9 @@ std::vector<ColumnRange> known_columns(const KeptRows& kept, const KeptRow& row,
 
 namespace {
 
+// Rows are kept when they take so many bytes: a fraction of a second of work.
+constexpr std::size_t kBytesAtATime = std::size_t{1} << 22;
+
 // What a byte before the numbers of a pair says of them.
 constexpr std::uint8_t kForth = 1, kBack = 2, kBackIsFar = 4, kMeasure = 8;
 constexpr int kVisibilityShift = 4, kSideShift = 6;
@@ -148,7 +151,8 @@ ReadPair read_pair(NumberReader& in) {
 
 }  // namespace
 
-std::optional<std::vector<KeptRow>> rows_to_keep(const ExchangeMatrix& matrix, const PairRanges& known) {
+bool keep_matrix(const ExchangeMatrix& matrix, const PairRanges& known,
+                 const std::function<void(std::span<const KeptRow>)>& keep) {
   const std::uint32_t n = matrix.size();
   // The columns from i on of each row i, whoever of both has a row.
   std::vector<std::vector<std::uint32_t>> columns(n);
@@ -164,7 +168,7 @@ std::optional<std::vector<KeptRow>> rows_to_keep(const ExchangeMatrix& matrix, c
       has_bounds = has_bounds || guarantee != matrix.guarantee() || guarantee == Guarantee::kEnclosed ||
                    (guarantee == Guarantee::kEstimated && matrix.bounds(i, k) != Enclosure{0, 1});
     }
-  if (has_bounds) return std::nullopt;
+  if (has_bounds) return false;
   // Of rows that are not symmetric the other one alone may have the entry.
   for (std::uint32_t i = 0; i < n; ++i)
     for (const FactorEntry& entry : matrix.row(i))
@@ -173,6 +177,7 @@ std::optional<std::vector<KeptRow>> rows_to_keep(const ExchangeMatrix& matrix, c
         if (entry_of(matrix, entry.to, i, &ignored) == nullptr) columns[entry.to].push_back(i);
       }
   std::vector<KeptRow> rows;
+  std::size_t bytes = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     KeptRow row{.row = i, .known = known.missing(i), .to = {}, .numbers = {}};
     if (row.known.empty()) continue;
@@ -184,13 +189,19 @@ std::optional<std::vector<KeptRow>> rows_to_keep(const ExchangeMatrix& matrix, c
       const bool has_measure = !matrix.measures(i).empty() || (j < n && !matrix.measures(j).empty());
       const FactorEntry* const forth = entry_of(matrix, i, j, &measure);
       const FactorEntry* const back = j == i ? nullptr : entry_of(matrix, j, i, &measure);
-      if (forth != nullptr && back != nullptr && !is_same(forth->visibility, back->visibility)) return std::nullopt;
+      if (forth != nullptr && back != nullptr && !is_same(forth->visibility, back->visibility)) return false;
       row.to.push_back(j);
       write_pair(matrix, forth, back, i, j, has_measure ? std::optional(measure) : std::nullopt, out);
     }
+    bytes += row.numbers.size() + row.to.size();
     rows.push_back(std::move(row));
+    if (bytes < kBytesAtATime) continue;
+    keep(rows);
+    rows.clear();
+    bytes = 0;
   }
-  return rows;
+  if (!rows.empty()) keep(rows);
+  return true;
 }
 
 std::optional<ExchangeMatrix> kept_matrix(const std::vector<KeptRows>& kept, const std::vector<Element>& elements,

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -107,11 +108,12 @@ struct KeptFactors {
 // Bits of what is kept of a matrix.
 inline constexpr std::uint32_t kKeptVisibilities = 1, kKeptMeasures = 2;
 
-// Returns the pairs of a matrix that are not known, as rows to keep, half of them by symmetry: 22 bytes a pair where
-// the double of one factor follows from that of the other within 127 units in the last place, 7 more where it does not;
-// 8 less where the visibility is 1 or there is none. Nothing of a matrix with bounds of its own, or of which
-// the visibility of a pair is not the same both ways.
-std::optional<std::vector<KeptRow>> rows_to_keep(const ExchangeMatrix& matrix, const PairRanges& known);
+// Gives the pairs of a matrix that are not known, as rows to keep, some after the other; half of them by symmetry: 22
+// bytes a pair where the double of one factor follows from that of the other within 127 units in the last place, 7 more
+// where it does not; 8 less where the visibility is 1 or there is none. Not all of a matrix with bounds of its own, or
+// of which the visibility of a pair is not the same both ways: then it returns false.
+bool keep_matrix(const ExchangeMatrix& matrix, const PairRanges& known,
+                 const std::function<void(std::span<const KeptRow>)>& keep);
 
 // Returns the matrix of kept rows, or nothing where a pair is missing.
 //

@@ -47,6 +47,14 @@ class MemoryStore final : public FactorStore {
     }
   }
 
+  void forget(const StoreTable& table) override {
+    const std::lock_guard lock(mutex_);
+    const auto kept = lists_.find(table.key);
+    if (kept == lists_.end()) return;
+    for (const List& list : kept->second) bytes_ -= list.bytes;
+    lists_.erase(kept);
+  }
+
   void add(std::uint64_t computed, std::uint64_t read) override {
     const std::lock_guard lock(mutex_);
     use_.computed += computed;

@@ -71,6 +71,8 @@ class FactorStore {
   virtual std::vector<KeptRows> read(const StoreTable& table, std::uint32_t what) = 0;
   // Keeps rows of the elements of the table. What there is no room for is not kept.
   virtual void keep(const StoreTable& table, std::uint32_t what, std::span<const KeptRow> rows) = 0;
+  // Takes out all that is kept of the key.
+  virtual void forget(const StoreTable& table) = 0;
 
   // Counts of this object. add() is for whoever computes; damaged records are counted here.
   virtual void add(std::uint64_t computed, std::uint64_t read) = 0;

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <utility>
 
+#include "io/files/abandoned.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 
@@ -38,14 +39,16 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       temporary_(std::exchange(other.temporary_, {})),
       pending_(std::move(other.pending_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
+      held_(std::exchange(other.held_, -1)),
       is_owned_(other.is_owned_),
       buffer_(std::move(other.buffer_)),
       written_(other.written_),
       begun_(other.begun_) {}
 
 OutputFile::~OutputFile() {
-  if (descriptor_ >= 0 && is_owned_) ::close(descriptor_);
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (descriptor_ >= 0 && is_owned_) ::close(descriptor_);
+  if (held_ >= 0) ::close(held_);
 }
 
 void OutputFile::fail(int error) { throw OutputError(name_, text_of(error)); }
@@ -67,13 +70,14 @@ void OutputFile::open() {
   }
   const std::filesystem::path directory = target_.has_parent_path() ? target_.parent_path() : ".";
   if (!target_.has_filename()) throw OutputError(name_, "is a directory, not a file");
+  remove_abandoned(directory, Abandoned::kFiles);
   for (int k = 0; descriptor_ < 0; ++k) {
-    const std::string name = ".hottel-" + std::to_string(::getpid()) + "-" + std::to_string(k) + ".tmp";
-    temporary_ = (directory / name).string();
+    temporary_ = (directory / temporary_file_name(k)).string();
     pending_ = PendingRemoval(temporary_, Removal::kFile);
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ >= 0) break;
-    const int error = errno;
+    if (descriptor_ >= 0 && hold_temporary(descriptor_, temporary_)) break;
+    const int error = descriptor_ >= 0 ? EEXIST : errno;  // somebody took it for one that was left behind
+    if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
     pending_ = {};
     temporary_.clear();
     if (error == ENOENT)
@@ -130,6 +134,7 @@ void OutputFile::finish() {
   // A device or pipe has nothing to flush to disk.
   if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail(errno);
   const int descriptor = std::exchange(descriptor_, -1);
+  if (!temporary_.empty()) held_ = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);  // until the file has its name
   if (is_owned_ && ::close(descriptor) != 0) fail(errno);
 }
 
@@ -140,6 +145,7 @@ void OutputFile::commit() {
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();
   pending_ = {};
+  if (held_ >= 0) ::close(std::exchange(held_, -1));
 }
 
 void write_output_file(const std::filesystem::path& file, std::string_view bytes) {

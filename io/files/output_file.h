@@ -36,6 +36,7 @@ class ReaderGone : public std::exception {
 //   (2) without commit() the temporary file is removed by the destructor (or by remove_pending)
 //   (3) every error of opening, writing, flushing to disk, closing and renaming throws OutputError
 //   (4) an existing file keeps its permissions, a symbolic link stays one
+//   (5) temporary files that killed runs left in the directory are removed (abandoned.h)
 //
 // "-" is standard output: there is no temporary, and bytes go out as the buffer fills. A path that exists and is no
 // regular file (/dev/null, a pipe) is written to directly. A directory, or a file without write permission, is refused
@@ -74,6 +75,7 @@ class OutputFile {
   std::string temporary_;  // empty: written to directly
   PendingRemoval pending_;
   int descriptor_ = -1;
+  int held_ = -1;         // a copy of it, from finish() on
   bool is_owned_ = true;  // the descriptor is ours to close
   std::string buffer_;
   std::uint64_t written_ = 0, begun_ = 0;  // bytes handed on, and those that the disk was told of

@@ -8,7 +8,8 @@
 
 namespace hottel {
 
-// A folder for the output of one command; removed at the end, also by a signal, whatever is in it.
+// A folder for the output of one command; removed at the end, also by a signal, whatever is in it. Those that killed
+// runs left are removed first (io/files/abandoned.h).
 class ScratchFolder {
  public:
   ScratchFolder();
@@ -21,6 +22,7 @@ class ScratchFolder {
  private:
   std::filesystem::path path_;
   PendingRemoval pending_;
+  int held_ = -1;
 };
 
 // What a command left behind, and how long it took.

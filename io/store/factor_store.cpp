@@ -141,6 +141,20 @@ class SqliteStore final : public FactorStore {
     database_.run("PRAGMA incremental_vacuum");
   }
 
+  void forget(const StoreTable& table) override {
+    const std::lock_guard lock(mutex_);
+    const std::string key = key_of(table);
+    {
+      Statement lists = database_.statement("SELECT id FROM lists WHERE key = ?1");
+      if (!lists.bind(1, key).step()) return;  // as nearly always: nobody need wait for others who write
+    }
+    Transaction transaction(database_);
+    database_.statement("DELETE FROM rows WHERE list IN (SELECT id FROM lists WHERE key = ?1)").bind(1, key).run();
+    database_.statement("DELETE FROM lists WHERE key = ?1").bind(1, key).run();
+    transaction.commit();
+    database_.run("PRAGMA incremental_vacuum");
+  }
+
   void add(std::uint64_t computed, std::uint64_t read) override {
     const std::lock_guard lock(mutex_);
     use_.computed += computed;

@@ -29,14 +29,14 @@ std::string room(const std::string& lights) {
 const std::string kSpot = R"({"type": "spot", "name": "torch", "position": [1,1], "direction": [1,0], "focus": 20,
   "power": 3, "rotation": 90})";
 
-// frame,time,elements,activated,computed,read of each line.
+// The numbers of each line: all but the sum at its end.
 std::vector<std::vector<double>> frames_of(const std::string& csv) {
   std::vector<std::vector<double>> result;
   for (const std::string& line : lines_of(csv)) {
     if (line.starts_with("frame")) continue;
     std::istringstream cells(line);
     std::vector<double>& row = result.emplace_back();
-    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+    for (std::string cell; row.size() < 9 && std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
   }
   return result;
 }
@@ -106,6 +106,74 @@ TEST(Animate, GoesOnWhereARunEndedAndMakesTheSameFrames) {
   // Another scene, or other options: all are made anew.
   place.write("scene.json", room(kSpot).replace(room(kSpot).find("\"power\": 3"), 10, "\"power\": 4"));
   EXPECT_THAT(place.run(line + "whole").err, testing::Not(HasSubstr("there before")));
+}
+
+// All columns but computed to picture_seconds, and the sum: a function of the scene.
+std::vector<std::vector<double>> told_of_frames(const std::string& csv) {
+  std::vector<std::vector<double>> rows = frames_of(csv);
+  for (auto& row : rows) row.erase(row.begin() + 4, row.begin() + 8);
+  return rows;
+}
+
+TEST(Animate, TellsAfterARunThatWasEndedWhatItTellsWithoutThat) {
+  const Workplace place;
+  place.write("scene.json", room(kSpot));
+  const std::string line = "hottel animate scene.json --frames 6 --fps 3 --light-levels 3 --no-film --quiet -o ";
+  ASSERT_EQ(place.run(line + "whole").code, 0);
+  const auto expected = told_of_frames(place.read("whole/frames.csv"));
+  ASSERT_EQ(expected.size(), 6u);
+  EXPECT_LT(expected[3][3], expected[3][2]) << "not all elements are new";
+  for (const std::string missing : {"0", "1", "3", "5", "[0-2]", "[1-4]", "[025]"}) {
+    ASSERT_EQ(place.run("rm -rf parts; cp -r whole parts; rm parts/frame_0000" + missing + ".png").code, 0);
+    ASSERT_EQ(place.run(line + "parts").code, 0);
+    EXPECT_EQ(told_of_frames(place.read("parts/frames.csv")), expected) << missing;
+    for (int k = 0; k < 6; ++k) {
+      const std::string name = "/frame_0000" + std::to_string(k) + ".png";
+      EXPECT_EQ(place.read("parts" + name), place.read("whole" + name)) << missing << name;
+    }
+  }
+}
+
+TEST(Animate, MakesADamagedFrameAgain) {
+  const Workplace place;
+  place.write("scene.json", room(kSpot));
+  const std::string line = "hottel animate scene.json --frames 4 --fps 2 --light-levels 2 --no-film -o ";
+  ASSERT_EQ(place.run(line + "whole").code, 0);
+  const struct {
+    const char *damage, *were_there;
+  } cases[] = {
+      {"truncate -s -1 parts/frame_00001.png", "3 of them"},
+      {"truncate -s 0 parts/frame_00001.png", "3 of them"},
+      {"printf x | dd of=parts/frame_00002.png bs=1 seek=60 conv=notrunc", "3 of them"},
+      {"cp parts/frame_00000.png parts/frame_00003.png", "3 of them"},  // a whole picture of another frame
+      {"cp parts/frame_00000.png t; cp parts/frame_00001.png parts/frame_00000.png; mv t parts/frame_00001.png",
+       "2 of them"},
+      {"sed -i '3s/^1,0.5/1,0.25/' parts/frames.csv", "3 of them"},
+      {"sed -i '4s/,[0-9]*,\\([0-9.e-]*,[0-9.e-]*,[0-9.e-]*,[0-9a-f]*\\)$/,9,\\1/' parts/frames.csv", "3 of them"},
+      {"truncate -s -9 parts/frames.csv", "3 of them"},
+      {"sed -i 3d parts/frames.csv", "3 of them"},
+      {"truncate -s 100 parts/frames.csv", ""},
+      {"truncate -s 0 parts/frames.csv", ""},
+      {"rm parts/frames.csv", ""},
+      {"truncate -s -20 parts/animation.json", ""},
+      {"sed -i 's/\"key\": \"./\"key\": \"x/' parts/animation.json", ""},
+  };
+  for (const auto& [damage, were_there] : cases) {
+    ASSERT_EQ(place.run("rm -rf parts; cp -r whole parts; " + std::string(damage)).code, 0) << damage;
+    const Outcome outcome = place.run(line + "parts");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    if (*were_there == 0) {
+      EXPECT_THAT(outcome.err, testing::Not(HasSubstr("of them"))) << damage;
+    } else {
+      EXPECT_THAT(outcome.err, HasSubstr(std::string(were_there) + " there before")) << damage;
+    }
+    EXPECT_EQ(told_of_frames(place.read("parts/frames.csv")), told_of_frames(place.read("whole/frames.csv"))) << damage;
+    for (int k = 0; k < 4; ++k) {
+      const std::string name = "/frame_0000" + std::to_string(k) + ".png";
+      EXPECT_EQ(place.read("parts" + name), place.read("whole" + name)) << damage << name;
+    }
+    EXPECT_THAT(place.run(line + "parts").err, HasSubstr("4 of them there before")) << damage;
+  }
 }
 
 TEST(Animate, RefusesLightsThatComeToLieOnSurfacesBeforeAnyFrame) {

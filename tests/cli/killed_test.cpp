@@ -75,6 +75,9 @@ TEST(Killed, LeavesOldOrNewFilesAlwaysWhole) {
     }
   }
   EXPECT_GT(killed, kKills / 4);
+  ASSERT_TRUE(succeeded(start(folder, "2")));
+  for (const auto& entry : testing_cli::fs::directory_iterator(folder))
+    EXPECT_FALSE(entry.path().filename().string().starts_with(".hottel-")) << entry.path();
   std::printf("%d of %d runs killed, %d of all had replaced something\n", killed, kKills, replaced);
 }
 

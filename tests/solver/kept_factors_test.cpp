@@ -3,10 +3,14 @@
 
 #include <bit>
 #include <cmath>
+#include <filesystem>
+#include <random>
 
 #include "io/scene/scene_json.h"
 #include "io/store/factor_store.h"
+#include "kernel/support/interrupt.h"
 #include "solver/plane/methods/method_catalogue.h"
+#include "solver/plane/simulation/kept_sweep.h"
 #include "solver/plane/simulation/simulation.h"
 #include "solver/space/methods/method_catalogue.h"
 #include "solver/space/simulation/simulation.h"
@@ -19,7 +23,8 @@ namespace {
 
 class StoreFile {
  public:
-  std::shared_ptr<FactorStore> open() const { return open_factor_store(folder_ / "store"); }
+  std::shared_ptr<FactorStore> open() const { return open_factor_store(path()); }
+  std::filesystem::path path() const { return folder_ / "store"; }
 
  private:
   TemporaryFolder folder_;
@@ -200,6 +205,116 @@ TEST(KeptFactors, ServeRunsWithOtherElements) {
   plane.surfaces[0].elements = 1;
   in_plane(plane);
   EXPECT_EQ(computed, 0U);
+}
+
+// Waits for the factors until so much of them is done.
+template <class Simulation>
+void begin_factors(const Simulation& simulation, double fraction) {
+  try {
+    simulation.factors([fraction](std::string_view stage, double done) {
+      if (stage == "view factors" && done >= fraction) throw Interrupted();
+    });
+  } catch (const Interrupted&) {
+  }
+}
+
+TEST(KeptFactors, OfARunThatIsEndedServeTheNextOne) {
+  for (const Granularity granularity : {Granularity::kElement, Granularity::kGroup})
+    for (const double fraction : {0.1, 0.5, 0.9}) {
+      SCOPED_TRACE(fraction);
+      const StoreFile file;
+      Scene3 scene = space_scene("two_boxes.json");
+      divide(scene, 2);
+      SimulationRequest3 request{.factors = {.granularity = granularity, .wants_visibility = true}};
+      const auto alone = Simulation3(scene, request).factors();
+      request.factors.store = file.open();
+      begin_factors(Simulation3(scene, request), fraction);
+      request.factors.store = file.open();
+      const auto factors = Simulation3(scene, request).factors();
+      expect_same(alone->matrix, factors->matrix);
+      const StoreUse use = request.factors.store->use();
+      EXPECT_EQ(use.computed + use.read, alone->report.pairs);
+      if (granularity == Granularity::kElement && fraction > 0.3) {  // nobody sees the sky, which comes first
+        EXPECT_GT(use.read, 0U);
+      }
+      EXPECT_EQ(use.damaged, 0U);
+    }
+  for (const Granularity granularity : {Granularity::kFace, Granularity::kElement, Granularity::kGroup})
+    for (const double fraction : {0.1, 0.5}) {
+      SCOPED_TRACE(fraction);
+      const StoreFile file;
+      Scene2 scene = plane_scene("showcase/museum.json");
+      divide(scene, 3);
+      SimulationRequest2 request{.granularity = granularity};
+      const auto alone = Simulation2(scene, request).factors();
+      request.store = file.open();
+      begin_factors(Simulation2(scene, request), fraction);
+      request.store = file.open();
+      // Another grouping, and other elements, of the same scene have sums of their own.
+      Scene2 other = scene;
+      divide(other, 2);
+      for (const Granularity others : {Granularity::kFace, Granularity::kGroup}) {
+        SimulationRequest2 asked{.granularity = others};
+        const auto expected = Simulation2(other, asked).factors();
+        asked.store = file.open();
+        expect_same(expected->matrix, Simulation2(other, asked).factors()->matrix);
+      }
+      const auto factors = Simulation2(scene, request).factors();
+      expect_same(alone->matrix, factors->matrix);
+      if (request.store->use().computed == 0) continue;  // the first run was done before it could be ended
+      EXPECT_EQ(factors->report.counts.gaps, alone->report.counts.gaps);
+      EXPECT_EQ(factors->report.counts.terms, alone->report.counts.terms);
+    }
+}
+
+// What is left of a sweep is taken out of the store with the end of it.
+TEST(KeptFactors, OfThePlaneLeaveNoSumsBehind) {
+  const StoreFile file;
+  Scene2 scene = plane_scene("showcase/museum.json");
+  divide(scene, 3);
+  SimulationRequest2 request{.granularity = Granularity::kElement};
+  request.store = file.open();
+  begin_factors(Simulation2(scene, request), 0.3);
+  const StoreContents begun = store_contents(file.path(), true);
+  ASSERT_EQ(begun.lists.size(), 1U);
+  EXPECT_NE(begun.lists[0].about.find(", begun"), std::string::npos) << begun.lists[0].about;
+  EXPECT_TRUE(begun.damage.empty());
+  Simulation2(scene, request).factors();
+  const StoreContents done = store_contents(file.path(), true);
+  ASSERT_EQ(done.lists.size(), 1U);
+  EXPECT_EQ(done.lists[0].about.find("begun"), std::string::npos) << done.lists[0].about;
+}
+
+TEST(KeptFactors, PartsOfASweepAreReadAsTheyWereWritten) {
+  std::mt19937_64 random(1);
+  SweptPart2 part{.begin = 12, .end = 700, .counts = {.gaps = 1ULL << 40, .updates = 9}, .sums = {}};
+  for (std::uint64_t key = 0; part.sums.size() < 1000; key += 1 + (random() >> (random() % 60 + 4))) {
+    PairSum2& sum = part.sums.emplace_back();
+    sum.key = key;
+    sum.inexact = (random() >> (1 + random() % 60)) & (~std::uint64_t{0} >> 1);
+    sum.is_obstructed = random() % 2;
+    const int shift = static_cast<int>(random() % 127);
+    sum.value = static_cast<Int128>(static_cast<UInt128>(random()) << 64 | random()) >> shift;
+    if (part.sums.size() == 1) sum.value = static_cast<Int128>(UInt128{1} << 127);
+  }
+  const std::string bytes = bytes_of(part, 5);
+  const auto read = swept_part_2(bytes, 5);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->begin, part.begin);
+  EXPECT_EQ(read->end, part.end);
+  EXPECT_EQ(read->counts.gaps, part.counts.gaps);
+  EXPECT_EQ(read->counts.updates, part.counts.updates);
+  ASSERT_EQ(read->sums.size(), part.sums.size());
+  for (std::size_t k = 0; k < part.sums.size(); ++k) {
+    EXPECT_EQ(read->sums[k].key, part.sums[k].key);
+    EXPECT_EQ(read->sums[k].inexact, part.sums[k].inexact);
+    EXPECT_EQ(read->sums[k].is_obstructed, part.sums[k].is_obstructed);
+    EXPECT_TRUE(read->sums[k].value == part.sums[k].value);
+  }
+  EXPECT_FALSE(swept_part_2(bytes, 6)) << "of another order";
+  EXPECT_FALSE(swept_part_2(bytes.substr(0, bytes.size() - 1), 5));
+  EXPECT_FALSE(swept_part_2(bytes + "x", 5));
+  EXPECT_FALSE(swept_part_2("", 5));
 }
 
 TEST(KeptFactors, DependOnGeometryAndNotOnColours) {

@@ -136,7 +136,8 @@ std::size_t put_exactly(std::vector<OpenPair>& open, const PreparedScene2& prepa
 
 }  // namespace
 
-ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequest& request, ExchangeReport* report) {
+ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequest& request, ExchangeReport* report,
+                              SweepParts2* parts) {
   const DefaultFloatingPoint arithmetic;
   Stopwatch watch;
   ExchangeReport ignored;
@@ -157,7 +158,7 @@ ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequ
                          std::to_string(request.memory));
   }
   SumCounts2 counts;
-  const PairSums2 sums = sweeps ? sum_visible_pairs(arrangement, table, request.progress, most_pairs, counts)
+  const PairSums2 sums = sweeps ? sum_visible_pairs(arrangement, table, request.progress, most_pairs, counts, parts)
                                 : sum_convex_pairs(arrangement, table);
   r.seconds[sweeps ? "sweep" : "strings"] = watch.lap();
   r.closure_is_exact = closure_defect(sums, table) == 0;

@@ -10,6 +10,10 @@
 namespace hottel {
 
 struct PreparedScene2;
+struct PairSum2;
+template <class Term>
+struct SweepParts;  // term_sums.h
+using SweepParts2 = SweepParts<PairSum2>;
 
 // Returns the view factors of all pairs that exchange light, each correctly rounded.
 //
@@ -21,10 +25,11 @@ struct PreparedScene2;
 //   (6) in a convex room, where nothing can hide anything, no sweep is made unless one is asked for: the result is
 //       the same bit for bit
 // Throws RequestError when the memory allowed by the request does not suffice, and passes on what `progress` throws.
-// The report, where one is asked for, says how the numbers came about.
+// The report, where one is asked for, says how the numbers came about. parts: as of sum_visible_pairs(); where no sweep
+// is made there are none.
 // COST: about 1 µs a visible pair and core; see benchmarks/results.
 ExchangeMatrix exact_exchange(const PreparedScene2& prepared, const ExchangeRequest& request = {},
-                              ExchangeReport* report = nullptr);
+                              ExchangeReport* report = nullptr, SweepParts2* parts = nullptr);
 
 // Returns the pairs (from, to) that are hidden: `from` has a row without an entry for `to`, but they would exchange
 // light if everything else were taken away (S = 0 < S0).

@@ -43,10 +43,11 @@ class Sweep {
 }  // namespace
 
 PairSums2 sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
-                            const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts) {
+                            const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts,
+                            SweepParts2* parts) {
   const std::size_t label_count = table.covered() + 1;
   return {sum_terms<PairSum2>(arrangement.triangulation().sweep_order(), label_count, Sweep(arrangement, table),
-                              progress, most_pairs, counts),
+                              progress, most_pairs, counts, parts),
           table.count()};
 }
 

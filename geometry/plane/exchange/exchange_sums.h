@@ -20,9 +20,11 @@ namespace hottel {
 // COST: parallel; one sweep about each vertex, and 32 bytes a term in flight, 43 to 85 bytes a pair.
 // `progress` is called from time to time with the fraction done and may throw to stop.
 //
-// Throws RequestError when the pairs become more than `most_pairs`.
+// Throws RequestError when the pairs become more than `most_pairs`. parts: as of sum_terms(), in the order of
+// Triangulation2::sweep_order().
 PairSums2 sum_visible_pairs(const Arrangement2& arrangement, const ElementTable2& table,
-                            const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts);
+                            const std::function<void(double)>& progress, std::uint64_t most_pairs, SumCounts2& counts,
+                            SweepParts2* parts = nullptr);
 
 // What a visible pair takes in memory at the most, from the sums to the matrix, in bytes (measured on clutter with
 // backs, where both directions have a row; benchmarks/factors).

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <deque>
+#include <exception>
 #include <mutex>
+#include <utility>
 
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
@@ -47,12 +49,112 @@ class Outboxes {
   std::mutex mutex_;
 };
 
+// The part of a sweep that is in hand, summed beside the whole, and those from before.
+template <class Term>
+class PartsInHand {
+ public:
+  PartsInHand(SweepParts<Term>* parts, std::size_t places, std::size_t partitions, int shift)
+      : parts_(parts), places_(places), shift_(shift) {
+    if (parts == nullptr) return;
+    HOTTEL_REQUIRE(!Term::kOrderMatters);
+    tables_.resize(partitions);
+    std::vector<SweptPart<Term>>& before = parts->before;
+    std::ranges::sort(before, {}, &SweptPart<Term>::begin);
+    std::size_t end = 0;
+    std::erase_if(before, [&](const SweptPart<Term>& part) {
+      if (part.begin < end || part.begin >= part.end || part.end > places) return true;
+      end = part.end;
+      return false;
+    });
+  }
+
+  // Adds what was swept before.
+  void add_before(std::vector<PairTable<Term>>& tables, SumCounts2& counts) const {
+    if (parts_ == nullptr) return;
+    for (const SweptPart<Term>& part : parts_->before) {
+      counts.gaps += part.counts.gaps;
+      counts.updates += part.counts.updates;
+    }
+    parallel_for(tables.size(), [&](std::size_t k) {
+      const auto partition = [this](const Term& term) { return term.key >> (32 + shift_); };
+      for (const SweptPart<Term>& part : parts_->before)
+        tables[k].add(std::span(std::ranges::lower_bound(part.sums, k, {}, partition),
+                                std::ranges::upper_bound(part.sums, k, {}, partition)));
+    });
+  }
+
+  // The next place that is to be swept, and where the places to be swept from there end.
+  std::size_t next(std::size_t place) const {
+    if (parts_ != nullptr)
+      for (const SweptPart<Term>& part : parts_->before)
+        if (part.begin <= place && place < part.end) place = part.end;
+    return place;
+  }
+  std::size_t end(std::size_t place) const {
+    if (parts_ != nullptr)
+      for (const SweptPart<Term>& part : parts_->before)
+        if (part.begin > place) return part.begin;
+    return places_;
+  }
+
+  // Terms of places that are not in the part yet; told all together by have_swept().
+  void add(std::size_t partition, std::span<const Term> terms) {
+    if (parts_ != nullptr) tables_[partition].add(terms);
+  }
+  // Between these the part has terms of places that it is not said to have.
+  void begin_adding(std::size_t place) {
+    is_whole_ = false;
+    if (begin_ == end_) begin_ = end_ = place;
+  }
+  void have_swept(std::size_t end, const SumCounts2& all) {
+    is_whole_ = true;
+    end_ = end;
+    now_ = all;
+    if (parts_ != nullptr && (next(end) != end || std::chrono::steady_clock::now() - since_ >= parts_->between))
+      hand_on();
+  }
+
+  void hand_on() {
+    if (parts_ == nullptr || !is_whole_ || begin_ == end_) return;
+    SweptPart<Term> part{begin_, end_, {now_.gaps - told_.gaps, now_.updates - told_.updates}, {}};
+    std::vector<std::vector<Term>> sums(tables_.size());
+    parallel_for(tables_.size(), [&](std::size_t k) { sums[k] = tables_[k].take(); });
+    for (const std::vector<Term>& some : sums) part.sums.insert(part.sums.end(), some.begin(), some.end());
+    begin_ = end_;
+    told_ = now_;
+    has_handed_ = true;
+    parts_->sink(std::move(part));
+    since_ = std::chrono::steady_clock::now();
+  }
+  // A sweep that took less than the time between two parts is not worth one.
+  void finish() {
+    if (has_handed_) hand_on();
+  }
+  // What comes after is told whatever comes of this.
+  void hand_on_before_failure() {
+    try {
+      hand_on();
+    } catch (const std::exception&) {
+    }
+  }
+
+ private:
+  SweepParts<Term>* parts_;  // null: none are asked for
+  std::size_t places_;
+  int shift_;
+  std::vector<PairTable<Term>> tables_;
+  std::size_t begin_ = 0, end_ = 0;
+  SumCounts2 now_, told_;
+  bool is_whole_ = true, has_handed_ = false;
+  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
 template <class Term>
 std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::size_t labels,
                                          const TermSweep<Term>& sweep, const std::function<void(double)>& progress,
-                                         std::uint64_t most_pairs, SumCounts2& counts) {
+                                         std::uint64_t most_pairs, SumCounts2& counts, SweepParts<Term>* parts) {
   // So many that the table of one stays in the cache with millions of pairs, so few that a small scene has few tables.
   constexpr std::size_t kPartitions = 256;
   int partition_shift = 5;  // 32 labels and more share a table
@@ -64,9 +166,17 @@ std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::s
   // flight near kTermsInFlight, judged by the round before.
   constexpr std::size_t kTermsInFlight = 1 << 19;
   Outboxes<Term> buffers(TermBuffer2<Term>(partitions, partition_shift));
-  std::size_t round = 64;
-  for (std::size_t begin = 0; begin < order.size();) {
-    const std::size_t size = std::min(round, order.size() - begin);
+  PartsInHand<Term> in_hand(parts, order.size(), partitions, partition_shift);
+  in_hand.add_before(tables, counts);
+  const auto counted = [&buffers] {
+    SumCounts2 all;
+    for (const TermBuffer2<Term>& out : buffers.all()) {
+      all.gaps += out.gaps;
+      all.updates += out.updates;
+    }
+    return all;
+  };
+  const auto sweep_round = [&](std::size_t begin, std::size_t size) {
     parallel_for(kRuns, [&](std::size_t run) {
       TermBuffer2<Term>& out = buffers.take(run);
       for (std::size_t v = begin + run * size / kRuns; v != begin + (run + 1) * size / kRuns; ++v) sweep(order[v], out);
@@ -75,26 +185,39 @@ std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::s
     });
     std::size_t in_flight = 0;
     for (const TermBuffer2<Term>& out : buffers.all()) in_flight += out.size();
+    in_hand.begin_adding(begin);
     parallel_for(partitions, [&](std::size_t partition) {
       for (TermBuffer2<Term>& out : buffers.all()) {
         tables[partition].add(out.partition(partition));
+        in_hand.add(partition, out.partition(partition));
         out.partition(partition).clear();
       }
     });
+    in_hand.have_swept(begin + size, counted());
     std::uint64_t pairs = 0;
     for (const auto& table : tables) pairs += table.size();
     if (pairs > most_pairs)
       throw RequestError(fmt::format(
           "the scene has more than {} visible pairs, which is all that the memory allowed holds", most_pairs));
-    begin += size;
-    round = std::clamp<std::size_t>(round * kTermsInFlight / (in_flight + 1), std::max<std::size_t>(16, round / 4),
-                                    4 * round);
-    if (progress) progress(static_cast<double>(begin) / static_cast<double>(order.size()));
+    return in_flight;
+  };
+  try {
+    std::size_t round = 64;
+    for (std::size_t begin = in_hand.next(0); begin < order.size();) {
+      const std::size_t size = std::min(round, in_hand.end(begin) - begin);
+      const std::size_t in_flight = sweep_round(begin, size);
+      begin = in_hand.next(begin + size);
+      round = std::clamp<std::size_t>(round * kTermsInFlight / (in_flight + 1), std::max<std::size_t>(16, round / 4),
+                                      4 * round);
+      if (progress) progress(static_cast<double>(begin) / static_cast<double>(order.size()));
+    }
+  } catch (...) {
+    in_hand.hand_on_before_failure();
+    throw;
   }
-  for (const TermBuffer2<Term>& out : buffers.all()) {
-    counts.gaps += out.gaps;
-    counts.updates += out.updates;
-  }
+  in_hand.finish();
+  counts.gaps += counted().gaps;
+  counts.updates += counted().updates;
 
   std::vector<std::vector<Term>> sums(partitions);
   parallel_for(partitions, [&](std::size_t k) { sums[k] = tables[k].take(); });
@@ -103,9 +226,10 @@ std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::s
 
 template std::vector<std::vector<PairSum2>> sum_terms(std::span<const VertexId>, std::size_t,
                                                       const TermSweep<PairSum2>&, const std::function<void(double)>&,
-                                                      std::uint64_t, SumCounts2&);
+                                                      std::uint64_t, SumCounts2&, SweepParts<PairSum2>*);
 template std::vector<std::vector<PlainTerm2>> sum_terms(std::span<const VertexId>, std::size_t,
                                                         const TermSweep<PlainTerm2>&,
-                                                        const std::function<void(double)>&, std::uint64_t, SumCounts2&);
+                                                        const std::function<void(double)>&, std::uint64_t, SumCounts2&,
+                                                        SweepParts<PlainTerm2>*);
 
 }  // namespace hottel

@@ -1,6 +1,7 @@
 // The terms of many gaps, summed by pair of labels, in parallel and in an order of its own.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -117,6 +118,25 @@ struct SumCounts2 {
   std::uint64_t updates = 0;  // terms added
 };
 
+// What the sweeps of some vertices added up to: those of the places [begin, end) of the order.
+template <class Term>
+struct SweptPart {
+  std::size_t begin = 0, end = 0;
+  SumCounts2 counts;
+  std::vector<Term> sums;  // by key
+};
+
+// Parts of a sweep that were swept before, and who gets those that are swept now: every few seconds, where a part from
+// before begins, in the end unless all took less, and before a failure or a stop.
+template <class Term>
+struct SweepParts {
+  std::vector<SweptPart<Term>> before;  // of the same order; of two with a place in common one is taken
+  std::function<void(SweptPart<Term>&&)> sink = {};
+  std::chrono::duration<double> between{2};
+};
+using SweptPart2 = SweptPart<PairSum2>;
+using SweepParts2 = SweepParts<PairSum2>;
+
 // Leaves the terms of one vertex in the buffer, and counts its gaps and updates there.
 template <class Term>
 using TermSweep = std::function<void(VertexId, TermBuffer2<Term>&)>;
@@ -128,6 +148,8 @@ using TermSweep = std::function<void(VertexId, TermBuffer2<Term>&)>;
 //   (2) the terms of a key are added in the order of the vertices given and, for one vertex, of the buffer, for any
 //       number of threads: sums of doubles are the same bit for bit
 //   (3) `counts` grows by what the sweeps counted
+//   (4) with `parts` those that were swept before are not swept again: the same sums, as order does not matter.
+//       REQUIRES that it does not
 //
 // `sweep` is called from several threads at once, for different vertices and with different buffers. `progress` is
 // called from time to time, on the calling thread, with the fraction done; it may throw to stop.
@@ -137,15 +159,16 @@ using TermSweep = std::function<void(VertexId, TermBuffer2<Term>&)>;
 template <class Term>
 std::vector<std::vector<Term>> sum_terms(std::span<const VertexId> order, std::size_t labels,
                                          const TermSweep<Term>& sweep, const std::function<void(double)>& progress,
-                                         std::uint64_t most_pairs, SumCounts2& counts);
+                                         std::uint64_t most_pairs, SumCounts2& counts,
+                                         SweepParts<Term>* parts = nullptr);
 
 extern template std::vector<std::vector<PairSum2>> sum_terms(std::span<const VertexId>, std::size_t,
                                                              const TermSweep<PairSum2>&,
                                                              const std::function<void(double)>&, std::uint64_t,
-                                                             SumCounts2&);
+                                                             SumCounts2&, SweepParts<PairSum2>*);
 extern template std::vector<std::vector<PlainTerm2>> sum_terms(std::span<const VertexId>, std::size_t,
                                                                const TermSweep<PlainTerm2>&,
                                                                const std::function<void(double)>&, std::uint64_t,
-                                                               SumCounts2&);
+                                                               SumCounts2&, SweepParts<PlainTerm2>*);
 
 }  // namespace hottel

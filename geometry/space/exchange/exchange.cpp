@@ -244,7 +244,9 @@ std::span<const PairSum3> ExchangeRows3::add(std::span<const std::uint32_t> labe
                               .wants_visibility = request_.wants_visibility,
                               .most_pairs = most_ - std::min<std::uint64_t>(most_, pairs_.size()),
                               .progress = progress,
-                              .turn = &turn},
+                              .turn = &turn,
+                              .sink = sink_,
+                              .between = between_},
                              counts);
   const auto is_of_sky = [this](const FailedPair3& failure) { return failure.j == table_.sky(); };
   const auto of_others = std::stable_partition(sums.failures.begin(), sums.failures.end(), is_of_sky);
@@ -281,15 +283,12 @@ void ExchangeRows3::take(std::vector<PairSum3> pairs, PairRanges known) {
   missing_ = 0;
 }
 
-std::vector<ColumnRange> ExchangeRows3::unknown_before(std::uint32_t label) const {
-  if (known_.elements() == 0) return {{label, table_.count() + 1}};
-  return known_.missing(label);
-}
-
-std::vector<std::uint32_t> ExchangeRows3::without_sky() const {
-  std::vector<std::uint32_t> result;
-  for (const FailedPair3& failure : without_sky_) result.push_back(failure.i);
-  return result;
+void ExchangeRows3::hand_on(PairSink3 sink, std::chrono::duration<double> between) {
+  sink_ = [this, sink = std::move(sink)](std::span<PairSum3> pairs, const PairRanges& known) {
+    measure_alone(pairs);
+    sink(pairs, known);
+  };
+  between_ = between;
 }
 
 double ExchangeRows3::factor(const PairSum3& pair, std::uint32_t from) const {
@@ -300,9 +299,11 @@ std::vector<std::vector<std::array<double, 3>>> ExchangeRows3::corners() const {
   return element_corners(table_, prepared_.blockers().vertices());
 }
 
-void ExchangeRows3::measure_alone() {
+void ExchangeRows3::measure_alone() { measure_alone(pairs_); }
+
+void ExchangeRows3::measure_alone(std::span<PairSum3> pairs) const {
   const DefaultFloatingPoint arithmetic;
-  if (request_.wants_visibility) measure_groups_alone(prepared_, table_, request_.tolerance, pairs_);
+  if (request_.wants_visibility) measure_groups_alone(prepared_, table_, request_.tolerance, pairs);
 }
 
 ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -39,6 +40,10 @@ class ExchangeRows3 {
   // COST: that of the pairs, and some ns for each pair of elements that there is.
   std::span<const PairSum3> add(std::span<const std::uint32_t> labels,
                                 const std::function<void(double)>& progress = {});
+  // From now on add() hands on the pairs that are done while it measures others, those of elements of several patches
+  // with what they would exchange alone: every few seconds, and before it returns or throws. Not those that were taken.
+  void hand_on(PairSink3 sink, std::chrono::duration<double> between = std::chrono::seconds(2));
+
   // All that are missing.
   void add_all(const std::function<void(double)>& progress = {});
 
@@ -51,10 +56,6 @@ class ExchangeRows3 {
   void measure_alone();
   // All pairs that were taken or have come, in no order. REQUIRES that matrix() was not called.
   std::span<const PairSum3> pairs() const { return pairs_; }
-  // Which columns of a row from the element on, the sky among them, were not known from elsewhere.
-  std::vector<ColumnRange> unknown_before(std::uint32_t label) const;
-  // Elements whose pair with the sky could not be measured.
-  std::vector<std::uint32_t> without_sky() const;
 
   // F(from, to) of a pair, as a double in its matrix.
   double factor(const PairSum3& pair, std::uint32_t from) const;
@@ -66,6 +67,8 @@ class ExchangeRows3 {
   ExchangeMatrix matrix(ExchangeReport3* report = nullptr);
 
  private:
+  void measure_alone(std::span<PairSum3> pairs) const;
+
   const PreparedScene3& prepared_;
   const ExchangeRequest request_;
   const std::uint64_t most_;  // pairs
@@ -74,7 +77,9 @@ class ExchangeRows3 {
   std::vector<char> has_come_;  // by element, the sky last
   std::uint32_t missing_ = 0;
   std::vector<PairSum3> pairs_;
-  PairRanges known_;                      // from elsewhere
+  PairRanges known_;  // from elsewhere
+  PairSink3 sink_;    // gets what is done
+  std::chrono::duration<double> between_{2};
   std::vector<FailedPair3> without_sky_;  // pairs with the sky that could not be measured
 };
 

@@ -3,16 +3,21 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <exception>
 #include <iterator>
 #include <mutex>
+#include <optional>
 #include <random>
+#include <set>
 #include <span>
 #include <tuple>
 #include <utility>
 
 #include "geometry/space/arrangement/closed_hull.h"
 #include "geometry/space/exchange/facing.h"
+#include "geometry/space/exchange/pair_handover.h"
 #include "geometry/space/exchange/pair_shares.h"
+#include "geometry/space/exchange/pair_tasks.h"
 #include "geometry/space/exchange/unobstructed.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
@@ -24,59 +29,10 @@ namespace {
 
 using Part = ElementTable3::Part;
 
-// So few pairs that the most expensive ones do not come at the end of much.
-constexpr std::size_t kPairsOfATask = 16;
-
-// One patch, and some of those after it.
-struct Task {
-  std::size_t patch, begin, end;
-};
-
-// The work in pieces: first each patch that has a row with the sky, which is often the most expensive one; then each
-// patch with those after it, a few at a time.
-class Tasks {
- public:
-  explicit Tasks(const ElementTable3& table) : table_(table), sky_begin_(table.parts().size() - sky_size()) {
-    for (std::size_t a = 0; a < sky_begin_; ++a)
-      if (table.has_row(table.parts()[a].label)) with_sky_.push_back(a);
-    first_.push_back(with_sky_.size());
-    for (std::size_t a = 0; a < sky_begin_; ++a)
-      first_.push_back(first_.back() + (sky_begin_ - a - 1 + kPairsOfATask - 1) / kPairsOfATask);
-  }
-
-  std::size_t count() const { return first_.back(); }
-  Task operator[](std::size_t task) const {
-    if (task < with_sky_.size()) return {with_sky_[task], sky_begin_, table_.parts().size()};
-    const auto after = std::upper_bound(first_.begin(), first_.end(), task);
-    const auto a = static_cast<std::size_t>(after - first_.begin()) - 1;
-    const std::size_t begin = a + 1 + (task - first_[a]) * kPairsOfATask;
-    return {a, begin, std::min(begin + kPairsOfATask, sky_begin_)};
-  }
-  // Of one patch that is no sky and another one after it.
-  bool is_asked(const Part& a, const Part& b) const { return table_.has_row(a.label) || table_.has_row(b.label); }
-
- private:
-  std::size_t sky_size() const { return table_.parts(table_.sky()).size(); }
-
-  const ElementTable3& table_;
-  std::size_t sky_begin_;
-  std::vector<std::size_t> with_sky_;
-  std::vector<std::size_t> first_;  // the first task of each patch
-};
-
-// Two patches that could not be measured within their share.
-struct OpenPair {
-  PairSum3 sum;  // i, j: holders
-  const Part *a, *b;
-  bool is_undecided;
-  std::string problem;
-};
-
-// What one task found, in the order of the patches, by holders.
-struct Found {
-  std::vector<PairSum3> pairs;
-  std::vector<OpenPair> open;
-};
+using Task = PairTask3;
+using Tasks = PairTasks3;
+using Found = FoundPairs3;
+using OpenPair = OpenPair3;
 
 class Measuring {
  public:
@@ -285,18 +241,7 @@ void settle(const Measuring& measuring, std::vector<OpenPair>& open, std::vector
   pairs.insert(pairs.end(), more.begin(), more.end());
 }
 
-// Of holders as elements. Each pair of elements once, the worst.
-void take_labels(const ElementTable3& table, std::vector<PairSum3>& pairs) {
-  if (!table.is_by_group()) return;
-  std::vector<std::uint32_t> label(table.holders() + std::size_t{1}, 0);
-  for (const Part& part : table.parts()) label[part.holder] = part.label;
-  for (PairSum3& pair : pairs) {
-    pair.i = label[pair.i];
-    pair.j = label[pair.j];
-    if (pair.i > pair.j) std::swap(pair.i, pair.j);
-  }
-}
-
+// Of two failures of one pair of elements the worse.
 void keep_worst(std::vector<FailedPair3>& failures) {
   const auto key = [](const FailedPair3& failure) { return std::pair(failure.i, failure.j); };
   std::stable_sort(failures.begin(), failures.end(), [&](const FailedPair3& a, const FailedPair3& b) {
@@ -307,23 +252,66 @@ void keep_worst(std::vector<FailedPair3>& failures) {
                  failures.end());
 }
 
+// Before a failure, which is told whatever comes of it.
+void hand_over_before(PairHandover3& handover) {
+  try {
+    handover.hand_over();
+  } catch (const std::exception&) {
+  }
+}
+
 }  // namespace
+
+std::vector<std::uint32_t> labels_of_holders(const ElementTable3& table) {
+  std::vector<std::uint32_t> labels;
+  if (!table.is_by_group()) return labels;
+  labels.resize(table.holders() + std::size_t{1}, 0);
+  for (const Part& part : table.parts()) labels[part.holder] = part.label;
+  return labels;
+}
+
+std::vector<PairSum3> by_elements(const std::vector<std::uint32_t>& labels, std::vector<PairSum3> pairs,
+                                  std::span<const PairSum3> contacts) {
+  sum_equal(pairs);
+  if (!labels.empty())
+    for (PairSum3& pair : pairs) {
+      pair.i = labels[pair.i];
+      pair.j = labels[pair.j];
+      if (pair.i > pair.j) std::swap(pair.i, pair.j);
+    }
+  pairs.insert(pairs.end(), contacts.begin(), contacts.end());
+  sum_equal(pairs);
+  for (PairSum3& pair : pairs)
+    if (pair.i == pair.j) add_to(pair, PairSum3(pair));
+  return pairs;
+}
+
+PairSum3 contact_pair(const ElementTable3& table, const ElementTable3::Contact& contact) {
+  const std::uint32_t i = std::min(contact.mask, contact.base), j = std::max(contact.mask, contact.base);
+  const double area = contact.extent.value;
+  const bool are_patches = table.is_one_patch(i) && table.is_one_patch(j);
+  return {.i = i, .j = j, .measure = area, .bounds = contact.extent.enclosure(), .alone = are_patches ? area : 0};
+}
 
 PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, const PairSumRequest3& request,
                     ExchangeReport3& report) {
   const Measuring measuring(prepared, table, request);
   const Tasks& tasks = measuring.tasks();
+  const std::vector<std::uint32_t> labels = labels_of_holders(table);
   std::vector<Found> found(tasks.count());
   ProgressCount progress(request.progress, tasks.count());
   std::atomic<std::uint64_t> found_pairs{0};
   std::mutex together;
-  parallel_ranges(tasks.count(), 1, [&](std::size_t begin, std::size_t end) {
+  std::optional<PairHandover3> handover;
+  if (request.sink) handover.emplace(table, labels, tasks, request, found);
+  const auto measure_all = [&](std::size_t begin, std::size_t end) {
     ExchangeReport3 counts;
     for (std::size_t t = begin; t < end; ++t) {
       measuring.run(tasks[t], found[t], counts);
       found[t].pairs.shrink_to_fit();
       found[t].open.shrink_to_fit();
       const std::size_t more = found[t].pairs.size() + found[t].open.size();
+      if (handover) handover->has_done(t);
       if (found_pairs.fetch_add(more, std::memory_order_relaxed) + more > request.most_pairs)
         throw RequestError("more than " + std::to_string(request.most_pairs) +
                            " pairs see each other: they need more memory than is allowed");
@@ -331,31 +319,43 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
     }
     const std::lock_guard lock(together);
     add_counts(report, counts);
-  });
+  };
+  try {
+    parallel_ranges(tasks.count(), 1, measure_all);
+  } catch (...) {
+    if (handover) hand_over_before(*handover);
+    throw;
+  }
+  if (handover) handover->hand_over();
 
-  PairSums3 result;
-  result.pairs.reserve(found_pairs);
+  // What has not been handed over: everything, or pairs that are open.
+  std::vector<PairSum3> of_holders;
   std::vector<OpenPair> open;
   for (Found& some : found) {
-    result.pairs.insert(result.pairs.end(), some.pairs.begin(), some.pairs.end());
+    of_holders.insert(of_holders.end(), some.pairs.begin(), some.pairs.end());
     std::move(some.open.begin(), some.open.end(), std::back_inserter(open));
     some = {};
   }
-  sum_equal(result.pairs);
-  settle(measuring, open, result.pairs, result.failures, report);
-  take_labels(table, result.pairs);
-  for (const ElementTable3::Contact& contact : table.contacts()) {
-    const std::uint32_t i = std::min(contact.mask, contact.base), j = std::max(contact.mask, contact.base);
-    if (request.turn != nullptr && !request.turn->has(i, j)) continue;
-    const double area = contact.extent.value;
-    const bool are_patches = table.is_one_patch(i) && table.is_one_patch(j);
-    result.pairs.push_back(
-        {.i = i, .j = j, .measure = area, .bounds = contact.extent.enclosure(), .alone = are_patches ? area : 0});
-  }
-  sum_equal(result.pairs);
-  for (PairSum3& pair : result.pairs)
-    if (pair.i == pair.j) add_to(pair, PairSum3(pair));
+  std::set<std::pair<std::uint32_t, std::uint32_t>> are_open;
+  for (const OpenPair& one : open) are_open.emplace(one.a->label, one.b->label);
+  sum_equal(of_holders);
+  PairSums3 result;
+  settle(measuring, open, of_holders, result.failures, report);
   keep_worst(result.failures);
+  std::vector<PairSum3> contacts;
+  for (const ElementTable3::Contact& contact : table.contacts()) {
+    const PairSum3 pair = contact_pair(table, contact);
+    const bool is_asked = request.turn == nullptr || request.turn->has(pair.i, pair.j);
+    if (is_asked && (!handover || are_open.contains(key_of(pair)))) contacts.push_back(pair);
+  }
+  result.pairs = by_elements(labels, std::move(of_holders), contacts);
+  if (!handover) return result;
+  handover->hand_over_settled(result.pairs, result.failures);
+  std::vector<PairSum3> handed = handover->take();
+  const auto middle = handed.insert(handed.end(), result.pairs.begin(), result.pairs.end());
+  std::inplace_merge(handed.begin(), middle, handed.end(),
+                     [](const PairSum3& a, const PairSum3& b) { return key_of(a) < key_of(b); });
+  result.pairs = std::move(handed);
   return result;
 }
 

@@ -1,9 +1,11 @@
 // The exchange measures of all pairs of elements.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,10 @@ struct PairTurn3 {
   }
 };
 
+// Gets pairs of elements that are done while others are being measured, as PairHandover3 says, by whatever thread; what
+// it writes into them stays. It may throw to stop.
+using PairSink3 = std::function<void(std::span<PairSum3> pairs, const PairRanges& known)>;
+
 // What is asked.
 struct PairSumRequest3 {
   double tolerance = 1e-9;        // as PairRequest3
@@ -57,6 +63,8 @@ struct PairSumRequest3 {
   std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();  // beyond: RequestError
   std::function<void(double)> progress = {};  // fraction done, from any thread; may throw to stop
   const PairTurn3* turn = nullptr;            // these pairs alone; null: all
+  PairSink3 sink = {};                        // gets what is done, and before a failure or a stop all that is
+  std::chrono::duration<double> between{2};   // its calls
 };
 
 struct PairSums3 {

@@ -1,13 +1,18 @@
 #include "solver/plane/simulation/kept_factors.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "geometry/plane/exchange/element_table.h"
+#include "geometry/plane/exchange/exchange.h"
+#include "geometry/plane/exchange/term_sums.h"
+#include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/kept_pairs.h"
 #include "solver/kept_report.h"
+#include "solver/plane/simulation/kept_sweep.h"
 #include "solver/store_key.h"
 
 namespace hottel {
@@ -64,6 +69,16 @@ MethodReport report_of(const ExchangeMatrix& matrix, const PreparedScene2& prepa
   return report;
 }
 
+// The sweep, where it goes on.
+ComputedFactors2 swept_factors(const KeptSweep2& sweep, const PreparedScene2& prepared,
+                               const ExchangeRequest& request) {
+  ComputedFactors2 result;
+  SweepParts2 parts = sweep.parts();
+  result.matrix = naming_file(prepared.scene.file,
+                              [&] { return exact_exchange(prepared, request, &result.report.counts, &parts); });
+  return result;
+}
+
 }  // namespace
 
 StoreTable store_table_2(const ExchangeMethod2& method, const PreparedScene2& prepared,
@@ -79,6 +94,8 @@ ComputedFactors2 kept_factors_2(FactorStore& store, const ExchangeMethod2& metho
   const std::uint32_t what = what_of(method, request);
   const std::vector<KeptRows> kept = store.read(table, what);
   PairRanges known(static_cast<std::uint32_t>(elements.size()));
+  std::optional<KeptSweep2> sweep;
+  if (method.info().name == "exact") sweep.emplace(store, prepared, table);
   const Guarantee guarantee = is_exact(method) ? Guarantee::kExact : Guarantee::kEstimated;
   if (auto matrix = kept_matrix(kept, elements, guarantee, what, known)) {
     std::optional<MethodReport> report;
@@ -91,17 +108,22 @@ ComputedFactors2 kept_factors_2(FactorStore& store, const ExchangeMethod2& metho
     }
     if (report) {
       store.add(0, pair_count(*matrix));
+      if (sweep) sweep->forget();  // of a run that was killed before it did
       MethodReport of_run = report_of(*matrix, prepared, std::move(*report), watch.lap());
       return {std::move(*matrix), std::move(of_run)};
     }
     known = PairRanges(static_cast<std::uint32_t>(elements.size()));
   }
   const double seconds = watch.lap();
-  ComputedFactors2 computed = factors_by(method, prepared, request);
+  ComputedFactors2 computed = sweep ? swept_factors(*sweep, prepared, request) : factors_by(method, prepared, request);
   watch.lap();
-  if (auto rows = rows_to_keep(computed.matrix, known)) {
-    if (!is_exact(method)) rows->push_back(report_to_keep(computed.matrix, computed.report));
-    store.keep(table, what, *rows);
+  const auto keep = [&](std::span<const KeptRow> rows) { store.keep(table, what, rows); };
+  if (keep_matrix(computed.matrix, known, keep)) {
+    if (!is_exact(method)) {
+      const KeptRow report = report_to_keep(computed.matrix, computed.report);
+      keep(std::span(&report, 1));
+    }
+    if (sweep) sweep->forget();
   }
   store.add(pair_count(computed.matrix), 0);
   computed.report.counts.seconds["store"] = seconds + watch.lap();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/space/exchange/element_table.h"
+#include "kernel/support/failure.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/kept_pairs.h"
 #include "solver/kept_report.h"
@@ -100,33 +101,27 @@ std::uint64_t take_kept(FactorStore& store, const StoreTable& table, const Excha
   return taken;
 }
 
-void keep_rows(FactorStore& store, const StoreTable& table, const ExchangeRequest& request, const ExchangeRows3& rows,
-               std::uint64_t taken) {
-  const std::uint32_t n = rows.table().count();
-  const std::vector<std::uint32_t> without_sky = rows.without_sky();
-  std::vector<std::vector<const PairSum3*>> by_row(n);
-  for (const PairSum3& pair : rows.pairs().subspan(taken))
-    if (!pair.is_zero()) by_row[pair.i].push_back(&pair);
-  std::uint64_t computed = 0;
-  std::vector<KeptRow> kept;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    computed += by_row[i].size();
-    KeptRow row{.row = i, .known = rows.unknown_before(i), .to = {}, .numbers = {}};
-    if (std::ranges::find(without_sky, i) != without_sky.end() && !row.known.empty() && row.known.back().end == n + 1) {
-      if (--row.known.back().end == row.known.back().begin) row.known.pop_back();
-      std::erase_if(by_row[i], [n](const PairSum3* pair) { return pair->j == n; });
-    }
-    if (row.known.empty()) continue;
-    std::ranges::sort(by_row[i], {}, &PairSum3::j);
+std::uint64_t keep_pairs(FactorStore& store, const StoreTable& table, const ExchangeRequest& request,
+                         std::span<const PairSum3> pairs, const PairRanges& known) {
+  std::uint64_t kept = 0;
+  std::vector<KeptRow> rows;
+  auto pair = pairs.begin();
+  for (std::uint32_t i = 0; i < known.elements(); ++i) {
+    if (known.ranges(i).empty()) continue;
+    KeptRow& row = rows.emplace_back();
+    row.row = i;
+    row.known.assign(known.ranges(i).begin(), known.ranges(i).end());
     NumberWriter out(row.numbers);
-    for (const PairSum3* pair : by_row[i]) {
+    for (; pair != pairs.end() && pair->i == i; ++pair) {
+      if (pair->is_zero()) continue;
       row.to.push_back(pair->j);
       write_pair(*pair, out);
+      ++kept;
     }
-    kept.push_back(std::move(row));
   }
-  if (!kept.empty()) store.keep(table, what_of(request), kept);
-  store.add(computed, taken);
+  HOTTEL_REQUIRE(pair == pairs.end());
+  if (!rows.empty()) store.keep(table, what_of(request), rows);
+  return kept;
 }
 
 ComputedFactors3 kept_factors_3(FactorStore& store, const ExchangeMethod3& method, const PreparedScene3& prepared,
@@ -154,13 +149,14 @@ ComputedFactors3 kept_factors_3(FactorStore& store, const ExchangeMethod3& metho
     known = PairRanges(static_cast<std::uint32_t>(elements.size()));
   }
   ComputedFactors3 result = compute();
-  if (auto rows = rows_to_keep(result.matrix, known)) {
+  const auto keep = [&](std::span<const KeptRow> rows) { store.keep(table, 0, rows); };
+  if (keep_matrix(result.matrix, known, keep)) {
     MethodReport report;
     report.row_defect = result.report.max_defect;
     report.counts.pairs = result.report.pairs;
     report.notes = result.notes;
-    rows->push_back(report_to_keep(result.matrix, report));
-    store.keep(table, 0, *rows);
+    const KeptRow row = report_to_keep(result.matrix, report);
+    keep(std::span(&row, 1));
   }
   store.add(pair_count(result.matrix), 0);
   return result;

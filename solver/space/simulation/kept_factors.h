@@ -1,7 +1,9 @@
 // View factors of scenes in space that are kept in a store.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <span>
 
 #include "geometry/space/exchange/exchange_rows.h"
 #include "solver/space/methods/computed_factors.h"
@@ -19,10 +21,10 @@ StoreTable store_table_3(const ExchangeMethod3& method, const PreparedScene3& pr
 std::uint64_t take_kept(FactorStore& store, const StoreTable& table, const ExchangeRequest& request,
                         ExchangeRows3& rows);
 
-// Keeps pairs that have come, but those that were taken, and those of elements whose pair with the sky could not be
-// measured. REQUIRES that none is missing, and what take_kept() returned.
-void keep_rows(FactorStore& store, const StoreTable& table, const ExchangeRequest& request, const ExchangeRows3& rows,
-               std::uint64_t taken);
+// Keeps pairs by (i, j), and that the others of `known` exchange nothing. Returns how many exchange light. REQUIRES
+// that all are of `known`.
+std::uint64_t keep_pairs(FactorStore& store, const StoreTable& table, const ExchangeRequest& request,
+                         std::span<const PairSum3> pairs, const PairRanges& known);
 
 // The factors by a method that is not exact, as `compute` returns them: from the store where all are there, bit for
 // bit; else computed and kept.

@@ -73,7 +73,14 @@ ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsReque
     std::optional<StoreTable> table;
     if (request.store) table = store_table_3(rows, prepared, asked);
     const std::uint64_t taken = table ? take_kept(*request.store, *table, asked, rows) : 0;
+    std::uint64_t kept = 0;
     double seconds = watch.lap();
+    if (table)
+      rows.hand_on([&](std::span<const PairSum3> pairs, const PairRanges& known) {
+        Stopwatch keeping;
+        kept += keep_pairs(*request.store, *table, asked, pairs, known);
+        seconds += keeping.lap();
+      });
     if (request.watch == nullptr) rows.add_all(told);
     const double all = rows.missing();
     while (rows.missing() > 0) {
@@ -81,11 +88,7 @@ ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsReque
       const double begin = 1 - rows.missing() / all, part = static_cast<double>(next.size()) / all;
       request.watch->have_come(rows, rows.add(next, [&](double done) { told(begin + part * done); }));
     }
-    watch.lap();
-    if (table) rows.measure_alone();  // so that it is kept
-    watch.lap();
-    if (table) keep_rows(*request.store, *table, asked, rows, taken);
-    seconds += watch.lap();
+    if (table) request.store->add(kept, taken);
     result.matrix = rows.matrix(&result.report);
     if (table) result.report.seconds["store"] = seconds;
     if (request.must_be_enclosed) require_enclosed_3(result.matrix, request.tolerance);

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <random>
 #include <string>
 
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
+#include "kernel/support/interrupt.h"
 
 namespace hottel::exchange_rows_test::exchange_rows_test {
 namespace {
@@ -93,6 +95,89 @@ TEST(ExchangeRows3, ARowThatHasComeIsWhole) {
     ++found;
   }
   EXPECT_EQ(found + (matrix.factor(9, 5).value > 0 ? 1 : 0), matrix.row(9).size());
+}
+
+// Pairs of a scene, as they are handed on.
+struct HandedPairs {
+  std::vector<PairSum3> pairs;
+  PairRanges known;
+  int calls = 0;
+
+  void take(std::span<const PairSum3> some, const PairRanges& ranges) {
+    ++calls;
+    for (std::uint32_t i = 0; i < ranges.elements(); ++i)
+      for (const ColumnRange& range : ranges.ranges(i)) {
+        for (std::uint32_t j = range.begin; j < range.end; ++j) EXPECT_FALSE(known.has(i, j)) << "handed on twice";
+        known.add(i, range);
+      }
+    for (const PairSum3& pair : some) EXPECT_TRUE(ranges.has(pair.i, pair.j));
+    EXPECT_TRUE(std::ranges::is_sorted(some, {}, [](const PairSum3& p) { return std::pair(p.i, p.j); }));
+    pairs.insert(pairs.end(), some.begin(), some.end());
+  }
+};
+
+TEST(ExchangeRows3, HandOnEachPairOnceAsItIsInTheEnd) {
+  for (const Scene3& scene : scenes())
+    for (const Granularity granularity : {Granularity::kElement, Granularity::kGroup}) {
+      const PreparedScene3 prepared = prepare(scene);
+      const ExchangeRequest request{.granularity = granularity};
+      ExchangeRows3 alone(prepared, request);
+      alone.add_all();
+      alone.measure_alone();
+      std::vector<PairSum3> expected(alone.pairs().begin(), alone.pairs().end());
+      for (const double between : {0.0, 1000.0}) {
+        HandedPairs handed;
+        ExchangeRows3 rows(prepared, request);
+        handed.known = PairRanges(rows.table().count());
+        rows.hand_on([&](std::span<const PairSum3> pairs, const PairRanges& known) { handed.take(pairs, known); },
+                     std::chrono::duration<double>(between));
+        rows.add_all();
+        EXPECT_TRUE(handed.known.has_all());
+        EXPECT_EQ(handed.calls > 1, between == 0);
+        std::ranges::sort(handed.pairs, {}, [](const PairSum3& p) { return std::pair(p.i, p.j); });
+        EXPECT_EQ(handed.pairs, expected);
+        expect_same(rows.matrix(), alone.missing() == 0 ? exact_exchange(prepared, request) : ExchangeMatrix());
+      }
+    }
+}
+
+// Whatever run takes what the ones before it left: the same matrix.
+TEST(ExchangeRows3, GoOnWithWhatWasHandedOnBeforeTheyWereStopped) {
+  std::mt19937_64 random(11);
+  for (const Scene3& scene : scenes())
+    for (const Granularity granularity : {Granularity::kElement, Granularity::kGroup}) {
+      const PreparedScene3 prepared = prepare(scene);
+      const ExchangeRequest request{.granularity = granularity};
+      const ExchangeMatrix expected = exact_exchange(prepared, request);
+      HandedPairs handed;
+      int runs = 0, stopped = 0;
+      for (bool is_done = false; !is_done; ++runs) {
+        ASSERT_LT(runs, 10'000);
+        ExchangeRows3 rows(prepared, request);
+        if (runs == 0) handed.known = PairRanges(rows.table().count());
+        rows.take(handed.pairs, handed.known);
+        std::atomic<bool> stops{false};
+        const StopScope scope(&stops);
+        const int last = handed.calls + 1 + static_cast<int>(random() % 40);
+        rows.hand_on(
+            [&](std::span<const PairSum3> pairs, const PairRanges& known) {
+              handed.take(pairs, known);
+              stops = handed.calls >= last;
+            },
+            std::chrono::seconds(0));
+        try {
+          if (rows.missing() > 0) rows.add_all();
+          expect_same(rows.matrix(), expected);
+          is_done = true;
+        } catch (const Interrupted&) {
+          ++stopped;
+        }
+      }
+      EXPECT_EQ(runs, stopped + 1);
+      if (granularity == Granularity::kElement) {
+        EXPECT_GT(stopped, 0);
+      }
+    }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "io/files/output_file.h"
 #include "io/store/stored_record.h"
 #include "kernel/support/failure.h"
+#include "solver/memory_store.h"
 #include "tests/temporary_folder.h"
 
 namespace hottel::factor_store_test::factor_store_test {
@@ -95,6 +96,26 @@ TEST(FactorStore, PlacesElementsOfOtherRuns) {
   EXPECT_EQ(kept[0].place, (std::vector<std::uint32_t>{none, 0, none, none, 2, 3}));
   EXPECT_EQ(kept[0].rows.size(), 2U);
   EXPECT_TRUE(store->read(table_of("key", {"e"}), 0).empty());
+}
+
+TEST(FactorStore, ForgetsAllOfAKeyAndNothingElse) {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "s";
+  const std::vector<KeptRow> rows = some_rows(static_cast<std::uint32_t>(kElements.size()), 1);
+  for (const auto& store : {open_factor_store(file), make_memory_store()}) {
+    store->forget(table_of("key", kElements));
+    store->keep(table_of("key", kElements), 0, rows);
+    store->keep(table_of("key", {"a"}), 0, std::span(rows).first(0));
+    store->keep(table_of("other", kElements), 0, rows);
+    store->forget(table_of("key", kElements));
+    EXPECT_TRUE(store->read(table_of("key", kElements), 0).empty());
+    ASSERT_EQ(store->read(table_of("other", kElements), 0).size(), 1U);
+    EXPECT_EQ(store->read(table_of("other", kElements), 0)[0].rows, rows);
+  }
+  const StoreContents contents = store_contents(file, true);
+  EXPECT_EQ(contents.lists.size(), 1U);
+  EXPECT_EQ(contents.records, rows.size());
+  EXPECT_TRUE(contents.damage.empty());
 }
 
 TEST(FactorStore, GivesWayToWhatIsUsed) {
