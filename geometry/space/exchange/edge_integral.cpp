@@ -22,6 +22,8 @@ inline constexpr int kFine<WideReal> = 20;
 constexpr double kSafety = 8;
 // Where rounding makes more than this part of the tolerance, no more is won than to be as good as it.
 constexpr double kMostRounding = 0.8;
+// Where the value cannot be told, so often parts are halved for the residual.
+constexpr std::uint32_t kMostWhereHopeless = 1000;
 // Parts of a stretch are not divided below this.
 constexpr double kShortest = 0x1p-48;
 constexpr double kTiny = 0x1p-49;
@@ -82,6 +84,7 @@ EdgeValues3 EdgeIntegral3<Real>::refine(double tolerance, double residual_tolera
     const bool is_hopeless = rounding_ > kMostRounding * tolerance && kSafety * error_ <= rounding_;
     const bool is_done = kSafety * error_ + rounding_ <= 0.99 * tolerance;
     if ((is_done || is_hopeless) && residual_error_ <= residual_tolerance) break;
+    if (is_hopeless && count >= kMostWhereHopeless) break;
     std::pop_heap(heap.begin(), heap.end(), is_better);
     const std::uint32_t worst = heap.back().second;
     heap.pop_back();
