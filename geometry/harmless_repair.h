@@ -53,21 +53,39 @@ class HarmlessRepair {
   // Returns a repair after which no more is found than before, and which leaves its own result as it is. What moves
   // together is left as it was where moved it would move again, or more would be found (not-repaired).
   auto repair() {
-    auto first = attempt();
-    if (first.moved.empty()) return first;
-    const auto again = HarmlessRepair(first.scene, close_, find_).attempt();
-    if (again.moved.empty() && again.scene.surfaces.size() == first.scene.surfaces.size()) return first;
-    auto nothing_moved = close_(scene_, std::vector<char>(scene_.surfaces.size(), 1));
-    for (const Surfaces& surfaces : first.moved) nothing_moved.steps.push_back(refusal(surfaces, kWithinReach));
-    return nothing_moved;
+    std::vector<char> held(scene_.surfaces.size(), 0);
+    std::vector<RepairStep> refused;
+    for (;;) {
+      auto repair = attempt(held);
+      const bool is_done = repair.moved.empty();
+      const auto again = is_done ? repair : HarmlessRepair(repair.scene, close_, find_).attempt(none(repair.scene));
+      if (is_done || (again.moved.empty() && again.scene.surfaces.size() == repair.scene.surfaces.size())) {
+        repair.steps.insert(repair.steps.end(), refused.begin(), refused.end());
+        return repair;
+      }
+      bool is_more = false;
+      for (const Surfaces& together : again.moved)
+        for (const std::uint32_t s : together) {
+          is_more = is_more || held[repair.origins[s]] == 0;
+          held[repair.origins[s]] = 1;
+        }
+      for (const Surfaces& together : repair.moved) {
+        if (!is_more)
+          for (const std::uint32_t s : together) held[s] = 1;
+        if (std::any_of(together.begin(), together.end(), [&](std::uint32_t s) { return held[s] != 0; }))
+          refused.push_back(refusal(together, kWithinReach));
+      }
+    }
   }
 
  private:
   static constexpr const char* kWithinReach = "they would come within reach of others";
 
-  // A repair that passes the tests of repair() but for what it does to its own result as a whole.
-  auto attempt() {
-    std::vector<char> held(scene_.surfaces.size(), 0);
+  static std::vector<char> none(const Scene& scene) { return std::vector<char>(scene.surfaces.size(), 0); }
+
+  // A repair in which surfaces that are held stay, and which passes the tests of repair() but for what it does to its
+  // own result as a whole.
+  auto attempt(std::vector<char> held) {
     std::vector<RepairStep> refused;
     for (;;) {
       auto repair = close_(scene_, held);
