@@ -43,32 +43,27 @@ double EdgeSum3::error() const { return kSafety * error_ + rounding_; }
 double EdgeSum3::residual_error() const { return kSafety * residual_error_ + residual_rounding_; }
 
 bool EdgeSum3::add(const std::vector<PairStretch3>& stretches, PairMeasure3& result) {
+  StretchMapper3 mapper(bodies_);
   for (const PairStretch3& stretch : stretches) {
     const std::size_t first = pieces_.size();
-    const std::uint32_t relied = mapper_.relied_polynomials();
-    if (!mapper_.divide(stretch, pieces_)) return false;
+    const std::uint32_t relied = mapper.relied_polynomials();
+    if (!mapper.divide(stretch, pieces_)) return false;
     if (pieces_.size() == first) continue;
-    seen_.push_back({&stretch, first, mapper_.relied_polynomials() - relied});
+    seen_.push_back({&stretch, first, mapper.relied_polynomials() - relied});
     const auto place = static_cast<std::uint32_t>(ways_.size());
     const Stretch3& s = stretch.line();
     ways_.push_back(ratio(s.way, s.weight, shift_));
     const IntegerVector offset = difference(multiple(origin_.weight, s.from), multiple(s.weight, origin_.numerator));
     moments_.push_back(ratio(cross(offset, s.way), s.weight * s.weight * origin_.weight, 2 * shift_));
     for (std::size_t p = first; p < pieces_.size(); ++p) {
-      StretchPiece3& piece = pieces_[p];
-      mapper_.make_arcs(stretch, piece);
+      const StretchPiece3& piece = pieces_[p];
       add_parts(static_cast<std::uint32_t>(p), place, piece.low, piece.high);
-      const std::size_t bytes = piece.bytes();
-      if (bytes_ + bytes <= most_bytes_)
-        bytes_ += bytes;
-      else
-        piece.drop_arcs();
     }
   }
-  result.is_whole = !mapper_.is_anything_hidden();
-  result.maps = mapper_.maps();
+  result.is_whole = !mapper.is_anything_hidden();
+  result.maps = mapper.maps();
   result.pieces = static_cast<std::uint32_t>(pieces_.size());
-  result.signs = mapper_.counts();
+  result.signs = mapper.counts();
   return true;
 }
 
@@ -120,20 +115,10 @@ void EdgeSum3::tell(PairDetails3& details) const {
     const std::size_t end = s + 1 < seen_.size() ? seen_[s + 1].first_piece : pieces_.size();
     for (std::size_t p = seen_[s].first_piece; p < end; ++p) {
       const StretchPiece3& piece = pieces_[p];
-      told.pieces.push_back({piece.low, piece.high, piece.arc_count, of_piece[p], piece.signature});
+      told.pieces.push_back(
+          {piece.low, piece.high, static_cast<std::uint32_t>(piece.arcs.size()), of_piece[p], piece.signature});
     }
   }
-}
-
-const StretchPiece3& EdgeSum3::with_arcs(std::uint32_t piece, std::uint32_t stretch) {
-  if (!pieces_[piece].arcs.empty()) return pieces_[piece];
-  for (const Made& made : made_)
-    if (made.piece == piece) return made.whole;
-  StretchPiece3 whole = pieces_[piece];
-  mapper_.make_arcs(*seen_[stretch].stretch, whole);
-  made_bytes_ += whole.bytes();
-  for (; !made_.empty() && made_bytes_ > most_bytes_; made_.pop_front()) made_bytes_ -= made_.front().whole.bytes();
-  return made_.emplace_back(piece, std::move(whole)).whole;
 }
 
 void EdgeSum3::add_parts(std::uint32_t piece, std::uint32_t stretch, double low, double high) {
@@ -148,9 +133,8 @@ void EdgeSum3::add_parts(std::uint32_t piece, std::uint32_t stretch, double low,
 EdgeSum3::Part EdgeSum3::make_part(std::uint32_t piece, std::uint32_t stretch, double low, double high) {
   if (high - low < kTiny) return tiny_part(piece, stretch, low, high);
   double rounding = 0;
-  const StretchPiece3& whole = with_arcs(piece, stretch);
-  const Direction3 coarse = integral(kCoarse, whole, low, high, nullptr);
-  const Direction3 fine = integral(kFine, whole, low, high, &rounding);
+  const Direction3 coarse = integral(kCoarse, pieces_[piece], low, high, nullptr);
+  const Direction3 fine = integral(kFine, pieces_[piece], low, high, &rounding);
   rounding *= high - low;
   nodes_ += kCoarse + kFine;
   Part part{piece, stretch, low, high, fine, 0, 0, 0, 0};
@@ -168,7 +152,7 @@ EdgeSum3::Part EdgeSum3::tiny_part(std::uint32_t piece, std::uint32_t stretch, d
           stretch,
           low,
           high,
-          width * with_arcs(piece, stretch).lambda(low, width / 2),
+          width * pieces_[piece].lambda(low, width / 2),
           0,
           0,
           rounding * length(moments_[stretch]),

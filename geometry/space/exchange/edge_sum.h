@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <vector>
 
 #include "geometry/space/exchange/pair_details.h"
@@ -11,19 +10,11 @@
 
 namespace hottel {
 
-inline constexpr std::size_t kMostBytesOfArcs3 = 4'000'000;
-
 // Sums of moments times integrals over the pieces of all stretches, the worst ones halved until the sum is good enough.
-//
-//   (1) the arcs of pieces take most of the memory: where they would take more than some megabytes they are given up
-//   once
-//       they are integrated over, and made again where a part is halved. No number depends on it
 class EdgeSum3 {
  public:
-  // most_bytes: of arcs that are kept, and as many of those that were made again.
-  EdgeSum3(const PairBodies3& bodies, const WeightedPoint3& origin, long shift,
-           std::size_t most_bytes = kMostBytesOfArcs3)
-      : bodies_(bodies), origin_(origin), shift_(shift), most_bytes_(most_bytes), mapper_(bodies) {}
+  EdgeSum3(const PairBodies3& bodies, const WeightedPoint3& origin, long shift)
+      : bodies_(bodies), origin_(origin), shift_(shift) {}
 
   // False where a stretch could not be divided.
   bool add(const std::vector<PairStretch3>& stretches, PairMeasure3& result);
@@ -59,9 +50,6 @@ class EdgeSum3 {
     double rounding, residual_rounding;
   };
 
-  // A piece that has its arcs; holds until the next call.
-  const StretchPiece3& with_arcs(std::uint32_t piece, std::uint32_t stretch);
-
   // Divides until the rules see all that happens.
   void add_parts(std::uint32_t piece, std::uint32_t stretch, double low, double high);
 
@@ -75,15 +63,6 @@ class EdgeSum3 {
   const PairBodies3& bodies_;
   const WeightedPoint3& origin_;
   long shift_;
-  std::size_t most_bytes_, bytes_ = 0;  // of arcs
-  StretchMapper3 mapper_;
-  // Pieces whose arcs were made again, those of last time last: the worst parts are neighbours as a rule.
-  struct Made {
-    std::uint32_t piece;
-    StretchPiece3 whole;
-  };
-  std::deque<Made> made_;
-  std::size_t made_bytes_ = 0;
   std::vector<Seen> seen_;  // with ways_ and moments_
   std::vector<StretchPiece3> pieces_;
   std::vector<Direction3> ways_, moments_;

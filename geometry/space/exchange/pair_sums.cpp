@@ -7,7 +7,6 @@
 #include <random>
 #include <utility>
 
-#include "geometry/name.h"
 #include "geometry/space/arrangement/closed_hull.h"
 #include "geometry/space/exchange/facing.h"
 #include "geometry/space/exchange/unobstructed.h"
@@ -15,7 +14,6 @@
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/progress_count.h"
-#include "kernel/support/working_room.h"
 
 namespace hottel {
 namespace {
@@ -62,9 +60,8 @@ class Tasks {
   std::vector<std::size_t> first_;  // the first task of each patch
 };
 
-// What some tasks found, one after another, in the order of the patches.
+// What one task found, in the order of the patches.
 struct Found {
-  std::size_t first_task = 0;
   std::vector<PairSum3> pairs;
   std::vector<FailedPair3> failures;
 };
@@ -116,7 +113,7 @@ class Measuring {
   }
 
   void measure(const Part& a, const Part& b, Found& found, ExchangeReport3& counts) const {
-    const PairMeasure3 pair = measured(a, b);
+    const PairMeasure3 pair = prepared_.measurer().measure(a.patch, b.patch, {.tolerance = request_.tolerance});
     ++(pair.sight == Sight3::kHidden ? counts.hidden : pair.sight == Sight3::kClear ? counts.clear : counts.mixed);
     counts.maps += pair.maps;
     counts.pieces += pair.pieces;
@@ -138,19 +135,6 @@ class Measuring {
     if (request_.wants_visibility && !b.patch.is_sky() && !sum.is_whole && !is_of_groups(a, b))
       sum.alone = unobstructed_measure(prepared_.blockers().vertices(), a.patch, b.patch, request_.tolerance).measure;
     found.pairs.push_back(sum);
-  }
-
-  // Names the two where there is no room for what lies between.
-  PairMeasure3 measured(const Part& a, const Part& b) const {
-    const WorkingRoom room(request_.room);
-    try {
-      return prepared_.measurer().measure(a.patch, b.patch, {.tolerance = request_.tolerance});
-    } catch (const RequestError& error) {
-      const auto name = [this](const Part& part) {
-        return part.label == table_.sky() ? "the sky" : quoted_name(table_.elements()[part.label].name);
-      };
-      throw RequestError(name(a) + " and " + name(b) + ": " + error.what() + "; fewer threads leave each more");
-    }
   }
 
   bool is_of_groups(const Part& a, const Part& b) const {
@@ -211,28 +195,24 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
                     ExchangeReport3& report) {
   const Measuring measuring(prepared, table, request);
   const Tasks& tasks = measuring.tasks();
-  std::vector<Found> found;  // of tasks that found something: most pairs of a large scene do not see each other
+  std::vector<Found> found(tasks.count());
   ProgressCount progress(request.progress, tasks.count());
   std::atomic<std::uint64_t> found_pairs{0};
   std::mutex together;
   parallel_ranges(tasks.count(), 1, [&](std::size_t begin, std::size_t end) {
     ExchangeReport3 counts;
-    Found some{begin, {}, {}};
     for (std::size_t t = begin; t < end; ++t) {
-      const std::size_t before = some.pairs.size();
-      measuring.run(tasks[t], some, counts);
-      const std::size_t more = some.pairs.size() - before;
+      measuring.run(tasks[t], found[t], counts);
+      found[t].pairs.shrink_to_fit();
+      const std::size_t more = found[t].pairs.size();
       if (found_pairs.fetch_add(more, std::memory_order_relaxed) + more > request.most_pairs)
         throw RequestError("more than " + std::to_string(request.most_pairs) +
                            " pairs see each other: they need more memory than is allowed");
       progress.add();
     }
-    some.pairs.shrink_to_fit();
     const std::lock_guard lock(together);
     add_counts(report, counts);
-    if (!some.pairs.empty() || !some.failures.empty()) found.push_back(std::move(some));
   });
-  std::ranges::sort(found, {}, &Found::first_task);
 
   PairSums3 result;
   result.pairs.reserve(found_pairs);

@@ -53,9 +53,8 @@ struct PairSumRequest3 {
   double tolerance = 1e-9;        // as PairRequest3
   bool wants_visibility = false;  // PairSum3::alone and is_whole; else alone is 0 and is_whole means nothing
   std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();  // beyond: RequestError
-  std::size_t room = std::numeric_limits<std::size_t>::max();  // bytes to measure one pair; beyond: RequestError
-  std::function<void(double)> progress = {};                   // fraction done, from any thread; may throw to stop
-  const PairTurn3* turn = nullptr;                             // these pairs alone; null: all
+  std::function<void(double)> progress = {};  // fraction done, from any thread; may throw to stop
+  const PairTurn3* turn = nullptr;            // these pairs alone; null: all
 };
 
 struct PairSums3 {

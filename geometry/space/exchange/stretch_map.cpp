@@ -1,13 +1,8 @@
 #include "geometry/space/exchange/stretch_map.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "kernel/support/failure.h"
-#include "kernel/support/working_room.h"
 
 namespace hottel {
 namespace {
@@ -43,32 +38,23 @@ bool precedes(const ArcEnd3& a, const ArcEnd3& b) { return a.plane != b.plane ? 
 
 }  // namespace
 
-void require_room(std::size_t bytes) {
-  if (bytes > WorkingRoom::bytes())
-    throw RequestError(fmt::format("what is seen between them takes more than {} bytes of memory while it is measured",
-                                   WorkingRoom::bytes()));
-}
-
 StretchMapper3::StretchMapper3(const PairBodies3& bodies)
     : bodies_(bodies), planes_(bodies), cutter_(planes_), hull_(bodies) {}
 
 bool StretchMapper3::divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces) {
   planes_.take(stretch.line());
-  taken_ = &stretch;
   hints_.assign(4 * bodies_.bodies.size(), 0);
   if (!find_sides(stretch)) return true;
   find_bodies(stretch);
   hiders_ = {};
   const std::size_t first = pieces.size();
   std::vector<std::pair<double, double>> waiting{{stretch.low, stretch.high}};
-  std::size_t bytes = held_;
   for (std::uint32_t count = 0; !waiting.empty(); ++count) {
     const auto [low, high] = waiting.back();
     waiting.pop_back();
     if (!(high - low > kLeast)) continue;
     StretchPiece3 piece;
     if (count > kMostPieces || !look(stretch, low, high, piece)) return false;
-    require_room(bytes += sizeof(piece) + piece.bytes());
     waiting.emplace_back(piece.high, high);
     waiting.emplace_back(low, piece.low);
     pieces.push_back(std::move(piece));
@@ -90,14 +76,8 @@ bool StretchMapper3::divide(const PairStretch3& stretch, std::vector<StretchPiec
   pieces.erase(std::remove_if(pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end(),
                               [](const StretchPiece3& piece) { return piece.signature.empty(); }),
                pieces.end());
-  for (std::size_t k = first; k < pieces.size(); ++k) held_ += sizeof(StretchPiece3) + pieces[k].bytes();
+  for (std::size_t k = first; k < pieces.size(); ++k) set_arcs(pieces[k]);
   return true;
-}
-
-void StretchMapper3::make_arcs(const PairStretch3& stretch, StretchPiece3& piece) {
-  if (taken_ != &stretch) planes_.take(stretch.line());
-  taken_ = &stretch;
-  set_arcs(piece);
 }
 
 // Sets sides_seen_: whether directions may be left, or right, of all surfaces at the stretch. As it lies in their
@@ -254,28 +234,28 @@ void StretchMapper3::take_away(const PairStretch3& stretch, std::uint32_t body, 
   std::swap(pieces_, rest_);
 }
 
-void StretchMapper3::set_signature(StretchPiece3& piece) {
-  std::vector<ArcEnd3>& all = arc_ends_;
-  all.clear();
+void StretchMapper3::set_signature(StretchPiece3& piece) const {
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < seen_count_; ++f) count += seen_[f].second.size();
+  piece.signature.reserve(2 * count);
   for (std::size_t f = 0; f < seen_count_; ++f) {
     const auto& [sign, fragment] = seen_[f];
     for (std::size_t k = 0; k < fragment.size(); ++k) {
       const MovingCorner3 &begin = fragment[k], &end = fragment[k + 1 == fragment.size() ? 0 : k + 1];
-      all.push_back({begin.plane.plane, label_of(begin), -sign});
-      all.push_back({begin.plane.plane, label_of(end), sign});
+      piece.signature.push_back({begin.plane.plane, label_of(begin), -sign});
+      piece.signature.push_back({begin.plane.plane, label_of(end), sign});
     }
   }
-  std::sort(all.begin(), all.end(), precedes);
+  std::sort(piece.signature.begin(), piece.signature.end(), precedes);
   std::size_t kept = 0;
-  for (const ArcEnd3& end : all) {
-    if (kept > 0 && all[kept - 1].plane == end.plane && all[kept - 1].label == end.label)
-      all[kept - 1].count += end.count;
+  for (const ArcEnd3& end : piece.signature) {
+    if (kept > 0 && piece.signature[kept - 1].plane == end.plane && piece.signature[kept - 1].label == end.label)
+      piece.signature[kept - 1].count += end.count;
     else
-      all[kept++] = end;
+      piece.signature[kept++] = end;
   }
-  all.resize(kept);
-  std::erase_if(all, [](const ArcEnd3& end) { return end.count == 0; });
-  piece.signature.assign(all.begin(), all.end());  // as long as it is: edges between fragments are many, and gone
+  piece.signature.resize(kept);
+  std::erase_if(piece.signature, [](const ArcEnd3& end) { return end.count == 0; });
 }
 
 // Where a vector is zero at an end of a piece its direction goes on analytically. Within a piece it is never zero: it
@@ -301,10 +281,9 @@ MovingCorner3 StretchMapper3::corner_of(std::uint64_t label) {
 void StretchMapper3::set_arcs(StretchPiece3& piece) {
   planes_.move_to(piece.base, 0, 0);
   const std::size_t count = piece.signature.size();
-  // On a plane an arc begins and one ends at least, and a corner ends one and begins another: as a rule just so many.
-  piece.planes.reserve(count / 2);
-  piece.corners.reserve(count / 2);
-  piece.arcs.reserve(count / 2);
+  piece.planes.reserve(count);
+  piece.corners.reserve(count);
+  piece.arcs.reserve(count);
   labels_.clear();
   planes_of_arcs_.clear();
   const auto place_of = [&](std::uint64_t label) {
@@ -331,7 +310,6 @@ void StretchMapper3::set_arcs(StretchPiece3& piece) {
       if ((ends_[e].count -= arcs) == 0) ++e;
     }
   }
-  piece.arc_count = static_cast<std::uint32_t>(piece.arcs.size());
   for (const std::uint32_t k : piece.find_turns()) {
     StretchPiece3::Arc& arc = piece.arcs[k];
     const PlaneId3 plane = planes_of_arcs_[arc.plane];

@@ -37,19 +37,13 @@ struct PairStretch3 {
   const Stretch3& line() const { return known ? *known : made; }
 };
 
-// Throws RequestError where the working room of the thread is less than so many bytes.
-void require_room(std::size_t bytes);
-
 // Divides stretches into parts along which what is seen is bounded by the same arcs.
 class StretchMapper3 {
  public:
   explicit StretchMapper3(const PairBodies3& bodies);
 
-  // Appends the parts of a stretch in which something is seen, without their arcs. False where it took too many steps.
+  // Appends the parts of a stretch in which something is seen. False where it took too many steps.
   bool divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces);
-
-  // Makes the arcs of one of these parts: at any time the same. REQUIRES that it has none.
-  void make_arcs(const PairStretch3& stretch, StretchPiece3& piece);
 
   // Whether a surface was found to hide something, at any stretch so far.
   bool is_anything_hidden() const { return is_anything_hidden_; }
@@ -72,7 +66,7 @@ class StretchMapper3 {
   void take_away(const PairStretch3& stretch, std::uint32_t body, std::uint32_t patch, int sign);
   enum class Hides : unsigned char { kNever, kWhole, kWhereNearer };
   Hides hides(std::uint32_t body, int facing, std::uint32_t patch) const;
-  void set_signature(StretchPiece3& piece);
+  void set_signature(StretchPiece3& piece) const;
   void set_arcs(StretchPiece3& piece);
   static void add_near_zero(const MovingVector3& vector, StretchPiece3& piece);
   MovingCorner3 corner_of(std::uint64_t label);
@@ -88,7 +82,7 @@ class StretchMapper3 {
   std::vector<PlaneSide3> sides_;
   std::vector<std::uint64_t> labels_;
   std::vector<PlaneId3> planes_of_arcs_;  // as the planes of the piece
-  std::vector<ArcEnd3> begins_, ends_, arc_ends_;
+  std::vector<ArcEnd3> begins_, ends_;
   std::vector<std::uint32_t> hints_;  // what told apart last: by body, direction and side
   StretchHull3 hull_;
   std::array<bool, 2> sides_seen_{};                   // right, left
@@ -96,8 +90,6 @@ class StretchMapper3 {
   std::array<std::vector<std::uint32_t>, 2> between_;  // bodies that may hide something of a patch from the stretch
   bool is_anything_hidden_ = false;
   std::uint32_t maps_ = 0;
-  const PairStretch3* taken_ = nullptr;
-  std::size_t held_ = 0;  // bytes of all parts so far, without their arcs
 };
 
 }  // namespace hottel

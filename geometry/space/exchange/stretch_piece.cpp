@@ -52,18 +52,6 @@ Direction3 unit_at(const MovingVector3& vector, double from, double offset) {
 
 }  // namespace
 
-std::size_t StretchPiece3::bytes() const {
-  return signature.capacity() * sizeof(ArcEnd3) + (planes.capacity() + corners.capacity()) * sizeof(MovingVector3) +
-         arcs.capacity() * sizeof(Arc) + near_zeros.capacity() * sizeof(NearZero);
-}
-
-void StretchPiece3::drop_arcs() {
-  planes = {};
-  corners = {};
-  arcs = {};
-  near_zeros = {};
-}
-
 // Where an arc is nearly half a turn doubles may not tell its sign: that is taken where they tell it best. Returns the
 // arcs where they tell it nowhere.
 std::vector<std::uint32_t> StretchPiece3::find_turns() {

@@ -33,17 +33,12 @@ struct StretchPiece3 {
   std::vector<ArcEnd3> signature;      // sorted
   std::vector<MovingVector3> planes, corners;
   std::vector<Arc> arcs;
-  std::uint32_t arc_count = 0;  // of arcs, also once they were dropped
 
   // Where a vector that Lambda is made of is nearly zero: at t = `at`, or close to at +- i `width`.
   struct NearZero {
     double at, width;
   };
   std::vector<NearZero> near_zeros;
-
-  // What it takes of memory besides itself, in bytes; what of it drop_arcs() gives back, all but the signature.
-  std::size_t bytes() const;
-  void drop_arcs();
 
   // Sets `turn` of all arcs; returns those of which doubles do not tell it.
   std::vector<std::uint32_t> find_turns();
