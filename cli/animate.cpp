@@ -12,6 +12,7 @@
 #include "cli/command.h"
 #include "cli/level_options.h"
 #include "cli/methods.h"
+#include "cli/room_for_elements.h"
 #include "cli/scene_input.h"
 #include "cli/solve_options.h"
 #include "cli/store_option.h"
@@ -237,6 +238,7 @@ void animate_scene(const AnimateOptions& options, AnyScene scene, Streams& strea
   const Rational per_second = rate_of(options);
   auto painter = Dimension::painter(options);
   options.elements.apply_to(scene);
+  require_room_for_solving(scene, options.memory, options.levels);
   if (!has_moving_lights(scene))
     streams.note("no light of " + scene.file + " turns or follows a path: all frames are alike");
   require_lights_beside_surfaces(scene, frames, per_second);

@@ -12,6 +12,7 @@
 #include "geometry/near_names.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
+#include "kernel/support/out_of_memory.h"
 #include "kernel/support/parallel.h"
 #include "kernel/version.h"
 
@@ -84,8 +85,34 @@ std::string after_colon(std::string text) {
   return "hottel: " + text;
 }
 
-// The exit code and the message of the exception that is being handled.
-ExitCode report_failure() noexcept {
+// The scene of the command that was chosen; empty where it has none.
+std::string scene_file(const CLI::App& program) noexcept {
+  try {
+    for (const CLI::App* command : program.get_subcommands())
+      if (const CLI::Option* scene = command->get_option_no_throw("SCENE"); scene != nullptr && scene->count() > 0)
+        return scene->results().front();
+  } catch (...) {  // there is no memory for it
+  }
+  return "";
+}
+
+// Says what could not be held, of which scene, and what helps; the least of it where that takes more memory than there
+// is.
+void report_no_memory(const std::string& scene, const char* work) noexcept {
+  try {
+    const std::string of = *work != 0 ? std::string(" for the stage '") + work + "'" : "";
+    print_error(
+        (scene.empty() ? "hottel" : scene) + ": memory ran out" + of,
+        {"fewer elements (--elements, --element-size), or fewer cells (--grid) where light is asked for, take less",
+         "`hottel plan SCENE --memory BYTES` tells what each stage takes"});
+  } catch (...) {
+    print_error("hottel: memory ran out");
+  }
+}
+
+// The exit code and the message of the exception that is being handled. scene: the file that the command is about,
+// where there is one.
+ExitCode report_failure(const std::string& scene) noexcept {
   if (interrupted()) return ExitCode::kInterrupted;  // whatever the interruption made fail
   try {
     throw;
@@ -109,8 +136,11 @@ ExitCode report_failure() noexcept {
     return ExitCode::kUnmet;
   } catch (const ReaderGone&) {
     return ExitCode::kDone;
+  } catch (const OutOfMemory& error) {
+    report_no_memory(scene, error.what());
+    return ExitCode::kUnmet;
   } catch (const std::bad_alloc&) {
-    print_error("hottel: out of memory");
+    report_no_memory(scene, "");
     return ExitCode::kUnmet;
   } catch (const std::exception& error) {
     print_error(std::string("hottel: internal error: ") + error.what());
@@ -225,7 +255,7 @@ int Commands::run(int argc, const char* const* argv) noexcept {
     install_signal_handlers();
     return static_cast<int>(parse_and_run(argc, argv));
   } catch (...) {
-    const ExitCode code = report_failure();
+    const ExitCode code = report_failure(scene_file(program_));
     return code == ExitCode::kInterrupted ? code_of_interruption() : static_cast<int>(code);
   }
 }

@@ -13,6 +13,7 @@
 #include "cli/compare_divided.h"
 #include "cli/compare_grid.h"
 #include "cli/comparing.h"
+#include "cli/room_for_elements.h"
 #include "geometry/near_names.h"
 #include "io/files/output_file.h"
 #include "io/foreign/foreign_radiosity.h"
@@ -144,6 +145,7 @@ ExitCode compare_in(CompareOptions options, typename Kind::Scene scene, Streams&
   const std::filesystem::path directory = output_folder(options.out, options.scene);
 
   options.elements.apply_to(scene);
+  require_room_for_solving(scene, {});
   if (!options.map.empty()) require_map(scene);
   const std::string stem = std::filesystem::path(options.scene).stem().string();
   const OutputFolder folder(directory);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "cli/room_for_elements.h"
 #include "geometry/name.h"
 #include "io/files/output_file.h"
 #include "io/results/divided_report.h"
@@ -58,6 +59,9 @@ NamedMethod at_division(const NamedMethod& method, std::uint32_t elements) {
 template <class Kind>
 ExitCode compare_divided_in(const CompareOptions& options, const typename Kind::Scene& scene, Streams& streams) {
   require_divisions(options);
+  typename Kind::Scene finest_parts = scene;  // they take the most
+  ElementOptions{options.divide.back(), {}}.apply_to(finest_parts);
+  require_room_for_solving(finest_parts, {});
   const auto catalogue = Kind::methods();
   const std::vector<NamedMethod> named = methods_besides_exact(catalogue, options);
   const std::filesystem::path directory = output_folder(options.out, options.scene);

@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/factors_in_space.h"
 #include "cli/factors_options.h"
+#include "cli/memory/give_back.h"
 #include "cli/methods.h"
 #include "cli/script_f.h"
 #include "geometry/plane/exchange/closed_forms.h"
@@ -176,6 +177,7 @@ void take_emit(FactorsOptions& options, const Streams& streams) {
 }
 
 ExitCode factors(FactorsOptions options, Streams& streams) {
+  if (options.memory > 0) give_memory_back_soon();
   take_exact_form(options);
   options.awaits_deck = is_vs3(options.scene);
   require_sense(options);

@@ -1,8 +1,12 @@
 // hottel plan: what solve would simulate of a scene, and what not.
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "cli/command.h"
 #include "cli/machine_speed.h"
+#include "cli/room_for_elements.h"
 #include "cli/scene_input.h"
 #include "io/results/solve_report.h"
 #include "io/scene/scene_json.h"
@@ -18,27 +22,62 @@ struct PlanOptions {
   std::string scene, grid;
   ElementOptions elements;
   PolygonOptions polygons;
+  std::optional<std::uint64_t> memory;
   bool json = false;
 };
 
-std::shared_ptr<const Plan> plan_of(const PlanOptions& options, Scene2 scene) {
-  options.elements.apply_to(scene);
-  const Grid2 grid = grid_of(scene, options.grid);
-  return Simulation2(std::move(scene), {.grid = grid}).plan();
+// What is planned: how much memory, where that was asked for or does not suffice, and the effects, unless the machine
+// cannot hold what they come from.
+struct Planned {
+  std::shared_ptr<const Plan> effects;
+  std::optional<PlannedMemory> memory;
+};
+
+// cells: of the grid.
+template <class AnyScene>
+std::optional<PlannedMemory> memory_of(const PlanOptions& options, const AnyScene& scene, std::uint64_t cells) {
+  MemoryQuestion question = solving_question(scene);
+  question.cells = cells;
+  if (!options.memory && !is_divided(scene)) return std::nullopt;
+  const MemoryLimits limits = memory_limits(options.memory.value_or(0));
+  const double room = options.memory ? 0 : static_cast<double>(limits.of_all);
+  MemoryEstimate estimate = estimate_memory(scene, question, room);
+  std::string problem = memory_problem(estimate, limits);
+  if (!options.memory && problem.empty()) return std::nullopt;
+  return PlannedMemory{std::move(estimate), limits, std::move(problem)};
 }
 
-std::shared_ptr<const Plan> plan_of(const PlanOptions& options, Scene3 scene) {
+// Whether the machine holds what was estimated, whatever is allowed.
+bool is_had(const std::optional<PlannedMemory>& memory) {
+  return !memory || memory_problem(memory->estimate, {memory->limits.of_all, memory->limits.of_all}).empty();
+}
+
+Planned plan_of(const PlanOptions& options, Scene2 scene) {
+  options.elements.apply_to(scene);
+  const Grid2 grid = grid_of(scene, options.grid);
+  Planned result{nullptr, memory_of(options, scene, std::uint64_t{grid.nx} * grid.ny)};
+  if (is_had(result.memory)) result.effects = Simulation2(std::move(scene), {.grid = grid}).plan();
+  return result;
+}
+
+Planned plan_of(const PlanOptions& options, Scene3 scene) {
   options.elements.apply_to(scene);
   const std::optional<Grid3> grid = grid_of(scene, options.grid);
   const std::uint64_t cells = grid ? std::uint64_t{grid->nu} * grid->nv : 0;
-  return Simulation3(std::move(scene), {.plan = {.everything = false, .grid_cells = cells}}).plan();
+  Planned result{nullptr, memory_of(options, scene, cells)};
+  if (is_had(result.memory))
+    result.effects = Simulation3(std::move(scene), {.plan = {.everything = false, .grid_cells = cells}}).plan();
+  return result;
 }
 
 ExitCode plan(const PlanOptions& options, Streams& streams) {
-  const auto plan = std::visit([&](auto&& scene) { return plan_of(options, std::move(scene)); },
-                               read_scene_noting(options.scene, options.polygons, streams));
-  const Plan here = plan_at_speed(*plan, machine_speed());
-  streams.write("", options.json ? plan_json(options.scene, here) : plan_text(here));
+  const Planned planned = std::visit([&](auto&& scene) { return plan_of(options, std::move(scene)); },
+                                     read_scene_noting(options.scene, options.polygons, streams));
+  std::optional<Plan> here;
+  if (planned.effects) here = plan_at_speed(*planned.effects, machine_speed());
+  const Plan* const effects = here ? &*here : nullptr;
+  const PlannedMemory* const memory = planned.memory ? &*planned.memory : nullptr;
+  streams.write("", options.json ? plan_json(options.scene, effects, memory) : plan_text(effects, memory));
   return ExitCode::kDone;
 }
 
@@ -49,13 +88,21 @@ void add_plan(Commands& commands) {
   CLI::App& command = commands.add(
       "plan", "What solve would simulate, what not, why, and what it costs",
       {"hottel plan scenes/showcase/apartment.json", "hottel plan scenes/analytic/square_radiosity.json --json",
-       "hottel plan scenes/space/two_boxes.json --elements 4"},
+       "hottel plan scenes/space/two_boxes.json --elements 4",
+       "hottel plan scenes/space/two_boxes.json --elements 1000 --memory 8000000000"},
       [options](Streams& streams) { return plan(*options, streams); });
   command.add_option("SCENE", options->scene, "the scene file")->required();
   options->elements.add_to(command);
   options->polygons.add_to(command);
   command.add_option("--grid", options->grid, "cells of the illumination, as solve would be asked for them")
       ->type_name("NXxNY");
+  command
+      .add_option(
+          "--memory", options->memory,
+          "tell what each stage takes of memory, and whether that fits: elements and factors into so many bytes, "
+          "all into the machine. Nothing is made of what does not fit the machine")
+      ->type_name("BYTES")
+      ->transform(whole_number(1));
   command.add_flag("--json", options->json, "as one JSON object");
 }
 

@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/machine_speed.h"
 #include "cli/methods.h"
+#include "cli/room_for_elements.h"
 #include "cli/solve_in_space.h"
 #include "cli/solve_options.h"
 #include "cli/views.h"
@@ -108,6 +109,7 @@ struct Outputs {
 // The scene as it is asked for, ready to be simulated.
 Simulation2 simulation_of(const SolveOptions& options, Scene2 scene, Request request) {
   options.elements.apply_to(scene);
+  require_room_for_solving(scene, options.memory, options.levels);
   request.simulation.lights = light_test_of(options, scene);
   const Grid2 grid = grid_of(scene, options.grid);
   if (request.simulation.wants_light)

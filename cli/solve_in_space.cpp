@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli/machine_speed.h"
+#include "cli/room_for_elements.h"
 #include "io/files/output_file.h"
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/results/npy.h"
@@ -130,6 +131,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const Shown shown = shown_of(options);
   require_shown(shown, scene);
   options.elements.apply_to(scene);
+  require_room_for_solving(scene, options.memory, options.levels);
   const SimulationRequest3 request = request_of(options, scene);
   const Simulation3 simulation =
       refined(Simulation3(std::move(scene), request), options.levels.levels(), streams.stages());

@@ -77,7 +77,7 @@ void print_error(const std::string& line, const std::vector<std::string>& hints)
     for (std::size_t i = 0; i < hints.size() && i < kMostHints; ++i) text += "  " + one_line(hints[i]) + "\n";
     print(text);
   } catch (...) {
-    print("hottel: out of memory\n");
+    print("hottel: memory ran out\n");
   }
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "cli/command.h"
+#include "cli/room_for_elements.h"
 #include "cli/scene_input.h"
 #include "geometry/near_names.h"
 #include "io/files/output_file.h"
@@ -79,6 +80,11 @@ std::unique_ptr<Desk> desk_of(const ViewOptions& options, Window& window) {
       elements.apply_to(now);
       return now;
     };
+    {
+      Scene3 divided = **first;
+      options.elements.apply_to(divided);
+      require_room_for_solving(divided, options.memory);
+    }
     desk = std::make_unique<Desk3>(DeskSource3{options.scene, read}, window,
                                    FactorsRequest3{.memory = options.memory.value_or(0)}, options.scale);
   } else {
@@ -86,6 +92,7 @@ std::unique_ptr<Desk> desk_of(const ViewOptions& options, Window& window) {
     if (options.elements.is_given())
       throw UsageError("--elements and --element-size divide the polygons of scenes in space; " + options.scene +
                        " is in the plane");
+    require_room_for_solving(std::get<Scene2>(scene), options.memory);
     desk = std::make_unique<Desk2>(options.scene, window, SimulationRequest2{.memory = options.memory.value_or(0)},
                                    options.scale, std::get<Scene2>(std::move(scene)));
   }

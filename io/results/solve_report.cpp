@@ -13,18 +13,46 @@
 namespace hottel {
 namespace {
 
-nlohmann::ordered_json report_head(const std::string& scene, const Plan& plan) {
+nlohmann::ordered_json report_head(const std::string& scene, const Plan* plan) {
   nlohmann::ordered_json json;
   json["hottel"] = 1;
   json["version"] = kVersion;
   json["scene"] = scene;
   json["plan"] = nlohmann::ordered_json::array();
-  for (const PlannedEffect& effect : plan.effects())
-    json["plan"].push_back({{"effect", effect.effect},
-                            {"used", effect.used},
-                            {"reason", effect.reason},
-                            {"seconds_estimate", effect.seconds_estimate}});
+  if (plan != nullptr)
+    for (const PlannedEffect& effect : plan->effects())
+      json["plan"].push_back({{"effect", effect.effect},
+                              {"used", effect.used},
+                              {"reason", effect.reason},
+                              {"seconds_estimate", effect.seconds_estimate}});
   return json;
+}
+
+nlohmann::ordered_json memory_object(const PlannedMemory& memory) {
+  nlohmann::ordered_json json;
+  json["stages"] = nlohmann::ordered_json::array();
+  for (const MemoryStage& stage : memory.estimate.stages())
+    json["stages"].push_back(
+        {{"stage", stage.name}, {"count", stage.count}, {"unit", stage.unit}, {"bytes", stage.bytes}});
+  json["factors"] = memory.estimate.of_factors();
+  json["peak"] = memory.estimate.peak();
+  json["allowed"] = {{"factors", memory.limits.of_factors}, {"peak", memory.limits.of_all}};
+  json["fits"] = memory.problem.empty();
+  return json;
+}
+
+std::string memory_text(const PlannedMemory& memory) {
+  std::string text = "memory\n";
+  for (const MemoryStage& stage : memory.estimate.stages())
+    text += fmt::format("  {:<24}{:<12}{} {}\n", stage.name, short_bytes(stage.bytes),
+                        stage.count < 1e6 ? fmt::format("{:.0f}", stage.count) : fmt::format("{:.2g}", stage.count),
+                        stage.unit);
+  text += fmt::format("  {:<24}{:<12}at the most at one time, beside the program and the scene\n", "together",
+                      short_bytes(memory.estimate.peak()));
+  text += fmt::format("  {:<24}{:<12}for elements and view factors; {} for all\n", "allowed",
+                      short_bytes(static_cast<double>(memory.limits.of_factors)),
+                      short_bytes(static_cast<double>(memory.limits.of_all)));
+  return text + (memory.problem.empty() ? "it fits\n" : "it does not fit: " + memory.problem + "\n");
 }
 
 }  // namespace
@@ -41,22 +69,26 @@ FactorCounts factor_counts(const ExchangeReport& report) {
           report.closure_is_exact};
 }
 
-std::string plan_json(const std::string& scene, const Plan& plan) { return report_head(scene, plan).dump(2) + "\n"; }
+std::string plan_json(const std::string& scene, const Plan* plan, const PlannedMemory* memory) {
+  nlohmann::ordered_json json = report_head(scene, plan);
+  if (memory != nullptr) json["memory"] = memory_object(*memory);
+  return json.dump(2) + "\n";
+}
 
-std::string plan_text(const Plan& plan) {
-  std::string text = "plan\n";
-  for (const PlannedEffect& effect : plan.effects())
+std::string plan_text(const Plan* plan, const PlannedMemory* memory) {
+  std::string text = plan != nullptr ? "plan\n" : "";
+  for (const PlannedEffect& effect : plan != nullptr ? plan->effects() : std::vector<PlannedEffect>())
     text += fmt::format("  {:<24}{:<12}{}{}\n", effect.effect,
                         effect.used           ? "used"
                         : effect.is_simulated ? "not needed"
                                               : "not yet",
                         effect.reason,
                         effect.seconds_estimate > 0 ? fmt::format(" (about {:.2g} s)", effect.seconds_estimate) : "");
-  return text;
+  return memory != nullptr ? text + memory_text(*memory) : text;
 }
 
 std::string solve_json(const SolveReport& report) {
-  nlohmann::ordered_json json = report_head(report.scene, *report.plan);
+  nlohmann::ordered_json json = report_head(report.scene, report.plan);
   const FactorCounts& factors = report.factors;
   const RadiositySolution& solution = *report.solution;
   json["counts"] = {{"surfaces", factors.surfaces},

@@ -13,13 +13,23 @@
 #include "io/results/radiosity_files.h"
 #include "io/results/store_report.h"
 #include "io/results/temperature_files.h"
+#include "solver/memory_estimate.h"
 #include "solver/plan.h"
 
 namespace hottel {
 
-// Returns a plan as text for people, a line an effect, and as the head of a report: one JSON object.
-std::string plan_text(const Plan& plan);
-std::string plan_json(const std::string& scene, const Plan& plan);
+// What the memory of a plan is held against, and why it does not suffice; empty where it does.
+struct PlannedMemory {
+  MemoryEstimate estimate;
+  MemoryLimits limits;
+  std::string problem;
+};
+
+// Returns a plan as text for people, a line an effect or a stage of memory, and as the head of a report: one JSON
+// object. What is null is left out: of the object the list of effects is empty then.
+std::string plan_text(const Plan* plan, const PlannedMemory* memory);
+std::string plan_json(const std::string& scene, const Plan* plan, const PlannedMemory* memory);
+inline std::string plan_text(const Plan& plan) { return plan_text(&plan, nullptr); }
 
 // What is told of the view factors that a solution rests on, whatever the dimension: which means settled how many
 // numbers or signs, in the order of their cost.

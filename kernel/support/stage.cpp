@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "kernel/support/interrupt.h"
+#include "kernel/support/out_of_memory.h"
 
 namespace hottel {
 namespace {
@@ -86,6 +87,10 @@ void AnyStage::run() {
     value = make_(tell);
     make_ = nullptr;  // its inputs are not needed again
   } catch (const Interrupted&) {
+  } catch (const OutOfMemory&) {  // of a stage before it
+    failure = std::current_exception();
+  } catch (const std::bad_alloc&) {
+    failure = std::make_exception_ptr(OutOfMemory(name_));
   } catch (...) {
     failure = std::current_exception();
   }

@@ -67,7 +67,7 @@ class AnyStage {
 //       request_interrupt(). Others go on waiting
 //   (3) when nobody waits any more, the work is asked to stop (StopScope). It leaves the value absent, never half
 //       made, and the next one to ask begins anew; work that ends all the same leaves the value it made
-//   (4) what the work throws, other than Interrupted, is thrown to everyone who asks, now and later
+//   (4) what the work throws, but Interrupted, is thrown to all who ask, now and later; bad_alloc as OutOfMemory
 //   (5) the destructor stops what runs and waits for it
 // REQUIRES: `make` holds what it needs, and nothing that holds this; it passes its progress on to stages that it asks.
 // COST: a thread, about 20 µs, the first time; afterwards a lock.

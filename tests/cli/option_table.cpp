@@ -452,6 +452,11 @@ const std::vector<OptionEntry>& option_entries() {
       {"plan", "--element-size", "hottel plan $S --element-size 1/2", "hottel plan $S"},
       {"plan", "--grid", "hottel plan $S --grid 7x5", "hottel plan $S", {{"hottel plan $S --grid 7", "--grid takes"}}},
       {"plan", "--json", "hottel plan $S --json", "hottel plan $S"},
+      {"plan",
+       "--memory",
+       "hottel plan $S --memory 1000000",
+       "hottel plan $S",
+       {{"hottel plan $S --memory 0", "--memory"}, {"hottel plan $S --memory 1e9", "--memory"}}},
 
       // New options of solve have their place here.
       {"reference",

@@ -11,6 +11,7 @@
 #include "geometry/name.h"
 #include "geometry/space/check/near_contacts.h"
 #include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/exchange_memory.h"
 #include "geometry/space/exchange/exchange_rows.h"
 #include "geometry/space/exchange/facing.h"
 #include "geometry/space/exchange/groups_alone.h"
@@ -28,10 +29,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kNamedPairs = 3;  // in messages
-
-// What is taken at the most: an element with its patches and its row; a visible pair, from its measure to the matrix
-// with bounds.
-constexpr std::uint64_t kBytesPerElement = 1000, kBytesPerPair = 300;
 
 // An element and one pair, or the sky.
 std::string pair_text(const std::vector<Element>& elements, std::uint32_t i, std::uint32_t j) {
@@ -71,8 +68,8 @@ void require_measured(const PreparedScene3& prepared, const ElementTable3& table
 // The pairs that the memory holds beside the elements. Throws RequestError where these are too many.
 std::uint64_t most_pairs(std::uint64_t elements, std::uint64_t memory) {
   if (memory == 0) return std::numeric_limits<std::uint64_t>::max();
-  if (elements > memory / kBytesPerElement) refuse_memory(elements, "elements", kBytesPerElement, memory);
-  return (memory - elements * kBytesPerElement) / kBytesPerPair;
+  if (elements > memory / kBytesPerElement3) refuse_memory(elements, "elements", kBytesPerElement3, memory);
+  return (memory - elements * kBytesPerElement3) / kBytesPerPair3;
 }
 
 // Where all pairs there are would be too many, it is estimated how many see each other.
@@ -81,7 +78,7 @@ void require_room_for_pairs(const PreparedScene3& prepared, const ElementTable3&
   const double patches = static_cast<double>(table.parts().size());
   if (patches * patches / 2 <= static_cast<double>(most)) return;
   if (const std::uint64_t pairs = estimated_pairs(prepared, table); pairs > most)
-    refuse_memory(pairs, "visible pairs", kBytesPerPair, memory);
+    refuse_memory(pairs, "visible pairs", kBytesPerPair3, memory);
 }
 
 // What a pair is in both of its rows.

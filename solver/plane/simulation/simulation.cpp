@@ -20,6 +20,7 @@
 #include "solver/plane/light/solved_light.h"
 #include "solver/plane/light/tested_shares.h"
 #include "solver/plane/methods/method_catalogue.h"
+#include "solver/plane/scene_memory.h"
 #include "solver/plane/scene_plan.h"
 #include "solver/plane/simulation/kept_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
@@ -136,12 +137,17 @@ PreparedScene2 make_prepared(const PreparedInput& input, const StageProgress& pr
 
 struct FactorsInput {
   StagePtr<PreparedScene2> arrangement;
+  ScenePtr scene;  // of the version that it is made for; not compared: what matters of it is arranged
   MethodPtr method;
   Granularity granularity = Granularity::kFace;
   bool wants_visibility = false, wants_measures = false, everything = false;
   std::uint64_t memory = 0;
   std::shared_ptr<FactorStore> store = nullptr;  // no number depends on it
-  friend bool operator==(const FactorsInput&, const FactorsInput&) = default;
+  friend bool operator==(const FactorsInput& a, const FactorsInput& b) {
+    return a.arrangement == b.arrangement && a.method == b.method && a.granularity == b.granularity &&
+           a.wants_visibility == b.wants_visibility && a.wants_measures == b.wants_measures &&
+           a.everything == b.everything && a.memory == b.memory && a.store == b.store;
+  }
 };
 
 struct SystemInput {
@@ -234,6 +240,9 @@ struct CheckInput {
 };
 
 ComputedFactors2 make_factors(const FactorsInput& input, const StageProgress& progress) {
+  const bool tells_elements_apart = input.method->works_by_elements();
+  require_memory(*input.scene, {.granularity = tells_elements_apart ? Granularity::kElement : input.granularity},
+                 input.memory);
   const auto prepared = input.arrangement->get(progress);
   const ExchangeRequest asked{.granularity = input.granularity,
                               .wants_visibility = input.wants_visibility,
@@ -433,6 +442,7 @@ Arranged Simulation2::Version::arrangement() const {
 
 void Simulation2::Version::set_factors(const Version* before) {
   const FactorsInput wanted{.arrangement = arrangement().stage,
+                            .scene = scene,
                             .method = request.method && request.method->info().name != exact_method()->info().name
                                           ? request.method
                                           : exact_method(),
@@ -443,6 +453,7 @@ void Simulation2::Version::set_factors(const Version* before) {
                             .memory = request.memory,
                             .store = request.store};
   const FactorsInput exact{.arrangement = divided.stage,
+                           .scene = scene,
                            .method = exact_method(),
                            .granularity = is_divided(*scene) ? Granularity::kElement : Granularity::kFace,
                            .memory = request.memory,

@@ -20,6 +20,7 @@
 #include "solver/radiosity/scene_radiosities.h"
 #include "solver/space/light/scene_light_shares.h"
 #include "solver/space/light/tested_shares.h"
+#include "solver/space/scene_memory.h"
 #include "solver/space/scene_plan.h"
 #include "solver/space/simulation/kept_factors.h"
 
@@ -56,6 +57,9 @@ ComputedFactors3 factors_by(const ExchangeMethod3& method, const PreparedScene3&
 
 ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsRequest3& request,
                               const StageProgress& progress) {
+  const bool tells_elements_apart = request.method && request.method->works_by_elements();
+  require_memory(prepared.scene, {.granularity = tells_elements_apart ? Granularity::kElement : request.granularity},
+                 request.memory);
   const ExchangeRequest asked{.granularity = request.granularity,
                               .wants_visibility = request.wants_visibility,
                               .wants_measures = request.wants_measures,
