@@ -1,12 +1,16 @@
 #include "cli/compare_divided.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "cli/room_for_elements.h"
+#include "geometry/face.h"
 #include "geometry/name.h"
+#include "geometry/scene_names.h"
 #include "io/files/output_file.h"
 #include "io/results/divided_report.h"
+#include "solver/compare/division_orders.h"
 #include "solver/compare/face_means.h"
 #include "solver/compare/work_precision.h"
 
@@ -56,6 +60,54 @@ NamedMethod at_division(const NamedMethod& method, std::uint32_t elements) {
   return result;
 }
 
+// Sets the changes of face means since the division before, and their orders. means: of each result.
+void set_orders(const std::vector<FaceMeans>& means, std::vector<DividedResult>& results) {
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const auto same = [&](std::size_t at) -> std::optional<std::size_t> {
+      for (std::size_t b = at; b-- > 0;)
+        if (results[b].result.info.name == results[k].result.info.name) return b;
+      return std::nullopt;
+    };
+    const auto last = same(k);
+    if (!last || means[*last].empty() || means[k].empty()) continue;
+    results[k].change = face_mean_error(means[*last], means[k]);
+    if (const auto first = same(*last); first && results[*last].change)
+      results[k].order = order_of_changes(*results[*last].change, *results[k].change, results[*first].divide,
+                                          results[*last].divide, results[k].divide);
+  }
+}
+
+// The means of each face with a row, by method and channel, in the order of the methods. channels: their names.
+std::vector<DividedMean> divided_means(const SceneTable& scene, const std::vector<DividedResult>& results,
+                                       const std::vector<FaceMeans>& means, const std::vector<std::string>& channels,
+                                       double relative_resolution) {
+  std::vector<std::string> methods;
+  double largest = 0;
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const std::string& name = results[k].result.info.name;
+    if (std::ranges::find(methods, name) == methods.end()) methods.push_back(name);
+    for (const auto& of_channel : means[k])
+      for (const std::optional<double>& mean : of_channel) largest = std::max(largest, mean.value_or(0));
+  }
+  std::vector<DividedMean> result;
+  for (const std::string& method : methods)
+    for (std::uint32_t face = 0; face < 2 * scene.surfaces.size(); ++face)
+      for (std::size_t c = 0; c < channels.size(); ++c) {
+        DividedMean mean{.method = method,
+                         .face = face_name(scene, Face::of(face)),
+                         .channel = channels[c],
+                         .resolution = relative_resolution * largest};
+        for (std::size_t k = 0; k < results.size(); ++k)
+          if (results[k].result.info.name == method && c < means[k].size() && face < means[k][c].size() &&
+              means[k][c][face]) {
+            mean.divisions.push_back(results[k].divide);
+            mean.means.push_back(*means[k][c][face]);
+          }
+        if (!mean.means.empty()) result.push_back(std::move(mean));
+      }
+  return result;
+}
+
 template <class Kind>
 ExitCode compare_divided_in(const CompareOptions& options, const typename Kind::Scene& scene, Streams& streams) {
   require_divisions(options);
@@ -66,12 +118,14 @@ ExitCode compare_divided_in(const CompareOptions& options, const typename Kind::
   const std::vector<NamedMethod> named = methods_besides_exact(catalogue, options);
   const std::filesystem::path directory = output_folder(options.out, options.scene);
   const OutputFolder folder(directory);
-  OutputFile csv(directory / "divide.csv"), svg(directory / "divide.svg"), png(directory / "divide.png");
+  OutputFile csv(directory / "divide.csv"), faces(directory / "divide_faces.csv"), svg(directory / "divide.svg"),
+      png(directory / "divide.png");
   const std::shared_ptr<FactorStore> store = options.store.open("exact");
 
   std::vector<DividedResult> results;
   std::vector<FaceMeans> means;  // of each result; empty without radiosities
   FaceMeans finest;
+  std::vector<std::string> channels;
   for (const std::uint32_t elements : options.divide) {
     CompareOptions divided = options;
     divided.elements.count = elements;
@@ -88,10 +142,11 @@ ExitCode compare_divided_in(const CompareOptions& options, const typename Kind::
       means.push_back(result.solution ? face_mean_radiosities(comparison.exact(), *result.solution) : FaceMeans());
       result.matrix = {};
       result.solution.reset();
-      results.push_back({elements, std::move(result)});
+      results.push_back({.divide = elements, .result = std::move(result)});
     }
     finest = comparison.exact_solution() ? face_mean_radiosities(comparison.exact(), *comparison.exact_solution())
                                          : FaceMeans();
+    if (comparison.exact_solution()) channels = comparison.exact_solution()->channel_names;
     if (finest.empty())
       throw RequestError(options.scene + ": --divide compares radiosities: " + comparison.why_no_solution());
   }
@@ -100,6 +155,10 @@ ExitCode compare_divided_in(const CompareOptions& options, const typename Kind::
     if (!means[k].empty() && results[k].divide != options.divide.back())
       result.face_radiosity_error = face_mean_error(means[k], finest);
   }
+
+  set_orders(means, results);
+  const std::vector<DividedMean> by_face =
+      divided_means(scene, results, means, channels, Kind::resolution_of_factors(options));
 
   std::vector<MethodResult> drawn;
   for (const DividedResult& each : results) {
@@ -113,12 +172,14 @@ ExitCode compare_divided_in(const CompareOptions& options, const typename Kind::
   for (std::size_t k = 0; k < plot.curves.size(); ++k)
     if (plot.curves[k].name == kDividing) plot.emphasised = static_cast<int>(k);
   csv.write(divide_csv(results));
+  faces.write(divide_faces_csv(by_face));
   svg.write(log_plot(plot, PictureFormat::kSvg));
   png.write(log_plot(plot, PictureFormat::kPng));
-  for (OutputFile* file : {&csv, &svg, &png}) file->finish();
-  if (options.json) streams.write("", divided_json(options.scene, results));
-  for (OutputFile* file : {&csv, &svg, &png}) file->commit();
-  streams.note(divided_text(results) + "in " + directory.string() + ": divide.csv divide.svg divide.png");
+  for (OutputFile* file : {&csv, &faces, &svg, &png}) file->finish();
+  if (options.json) streams.write("", divided_json(options.scene, results, by_face));
+  for (OutputFile* file : {&csv, &faces, &svg, &png}) file->commit();
+  streams.note(divided_text(results, by_face) + "in " + directory.string() +
+               ": divide.csv divide_faces.csv divide.svg divide.png");
   return ExitCode::kDone;
 }
 

@@ -59,6 +59,8 @@ struct ComparedPlane {
   using Explainer = PairExplainer2;
 
   static MethodCatalogue2 methods() { return all_methods_2(); }
+  // What means by exact factors are known to, relative to the largest: changes below it tell no order.
+  static double resolution_of_factors(const CompareOptions&) { return 1e-14; }
   static Comparison comparison(const CompareOptions& options, Scene scene, const std::shared_ptr<FactorStore>& store,
                                const Streams& streams) {
     if (options.tolerance)
@@ -75,6 +77,9 @@ struct ComparedSpace {
   using Explainer = PairExplainer3;
 
   static MethodCatalogue3 methods() { return all_methods_3(); }
+  static double resolution_of_factors(const CompareOptions& options) {
+    return tolerance_of(options.tolerance, FactorsRequest3().tolerance);
+  }
   static Comparison comparison(const CompareOptions& options, Scene scene, const std::shared_ptr<FactorStore>& store,
                                const Streams& streams) {
     const double tolerance = tolerance_of(options.tolerance, FactorsRequest3().tolerance);

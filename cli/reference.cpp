@@ -131,8 +131,8 @@ ExitCode reference(const ReferenceOptions& options, Streams& streams) {
   std::vector<SceneReference> scenes;
   for (const std::string& file : options.scenes) {
     const SceneReference& scene = scenes.emplace_back(refer(options, file, name_of(file), streams));
-    streams.note(fmt::format("{}: {}, {}, {}; radiosities {}, bounds within {:.1e} of the value", scene.name,
-                             counted(scene.counts.elements, "element"), counted(scene.factors, "factor"),
+    streams.note(fmt::format("{}: {}, {}, {}; radiosities of these elements {}, bounds within {:.1e} of the value",
+                             scene.name, counted(scene.counts.elements, "element"), counted(scene.factors, "factor"),
                              to_string(scene.of_factors), to_string(scene.of_radiosities), scene.max_relative_width));
   }
   const std::vector<SetFile> files = set_files(std::move(scenes));
@@ -157,7 +157,8 @@ ExitCode reference(const ReferenceOptions& options, Streams& streams) {
 void add_reference(Commands& commands) {
   const auto options = std::make_shared<ReferenceOptions>();
   CLI::App& command = commands.add(
-      "reference", "Write a set of reference solutions: scenes, factors, radiosities with bounds, checksums",
+      "reference",
+      "Write a set of reference solutions: scenes, factors, radiosities of their elements with bounds, checksums",
       {"hottel reference /tmp/set scenes/showcase/apartment.json scenes/analytic/square_radiosity.json",
        "hottel reference /tmp/rooms scenes/space/two_boxes.json scenes/space/cube.json",
        "hottel compare /tmp/set/square_radiosity/scene.json --methods file:/tmp/set/square_radiosity/factors.csv "

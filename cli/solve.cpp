@@ -1,4 +1,4 @@
-// hottel solve: radiosities with proven bounds, light between faces in the plane, a picture of it.
+// hottel solve: radiosities of elements with proven bounds, light between faces in the plane, a picture of it.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -126,6 +126,7 @@ struct Results {
   std::shared_ptr<const ComputedFactors2> factors;
   std::shared_ptr<const Findings2> lost_light;
   std::shared_ptr<const RadiositySolution> solution;
+  std::shared_ptr<const DividingEstimate> dividing;
   std::shared_ptr<const SolvedLight2> light;     // null: not wanted
   std::shared_ptr<const LightPicture2> picture;  // null: not wanted, or of something else than light
   std::optional<ShownValues> shown;              // of something else
@@ -133,12 +134,13 @@ struct Results {
 
 // Asks stage by stage, so that each is told of as it is there.
 Results results_of(const Simulation2& simulation, const Request& request, Streams& streams) {
-  const StageProgress progress = streams.stages();
   Results results;
+  const StageProgress progress = streams.stages();
   results.factors = simulation.factors(progress);
   results.lost_light = simulation.lost_light(progress);
   if (!results.lost_light->empty()) streams.note(findings_text(simulation.scene(), *results.lost_light));
   results.solution = simulation.radiosities(progress);
+  results.dividing = simulation.dividing(progress);
   if (request.simulation.wants_light) results.light = simulation.light(progress);
   if (request.wants_picture && request.shown.is_light()) results.picture = simulation.picture(progress);
   if (request.wants_picture && !request.shown.is_light())
@@ -149,6 +151,7 @@ Results results_of(const Simulation2& simulation, const Request& request, Stream
 std::map<std::string, double> seconds_of(const Results& results) {
   std::map<std::string, double> seconds = results.factors->report.counts.seconds;
   seconds.insert(results.solution->seconds.begin(), results.solution->seconds.end());
+  if (results.dividing->seconds > 0) seconds["dividing"] = results.dividing->seconds;
   if (results.light) seconds["illumination"] = results.light->seconds;
   if (results.picture) seconds["picture"] = results.picture->seconds;
   return seconds;
@@ -220,7 +223,6 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
   const NetFluxes fluxes(simulation.scene(), matrix, *results.solution, *simulation.light_shares());
   watch.lap();
   write_results(options, simulation, results, fluxes, streams, outputs);
-
   std::map<std::string, double> seconds = seconds_of(results);
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
@@ -237,6 +239,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                            insulated_groups(simulation.scene(), matrix, *results.solution),
                            simulation.scene().unit,
                            options.store.report(simulation.request().store),
+                           results.dividing.get(),
                            finding_notes(*results.lost_light)};
   outputs.json.write(solve_json(report));
   // All files are whole before the first one takes its name.
@@ -347,10 +350,12 @@ void add_solve(Commands& commands) {
   const auto options = std::make_shared<SolveOptions>();
   CLI::App& command = commands.add(
       "solve",
-      "Radiosities with proven bounds, the light in the rooms, and a picture of it\n\n"
-      "In space: radiosities, net fluxes, what the scene's camera sees (render.png), or one chosen for it, and light\n"
-      "between the faces where the scene has a grid. Bounds hold for the scene where all view factors are enclosed,\n"
-      "else for the factors as computed.",
+      "Radiosities of elements with proven bounds, the light in the rooms, and a picture of it\n\n"
+      "In space: radiosities, net fluxes, what a camera sees (render.png), and light on the scene's grid. Bounds are "
+      "of\n"
+      "these elements, and of the factors as computed where some are not enclosed; what finer elements would change "
+      "is\n"
+      "estimated beside them.",
       {"hottel solve scenes/showcase/apartment.json -o /tmp/apartment",
        "hottel solve scenes/analytic/square_radiosity.json -o /tmp/square --grid 64x64 --tone max --size 320",
        "hottel solve scenes/showcase/museum.json -o /tmp/museum --no-illumination",

@@ -159,6 +159,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const Findings3 lost_light = lost_light_warnings(simulation.scene(), factors->matrix);
   if (!lost_light.empty()) streams.note(findings_text(simulation.scene(), lost_light));
   const auto solution = simulation.radiosities(streams.stages());
+  const auto dividing = simulation.dividing(streams.stages());
 
   Stopwatch watch;
   const NetFluxes fluxes(simulation.scene(), factors->matrix, *solution, *simulation.light_shares());
@@ -174,6 +175,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   });
   std::map<std::string, double> seconds = factors->report.seconds;
   seconds.insert(solution->seconds.begin(), solution->seconds.end());
+  if (dividing->seconds > 0) seconds["dividing"] = dividing->seconds;
   seconds["read"] = seconds_to_read;
   seconds["write"] = watch.lap();
   if (grid) grid->write(simulation, solution->channel_names, streams.stages(), seconds);
@@ -200,6 +202,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .insulated = insulated_groups(simulation.scene(), factors->matrix, *solution),
       .unit = simulation.scene().unit,
       .store = options.store.report(request.factors.store),
+      .dividing = dividing.get(),
       .warnings = finding_notes(lost_light)};
   json.write(solve_json(report));
   // All files are whole before the first one takes its name.

@@ -51,6 +51,7 @@ class Plan {
   static constexpr const char* kChannels = "channels";
   static constexpr const char* kInterreflection = "interreflection";
   static constexpr const char* kUnreachable = "unreachable components";
+  static constexpr const char* kDividing = "dividing";
   static constexpr const char* kIllumination = "illumination";
   static constexpr const char* kPicture = "picture";
   static constexpr const char* kLights = "lights";

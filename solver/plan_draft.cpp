@@ -80,6 +80,11 @@ void PlanDraft::add_unreachable(bool is_one_room) {
       "one room with light");
 }
 
+void PlanDraft::add_dividing(double seconds) {
+  add(Plan::kDividing, reflects(), "an estimate of what dividing once more would change",
+      "every reflectivity is 0: dividing changes no radiosity", seconds);
+}
+
 void PlanDraft::add_lights(double seconds) {
   const std::size_t beams = static_cast<std::size_t>(
       std::count_if(scene_.lights.begin(), scene_.lights.end(), [](const Light& light) { return !light.is_round(); }));

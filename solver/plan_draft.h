@@ -36,6 +36,7 @@ class PlanDraft {
   void add_channels();
   void add_interreflection(double unknowns, double entries);  // of the matrix, that are not 0
   void add_unreachable(bool is_one_room);
+  void add_dividing(double seconds);
   void add_lights(double seconds);  // of one light
   void add_movement(bool moves);
 

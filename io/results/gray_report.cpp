@@ -25,9 +25,10 @@ nlohmann::ordered_json gray_json(const GrayReport& report) {
 }
 
 std::string gray_text(const GrayReport& report) {
-  const std::string proven = report.guarantee == Guarantee::kEstimated
-                                 ? "as good as the view factors, some of which are estimated"
-                                 : fmt::format("bounds within {:.1e} of the value", report.max_relative_width);
+  const std::string proven =
+      report.guarantee == Guarantee::kEstimated
+          ? "as good as the view factors, some of which are estimated"
+          : fmt::format("bounds for these elements within {:.1e} of the value", report.max_relative_width);
   return fmt::format("script-F of {} pairs, {}; {:.3f} s", report.pairs, proven, report.seconds);
 }
 

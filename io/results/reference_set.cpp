@@ -32,7 +32,8 @@ nlohmann::ordered_json manifest_entry(const SceneReference& scene) {
     json["factors"]["estimated"] = scene.factors - scene.enclosed;
     json["factors"]["max_defect"] = scene.max_defect;
   }
-  json["radiosities"] = {{"guarantee", to_string(scene.of_radiosities)},
+  json["radiosities"] = {{"of", "these elements"},
+                         {"guarantee", to_string(scene.of_radiosities)},
                          {"max_relative_width", scene.max_relative_width}};
   json["files"] = nlohmann::ordered_json::array();
   for (const SetFile& file : scene.files)
@@ -55,9 +56,10 @@ One folder a scene:
   factors.mtx             the same in Matrix Market's format; rows and columns as in the next file, the sky last
   factors.mtx.faces.csv   the elements: number, face, part, area, material, and end points (in the plane; front on the
                           right of 0 -> 1) or corners (in space; counter-clockwise seen from the front)
-  radiosity.csv           B, irradiance and net of each element and channel; the true B lies in [lower, upper], proven,
-                          where `radiosities` of reference.json are enclosed; else these are bounds of what the factors
-                          as computed give
+  radiosity.csv           B, irradiance and net of each element and channel. These elements are the problem: B is
+                          constant on each, and finer elements have another solution. Of them the true B lies in
+                          [lower, upper], proven, where `radiosities` of reference.json are enclosed; else these are
+                          bounds of what the factors as computed give
 
 reference.json says how many of each there are and what is guaranteed; SHA256SUMS holds the checksums of all files.
 

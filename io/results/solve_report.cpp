@@ -87,6 +87,66 @@ std::string plan_text(const Plan* plan, const PlannedMemory* memory) {
   return memory != nullptr ? text + memory_text(*memory) : text;
 }
 
+namespace {
+
+double over(double value, double largest) { return largest > 0 ? value / largest : 0; }
+
+nlohmann::ordered_json dividing_json(const DividingEstimate& estimate) {
+  nlohmann::ordered_json json;
+  json["elements"] = estimate.elements;
+  json["looked_at"] = estimate.looked_at;
+  json["pointwise"] = nullptr;
+  json["face_means"] = nullptr;
+  for (const DividingEstimate::Channel& channel : estimate.channels) {
+    if (channel.pointwise)
+      json["pointwise"][channel.name] = {{"rms", *channel.pointwise},
+                                         {"relative", over(*channel.pointwise, channel.largest)}};
+    if (channel.face_means)
+      json["face_means"][channel.name] = {{"largest", *channel.face_means},
+                                          {"relative", over(*channel.face_means, channel.largest)},
+                                          {"face", channel.face}};
+  }
+  if (!estimate.why_no_pointwise.empty()) json["why_no_pointwise"] = estimate.why_no_pointwise;
+  if (!estimate.why_no_face_means.empty()) json["why_no_face_means"] = estimate.why_no_face_means;
+  return json;
+}
+
+}  // namespace
+
+std::string dividing_text(const DividingEstimate& estimate) {
+  // Of the channel in which most would change.
+  const auto text_of = [&](std::optional<double> DividingEstimate::Channel::*change, const char* what, bool has_face) {
+    const DividingEstimate::Channel* most = nullptr;
+    for (const DividingEstimate::Channel& channel : estimate.channels)
+      if (channel.*change &&
+          (most == nullptr || over(*(channel.*change), channel.largest) > over(*(most->*change), most->largest)))
+        most = &channel;
+    if (most == nullptr) return std::string();
+    return fmt::format("{} {:.2g} ({:.2g} % of the largest{}{})", what, *(most->*change),
+                       100 * over(*(most->*change), most->largest),
+                       estimate.channels.size() > 1 ? " in " + most->name : "",
+                       has_face && !most->face.empty() ? ", " + quoted_name(most->face) : "");
+  };
+  const std::string places = text_of(&DividingEstimate::Channel::pointwise, "radiosities by an rms of", false);
+  const std::string means = text_of(&DividingEstimate::Channel::face_means, "means of faces by up to", true);
+  std::string text;
+  if (estimate.looked_at == 0 && !places.empty())
+    return "estimate: dividing changes no radiosity: nothing is reflected\n";
+  if (!places.empty() || !means.empty())
+    text = fmt::format(
+        "estimate{}: dividing every element once more would change {}{}{}; shadows finer than its parts "
+        "do not show in it\n",
+        0 < estimate.looked_at && estimate.looked_at < estimate.elements
+            ? fmt::format(" from {} of {} elements", estimate.looked_at, estimate.elements)
+            : "",
+        places, places.empty() || means.empty() ? "" : ", ", means);
+  if (places.empty() && !estimate.why_no_pointwise.empty())
+    text += "no estimate of radiosities at places: " + estimate.why_no_pointwise + "\n";
+  if (means.empty() && !estimate.why_no_face_means.empty())
+    text += "no estimate of means: " + estimate.why_no_face_means + "\n";
+  return text;
+}
+
 std::string solve_json(const SolveReport& report) {
   nlohmann::ordered_json json = report_head(report.scene, report.plan);
   const FactorCounts& factors = report.factors;
@@ -111,8 +171,11 @@ std::string solve_json(const SolveReport& report) {
                     {"absorbed", solution.energy.absorbed},
                     {"to_sky", solution.energy.to_sky},
                     {"defect", solution.energy.defect}};
-  json["bounds"] = {{"max_relative_width", solution.max_relative_width}, {"guarantee", to_string(solution.guarantee)}};
+  json["bounds"] = {{"of", "these elements"},
+                    {"max_relative_width", solution.max_relative_width},
+                    {"guarantee", to_string(solution.guarantee)}};
   if (report.illumination_max_error) json["bounds"]["illumination_max_error"] = *report.illumination_max_error;
+  if (report.dividing) json["estimate_of_dividing"] = dividing_json(*report.dividing);
   if (const auto& light = report.picture_light) {
     json["picture"] = {{"scale", light->scale}, {"tone", light->tone}, {"exposure", light->exposure}};
     if (!light->contours.empty()) json["picture"]["contours"] = light->contours;
@@ -210,12 +273,13 @@ std::string solve_text(const SolveReport& report) {
       fmt::format("{}, {}, {}, {}\n", counted(factors.surfaces, "surface"), counted(factors.elements, "element"),
                   factors.vertices == 1 ? "1 vertex" : std::to_string(factors.vertices) + " vertices",
                   counted(factors.pairs, "visible pair"));
-  text +=
-      solution.factorizations == 0
-          ? "radiosity is emission: nothing had to be solved\n"
-          : fmt::format("radiosity by {}: {} in {}, {}, bounds within {:.1e} of the value\n", to_string(solution.used),
-                        counted(solution.unknowns, "unknown"), counted(solution.components, "component"),
-                        counted(solution.channels.size(), "channel"), solution.max_relative_width);
+  text += solution.factorizations == 0
+              ? "radiosity is emission: nothing had to be solved\n"
+              : fmt::format("radiosity by {}: {} in {}, {}, bounds for these elements within {:.1e} of the value\n",
+                            to_string(solution.used), counted(solution.unknowns, "unknown"),
+                            counted(solution.components, "component"), counted(solution.channels.size(), "channel"),
+                            solution.max_relative_width);
+  if (report.dividing) text += dividing_text(*report.dividing);
   text += fmt::format("energy{}: emitted {:.6g}, absorbed {:.6g}, to the sky {:.6g}, defect {:.1e}\n",
                       solution.channels.size() > 1 ? " in r, g and b together" : "", solution.energy.emitted,
                       solution.energy.absorbed, solution.energy.to_sky, solution.energy.defect);

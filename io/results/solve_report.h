@@ -13,6 +13,7 @@
 #include "io/results/radiosity_files.h"
 #include "io/results/store_report.h"
 #include "io/results/temperature_files.h"
+#include "solver/dividing/dividing_estimate.h"
 #include "solver/memory_estimate.h"
 #include "solver/plan.h"
 
@@ -76,8 +77,12 @@ struct SolveReport {
   std::vector<InsulatedGroup> insulated{};         // in the order of radiosity.csv
   std::string unit{};                              // of lengths; empty where the scene does not say
   std::optional<StoreReport> store{};              // where factors were kept
+  const DividingEstimate* dividing = nullptr;      // what dividing once more would change; null: not estimated
   std::vector<std::string> warnings{};             // first of the notes of the JSON object; not in the text
 };
+
+// What is estimated of dividing, as text: "estimate: dividing once more ..." and what it does not see.
+std::string dividing_text(const DividingEstimate& estimate);
 
 // Returns the report as one JSON object (the contract's report.json) and a final newline, and as text for people:
 // sizes, solver, energy, the six largest net fluxes, up to six insulated groups, how light became a picture, notes,

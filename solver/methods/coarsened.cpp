@@ -1,7 +1,12 @@
 #include "solver/methods/coarsened.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
+
+#include "kernel/support/failure.h"
+#include "kernel/support/parallel.h"
 
 namespace hottel {
 namespace {
@@ -24,23 +29,48 @@ std::vector<std::uint32_t> labels_of(const ExchangeMatrix& matrix, const SceneTa
 
 }  // namespace
 
-ExchangeMatrix coarsened(const ExchangeMatrix& matrix, const SceneTable& scene, const std::vector<Element>& whole,
-                         Granularity granularity) {
-  const std::vector<std::uint32_t> label_of = labels_of(matrix, scene, whole, granularity);
-  std::vector<std::map<std::uint32_t, double>> rows(whole.size());
-  for (std::uint32_t i = 0; i < matrix.size(); ++i)
-    for (const FactorEntry& entry : matrix.row(i))
-      rows[label_of[i]][label_of[entry.to]] += matrix.elements()[i].area.value * entry.factor.value;
+ExchangeMatrix merged_matrix(const ExchangeMatrix& matrix, std::span<const std::uint32_t> label_of,
+                             std::vector<Element> whole) {
+  HOTTEL_REQUIRE(label_of.size() == matrix.size() + std::size_t{1} && label_of.back() == whole.size());
+  std::vector<std::vector<std::uint32_t>> members(whole.size());
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) members[label_of[i]].push_back(i);
+  std::vector<std::vector<FactorEntry>> rows(whole.size());
+  parallel_ranges(whole.size(), 8, [&](std::size_t from, std::size_t to) {
+    std::vector<double> exchange(whole.size() + 1, 0);
+    std::vector<bool> is_met(whole.size() + 1, false);
+    std::vector<std::uint32_t> met;
+    for (std::size_t label = from; label < to; ++label) {
+      for (const std::uint32_t i : members[label])
+        for (const FactorEntry& entry : matrix.row(i)) {
+          const std::uint32_t column = label_of[entry.to];
+          if (!is_met[column]) met.push_back(column);
+          is_met[column] = true;
+          exchange[column] += matrix.elements()[i].area.value * entry.factor.value;
+        }
+      std::ranges::sort(met);
+      for (const std::uint32_t column : met) {
+        rows[label].push_back(
+            {column, {exchange[column] / whole[label].area.value, 0}, std::numeric_limits<double>::quiet_NaN()});
+        exchange[column] = 0;
+        is_met[column] = false;
+      }
+      met.clear();
+    }
+  });
   std::vector<std::size_t> begin(1, 0);
   std::vector<FactorEntry> entries;
-  for (std::size_t label = 0; label < whole.size(); ++label) {
-    for (const auto& [to, exchange] : rows[label])
-      entries.push_back({to, {exchange / whole[label].area.value, 0}, std::numeric_limits<double>::quiet_NaN()});
+  for (const std::vector<FactorEntry>& row : rows) {
+    entries.insert(entries.end(), row.begin(), row.end());
     begin.push_back(entries.size());
   }
-  ExchangeMatrix result(whole, Guarantee::kEstimated);
+  ExchangeMatrix result(std::move(whole), Guarantee::kEstimated);
   result.assign(std::move(begin), std::move(entries));
   return result;
+}
+
+ExchangeMatrix coarsened(const ExchangeMatrix& matrix, const SceneTable& scene, const std::vector<Element>& whole,
+                         Granularity granularity) {
+  return merged_matrix(matrix, labels_of(matrix, scene, whole, granularity), whole);
 }
 
 }  // namespace hottel

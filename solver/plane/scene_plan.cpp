@@ -1,5 +1,6 @@
 #include "solver/plane/scene_plan.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/plane/exchange/element_table.h"
@@ -7,13 +8,16 @@
 #include "geometry/plane/scene/moving_lights.h"
 #include "kernel/support/counted.h"
 #include "solver/plan_draft.h"
+#include "solver/plane/dividing/estimate.h"
 
 namespace hottel {
 namespace {
 
 // What the showcase and generated scenes take, on one core of the machine of benchmarks/results.
-constexpr double kSecondsPerVertex = 5.0e-6;  // of the arrangement
-constexpr double kSecondsPerPair = 1.2e-6;    // of factors, where something may hide others
+constexpr double kSecondsPerVertex = 5.0e-6;     // of the arrangement
+constexpr double kSecondsPerPair = 1.2e-6;       // of factors, where something may hide others
+constexpr double kSecondsPerSight = 5.0e-8;      // of a vertex, from another
+constexpr double kSecondsPerPlainPair = 5.0e-7;  // that is not rounded correctly
 constexpr double kSecondsPerCell = 2.0e-7;
 constexpr double kSecondsPerCellAndSeen = 1.2e-8;
 constexpr double kSeenTogether = 220;  // cells near each other share less of what they see where more of it hides
@@ -43,6 +47,9 @@ Plan plan_scene(const PreparedScene2& prepared, const PlanRequest& request) {
   draft.add_channels();
   draft.add_interreflection(n, 2 * pairs);
   draft.add_unreachable(is_convex);
+  const double halves = 2 * std::min<double>(n, kMostDivided2);
+  draft.add_dividing(vertices * (kSecondsPerVertex + seen * kSecondsPerSight) +
+                     (n > 0 ? 2 * pairs / n * halves : 0) * kSecondsPerPlainPair);
   draft.add(Plan::kIllumination, request.grid_cells > 0, counted(request.grid_cells, "cell"), "no grid is asked for",
             cells * (kSecondsPerCell + seen * kSecondsPerCellAndSeen));
   draft.add_as_asked(Plan::kPicture, request.grid_cells > 0, "the light in the rooms", "no grid is asked for",

@@ -15,6 +15,7 @@
 #include "geometry/space/scene/moving_lights.h"
 #include "kernel/support/counted.h"
 #include "solver/plan_draft.h"
+#include "solver/space/dividing/estimate.h"
 
 namespace hottel {
 namespace {
@@ -147,13 +148,17 @@ void add_groups(const Scene3& scene, PlanDraft& draft) {
             "every polygon is a group of its own");
 }
 
+// Of a point, by what it sees.
+double seconds_per_map(const Scene3& scene, std::uint64_t rows) {
+  return static_cast<double>(scene.polygons.size()) * kSecondsPerMap +
+         (is_divided(scene) ? static_cast<double>(rows) * kSecondsPerPart : 0);
+}
+
 // Light between the faces, and on them.
 void add_light(const Scene3& scene, const PlanRequest& request, std::uint64_t rows, PlanDraft& draft) {
-  const double seconds_per_cell = static_cast<double>(scene.polygons.size()) * kSecondsPerMap +
-                                  (is_divided(scene) ? static_cast<double>(rows) * kSecondsPerPart : 0);
   draft.add_as_asked(Plan::kIllumination, request.grid_cells > 0,
                      "light between the faces, " + counted(request.grid_cells, "cell"), "no grid is asked for",
-                     static_cast<double>(request.grid_cells) * seconds_per_cell);
+                     static_cast<double>(request.grid_cells) * seconds_per_map(scene, rows));
   const Camera3 usual, &camera = scene.camera ? *scene.camera : usual;
   draft.add(Plan::kPicture, !scene.surfaces.empty(),
             scene.camera ? "what the camera sees" : "what a camera chosen for the scene sees", "the scene is empty",
@@ -192,6 +197,8 @@ Plan plan_scene(const PreparedScene3& prepared, const PlanRequest& request) {
   draft.add_channels();
   draft.add_interreflection(static_cast<double>(faces.rows()), 2 * pairs);
   draft.add_unreachable(is_room);
+  draft.add_dividing(4 * std::min<double>(static_cast<double>(faces.rows()), kMostDivided3) *
+                     seconds_per_map(scene, faces.rows()));
   add_light(scene, request, faces.rows(), draft);
   return draft.take();
 }

@@ -15,7 +15,8 @@ using testing_cli::lines_of;
 using testing_cli::Outcome;
 using testing_cli::Workplace;
 
-const std::string kSquare = std::string(HOTTEL_SOURCE_DIR) + "/scenes/analytic/square_radiosity.json";
+const std::string kScenes = std::string(HOTTEL_SOURCE_DIR) + "/scenes/";
+const std::string kSquare = kScenes + "analytic/square_radiosity.json";
 
 TEST(Compare, WritesTheFilesOfTheContract) {
   const Workplace place;
@@ -124,7 +125,8 @@ TEST(Compare, TellsWhatDividingGives) {
   ASSERT_EQ(lines.size(), 1u + 4 * 3);
   EXPECT_EQ(
       lines[0],
-      "divide,elements,method,guarantee,seconds,max_error,rms_error,closure,max_radiosity_error,face_radiosity_error");
+      "divide,elements,method,guarantee,seconds,max_error,rms_error,closure,max_radiosity_error,face_radiosity_error,"
+      "face_radiosity_change,order");
   double before = 1;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto exact = fields_of(lines.at(1 + 3 * k)), center = fields_of(lines.at(2 + 3 * k));
@@ -135,6 +137,11 @@ TEST(Compare, TellsWhatDividingGives) {
     EXPECT_EQ(exact[8], "0");
     EXPECT_EQ(center[2], "center");
     EXPECT_EQ(center[9] == "", k == 3);
+    EXPECT_EQ(exact[10] == "", k == 0);
+    EXPECT_EQ(exact[11] == "", k < 2);
+    if (k > 1) {
+      EXPECT_NEAR(std::stod(exact[11]), 1.8, 0.3);
+    }
     if (k == 3) {
       EXPECT_EQ(exact[9], "") << "the finest is what the others are held against";
     } else {
@@ -146,6 +153,51 @@ TEST(Compare, TellsWhatDividingGives) {
   EXPECT_THAT(place.read("out/divide.png"), StartsWith("\x89PNG"));
   EXPECT_EQ(nlohmann::json::parse(place.read("report.json"))["results"].size(), 12u);
   EXPECT_THAT(outcome.err, HasSubstr("order"));
+
+  // The continuous mean of the bottom, as 64, 128 and 256 elements extrapolate it.
+  constexpr double kBottom = 1.148630192;
+  const auto faces = lines_of(place.read("out/divide_faces.csv"));
+  ASSERT_EQ(faces.size(), 1u + 3 * 4 * 4) << "methods, faces, divisions";
+  EXPECT_EQ(faces[0], "method,face,channel,divide,mean,order,extrapolated,convergence");
+  const auto coarse = fields_of(faces[3]), fine = fields_of(faces[4]);
+  EXPECT_EQ(fine[0] + fine[1] + fine[2] + fine[3], "exactbottomall8");
+  EXPECT_EQ(coarse[7], "");
+  EXPECT_EQ(fine[7], "regular");
+  EXPECT_LT(std::abs(std::stod(fine[6]) - kBottom), std::abs(std::stod(fine[4]) - kBottom) / 5)
+      << "extrapolated it is nearer to the continuous one";
+  const auto json = nlohmann::json::parse(place.read("report.json"))["faces"];
+  ASSERT_EQ(json.size(), 12u);
+  EXPECT_EQ(json[0]["divisions"], nlohmann::json({1, 2, 4, 8}));
+  EXPECT_EQ(json[0]["means"][3].get<double>(), std::stod(fine[4]));
+  EXPECT_EQ(json[0]["extrapolated"].get<double>(), std::stod(fine[6]));
+  EXPECT_TRUE(json[0]["orders"][1].is_null());
+  EXPECT_EQ(json[0]["convergence"], "regular");
+  EXPECT_THAT(outcome.err, HasSubstr("mean radiosities of faces by exact factors:\n  bottom"));
+}
+
+// A screen whose shadow elements straddle now here, now there.
+TEST(Compare, SaysWhereOrdersOfDividingAreIrregular) {
+  const Workplace place;
+  const Outcome outcome = place.run("hottel compare '" + kScenes +
+                                    "showcase/apartment.json' --methods exact --divide 1,2,3,4 --repeat 1 -o out");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("orders are irregular for "));
+  EXPECT_THAT(place.read("out/divide_faces.csv"), HasSubstr("irregular: changes of both signs"));
+  EXPECT_THAT(place.read("out/divide_faces.csv"), HasSubstr(",irregular: orders from "));
+  EXPECT_THAT(place.run("hottel compare '" + kSquare + "' --methods exact --divide 2,4 --repeat 1 -o out").err,
+              HasSubstr("orders of convergence need three divisions"));
+}
+
+TEST(Compare, TellsTheOrdersOfDividingInSpace) {
+  const Workplace place;
+  const Outcome outcome =
+      place.run("hottel compare '" + kScenes + "space/cube.json' --methods exact --divide 1,2,3,4 --repeat 1 -o out");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("mean radiosities of faces by exact factors:"));
+  const auto lines = lines_of(place.read("out/divide_faces.csv"));
+  EXPECT_EQ(lines.size(), 1u + 6 * 4);
+  EXPECT_THAT(lines[4], HasSubstr("exact,floor,all,4,"));
+  EXPECT_NEAR(std::stod(fields_of(lines[4])[5]), 1.8, 0.4);
 }
 
 TEST(Compare, TellsACommandTheDivision) {

@@ -76,7 +76,9 @@ TEST(Reference, HoldsScenesInSpace) {
                 "hottel reference again set/cube/scene.json set/room_boxes/scene.json set/crate/scene.json --quiet "
                 "--threads 1 && diff -r set again");
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("cube: 12 elements, 30 factors, enclosed; radiosities enclosed, bounds within"));
+  EXPECT_THAT(
+      outcome.err,
+      HasSubstr("cube: 12 elements, 30 factors, enclosed; radiosities of these elements enclosed, bounds within"));
   EXPECT_EQ(place.read("set/cube/scene.json"), contents(space + "cube.json"));
   EXPECT_THAT(place.read("set/room_boxes/scene.json"), testing::Not(HasSubstr("\"mesh\"")));
   const auto manifest = nlohmann::json::parse(place.read("set/reference.json"));
@@ -84,6 +86,8 @@ TEST(Reference, HoldsScenesInSpace) {
   EXPECT_EQ(cube["guarantee"], "enclosed");
   EXPECT_EQ(cube["tolerance"], 1e-12);
   EXPECT_EQ(cube["enclosed"], 30);
+  EXPECT_EQ(manifest["scenes"][0]["radiosities"]["of"], "these elements");
+  EXPECT_THAT(place.read("set/README.txt"), HasSubstr("These elements are the problem"));
   const auto& room = manifest["scenes"][1]["factors"];
   EXPECT_EQ(room["guarantee"], "estimated");
   EXPECT_EQ(room["enclosed"].get<int>() + room["estimated"].get<int>(),

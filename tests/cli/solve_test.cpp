@@ -115,10 +115,49 @@ TEST(Solve, SimulatingEverythingGivesTheSameNumbers) {
     for (const std::string file : {"radiosity.csv", "flux.csv", "illumination.npy"})
       EXPECT_EQ(place.read("auto/" + file), place.read("all/" + file)) << scene << " " << file;
     const auto report = nlohmann::json::parse(place.read("all/report.json"));
+    EXPECT_EQ(report["estimate_of_dividing"],
+              nlohmann::json::parse(place.read("auto/report.json"))["estimate_of_dividing"])
+        << scene;
     const std::set<std::string> of_lights{"lights", "beams", "movement"};
     for (const auto& effect : report["plan"])
       EXPECT_EQ(effect["used"], !of_lights.contains(effect["effect"])) << scene << " " << effect["effect"];
   }
+}
+
+// Beside the bounds, and not under them.
+TEST(Solve, EstimatesWhatDividingWouldChange) {
+  const Workplace place;
+  const std::string solve = "hottel solve '" + kScenes + "analytic/square_radiosity.json' --no-illumination -o out ";
+  const Outcome divided = place.run(solve + "--elements 4");
+  ASSERT_EQ(divided.code, 0) << divided.err;
+  EXPECT_THAT(divided.err, HasSubstr("bounds for these elements within"));
+  EXPECT_THAT(divided.err,
+              HasSubstr("estimate: dividing every element once more would change radiosities by an rms of"));
+  EXPECT_THAT(divided.err, HasSubstr("shadows finer than its parts do not show in it"));
+  const auto report = nlohmann::json::parse(place.read("out/report.json"));
+  EXPECT_EQ(report["bounds"]["of"], "these elements");
+  const auto& estimate = report["estimate_of_dividing"];
+  EXPECT_EQ(estimate["elements"], 16);
+  EXPECT_EQ(estimate["looked_at"], 16);
+  EXPECT_GT(estimate["pointwise"]["all"]["rms"], 0);
+  EXPECT_LT(estimate["pointwise"]["all"]["relative"], 0.05);
+  EXPECT_LT(estimate["face_means"]["all"]["relative"], 0.001);
+  EXPECT_EQ(estimate["face_means"]["all"]["face"], "bottom");
+  EXPECT_TRUE(report["seconds"].contains("dividing"));
+
+  const Outcome whole = place.run(solve);
+  EXPECT_THAT(whole.err, HasSubstr("no estimate of means: 'bottom' is one element"));
+  const auto lone = nlohmann::json::parse(place.read("out/report.json"))["estimate_of_dividing"];
+  EXPECT_TRUE(lone["face_means"].is_null());
+  EXPECT_EQ(lone["why_no_face_means"], "'bottom' is one element");
+
+  const Outcome other = place.run(solve + "--elements 2 --method center");
+  EXPECT_THAT(other.err, HasSubstr("no estimate of radiosities at places: the factors are not exact"));
+  EXPECT_EQ(place.run("hottel solve '" + kScenes + "space/cube.json' --elements 2 --no-picture -o out").code, 0);
+  const auto cube = nlohmann::json::parse(place.read("out/report.json"))["estimate_of_dividing"];
+  EXPECT_EQ(cube["looked_at"], 24);
+  EXPECT_GT(cube["pointwise"]["all"]["rms"], 0);
+  EXPECT_GT(cube["face_means"]["all"]["largest"], 0);
 }
 
 TEST(Solve, StagesThatDoNotRunAreAbsentFromTheReport) {
@@ -136,7 +175,7 @@ TEST(Solve, StagesThatDoNotRunAreAbsentFromTheReport) {
   const auto lean = report_of("black.json");
   EXPECT_EQ(plan_of(lean)["occlusion"], "not");
   EXPECT_EQ(plan_of(lean)["interreflection"], "not");
-  for (const char* stage : {"sweep", "radiosity", "certificate"})
+  for (const char* stage : {"sweep", "radiosity", "certificate", "dividing"})
     EXPECT_FALSE(lean["seconds"].contains(stage)) << stage;
   EXPECT_FALSE(lean.contains("solver"));
   for (const char* stage : {"read", "prepare", "strings", "round", "irradiance", "illumination", "picture", "write"})

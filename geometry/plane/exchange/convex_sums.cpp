@@ -24,7 +24,7 @@ class Outline {
     std::vector<std::uint32_t> label_from(vertices_.size());
     for (const PieceSideId side : arrangement.sides()) {
       const std::uint32_t label = table.of(side);
-      if (!table.has_row(label)) continue;
+      if (label >= table.count() || !table.elements()[label].material) continue;
       const auto [a, b] = arrangement.turned_piece(side);
       HOTTEL_REQUIRE(next(a).is_none());
       next(a) = b;
@@ -81,6 +81,7 @@ PairSums2 sum_convex_pairs(const Arrangement2& arrangement, const ElementTable2&
   std::vector<std::vector<PairSum2>> parts(1);
   for (std::uint32_t i = 0; i < table.count(); ++i)
     for (std::uint32_t j = i; j < table.count(); ++j) {
+      if (!table.has_row(i) && !table.has_row(j)) continue;
       PairSum2 pair{.key = pair_key(i, j)};
       const auto add = [&](std::uint32_t u, std::uint32_t v, int sign) {
         const Outline::Length length = outline.between(u, v);

@@ -6,6 +6,7 @@
 
 #include "geometry/plane/scene/division.h"
 #include "geometry/scene_names.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
@@ -96,6 +97,12 @@ ElementTable2 ElementTable2::restricted_to(std::uint32_t i, std::uint32_t j, con
     }
   result.measure(arrangement_of_pieces);
   return result;
+}
+
+void ElementTable2::keep_rows(const std::vector<bool>& is_chosen) {
+  HOTTEL_REQUIRE(is_chosen.size() == count());
+  for (std::uint32_t label = 0; label < count(); ++label)
+    labels_[label].has_row = labels_[label].has_row && is_chosen[label];
 }
 
 void ElementTable2::measure(const Arrangement2& arrangement) {

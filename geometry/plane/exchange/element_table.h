@@ -36,6 +36,8 @@ class ElementTable2 {
   std::uint32_t of(PieceSideId side) const { return of_side_[place_after_sky(side)]; }
   // True iff the element has a material and an area: only then are factors from it computed.
   bool has_row(std::uint32_t label) const { return labels_[label].has_row; }
+  // Takes the rows of all elements but those chosen, one for each element: the others are columns from now on.
+  void keep_rows(const std::vector<bool>& is_chosen);
 
   // The table of elements i and j alone, with the numbers 0 and 1 (0 alone where j is i), on an arrangement of some
   // pieces. Sides of all other elements are covered.

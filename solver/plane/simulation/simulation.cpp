@@ -13,7 +13,9 @@
 #include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/dividing/dividing_estimate.h"
 #include "solver/methods/negative_factors.h"
+#include "solver/plane/dividing/estimate.h"
 #include "solver/plane/light/illumination_grid.h"
 #include "solver/plane/light/light_rows.h"
 #include "solver/plane/light/sent_out.h"
@@ -190,6 +192,20 @@ struct RadiositiesInput {
   }
 };
 
+// What dividing once more would change, estimated.
+struct DividingInput {
+  StagePtr<RadiositySolution> radiosities;
+  StagePtr<ComputedFactors2> factors;
+  MethodPtr method;                // of the factors
+  StagePtr<PreparedScene2> whole;  // undivided, of the version that it is made for; not compared
+  StagePtr<std::vector<LightShares>> shares;
+  LightTest test = LightTest::kExact;
+  std::uint64_t memory = 0;
+  friend bool operator==(const DividingInput& a, const DividingInput& b) {
+    return a.radiosities == b.radiosities && a.memory == b.memory;
+  }
+};
+
 struct RowsInput {
   StagePtr<PreparedScene2> arrangement;
   Granularity granularity = Granularity::kFace;
@@ -281,6 +297,23 @@ std::vector<LightShares> make_shares(const LightSharesInput& input, const StageP
   return light_shares(*input.prepared->get(progress), input.granularity, input.test);
 }
 
+DividingEstimate make_dividing(const DividingInput& input, const StageProgress& progress) {
+  const auto radiosities = input.radiosities->get(progress);
+  const auto factors = input.factors->get(progress);
+  const auto whole = input.whole->get(progress);
+  const auto shares = input.shares ? input.shares->get(progress) : nullptr;
+  return naming_file(whole->scene.file, [&] {
+    return estimate_dividing(
+        {.whole = *whole,
+         .solved = {whole->scene, factors->matrix, *radiosities,
+                    shares ? std::span<const LightShares>(*shares) : std::span<const LightShares>()},
+         .has_exact_factors = input.method->info().guarantee == Guarantee::kExact,
+         .lights = input.test,
+         .memory = memory_allowed(input.memory),
+         .progress = telling("dividing", progress)});
+  });
+}
+
 ElementTable2 table_of(const PreparedScene2& prepared, Granularity granularity) {
   return {prepared.scene, prepared.arrangement, prepared.division, granularity};
 }
@@ -367,6 +400,7 @@ struct Simulation2::Version {
   Node<SystemInput, RadiositySolver> system;
   Node<LightSharesInput, std::vector<LightShares>> shares, exact_shares;  // of factors, of exact_factors
   Node<RadiositiesInput, RadiositySolution> radiosities;
+  Node<DividingInput, DividingEstimate> dividing;
   Node<RowsInput, LightRows2> rows;
   Node<LightInput, SolvedLight2> light;
   Node<PictureInput, LightPicture2> picture;
@@ -485,6 +519,10 @@ void Simulation2::Version::set_light(const Version* before) {
                                   .closed = scene->closed,
                                   .exact = exact_factors.stage};
   radiosities = node_of("radiosity", to_solve, old(before, &Version::radiosities), make_radiosities);
+  dividing = node_of("dividing",
+                     DividingInput{radiosities.stage, factors.stage, factors.input.method, whole.stage, to_solve.shares,
+                                   request.lights, request.memory},
+                     old(before, &Version::dividing), make_dividing);
   rows = node_of("illumination", RowsInput{arrangement().stage, granularity, grid, request.memory},
                  old(before, &Version::rows), make_rows);
   const bool takes_rows = request.keeps_rows && request.light == LightKind2::kPoint;
@@ -548,6 +586,9 @@ std::shared_ptr<const std::vector<LightShares>> Simulation2::light_shares(const 
 }
 std::shared_ptr<const RadiositySolution> Simulation2::radiosities(const StageProgress& progress) const {
   return version_->radiosities.stage->get(progress);
+}
+std::shared_ptr<const DividingEstimate> Simulation2::dividing(const StageProgress& progress) const {
+  return version_->dividing.stage->get(progress);
 }
 std::shared_ptr<const LightRows2> Simulation2::rows(const StageProgress& progress) const {
   return version_->rows.stage->get(progress);

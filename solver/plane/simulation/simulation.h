@@ -17,12 +17,13 @@
 namespace hottel {
 
 class LightRows2;
+struct DividingEstimate;
 struct PreparedScene2;
 
 // One version of a scene and what is asked of it, with all that follows, in stages:
 //
-//   arrangement <- lights, factors <- system <- radiosities <- light <- picture;   plan, lost_light and check beside
-//   them
+//   arrangement <- lights, factors <- system <- radiosities <- light <- picture;   the estimate of dividing after the
+//   radiosities;   plan, lost_light and check beside them
 //
 // A version never changes. An edit makes a new one, which shares every stage whose input is the same; so undoing is
 // taking the older version, and copies are cheap. What is asked for is made at the first call, with what it needs
@@ -37,6 +38,7 @@ struct PreparedScene2;
 //         rows          grid, memory: what the cells see (light_rows.h), after the arrangement
 //         light         grid, kind of light. Made from rows where they are kept: the same bits
 //         picture       painter
+//         dividing      nothing else than radiosities
 //         plan, lost_light, check    anything in the scene, and what they look at: the grid, factors
 //   (2) every value is a function of scene and request: bit for bit that of a new simulation of the same scene, also
 //       after it was written and read again, whatever was edited, asked or cancelled before, on any number of threads.
@@ -74,6 +76,7 @@ class Simulation2 {
   std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
   std::shared_ptr<const std::vector<LightShares>> light_shares(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;
+  std::shared_ptr<const DividingEstimate> dividing(const StageProgress& progress = {}) const;
   std::shared_ptr<const LightRows2> rows(const StageProgress& progress = {}) const;
   std::shared_ptr<const SolvedLight2> light(const StageProgress& progress = {}) const;
   // REQUIRES a painter in the request; throws ContractViolation otherwise.

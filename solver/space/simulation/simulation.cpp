@@ -15,9 +15,11 @@
 #include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/dividing/dividing_estimate.h"
 #include "solver/methods/negative_factors.h"
 #include "solver/radiosity/radiosity_sources.h"
 #include "solver/radiosity/scene_radiosities.h"
+#include "solver/space/dividing/estimate.h"
 #include "solver/space/light/scene_light_shares.h"
 #include "solver/space/light/tested_shares.h"
 #include "solver/space/scene_memory.h"
@@ -150,6 +152,7 @@ struct Simulation3::Version {
   StagePtr<std::vector<LightShares>> shares;
   StagePtr<RadiositySolver> system;
   StagePtr<RadiositySolution> radiosities;
+  StagePtr<DividingEstimate> dividing;
   StagePtr<IlluminationGrid3> light;  // null: there is no grid
   StagePtr<LightPicture3> picture;    // null: or no painter
 
@@ -176,10 +179,12 @@ struct Simulation3::Version {
     if (keeps_factors && !keeps_lights) set_shares();
     const bool keeps_radiosities = keeps_system && keeps_lights;
     if (keeps_system) system = other->system;
-    if (keeps_radiosities)
+    if (keeps_radiosities) {
       radiosities = other->radiosities;
-    else
+      dividing = other->dividing;
+    } else {
       set_system(keeps_system);
+    }
     if (keeps_radiosities && other->grid() == grid()) light = other->light;
     if (light != nullptr && other->request.light.painter == request.light.painter) picture = other->picture;
     set_light();
@@ -274,6 +279,22 @@ struct Simulation3::Version {
           const auto solver = ready->get(progress);
           const auto lights = of_lights->get(progress);
           return scene_radiosities(*solver, *its, *lights, made->get(progress)->notes, telling("radiosity", progress));
+        });
+    dividing = std::make_shared<Stage<DividingEstimate>>(
+        "dividing", [ready = prepared, made = factors, solved = radiosities, of_lights = shares,
+                     asked = request.factors, by = request.lights](const StageProgress& progress) {
+          const auto solution = solved->get(progress);
+          const auto there = ready->get(progress);
+          const auto computed = made->get(progress);
+          const auto lights = of_lights->get(progress);
+          return naming_file(there->scene.file, [&] {
+            return estimate_dividing({.prepared = *there,
+                                      .solved = {there->scene, computed->matrix, *solution, *lights},
+                                      .granularity = asked.granularity,
+                                      .has_exact_factors = asked.method == nullptr,
+                                      .lights = by,
+                                      .progress = telling("dividing", progress)});
+          });
         });
   }
 
@@ -382,6 +403,9 @@ std::shared_ptr<const RadiositySolver> Simulation3::system(const StageProgress& 
 }
 std::shared_ptr<const RadiositySolution> Simulation3::radiosities(const StageProgress& progress) const {
   return version_->radiosities->get(progress);
+}
+std::shared_ptr<const DividingEstimate> Simulation3::dividing(const StageProgress& progress) const {
+  return version_->dividing->get(progress);
 }
 std::shared_ptr<const IlluminationGrid3> Simulation3::light(const StageProgress& progress) const {
   HOTTEL_REQUIRE(version_->light != nullptr);

@@ -25,6 +25,7 @@ namespace hottel {
 
 class FactorStore;
 class RowWatch3;
+struct DividingEstimate;
 struct PreparedScene3;
 
 // What is asked of view factors, with what is taken where nothing is said.
@@ -96,8 +97,8 @@ bool are_alike_as_before_3(const std::vector<Material>& before, const std::vecto
 
 // One version of a scene and what is asked of it, with what follows, in stages:
 //
-//   prepared <- factors <- system <- radiosities <- light <- picture;   plan, and hidden pairs after the factors,
-//   beside them
+//   prepared <- factors <- system <- radiosities <- light <- picture;   plan, hidden pairs after the factors, and the
+//   estimate of dividing after the radiosities, beside them
 //
 // A version never changes. What is asked for is made at the first call, with what it needs before it, and returned as a
 // shared value that outlives the version.
@@ -143,6 +144,7 @@ class Simulation3 {
   std::shared_ptr<const std::vector<LightShares>> light_shares(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolver> system(const StageProgress& progress = {}) const;
   std::shared_ptr<const RadiositySolution> radiosities(const StageProgress& progress = {}) const;
+  std::shared_ptr<const DividingEstimate> dividing(const StageProgress& progress = {}) const;
   // REQUIRES a grid, and picture() a painter in the request; both throw ContractViolation otherwise.
   std::shared_ptr<const IlluminationGrid3> light(const StageProgress& progress = {}) const;
   std::shared_ptr<const LightPicture3> picture(const StageProgress& progress = {}) const;

@@ -1,0 +1,92 @@
+#include "solver/space/light/sent_out.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/space/visibility/convex_cut.h"
+
+namespace hottel {
+
+SentOut3::SentOut3(const PreparedScene3& prepared, Granularity granularity, const RadiositySolution& solution)
+    : prepared_(prepared),
+      table_(prepared.scene, prepared.arrangement(), prepared.blockers(), granularity),
+      solution_(solution),
+      parts_(2 * prepared.blockers().size()) {
+  for (const ElementTable3::Part& part : table_.parts()) {
+    if (part.patch.is_sky() || !table_.has_row(part.label)) continue;
+    Side& side = parts_[Face{part.patch.surface, part.is_back}.number()];
+    side.is_divided = side.is_divided || (!side.parts.empty() && side.parts[0].label != part.label);
+    side.parts.push_back({part.label, {}});
+    for (const Point3& corner : corners_of(prepared.blockers().vertices(), part.patch))
+      side.parts.back().corners.push_back({to_double(corner.x), to_double(corner.y), to_double(corner.z)});
+  }
+  for (const Rational& emission : prepared.scene.sky_emission.value) sky_.push_back(to_double(emission));
+}
+
+void SentOut3::mean(const Point3& eye, std::span<double> result) const {
+  const PointMap3 map = map_from(prepared_.blockers(), {.eye = eye, .normal = {}});
+  const auto is_black = [this](const PointMap3::Fragment& fragment) {
+    return parts_[fragment.face.number()].parts.empty();
+  };
+  if (prepared_.scene.closed && std::ranges::all_of(map.fragments, is_black)) return;
+  sum(
+      map, eye, [](const PointMap3::Fragment& fragment) { return fragment.fraction; },
+      [](std::span<const Direction3> cone) { return solid_angle_fraction_3(cone); }, result);
+  for (std::size_t c = 0; c < result.size(); ++c) result[c] += map.sky_fraction * sky_[c];
+}
+
+void SentOut3::irradiance(const Point3& eye, const Vector3& normal, std::span<double> result) const {
+  const PointMap3 map = map_from(prepared_.blockers(), {.eye = eye, .normal = Point3{normal.x, normal.y, normal.z}});
+  const Rational largest = std::max({Rational(abs(normal.x)), Rational(abs(normal.y)), Rational(abs(normal.z))});
+  const Direction3 up =
+      unit({to_double(normal.x / largest), to_double(normal.y / largest), to_double(normal.z / largest)});
+  sum(
+      map, eye, [](const PointMap3::Fragment& fragment) { return fragment.factor; },
+      [&up](std::span<const Direction3> cone) { return view_factor_3(cone, up); }, result);
+  for (std::size_t c = 0; c < result.size(); ++c) result[c] += map.sky_factor * sky_[c];
+}
+
+template <class FractionOf, class Measure>
+void SentOut3::sum(const PointMap3& map, const Point3& eye, const FractionOf& fraction_of, const Measure& measure,
+                   std::span<double> result) const {
+  std::fill(result.begin(), result.end(), 0.0);
+  const Direction3 from{to_double(eye.x), to_double(eye.y), to_double(eye.z)};
+  std::vector<Direction3> cone;
+  for (const PointMap3::Fragment& fragment : map.fragments) {
+    const Side& side = parts_[fragment.face.number()];
+    if (side.parts.empty()) continue;
+    if (!side.is_divided) {
+      add(side.parts[0].label, fraction_of(fragment), result);
+      continue;
+    }
+    cone.clear();
+    for (std::uint32_t c = fragment.begin; c < fragment.end; ++c) cone.push_back(map.corners[c].direction);
+    add_divided(cone, fraction_of(fragment), side, from, measure, result);
+  }
+}
+
+void SentOut3::add(std::uint32_t label, double fraction, std::span<double> result) const {
+  for (std::size_t c = 0; c < result.size(); ++c)
+    result[c] += fraction * solution_.channels[c].elements[label].radiosity;
+}
+
+// The cone by the elements in it, in the proportion of their angles.
+template <class Measure>
+void SentOut3::add_divided(const std::vector<Direction3>& cone, double fraction, const Side& side,
+                           const Direction3& eye, const Measure& measure, std::span<double> result) const {
+  std::vector<double> fractions;
+  std::vector<Direction3> ways;
+  double sum = 0;
+  for (const Part& part : side.parts) {
+    ways.clear();
+    for (const Direction3& corner : part.corners) ways.push_back(unit(corner - eye));
+    const std::vector<Direction3> common = common_cone_3(cone, ways);
+    fractions.push_back(common.size() > 2 ? std::max(0.0, measure(common)) : 0);
+    sum += fractions.back();
+  }
+  if (!(sum > 0)) return add(side.parts[0].label, fraction, result);
+  for (std::size_t k = 0; k < side.parts.size(); ++k)
+    if (fractions[k] > 0) add(side.parts[k].label, fraction * (fractions[k] / sum), result);
+}
+
+}  // namespace hottel
