@@ -34,7 +34,7 @@ class Walk {
     desk_.settle(kPatience);
   }
   Desk3& desk() { return desk_; }
-  double elements() const { return desk_.state().model->table.count(); }
+  double elements() const { return desk_.state().version->model().table.count(); }
 
  private:
   RecordingWindow window_;
@@ -69,7 +69,7 @@ void emission(benchmark::State& state, const std::string& file, std::uint32_t n)
     walk.desk().do_own_step({"material", {"lamp", "emission"}, text, 1});
     walk.desk().settle(kPatience);
     state.SetIterationTime(watch.lap());
-    light += walk.desk().state().seconds;
+    light += walk.desk().state().version->seconds();
   }
   state.counters["elements"] = walk.elements();
   state.counters["frames"] = 0;

@@ -19,14 +19,6 @@ constexpr double kSecondsBetweenFileChecks = 1;
 constexpr std::uint32_t kMostPixelsPerCell = 8;
 constexpr double kFreeSides = 40, kFreeTop = 64, kFreeBottom = 134;  // units around the scene
 
-// The face of that name in another scene: an edit may count surfaces anew.
-std::optional<Face> same_face(const std::optional<Face>& face, const Scene2& before, const Scene2& now) {
-  if (!face) return std::nullopt;
-  const auto found = std::ranges::find(now.surfaces, before.surfaces[face->surface].name, &Surface::name);
-  if (found == now.surfaces.end()) return std::nullopt;
-  return Face{static_cast<std::uint32_t>(found - now.surfaces.begin()), face->is_back};
-}
-
 }  // namespace
 
 Desk2::Desk2(const std::filesystem::path& file, Window& window, SimulationRequest2 request, double scale,
@@ -62,7 +54,7 @@ double Desk2::panel_width() const {
 
 // As fine as the screen shows a cell.
 std::uint32_t Desk2::texture_pixels() const {
-  const auto& lit = looks_.lit();
+  const auto lit = looks_.lit();
   if (!lit) return 1;
   const Grid2& grid = lit->light->grid.grid;
   const double cell = to_double((grid.max.x - grid.min.x) / grid.nx) * camera_.pixels_per_length();
@@ -77,13 +69,11 @@ void Desk2::scene_changed() {
     move_lights();
   else
     looks_.set_scene(editor_.scene(), editor_.is_dragging() ? LiveDepth2::kCoarse : LiveDepth2::kFull);
-  const std::shared_ptr<const Scene2> before = std::exchange(shown_, editor_.scene());
-  if (before) {
-    request_.face = same_face(request_.face, *before, *shown_);
-    request_.other = same_face(request_.other, *before, *shown_);
-  }
+  shown_ = editor_.scene();
+  for (std::optional<std::string>* name : {&request_.face, &request_.other})
+    if (!face_called(*shown_, *name)) name->reset();
   if (tool_ && tool_->material >= shown_->materials.size()) tool_.reset();
-  if (drag_ != Drag::kEdit) touch();
+  touch();
 }
 
 // What is looked at follows the mouse, where it depends on it, and what lies under it.
@@ -93,7 +83,7 @@ void Desk2::request_changed() {
       request_.look == Look2::kVisibility ? has_mouse_ : is_free && shows_light_at_mouse(request_.look);
   request_.mouse = follows ? std::optional(exact_mouse()) : std::nullopt;
   if (request_.look == Look2::kFactors)
-    request_.other = hover_.surface && is_free ? std::optional(asked_face(hover_)) : std::nullopt;
+    request_.other = hover_.surface && is_free ? std::optional(asked_name(hover_)) : std::nullopt;
   if (request_.look != Look2::kFactors && request_.look != Look2::kPair) request_.other.reset();
   looks_.set_request(request_);
   needs_frame_ = true;
@@ -149,6 +139,7 @@ void Desk2::read_again() {
     editor_.replace(std::move(scene));
     time_.reset();
     moved_.reset();
+    drag_ = Drag::kNone;
     message_ = "read again";
     if (is_fitted_) fit();
   } catch (const std::runtime_error& error) {

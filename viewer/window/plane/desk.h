@@ -85,6 +85,7 @@ class Desk2 : public Desk {
   void release(const WindowEvent& event);
   void click();
   Face asked_face(const Pick2& pick) const;
+  std::string asked_name(const Pick2& pick) const;
   void key(const WindowEvent& event);
   void touch();
   Pointer2 pointer(const HeldKeys& held = {}) const;

@@ -257,6 +257,7 @@ bool Desk2::file_command(std::string_view name) {
     const std::string number = looks_.result() ? looks_.result()->number : "";
     if (!number.empty()) window_.set_clipboard(number);
     message_ = number.empty() ? "there is no number to copy" : "copied " + number;
+    if (!number.empty() && looks_.is_behind()) message_ += ", before the last edit";
   } else if (name == "reload") {
     if (editor_.history().is_changed())
       prompt_ = Prompt{.question = "unsaved changes:  r  read the file again and drop them   escape  keep them",

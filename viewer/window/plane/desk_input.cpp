@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/scene_names.h"
 #include "viewer/edit/decimals.h"
 #include "viewer/window/commands.h"
 #include "viewer/window/lights.h"
@@ -28,7 +29,7 @@ Pointer2 Desk2::pointer(const HeldKeys& held) const {
           .is_whole = held.ctrl};
 }
 
-// Finds what lies under the mouse.
+// Finds what lies under the mouse, in the scene as it is now.
 void Desk2::touch() {
   const Pointer2 mouse = pointer();
   hover_light_ = has_mouse_ && !tool_ ? pick_light(*shown_scene(), mouse.place, mouse.reach, mouse.arm) : std::nullopt;
@@ -171,12 +172,14 @@ Face Desk2::asked_face(const Pick2& pick) const {
   return {pick.face.surface, has_back};
 }
 
+std::string Desk2::asked_name(const Pick2& pick) const { return face_name(*editor_.scene(), asked_face(pick)); }
+
 // A click on an edge picks its face where faces are looked at.
 void Desk2::click() {
   if (editor_.selected_light()) return;
   const Pick2 found = editor_.pick(pointer());
   if (!found.surface) return;
-  const Face face = asked_face(found);
+  const std::string face = asked_name(found);
   if (request_.look == Look2::kFactors || (request_.look == Look2::kPair && (!request_.face || request_.other))) {
     request_.face = face;
     request_.other.reset();

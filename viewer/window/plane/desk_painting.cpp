@@ -29,7 +29,7 @@ constexpr std::uint32_t kBlank = 0xFFFDFCFA;       // where nothing can be drawn
 
 LookDrawing2 Desk2::drawing() const {
   const bool is_lit = !looks_.state().problem.empty() && looks_.lit();
-  return {.state = is_lit ? looks_.lit().get() : &looks_.state(),
+  return {.state = is_lit ? looks_.texture()->state.get() : &looks_.state(),
           .request = &looks_.request(),
           .result = looks_.result(),
           .tone = tone_,
@@ -89,8 +89,8 @@ void Desk2::draw_selection(PictureCanvas& canvas) const {
   if (drag_ == Drag::kNone && !tool_ && hover_.vertex) ring(*hover_.vertex);
   if (editor_.selected_vertex()) ring(*editor_.selected_vertex());
   if (request_.look == Look2::kFactors || request_.look == Look2::kPair)
-    for (const auto& [face, colour] : {std::pair(request_.face, palette::kFirst), {request_.other, palette::kSecond}})
-      if (face && face->surface < scene.edges.size()) stroke(face->surface, colour, 4);
+    for (const auto& [name, colour] : {std::pair(request_.face, palette::kFirst), {request_.other, palette::kSecond}})
+      if (const auto face = face_called(scene, name)) stroke(face->surface, colour, 4);
 }
 
 void Desk2::draw_tool(PictureCanvas& canvas) const {
@@ -147,6 +147,7 @@ std::string Desk2::head() const {
   if (request_.look == Look2::kFloor) text += fmt::format(" x {:.3g}", tone_.exposure);
   if (request_.look == Look2::kErrors) text += ": " + request_.method;
   if (time_) text += fmt::format("   {:.2f} s", to_double(*time_));
+  if (looks_.is_behind()) text += "   numbers before the last edit";
   if (!state.light) return text;
   const bool is_behind = state.scene != shown_scene();
   if (state.depth == LiveDepth2::kCoarse || is_behind)
@@ -157,10 +158,14 @@ std::string Desk2::head() const {
   return text;
 }
 
-// Where the mouse is, what lies there, and the number that can be copied.
+// Where the mouse is, what lies there, and the number that can be copied: with the place that it is of, while that of
+// the mouse is on its way.
 std::string Desk2::status() const {
   if (!has_mouse_) return "";
-  std::string text = place_text(exact_mouse());
+  const LookResult2* result = looks_.result();
+  const bool has_number = result != nullptr && !result->number.empty();
+  const bool is_of_place = has_number && shows_light_at_mouse(result->request.look) && result->request.mouse;
+  std::string text = place_text(is_of_place ? *result->request.mouse : exact_mouse());
   const Scene2& scene = *shown_scene();
   if (hover_light_ && hover_light_->light < scene.lights.size()) {
     const std::uint32_t light = hover_light_->light;
@@ -172,9 +177,8 @@ std::string Desk2::status() const {
     const auto material = scene.surfaces[*hover_.surface].material_of(hover_.face.is_back);
     text += material ? " of " + scene.materials[*material].name : ", opaque and black";
   }
-  const LookResult2* result = looks_.result();
-  if (result == nullptr || result->number.empty()) return text;
-  return text + (shows_light_at_mouse(request_.look) ? "   mean irradiance " : "   ") + result->number;
+  if (!has_number || result->request.other != looks_.request().other) return text;
+  return text + (is_of_place ? "   mean irradiance " : "   ") + result->number;
 }
 
 void Desk2::draw_texts(PictureCanvas& canvas) const {

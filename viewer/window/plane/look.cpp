@@ -83,20 +83,21 @@ void add_pair(const LiveState2& state, LookResult2& result) {
   }
   if (!state.prepared) return;
   const Scene2& scene = state.prepared->scene;
-  if (request.face->surface >= scene.surfaces.size()) return;
-  if (!request.other || request.other->surface >= scene.surfaces.size()) {
-    result.lines = {"from " + face_name(scene, *request.face),
+  const std::optional<Face> face = face_called(scene, request.face), other = face_called(scene, request.other);
+  if (!face) return;
+  if (!other) {
+    result.lines = {"from " + *request.face,
                     request.look == Look2::kPair ? "click another face" : "the factor to the face under the mouse"};
     return;
   }
-  PairSight2 sight{.from = face_name(scene, *request.face),
-                   .to = face_name(scene, *request.other),
-                   .face_from = request.face,
-                   .face_to = request.other,
-                   .pair = exact_pair(*state.prepared, request.face, request.other),
+  PairSight2 sight{.from = *request.face,
+                   .to = *request.other,
+                   .face_from = face,
+                   .face_to = other,
+                   .pair = exact_pair(*state.prepared, face, other),
                    .critical = {}};
   if (request.look == Look2::kPair) {
-    sight.critical = critical_points(*state.prepared, *request.face, request.other);
+    sight.critical = critical_points(*state.prepared, *face, other);
     result.pair = drawing_of(sight);
   }
   for (const std::string& line : lines_of(pair_answer(sight).text)) {
@@ -189,6 +190,14 @@ std::optional<Look2> look_2(std::string_view word) {
 
 bool shows_light_at_mouse(Look2 look) {
   return look == Look2::kLight || look == Look2::kFloor || look == Look2::kBands || look == Look2::kVisibility;
+}
+
+std::optional<Face> face_called(const Scene2& scene, const std::optional<std::string>& name) {
+  if (!name) return std::nullopt;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    for (const Face face : {Face{s, false}, Face{s, true}})
+      if (name->starts_with(scene.surfaces[s].name) && face_name(scene, face) == *name) return face;
+  return std::nullopt;
 }
 
 bool needs_work(const LookRequest2& request) { return !shows_light_at_mouse(request.look) || request.mouse; }

@@ -41,14 +41,18 @@ std::optional<Look2> look_2(std::string_view word);
 // What is looked at.
 struct LookRequest2 {
   Look2 look = Look2::kLight;
-  std::optional<Point2> mouse = {};      // where it is, for kVisibility, and for the value of kLight
-  std::optional<Face> face = {};         // picked
-  std::optional<Face> other = {};        // picked second, or under the mouse
-  std::string method = "rays:1000";      // of kErrors
-  Solver solver = Solver::kGaussSeidel;  // of kSweeps
-  bool wants_closed_form = false;        // of kVisibility, kFactors and kPair
+  std::optional<Point2> mouse = {};  // where it is, for kVisibility, and for the value of kLight
+  // By name (face_name), so that they are the same faces in every version, however it counts its surfaces.
+  std::optional<std::string> face = {};   // picked
+  std::optional<std::string> other = {};  // picked second, or under the mouse
+  std::string method = "rays:1000";       // of kErrors
+  Solver solver = Solver::kGaussSeidel;   // of kSweeps
+  bool wants_closed_form = false;         // of kVisibility, kFactors and kPair
   friend bool operator==(const LookRequest2&, const LookRequest2&) = default;
 };
+
+// The face of that name; nothing where the scene has none, or none is asked for. COST: linear.
+std::optional<Face> face_called(const Scene2& scene, const std::optional<std::string>& name);
 
 // A place of a finding, and its number in the list.
 struct FindingPlace2 {

@@ -67,8 +67,9 @@ void draw_light(PictureCanvas& canvas, const Frame2& frame, double unit, const L
   if (is_floor) {
     tone.tone = Tone::kMax;
     draw_texture(canvas, frame, light.grid.grid, floor_texture(light.grid, *state.prepared, tone.exposure), false);
-  } else if (drawing.texture != nullptr && &light == state.light.get()) {
-    draw_texture(canvas, frame, light.grid.grid, *drawing.texture, true);
+  } else if (drawing.texture != nullptr && drawing.texture->state.get() == &state && drawing.texture->tone == tone &&
+             &light == state.light.get()) {
+    draw_texture(canvas, frame, light.grid.grid, drawing.texture->raster, true);
   } else {
     draw_texture(canvas, frame, light.grid.grid, texture_of(light.grid, *state.prepared, tone, kCoarsePixels), true);
   }
@@ -223,9 +224,9 @@ void draw_look(PictureCanvas& canvas, const Frame2& frame, double unit, const Lo
   if (request.look == Look2::kBands && state.radiosities) return draw_plan(canvas, frame, unit, state, bands_of(state));
   if (request.look == Look2::kVisibility && result && result->sight)
     return VisibilityPainter2(*result->sight, sheet()).draw(canvas);
-  if (request.look == Look2::kFactors && request.face && state.factors &&
-      request.face->surface < state.scene->surfaces.size())
-    return draw_plan(canvas, frame, unit, state, factors_of(state, *request.face));
+  if (const auto face = face_called(state.prepared->scene, request.face);
+      face && request.look == Look2::kFactors && state.factors)
+    return draw_plan(canvas, frame, unit, state, factors_of(state, *face));
   if (request.look == Look2::kPair && result && result->pair) return PairPainter2(*result->pair, sheet()).draw(canvas);
   if (request.look == Look2::kCheck) return draw_findings(canvas, frame, unit, drawing);
   draw_plan(canvas, frame, unit, state, {});

@@ -28,14 +28,22 @@ Raster light_texture_2(const LiveState2& state, const LightTone2& tone, std::uin
 // The same as fast as it can be had: one pixel a cell, a few where cells are coarse.
 Raster first_texture_2(const LiveState2& state, const LightTone2& tone);
 
+// The light of a state as pixels, with the state that it is of.
+struct LightTexture2 {
+  std::shared_ptr<const LiveState2> state;
+  LightTone2 tone;
+  std::uint32_t pixels_per_cell = 1;
+  Raster raster;
+};
+
 // Everything that a drawing of a look depends on.
 struct LookDrawing2 {
   const LiveState2* state;
   const LookRequest2* request;
   const LookResult2* result = nullptr;  // null: there is none yet
   LightTone2 tone{};
-  const Raster* texture = nullptr;  // of the state's light, where it is drawn: light_texture_2
-  double split = 0.5;               // of kErrors: where the bar is, a fraction of the width
+  const LightTexture2* texture = nullptr;  // not made anew where it is of this state and this tone
+  double split = 0.5;                      // of kErrors: where the bar is, a fraction of the width
 };
 
 // Draws a look over the whole canvas, without any text about it: paper, light, solids, edges; legends at the bottom.

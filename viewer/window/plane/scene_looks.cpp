@@ -34,12 +34,14 @@ void SceneLooks2::set_tone(const LightTone2& tone, std::uint32_t pixels_per_cell
   const bool is_other_tone = !(tone == tone_);
   tone_ = tone;
   pixels_per_cell_ = pixels_per_cell;
-  if (is_other_tone && lit_) {
-    texture_ = std::make_shared<const Raster>(first_texture_2(*lit_, tone_));
-    texture_pixels_ = 1;
-    is_changed_ = true;
-  }
+  if (is_other_tone && texture_) set_first_texture(texture_->state);
   ask_for_fine_texture();
+}
+
+void SceneLooks2::set_first_texture(std::shared_ptr<const LiveState2> state) {
+  Raster raster = first_texture_2(*state, tone_);
+  texture_ = std::make_shared<const LightTexture2>(LightTexture2{std::move(state), tone_, 1, std::move(raster)});
+  is_changed_ = true;
 }
 
 void SceneLooks2::look_again() {
@@ -67,17 +69,17 @@ void SceneLooks2::ask() {
 }
 
 void SceneLooks2::ask_for_fine_texture() {
-  const bool is_wanted =
-      lit_ && lit_ == state_ && lit_->depth == LiveDepth2::kFull && texture_pixels_ != pixels_per_cell_;
+  const bool is_wanted = texture_ && texture_->state == state_ && state_->depth == LiveDepth2::kFull &&
+                         texture_->pixels_per_cell != pixels_per_cell_;
   if (!is_wanted) {
     toning_.cancel();
     return;
   }
-  toning_.post([this, state = lit_, tone = tone_, pixels = pixels_per_cell_](const StageProgress&, const auto&) {
-    auto texture = std::make_shared<const Raster>(light_texture_2(*state, tone, pixels));
-    return Background::Apply([this, texture, pixels] {
+  toning_.post([this, state = state_, tone = tone_, pixels = pixels_per_cell_](const StageProgress&, const auto&) {
+    auto texture = std::make_shared<const LightTexture2>(
+        LightTexture2{state, tone, pixels, light_texture_2(*state, tone, pixels)});
+    return Background::Apply([this, texture] {
       texture_ = texture;
-      texture_pixels_ = pixels;
       is_changed_ = true;
     });
   });
@@ -88,11 +90,7 @@ bool SceneLooks2::collect() {
   toning_.collect();
   if (const auto state = live_.state(); state != state_ && state->scene) {
     state_ = state;
-    if (state_->light) {
-      lit_ = state_;
-      texture_ = std::make_shared<const Raster>(first_texture_2(*lit_, tone_));
-      texture_pixels_ = 1;
-    }
+    if (state_->light) set_first_texture(state_);
     is_changed_ = true;
     ask_for_fine_texture();
     ask();

@@ -36,24 +36,28 @@ class SceneLooks2 {
   // Collects until all is at rest, so many seconds at most. Returns whether it is.
   bool wait(double seconds);
 
-  const LiveState2& state() const { return *state_; }                    // the last that came
-  const std::shared_ptr<const LiveState2>& lit() const { return lit_; }  // the last with light; may be null
+  const LiveState2& state() const { return *state_; }  // the last that came
+  // The last with light; may be null.
+  std::shared_ptr<const LiveState2> lit() const { return texture_ ? texture_->state : nullptr; }
   const LookRequest2& request() const { return request_; }
   const LightTone2& tone() const { return tone_; }
-  const LookResult2* result() const { return result_ ? &*result_ : nullptr; }  // of the look asked for, or null
-  const Raster* texture() const { return texture_.get(); }                     // of lit(); may be null
+  // Of the look asked for, or null. It is of the state that came last unless is_behind().
+  const LookResult2* result() const { return result_ ? &*result_ : nullptr; }
+  bool is_behind() const { return result_ && result_->version != state_->version; }
+  const LightTexture2* texture() const { return texture_.get(); }  // of lit(); may be null
 
  private:
   void ask();
+  void set_first_texture(std::shared_ptr<const LiveState2> state);
   void ask_for_fine_texture();
 
   LiveScene2 live_;
-  std::shared_ptr<const LiveState2> state_, lit_;
+  std::shared_ptr<const LiveState2> state_;
   LookRequest2 request_;
   LightTone2 tone_;
-  std::uint32_t pixels_per_cell_ = 1, texture_pixels_ = 0;  // wanted, and had
+  std::uint32_t pixels_per_cell_ = 1;  // wanted
   std::optional<LookResult2> result_;
-  std::shared_ptr<const Raster> texture_;
+  std::shared_ptr<const LightTexture2> texture_;
   bool is_changed_ = false;
   Background looking_, toning_;
 };

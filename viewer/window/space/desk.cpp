@@ -82,7 +82,9 @@ void Desk3::set_scene(Scene3 scene_read) {
   light_.reset();
   values_.reset();
   is_fitted_ = false;
-  set_request({.look = request_.look, .method = request_.method, .solver = request_.solver});
+  request_.face.reset();
+  result_.reset();
+  looking_.cancel();
   if (read->camera) {
     home_ = *read->camera;
     is_fitted_ = true;
@@ -106,11 +108,10 @@ void Desk3::fit() { camera_ = EyeCamera3(home_, size_of(*scene())); }
 
 // Moves the eye, unless that brings it into a solid.
 void Desk3::see(const EyeCamera3& camera) {
-  const auto& model = state().model;
-  if (model)
-    if (const auto mesh = model->prepared.arrangement().solids().around(camera.camera(size_).eye)) {
-      const Solids3& solids = model->prepared.arrangement().solids();
-      message_ = "there is " + solid_text(*scene(), solids.meshes()[*mesh].group);
+  if (const auto& version = state().version)
+    if (const auto mesh = version->model().prepared.arrangement().solids().around(camera.camera(size_).eye)) {
+      const Solids3& solids = version->model().prepared.arrangement().solids();
+      message_ = "there is " + solid_text(version->scene(), solids.meshes()[*mesh].group);
       return;
     }
   camera_ = camera;
@@ -120,16 +121,13 @@ void Desk3::see(const EyeCamera3& camera) {
 bool Desk3::update() {
   const bool has_come = live_.collect();
   const bool has_looked = looking_.collect();
-  if (has_come && state().model != shown_model_) {
-    shown_model_ = state().model;
-    if (shown_model_ && !is_fitted_) {
-      home_ = default_camera_3(shown_model_->prepared);
-      is_fitted_ = true;
-      fit();
-    }
+  if (state().version && !is_fitted_) {
+    home_ = default_camera_3(state().version->model().prepared);
+    is_fitted_ = true;
+    fit();
   }
   if (has_come || has_looked) needs_base_ = true;
-  if (state().radiosities != asked_of_) ask();
+  if (state().version != asked_of_) ask(request_.look == LookKind3::kSweeps);
   watch_file();
   if (!needs_base_ && !needs_frame_) return false;
   draw();
@@ -157,25 +155,27 @@ void Desk3::set_request(LookRequest3 request) {
   request_ = std::move(request);
   result_.reset();
   needs_base_ = true;
-  ask();
+  ask(true);
 }
 
-// What is looked at, of the light that there is.
-void Desk3::ask() {
-  asked_of_ = state().radiosities;
-  if (!needs_work(request_) || !state().radiosities) {
+// What is looked at, of the version that is shown. It stops what is on its way, or follows it: then a result of a
+// version before is shown until there is another, so that something new comes however fast versions follow.
+void Desk3::ask(bool stops) {
+  asked_of_ = state().version;
+  if (!needs_work(request_) || !state().is_lit()) {
     looking_.cancel();
     result_.reset();
     return;
   }
-  looking_.post(
-      [this, state = state(), request = request_](const StageProgress& progress, const Background::Tell& tell) {
-        const auto apply = [this](LookResult3 result) {
-          return [this, result = std::make_shared<LookResult3>(std::move(result))] { result_ = std::move(*result); };
-        };
-        return Background::Apply(
-            apply(look_at_3(state, request, progress, [&](LookResult3 so_far) { tell(apply(std::move(so_far))); })));
-      });
+  Background::Work work = [this, version = state().version, request = request_](const StageProgress& progress,
+                                                                                const Background::Tell& tell) {
+    const auto apply = [this](LookResult3 result) {
+      return [this, result = std::make_shared<const LookResult3>(std::move(result))] { result_ = result; };
+    };
+    return Background::Apply(
+        apply(look_at_3(version, request, progress, [&](LookResult3 so_far) { tell(apply(std::move(so_far))); })));
+  };
+  stops ? looking_.post(std::move(work)) : looking_.follow(std::move(work));
 }
 
 // Offers a file that someone else has written.
@@ -244,31 +244,33 @@ void Desk3::quit() {
 void Desk3::save_picture(const std::filesystem::path& file) const {
   const auto format = picture_format(file.string());
   if (!format) throw UsageError("a picture ends in .png, .svg or .pdf, not '" + file.string() + "'");
-  if (!state().radiosities)
+  const Look3 look = this->look();
+  if (look.radiosities() == nullptr)
     throw RequestError("there is no light to draw" + (state().problem.empty() ? "" : ": " + state().problem));
-  PreparedScene3 prepared = state().model->prepared;
+  PreparedScene3 prepared = *look.version()->of().simulation().prepared();
   prepared.scene.camera = camera_.camera(size_);
   RenderOptions3 options{.tone = tone_, .exposure = exposure_};
   if (is_smooth_) options.shading = Shading::kSmooth;
-  if (result_) options.shown = result_->shown;
-  const RadiositySolution& solution = result_ && result_->radiosities ? *result_->radiosities : *state().radiosities;
-  write_output_file(file, RenderedView3(prepared, Granularity::kElement, solution, std::move(options)).file(*format));
+  if (look.values() != nullptr) options.shown = *look.values();
+  write_output_file(
+      file, RenderedView3(prepared, Granularity::kElement, *look.radiosities(), std::move(options)).file(*format));
 }
 
 std::string Desk3::hashes() const {
-  if (!state().radiosities || state().lit != scene() || !state().problem.empty())
+  if (!state().is_lit() || state().version->of().scene() != scene() || !state().problem.empty())
     return "factors.csv - radiosity.csv -";
-  SimulationRequest3 request = state().whole->request();
+  const LiveVersion3& version = *state().version;
+  SimulationRequest3 request = version.of().whole().request();
   request.factors.wants_visibility = true;
-  const auto factors = state().whole->with_request(request).factors();
-  SimulationRequest3 of_solve = state().simulation->request();  // which solves for one light
+  const auto factors = version.of().whole().with_request(request).factors();
+  SimulationRequest3 of_solve = version.of().simulation().request();  // which solves for one light
   of_solve.system = {};
-  const auto radiosities = state().simulation->with_request(of_solve).radiosities();
+  const auto radiosities = version.of().simulation().with_request(of_solve).radiosities();
   return fmt::format("factors.csv {} radiosity.csv {}", written_hash([&](const Sink& sink) {
-                       write_factors_csv({*scene(), factors->matrix, Granularity::kFace, {}, {}}, sink);
+                       write_factors_csv({version.scene(), factors->matrix, Granularity::kFace, {}, {}}, sink);
                      }),
                      written_hash([&](const Sink& sink) {
-                       write_radiosity_csv(*scene(), state().factors->matrix, *radiosities, sink);
+                       write_radiosity_csv(version.scene(), version.factors()->matrix, *radiosities, sink);
                      }));
 }
 

@@ -66,7 +66,9 @@ class Desk3 : public Desk {
   const std::optional<Rational>& time() const { return time_; }
   const LiveState3& state() const { return live_.state(); }
   const LookRequest3& request() const { return request_; }
-  const std::optional<LookResult3>& result() const { return result_; }
+  // What a frame shows.
+  Look3 look() const { return result_ ? Look3(result_) : Look3(state().version); }
+  const LookResult3* result() const { return result_.get(); }
   const EyeCamera3& camera() const { return camera_; }
   const Raster& frame() const { return frame_; }
   const std::string& message() const { return message_; }
@@ -98,7 +100,6 @@ class Desk3 : public Desk {
   Pointer3 pointer(const HeldKeys& held = {}) const;
   std::optional<Direction3> surface_at(const Pixel& place) const;
   bool is_on_bar() const;
-  std::optional<Face> face_of_element(std::optional<std::uint32_t> element) const;
   void pick(const Face& face);
 
   // Commands.
@@ -135,12 +136,13 @@ class Desk3 : public Desk {
   void fit();
   void see(const EyeCamera3& camera);
   void set_request(LookRequest3 request);
-  void ask();
-  ElementPaint3 light_paint() const;
-  bool is_split() const;
+  void ask(bool stops);
+  bool is_split() const { return request_.look == LookKind3::kErrors && look().values() != nullptr; }
   // What lies under the mouse is of it: the values, where there are some, else the light.
-  const SeenPicture3* seen() const { return values_ ? &values_->picture : light_ ? &light_->picture : nullptr; }
-  const SeenPicture3& see(const ElementPaint3& paint, bool is_smooth, std::optional<Seen>& kept) const;
+  const Seen* seen() const { return values_ ? &*values_ : light_ ? &*light_ : nullptr; }
+  const SeenPicture3::Part* part_at(const Pixel& place) const { return seen() ? seen()->picture.at(place) : nullptr; }
+  const SeenPicture3& see(const std::shared_ptr<const LiveModel3>& model, const ElementPaint3& paint, bool is_smooth,
+                          std::optional<Seen>& kept) const;
   void draw_seen();
   void draw_base();
   void draw_lights(PictureCanvas& canvas) const;
@@ -151,7 +153,6 @@ class Desk3 : public Desk {
   void draw_panels(PictureCanvas& canvas) const;
   std::string file_title() const;
   std::string head() const;
-  std::string number() const;
   std::string status() const;
   void draw();
 
@@ -170,8 +171,8 @@ class Desk3 : public Desk {
   Camera3 home_;
   bool is_fitted_ = false;  // home_ is that of the scene, or chosen for it
   LookRequest3 request_;
-  std::optional<LookResult3> result_;
-  std::shared_ptr<const RadiositySolution> asked_of_;  // the light that what is looked at was last asked of
+  std::shared_ptr<const LookResult3> result_;  // of its request
+  LiveVersion3::Ptr asked_of_;                 // the version that what is looked at was last asked of
   Background looking_;
   Tone tone_ = Tone::kLog;
   double exposure_ = 1, split_ = 0.5;
@@ -185,10 +186,9 @@ class Desk3 : public Desk {
   HeldKeys held_;                            // when it was pressed
   std::optional<Prompt> prompt_;
   std::string message_, title_;
-  std::optional<std::uint32_t> hover_, picked_;  // elements of the model
-  std::optional<LightHold> hover_light_;         // then hover_ is nothing
+  std::optional<LiveElement3> hover_, picked_;
+  std::optional<LightHold> hover_light_;  // then hover_ is nothing
 
-  std::shared_ptr<const LiveModel3> shown_model_;
   std::optional<Seen> light_, values_;  // values_: nothing where light alone is shown
   bool needs_base_ = true, needs_frame_ = true;
   Raster base_, frame_;

@@ -44,7 +44,7 @@ bool Desk3::look_command(std::string_view name) {
       message_ = "method " + request.method;
     }
   } else if (name == "again") {
-    ask();
+    ask(true);
   } else if (name == "shading") {
     is_smooth_ = !is_smooth_;
     message_ = is_smooth_ ? "blended over flat surfaces" : "one value an element";
@@ -96,8 +96,8 @@ bool Desk3::walk_command(std::string_view name) {
 // The material that lies under the mouse, else that of the picked polygon.
 std::optional<std::uint32_t> Desk3::material_meant() {
   touch();
-  const std::optional<std::uint32_t> element = hover_ ? hover_ : picked_;
-  if (element && state().model) return state().model->table.elements()[*element].material;
+  const std::optional<LiveElement3>& element = hover_ ? hover_ : picked_;
+  if (element) return element->element().material;
   message_ = "no polygon with a material lies under the mouse, and none is picked";
   return std::nullopt;
 }
@@ -182,7 +182,7 @@ bool Desk3::file_command(std::string_view name) {
       message_ = "saved " + file;
     });
   } else if (name == "copy number") {
-    const std::string number = this->number();
+    const std::string number = look().number(hover_);
     if (!number.empty()) window_.set_clipboard(number);
     message_ = number.empty() ? "there is no number to copy" : "copied " + number;
   } else if (name == "reload") {

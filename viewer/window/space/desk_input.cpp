@@ -21,8 +21,9 @@ double distance(const Pixel& a, const Pixel& b) { return std::hypot(a.x - b.x, a
 // Finds what lies under the mouse.
 void Desk3::touch() {
   hover_light_ = has_mouse_ ? pick_light(*shown_, pointer()) : std::nullopt;
-  const SeenPicture3::Part* part = has_mouse_ && !hover_light_ && seen() ? seen()->at(mouse_) : nullptr;
-  hover_ = part != nullptr ? part->element : std::nullopt;
+  const SeenPicture3::Part* part = has_mouse_ && !hover_light_ ? part_at(mouse_) : nullptr;
+  hover_.reset();
+  if (part != nullptr && part->element) hover_ = LiveElement3{seen()->model, *part->element};
 }
 
 // Held: shift keeps a light on an axis, ctrl aims it at what lies under the mouse.
@@ -37,10 +38,10 @@ Pointer3 Desk3::pointer(const HeldKeys& held) const {
 
 // The place of a surface with light that is seen there.
 std::optional<Direction3> Desk3::surface_at(const Pixel& place) const {
-  const SeenPicture3::Part* part = seen() ? seen()->at(place) : nullptr;
-  const std::optional<Face> face = face_of_element(part != nullptr ? part->element : std::nullopt);
-  if (!face) return std::nullopt;
-  const Polygon3& polygon = scene()->polygons[face->surface];
+  const SeenPicture3::Part* part = part_at(place);
+  if (part == nullptr || !part->element) return std::nullopt;
+  const LiveModel3& model = *seen()->model;
+  const Polygon3& polygon = model.prepared.scene.polygons[model.table.elements()[*part->element].surface];
   const Vector3 area = doubled_area(polygon);
   const Direction3 normal = unit({to_double(area.x), to_double(area.y), to_double(area.z)});
   const Pointer3 from = camera_.pointer(place, size_);
@@ -166,15 +167,8 @@ void Desk3::release(const WindowEvent& event) {
   editor_.select_none();
   picked_ = hover_;
   LookRequest3 request = request_;
-  request.face = face_of_element(picked_);
+  request.face = picked_ ? std::optional(picked_->face()) : std::nullopt;
   set_request(std::move(request));
-}
-
-// The face that an element is of.
-std::optional<Face> Desk3::face_of_element(std::optional<std::uint32_t> element) const {
-  if (!element || !state().model) return std::nullopt;
-  const Element& its = state().model->table.elements()[*element];
-  return Face{its.surface, its.is_back};
 }
 
 // Picks a polygon by its first element, as it is numbered, that there is something of.
@@ -182,10 +176,10 @@ void Desk3::pick(const Face& face) {
   LookRequest3 request = request_;
   request.face = face;
   picked_.reset();
-  if (state().model) {
-    const ElementTable3& table = state().model->table;
-    for (std::uint32_t e = 0; e < table.count() && !picked_; ++e)
-      if (table.has_row(e) && face_of_element(e) == face) picked_ = e;
+  if (state().version) {
+    const auto& model = state().version->shared_model();
+    for (LiveElement3 e{model}; e.number < model->table.count() && !picked_; ++e.number)
+      if (model->table.has_row(e.number) && e.face() == face) picked_ = e;
   }
   set_request(std::move(request));
 }

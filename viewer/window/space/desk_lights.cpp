@@ -183,7 +183,8 @@ void Desk3::add_light() {
 
 // Why a light may not be where it is; before there is a model, as far as the scene tells.
 std::string Desk3::why_not(const Scene3& edited, std::uint32_t light, const Point3* before) const {
-  if (state().model) return light_refusal(edited, light, state().model->prepared.arrangement().solids(), before);
+  if (state().version)
+    return light_refusal(edited, light, state().version->model().prepared.arrangement().solids(), before);
   return place_problem(edited, light);
 }
 

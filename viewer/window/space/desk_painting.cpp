@@ -29,18 +29,9 @@ constexpr std::uint32_t kBlank = 0xFFFDFCFA;  // where nothing can be drawn
 
 }  // namespace
 
-bool Desk3::is_split() const { return request_.look == LookKind3::kErrors && result_ && result_->shown; }
-
-ElementPaint3 Desk3::light_paint() const {
-  if (result_ && result_->radiosities) return light_paint_3(*state().lit, *result_->radiosities);
-  if (state().radiosities) return light_paint_3(*state().lit, *state().radiosities);
-  if (state().so_far) return *state().so_far;
-  return light_before_factors_3(*scene(), state().model->table);
-}
-
 // What the camera sees, painted: kept pictures of it take another paint, where that will do.
-const SeenPicture3& Desk3::see(const ElementPaint3& paint, bool is_smooth, std::optional<Seen>& kept) const {
-  const auto& model = state().model;
+const SeenPicture3& Desk3::see(const std::shared_ptr<const LiveModel3>& model, const ElementPaint3& paint,
+                               bool is_smooth, std::optional<Seen>& kept) const {
   const SmoothMesh3* mesh = is_smooth ? &model->mesh : nullptr;
   const Camera3 camera = camera_.camera(size_);
   const bool is_kept = kept && kept->model == model && kept->camera == camera && kept->is_smooth == is_smooth &&
@@ -52,17 +43,19 @@ const SeenPicture3& Desk3::see(const ElementPaint3& paint, bool is_smooth, std::
 
 void Desk3::draw_seen() {
   live_.look_from(place_of(camera_.camera(size_).eye));
-  if (result_ && result_->shown) {
+  const Look3 look = this->look();
+  const auto& model = look.version()->shared_model();
+  if (look.values() != nullptr) {
     const bool is_quantity = request_.look == LookKind3::kRadiosity || request_.look == LookKind3::kIrradiance;
-    base_ = see(scale_paint_3(*result_->shown), is_smooth_ && is_quantity, values_).raster(nullptr);
+    base_ = see(model, scale_paint_3(*look.values()), is_smooth_ && is_quantity, values_).raster(nullptr);
     if (!is_split()) return;
   } else {
     values_.reset();
   }
   // Toned by all elements there are, whatever is seen: so light stays the same while one walks.
-  const ElementPaint3 paint = light_paint();
+  const ElementPaint3 paint = look.light();
   const ToneCurve tone(tone_, exposure_, paint.values, paint.channels);
-  Raster lit = see(paint, is_smooth_, light_).raster(&tone);
+  Raster lit = see(model, paint, is_smooth_, light_).raster(&tone);
   if (!is_split()) {
     base_ = std::move(lit);
     return;
@@ -78,7 +71,7 @@ void Desk3::draw_base() {
   needs_base_ = false;
   needs_frame_ = true;
   try {
-    if (state().model && is_fitted_)
+    if (look().version() != nullptr && is_fitted_)
       draw_seen();
     else
       base_ = Raster(size_.width, size_.height, kBlank);
@@ -93,11 +86,13 @@ void Desk3::draw_base() {
 
 // The polygon under the mouse where light is seen, and the border of the one that is picked, whatever hides it.
 void Desk3::draw_touched(PictureCanvas& canvas) const {
-  const bool is_lit = !result_ || !result_->shown;
-  if (const auto face = face_of_element(hover_); face && seen() != nullptr && is_lit && drag_ == Drag::kNone) {
+  if (hover_ && seen() != nullptr && look().values() == nullptr && drag_ == Drag::kNone) {
     std::vector<std::vector<Pixel>> outlines;
-    for (const SeenPicture3::Part& part : seen()->parts()) {
-      if (face_of_element(part.element) != face) continue;
+    const std::vector<Element>& elements = seen()->model->table.elements();
+    for (const SeenPicture3::Part& part : seen()->picture.parts()) {
+      if (!part.element) continue;
+      const Element& its = elements[*part.element];
+      if (Face{its.surface, its.is_back} != hover_->face()) continue;
       outlines.push_back(part.outline);
       if (pixel_area_doubled_3(part.outline) < 0) std::ranges::reverse(outlines.back());
     }
@@ -127,44 +122,30 @@ std::string Desk3::file_title() const { return file_.path().filename().string() 
 
 std::string Desk3::head() const {
   std::string text = file_title() + "   " + to_string(request_.look);
-  if (!result_ || !result_->shown) text += fmt::format(", tone {} x {:.3g}", to_string(tone_), exposure_);
+  const Look3 look = this->look();
+  if (look.values() == nullptr) text += fmt::format(", tone {} x {:.3g}", to_string(tone_), exposure_);
   if (request_.look == LookKind3::kErrors) text += ": " + request_.method;
   if (time_) text += fmt::format("   {:.2f} s", to_double(*time_));
   const LiveState3& now = state();
   if (!now.stage.empty() && now.all_rows > 0)
     return text + fmt::format("   {} of {} rows, nearest first", now.rows, now.all_rows);
   if (!now.stage.empty()) return text + "   " + now.stage;
-  if (!now.radiosities || !now.problem.empty()) return text;
-  return text + fmt::format("   {} elements, {:.0f} ms", now.model->table.count(), 1e3 * now.seconds);
-}
-
-// The number that can be copied: that under the mouse of what is shown, else the light there, else what is looked at.
-std::string Desk3::number() const {
-  if (hover_ && result_ && result_->shown) {
-    const std::optional<double>& value = result_->shown->elements[*hover_];
-    return value ? shortest(*value) : "";
-  }
-  if (!hover_ || !state().radiosities || (result_ && result_->radiosities)) return result_ ? result_->number : "";
-  std::string text;
-  for (const ChannelSolution& channel : state().radiosities->channels)
-    text += (text.empty() ? "" : " ") + shortest(channel.elements[*hover_].radiosity);
-  return text;
+  if (!now.is_lit() || !now.problem.empty()) return text;
+  if (look.version() != now.version.get()) text += "   before the last edit";
+  return text + fmt::format("   {} elements, {:.0f} ms", look.version()->model().table.count(),
+                            1e3 * look.version()->seconds());
 }
 
 // What lies under the mouse.
 std::string Desk3::status() const {
   if (hover_light_ && drag_ == Drag::kNone) return light_line_3(*scene(), hover_light_->light);
   if (!hover_) return "";
-  const Face face = *face_of_element(hover_);
-  std::string text = face_name(*scene(), face);
-  if (const auto material = scene()->surfaces[face.surface].material_of(face.is_back))
-    text += " of " + scene()->materials[*material].name;
-  const std::string value = number();
-  if (value.empty()) return text;
-  const std::string what = result_ && result_->shown         ? result_->shown->name
-                           : result_ && result_->radiosities ? "residual"
-                                                             : "radiosity";
-  return text + "   " + what + " " + value;
+  const Scene3& found_in = hover_->model->prepared.scene;
+  std::string text = face_name(found_in, hover_->face());
+  if (const auto material = hover_->element().material) text += " of " + found_in.materials[*material].name;
+  const Look3 look = this->look();
+  const std::string value = look.number(hover_);
+  return value.empty() ? text : text + "   " + look.name_of_number() + " " + value;
 }
 
 void Desk3::draw_panels(PictureCanvas& canvas) const {
@@ -180,13 +161,14 @@ void Desk3::draw_panels(PictureCanvas& canvas) const {
                             unit_);
   };
   if (const auto light = editor_.selected_light()) panel(light_lines_3(*scene(), *light));
-  if (request_.face) panel(face_lines_3(*scene(), state(), *request_.face, picked_));
-  if (result_) panel(result_->lines);
-  if (!result_ || !result_->shown) return;
+  const Look3 look = this->look();
+  if (request_.face && look.version()) panel(face_lines_3(*look.version(), *request_.face, picked_));
+  if (look.result()) panel(look.result()->lines);
+  if (look.values() == nullptr) return;
   // The scale, on paper.
   const double bar = std::min(420 * unit_, width - 4 * gap), low = height - 130 * unit_;
   canvas.fill_rectangle(Mark::kPaper, {gap, low}, {gap + 1.15 * bar, low + 76 * unit_}, kBar);
-  draw_legend(canvas, result_->shown->scale, result_->shown->title, {2 * gap, low + 6 * unit_}, bar, unit_);
+  draw_legend(canvas, look.values()->scale, look.values()->title, {2 * gap, low + 6 * unit_}, bar, unit_);
 }
 
 void Desk3::draw_texts(PictureCanvas& canvas) const {

@@ -7,65 +7,50 @@
 #include <optional>
 #include <string>
 
-#include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/scene/scene.h"
+#include "geometry/space/visibility/direction.h"
 #include "kernel/support/stopwatch.h"
 #include "solver/space/simulation/simulation.h"
-#include "viewer/picture/space/element_paint.h"
-#include "viewer/picture/space/smooth_mesh.h"
 #include "viewer/window/background.h"
+#include "viewer/window/space/live_version.h"
 #include "viewer/window/space/nearest_rows.h"
 
 namespace hottel {
 
-// What is needed to look at a scene: its arrangement, its elements, and how values run over them.
-struct LiveModel3 {
-  PreparedScene3 prepared;
-  ElementTable3 table;
-  SmoothMesh3 mesh;
-
-  explicit LiveModel3(const PreparedScene3& scene);
-};
-
-// What is known of the scene so far. Pointers are null where a stage failed, or has not come.
+// What there is to be looked at, and what runs.
 struct LiveState3 {
-  std::shared_ptr<const LiveModel3> model;
-  std::shared_ptr<const ComputedFactors3> factors;
-  // Of the materials and lights in `lit`; of those before, while it is not done.
-  std::shared_ptr<const RadiositySolution> radiosities;
-  std::shared_ptr<const Scene3> lit;      // the scene that the light is of
-  std::optional<Simulation3> simulation;  // of that
-  std::optional<Simulation3> whole;       // the same asked for whole polygons: its factors are made when asked for
-  // The light of the rows that have come, while others have not: after some sweeps. Nothing before the first, and of no
-  // meaning once there are radiosities.
-  std::optional<ElementPaint3> so_far;
+  // The last version that can be shown: with its light, once there has been one of its shape. Null where there is none
+  // yet, or the scene cannot be arranged.
+  LiveVersion3::Ptr version;
   std::uint32_t rows = 0, all_rows = 0;  // that have come, of
   std::string stage;                     // what runs: "view factors 43 %"; empty at rest
-  std::string problem;                   // why there is no light: one line; empty where there is
-  double seconds = 0;                    // from set() until the light was there
+  std::string problem;                   // why the scene that was set last has no light: one line; empty where it has
+
+  // Whether the version shown has its light.
+  bool is_lit() const { return version && version->is_lit(); }
 };
 
 // Makes the light of the scene that was set last, in the background. All functions are for one thread.
 //
-//   (1) at rest, radiosities are bit for bit those of a new simulation of the scene and the request
+//   (1) at rest, the version is that of the scene set last, and its radiosities are bit for bit those of a new
+//       simulation of the scene and the request; where it has no light, the problem says why
 //   (2) what is needed to look at the scene comes first, then its factors, those of elements nearest to the eye first
 //       (NearestRows3), and with them light that goes around among the rows that have come, then its light
 //   (3) a scene that differs from the one before in materials and lights alone does not disturb the factors that are
 //       there or on their way, nor the system where no reflectivity differs, unless other materials are alike than
 //       before (are_alike_as_before_3). Its light follows that which is on its way: something new is shown however fast
-//       scenes follow each other
+//       scenes follow each other. Until it is there the version before stays, whole
 //   (4) the destructor stops what runs, and waits for that
 class LiveScene3 {
  public:
   // changed: called on other threads when there is something to collect; must be quick.
-  LiveScene3(SimulationRequest3 request, const std::function<void()>& changed);
+  LiveScene3(SimulationRequest3 request, std::function<void()> changed);
 
   // Throws InputError for a scene that is none (validate).
   void set(std::shared_ptr<const Scene3> scene);
 
   // Where the eye is: what is near comes first.
-  void look_from(const Direction3& eye) { watch_->look_from(eye); }
+  void look_from(const Direction3& eye);
 
   // Takes what has come. True where something has changed.
   bool collect();
@@ -79,20 +64,19 @@ class LiveScene3 {
   void prepare_anew();
   void light_anew();
   void sweep_anew();
+  void show(LiveVersion3::Ptr version);
+  void fail(const std::string& problem);
 
-  const std::shared_ptr<NearestRows3> watch_;
-  SimulationRequest3 request_;
-  std::shared_ptr<const Scene3> scene_;
-  std::optional<Simulation3> simulation_;
+  const SimulationRequest3 request_;
+  const std::function<void()> changed_;
+  Direction3 eye_;
+  std::optional<SceneVersion3> set_;  // the last
+  bool has_factors_ = false;
+  std::shared_ptr<const RowsSoFar3> rows_;  // of its shape
   LiveState3 state_;
   Stopwatch since_;
   bool is_changed_ = false;
-  std::shared_ptr<const RowsSoFar3> rows_;
   Background preparing_, lighting_;
 };
-
-// The light before there are factors: every face receives the mean of what a closed room of these materials holds, a
-// little more from above, so that faces are told apart. [unit: that of emissions]
-ElementPaint3 light_before_factors_3(const Scene3& scene, const ElementTable3& table);
 
 }  // namespace hottel

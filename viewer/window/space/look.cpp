@@ -37,8 +37,9 @@ const char* guarantee_word(Guarantee guarantee) {
   return guarantee == Guarantee::kExact ? "exact" : guarantee == Guarantee::kEnclosed ? "enclosed" : "estimated";
 }
 
-void add_quantity(const LiveState3& state, Quantity quantity, LookResult3& result) {
-  result.shown = shown_values({.quantity = quantity}, *state.lit, state.factors->matrix, *state.radiosities, kUnit);
+void add_quantity(Quantity quantity, LookResult3& result) {
+  const LiveVersion3& of = *result.version;
+  result.shown = shown_values({.quantity = quantity}, of.scene(), of.factors()->matrix, *of.radiosities(), kUnit);
 }
 
 // By elements: what their whole polygons get.
@@ -65,15 +66,14 @@ ShownValues values_by_face(const ExchangeMatrix& elements, const ExchangeMatrix&
   return shown;
 }
 
-void add_factors(const LiveState3& state, const LookRequest3& request, const StageProgress& progress,
-                 LookResult3& result) {
+void add_factors(const LookRequest3& request, const StageProgress& progress, LookResult3& result) {
   if (!request.face) {
     result.lines = {"click a polygon"};
     return;
   }
-  const Scene3& scene = *state.lit;
-  const std::string name = face_name(scene, *request.face);
-  const std::shared_ptr<const ComputedFactors3> computed = state.whole->factors(progress);
+  const LiveVersion3& of = *result.version;
+  const std::string name = face_name(of.scene(), *request.face);
+  const std::shared_ptr<const ComputedFactors3> computed = of.of().whole().factors(progress);
   const ExchangeMatrix& matrix = computed->matrix;
   const auto from = matrix.find(name);
   result.lines = {"from " + name};
@@ -89,12 +89,11 @@ void add_factors(const LiveState3& state, const LookRequest3& request, const Sta
     result.lines.push_back(fmt::format("{}\t{}\t{}", digits(factor(k)), matrix.name(matrix.row(*from)[k].to),
                                        guarantee_word(matrix.guarantee(*from, k))));
   if (!order.empty()) result.number = shortest(factor(order[0]));
-  result.shown = values_by_face(state.factors->matrix, matrix, *from, name);
+  result.shown = values_by_face(of.factors()->matrix, matrix, *from, name);
 }
 
-void add_errors(const Simulation3& simulation, const LookRequest3& request, const StageProgress& progress,
-                LookResult3& result) {
-  const MethodComparison3 comparison(simulation, progress);
+void add_errors(const LookRequest3& request, const StageProgress& progress, LookResult3& result) {
+  const MethodComparison3 comparison(result.version->of().simulation(), progress);
   progress("comparison", 0.5);
   const MethodResult found = comparison.run(*methods_3().make(request.method), 1);
   result.shown = error_values_3(comparison, found);
@@ -108,8 +107,9 @@ void add_errors(const Simulation3& simulation, const LookRequest3& request, cons
 }
 
 // One solver after 0, 1, 2, ... sweeps: each a simulation of its own that shares the factors.
-void add_sweeps(const Simulation3& simulation, const LookRequest3& request, const StageProgress& progress,
+void add_sweeps(const LookRequest3& request, const StageProgress& progress,
                 const std::function<void(LookResult3)>& tell, LookResult3& result) {
+  const Simulation3& simulation = result.version->of().simulation();
   for (int k = 0; k <= kMostSweeps3; ++k) {
     SimulationRequest3 asked = simulation.request();
     asked.system = {.solver = request.solver, .iterations = k};
@@ -142,41 +142,71 @@ std::optional<LookKind3> look_3(std::string_view word) {
 
 bool needs_work(const LookRequest3& request) { return request.look != LookKind3::kLight; }
 
-LookResult3 look_at_3(const LiveState3& state, const LookRequest3& request, const StageProgress& progress,
+LookResult3 look_at_3(const LiveVersion3::Ptr& version, const LookRequest3& request, const StageProgress& progress,
                       const std::function<void(LookResult3)>& tell) {
-  LookResult3 result;
+  HOTTEL_REQUIRE(version && version->is_lit());
+  LookResult3 result{.version = version};
   try {
     switch (request.look) {
       case LookKind3::kLight:
         break;
       case LookKind3::kRadiosity:
-        add_quantity(state, Quantity::kRadiosity, result);
+        add_quantity(Quantity::kRadiosity, result);
         break;
       case LookKind3::kIrradiance:
-        add_quantity(state, Quantity::kIrradiance, result);
+        add_quantity(Quantity::kIrradiance, result);
         break;
       case LookKind3::kFactors:
-        add_factors(state, request, progress, result);
+        add_factors(request, progress, result);
         break;
       case LookKind3::kErrors:
-        add_errors(*state.simulation, request, progress, result);
+        add_errors(request, progress, result);
         break;
       case LookKind3::kPlan:
-        for (const std::string& line : lines_of(plan_text(*state.simulation->plan(progress))))
+        for (const std::string& line : lines_of(plan_text(*version->of().simulation().plan(progress))))
           result.lines.push_back(with_tabs(line));
         break;
       case LookKind3::kSweeps:
-        add_sweeps(*state.simulation, request, progress, tell, result);
+        add_sweeps(request, progress, tell, result);
         break;
     }
   } catch (const std::runtime_error& error) {  // what cannot be had; Interrupted is none
-    result.lines = {error.what()};
+    result = {.version = version, .lines = {error.what()}};
   }
   return result;
 }
 
-std::vector<std::string> face_lines_3(const Scene3& scene, const LiveState3& state, const Face& face,
-                                      std::optional<std::uint32_t> element) {
+ElementPaint3 Look3::light() const {
+  HOTTEL_REQUIRE(version_ != nullptr);
+  return result_ && result_->radiosities ? light_paint_3(version_->scene(), *result_->radiosities) : version_->light();
+}
+
+const RadiositySolution* Look3::radiosities() const {
+  if (result_ && result_->radiosities) return result_->radiosities.get();
+  return version_ && version_->is_lit() ? version_->radiosities().get() : nullptr;
+}
+
+std::string Look3::number(const std::optional<LiveElement3>& element) const {
+  const std::optional<std::uint32_t> at = element && version_ ? element->number_in(version_->model()) : std::nullopt;
+  if (at && values() != nullptr) {
+    const std::optional<double>& value = values()->elements[*at];
+    return value ? shortest(*value) : "";
+  }
+  if (!at || !version_->is_lit() || (result_ && result_->radiosities)) return result_ ? result_->number : "";
+  std::string text;
+  for (const ChannelSolution& channel : version_->radiosities()->channels)
+    text += (text.empty() ? "" : " ") + shortest(channel.elements[*at].radiosity);
+  return text;
+}
+
+const char* Look3::name_of_number() const {
+  if (values() != nullptr) return values()->name.c_str();
+  return result_ && result_->radiosities ? "residual" : "radiosity";
+}
+
+std::vector<std::string> face_lines_3(const LiveVersion3& version, const Face& face,
+                                      const std::optional<LiveElement3>& element) {
+  const Scene3& scene = version.scene();
   std::vector<std::string> lines{face_name(scene, face)};
   const auto material = scene.surfaces[face.surface].material_of(face.is_back);
   if (!material) {
@@ -187,14 +217,15 @@ std::vector<std::string> face_lines_3(const Scene3& scene, const LiveState3& sta
   lines.push_back("material\t" + its.name);
   lines.push_back("reflectivity\t" + spectrum_text(its.reflectivity));
   lines.push_back("emission\t" + spectrum_text(its.emission));
-  if (!element || !state.model) return lines;
-  const Element& its_element = state.model->table.elements()[*element];
+  const std::optional<std::uint32_t> number = element ? element->number_in(version.model()) : std::nullopt;
+  if (!number) return lines;
+  const Element& its_element = version.model().table.elements()[*number];
   if (its_element.parts > 1) lines.push_back(fmt::format("element\t{} of {}", its_element.part + 1, its_element.parts));
   lines.push_back("area\t" + digits(its_element.area.value));
-  if (!state.radiosities) return lines;
-  for (std::size_t c = 0; c < state.radiosities->channels.size(); ++c) {
-    const ElementRadiosity& light = state.radiosities->channels[c].elements[*element];
-    const std::string& channel = state.radiosities->channel_names[c];
+  if (!version.is_lit()) return lines;
+  for (std::size_t c = 0; c < version.radiosities()->channels.size(); ++c) {
+    const ElementRadiosity& light = version.radiosities()->channels[c].elements[*number];
+    const std::string& channel = version.radiosities()->channel_names[c];
     const std::string of = channel == "all" ? "" : " " + channel;
     lines.push_back("radiosity" + of + "\t" + digits(light.radiosity));
     lines.push_back("irradiance" + of + "\t" + digits(light.irradiance));

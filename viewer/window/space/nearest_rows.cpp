@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "kernel/support/failure.h"
+
 namespace hottel {
 
 void NearestRows3::look_from(const Direction3& eye) {
@@ -21,7 +23,9 @@ std::vector<std::uint32_t> NearestRows3::next(const ExchangeRows3& rows) {
     all += table.has_row(i) ? 1 : 0;
   }
   const std::lock_guard lock(mutex_);
+  const std::size_t part = std::min<std::size_t>(missing.size(), std::max(1u, (all + kParts - 1) / kParts));
   if (missing.size() == all) {  // it begins
+    last_ = &rows;
     so_far_ = {std::vector<char>(table.count(), 0), 0, all, {}};
     middles_.clear();
     for (const auto& corners : rows.corners()) {
@@ -30,8 +34,8 @@ std::vector<std::uint32_t> NearestRows3::next(const ExchangeRows3& rows) {
       middles_.push_back((1 / std::max(1.0, static_cast<double>(corners.size()))) * sum);
     }
   }
-  const std::size_t part = std::min<std::size_t>(missing.size(), std::max(1u, (all + kParts - 1) / kParts));
-  std::ranges::stable_sort(missing, {}, [this](std::uint32_t i) { return length(middles_[i] - eye_); });
+  if (last_ == &rows)
+    std::ranges::stable_sort(missing, {}, [this](std::uint32_t i) { return length(middles_[i] - eye_); });
   missing.resize(part);
   return missing;
 }
@@ -42,6 +46,7 @@ void NearestRows3::have_come(const ExchangeRows3& rows, std::span<const PairSum3
     plain->push_back({pair.i, pair.j, rows.factor(pair, pair.i), rows.factor(pair, pair.j)});
   {
     const std::lock_guard lock(mutex_);
+    if (last_ != &rows) return;
     for (std::uint32_t i = 0; i < so_far_.has_come.size(); ++i)
       so_far_.has_come[i] = rows.table().has_row(i) && !rows.is_missing(i);
     so_far_.count = so_far_.all - rows.missing();
@@ -61,6 +66,8 @@ RowSweeps3::RowSweeps3(const Scene3& scene, const ElementTable3& table, const Ro
                        std::span<const LightShares> lights, ElementPaint3 from)
     : sky_(table.sky()), light_(std::move(from)) {
   const std::size_t channels = light_.channels;
+  HOTTEL_REQUIRE(rows.has_come.size() == table.count() && light_.values.size() == table.count() * channels);
+  HOTTEL_REQUIRE(lights.size() == scene.lights.size());
   std::vector<std::size_t> begin(std::size_t{table.count()} + 1, 0);
   const auto for_each = [&](const auto& take) {
     for (const auto& some : rows.pairs)

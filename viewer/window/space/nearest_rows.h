@@ -33,6 +33,7 @@ struct RowsSoFar3 {
 // Lets rows come in parts, those of elements nearest to the eye first, wherever the eye is when a part begins.
 //
 //   (1) each part has a kParts-th of all rows, one at least
+//   (2) it tells of the measurement that began last: one that has not stopped yet is not mixed with it
 // Any thread may call its functions.
 class NearestRows3 : public RowWatch3 {
  public:
@@ -52,6 +53,7 @@ class NearestRows3 : public RowWatch3 {
   const std::function<void()> changed_;
   std::mutex mutex_;
   Direction3 eye_;
+  const ExchangeRows3* last_ = nullptr;  // that began last; it may have ended
   RowsSoFar3 so_far_;
   bool has_more_ = false;
   std::vector<Direction3> middles_;  // by element
@@ -64,7 +66,7 @@ class NearestRows3 : public RowWatch3 {
 class RowSweeps3 {
  public:
   // lights: the shares of each light of the scene. from: the light to begin with (light_before_factors_3). REQUIRES as
-  // many elements in both.
+  // many elements in the table, the rows, the shares and this light, and a share of each light.
   RowSweeps3(const Scene3& scene, const ElementTable3& table, const RowsSoFar3& rows,
              std::span<const LightShares> lights, ElementPaint3 from);
 

@@ -487,23 +487,36 @@ TEST(Desk2, PickedFacesAreKeptByName) {
   Hand hand;
   hand.play("key 5\nclick 2.5,1");
   ASSERT_TRUE(hand.request().face);
-  EXPECT_EQ(hand.scene().surfaces[hand.request().face->surface].name, "table[0]");
+  EXPECT_EQ(*hand.request().face, "table[0]");
   hand.play("drag 0.8,2.2 1.2,0.8 shift\nkey delete");  // the screen, which stands before it in the list
   EXPECT_EQ(hand.scene().surfaces.size(), 10u);
   ASSERT_TRUE(hand.request().face);
-  EXPECT_EQ(hand.scene().surfaces[hand.request().face->surface].name, "table[0]");
+  EXPECT_EQ(*hand.request().face, "table[0]");
   hand.play("key ctrl+z");
-  EXPECT_EQ(hand.scene().surfaces[hand.request().face->surface].name, "table[0]");
+  EXPECT_EQ(*hand.request().face, "table[0]");
   hand.play("click 2.5,1 ctrl\nkey delete");
   EXPECT_FALSE(hand.request().face);
+}
+
+// What lay under the mouse is not looked for in a scene that has been read since.
+TEST(Desk2, AFileIsReadWhileSomethingIsDragged) {
+  Hand hand;
+  hand.play("press 2.5,2\nmove 2.5,2.2");
+  std::ofstream(hand.file()) << R"({"hottel": 1, "dimension": 2, "materials": {"m": {"reflectivity": 0.5}},
+    "edges": [{"name": "a", "points": [[0,0],[1,0]], "material": "m"}]})";
+  hand.play("do reload\nkey r");
+  ASSERT_EQ(hand.scene().edges.size(), 1u);
+  for (const char* key : {"]", "k", "i", "u"}) hand.play(std::string("key ") + key + "\nkey escape");
+  hand.play("move 2.5,2.4\nrelease 2.5,2.4\nkey k");
+  EXPECT_EQ(hand.scene().edges.size(), 1u);
 }
 
 TEST(Desk2, PicksPairsOfFaces) {
   Hand hand;
   hand.play("key 6\nclick 0.02,1.5\nclick 2.5,0.98");
   ASSERT_TRUE(hand.request().face && hand.request().other);
-  EXPECT_EQ(hand.scene().surfaces[hand.request().face->surface].name, "room[0]");
-  EXPECT_EQ(hand.scene().surfaces[hand.request().other->surface].name, "table[0]");
+  EXPECT_EQ(*hand.request().face, "room[0]");
+  EXPECT_EQ(*hand.request().other, "table[0]");
   ASSERT_NE(hand.desk->looks().result(), nullptr);
   EXPECT_NE(hand.desk->looks().result()->number, "");
   hand.play("key ctrl+c");
@@ -511,7 +524,7 @@ TEST(Desk2, PicksPairsOfFaces) {
   EXPECT_THAT(hand.desk->message(), StartsWith("copied "));
   hand.play("click 2,2.98");
   EXPECT_FALSE(hand.request().other);
-  EXPECT_EQ(hand.scene().surfaces[hand.request().face->surface].name, "room[1]");
+  EXPECT_EQ(*hand.request().face, "room[1]");
 }
 
 TEST(Desk2, CopiesTheLightUnderTheMouse) {

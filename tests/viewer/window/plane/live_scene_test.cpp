@@ -10,6 +10,7 @@
 #include <set>
 
 #include "geometry/plane/arrangement/prepared_scene.h"
+#include "geometry/scene_names.h"
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/computed_factors.h"
@@ -488,8 +489,8 @@ TEST(SceneLooksThread, HaveTheTextureOfTheLightAndTheTone) {
       looks.set_tone({tone, 1.5}, pixels);
       ASSERT_TRUE(looks.wait(kPatience));
       ASSERT_NE(looks.texture(), nullptr);
-      EXPECT_EQ(*looks.texture(), light_texture_2(*looks.lit(), {tone, 1.5}, pixels)) << pixels;
-      EXPECT_EQ(looks.texture()->width, looks.lit()->light->grid.grid.nx * pixels);
+      EXPECT_EQ(looks.texture()->raster, light_texture_2(*looks.lit(), {tone, 1.5}, pixels)) << pixels;
+      EXPECT_EQ(looks.texture()->raster.width, looks.lit()->light->grid.grid.nx * pixels);
     }
 }
 
@@ -498,12 +499,12 @@ TEST(SceneLooksThread, KeepTheLastLightOfAnInvalidScene) {
   looks.set_scene(shared(small_room()), LiveDepth2::kFull);
   ASSERT_TRUE(looks.wait(kPatience));
   const auto lit = looks.lit();
-  const Raster texture = *looks.texture();
+  const Raster texture = looks.texture()->raster;
   looks.set_scene(shared(parse_scene_2(bad_scenes()[0].text, "bad.json")), LiveDepth2::kFull);
   ASSERT_TRUE(looks.wait(kPatience));
   EXPECT_NE(looks.state().problem, "");
   EXPECT_EQ(looks.lit(), lit);
-  EXPECT_EQ(*looks.texture(), texture);
+  EXPECT_EQ(looks.texture()->raster, texture);
 }
 
 TEST(SceneLooksThread, ForgetTheNumberOfAMouseThatHasGone) {
@@ -527,8 +528,8 @@ TEST(SceneLooksThread, EndAtAnyMoment) {
       looks.set_scene(shared(with_white(scene, Rational(static_cast<long>(random() % 9)) / 10)), LiveDepth2::kFull);
       looks.set_request({.look = static_cast<Look2>(random() % kLooks2),
                          .mouse = Point2{1, Rational(static_cast<long>(random() % 29)) / 10},
-                         .face = Face{0, false},
-                         .other = Face{2, false}});
+                         .face = face_name(scene, {0, false}),
+                         .other = face_name(scene, {2, false})});
       std::this_thread::sleep_for(std::chrono::microseconds(random() % 30000));
       looks.collect();
       looks.set_tone({Tone::kLog, 1 + static_cast<double>(n)}, 2);

@@ -12,6 +12,7 @@
 #include "geometry/plane/exchange/closed_forms.h"
 #include "geometry/plane/visibility/critical_points.h"
 #include "geometry/plane/visibility/point_sight.h"
+#include "geometry/scene_names.h"
 #include "io/results/plane/check_report.h"
 #include "io/results/plane/visibility_report.h"
 #include "io/results/solve_report.h"
@@ -160,14 +161,14 @@ TEST(LookAt2, TellsAllThatIsKnownOfAPair) {
                          .pair = exact_pair(*room().prepared, from, to),
                          .critical = critical_points(*room().prepared, from, to)};
   ASSERT_EQ(scene.surfaces[1].name, "room[0]");
-  const LookResult2 whole =
-      look_at(room(), {.look = Look2::kPair, .face = from, .other = to, .wants_closed_form = true}, kNoProgress);
+  const LookResult2 whole = look_at(
+      room(), {.look = Look2::kPair, .face = "room[0]", .other = "room[2]", .wants_closed_form = true}, kNoProgress);
   EXPECT_EQ(words_of(joined(whole.lines)), words_of(pair_answer(sight).text));
   ASSERT_TRUE(whole.pair);
   EXPECT_EQ(whole.pair->critical_on_a, drawing_of(sight).critical_on_a);
   EXPECT_FALSE(whole.pair->critical_on_a.empty());
 
-  const LookResult2 brief = look_at(room(), {.look = Look2::kPair, .face = from, .other = to}, kNoProgress);
+  const LookResult2 brief = look_at(room(), {.look = Look2::kPair, .face = "room[0]", .other = "room[2]"}, kNoProgress);
   EXPECT_EQ(brief.lines.size(), whole.lines.size());
   EXPECT_THAT(joined(brief.lines), Not(HasSubstr("sqrt")));
   EXPECT_THAT(joined(whole.lines), HasSubstr("sqrt"));
@@ -181,7 +182,8 @@ TEST(LookAt2, TellsTheFactorOfTheFaceUnderTheMouse) {
   for (std::uint32_t s = 0; s < small_room().surfaces.size(); ++s)
     for (const bool is_back : {false, true}) {
       const Face to{s, is_back};
-      const LookResult2 result = look_at(room(), {.look = Look2::kFactors, .face = from, .other = to}, kNoProgress);
+      const LookResult2 result = look_at(
+          room(), {.look = Look2::kFactors, .face = "room[0]", .other = face_name(small_room(), to)}, kNoProgress);
       EXPECT_FALSE(result.pair);
       EXPECT_THAT(result.lines, Not(Contains(StartsWith("critical"))));
       const ExactPair2 pair = exact_pair(*room().prepared, from, to);
@@ -191,15 +193,26 @@ TEST(LookAt2, TellsTheFactorOfTheFaceUnderTheMouse) {
     }
 }
 
+// A version that counts its surfaces otherwise: faces are asked for by name.
+TEST(LookAt2, FacesAreThoseOfTheirNamesInEveryVersion) {
+  const LiveState2 without_screen = state_of(erase_surfaces(small_room(), std::vector<std::uint32_t>{0}));
+  const LookRequest2 request{.look = Look2::kPair, .face = "room[0]", .other = "room[2]"};
+  const LookResult2 here = look_at(room(), request, kNoProgress), there = look_at(without_screen, request, kNoProgress);
+  EXPECT_EQ(there.lines[0], here.lines[0]);
+  EXPECT_EQ(std::stod(there.number), view_factor(*without_screen.simulation, "room[0]", "room[2]").value);
+  EXPECT_EQ(face_called(*without_screen.scene, "room[0]"), (Face{0, false}));
+  EXPECT_EQ(face_called(*room().scene, "screen:back"), (Face{0, true}));
+  EXPECT_EQ(face_called(*without_screen.scene, "screen"), std::nullopt);
+}
+
 TEST(LookAt2, AsksForFacesThatAreMissing) {
   EXPECT_THAT(look_at(room(), {.look = Look2::kPair}, kNoProgress).lines, ElementsAre(HasSubstr("then another")));
   EXPECT_THAT(look_at(room(), {.look = Look2::kFactors}, kNoProgress).lines, ElementsAre("click a face"));
-  EXPECT_THAT(look_at(room(), {.look = Look2::kFactors, .face = Face{4, false}}, kNoProgress).lines,
+  EXPECT_THAT(look_at(room(), {.look = Look2::kFactors, .face = "room[3]"}, kNoProgress).lines,
               ElementsAre("from room[3]", HasSubstr("under the mouse")));
   // Faces of another version of the scene.
-  EXPECT_TRUE(look_at(room(), {.look = Look2::kPair, .face = Face{99, false}}, kNoProgress).lines.empty());
-  EXPECT_FALSE(
-      look_at(room(), {.look = Look2::kPair, .face = Face{1, false}, .other = Face{99, false}}, kNoProgress).pair);
+  EXPECT_TRUE(look_at(room(), {.look = Look2::kPair, .face = "none"}, kNoProgress).lines.empty());
+  EXPECT_FALSE(look_at(room(), {.look = Look2::kPair, .face = "room[0]", .other = "none"}, kNoProgress).pair);
 }
 
 TEST(LookAt2, HasErrorsAsCompareHasThem) {
@@ -224,8 +237,7 @@ TEST(LookAt2, TellsWhatCannotBeHad) {
   const LookResult2 none = look_at(room(), {.look = Look2::kErrors, .method = "no such method"}, kNoProgress);
   EXPECT_THAT(none.lines, ElementsAre(HasSubstr("no such method")));
   for (int k = 0; k < kLooks2; ++k) {
-    const LookRequest2 request{
-        .look = static_cast<Look2>(k), .mouse = Point2{1, 1}, .face = Face{0, false}, .other = Face{1, false}};
+    const LookRequest2 request{.look = static_cast<Look2>(k), .mouse = Point2{1, 1}, .face = "one", .other = "two"};
     const LookResult2 result = look_at(dark(), request, kNoProgress);  // and does not throw
     EXPECT_FALSE(result.light);
     EXPECT_FALSE(result.plan);
@@ -360,7 +372,7 @@ TEST(DrawLook2, SightIsThatOfThePicture) {
 }
 
 TEST(DrawLook2, PairsAreThoseOfThePicture) {
-  const LookRequest2 request{.look = Look2::kPair, .face = Face{1, false}, .other = Face{3, false}};
+  const LookRequest2 request{.look = Look2::kPair, .face = "room[0]", .other = "room[2]"};
   const LookResult2 result = look_at(room(), request, kNoProgress);
   const RecordingCanvas canvas = drawn(room(), request, result);
   expect_same(canvas, painted(PairPainter2(*result.pair, sheet_of(room()))));
@@ -372,7 +384,7 @@ TEST(DrawLook2, ResultsOfAnotherVersionAreNotDrawn) {
   ++later.version;
   for (int k = 0; k < kLooks2; ++k) {
     const LookRequest2 request{
-        .look = static_cast<Look2>(k), .mouse = Point2{1, 1}, .face = Face{1, false}, .other = Face{3, false}};
+        .look = static_cast<Look2>(k), .mouse = Point2{1, 1}, .face = "room[0]", .other = "room[2]"};
     if (request.look == Look2::kSweeps) continue;  // its light is looked at below
     const LookResult2 result = look_at(room(), request, kNoProgress);
     expect_same(drawn(later, request, result), drawn(later, request));
@@ -416,7 +428,7 @@ TEST(DrawLook2, BandsAreOneStripeForEachElement) {
 
 TEST(DrawLook2, FactorsColourTheFacesThatAreSeen) {
   const Face from{1, false};
-  const RecordingCanvas canvas = drawn(room(), {.look = Look2::kFactors, .face = from});
+  const RecordingCanvas canvas = drawn(room(), {.look = Look2::kFactors, .face = "room[0]"});
   const ExchangeMatrix by_face = *[&] {
     SimulationRequest2 request;
     request.granularity = Granularity::kFace;
@@ -452,11 +464,19 @@ TEST(DrawLook2, LightLiesBeneathThePlan) {
   const auto light = canvas.calls(Mark::kLight, Kind::kImage);
   ASSERT_EQ(light.size(), 1u);
   EXPECT_EQ(light[0].image, light_texture_2(room(), {}, light[0].image.width / room().light->grid.grid.nx));
-  const Raster texture = light_texture_2(room(), {}, 3);
+  // That of the state is taken as it is; of another state, or by another tone, it is not drawn.
+  const auto state = std::make_shared<const LiveState2>(room());
+  const LightTexture2 texture{state, {}, 3, light_texture_2(*state, {}, 3)};
   const LookRequest2 request;
-  RecordingCanvas given(kSize.width, kSize.height);
-  draw_look(given, frame_of(*room().scene), kUnit, {.state = &room(), .request = &request, .texture = &texture});
-  EXPECT_EQ(given.calls(Mark::kLight, Kind::kImage)[0].image, texture);
+  const auto image = [&](const LiveState2& drawn, const LightTone2& tone) {
+    RecordingCanvas given(kSize.width, kSize.height);
+    draw_look(given, frame_of(*drawn.scene), kUnit,
+              {.state = &drawn, .request = &request, .tone = tone, .texture = &texture});
+    return given.calls(Mark::kLight, Kind::kImage)[0].image;
+  };
+  EXPECT_EQ(image(*state, {}), texture.raster);
+  EXPECT_EQ(image(room(), {}), light[0].image);
+  EXPECT_NE(image(*state, {Tone::kMax, 2}), texture.raster);
   const Frame2 frame = frame_of(*room().scene);
   const Grid2& grid = room().light->grid.grid;
   EXPECT_EQ(light[0].points[0], frame.at(Point2{grid.min.x, grid.max.y}));
@@ -559,7 +579,8 @@ TEST(DrawLook2, WithoutAPreparedSceneThereAreEdgesAlone) {
   const LiveState2 state = dark();
   ASSERT_EQ(state.prepared, nullptr);
   for (int k = 0; k < kLooks2; ++k) {
-    const RecordingCanvas canvas = drawn(state, {.look = static_cast<Look2>(k), .face = Face{0, false}});
+    const RecordingCanvas canvas =
+        drawn(state, {.look = static_cast<Look2>(k), .face = face_name(*state.scene, {0, false})});
     EXPECT_EQ(canvas.count(Mark::kEdge), state.scene->edges.size());
     EXPECT_EQ(canvas.calls().size(), state.scene->edges.size() + 1);
     EXPECT_EQ(canvas.count(Mark::kPaper), 1u);

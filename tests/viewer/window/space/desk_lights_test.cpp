@@ -31,7 +31,7 @@ class LitHand : public Hand {
   LitHand() : Hand(lit_room()) {}
   const Light& light(std::size_t k = 0) const { return desk->scene()->lights[k]; }
   const LightPlace3& place(std::size_t k = 0) const { return desk->scene()->light_places[k]; }
-  const ChannelSolution& radiosities() const { return desk->state().radiosities->channels[0]; }
+  const ChannelSolution& radiosities() const { return desk->state().version->radiosities()->channels[0]; }
 
   // Whether the light is that of a new simulation of a scene.
   bool is_light_of(const Scene3& scene) const {
@@ -45,13 +45,13 @@ class LitHand : public Hand {
 
 TEST(Desk3Lights, AreMovedAndTheirLightFollows) {
   LitHand hand;
-  const auto factors = hand.desk->state().factors;
+  const auto factors = hand.desk->state().version->factors();
   hand.play("drag 1,1.4,1.2 0.6,1.4,1.5");
   EXPECT_NEAR(to_double(hand.place().position.x), 0.6, 0.05);
   EXPECT_NEAR(to_double(hand.place().position.z), 1.5, 0.05);
   EXPECT_EQ(Rational(hand.place().position.x * 100).get_den(), 1);
   EXPECT_EQ(hand.desk->editor().selected_light(), 0u);
-  EXPECT_EQ(hand.desk->state().factors, factors);
+  EXPECT_EQ(hand.desk->state().version->factors(), factors);
   EXPECT_TRUE(hand.is_light_of(*hand.desk->scene()));
   hand.play("key ctrl+z");
   EXPECT_EQ(hand.desk->message(), "undone: move torch");

@@ -13,6 +13,7 @@
 #include "tests/viewer/window/space/hand.h"
 #include "viewer/picture/space/camera_view.h"
 #include "viewer/window/space/commands.h"
+#include "viewer/window/space/first_light.h"
 
 namespace hottel::desk_test::desk_test {
 namespace {
@@ -88,7 +89,7 @@ TEST(Desk3, ShowsTheLightOfTheSceneAtRest) {
   Hand hand;
   Scene3 scene = read_scene_3(hand.file());
   const Simulation3 fresh(scene, {.factors = {.granularity = Granularity::kElement}});
-  const ChannelSolution& light = hand.desk->state().radiosities->channels[0];
+  const ChannelSolution& light = hand.desk->state().version->radiosities()->channels[0];
   for (std::size_t i = 0; i < light.elements.size(); ++i)
     EXPECT_EQ(light.elements[i].radiosity, fresh.radiosities()->channels[0].elements[i].radiosity);
   const ElementPaint3 paint = light_paint_3(scene, *fresh.radiosities());
@@ -153,7 +154,8 @@ TEST(Desk3, PicksWhatIsClicked) {
   EXPECT_EQ(hand.picked(), "floor");
   hand.play("click 1.2,1.4,0.4");
   EXPECT_EQ(hand.picked(), "box.top");
-  const std::vector<std::string> lines = face_lines_3(*hand.desk->scene(), hand.desk->state(), {0, false}, 0);
+  const std::vector<std::string> lines = face_lines_3(*hand.desk->state().version, {0, false},
+                                                      LiveElement3{hand.desk->state().version->shared_model(), 0});
   EXPECT_EQ(lines[0], "floor");
   EXPECT_THAT(lines, testing::Contains("element\t1 of 4"));
   EXPECT_THAT(lines, testing::Contains(StartsWith("radiosity r\t0.")));
@@ -183,7 +185,7 @@ TEST(Desk3, ListsTheFactorsOfAPickedPolygonLargestFirst) {
     EXPECT_EQ(value, matrix.factor("left", to).value) << lines[k];
   }
   ASSERT_TRUE(hand.desk->result()->shown);
-  EXPECT_EQ(hand.desk->result()->shown->elements.size(), hand.desk->state().factors->matrix.size());
+  EXPECT_EQ(hand.desk->result()->shown->elements.size(), hand.desk->state().version->factors()->matrix.size());
 }
 
 TEST(Desk3, ShowsTheErrorsOfAMethodBesideTheLight) {
@@ -204,7 +206,7 @@ TEST(Desk3, SweepsUntilTheLightIsThere) {
   hand.play("key 0");
   ASSERT_TRUE(hand.desk->result()->radiosities);
   EXPECT_EQ(hand.desk->result()->lines[0], "gauss-seidel, 50 sweeps");
-  const double there = hand.desk->state().radiosities->channels[0].elements[0].radiosity;
+  const double there = hand.desk->state().version->radiosities()->channels[0].elements[0].radiosity;
   EXPECT_NEAR(hand.desk->result()->radiosities->channels[0].elements[0].radiosity, there, 1e-12);
 }
 
@@ -212,17 +214,17 @@ TEST(Desk3, SweepsUntilTheLightIsThere) {
 
 TEST(Desk3, EmissionsAndReflectivitiesAreLive) {
   Hand hand;
-  const auto factors = hand.desk->state().factors;
-  const auto light = [&] { return hand.desk->state().radiosities->channels[0].elements[0].radiosity; };
+  const auto factors = hand.desk->state().version->factors();
+  const auto light = [&] { return hand.desk->state().version->radiosities()->channels[0].elements[0].radiosity; };
   const double before = light();
   hand.play("material lamp emission 8");
   EXPECT_EQ(hand.material("lamp").emission, Spectrum::scalar(8));
   EXPECT_NEAR(light(), 2 * before, 1e-12);
-  EXPECT_EQ(hand.desk->state().factors, factors);
+  EXPECT_EQ(hand.desk->state().version->factors(), factors);
   hand.play("move 1,2,1.5\nkey ]");
   EXPECT_EQ(hand.material("white").reflectivity, Spectrum::scalar(Rational(55) / 100));
   EXPECT_GT(light(), 2 * before);
-  EXPECT_EQ(hand.desk->state().factors, factors);
+  EXPECT_EQ(hand.desk->state().version->factors(), factors);
   hand.play("key ctrl+z\nkey ctrl+z");
   EXPECT_EQ(light(), before);
   hand.play("key ctrl+y\npick lamp\nleave\nkey i\nkey ctrl+u\ntype emission 1/3\nkey enter");

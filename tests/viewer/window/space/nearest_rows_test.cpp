@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "geometry/space/exchange/exchange_rows.h"
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
 #include "solver/space/simulation/simulation.h"
-#include "viewer/window/space/live_scene.h"
+#include "viewer/window/space/first_light.h"
+#include "viewer/window/space/live_version.h"
 
 namespace hottel::nearest_rows_test::nearest_rows_test {
 namespace {
@@ -89,6 +91,23 @@ TEST_F(Arriving, NearRowsComeFirstAndAllCome) {
   for (std::uint32_t i = 0; i < matrix.size(); ++i)
     for (std::size_t k = 0; k < matrix.row(i).size(); ++k)
       EXPECT_EQ(matrix.row(i)[k].factor, plain.factors()->matrix.row(i)[k].factor);
+}
+
+// (2): one that was told to stop, and has not yet, while another one of the same shape has begun.
+TEST_F(Arriving, AMeasurementThatHasNotStoppedIsNotMixedWithTheNext) {
+  const PreparedScene3 prepared = prepare(boxes());
+  const ExchangeRequest request{.granularity = Granularity::kElement};
+  ExchangeRows3 before(prepared, request), after(prepared, request);
+  const std::vector<std::uint32_t> first = nearest->next(before);
+  EXPECT_EQ(nearest->next(after), first);
+  nearest->have_come(before, before.add(first));
+  EXPECT_FALSE(nearest->take());
+  EXPECT_FALSE(nearest->next(before).empty());  // it goes on until it stops
+  nearest->have_come(after, after.add(first));
+  const auto so_far = nearest->take();
+  ASSERT_TRUE(so_far);
+  EXPECT_EQ(so_far->count, first.size());
+  EXPECT_EQ(so_far->pairs.size(), 1u);
 }
 
 // (1) of RowSweeps3.

@@ -1,0 +1,49 @@
+#include "viewer/window/space/first_light.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "geometry/space/visibility/direction.h"
+
+namespace hottel {
+
+ElementPaint3 light_before_factors_3(const Scene3& scene, const ElementTable3& table) {
+  constexpr double kAmbient = 0.65, kAbove = 0.35;
+  const Direction3 above = unit({1, -2, 3});
+  ElementPaint3 paint;
+  paint.channels = static_cast<std::size_t>(channel_count(scene));
+  std::vector<double> emission(scene.materials.size()), reflectivity(scene.materials.size());
+  std::vector<double> by_channel(table.count() * paint.channels, 0);
+  for (std::size_t c = 0; c < paint.channels; ++c) {
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+      emission[m] = to_double(scene.materials[m].emission.value[c]);
+      reflectivity[m] = to_double(scene.materials[m].reflectivity.value[c]);
+    }
+    const double sky = to_double(scene.sky_emission.value[c]);
+    double sent = 0, lost = 0;
+    for (const Light& light : scene.lights) sent += to_double(light.power.value[c]);
+    for (std::uint32_t i = 0; i < table.count(); ++i) {
+      if (!table.has_row(i)) continue;
+      const Element& element = table.elements()[i];
+      sent += element.area.value * emission[*element.material];
+      lost += element.area.value * (1 - reflectivity[*element.material]);
+    }
+    const double mean = (lost > 0 ? sent / lost : 0) + sky / 2;
+    for (std::uint32_t i = 0; i < table.count(); ++i) {
+      if (!table.has_row(i)) continue;
+      const Element& element = table.elements()[i];
+      const Vector3 area = doubled_area(scene.polygons[element.surface]);
+      const Direction3 front = unit({to_double(area.x), to_double(area.y), to_double(area.z)});
+      const double light = mean * (kAmbient + kAbove * (element.is_back ? -1 : 1) * dot(front, above));
+      by_channel[i * paint.channels + c] = emission[*element.material] + reflectivity[*element.material] * light;
+    }
+    paint.sky.push_back(sky);
+  }
+  paint.values = std::move(by_channel);
+  paint.unknown.assign(paint.channels, 0);
+  paint.black.assign(paint.channels, 0);
+  return paint;
+}
+
+}  // namespace hottel

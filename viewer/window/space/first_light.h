@@ -1,0 +1,14 @@
+// What a scene in space looks like before its view factors are known.
+#pragma once
+
+#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/scene/scene.h"
+#include "viewer/picture/space/element_paint.h"
+
+namespace hottel {
+
+// The light before there are factors: every face receives the mean of what a closed room of these materials holds, a
+// little more from above, so that faces are told apart. [unit: that of emissions]
+ElementPaint3 light_before_factors_3(const Scene3& scene, const ElementTable3& table);
+
+}  // namespace hottel
