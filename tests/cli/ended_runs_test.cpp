@@ -9,7 +9,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::ended_runs {
+namespace hottel::ended_runs::ended_runs_test {
 namespace {
 
 using testing_cli::Outcome;
@@ -115,4 +115,4 @@ TEST(EndedRuns, ThatWereKilledLeaveNoTemporaryFileAfterALaterOne) {
 }
 
 }  // namespace
-}  // namespace hottel::ended_runs
+}  // namespace hottel::ended_runs::ended_runs_test

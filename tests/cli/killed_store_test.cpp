@@ -18,7 +18,7 @@
 #include "tests/cli/program.h"
 #include "tests/sanitizers.h"
 
-namespace hottel::killed_store {
+namespace hottel::killed_store::killed_store_test {
 namespace {
 
 using testing_cli::Workplace;
@@ -150,4 +150,4 @@ INSTANTIATE_TEST_SUITE_P(, KilledStore,
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace hottel::killed_store
+}  // namespace hottel::killed_store::killed_store_test

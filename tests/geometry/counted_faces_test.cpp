@@ -22,7 +22,7 @@
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
 
-namespace hottel {
+namespace hottel::counted_faces_test {
 namespace {
 
 std::string shown(const std::string& file) { return std::string(HOTTEL_SOURCE_DIR) + "/scenes/" + file; }
@@ -140,4 +140,4 @@ TEST(EstimatedPairs, SeeThroughHolesAndNotThroughScreens) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::counted_faces_test

@@ -17,7 +17,7 @@
 #include "io/foreign/foreign_command.h"
 #include "tests/temporary_folder.h"
 
-namespace hottel::abandoned {
+namespace hottel::abandoned::abandoned_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -166,4 +166,4 @@ TEST_F(AbandonedFiles, AndScratchFoldersAreHeldByTheCommandsInThem) {
 }
 
 }  // namespace
-}  // namespace hottel::abandoned
+}  // namespace hottel::abandoned::abandoned_test

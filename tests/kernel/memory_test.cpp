@@ -10,7 +10,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace hottel {
+namespace hottel::memory_test {
 namespace {
 
 constexpr std::uint64_t kMega = 1'000'000;
@@ -89,4 +89,4 @@ TEST(MemoryAllowed, IsWhatWasAskedForOrFourFifths) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::memory_test

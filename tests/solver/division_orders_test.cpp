@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace hottel {
+namespace hottel::division_orders_test {
 namespace {
 
 std::vector<double> values_with_error(const std::vector<std::uint32_t>& divisions, double limit, double c, double p) {
@@ -82,4 +82,4 @@ TEST(DivisionOrders, NeedNumbers) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::division_orders_test

@@ -21,7 +21,7 @@
 #include "solver/space/simulation/simulation.h"
 #include "tests/sanitizers.h"
 
-namespace hottel {
+namespace hottel::memory_estimate_test {
 namespace {
 
 using testing::HasSubstr;
@@ -156,4 +156,4 @@ TEST(MemoryEstimate, IsWhatTheResidentSetGrowsByInSpace) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::memory_estimate_test

@@ -24,9 +24,9 @@ struct PreparedScene3;
 //       only what they hide themselves)
 //   (5) the result is the same bit for bit for any number of threads
 //
-// Throws UnmeasuredPairs naming the first pairs where some could not be measured, RequestError when the memory allowed by
-// the request does not suffice; passes on what `progress` throws.
-// COST: parallel. 10 to 50 microseconds a clear pair, some 0.3 ms a pair that surfaces stand between.
+// Throws UnmeasuredPairs naming the first pairs where some could not be measured, RequestError when the memory allowed
+// by the request does not suffice; passes on what `progress` throws. COST: parallel. 10 to 50 microseconds a clear
+// pair, some 0.3 ms a pair that surfaces stand between.
 ExchangeMatrix exact_exchange(const PreparedScene3& prepared, const ExchangeRequest& request = {},
                               ExchangeReport3* report = nullptr);
 

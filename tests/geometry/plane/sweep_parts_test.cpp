@@ -9,7 +9,7 @@
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::sweep_parts {
+namespace hottel::sweep_parts::sweep_parts_test {
 namespace {
 
 using namespace testing_scenes;
@@ -111,4 +111,4 @@ INSTANTIATE_TEST_SUITE_P(, SweepPartsOfAScene, testing::Values("clutter", "maze"
                          [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace hottel::sweep_parts
+}  // namespace hottel::sweep_parts::sweep_parts_test

@@ -17,7 +17,7 @@
 #include "geometry/space/scene/near_plane.h"
 #include "kernel/support/failure.h"
 
-namespace hottel {
+namespace hottel::tolerance_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -238,4 +238,4 @@ TEST(IntegerReals3, QuotientsKeepTheirDigitsHoweverSmall) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::tolerance_test

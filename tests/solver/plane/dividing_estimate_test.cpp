@@ -23,7 +23,7 @@
 #include "tests/solver/plane/lit_scenes.h"
 #include "tests/solver/true_change.h"
 
-namespace hottel {
+namespace hottel::dividing_estimate_test {
 namespace {
 
 using testing::HasSubstr;
@@ -284,4 +284,4 @@ TEST(SampledElements, TellASumOfWhatIsImportantExactly) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::dividing_estimate_test

@@ -20,7 +20,7 @@
 #include "solver/space/simulation/simulation.h"
 #include "tests/solver/true_change.h"
 
-namespace hottel {
+namespace hottel::dividing_estimate_test {
 namespace {
 
 using testing::HasSubstr;
@@ -197,4 +197,4 @@ TEST(SentOut3, LightsElementsInTheMeanAsTheirFactorsDo) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::dividing_estimate_test

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-namespace hottel::desk_storm {
+namespace hottel::desk_storm::desk_storm_test {
 namespace {
 
 void expect_to_stand(const StormOptions& options) {
@@ -26,4 +26,4 @@ TEST(DeskStormThread, TheDeskOfSpaceStandsWhileFactorsAreOnTheirWay) {
 }
 
 }  // namespace
-}  // namespace hottel::desk_storm
+}  // namespace hottel::desk_storm::desk_storm_test

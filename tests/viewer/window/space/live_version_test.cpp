@@ -15,7 +15,7 @@
 #include "viewer/window/space/live_scene.h"
 #include "viewer/window/space/look.h"
 
-namespace hottel {
+namespace hottel::live_version_test {
 namespace {
 
 using testing_desk::kRoom;
@@ -112,4 +112,4 @@ TEST(LiveElement3, IsFoundInModelsThatHaveItsPart) {
 }
 
 }  // namespace
-}  // namespace hottel
+}  // namespace hottel::live_version_test
