@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/space/exchange/moving_corner.h"
 #include "geometry/space/exchange/moving_vector.h"
 #include "geometry/space/exchange/pair_bodies.h"
 #include "geometry/space/exchange/stretch.h"
@@ -17,17 +18,6 @@
 #include "geometry/space/visibility/eye_plane.h"
 
 namespace hottel {
-
-// The end of an edge of a moving fragment (see ConeCorner3).
-struct MovingCorner3 {
-  static constexpr std::uint32_t kNoPoint = 0xffffffff;
-
-  MovingVector3 direction;
-  PlaneSide3 plane;                // of the edge that begins here
-  std::uint32_t point = kNoPoint;  // the direction to it, or the opposite
-  bool is_antipode = false;
-  PlaneSide3 first, second;  // where there is no point: the direction is the product of their normals
-};
 
 // Signs of directions from a point p(t) = (from + t way) / weight beside planes through it, at one t after another, and
 // how far t may move until one of those that were relied on changes.
