@@ -227,7 +227,7 @@ RoomSubject3::RoomSubject3(SolidBodies3 bodies, std::uint64_t chance)
 
 const std::vector<RoomLaw3>& room_laws_3() {
   static const std::vector<RoomLaw3> laws{
-      {"measured", measured_is_broken, 1},       {"rows", rows_are_broken, 1},         {"range", range_is_broken, 1},
+      {"measured", measured_is_broken, 1, true}, {"rows", rows_are_broken, 1},         {"range", range_is_broken, 1},
       {"reciprocity", reciprocity_is_broken, 1}, {"verdicts", verdicts_are_broken, 1}, {"values", values_are_broken, 1},
       {"radiosity", radiosity_is_broken, 1},     {"repair", room_repair_is_broken, 4}};
   return laws;

@@ -29,7 +29,8 @@ class RoomSubject3 {
   bool is_disputed() const { return is_disputed_; }
   // What could not be measured within a tolerance; empty where all was.
   const std::string& refusal(std::size_t t) const { return refusals_[t]; }
-  // REQUIRE that nothing is refused.
+  bool is_measured() const { return matrices_[0] && matrices_[1]; }
+  // REQUIRE that it is.
   const ExchangeMatrix& loose() const { return *matrices_[0]; }
   const ExchangeMatrix& tight() const { return *matrices_[1]; }
 
@@ -46,6 +47,7 @@ struct RoomLaw3 {
   const char* name;
   std::string (*broken)(const RoomSubject3& subject);  // what is wrong, or nothing
   unsigned every;                                      // tried in one of so many scenes
+  bool takes_unmeasured = false;                       // of rooms of which some pair is not measured, too
 };
 
 // The laws, in order; the error of an entry is half the width of its bounds where it is enclosed, else the tolerance

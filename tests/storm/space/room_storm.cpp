@@ -21,7 +21,9 @@ struct FurnishedRooms {
 
   static int lattice(std::uint64_t, const StormOptions&) { return CrashNotice::kRooms; }
   static Made make(std::uint64_t number, const StormOptions&) { return {furnished_room_3(number)}; }
-  static bool is_asked(const Law&, const Subject& subject) { return !subject.is_disputed(); }
+  static bool is_asked(const Law& law, const Subject& subject) {
+    return !subject.is_disputed() && (law.takes_unmeasured || subject.is_measured());
+  }
   static void note(const Subject& subject, Result& result) { result.disputed += subject.is_disputed() ? 1 : 0; }
   static void count(const Made& made, Result& result) {
     for (const SolidBody3& body : made.scene) result.parts += body.faces.size();
