@@ -250,7 +250,7 @@ void read_lists(Database& database, bool checks, StoreContents& contents) {
     auto list = list_of(lists);
     const auto elements = list ? separated(list->elements) : std::nullopt;
     if (!elements) {
-      contents.damage.push_back("a list of elements is damaged");
+      contents.damage.emplace_back("a list of elements is damaged");
       continue;
     }
     Statement count = database.statement("SELECT count(*), coalesce(sum(length(body)), 0) FROM rows WHERE list = ?1");

@@ -244,7 +244,7 @@ void Desk3::quit() {
 void Desk3::save_picture(const std::filesystem::path& file) const {
   const auto format = picture_format(file.string());
   if (!format) throw UsageError("a picture ends in .png, .svg or .pdf, not '" + file.string() + "'");
-  const Look3 look = this->look();
+  const ShownLook3 look = this->look();
   if (look.radiosities() == nullptr)
     throw RequestError("there is no light to draw" + (state().problem.empty() ? "" : ": " + state().problem));
   PreparedScene3 prepared = *look.version()->of().simulation().prepared();

@@ -67,7 +67,7 @@ class Desk3 : public Desk {
   const LiveState3& state() const { return live_.state(); }
   const LookRequest3& request() const { return request_; }
   // What a frame shows.
-  Look3 look() const { return result_ ? Look3(result_) : Look3(state().version); }
+  ShownLook3 look() const { return result_ ? ShownLook3(result_) : ShownLook3(state().version); }
   const LookResult3* result() const { return result_.get(); }
   const EyeCamera3& camera() const { return camera_; }
   const Raster& frame() const { return frame_; }

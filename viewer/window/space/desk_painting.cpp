@@ -43,7 +43,7 @@ const SeenPicture3& Desk3::see(const std::shared_ptr<const LiveModel3>& model, c
 
 void Desk3::draw_seen() {
   live_.look_from(place_of(camera_.camera(size_).eye));
-  const Look3 look = this->look();
+  const ShownLook3 look = this->look();
   const auto& model = look.version()->shared_model();
   if (look.values() != nullptr) {
     const bool is_quantity = request_.look == LookKind3::kRadiosity || request_.look == LookKind3::kIrradiance;
@@ -122,7 +122,7 @@ std::string Desk3::file_title() const { return file_.path().filename().string() 
 
 std::string Desk3::head() const {
   std::string text = file_title() + "   " + to_string(request_.look);
-  const Look3 look = this->look();
+  const ShownLook3 look = this->look();
   if (look.values() == nullptr) text += fmt::format(", tone {} x {:.3g}", to_string(tone_), exposure_);
   if (request_.look == LookKind3::kErrors) text += ": " + request_.method;
   if (time_) text += fmt::format("   {:.2f} s", to_double(*time_));
@@ -143,7 +143,7 @@ std::string Desk3::status() const {
   const Scene3& found_in = hover_->model->prepared.scene;
   std::string text = face_name(found_in, hover_->face());
   if (const auto material = hover_->element().material) text += " of " + found_in.materials[*material].name;
-  const Look3 look = this->look();
+  const ShownLook3 look = this->look();
   const std::string value = look.number(hover_);
   return value.empty() ? text : text + "   " + look.name_of_number() + " " + value;
 }
@@ -161,7 +161,7 @@ void Desk3::draw_panels(PictureCanvas& canvas) const {
                             unit_);
   };
   if (const auto light = editor_.selected_light()) panel(light_lines_3(*scene(), *light));
-  const Look3 look = this->look();
+  const ShownLook3 look = this->look();
   if (request_.face && look.version()) panel(face_lines_3(*look.version(), *request_.face, picked_));
   if (look.result()) panel(look.result()->lines);
   if (look.values() == nullptr) return;

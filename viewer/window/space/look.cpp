@@ -176,17 +176,17 @@ LookResult3 look_at_3(const LiveVersion3::Ptr& version, const LookRequest3& requ
   return result;
 }
 
-ElementPaint3 Look3::light() const {
+ElementPaint3 ShownLook3::light() const {
   HOTTEL_REQUIRE(version_ != nullptr);
   return result_ && result_->radiosities ? light_paint_3(version_->scene(), *result_->radiosities) : version_->light();
 }
 
-const RadiositySolution* Look3::radiosities() const {
+const RadiositySolution* ShownLook3::radiosities() const {
   if (result_ && result_->radiosities) return result_->radiosities.get();
   return version_ && version_->is_lit() ? version_->radiosities().get() : nullptr;
 }
 
-std::string Look3::number(const std::optional<LiveElement3>& element) const {
+std::string ShownLook3::number(const std::optional<LiveElement3>& element) const {
   const std::optional<std::uint32_t> at = element && version_ ? element->number_in(version_->model()) : std::nullopt;
   if (at && values() != nullptr) {
     const std::optional<double>& value = values()->elements[*at];
@@ -199,7 +199,7 @@ std::string Look3::number(const std::optional<LiveElement3>& element) const {
   return text;
 }
 
-const char* Look3::name_of_number() const {
+const char* ShownLook3::name_of_number() const {
   if (values() != nullptr) return values()->name.c_str();
   return result_ && result_->radiosities ? "residual" : "radiosity";
 }

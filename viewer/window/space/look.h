@@ -71,11 +71,12 @@ inline constexpr int kMostSweeps3 = 50;
 
 // What a frame shows, and what lies under the mouse is asked of: one version, and what was computed of that for the
 // look. What is of a result is of the result's version, so nothing of another can be shown with it.
-class Look3 {
+class ShownLook3 {
  public:
-  Look3() = default;  // nothing to be seen
-  explicit Look3(LiveVersion3::Ptr version) : version_(std::move(version)) {}
-  explicit Look3(std::shared_ptr<const LookResult3> result) : version_(result->version), result_(std::move(result)) {}
+  ShownLook3() = default;  // nothing to be seen
+  explicit ShownLook3(LiveVersion3::Ptr version) : version_(std::move(version)) {}
+  explicit ShownLook3(std::shared_ptr<const LookResult3> result)
+      : version_(result->version), result_(std::move(result)) {}
 
   const LiveVersion3* version() const { return version_.get(); }  // null: nothing
   const LookResult3* result() const { return result_.get(); }     // null: the light alone
