@@ -137,11 +137,19 @@ TEST(MeshWriter, StlHasTheNearestFloatsAndSaysHowFarTheyAreOff) {
   EXPECT_EQ(again.polygons[0].points[2].y, Rational(1) + Rational(1, 1 << 23));
   EXPECT_EQ(again.polygons[0].points[2].z, Rational(0.1f));
   // A sliver that rounding makes a line.
+  const std::string high = to_string(Rational(1) + Rational(1) / Integer("1" + std::string(40, '0')));
+  const Scene3 sliver =
+      scene_of_polygons(R"({"name": "s", "points": [[0,1,0],[1,1,0],[2,")" + high + R"(",0]], "material": "white"})");
+  EXPECT_THAT(write_mesh_3(sliver, MeshFormat3::kStl, "").notes,
+              testing::AllOf(Contains(HasSubstr("of a corner of 's'")),
+                             Contains(HasSubstr("no polygons any more: 's'; the first has no area"))));
+}
+
+TEST(MeshWriter, StlHasNoZeroForWhatIsNotZero) {
   const Scene3 sliver =
       scene_of_polygons(R"({"name": "s", "points": [[0,0,0],[1,0,0],[2,"1e-60",0]], "material": "white"})");
-  EXPECT_THAT(write_mesh_3(sliver, MeshFormat3::kStl, "").notes,
-              testing::AllOf(Contains(HasSubstr("y = 1e-60 of a corner of 's'")),
-                             Contains(HasSubstr("no polygons any more: 's'; the first has no area"))));
+  EXPECT_THAT([&] { write_mesh_3(sliver, MeshFormat3::kStl, ""); },
+              testing::ThrowsMessage<RequestError>(HasSubstr("the coordinate 1e-60 is below the least float")));
 }
 
 TEST(MeshWriter, StlIsCutIntoTrianglesWithUnitNormals) {
