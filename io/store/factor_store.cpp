@@ -93,7 +93,7 @@ class SqliteStore final : public FactorStore {
         const auto list = list_of(lists);
         const auto elements = list ? separated(list->elements) : std::nullopt;
         if (!elements) {
-          damaged_lists_.insert(lists.number(0));
+          use_.damaged += damaged_lists_.insert(lists.number(0)).second ? 1 : 0;
           continue;
         }
         KeptRows kept;
@@ -110,7 +110,6 @@ class SqliteStore final : public FactorStore {
         result.push_back(std::move(kept));
       }
     }
-    use_.damaged = damaged_rows_.size() + damaged_lists_.size();
     tell_used(used);
     return result;
   }
@@ -174,7 +173,7 @@ class SqliteStore final : public FactorStore {
     while (rows.step()) {
       auto found = row_of_statement(rows, 1, of_list, elements);
       if (!found) {
-        damaged_rows_.insert(rows.number(0));
+        use_.damaged += damaged_rows_.insert(rows.number(0)).second ? 1 : 0;
         continue;
       }
       if ((found->what & what) == what && kept.place[found->row.row] != KeptRows::kNoPlace)

@@ -21,7 +21,7 @@
 #include "geometry/space/arrangement/coplanar_clusters.h"
 #include "geometry/space/visibility/point_map.h"
 
-namespace hottel::point_map_against_cgal_test::point_map_against_cgal_test {
+namespace hottel::point_map_against_cgal_test {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -285,4 +285,4 @@ TEST(PointMapAgainstCgal, OfRoomsWithBoxesThatTouch) {
 }
 
 }  // namespace
-}  // namespace hottel::point_map_against_cgal_test::point_map_against_cgal_test
+}  // namespace hottel::point_map_against_cgal_test

@@ -17,7 +17,7 @@
 #include "geometry/plane/generate/generators.h"
 #include "geometry/plane/visibility/visibility_polygon.h"
 
-namespace hottel::visibility_against_cgal_test::visibility_against_cgal_test {
+namespace hottel::visibility_against_cgal_test {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -191,4 +191,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, VisibilityAgainstCgal,
                          [](const auto& kind) { return kind.param; });
 
 }  // namespace
-}  // namespace hottel::visibility_against_cgal_test::visibility_against_cgal_test
+}  // namespace hottel::visibility_against_cgal_test

@@ -9,7 +9,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::animate_test::animate_test {
+namespace hottel::animate_test {
 namespace {
 
 using testing::HasSubstr;
@@ -240,4 +240,4 @@ TEST(Animate, AStoreServesLaterRunsInSpace) {
 }
 
 }  // namespace
-}  // namespace hottel::animate_test::animate_test
+}  // namespace hottel::animate_test

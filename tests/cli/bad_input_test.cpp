@@ -6,7 +6,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::bad_input_test::bad_input_test {
+namespace hottel::bad_input_test {
 namespace {
 
 using testing_cli::lines_of;
@@ -323,4 +323,4 @@ TEST(BadInput, UnreadableAndUnwritableFilesAreNamed) {
 }
 
 }  // namespace
-}  // namespace hottel::bad_input_test::bad_input_test
+}  // namespace hottel::bad_input_test

@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::beyond_doubles_test::beyond_doubles_test {
+namespace hottel::beyond_doubles_test {
 namespace {
 
 using testing::EndsWith;
@@ -291,4 +291,4 @@ TEST_F(BeyondDoubles, WhatIsSeenIsNotDrawn) {
 }
 
 }  // namespace
-}  // namespace hottel::beyond_doubles_test::beyond_doubles_test
+}  // namespace hottel::beyond_doubles_test

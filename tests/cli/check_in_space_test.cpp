@@ -10,7 +10,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::check_in_space_test::check_in_space_test {
+namespace hottel::check_in_space_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -122,7 +122,11 @@ TEST(CheckInSpace, FixJoinsWhatSixDigitsParted) {
   EXPECT_TRUE(tells_of_sky);
   EXPECT_TRUE(tells_of_rear);
 
-  const Closure before = closure_of(place, "s.json"), after = closure_of(place, "t.json");
+  std::string open = place.read("s.json");  // as it is, its promise would be broken
+  const std::string promise = "\"closed\": true";
+  ASSERT_NE(open.find(promise), std::string::npos);
+  place.write("open.json", open.replace(open.find(promise), promise.size(), "\"closed\": false"));
+  const Closure before = closure_of(place, "open.json"), after = closure_of(place, "t.json");
   EXPECT_EQ(before.rows, 14u);
   EXPECT_EQ(after.rows, 13u);
   EXPECT_GT(before.sky, 1e-8);
@@ -200,4 +204,4 @@ TEST(CheckInSpace, OptionsThatMakeNoSenseAreRefusedAsInThePlane) {
 }
 
 }  // namespace
-}  // namespace hottel::check_in_space_test::check_in_space_test
+}  // namespace hottel::check_in_space_test

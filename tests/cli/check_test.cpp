@@ -9,7 +9,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::check_test::check_test {
+namespace hottel::check_test {
 namespace {
 
 using testing::EndsWith;
@@ -251,4 +251,4 @@ TEST(CheckPage, HasCommandsThatCanBePasted) {
 }
 
 }  // namespace
-}  // namespace hottel::check_test::check_test
+}  // namespace hottel::check_test

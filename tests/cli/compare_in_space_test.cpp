@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::compare_in_space_test::compare_in_space_test {
+namespace hottel::compare_in_space_test {
 namespace {
 
 using testing::HasSubstr;
@@ -91,4 +91,4 @@ TEST(CompareInSpace, SolveTakesFactorsByAnyMethodAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace hottel::compare_in_space_test::compare_in_space_test
+}  // namespace hottel::compare_in_space_test

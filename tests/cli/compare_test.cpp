@@ -6,7 +6,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::compare_test::compare_test {
+namespace hottel::compare_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -372,4 +372,4 @@ TEST(Compare, LeavesEarlierFilesAsTheyAreWhenItFails) {
 }
 
 }  // namespace
-}  // namespace hottel::compare_test::compare_test
+}  // namespace hottel::compare_test

@@ -11,7 +11,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::deck_test::deck_test {
+namespace hottel::deck_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -344,4 +344,4 @@ TEST_F(Deck, IsWrittenForFacesUnlessGroupsAreAskedFor) {
 }
 
 }  // namespace
-}  // namespace hottel::deck_test::deck_test
+}  // namespace hottel::deck_test

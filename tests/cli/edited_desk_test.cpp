@@ -16,7 +16,7 @@
 #include "viewer/window/plane/desk_script.h"
 #include "viewer/window/recording_window.h"
 
-namespace hottel::testing_cli::edited_desk_test::edited_desk_test {
+namespace hottel::testing_cli::edited_desk_test {
 namespace {
 
 constexpr std::uint32_t kCells = 6;
@@ -203,4 +203,4 @@ TEST(EditedDesk, IsThatOfAFreshProcessAfterEveryEdit) {
 }
 
 }  // namespace
-}  // namespace hottel::testing_cli::edited_desk_test::edited_desk_test
+}  // namespace hottel::testing_cli::edited_desk_test

@@ -10,7 +10,7 @@
 #include "tests/sanitizers.h"
 #include "tests/solver/plane/edited_scenes.h"
 
-namespace hottel::testing_cli::edited_scene_test::edited_scene_test {
+namespace hottel::testing_cli::edited_scene_test {
 namespace {
 
 constexpr std::uint32_t kCells = 6;
@@ -39,6 +39,7 @@ std::string factors_of(const Simulation2& simulation) {
   SimulationRequest2 request{.granularity = Granularity::kElement, .wants_visibility = true};
   const Simulation2 by_elements = simulation.with_request(request);
   try {
+    by_elements.require_closed();
     const auto factors = by_elements.factors();
     write_factors_csv({by_elements.scene(), factors->matrix, Granularity::kElement, {}, {}},
                       [&text](std::string_view more) { text += more; });
@@ -82,4 +83,4 @@ TEST(EditedScene, IsThatOfAFreshProcess) {
 }
 
 }  // namespace
-}  // namespace hottel::testing_cli::edited_scene_test::edited_scene_test
+}  // namespace hottel::testing_cli::edited_scene_test

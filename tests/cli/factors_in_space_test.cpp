@@ -13,7 +13,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::factors_in_space_test::factors_in_space_test {
+namespace hottel::factors_in_space_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -289,4 +289,4 @@ TEST_F(FactorsInSpace, AnEmptySceneHasNoPairs) {
 }
 
 }  // namespace
-}  // namespace hottel::factors_in_space_test::factors_in_space_test
+}  // namespace hottel::factors_in_space_test

@@ -12,7 +12,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::factors_test::factors_test {
+namespace hottel::factors_test {
 namespace {
 
 using testing_cli::lines_of;
@@ -332,4 +332,4 @@ TEST_F(Factors, ScriptFRefusesWhatItIsNot) {
 }
 
 }  // namespace
-}  // namespace hottel::factors_test::factors_test
+}  // namespace hottel::factors_test

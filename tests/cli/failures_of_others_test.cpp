@@ -13,7 +13,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::failures_of_others_test::failures_of_others_test {
+namespace hottel::failures_of_others_test {
 namespace {
 
 using testing_cli::lines_of;
@@ -187,4 +187,4 @@ TEST(FailuresOfOthers, FlatRoomsAndThinSheetsAreOrdinary) {
 }
 
 }  // namespace
-}  // namespace hottel::failures_of_others_test::failures_of_others_test
+}  // namespace hottel::failures_of_others_test

@@ -5,7 +5,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::foreign_test::foreign_test {
+namespace hottel::foreign_test {
 namespace {
 
 using testing::HasSubstr;
@@ -268,4 +268,4 @@ TEST(Foreign, CtrlCStopsTheCommandAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace hottel::foreign_test::foreign_test
+}  // namespace hottel::foreign_test

@@ -19,7 +19,7 @@
 
 #include "tests/temporary_folder.h"
 
-namespace hottel::frame_test::frame_test {
+namespace hottel::frame_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -246,4 +246,4 @@ TEST_F(Frame, CtrlCEndsWorkThatWaitsForAReader) {
 }
 
 }  // namespace
-}  // namespace hottel::frame_test::frame_test
+}  // namespace hottel::frame_test

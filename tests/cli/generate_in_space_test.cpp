@@ -9,7 +9,7 @@
 #include "geometry/space/generate/generators.h"
 #include "tests/cli/program.h"
 
-namespace hottel::generate_in_space_test::generate_in_space_test {
+namespace hottel::generate_in_space_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -145,4 +145,4 @@ TEST(GenerateInSpace, HelpListsEveryKind) {
 }
 
 }  // namespace
-}  // namespace hottel::generate_in_space_test::generate_in_space_test
+}  // namespace hottel::generate_in_space_test

@@ -14,7 +14,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::golden_files_test::golden_files_test {
+namespace hottel::golden_files_test {
 namespace {
 
 using testing_cli::contents;
@@ -439,4 +439,4 @@ TEST(GoldenFilesOfSpace, StlHasTrianglesOfFloatsWithTheirNormals) {
 }
 
 }  // namespace
-}  // namespace hottel::golden_files_test::golden_files_test
+}  // namespace hottel::golden_files_test

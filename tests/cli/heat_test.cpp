@@ -12,7 +12,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::heat_test::heat_test {
+namespace hottel::heat_test {
 namespace {
 
 using testing::HasSubstr;
@@ -200,4 +200,4 @@ TEST(Insulated, IsAQuantityOfPictures) {
 }
 
 }  // namespace
-}  // namespace hottel::heat_test::heat_test
+}  // namespace hottel::heat_test

@@ -10,7 +10,7 @@
 #include "tests/cli/program.h"
 #include "tests/sanitizers.h"
 
-namespace hottel::killed_test::killed_test {
+namespace hottel::killed_test {
 namespace {
 
 using testing_cli::Workplace;
@@ -82,4 +82,4 @@ TEST(Killed, LeavesOldOrNewFilesAlwaysWhole) {
 }
 
 }  // namespace
-}  // namespace hottel::killed_test::killed_test
+}  // namespace hottel::killed_test

@@ -8,7 +8,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::left_behind_test::left_behind_test {
+namespace hottel::left_behind_test {
 namespace {
 
 using testing::ElementsAre;
@@ -110,4 +110,4 @@ TEST(LeftBehind, ACommandThatIsTerminatedLeavesNoFolder) {
 }
 
 }  // namespace
-}  // namespace hottel::left_behind_test::left_behind_test
+}  // namespace hottel::left_behind_test

@@ -11,7 +11,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::lights_test::lights_test {
+namespace hottel::lights_test {
 namespace {
 
 using testing::HasSubstr;
@@ -197,4 +197,4 @@ TEST(Lights, AreKeptByConvertAndTheSameAgain) {
 }
 
 }  // namespace
-}  // namespace hottel::lights_test::lights_test
+}  // namespace hottel::lights_test

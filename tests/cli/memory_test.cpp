@@ -9,7 +9,7 @@
 #include "tests/cli/program.h"
 #include "tests/sanitizers.h"
 
-namespace hottel::testing_cli::memory_test::memory_test {
+namespace hottel::testing_cli::memory_test {
 namespace {
 
 using testing::HasSubstr;
@@ -106,4 +106,4 @@ TEST(Memory, ThatRunsOutNamesSceneAndStageAndLeavesNoFiles) {
 }
 
 }  // namespace
-}  // namespace hottel::testing_cli::memory_test::memory_test
+}  // namespace hottel::testing_cli::memory_test

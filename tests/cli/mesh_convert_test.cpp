@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::mesh_convert_test::mesh_convert_test {
+namespace hottel::mesh_convert_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -75,4 +75,4 @@ TEST(MeshConvert, MeshesThatCannotBeWrittenLeaveWhatWasThere) {
 }
 
 }  // namespace
-}  // namespace hottel::mesh_convert_test::mesh_convert_test
+}  // namespace hottel::mesh_convert_test

@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::notes_test::notes_test {
+namespace hottel::notes_test {
 namespace {
 
 using testing::HasSubstr;
@@ -130,4 +130,4 @@ TEST(Notes, FramesOfALongerRunAreNamed) {
 }
 
 }  // namespace
-}  // namespace hottel::notes_test::notes_test
+}  // namespace hottel::notes_test

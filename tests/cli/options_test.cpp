@@ -10,7 +10,7 @@
 #include "tests/cli/option_table.h"
 #include "tests/cli/program.h"
 
-namespace hottel::options_test::options_test {
+namespace hottel::options_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -158,4 +158,4 @@ TEST(Options, NumbersAreDecimalAndRefusedWhereTheyWouldBeCut) {
 }
 
 }  // namespace
-}  // namespace hottel::options_test::options_test
+}  // namespace hottel::options_test

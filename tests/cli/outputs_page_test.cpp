@@ -8,7 +8,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::outputs_page_test::outputs_page_test {
+namespace hottel::outputs_page_test {
 namespace {
 
 using testing_cli::contents;
@@ -72,4 +72,4 @@ TEST(OutputsPage, HasATableForEachCsv) {
 }
 
 }  // namespace
-}  // namespace hottel::outputs_page_test::outputs_page_test
+}  // namespace hottel::outputs_page_test

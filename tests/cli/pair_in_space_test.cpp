@@ -10,7 +10,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::pair_in_space_test::pair_in_space_test {
+namespace hottel::pair_in_space_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -150,4 +150,4 @@ TEST_F(PairInSpace, WhatMakesNoSenseIsRefused) {
 }
 
 }  // namespace
-}  // namespace hottel::pair_in_space_test::pair_in_space_test
+}  // namespace hottel::pair_in_space_test

@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::plan_in_space_test::plan_in_space_test {
+namespace hottel::plan_in_space_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -24,13 +24,13 @@ TEST(PlanInSpace, ListsEffectsWithReasonsAndSeconds) {
   const Outcome text = place.run("hottel plan " + scene_file("two_boxes.json"));
   ASSERT_EQ(text.code, 0) << text.err;
   EXPECT_EQ(text.err, "");
-  EXPECT_EQ(lines_of(text.out).size(), 15u);
+  EXPECT_EQ(lines_of(text.out).size(), 16u);
   EXPECT_THAT(text.out, HasSubstr("  occlusion               used        17 polygons that may hide each other"));
   EXPECT_THAT(text.out, HasSubstr("  picture                 used        what the camera sees"));
 
   const auto json = nlohmann::json::parse(place.run("hottel plan --json " + scene_file("two_boxes.json")).out);
   EXPECT_EQ(json["hottel"], 1);
-  ASSERT_EQ(json["plan"].size(), 14u);
+  ASSERT_EQ(json["plan"].size(), 15u);
   for (const auto& effect : json["plan"]) {
     EXPECT_EQ(effect.size(), 4u);
     EXPECT_TRUE(effect["used"].is_boolean());
@@ -81,4 +81,4 @@ TEST(PlanInSpace, AMeshIsASceneByItself) {
 }
 
 }  // namespace
-}  // namespace hottel::plan_in_space_test::plan_in_space_test
+}  // namespace hottel::plan_in_space_test

@@ -7,7 +7,7 @@
 #include "kernel/rational.h"
 #include "tests/cli/program.h"
 
-namespace hottel::point_rows_test::point_rows_test {
+namespace hottel::point_rows_test {
 namespace {
 
 using testing_cli::Outcome;
@@ -68,4 +68,4 @@ TEST(Visibility, IsToldOnStandardOutputOnlyWhereNoFileIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace hottel::point_rows_test::point_rows_test
+}  // namespace hottel::point_rows_test

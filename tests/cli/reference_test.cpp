@@ -6,7 +6,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::reference_test::reference_test {
+namespace hottel::reference_test {
 namespace {
 
 using testing::HasSubstr;
@@ -136,4 +136,4 @@ TEST(Reference, NamesMustDiffer) {
 }
 
 }  // namespace
-}  // namespace hottel::reference_test::reference_test
+}  // namespace hottel::reference_test

@@ -6,7 +6,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::sky_test::sky_test {
+namespace hottel::sky_test {
 namespace {
 
 using testing_cli::lines_of;
@@ -82,4 +82,4 @@ TEST_F(Sky, IsSeenByAllWhereFacesAreColouredTowardIt) {
 }
 
 }  // namespace
-}  // namespace hottel::sky_test::sky_test
+}  // namespace hottel::sky_test

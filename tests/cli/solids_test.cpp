@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::solids_test::solids_test {
+namespace hottel::solids_test {
 namespace {
 
 using testing::AllOf;
@@ -162,4 +162,4 @@ TEST(Solids, ACoveredPlaceOfAFaceIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace hottel::solids_test::solids_test
+}  // namespace hottel::solids_test

@@ -4,7 +4,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::solve_average_test::solve_average_test {
+namespace hottel::solve_average_test {
 namespace {
 
 using testing::HasSubstr;
@@ -40,4 +40,4 @@ TEST(SolveAverage, ReportsTheBoundOfTheAveragesAndOfNothingElse) {
 }
 
 }  // namespace
-}  // namespace hottel::solve_average_test::solve_average_test
+}  // namespace hottel::solve_average_test

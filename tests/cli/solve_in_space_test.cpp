@@ -16,7 +16,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::solve_in_space_test::solve_in_space_test {
+namespace hottel::solve_in_space_test {
 namespace {
 
 using testing::ElementsAre;
@@ -351,4 +351,4 @@ TEST(SolveInSpace, WhatIsOfThePlaneIsRefused) {
 }
 
 }  // namespace
-}  // namespace hottel::solve_in_space_test::solve_in_space_test
+}  // namespace hottel::solve_in_space_test

@@ -14,7 +14,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::solve_pictures_test::solve_pictures_test {
+namespace hottel::solve_pictures_test {
 namespace {
 
 using testing::HasSubstr;
@@ -180,4 +180,4 @@ TEST(SolvePictures, ValuesRunAlongFacesInThePlane) {
 }
 
 }  // namespace
-}  // namespace hottel::solve_pictures_test::solve_pictures_test
+}  // namespace hottel::solve_pictures_test

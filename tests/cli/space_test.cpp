@@ -12,7 +12,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::space_test::space_test {
+namespace hottel::space_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -341,4 +341,4 @@ TEST(Space, MeshesAndDecksThatAreNotPlaneBecomeTrianglesToo) {
 }
 
 }  // namespace
-}  // namespace hottel::space_test::space_test
+}  // namespace hottel::space_test

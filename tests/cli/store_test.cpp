@@ -15,7 +15,7 @@
 #include "tests/cli/program.h"
 #include "tests/sanitizers.h"
 
-namespace hottel::store_test::store_test {
+namespace hottel::store_test {
 namespace {
 
 using testing_cli::Outcome;
@@ -212,4 +212,4 @@ TEST(Store, IsNeverWrongAfterItsRunsAreKilled) {
 }
 
 }  // namespace
-}  // namespace hottel::store_test::store_test
+}  // namespace hottel::store_test

@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::unknown_name_test::unknown_name_test {
+namespace hottel::unknown_name_test {
 namespace {
 
 using ::testing::Contains;
@@ -108,4 +108,4 @@ TEST(UnknownNamesInFiles, AreRefusedWithNearOnes) {
 }
 
 }  // namespace
-}  // namespace hottel::unknown_name_test::unknown_name_test
+}  // namespace hottel::unknown_name_test

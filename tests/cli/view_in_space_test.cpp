@@ -6,7 +6,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::view_in_space_test::view_in_space_test {
+namespace hottel::view_in_space_test {
 namespace {
 
 using testing::HasSubstr;
@@ -75,4 +75,4 @@ TEST_F(ViewInSpace, RefusesWhatIsOfThePlane) {
 }
 
 }  // namespace
-}  // namespace hottel::view_in_space_test::view_in_space_test
+}  // namespace hottel::view_in_space_test

@@ -6,7 +6,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::view_test::view_test {
+namespace hottel::view_test {
 namespace {
 
 using testing::ElementsAre;
@@ -129,4 +129,4 @@ TEST_F(View, SaysWhatIsWrongWithoutLightAndGoesOn) {
 }
 
 }  // namespace
-}  // namespace hottel::view_test::view_test
+}  // namespace hottel::view_test

@@ -7,7 +7,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::visibility_points_test::visibility_points_test {
+namespace hottel::visibility_points_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -171,4 +171,4 @@ TEST(VisibilityGraph, OfASceneBeyondDoublesIsWrittenExactly) {
 }
 
 }  // namespace
-}  // namespace hottel::visibility_points_test::visibility_points_test
+}  // namespace hottel::visibility_points_test

@@ -6,7 +6,7 @@
 
 #include "tests/cli/program.h"
 
-namespace hottel::testing_cli::wanted_files_test::wanted_files_test {
+namespace hottel::testing_cli::wanted_files_test {
 namespace {
 
 using testing::HasSubstr;
@@ -116,4 +116,4 @@ TEST(FactorsMemory, IsNoMoreThanAllowed) {
 }
 
 }  // namespace
-}  // namespace hottel::testing_cli::wanted_files_test::wanted_files_test
+}  // namespace hottel::testing_cli::wanted_files_test

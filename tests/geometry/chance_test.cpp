@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-namespace hottel::chance_test::chance_test {
+namespace hottel::chance_test {
 namespace {
 
 TEST(Chance, IsTheSameOnEveryMachine) {
@@ -57,4 +57,4 @@ TEST(SideOfSquareAndCube, AreTheLeastThatSuffice) {
 }
 
 }  // namespace
-}  // namespace hottel::chance_test::chance_test
+}  // namespace hottel::chance_test

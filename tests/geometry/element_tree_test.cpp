@@ -10,7 +10,7 @@
 #include "geometry/element.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::element_tree_test::element_tree_test {
+namespace hottel::element_tree_test {
 namespace {
 
 TreePath path(std::initializer_list<int> digits) { return TreePath(std::vector<int>(digits)); }
@@ -98,4 +98,4 @@ TEST(TreeLeaves, OfOneDepthAreWholeAndAsMany) {
 }
 
 }  // namespace
-}  // namespace hottel::element_tree_test::element_tree_test
+}  // namespace hottel::element_tree_test

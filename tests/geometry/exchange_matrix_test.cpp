@@ -12,7 +12,7 @@
 
 #include "kernel/support/failure.h"
 
-namespace hottel::exchange_matrix_test::exchange_matrix_test {
+namespace hottel::exchange_matrix_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -175,4 +175,4 @@ TEST(ExchangeMatrix, HasFactorsByName) {
 }
 
 }  // namespace
-}  // namespace hottel::exchange_matrix_test::exchange_matrix_test
+}  // namespace hottel::exchange_matrix_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hottel::face_test::face_test {
+namespace hottel::face_test {
 namespace {
 
 TEST(Face, IsFoundAgainByItsNumber) {
@@ -17,4 +17,4 @@ TEST(Face, IsOrderedBySurfaceTheFrontBeforeTheBack) {
 }
 
 }  // namespace
-}  // namespace hottel::face_test::face_test
+}  // namespace hottel::face_test

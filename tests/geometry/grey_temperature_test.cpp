@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hottel::grey_temperature_test::grey_temperature_test {
+namespace hottel::grey_temperature_test {
 namespace {
 
 Material grey(const Rational& emissivity, const Rational& temperature) {
@@ -38,4 +38,4 @@ TEST(GreyTemperature, IsOneForAllChannels) {
 }
 
 }  // namespace
-}  // namespace hottel::grey_temperature_test::grey_temperature_test
+}  // namespace hottel::grey_temperature_test

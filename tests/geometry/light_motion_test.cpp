@@ -10,7 +10,7 @@
 #include "geometry/plane/scene/moving_lights.h"
 #include "geometry/space/scene/moving_lights.h"
 
-namespace hottel::light_motion_test::light_motion_test {
+namespace hottel::light_motion_test {
 namespace {
 
 using Way = std::vector<std::vector<Rational>>;
@@ -139,4 +139,4 @@ TEST(MovingLights, WithoutRotationAndPathThereAreNone) {
 }
 
 }  // namespace
-}  // namespace hottel::light_motion_test::light_motion_test
+}  // namespace hottel::light_motion_test

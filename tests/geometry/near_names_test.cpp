@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace hottel::near_names_test::near_names_test {
+namespace hottel::near_names_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -48,4 +48,4 @@ TEST(NearNames, AreOneHintOrNone) {
 }
 
 }  // namespace
-}  // namespace hottel::near_names_test::near_names_test
+}  // namespace hottel::near_names_test

@@ -7,7 +7,7 @@
 
 #include "kernel/support/failure.h"
 
-namespace hottel::pair_ranges_test::pair_ranges_test {
+namespace hottel::pair_ranges_test {
 namespace {
 
 TEST(PairRanges, AreTheSetOfWhatWasAdded) {
@@ -53,4 +53,4 @@ TEST(PairRanges, RefuseWhatIsNoPartOfARow) {
 }
 
 }  // namespace
-}  // namespace hottel::pair_ranges_test::pair_ranges_test
+}  // namespace hottel::pair_ranges_test

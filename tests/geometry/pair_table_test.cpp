@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace hottel::pair_table_test::pair_table_test {
+namespace hottel::pair_table_test {
 namespace {
 
 // A sum that tells in which order its terms were added.
@@ -70,4 +70,4 @@ TEST(PairTable, TellsKeysApartThatDifferInAnyBit) {
 }
 
 }  // namespace
-}  // namespace hottel::pair_table_test::pair_table_test
+}  // namespace hottel::pair_table_test

@@ -15,7 +15,7 @@
 #include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::damaged_files_test::damaged_files_test {
+namespace hottel::damaged_files_test {
 namespace {
 
 std::string text_of(const std::string& file) {
@@ -142,4 +142,4 @@ TEST(DamagedFiles, MaterialsOfAMesh) {
 }
 
 }  // namespace
-}  // namespace hottel::damaged_files_test::damaged_files_test
+}  // namespace hottel::damaged_files_test

@@ -8,7 +8,7 @@
 #include "io/results/factor_files.h"
 #include "io/scene/scene_json.h"
 
-namespace hottel::dense_size_test::dense_size_test {
+namespace hottel::dense_size_test {
 namespace {
 
 struct Written {
@@ -50,4 +50,4 @@ TEST(DenseSize, DoesNotOverflow) {
 }
 
 }  // namespace
-}  // namespace hottel::dense_size_test::dense_size_test
+}  // namespace hottel::dense_size_test

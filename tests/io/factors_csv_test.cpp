@@ -6,7 +6,7 @@
 
 #include "io/results/factor_files.h"
 
-namespace hottel::factors_csv_test::factors_csv_test {
+namespace hottel::factors_csv_test {
 namespace {
 
 TEST(FactorsCsv, SaysOfEachFactorWhatIsGuaranteed) {
@@ -28,4 +28,4 @@ TEST(FactorsCsv, SaysOfEachFactorWhatIsGuaranteed) {
 }
 
 }  // namespace
-}  // namespace hottel::factors_csv_test::factors_csv_test
+}  // namespace hottel::factors_csv_test

@@ -10,7 +10,7 @@
 #include "geometry/plane/arrangement/prepared_scene.h"
 #include "tests/io/foreign_room.h"
 
-namespace hottel::foreign_command_test::foreign_command_test {
+namespace hottel::foreign_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ TEST_F(ForeignCommandTest, LeavesNoFolderBehind) {
 }
 
 }  // namespace
-}  // namespace hottel::foreign_command_test::foreign_command_test
+}  // namespace hottel::foreign_command_test

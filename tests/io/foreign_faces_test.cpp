@@ -6,7 +6,7 @@
 #include "geometry/plane/exchange/exchange.h"
 #include "tests/io/foreign_room.h"
 
-namespace hottel::foreign_faces_test::foreign_faces_test {
+namespace hottel::foreign_faces_test {
 namespace {
 
 using testing::Contains;
@@ -74,4 +74,4 @@ TEST_F(ForeignFacesTest, OfTwoMeaningsTheMoreSymmetricIsTaken) {
 }
 
 }  // namespace
-}  // namespace hottel::foreign_faces_test::foreign_faces_test
+}  // namespace hottel::foreign_faces_test

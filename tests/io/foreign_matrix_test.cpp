@@ -20,7 +20,7 @@
 #include "tests/io/foreign_numbers.h"
 #include "tests/io/foreign_room.h"
 
-namespace hottel::foreign_matrix_test::foreign_matrix_test {
+namespace hottel::foreign_matrix_test {
 namespace {
 
 using testing::HasSubstr;
@@ -312,4 +312,4 @@ TEST_F(ForeignMatrixTest, AnyBytesAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace hottel::foreign_matrix_test::foreign_matrix_test
+}  // namespace hottel::foreign_matrix_test

@@ -15,7 +15,7 @@
 #include "tests/io/foreign_numbers.h"
 #include "tests/io/foreign_room.h"
 
-namespace hottel::foreign_tables_test::foreign_tables_test {
+namespace hottel::foreign_tables_test {
 namespace {
 
 class ForeignTables : public ForeignRoomTest {};
@@ -83,4 +83,4 @@ TEST_F(ForeignTables, AListWithoutItsFirstLineIsToldWhatThatMustBe) {
 }
 
 }  // namespace
-}  // namespace hottel::foreign_tables_test::foreign_tables_test
+}  // namespace hottel::foreign_tables_test

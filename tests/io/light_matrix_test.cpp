@@ -13,7 +13,7 @@
 #include "kernel/support/parallel.h"
 #include "solver/plane/light/illumination_grid.h"
 
-namespace hottel::light_matrix_test::light_matrix_test {
+namespace hottel::light_matrix_test {
 namespace {
 
 // A room with a solid box on its floor, a thin screen with a black back, and an opening to the sky.
@@ -123,4 +123,4 @@ TEST(LightMatrix, IsRefusedWhenRowsTakeMoreMemoryThanIsAllowed) {
 }
 
 }  // namespace
-}  // namespace hottel::light_matrix_test::light_matrix_test
+}  // namespace hottel::light_matrix_test

@@ -11,7 +11,7 @@
 #include "io/scene/scene_json.h"
 #include "tests/refusal.h"
 
-namespace hottel::map_reader_test::map_reader_test {
+namespace hottel::map_reader_test {
 namespace {
 
 using testing::ElementsAre;
@@ -172,4 +172,4 @@ TEST(MapReader, RefusesWhatIsNoWallByItsLine_6) {
 }
 
 }  // namespace
-}  // namespace hottel::map_reader_test::map_reader_test
+}  // namespace hottel::map_reader_test

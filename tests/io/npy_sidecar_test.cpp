@@ -7,7 +7,7 @@
 #include "io/results/npy.h"
 #include "tests/solver/plane/lit_scenes.h"
 
-namespace hottel::npy_sidecar_test::npy_sidecar_test {
+namespace hottel::npy_sidecar_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -41,4 +41,4 @@ TEST(NpySidecar, NamesRowsAndGivesTheirAreas) {
 }
 
 }  // namespace
-}  // namespace hottel::npy_sidecar_test::npy_sidecar_test
+}  // namespace hottel::npy_sidecar_test

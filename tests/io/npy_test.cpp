@@ -7,7 +7,7 @@
 
 #include "kernel/support/failure.h"
 
-namespace hottel::npy_test::npy_test {
+namespace hottel::npy_test {
 namespace {
 
 TEST(Npy, HeadersAreWhatNumPyWrites) {
@@ -49,4 +49,4 @@ TEST(Npy, NumbersFollowInCOrder) {
 }
 
 }  // namespace
-}  // namespace hottel::npy_test::npy_test
+}  // namespace hottel::npy_test

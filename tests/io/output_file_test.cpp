@@ -15,7 +15,7 @@
 #include "kernel/support/interrupt.h"
 #include "tests/temporary_folder.h"
 
-namespace hottel::output_file_test::output_file_test {
+namespace hottel::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -166,4 +166,4 @@ TEST_F(OutputFileTest, KeepsTheEarlierFileWhenTheDiskIsFull) {
 }
 
 }  // namespace
-}  // namespace hottel::output_file_test::output_file_test
+}  // namespace hottel::output_file_test

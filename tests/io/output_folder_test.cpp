@@ -8,7 +8,7 @@
 #include "io/files/output_file.h"
 #include "tests/temporary_folder.h"
 
-namespace hottel::output_folder_test::output_folder_test {
+namespace hottel::output_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ TEST_F(OutputFolderTest, APendingFolderGoesWithAllThatIsInIt) {
 }
 
 }  // namespace
-}  // namespace hottel::output_folder_test::output_folder_test
+}  // namespace hottel::output_folder_test

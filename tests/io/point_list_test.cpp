@@ -10,7 +10,7 @@
 
 #include "kernel/support/failure.h"
 
-namespace hottel::point_list_test::point_list_test {
+namespace hottel::point_list_test {
 namespace {
 
 using testing::ElementsAre;
@@ -92,4 +92,4 @@ TEST(PointList, WhatIsNoPointIsRefusedWithItsLine) {
 }
 
 }  // namespace
-}  // namespace hottel::point_list_test::point_list_test
+}  // namespace hottel::point_list_test

@@ -15,7 +15,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::polygon_files_test::polygon_files_test {
+namespace hottel::polygon_files_test {
 namespace {
 
 using testing::ElementsAre;
@@ -168,4 +168,4 @@ TEST(PolygonFiles, CornersBeyondDoublesAreRefusedUnlessExact) {
 }
 
 }  // namespace
-}  // namespace hottel::polygon_files_test::polygon_files_test
+}  // namespace hottel::polygon_files_test

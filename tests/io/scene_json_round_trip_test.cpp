@@ -7,7 +7,7 @@
 
 #include "io/scene/scene_json.h"
 
-namespace hottel::scene_json_round_trip_test::scene_json_round_trip_test {
+namespace hottel::scene_json_round_trip_test {
 namespace {
 
 using Random = std::mt19937_64;
@@ -250,4 +250,4 @@ TEST(ParseScene2, MutatedTextsAreScenesOrRefused) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_json_round_trip_test::scene_json_round_trip_test
+}  // namespace hottel::scene_json_round_trip_test

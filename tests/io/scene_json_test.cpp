@@ -10,7 +10,7 @@
 
 #include "tests/refusal.h"
 
-namespace hottel::scene_json_test::scene_json_test {
+namespace hottel::scene_json_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -490,4 +490,4 @@ TEST(ReadScene2, NamesFilesThatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_json_test::scene_json_test
+}  // namespace hottel::scene_json_test

@@ -7,7 +7,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::svg_reader_test::svg_reader_test {
+namespace hottel::svg_reader_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -297,4 +297,4 @@ TEST(SvgReader, RefusesFilesThatAreNoDrawing) {
 }
 
 }  // namespace
-}  // namespace hottel::svg_reader_test::svg_reader_test
+}  // namespace hottel::svg_reader_test

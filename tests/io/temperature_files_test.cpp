@@ -12,7 +12,7 @@
 #include "io/scene/scene_json.h"
 #include "solver/radiosity/element_temperatures.h"
 
-namespace hottel::temperature_files_test::temperature_files_test {
+namespace hottel::temperature_files_test {
 namespace {
 
 Rational power_of(double temperature) {
@@ -78,4 +78,4 @@ TEST(SceneBuilder, MakesScenesOfHeatAsFilesDo) {
 }
 
 }  // namespace
-}  // namespace hottel::temperature_files_test::temperature_files_test
+}  // namespace hottel::temperature_files_test

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace hottel::zip_file_test::zip_file_test {
+namespace hottel::zip_file_test {
 namespace {
 
 std::string archive(const std::vector<std::pair<std::string, std::string>>& entries) {
@@ -53,4 +53,4 @@ TEST(ZipFile, AnEmptyArchiveIsItsEnd) { EXPECT_EQ(archive({}).size(), 22u); }
 TEST(ZipFile, SameEntriesGiveSameBytes) { EXPECT_EQ(archive({{"x", "y"}}), archive({{"x", "y"}})); }
 
 }  // namespace
-}  // namespace hottel::zip_file_test::zip_file_test
+}  // namespace hottel::zip_file_test

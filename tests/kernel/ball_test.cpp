@@ -10,7 +10,7 @@
 
 #include "kernel/root_sum.h"
 
-namespace hottel::ball_test::ball_test {
+namespace hottel::ball_test {
 namespace {
 
 Rational fraction(long p, long q) {
@@ -107,4 +107,4 @@ TEST(Ball, HoldsNumbersBeyondTheRangeOfDouble) {
 }
 
 }  // namespace
-}  // namespace hottel::ball_test::ball_test
+}  // namespace hottel::ball_test

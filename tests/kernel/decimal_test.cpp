@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace hottel::decimal_test::decimal_test {
+namespace hottel::decimal_test {
 namespace {
 
 Rational number(const std::string& text) { return parse_rational(text).value(); }
@@ -47,4 +47,4 @@ TEST(DecimalText, ReadsBackToTheNumberWithinItsLastPlace) {
 }
 
 }  // namespace
-}  // namespace hottel::decimal_test::decimal_test
+}  // namespace hottel::decimal_test

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace hottel::determinant_test::determinant_test {
+namespace hottel::determinant_test {
 namespace {
 
 IntegerVector random_vector(std::mt19937_64& engine, long most_bits) {
@@ -99,4 +99,4 @@ TEST(IntegerVector, PrimitiveKeepsTheDirection) {
 }
 
 }  // namespace
-}  // namespace hottel::determinant_test::determinant_test
+}  // namespace hottel::determinant_test

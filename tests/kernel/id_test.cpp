@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace hottel::id_test::id_test {
+namespace hottel::id_test {
 namespace {
 
 using AppleId = Id<struct AppleTag>;
@@ -57,4 +57,4 @@ TEST(Id, RangesHoldTheFirstOnes) {
 }
 
 }  // namespace
-}  // namespace hottel::id_test::id_test
+}  // namespace hottel::id_test

@@ -8,7 +8,7 @@
 
 #include "kernel/rational.h"
 
-namespace hottel::int128_test::int128_test {
+namespace hottel::int128_test {
 namespace {
 
 // Numbers of every size, of both signs, and those about a power of two.
@@ -51,4 +51,4 @@ TEST(ToDoubleDouble, IsExactUpTo106BitsAndNearBeyond) {
 }
 
 }  // namespace
-}  // namespace hottel::int128_test::int128_test
+}  // namespace hottel::int128_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace hottel::legendre_rule_test::legendre_rule_test {
+namespace hottel::legendre_rule_test {
 namespace {
 
 template <class Real>
@@ -59,4 +59,4 @@ TYPED_TEST(LegendreRuleOf, NodesAndWeightsAreTheNearestNumbers) {
 }
 
 }  // namespace
-}  // namespace hottel::legendre_rule_test::legendre_rule_test
+}  // namespace hottel::legendre_rule_test

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace hottel::parallel_test::parallel_test {
+namespace hottel::parallel_test {
 namespace {
 
 constexpr std::size_t kMany = 100'000;
@@ -98,4 +98,4 @@ TEST(Parallel, MayBeCalledFromWithin) {
 }
 
 }  // namespace
-}  // namespace hottel::parallel_test::parallel_test
+}  // namespace hottel::parallel_test

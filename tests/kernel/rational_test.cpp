@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-namespace hottel::rational_test::rational_test {
+namespace hottel::rational_test {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
@@ -188,4 +188,4 @@ TEST(Shortest, ReadsBackToTheSameDouble) {
 }
 
 }  // namespace
-}  // namespace hottel::rational_test::rational_test
+}  // namespace hottel::rational_test

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace hottel::root_sum_test::root_sum_test {
+namespace hottel::root_sum_test {
 namespace {
 
 using Terms = std::vector<std::pair<Rational, Rational>>;  // coefficient, radicand
@@ -146,4 +146,4 @@ TEST(RootSum, IsAVectorSpaceOverTheRationals) {
 }
 
 }  // namespace
-}  // namespace hottel::root_sum_test::root_sum_test
+}  // namespace hottel::root_sum_test

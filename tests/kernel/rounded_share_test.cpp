@@ -11,7 +11,7 @@
 #include "kernel/nearest_double.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::rounded_share_test::rounded_share_test {
+namespace hottel::rounded_share_test {
 namespace {
 
 // Both doubles next to it are at least as far away, and of two as near the even one is taken: by rationals.
@@ -86,4 +86,4 @@ TEST(RoundedShare, IsThatOfRationalArithmetic) {
 }
 
 }  // namespace
-}  // namespace hottel::rounded_share_test::rounded_share_test
+}  // namespace hottel::rounded_share_test

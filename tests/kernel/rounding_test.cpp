@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace hottel::rounding_test::rounding_test {
+namespace hottel::rounding_test {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
@@ -218,4 +218,4 @@ TEST(RoundedNumber, IsEnclosedWithinOneUlp) {
 }
 
 }  // namespace
-}  // namespace hottel::rounding_test::rounding_test
+}  // namespace hottel::rounding_test

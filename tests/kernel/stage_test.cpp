@@ -12,7 +12,7 @@
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
 
-namespace hottel::stage_test::stage_test {
+namespace hottel::stage_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -214,4 +214,4 @@ TEST(ParallelStop, OfOneThreadIsNoneOfAnother) {
 }
 
 }  // namespace
-}  // namespace hottel::stage_test::stage_test
+}  // namespace hottel::stage_test

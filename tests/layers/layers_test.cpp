@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace hottel::layers_test::layers_test {
+namespace hottel::layers_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -336,4 +336,4 @@ TEST(Layers, TheCheckSeesWhatItForbids) {
 }
 
 }  // namespace
-}  // namespace hottel::layers_test::layers_test
+}  // namespace hottel::layers_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace hottel::library_tasks_test::library_tasks_test {
+namespace hottel::library_tasks_test {
 namespace {
 
 class LibraryTasks : public ::testing::Test {
@@ -125,4 +125,4 @@ TEST(LibraryPage, ShowsTheTasksThatAreTestedHere) {
 }
 
 }  // namespace
-}  // namespace hottel::library_tasks_test::library_tasks_test
+}  // namespace hottel::library_tasks_test

@@ -3,7 +3,7 @@
 #include "kernel/support/failure.h"
 #include "viewer/window/sdl_window.h"
 
-namespace hottel::no_window_test::no_window_test {
+namespace hottel::no_window_test {
 namespace {
 
 TEST(NoWindow, SaysWhatWorksWithoutOne) {
@@ -16,4 +16,4 @@ TEST(NoWindow, SaysWhatWorksWithoutOne) {
 }
 
 }  // namespace
-}  // namespace hottel::no_window_test::no_window_test
+}  // namespace hottel::no_window_test

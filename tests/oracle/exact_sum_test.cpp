@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hottel::oracle::exact_sum_test::exact_sum_test {
+namespace hottel::oracle::exact_sum_test {
 namespace {
 
 TEST(OracleExactSum, IsWrittenWithSquareFreeRadicandsInAscendingOrder) {
@@ -47,4 +47,4 @@ TEST(OracleExactSum, AddsAndScales) {
 }
 
 }  // namespace
-}  // namespace hottel::oracle::exact_sum_test::exact_sum_test
+}  // namespace hottel::oracle::exact_sum_test

@@ -4,7 +4,7 @@
 
 #include "solver/radiosity/scaled_ball.h"
 
-namespace hottel::double_double_ball_test::double_double_ball_test {
+namespace hottel::double_double_ball_test {
 namespace {
 
 bool contains(const DoubleDoubleBall& e, const Rational& exact) {
@@ -97,4 +97,4 @@ TEST(ScaledBall, LeavesASumAsItIsWhereItIsZero) {
 }
 
 }  // namespace
-}  // namespace hottel::double_double_ball_test::double_double_ball_test
+}  // namespace hottel::double_double_ball_test

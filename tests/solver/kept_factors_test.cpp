@@ -18,7 +18,7 @@
 #include "tests/sanitizers.h"
 #include "tests/temporary_folder.h"
 
-namespace hottel::kept_factors_test::kept_factors_test {
+namespace hottel::kept_factors_test {
 namespace {
 
 class StoreFile {
@@ -356,4 +356,4 @@ TEST(KeptFactors, DependOnGeometryAndNotOnColours) {
 }
 
 }  // namespace
-}  // namespace hottel::kept_factors_test::kept_factors_test
+}  // namespace hottel::kept_factors_test

@@ -14,7 +14,7 @@
 #include "solver/radiosity/printed_number.h"
 #include "solver/radiosity/scaled_ball.h"
 
-namespace hottel::radiosity_sources_test::radiosity_sources_test {
+namespace hottel::radiosity_sources_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -131,4 +131,4 @@ TEST(MadeOnce, IsMadeByOneOfManyThreadsAndAnewAfterAFailure) {
 }
 
 }  // namespace
-}  // namespace hottel::radiosity_sources_test::radiosity_sources_test
+}  // namespace hottel::radiosity_sources_test

@@ -10,7 +10,7 @@
 
 #include "tests/sanitizers.h"
 
-namespace hottel::storm::storm_test::storm_test {
+namespace hottel::storm::storm_test {
 namespace {
 
 // Under a sanitizer: as many as show each contact often enough.
@@ -152,4 +152,4 @@ TEST(LatticeContacts, AreToldApart) {
 }
 
 }  // namespace
-}  // namespace hottel::storm::storm_test::storm_test
+}  // namespace hottel::storm::storm_test

@@ -11,7 +11,7 @@
 #include "viewer/picture/png_file.h"
 #include "viewer/picture/raster.h"
 
-namespace hottel::animated_png_test::animated_png_test {
+namespace hottel::animated_png_test {
 namespace {
 
 std::string frame(std::uint32_t width, std::uint32_t height, std::uint32_t colour) {
@@ -105,4 +105,4 @@ TEST(AnimatedPng, RefusesWhatIsNoFrame) {
 }
 
 }  // namespace
-}  // namespace hottel::animated_png_test::animated_png_test
+}  // namespace hottel::animated_png_test

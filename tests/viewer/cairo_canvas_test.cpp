@@ -4,7 +4,7 @@
 
 #include "kernel/support/failure.h"
 
-namespace hottel::cairo_canvas_test::cairo_canvas_test {
+namespace hottel::cairo_canvas_test {
 namespace {
 
 using testing::HasSubstr;
@@ -121,4 +121,4 @@ TEST(PictureFormat, IsChosenByTheEnding) {
 }
 
 }  // namespace
-}  // namespace hottel::cairo_canvas_test::cairo_canvas_test
+}  // namespace hottel::cairo_canvas_test

@@ -6,7 +6,7 @@
 
 #include "viewer/picture/recording_canvas.h"
 
-namespace hottel::colour_map_test::colour_map_test {
+namespace hottel::colour_map_test {
 namespace {
 
 TEST(ColourScale, TellsZeroFromSmallWhereItHasZero) {
@@ -108,4 +108,4 @@ TEST(Legend, ShowsTitleLabelsAndAllColours) {
 }
 
 }  // namespace
-}  // namespace hottel::colour_map_test::colour_map_test
+}  // namespace hottel::colour_map_test

@@ -13,7 +13,7 @@
 
 #include "viewer/picture/colour_map.h"
 
-namespace hottel::png_file_test::png_file_test {
+namespace hottel::png_file_test {
 namespace {
 
 struct Source {
@@ -75,4 +75,4 @@ TEST(SrgbLevel, IsTheRoundedValue) {
 }
 
 }  // namespace
-}  // namespace hottel::png_file_test::png_file_test
+}  // namespace hottel::png_file_test

@@ -10,7 +10,7 @@
 #include "viewer/picture/cairo_canvas.h"
 #include "viewer/picture/png_file.h"
 
-namespace hottel::raster_test::raster_test {
+namespace hottel::raster_test {
 namespace {
 
 Raster noise(std::uint32_t width, std::uint32_t height, unsigned seed) {
@@ -108,4 +108,4 @@ TEST(CairoCanvas, WidthsOfTextsFollowTheirStyle) {
 }
 
 }  // namespace
-}  // namespace hottel::raster_test::raster_test
+}  // namespace hottel::raster_test

@@ -13,7 +13,7 @@
 #include "kernel/support/interrupt.h"
 #include "kernel/support/stopwatch.h"
 
-namespace hottel::recording_window_test::recording_window_test {
+namespace hottel::recording_window_test {
 namespace {
 
 using Kind = WindowEvent::Kind;
@@ -151,4 +151,4 @@ TEST(RecordingWindow, StopsWaitingWhenAStopIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace hottel::recording_window_test::recording_window_test
+}  // namespace hottel::recording_window_test

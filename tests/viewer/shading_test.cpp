@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace hottel::shading_test::shading_test {
+namespace hottel::shading_test {
 namespace {
 
 // An element under a part of surface 0: digits of its path, and its area.
@@ -124,4 +124,4 @@ TEST(ValuesFromParents, WhatHasNoValueCountsForNothing) {
 }
 
 }  // namespace
-}  // namespace hottel::shading_test::shading_test
+}  // namespace hottel::shading_test

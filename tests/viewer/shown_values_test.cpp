@@ -17,7 +17,7 @@
 #include "viewer/picture/canvas.h"
 #include "viewer/picture/colour_map.h"
 
-namespace hottel::shown_values_test::shown_values_test {
+namespace hottel::shown_values_test {
 namespace {
 
 using testing::HasSubstr;
@@ -204,4 +204,4 @@ TEST(ShownValues, TakeTheScaleAskedFor) {
 }
 
 }  // namespace
-}  // namespace hottel::shown_values_test::shown_values_test
+}  // namespace hottel::shown_values_test

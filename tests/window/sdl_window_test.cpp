@@ -18,7 +18,7 @@
 #include "kernel/support/interrupt.h"
 #include "tests/window/xvfb.h"
 
-namespace hottel::sdl_window_test::sdl_window_test {
+namespace hottel::sdl_window_test {
 namespace {
 
 using testing::AllOf;
@@ -374,4 +374,4 @@ TEST(OpenWindow, ADriverThatShowsNothingMustBeAskedFor) {
 }
 
 }  // namespace
-}  // namespace hottel::sdl_window_test::sdl_window_test
+}  // namespace hottel::sdl_window_test

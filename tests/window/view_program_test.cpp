@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace hottel::view_program_test::view_program_test {
+namespace hottel::view_program_test {
 namespace {
 
 using testing::HasSubstr;
@@ -289,4 +289,4 @@ TEST_F(ViewedProgram, AnswersWhileALargeSceneIsComputed) {
 }
 
 }  // namespace
-}  // namespace hottel::view_program_test::view_program_test
+}  // namespace hottel::view_program_test

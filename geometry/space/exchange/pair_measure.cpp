@@ -42,6 +42,9 @@ constexpr const char* kNotConverged = "the integral along edges did not converge
 // What is seen is not nothing, however little it is.
 constexpr double kLittle = 0x1p-200;
 
+// What is allowed as a part of an area; `otherwise` where the area is too small for doubles.
+double relative(double allowed, double area, double otherwise) { return area > 0 ? allowed / area : otherwise; }
+
 // Nothing hides anything: the measure is that of the two alone.
 void take_alone(const UnobstructedMeasure3& alone, double allowed, PairMeasure3& result) {
   result.is_whole = true;
@@ -217,17 +220,14 @@ PairMeasurer3::~PairMeasurer3() = default;
 PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request,
                                     PairDetails3* details) const {
   const DefaultFloatingPoint environment;
-  if (request.share == 0) {
-    PairRequest3 shared = request;
-    shared.share = request.tolerance * least_area(i, j);
-    return measure(i, j, shared, details);
-  }
+  PairRequest3 shared = request;
+  if (!shared.share) shared.share = request.tolerance * least_area(i, j);
   Patch3 copies[2];
   const Patch3 &first = prepared_->placed(i, copies[0]), &second = prepared_->placed(j, copies[1]);
   const bool is_usual = !request.is_reversed && !request.always_along_edges &&
                         std::all_of(std::begin(request.origin_shift), std::end(request.origin_shift),
                                     [](double shift) { return shift == 0; });
-  const PairMeasure3 result = measure(first, second, request, is_usual ? kMostCuts : 0, details);
+  const PairMeasure3 result = measure(first, second, shared, is_usual ? kMostCuts : 0, details);
   if (details != nullptr && !prepared_->merged.is_plain()) prepared_->tell_polygons(*details);
   return result;
 }
@@ -272,7 +272,7 @@ double PairMeasurer3::work_in_halves(const Patch3& i, const Patch3& j, bool cuts
 PairMeasure3 PairMeasurer3::measure_in_halves(const Patch3& i, const Patch3& j, const PairRequest3& request,
                                               int cuts) const {
   const bool cuts_first = work_in_halves(i, j, true) <= work_in_halves(i, j, false);
-  const double tolerance = request.share / least_area(i, j);
+  const double allowed = *request.share, tolerance = relative(allowed, least_area(i, j), request.tolerance);
   PairMeasure3 sum;
   sum.sight = Sight3::kMixed;
   sum.is_whole = true;
@@ -281,7 +281,7 @@ PairMeasure3 PairMeasurer3::measure_in_halves(const Patch3& i, const Patch3& j, 
     const auto sides = PairBodies3(prepared_->blockers, a, b).patch_sides;
     if (!sides[0].has_front || !sides[1].has_front) continue;  // it does not face the other patch: S0 = 0
     PairRequest3 part = request;
-    part.share = std::max(request.share / 2, tolerance / 8 * least_area(a, b));
+    part.share = std::max(allowed / 2, tolerance / 8 * least_area(a, b));
     add_part(measure(a, b, part, cuts - 1, nullptr), sum);
     if (sum.is_undecided) return sum;
   }
@@ -290,8 +290,8 @@ PairMeasure3 PairMeasurer3::measure_in_halves(const Patch3& i, const Patch3& j, 
     sum.measure = sum.error = 0;
   } else if (sum.is_whole) {
     sum.problem.clear();
-    take_alone(unobstructed_measure(prepared_->blockers.vertices(), i, j, tolerance / 4), request.share, sum);
-  } else if (sum.error <= request.share) {
+    take_alone(unobstructed_measure(prepared_->blockers.vertices(), i, j, tolerance / 4), allowed, sum);
+  } else if (sum.error <= allowed) {
     sum.problem.clear();
   } else if (sum.problem.empty()) {
     sum.problem = kNotConverged;
@@ -312,7 +312,8 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
   result.sight = setting.sight;
   if (details) tell_between(setting, *details);
   if (setting.sight == Sight3::kHidden) return result;
-  const double least = least_area(i, j), allowed = request.share, tolerance = allowed / least / 4;
+  const double allowed = *request.share;
+  const double tolerance = relative(allowed, least_area(i, j), request.tolerance) / 4;
   const auto measure_alone = [&](Effort3 effort) {
     return unobstructed_measure(blockers.vertices(), i, j, tolerance, effort);
   };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "geometry/space/exchange/sight.h"
@@ -18,8 +19,8 @@ enum class Effort3 : unsigned char { kUsual, kAll };
 struct PairRequest3 {
   // What S may be off, relative to the smaller of both areas.
   double tolerance = 1e-9;
-  // The same in the unit of measures, where it is not 0: then `tolerance` means nothing.
-  double share = 0;
+  // The same in the unit of measures, where it is given: then `tolerance` means nothing.
+  std::optional<double> share = {};
   Effort3 effort = Effort3::kAll;
   // For tests: integrate along the edges from j to i; settle every pair along edges, also where it is clear; take
   // another origin for moments (in the unit of doubles, added to the usual one; where both patches reach the plane of

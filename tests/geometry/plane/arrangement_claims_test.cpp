@@ -8,7 +8,7 @@
 #include "kernel/support/failure.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::arrangement_claims_test::arrangement_claims_test {
+namespace hottel::arrangement_claims_test {
 namespace {
 
 using namespace testing_scenes;
@@ -138,4 +138,4 @@ TEST(Claims2, PartsOfADividedSurfaceOwnTheirPieces) {
 }
 
 }  // namespace
-}  // namespace hottel::arrangement_claims_test::arrangement_claims_test
+}  // namespace hottel::arrangement_claims_test

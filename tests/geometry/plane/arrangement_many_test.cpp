@@ -15,7 +15,7 @@
 #include "kernel/rational.h"
 #include "tests/geometry/plane/vertex_literal.h"
 
-namespace hottel::arrangement_many_test::arrangement_many_test {
+namespace hottel::arrangement_many_test {
 namespace {
 
 struct Input {
@@ -187,4 +187,4 @@ TEST(Triangulation, TakesEveryPieceOfAWheel) {
 }
 
 }  // namespace
-}  // namespace hottel::arrangement_many_test::arrangement_many_test
+}  // namespace hottel::arrangement_many_test

@@ -12,7 +12,7 @@
 #include "kernel/rational.h"
 #include "tests/geometry/plane/vertex_literal.h"
 
-namespace hottel::arrangement_overlay_test::arrangement_overlay_test {
+namespace hottel::arrangement_overlay_test {
 namespace {
 
 struct Input {
@@ -189,4 +189,4 @@ TEST(Overlay2, HoldsNothing) {
 }
 
 }  // namespace
-}  // namespace hottel::arrangement_overlay_test::arrangement_overlay_test
+}  // namespace hottel::arrangement_overlay_test

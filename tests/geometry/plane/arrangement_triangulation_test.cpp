@@ -7,7 +7,7 @@
 #include "geometry/plane/arrangement/arrangement.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::arrangement_triangulation_test::arrangement_triangulation_test {
+namespace hottel::arrangement_triangulation_test {
 namespace {
 
 using namespace testing_scenes;
@@ -140,4 +140,4 @@ TEST(Triangulation2OfDegenerateScenes, HasStarsAndNoTrianglesOnOneLine) {
 }
 
 }  // namespace
-}  // namespace hottel::arrangement_triangulation_test::arrangement_triangulation_test
+}  // namespace hottel::arrangement_triangulation_test

@@ -24,7 +24,7 @@
 #include "tests/geometry/plane/exchange_scenes.h"
 #include "tests/oracle/plane/laws.h"
 
-namespace hottel::contact_table_test::contact_table_test {
+namespace hottel::contact_table_test {
 namespace {
 
 using namespace testing_scenes;
@@ -136,4 +136,4 @@ INSTANTIATE_TEST_SUITE_P(, Contacts, testing::Combine(testing::ValuesIn(kContact
                          });
 
 }  // namespace
-}  // namespace hottel::contact_table_test::contact_table_test
+}  // namespace hottel::contact_table_test

@@ -12,7 +12,7 @@
 
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::contacts_test::contacts_test {
+namespace hottel::contacts_test {
 namespace {
 
 using namespace testing_scenes;
@@ -173,4 +173,4 @@ TEST(Contacts2, SayWhichFacesOwnAnything) {
 }
 
 }  // namespace
-}  // namespace hottel::contacts_test::contacts_test
+}  // namespace hottel::contacts_test

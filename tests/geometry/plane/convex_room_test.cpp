@@ -8,7 +8,7 @@
 #include "geometry/plane/exchange/exchange.h"
 #include "geometry/plane/exchange/exchange_sums.h"
 
-namespace hottel::convex_room_test::convex_room_test {
+namespace hottel::convex_room_test {
 namespace {
 
 struct Room {
@@ -121,4 +121,4 @@ INSTANTIATE_TEST_SUITE_P(Rooms, ConvexRoom,
                          [](const auto& room) { return room.param.name; });
 
 }  // namespace
-}  // namespace hottel::convex_room_test::convex_room_test
+}  // namespace hottel::convex_room_test

@@ -16,7 +16,7 @@
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
 
-namespace hottel::critical_lines_test::critical_lines_test {
+namespace hottel::critical_lines_test {
 namespace {
 
 PreparedScene2 generated(const std::string& kind, std::uint64_t n) {
@@ -196,4 +196,4 @@ TEST(CriticalLines2, AreTheSameForAnyNumberOfThreadsAndStopWhenTold) {
 }
 
 }  // namespace
-}  // namespace hottel::critical_lines_test::critical_lines_test
+}  // namespace hottel::critical_lines_test

@@ -14,7 +14,7 @@
 #include "tests/geometry/plane/degenerate_scenes.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::degenerate_scenes_continuity_test::degenerate_scenes_continuity_test {
+namespace hottel::degenerate_scenes_continuity_test {
 namespace {
 
 using namespace testing_scenes;
@@ -133,4 +133,4 @@ INSTANTIATE_TEST_SUITE_P(, Continuity, testing::ValuesIn(sweeps()), [](const aut
 });
 
 }  // namespace
-}  // namespace hottel::degenerate_scenes_continuity_test::degenerate_scenes_continuity_test
+}  // namespace hottel::degenerate_scenes_continuity_test

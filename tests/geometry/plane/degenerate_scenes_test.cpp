@@ -16,7 +16,7 @@
 #include "tests/geometry/plane/exchange_scenes.h"
 #include "tests/oracle/plane/laws.h"
 
-namespace hottel::degenerate_scenes_test::degenerate_scenes_test {
+namespace hottel::degenerate_scenes_test {
 namespace {
 
 using namespace testing_scenes;
@@ -340,4 +340,4 @@ INSTANTIATE_TEST_SUITE_P(, DegenerateScenes, testing::ValuesIn(degenerate_stems(
                          [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace hottel::degenerate_scenes_test::degenerate_scenes_test
+}  // namespace hottel::degenerate_scenes_test

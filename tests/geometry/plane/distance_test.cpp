@@ -8,7 +8,7 @@
 #include "geometry/plane/predicates/vertices.h"
 #include "tests/geometry/plane/vertex_literal.h"
 
-namespace hottel::distance_test::distance_test {
+namespace hottel::distance_test {
 namespace {
 
 using Points = std::vector<Point2>;
@@ -147,4 +147,4 @@ TEST(Distance2, FitsTheTotalThatWasAskedFor) {
 }
 
 }  // namespace
-}  // namespace hottel::distance_test::distance_test
+}  // namespace hottel::distance_test

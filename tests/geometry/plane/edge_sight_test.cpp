@@ -15,7 +15,7 @@
 #include "geometry/scene_names.h"
 #include "io/scene/scene_json.h"
 
-namespace hottel::edge_sight_test::edge_sight_test {
+namespace hottel::edge_sight_test {
 namespace {
 
 using testing::ElementsAre;
@@ -131,4 +131,4 @@ TEST(EdgeSight2, AWideBlockerLeavesAnExactUmbra) {
 }
 
 }  // namespace
-}  // namespace hottel::edge_sight_test::edge_sight_test
+}  // namespace hottel::edge_sight_test

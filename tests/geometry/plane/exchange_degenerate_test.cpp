@@ -13,7 +13,7 @@
 #include "tests/geometry/plane/degenerate_scenes.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::exchange_degenerate_test::exchange_degenerate_test {
+namespace hottel::exchange_degenerate_test {
 namespace {
 
 using namespace testing_scenes;
@@ -271,4 +271,4 @@ TEST(DegenerateExchange2, HoldsScalesApartThatNoDoubleHolds) {
 }
 
 }  // namespace
-}  // namespace hottel::exchange_degenerate_test::exchange_degenerate_test
+}  // namespace hottel::exchange_degenerate_test

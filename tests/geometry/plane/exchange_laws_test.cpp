@@ -12,7 +12,7 @@
 #include "kernel/support/parallel.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::exchange_laws_test::exchange_laws_test {
+namespace hottel::exchange_laws_test {
 namespace {
 
 using namespace testing_scenes;
@@ -327,4 +327,4 @@ TEST(ExactExchange2OfGroups, SeesWhatAnAngleSeesOfItself) {
 }
 
 }  // namespace
-}  // namespace hottel::exchange_laws_test::exchange_laws_test
+}  // namespace hottel::exchange_laws_test

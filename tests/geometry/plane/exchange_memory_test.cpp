@@ -9,7 +9,7 @@
 #include "kernel/support/parallel.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::exchange_memory_test::exchange_memory_test {
+namespace hottel::exchange_memory_test {
 namespace {
 
 using namespace testing_scenes;
@@ -63,4 +63,4 @@ TEST_F(ExchangeMemory, ThatWasTooLittleLeavesThePreparedSceneAsItWas) {
 }
 
 }  // namespace
-}  // namespace hottel::exchange_memory_test::exchange_memory_test
+}  // namespace hottel::exchange_memory_test

@@ -7,7 +7,7 @@
 #include "geometry/plane/generate/generators.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::exchange_rounding_test::exchange_rounding_test {
+namespace hottel::exchange_rounding_test {
 namespace {
 
 using namespace testing_scenes;
@@ -98,4 +98,4 @@ TEST(RoundingOfFactors2, RoundsMeasuresAndAreasToo) {
 }
 
 }  // namespace
-}  // namespace hottel::exchange_rounding_test::exchange_rounding_test
+}  // namespace hottel::exchange_rounding_test

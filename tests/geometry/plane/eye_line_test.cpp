@@ -8,7 +8,7 @@
 
 #include "tests/geometry/plane/exact_signs.h"
 
-namespace hottel::eye_line_test::eye_line_test {
+namespace hottel::eye_line_test {
 namespace {
 
 using exact_signs::exact_orientation;
@@ -71,4 +71,4 @@ TEST(EyeLine2, Consistency) {
 }
 
 }  // namespace
-}  // namespace hottel::eye_line_test::eye_line_test
+}  // namespace hottel::eye_line_test

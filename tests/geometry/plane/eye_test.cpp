@@ -7,7 +7,7 @@
 #include "geometry/plane/predicates/vertices.h"
 #include "tests/geometry/plane/exact_signs.h"
 
-namespace hottel::eye_test::eye_test {
+namespace hottel::eye_test {
 namespace {
 
 using exact_signs::exact_direction;
@@ -91,4 +91,4 @@ TEST(Eye2, Consistency) {
 }
 
 }  // namespace
-}  // namespace hottel::eye_test::eye_test
+}  // namespace hottel::eye_test

@@ -9,7 +9,7 @@
 
 #include "tests/geometry/plane/exact_signs.h"
 
-namespace hottel::eye_tile_test::eye_tile_test {
+namespace hottel::eye_tile_test {
 namespace {
 
 using exact_signs::exact_orientation;
@@ -99,4 +99,4 @@ TEST(EyeTile2, Consistency) {
 }
 
 }  // namespace
-}  // namespace hottel::eye_tile_test::eye_tile_test
+}  // namespace hottel::eye_tile_test

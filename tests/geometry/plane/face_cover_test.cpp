@@ -14,7 +14,7 @@
 #include "geometry/plane/exchange/element_table.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::face_cover_test::face_cover_test {
+namespace hottel::face_cover_test {
 namespace {
 
 using namespace testing_scenes;
@@ -119,4 +119,4 @@ TEST(BehindRemedies2, ARegionIsWhatStatingItWouldFillAndNothingWhereThatIsRefuse
 }
 
 }  // namespace
-}  // namespace hottel::face_cover_test::face_cover_test
+}  // namespace hottel::face_cover_test

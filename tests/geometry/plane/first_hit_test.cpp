@@ -11,7 +11,7 @@
 #include "geometry/plane/exchange/element_table.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::first_hit_test::first_hit_test {
+namespace hottel::first_hit_test {
 namespace {
 
 using testing_scenes::Line;
@@ -133,4 +133,4 @@ TEST(FirstHit2, MeetsTheSkyInAnOpenScene) {
 }
 
 }  // namespace
-}  // namespace hottel::first_hit_test::first_hit_test
+}  // namespace hottel::first_hit_test

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace hottel::generators_test::generators_test {
+namespace hottel::generators_test {
 namespace {
 
 int turn(const Point2& a, const Point2& b, const Point2& c) {
@@ -270,4 +270,4 @@ TEST(Generators2, RefusesWhatItCannotMake) {
 }
 
 }  // namespace
-}  // namespace hottel::generators_test::generators_test
+}  // namespace hottel::generators_test

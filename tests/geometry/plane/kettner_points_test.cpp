@@ -7,7 +7,7 @@
 
 #include "tests/neighbouring_doubles/grid.h"
 
-namespace hottel::kettner_points_test::kettner_points_test {
+namespace hottel::kettner_points_test {
 namespace {
 
 using namespace neighbouring_doubles;
@@ -88,4 +88,4 @@ TEST(KettnerPoints, OrientationsAreRightWherePlainDoublesAreNot) {
 }
 
 }  // namespace
-}  // namespace hottel::kettner_points_test::kettner_points_test
+}  // namespace hottel::kettner_points_test

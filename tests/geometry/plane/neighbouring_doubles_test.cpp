@@ -10,7 +10,7 @@
 #include "tests/neighbouring_doubles/grid.h"
 #include "tests/sanitizers.h"
 
-namespace hottel::neighbouring_doubles_test::neighbouring_doubles_test {
+namespace hottel::neighbouring_doubles_test {
 namespace {
 
 using namespace neighbouring_doubles;
@@ -121,4 +121,4 @@ TEST(NeighbouringDoublesOfVisibility, LightPassesIffTheMiddleTipIsAboveTheOthers
 }
 
 }  // namespace
-}  // namespace hottel::neighbouring_doubles_test::neighbouring_doubles_test
+}  // namespace hottel::neighbouring_doubles_test

@@ -9,7 +9,7 @@
 #include "kernel/support/failure.h"
 #include "tests/comparison/plane/ownership.h"
 
-namespace hottel::outlines_there_and_back_test::outlines_there_and_back_test {
+namespace hottel::outlines_there_and_back_test {
 namespace {
 
 using Points = std::vector<std::pair<int, int>>;
@@ -57,4 +57,4 @@ TEST(Solids2, LeaveNothingOfASideAlongWhichTheirOutlineGoesThreeTimes) {
 }
 
 }  // namespace
-}  // namespace hottel::outlines_there_and_back_test::outlines_there_and_back_test
+}  // namespace hottel::outlines_there_and_back_test

@@ -8,7 +8,7 @@
 #include "geometry/plane/exchange/exchange_sums.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::pair_sums_test::pair_sums_test {
+namespace hottel::pair_sums_test {
 namespace {
 
 using namespace testing_scenes;
@@ -101,4 +101,4 @@ TEST(PairSum, CountsMoreLengthsThanWordsOf32Bits) {
 }
 
 }  // namespace
-}  // namespace hottel::pair_sums_test::pair_sums_test
+}  // namespace hottel::pair_sums_test

@@ -10,7 +10,7 @@
 #include "geometry/plane/arrangement/point_index.h"
 #include "geometry/plane/scene/closest_point.h"
 
-namespace hottel::point_neighbours_test::point_neighbours_test {
+namespace hottel::point_neighbours_test {
 namespace {
 
 TEST(PointNeighbours2, AreAllThatAreInReachAndFewMore) {
@@ -59,4 +59,4 @@ TEST(PointNeighbours2, AreAllThatAreInReachAndFewMore) {
 }
 
 }  // namespace
-}  // namespace hottel::point_neighbours_test::point_neighbours_test
+}  // namespace hottel::point_neighbours_test

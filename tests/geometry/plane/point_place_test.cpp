@@ -9,7 +9,7 @@
 #include "geometry/plane/visibility/point_sight.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::point_place_test::point_place_test {
+namespace hottel::point_place_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -79,4 +79,4 @@ TEST(CriticalPoints2, OfAPreparedSceneAreThoseOfItsArrangement) {
 }
 
 }  // namespace
-}  // namespace hottel::point_place_test::point_place_test
+}  // namespace hottel::point_place_test

@@ -7,7 +7,7 @@
 #include "geometry/plane/scene/scene_builder.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::polyline_runs_test::polyline_runs_test {
+namespace hottel::polyline_runs_test {
 namespace {
 
 // An edge (0), an open polyline of three pieces (1..3), a closed one (4..6).
@@ -52,4 +52,4 @@ TEST(PolylineRuns2, ARunThatWasInterruptedIsNoSecondPolyline) {
 }
 
 }  // namespace
-}  // namespace hottel::polyline_runs_test::polyline_runs_test
+}  // namespace hottel::polyline_runs_test

@@ -12,7 +12,7 @@
 #include "tests/geometry/plane/vertex_literal.h"
 #include "tests/neighbouring_doubles/grid.h"
 
-namespace hottel::predicates_neighbouring_doubles_test::predicates_neighbouring_doubles_test {
+namespace hottel::predicates_neighbouring_doubles_test {
 namespace {
 
 using namespace neighbouring_doubles;
@@ -252,4 +252,4 @@ TEST(NeighbouringDoublesOfRoots, TheSignOfADetourIsRight) {
 }
 
 }  // namespace
-}  // namespace hottel::predicates_neighbouring_doubles_test::predicates_neighbouring_doubles_test
+}  // namespace hottel::predicates_neighbouring_doubles_test

@@ -14,7 +14,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::range_polygon_test::range_polygon_test {
+namespace hottel::range_polygon_test {
 namespace {
 
 using testing::ElementsAre;
@@ -148,4 +148,4 @@ TEST(RangePolygon2, ARangeIsAboveZeroAndHasNoExactCorners) {
 }
 
 }  // namespace
-}  // namespace hottel::range_polygon_test::range_polygon_test
+}  // namespace hottel::range_polygon_test

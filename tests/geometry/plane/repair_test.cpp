@@ -17,7 +17,7 @@
 #include "geometry/plane/scene/closest_point.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::repair_test::repair_test {
+namespace hottel::repair_test {
 namespace {
 
 using namespace testing_scenes;
@@ -325,4 +325,4 @@ TEST(NearMisses2, BeginExactlyBelowTheirPart) {
 }
 
 }  // namespace
-}  // namespace hottel::repair_test::repair_test
+}  // namespace hottel::repair_test

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace hottel::ring_crossing_test::ring_crossing_test {
+namespace hottel::ring_crossing_test {
 namespace {
 
 using Ring = std::vector<Point2>;
@@ -42,4 +42,4 @@ TEST(RingCrossing, IsDecidedExactlyForPointsOfAnySize_2) {
 }
 
 }  // namespace
-}  // namespace hottel::ring_crossing_test::ring_crossing_test
+}  // namespace hottel::ring_crossing_test

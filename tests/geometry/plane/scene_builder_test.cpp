@@ -10,7 +10,7 @@
 #include "io/scene/scene_json.h"
 #include "tests/refusal.h"
 
-namespace hottel::scene_builder_test::scene_builder_test {
+namespace hottel::scene_builder_test {
 namespace {
 
 SceneBuilder2 with_white() {
@@ -180,4 +180,4 @@ TEST(SceneBuilder2, RefusesNamesThatAreNotUnique) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_builder_test::scene_builder_test
+}  // namespace hottel::scene_builder_test

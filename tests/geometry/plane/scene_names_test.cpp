@@ -7,7 +7,7 @@
 #include "geometry/near_names.h"
 #include "geometry/plane/scene/division.h"
 
-namespace hottel::scene_names_test::scene_names_test {
+namespace hottel::scene_names_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -83,4 +83,4 @@ TEST(Division2, TheFirstSurfaceOfTooManyPartsIsTold) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_names_test::scene_names_test
+}  // namespace hottel::scene_names_test

@@ -6,7 +6,7 @@
 
 #include "geometry/name.h"
 
-namespace hottel::scene_test::scene_test {
+namespace hottel::scene_test {
 namespace {
 
 Scene2 two_edges() {
@@ -160,4 +160,4 @@ TEST(ValidateScene2, RefusesElementsAndGridsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_test::scene_test
+}  // namespace hottel::scene_test

@@ -5,7 +5,7 @@
 #include "geometry/plane/arrangement/point_index.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::segment_visibility_test::segment_visibility_test {
+namespace hottel::segment_visibility_test {
 namespace {
 
 using testing_scenes::Line;
@@ -114,4 +114,4 @@ TEST(SegmentVisibility2, StartsAtContactsInsideARun) {
 }
 
 }  // namespace
-}  // namespace hottel::segment_visibility_test::segment_visibility_test
+}  // namespace hottel::segment_visibility_test

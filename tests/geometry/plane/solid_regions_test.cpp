@@ -7,7 +7,7 @@
 #include "geometry/plane/visibility/point_location.h"
 #include "tests/solver/plane/solid_scenes.h"
 
-namespace hottel::solid_regions_test::solid_regions_test {
+namespace hottel::solid_regions_test {
 namespace {
 
 struct Found {
@@ -94,4 +94,4 @@ TEST(SolidRegions2, AreNoneWithoutSolids) {
 }
 
 }  // namespace
-}  // namespace hottel::solid_regions_test::solid_regions_test
+}  // namespace hottel::solid_regions_test

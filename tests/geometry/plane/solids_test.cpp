@@ -13,7 +13,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::solids_test::solids_test {
+namespace hottel::solids_test {
 namespace {
 
 using testing::AllOf;
@@ -245,4 +245,4 @@ TEST(Solids2, ClosedScenesStayClosed) {
 }
 
 }  // namespace
-}  // namespace hottel::solids_test::solids_test
+}  // namespace hottel::solids_test

@@ -11,7 +11,7 @@
 #include "tests/geometry/plane/exchange_scenes.h"
 #include "tests/geometry/plane/vertex_literal.h"
 
-namespace hottel::tile_views_test::tile_views_test {
+namespace hottel::tile_views_test {
 namespace {
 
 using namespace testing_scenes;
@@ -125,4 +125,4 @@ TEST(TileViews2OfDegenerateScenes, AreThoseOfTheirEyes) {
 }
 
 }  // namespace
-}  // namespace hottel::tile_views_test::tile_views_test
+}  // namespace hottel::tile_views_test

@@ -10,7 +10,7 @@
 #include "tests/geometry/plane/exact_signs.h"
 #include "tests/geometry/plane/vertex_literal.h"
 
-namespace hottel::vertices_test::vertices_test {
+namespace hottel::vertices_test {
 namespace {
 
 using exact_signs::exact_direction;
@@ -349,4 +349,4 @@ TEST(SideOfCircle2, Consistency) {
 }
 
 }  // namespace
-}  // namespace hottel::vertices_test::vertices_test
+}  // namespace hottel::vertices_test

@@ -11,7 +11,7 @@
 #include "geometry/plane/visibility/point_location.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::view_test::view_test {
+namespace hottel::view_test {
 namespace {
 
 using namespace testing_scenes;
@@ -169,4 +169,4 @@ TEST(View2OfDegenerateScenes, IsRight) {
 }
 
 }  // namespace
-}  // namespace hottel::view_test::view_test
+}  // namespace hottel::view_test

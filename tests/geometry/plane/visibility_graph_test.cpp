@@ -13,7 +13,7 @@
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
 
-namespace hottel::visibility_graph_test::visibility_graph_test {
+namespace hottel::visibility_graph_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -114,4 +114,4 @@ TEST(VisibilityGraph2, IsTheSameForAnyNumberOfThreadsAndStopsWhenTold) {
 }
 
 }  // namespace
-}  // namespace hottel::visibility_graph_test::visibility_graph_test
+}  // namespace hottel::visibility_graph_test

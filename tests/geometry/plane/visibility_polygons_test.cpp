@@ -16,7 +16,7 @@
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
 
-namespace hottel::visibility_polygons_test::visibility_polygons_test {
+namespace hottel::visibility_polygons_test {
 namespace {
 
 Scene2 generated(const std::string& kind, std::uint64_t n, int digits = 0) {
@@ -278,4 +278,4 @@ TEST(VisibilityPolygons2, HaveTheAreaOfTheRationalPolygonAndNoneUnderTheSky) {
 }
 
 }  // namespace
-}  // namespace hottel::visibility_polygons_test::visibility_polygons_test
+}  // namespace hottel::visibility_polygons_test

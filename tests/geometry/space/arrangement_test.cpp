@@ -13,7 +13,7 @@
 #include "tests/geometry/space/box_scene.h"
 #include "tests/refusal.h"
 
-namespace hottel::arrangement_test::arrangement_test {
+namespace hottel::arrangement_test {
 namespace {
 
 using ::testing::AllOf;
@@ -376,4 +376,4 @@ TEST(Arrangement3, OfAnEmptySceneHasNoPieces) {
 }
 
 }  // namespace
-}  // namespace hottel::arrangement_test::arrangement_test
+}  // namespace hottel::arrangement_test

@@ -12,7 +12,7 @@
 
 #include "tests/oracle/space/beam_share.h"
 
-namespace hottel::beam_test::beam_test {
+namespace hottel::beam_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -346,4 +346,4 @@ TEST(Beam3, SaysWhatIsWrongWithIt) {
 }
 
 }  // namespace
-}  // namespace hottel::beam_test::beam_test
+}  // namespace hottel::beam_test

@@ -10,7 +10,7 @@
 #include "tests/comparison/space/map_comparison.h"
 #include "tests/oracle/space/random_polygons.h"
 
-namespace hottel::blockers_test::blockers_test {
+namespace hottel::blockers_test {
 namespace {
 
 Rational ratio(long p, long q) { return Rational(p) / q; }
@@ -88,4 +88,4 @@ TEST(Blockers3, EveryPolygonIsInOneLeaf) {
 }
 
 }  // namespace
-}  // namespace hottel::blockers_test::blockers_test
+}  // namespace hottel::blockers_test

@@ -11,7 +11,7 @@
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/prepared_scene.h"
 
-namespace hottel::closed_hull_test::closed_hull_test {
+namespace hottel::closed_hull_test {
 namespace {
 
 // A cube with fronts inside, its first walls turned over, and a square within.
@@ -99,4 +99,4 @@ TEST(ClosedHull3, TheSkyIsNotMeasuredWhereItSaysSo) {
 }
 
 }  // namespace
-}  // namespace hottel::closed_hull_test::closed_hull_test
+}  // namespace hottel::closed_hull_test

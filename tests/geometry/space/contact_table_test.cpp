@@ -18,7 +18,7 @@
 #include "kernel/support/failure.h"
 #include "tests/refusal.h"
 
-namespace hottel::contact_table_test::contact_table_test {
+namespace hottel::contact_table_test {
 namespace {
 
 using ::testing::AllOf;
@@ -594,4 +594,4 @@ TEST(BoxOnAFloor3, AnUpsideDownPolygonIsSeenInTheRows) {
 }
 
 }  // namespace
-}  // namespace hottel::contact_table_test::contact_table_test
+}  // namespace hottel::contact_table_test

@@ -20,7 +20,7 @@
 #include "kernel/decimal.h"
 #include "tests/refusal.h"
 
-namespace hottel::degenerate_scenes_test::degenerate_scenes_test {
+namespace hottel::degenerate_scenes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -168,4 +168,4 @@ INSTANTIATE_TEST_SUITE_P(, DegenerateScenes3, testing::ValuesIn(stems_in(folder(
                          [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace hottel::degenerate_scenes_test::degenerate_scenes_test
+}  // namespace hottel::degenerate_scenes_test

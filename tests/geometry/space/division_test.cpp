@@ -11,7 +11,7 @@
 
 #include "kernel/support/failure.h"
 
-namespace hottel::division_test::division_test {
+namespace hottel::division_test {
 namespace {
 
 using Corners = std::vector<IntegerVector>;
@@ -277,4 +277,4 @@ TEST(PolygonDivision3, ChildrenHaveTheCornersOfTheirParentByTheirDigits) {
 }
 
 }  // namespace
-}  // namespace hottel::division_test::division_test
+}  // namespace hottel::division_test

@@ -13,7 +13,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::element_table_test::element_table_test {
+namespace hottel::element_table_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -241,4 +241,4 @@ TEST(AreaSum3, OfManyRootsIsRoundedAsTheCanonicalSum) {
 }
 
 }  // namespace
-}  // namespace hottel::element_table_test::element_table_test
+}  // namespace hottel::element_table_test

@@ -11,7 +11,7 @@
 #include "tests/comparison/space/map_comparison.h"
 #include "tests/oracle/space/random_polygons.h"
 
-namespace hottel::exact_map_test::exact_map_test {
+namespace hottel::exact_map_test {
 namespace {
 
 Direction3 in_doubles(const IntegerVector& a) {
@@ -95,4 +95,4 @@ TEST(ExactCone3, LocatesInsideEdgesAndCorners) {
 }
 
 }  // namespace
-}  // namespace hottel::exact_map_test::exact_map_test
+}  // namespace hottel::exact_map_test

@@ -13,7 +13,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/interrupt.h"
 
-namespace hottel::exchange_rows_test::exchange_rows_test {
+namespace hottel::exchange_rows_test {
 namespace {
 
 void expect_same(const ExchangeMatrix& a, const ExchangeMatrix& b) {
@@ -181,4 +181,4 @@ TEST(ExchangeRows3, GoOnWithWhatWasHandedOnBeforeTheyWereStopped) {
 }
 
 }  // namespace
-}  // namespace hottel::exchange_rows_test::exchange_rows_test
+}  // namespace hottel::exchange_rows_test

@@ -18,7 +18,7 @@
 #include "kernel/support/interrupt.h"
 #include "kernel/support/parallel.h"
 
-namespace hottel::exchange_test::exchange_test {
+namespace hottel::exchange_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -520,4 +520,4 @@ TEST(Exchange3, ANearlyPlanePolygonMaySeeItself) {
 }
 
 }  // namespace
-}  // namespace hottel::exchange_test::exchange_test
+}  // namespace hottel::exchange_test

@@ -8,7 +8,7 @@
 #include "geometry/space/exchange/prepared_scene.h"
 #include "tests/geometry/space/box_scene.h"
 
-namespace hottel::face_patches_test::face_patches_test {
+namespace hottel::face_patches_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -138,4 +138,4 @@ TEST(PatchOf, KeepsCornersExactly) {
 }
 
 }  // namespace
-}  // namespace hottel::face_patches_test::face_patches_test
+}  // namespace hottel::face_patches_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <random>
 
-namespace hottel::flat_region_test::flat_region_test {
+namespace hottel::flat_region_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -115,4 +115,4 @@ TEST(WithoutStraightPoints, LeavesCornersOnly) {
 }
 
 }  // namespace
-}  // namespace hottel::flat_region_test::flat_region_test
+}  // namespace hottel::flat_region_test

@@ -17,7 +17,7 @@
 #include "kernel/support/failure.h"
 #include "tests/sanitizers.h"
 
-namespace hottel::generators_test::generators_test {
+namespace hottel::generators_test {
 namespace {
 
 GeneratorRequest3 request(const std::string& kind, std::uint64_t n, std::uint64_t seed, bool has_bottoms = true) {
@@ -448,4 +448,4 @@ TEST(PlaneOf3, IsTheSameForEveryThreePointsOfAPlane) {
 }
 
 }  // namespace
-}  // namespace hottel::generators_test::generators_test
+}  // namespace hottel::generators_test

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-namespace hottel::log_distance_test::log_distance_test {
+namespace hottel::log_distance_test {
 namespace {
 
 using Vector = LocalVector3<double>;
@@ -117,4 +117,4 @@ TEST_F(LogDistance3, GapsWhoseSquaresAreLostAreNoTrouble) {
 }
 
 }  // namespace
-}  // namespace hottel::log_distance_test::log_distance_test
+}  // namespace hottel::log_distance_test

@@ -13,7 +13,7 @@
 #include "io/scene/scene_json.h"
 #include "tests/refusal.h"
 
-namespace hottel::masks_test::masks_test {
+namespace hottel::masks_test {
 namespace {
 
 constexpr double kOpposite = 0.1998248956983873830415993, kAdjacent = 0.2000437760754031542396002;
@@ -205,4 +205,4 @@ TEST(Masks3, AreRefusedWhereTheyAreNotOnTheirBase) {
 }
 
 }  // namespace
-}  // namespace hottel::masks_test::masks_test
+}  // namespace hottel::masks_test

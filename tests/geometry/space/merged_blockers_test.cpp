@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-namespace hottel::merged_blockers_test::merged_blockers_test {
+namespace hottel::merged_blockers_test {
 namespace {
 
 using testing::ElementsAre;
@@ -106,4 +106,4 @@ TEST(MergedBlockers3, VerticesStayAndTheUnitPlaysNoPart) {
 }
 
 }  // namespace
-}  // namespace hottel::merged_blockers_test::merged_blockers_test
+}  // namespace hottel::merged_blockers_test

@@ -14,7 +14,7 @@
 #include "geometry/space/scene/bent_loops.h"
 #include "geometry/space/scene/facet_scene.h"
 
-namespace hottel::near_plane_test::near_plane_test {
+namespace hottel::near_plane_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -188,4 +188,4 @@ TEST(FacetScene3, HasTheFacetsInPlaceOfThePolygons) {
 }
 
 }  // namespace
-}  // namespace hottel::near_plane_test::near_plane_test
+}  // namespace hottel::near_plane_test

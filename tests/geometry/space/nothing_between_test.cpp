@@ -9,7 +9,7 @@
 #include "geometry/space/exchange/prepared_scene.h"
 #include "io/scene/scene_json.h"
 
-namespace hottel::nothing_between_test::nothing_between_test {
+namespace hottel::nothing_between_test {
 namespace {
 
 constexpr const char* kFloor = R"({"points": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], "material": "m"})";
@@ -106,4 +106,4 @@ TEST(FacesNothing3, TheSkyIsAllThatIsSeenThere) {
 }
 
 }  // namespace
-}  // namespace hottel::nothing_between_test::nothing_between_test
+}  // namespace hottel::nothing_between_test

@@ -8,7 +8,7 @@
 #include "geometry/space/exchange/unobstructed.h"
 #include "geometry/space/scene/polygon.h"
 
-namespace hottel::pair_measure_test::pair_measure_test {
+namespace hottel::pair_measure_test {
 namespace {
 
 using Points = std::vector<Point3>;
@@ -376,4 +376,4 @@ TEST(PairMeasure3Sweep, ADihedralClosesAroundABlocker) {
 }
 
 }  // namespace
-}  // namespace hottel::pair_measure_test::pair_measure_test
+}  // namespace hottel::pair_measure_test

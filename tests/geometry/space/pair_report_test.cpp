@@ -14,7 +14,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::pair_report_test::pair_report_test {
+namespace hottel::pair_report_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -291,4 +291,4 @@ TEST(PairReport3, MeasuresAreOfTheScenesUnit) {
 }
 
 }  // namespace
-}  // namespace hottel::pair_report_test::pair_report_test
+}  // namespace hottel::pair_report_test

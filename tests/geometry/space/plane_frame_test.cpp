@@ -7,7 +7,7 @@
 
 #include "tests/geometry/space/box_scene.h"
 
-namespace hottel::plane_frame_test::plane_frame_test {
+namespace hottel::plane_frame_test {
 namespace {
 
 const Rational kThird = Rational(1) / 3;
@@ -76,4 +76,4 @@ TEST(PlaneFrame3, KeysAreInOneOrder) {
 }
 
 }  // namespace
-}  // namespace hottel::plane_frame_test::plane_frame_test
+}  // namespace hottel::plane_frame_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-namespace hottel::plane_triangulation_test::plane_triangulation_test {
+namespace hottel::plane_triangulation_test {
 namespace {
 
 using Loop = std::vector<FlatPoint3>;
@@ -150,4 +150,4 @@ TEST(RegionOf, HasTheInsideOnTheLeftOfHolesToo) {
 }
 
 }  // namespace
-}  // namespace hottel::plane_triangulation_test::plane_triangulation_test
+}  // namespace hottel::plane_triangulation_test

@@ -10,7 +10,7 @@
 #include "tests/comparison/space/map_comparison.h"
 #include "tests/oracle/space/random_polygons.h"
 
-namespace hottel::point_map_test::point_map_test {
+namespace hottel::point_map_test {
 namespace {
 
 using oracle::SpacePolygon;
@@ -301,4 +301,4 @@ TEST(PointMap3, NothingIsSeenWhereThereIsNothing) {
 }
 
 }  // namespace
-}  // namespace hottel::point_map_test::point_map_test
+}  // namespace hottel::point_map_test

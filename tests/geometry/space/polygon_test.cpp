@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace hottel::polygon_test::polygon_test {
+namespace hottel::polygon_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -177,4 +177,4 @@ TEST(Polygon3, OfAHullHasNoProblemAndWithTwoPointsSwappedOne) {
 }
 
 }  // namespace
-}  // namespace hottel::polygon_test::polygon_test
+}  // namespace hottel::polygon_test

@@ -11,7 +11,7 @@
 #include "kernel/support/failure.h"
 #include "tests/refusal.h"
 
-namespace hottel::scene_test::scene_test {
+namespace hottel::scene_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -105,4 +105,4 @@ TEST(Scene3, HasACameraThatSeesSomething) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_test::scene_test
+}  // namespace hottel::scene_test

@@ -10,7 +10,7 @@
 #include "tests/comparison/space/map_comparison.h"
 #include "tests/oracle/space/random_polygons.h"
 
-namespace hottel::sight_finder_test::sight_finder_test {
+namespace hottel::sight_finder_test {
 namespace {
 
 using oracle::SpacePoint;
@@ -109,4 +109,4 @@ TEST(SightFinder3, NothingSlipsThroughAnEdgeThatTwoPolygonsShare) {
 }
 
 }  // namespace
-}  // namespace hottel::sight_finder_test::sight_finder_test
+}  // namespace hottel::sight_finder_test

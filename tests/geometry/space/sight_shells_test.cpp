@@ -8,7 +8,7 @@
 
 #include "kernel/support/parallel.h"
 
-namespace hottel::sight_shells_test::sight_shells_test {
+namespace hottel::sight_shells_test {
 namespace {
 
 // The faces of a box from (0, 0, 0) to (1, 1, 1), fronts outside.
@@ -81,4 +81,4 @@ TEST(SightShells3, ConesAreAroundWhatTheyHide) {
 }
 
 }  // namespace
-}  // namespace hottel::sight_shells_test::sight_shells_test
+}  // namespace hottel::sight_shells_test

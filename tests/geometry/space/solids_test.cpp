@@ -7,7 +7,7 @@
 #include "tests/geometry/space/box_scene.h"
 #include "tests/refusal.h"
 
-namespace hottel::solids_test::solids_test {
+namespace hottel::solids_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -288,4 +288,4 @@ TEST(Solids3, CutsAreWhereFacesOfOtherPlanesEnterThePolygon) {
 }
 
 }  // namespace
-}  // namespace hottel::solids_test::solids_test
+}  // namespace hottel::solids_test

@@ -5,7 +5,7 @@
 
 #include "geometry/space/exchange/surface_stretches.h"
 
-namespace hottel::stretch_test::stretch_test {
+namespace hottel::stretch_test {
 namespace {
 
 using testing::ElementsAre;
@@ -121,4 +121,4 @@ TEST(SurfaceStretches3, SeamsOfAFlatWallAreNoEdges) {
 }
 
 }  // namespace
-}  // namespace hottel::stretch_test::stretch_test
+}  // namespace hottel::stretch_test

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace hottel::triangulator_test::triangulator_test {
+namespace hottel::triangulator_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -161,4 +161,4 @@ TEST(Triangulator, SurfacesKeepAllButTheirNamesAndTheNoteTellsThem) {
 }
 
 }  // namespace
-}  // namespace hottel::triangulator_test::triangulator_test
+}  // namespace hottel::triangulator_test

@@ -12,7 +12,7 @@
 #include "tests/oracle/space/pair_alone.h"
 #include "tests/sanitizers.h"
 
-namespace hottel::unobstructed_test::unobstructed_test {
+namespace hottel::unobstructed_test {
 namespace {
 
 using oracle::SpacePoint;
@@ -570,4 +570,4 @@ TEST(PatchArea3, IsEnclosed) {
 }
 
 }  // namespace
-}  // namespace hottel::unobstructed_test::unobstructed_test
+}  // namespace hottel::unobstructed_test

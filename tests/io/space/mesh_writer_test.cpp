@@ -14,7 +14,7 @@
 #include "kernel/support/failure.h"
 #include "tests/io/space/mesh_bytes.h"
 
-namespace hottel::mesh_writer_test::mesh_writer_test {
+namespace hottel::mesh_writer_test {
 namespace {
 
 using testing::Contains;
@@ -301,4 +301,4 @@ TEST(ExactDecimal, ReadsBackToTheSameValue) {
 }
 
 }  // namespace
-}  // namespace hottel::mesh_writer_test::mesh_writer_test
+}  // namespace hottel::mesh_writer_test

@@ -12,7 +12,7 @@
 #include "kernel/support/failure.h"
 #include "tests/refusal.h"
 
-namespace hottel::obj_reader_test::obj_reader_test {
+namespace hottel::obj_reader_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -258,4 +258,4 @@ TEST(ObjReader, RefusesWrongMtlFilesByTheirLines) {
 }
 
 }  // namespace
-}  // namespace hottel::obj_reader_test::obj_reader_test
+}  // namespace hottel::obj_reader_test

@@ -7,7 +7,7 @@
 #include "io/scene/scene_json.h"
 #include "tests/refusal.h"
 
-namespace hottel::obstruction_test::obstruction_test {
+namespace hottel::obstruction_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -59,4 +59,4 @@ TEST(Obstruction, IsOfScenesInSpaceOnly) {
 }
 
 }  // namespace
-}  // namespace hottel::obstruction_test::obstruction_test
+}  // namespace hottel::obstruction_test

@@ -10,7 +10,7 @@
 #include "tests/io/space/mesh_bytes.h"
 #include "tests/refusal.h"
 
-namespace hottel::off_reader_test::off_reader_test {
+namespace hottel::off_reader_test {
 namespace {
 
 using testing::HasSubstr;
@@ -112,4 +112,4 @@ TEST(OffReader, KeepsNothingOfCountsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace hottel::off_reader_test::off_reader_test
+}  // namespace hottel::off_reader_test

@@ -13,7 +13,7 @@
 #include "tests/io/space/mesh_bytes.h"
 #include "tests/refusal.h"
 
-namespace hottel::ply_reader_test::ply_reader_test {
+namespace hottel::ply_reader_test {
 namespace {
 
 using testing::ElementsAre;
@@ -263,4 +263,4 @@ TEST(PlyReader, RefusesWhatIsNoMesh) {
 }
 
 }  // namespace
-}  // namespace hottel::ply_reader_test::ply_reader_test
+}  // namespace hottel::ply_reader_test

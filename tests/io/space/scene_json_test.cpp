@@ -12,7 +12,7 @@
 #include "kernel/support/failure.h"
 #include "tests/refusal.h"
 
-namespace hottel::scene_json_test::scene_json_test {
+namespace hottel::scene_json_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -453,4 +453,4 @@ TEST(WriteScene3, HasALayoutThatPeopleRead) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_json_test::scene_json_test
+}  // namespace hottel::scene_json_test

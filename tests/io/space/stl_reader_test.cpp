@@ -12,7 +12,7 @@
 #include "tests/io/space/mesh_bytes.h"
 #include "tests/refusal.h"
 
-namespace hottel::stl_reader_test::stl_reader_test {
+namespace hottel::stl_reader_test {
 namespace {
 
 using testing::HasSubstr;
@@ -132,4 +132,4 @@ TEST(StlReader, BinaryFilesHaveTheLengthThatTheySay) {
 }
 
 }  // namespace
-}  // namespace hottel::stl_reader_test::stl_reader_test
+}  // namespace hottel::stl_reader_test

@@ -11,7 +11,7 @@
 #include "kernel/support/failure.h"
 #include "tests/refusal.h"
 
-namespace hottel::vs3_reader_test::vs3_reader_test {
+namespace hottel::vs3_reader_test {
 namespace {
 
 using ::testing::Contains;
@@ -334,4 +334,4 @@ TEST(Vs3Reader, KnowsDecksByTheirEnding) {
 }
 
 }  // namespace
-}  // namespace hottel::vs3_reader_test::vs3_reader_test
+}  // namespace hottel::vs3_reader_test

@@ -9,7 +9,7 @@
 #include "io/scene/space/vs3_reader.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::vs3_writer_test::vs3_writer_test {
+namespace hottel::vs3_writer_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -160,4 +160,4 @@ TEST(Vs3Writer, RoundsWhatIsNoShortDecimalAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace hottel::vs3_writer_test::vs3_writer_test
+}  // namespace hottel::vs3_writer_test

@@ -17,7 +17,7 @@
 #include "solver/memory_store.h"
 #include "tests/temporary_folder.h"
 
-namespace hottel::factor_store_test::factor_store_test {
+namespace hottel::factor_store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -271,4 +271,4 @@ TEST(FactorStore, HasManyReadersAndWritersAtOnce) {
 }
 
 }  // namespace
-}  // namespace hottel::factor_store_test::factor_store_test
+}  // namespace hottel::factor_store_test

@@ -9,7 +9,7 @@
 #include "tests/oracle/plane/laws.h"
 #include "tests/oracle/plane/random_scene.h"
 
-namespace hottel::oracle::brute_force_test::brute_force_test {
+namespace hottel::oracle::brute_force_test {
 namespace {
 
 constexpr int kScenes = 40;
@@ -143,4 +143,4 @@ TEST(OracleRandomScene2, CrossesAndOverlapsOnLatticesOnly) {
 }
 
 }  // namespace
-}  // namespace hottel::oracle::brute_force_test::brute_force_test
+}  // namespace hottel::oracle::brute_force_test

@@ -7,7 +7,7 @@
 #include "tests/oracle/plane/random_scene.h"
 #include "tests/sanitizers.h"
 
-namespace hottel::oracle::exchange_against_oracle_test::exchange_against_oracle_test {
+namespace hottel::oracle::exchange_against_oracle_test {
 namespace {
 
 constexpr int kScenesPerBatch = kHasAddressSanitizer ? 3 : 25;
@@ -32,4 +32,4 @@ TEST_P(ExchangeAgainstOracle, AgreesInEveryPairAsAnExactSum) {
 INSTANTIATE_TEST_SUITE_P(Scenes, ExchangeAgainstOracle, testing::Range(0, kBatches));
 
 }  // namespace
-}  // namespace hottel::oracle::exchange_against_oracle_test::exchange_against_oracle_test
+}  // namespace hottel::oracle::exchange_against_oracle_test

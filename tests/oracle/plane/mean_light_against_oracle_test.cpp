@@ -8,7 +8,7 @@
 #include "tests/oracle/plane/random_scene.h"
 #include "tests/solver/plane/solid_scenes.h"
 
-namespace hottel::mean_light_against_oracle_test::mean_light_against_oracle_test {
+namespace hottel::mean_light_against_oracle_test {
 namespace {
 
 double sent_out(int label) { return label < 0 ? 0 : 1 + (label * 7 % 10); }
@@ -145,4 +145,4 @@ TEST(AverageIlluminationOracle, AgreesWithinItsBoundsInCellsPartlyInSolids) {
 }
 
 }  // namespace
-}  // namespace hottel::mean_light_against_oracle_test::mean_light_against_oracle_test
+}  // namespace hottel::mean_light_against_oracle_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace hottel::oracle::regions_test::regions_test {
+namespace hottel::oracle::regions_test {
 namespace {
 
 std::size_t bounded(const Regions& regions) {
@@ -51,4 +51,4 @@ TEST(OracleRegions2, PassAroundIslandsAndThroughNoPoint) {
 }
 
 }  // namespace
-}  // namespace hottel::oracle::regions_test::regions_test
+}  // namespace hottel::oracle::regions_test

@@ -11,7 +11,7 @@
 #include "tests/oracle/plane/random_scene.h"
 #include "tests/oracle/plane/segment.h"
 
-namespace hottel::oracle::segment_visibility_test::segment_visibility_test {
+namespace hottel::oracle::segment_visibility_test {
 namespace {
 
 struct Counts {
@@ -82,4 +82,4 @@ TEST(SegmentVisibility2, AgreesWithMovedSegmentsOnRandomScenes) {
 }
 
 }  // namespace
-}  // namespace hottel::oracle::segment_visibility_test::segment_visibility_test
+}  // namespace hottel::oracle::segment_visibility_test

@@ -8,7 +8,7 @@
 #include "tests/sanitizers.h"
 #include "tests/storm/plane/lattice_scene.h"
 
-namespace hottel::oracle::solids_against_oracle_test::solids_against_oracle_test {
+namespace hottel::oracle::solids_against_oracle_test {
 namespace {
 
 constexpr std::uint64_t kScenes = kHasAddressSanitizer ? 20 : 200;
@@ -50,4 +50,4 @@ INSTANTIATE_TEST_SUITE_P(, VisibilityAgainstOracle,
                          });
 
 }  // namespace
-}  // namespace hottel::oracle::solids_against_oracle_test::solids_against_oracle_test
+}  // namespace hottel::oracle::solids_against_oracle_test

@@ -7,7 +7,7 @@
 
 #include "tests/oracle/plane/split.h"
 
-namespace hottel::oracle::solids_test::solids_test {
+namespace hottel::oracle::solids_test {
 namespace {
 
 using Points = std::vector<std::pair<int, int>>;
@@ -99,4 +99,4 @@ TEST(OracleSolids2, SilenceFrontsThatLieUnderAFaceThatLooksIn) {
 }
 
 }  // namespace
-}  // namespace hottel::oracle::solids_test::solids_test
+}  // namespace hottel::oracle::solids_test

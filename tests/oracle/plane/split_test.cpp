@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-namespace hottel::oracle::split_test::split_test {
+namespace hottel::oracle::split_test {
 namespace {
 
 // (ax, ay, bx, by, left, right), so that sets of pieces can be compared.
@@ -68,4 +68,4 @@ TEST(OracleSplit2, ReportsClaimsThatDiffer) {
 }
 
 }  // namespace
-}  // namespace hottel::oracle::split_test::split_test
+}  // namespace hottel::oracle::split_test

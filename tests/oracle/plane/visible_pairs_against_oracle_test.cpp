@@ -11,7 +11,7 @@
 #include "tests/sanitizers.h"
 #include "tests/storm/plane/lattice_scene.h"
 
-namespace hottel::oracle::visible_pairs_against_oracle_test::visible_pairs_against_oracle_test {
+namespace hottel::oracle::visible_pairs_against_oracle_test {
 namespace {
 
 TEST(VisiblePairs, OfTwoEdgesThatCross) {
@@ -70,4 +70,4 @@ TEST(VisibilityGraphAgainstOracle, HasThePairsOfTwoThousandScenes) {
 }
 
 }  // namespace
-}  // namespace hottel::oracle::visible_pairs_against_oracle_test::visible_pairs_against_oracle_test
+}  // namespace hottel::oracle::visible_pairs_against_oracle_test

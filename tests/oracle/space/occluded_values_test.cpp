@@ -13,7 +13,7 @@
 #include "tests/oracle/space/pair_quadrature.h"
 #include "tests/oracle/space/random_polygons.h"
 
-namespace hottel::oracle::occluded_values_test::occluded_values_test {
+namespace hottel::oracle::occluded_values_test {
 namespace {
 
 constexpr double kTolerance = 1e-12;
@@ -278,4 +278,4 @@ TEST(OccludedValues, ACubeInACubeTakesItsShare) {
 }
 
 }  // namespace
-}  // namespace hottel::oracle::occluded_values_test::occluded_values_test
+}  // namespace hottel::oracle::occluded_values_test

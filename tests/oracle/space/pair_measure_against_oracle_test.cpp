@@ -12,7 +12,7 @@
 #include "tests/oracle/space/point_factor.h"
 #include "tests/sanitizers.h"
 
-namespace hottel::oracle::pair_measure_against_oracle_test::pair_measure_against_oracle_test {
+namespace hottel::oracle::pair_measure_against_oracle_test {
 namespace {
 
 constexpr double kParallel = 0.1998248956983873830416;  // unit squares at distance 1
@@ -122,4 +122,4 @@ TEST(PairMeasures, AreThoseOfQuadratureAndRays) {
 }
 
 }  // namespace
-}  // namespace hottel::oracle::pair_measure_against_oracle_test::pair_measure_against_oracle_test
+}  // namespace hottel::oracle::pair_measure_against_oracle_test

@@ -8,7 +8,7 @@
 #include "tests/oracle/space/nearest_polygon.h"
 #include "tests/oracle/space/random_polygons.h"
 
-namespace hottel::oracle::point_map_against_oracle_test::point_map_against_oracle_test {
+namespace hottel::oracle::point_map_against_oracle_test {
 namespace {
 
 constexpr int kScenes = 24;
@@ -63,4 +63,4 @@ TEST(Darts, FindTheFragmentOfWhatIsMetFirst) {
 }
 
 }  // namespace
-}  // namespace hottel::oracle::point_map_against_oracle_test::point_map_against_oracle_test
+}  // namespace hottel::oracle::point_map_against_oracle_test

@@ -15,7 +15,7 @@
 #include "kernel/rounding.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
-namespace hottel::analytic_scenes_test::analytic_scenes_test {
+namespace hottel::analytic_scenes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -266,4 +266,4 @@ INSTANTIATE_TEST_SUITE_P(, WholeScenes, testing::ValuesIn(whole_scenes()),
                          [](const auto& test) { return identifier(test.param.first + "__" + test.param.second); });
 
 }  // namespace
-}  // namespace hottel::analytic_scenes_test::analytic_scenes_test
+}  // namespace hottel::analytic_scenes_test

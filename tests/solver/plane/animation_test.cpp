@@ -13,7 +13,7 @@
 #include "solver/plane/simulation/refined.h"
 #include "solver/plane/simulation/simulation.h"
 
-namespace hottel::animation_test::animation_test {
+namespace hottel::animation_test {
 namespace {
 
 struct Nothing {
@@ -111,4 +111,4 @@ TEST(Animation2, FramesShareTheOverlay) {
 }
 
 }  // namespace
-}  // namespace hottel::animation_test::animation_test
+}  // namespace hottel::animation_test

@@ -20,7 +20,7 @@
 #include "solver/plane/compare/pair_explanation.h"
 #include "solver/plane/methods/method_catalogue.h"
 
-namespace hottel::compare_test::compare_test {
+namespace hottel::compare_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -361,4 +361,4 @@ TEST(PairExplanation, TellsHowMuchIsHiddenHowFarAndAtWhatAngle) {
 }
 
 }  // namespace
-}  // namespace hottel::compare_test::compare_test
+}  // namespace hottel::compare_test

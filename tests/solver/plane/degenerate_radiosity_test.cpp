@@ -9,7 +9,7 @@
 #include "solver/radiosity/radiosity.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
-namespace hottel::degenerate_radiosity_test::degenerate_radiosity_test {
+namespace hottel::degenerate_radiosity_test {
 namespace {
 
 using namespace testing_radiosity;
@@ -126,4 +126,4 @@ TEST(DegenerateRadiosity, IsWhatTheFilesSayToTheLastDigit) {
 }
 
 }  // namespace
-}  // namespace hottel::degenerate_radiosity_test::degenerate_radiosity_test
+}  // namespace hottel::degenerate_radiosity_test

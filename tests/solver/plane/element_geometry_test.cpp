@@ -4,7 +4,7 @@
 
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::element_geometry_test::element_geometry_test {
+namespace hottel::element_geometry_test {
 namespace {
 
 using testing_scenes::Line;
@@ -107,4 +107,4 @@ TEST(ElementGeometry2, LeavesOutWhatIsTooShortForDoubles) {
 }
 
 }  // namespace
-}  // namespace hottel::element_geometry_test::element_geometry_test
+}  // namespace hottel::element_geometry_test

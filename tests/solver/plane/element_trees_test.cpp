@@ -10,7 +10,7 @@
 #include "tests/solver/plane/lit_scenes.h"
 #include "tests/solver/plane/random_trees.h"
 
-namespace hottel::element_trees_test::element_trees_test {
+namespace hottel::element_trees_test {
 namespace {
 
 ExchangeMatrix factors_of(const Scene2& scene) {
@@ -161,4 +161,4 @@ TEST(Arrangement2, CutsDecideNothingOfOwnersAndSolids) {
 }
 
 }  // namespace
-}  // namespace hottel::element_trees_test::element_trees_test
+}  // namespace hottel::element_trees_test

@@ -16,7 +16,7 @@
 #include "solver/radiosity/net_flux.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
-namespace hottel::enclosed_radiosity_test::enclosed_radiosity_test {
+namespace hottel::enclosed_radiosity_test {
 namespace {
 
 using namespace testing_radiosity;
@@ -443,4 +443,4 @@ TEST(CrudeBounds, NarrowThoseOfEnclosedFactorsAndHold) {
 }
 
 }  // namespace
-}  // namespace hottel::enclosed_radiosity_test::enclosed_radiosity_test
+}  // namespace hottel::enclosed_radiosity_test

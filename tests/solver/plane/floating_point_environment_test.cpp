@@ -16,7 +16,7 @@
 #include "solver/plane/light/illumination_grid.h"
 #include "solver/radiosity/radiosity.h"
 
-namespace hottel::floating_point_environment_test::floating_point_environment_test {
+namespace hottel::floating_point_environment_test {
 namespace {
 
 struct Everything {
@@ -138,4 +138,4 @@ TEST(FloatingPointEnvironment, OfWorkersMayFlushSubnormalNumbersToZero) {
 #endif
 
 }  // namespace
-}  // namespace hottel::floating_point_environment_test::floating_point_environment_test
+}  // namespace hottel::floating_point_environment_test

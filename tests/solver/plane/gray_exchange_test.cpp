@@ -13,7 +13,7 @@
 #include "kernel/support/parallel.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
-namespace hottel::gray_exchange_test::gray_exchange_test {
+namespace hottel::gray_exchange_test {
 namespace {
 
 using namespace testing_radiosity;
@@ -271,4 +271,4 @@ TEST(GrayExchange, TakesNoMoreMemoryThanIsAllowed) {
 }
 
 }  // namespace
-}  // namespace hottel::gray_exchange_test::gray_exchange_test
+}  // namespace hottel::gray_exchange_test

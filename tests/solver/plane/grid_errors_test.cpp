@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-namespace hottel::grid_errors_test::grid_errors_test {
+namespace hottel::grid_errors_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -64,4 +64,4 @@ TEST(GridErrors, AreReadAsExchangedAxesWhereThereAreAsManyOfBoth) {
 }
 
 }  // namespace
-}  // namespace hottel::grid_errors_test::grid_errors_test
+}  // namespace hottel::grid_errors_test

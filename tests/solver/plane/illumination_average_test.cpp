@@ -10,7 +10,7 @@
 #include "tests/oracle/gauss_rule.h"
 #include "tests/solver/plane/lit_scenes.h"
 
-namespace hottel::illumination_average_test::illumination_average_test {
+namespace hottel::illumination_average_test {
 namespace {
 
 using testing::Each;
@@ -124,7 +124,8 @@ TEST(AverageIllumination2, KnowsAStripLight) {
 TEST(AverageIllumination2, IsTheMeanOfItsQuarters) {
   std::vector<Scene2> scenes{pillar_room(), clutter(40)};
   for (unsigned seed = 1; seed <= 6; ++seed) scenes.push_back(random_lattice_scene(seed, 12 + static_cast<int>(seed)));
-  for (const Scene2& scene : scenes) {
+  for (Scene2& scene : scenes) {
+    scene.closed = false;  // else a cell is the mean over what of it is inside
     const Lit lit(scene, 2);
     Grid2 cells = default_grid(lit.prepared.scene, 11);
     cells.max.x += 1;
@@ -190,7 +191,8 @@ TEST(AverageIllumination2, StaysBetweenBlackAndTheBrightestFace) {
 
 TEST(AverageIllumination2, DoesNotChangeWhenSceneAndGridAreMovedAndScaled) {
   const Rational far("9007199254740993"), tiny(Integer(1), Integer(1) << 40);  // 2^53 + 1, 2^-40
-  for (const Scene2& scene : {clutter(30), random_lattice_scene(4, 20)}) {
+  for (Scene2 scene : {clutter(30), random_lattice_scene(4, 20)}) {
+    scene.closed = false;  // cells outside have light too
     const Grid2 cells{{Rational(1, 3), Rational(1, 7)}, {7, 8}, 14, 11};
     const AverageIllumination2 plain = averages(Lit(scene, 2), cells);
     EXPECT_LT(plain.max_error, 1e-10);
@@ -289,4 +291,4 @@ TEST(AverageIllumination2, ReportsProgressAndStops) {
 }
 
 }  // namespace
-}  // namespace hottel::illumination_average_test::illumination_average_test
+}  // namespace hottel::illumination_average_test

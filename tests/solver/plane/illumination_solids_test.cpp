@@ -8,7 +8,7 @@
 #include "solver/plane/light/cell_views.h"
 #include "tests/solver/plane/solid_scenes.h"
 
-namespace hottel::illumination_solids_test::illumination_solids_test {
+namespace hottel::illumination_solids_test {
 namespace {
 
 using testing::Each;
@@ -212,4 +212,4 @@ TEST(AverageInSolids, IsTheLimitOfDenseGridsOfPoints) {
 }
 
 }  // namespace
-}  // namespace hottel::illumination_solids_test::illumination_solids_test
+}  // namespace hottel::illumination_solids_test

@@ -10,7 +10,7 @@
 #include "solver/plane/light/cell_views.h"
 #include "tests/solver/plane/lit_scenes.h"
 
-namespace hottel::illumination_test::illumination_test {
+namespace hottel::illumination_test {
 namespace {
 
 using testing::Each;
@@ -314,4 +314,4 @@ TEST(InverseSquare, KeepsHalfACellAwayFromTheMiddleOfAnEdge) {
 }
 
 }  // namespace
-}  // namespace hottel::illumination_test::illumination_test
+}  // namespace hottel::illumination_test

@@ -15,7 +15,7 @@
 #include "solver/plane/light/cell_views.h"
 #include "tests/solver/plane/solid_scenes.h"
 
-namespace hottel::light_rows_test::light_rows_test {
+namespace hottel::light_rows_test {
 namespace {
 
 using testing::HasSubstr;
@@ -406,4 +406,4 @@ TEST(SentOut2, TakesNothingButOneValueForEachElementAndChannel) {
 }
 
 }  // namespace
-}  // namespace hottel::light_rows_test::light_rows_test
+}  // namespace hottel::light_rows_test

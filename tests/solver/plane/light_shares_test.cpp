@@ -15,7 +15,7 @@
 #include "solver/plane/light/beam.h"
 #include "tests/solver/plane/lit_scenes.h"
 
-namespace hottel::light_shares_test::light_shares_test {
+namespace hottel::light_shares_test {
 namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_100;
@@ -339,4 +339,4 @@ TEST(Beam2, SendsLightWhereItReachesAndNowhereElse) {
 }
 
 }  // namespace
-}  // namespace hottel::light_shares_test::light_shares_test
+}  // namespace hottel::light_shares_test

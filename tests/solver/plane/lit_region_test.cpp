@@ -10,7 +10,7 @@
 #include "solver/plane/light/illumination_grid.h"
 #include "tests/solver/plane/lit_scenes.h"
 
-namespace hottel::lit_region_test::lit_region_test {
+namespace hottel::lit_region_test {
 namespace {
 
 Light bulb(const Rational& power = 1) {
@@ -146,4 +146,4 @@ TEST(LitRegion2, GridsHaveTheLightOfAllLights) {
 }
 
 }  // namespace
-}  // namespace hottel::lit_region_test::lit_region_test
+}  // namespace hottel::lit_region_test

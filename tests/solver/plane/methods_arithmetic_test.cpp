@@ -17,7 +17,7 @@
 #include "solver/plane/methods/arithmetic_naive.h"
 #include "solver/plane/methods/method_catalogue.h"
 
-namespace hottel::methods_arithmetic_test::methods_arithmetic_test {
+namespace hottel::methods_arithmetic_test {
 namespace {
 
 PreparedScene2 clutter(std::uint64_t edges, int digits = 0) {
@@ -223,4 +223,4 @@ TEST(Arithmetic2, RefusesAVariantThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace hottel::methods_arithmetic_test::methods_arithmetic_test
+}  // namespace hottel::methods_arithmetic_test

@@ -17,7 +17,7 @@
 #include "kernel/support/parallel.h"
 #include "solver/plane/methods/method_catalogue.h"
 
-namespace hottel::methods_conformance_test::methods_conformance_test {
+namespace hottel::methods_conformance_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -182,4 +182,4 @@ INSTANTIATE_TEST_SUITE_P(, EveryMethod, testing::ValuesIn(all_methods()), identi
 INSTANTIATE_TEST_SUITE_P(, FirstOfEveryCurve, testing::ValuesIn(first_methods()), identifier);
 
 }  // namespace
-}  // namespace hottel::methods_conformance_test::methods_conformance_test
+}  // namespace hottel::methods_conformance_test

@@ -11,7 +11,7 @@
 #include "kernel/support/failure.h"
 #include "solver/plane/methods/method_catalogue.h"
 
-namespace hottel::methods_extremes_test::methods_extremes_test {
+namespace hottel::methods_extremes_test {
 namespace {
 
 PreparedScene2 scene_of(const std::string& edges) {
@@ -88,4 +88,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, MethodsOnExtremes,
                        {"name": "c", "points": [["-1e-320", "1e-320"], ["1e300", "1e300"]], "material": "m"})"));
 
 }  // namespace
-}  // namespace hottel::methods_extremes_test::methods_extremes_test
+}  // namespace hottel::methods_extremes_test

@@ -18,7 +18,7 @@
 #include "solver/plane/methods/item_buffer.h"
 #include "solver/plane/methods/method_catalogue.h"
 
-namespace hottel::methods_sampling_test::methods_sampling_test {
+namespace hottel::methods_sampling_test {
 namespace {
 
 PreparedScene2 clutter(std::uint64_t edges) {
@@ -379,4 +379,4 @@ TEST(Hemicube2, ConvergesToTheFactorsFromTheCentreByOrderOne) {
 }
 
 }  // namespace
-}  // namespace hottel::methods_sampling_test::methods_sampling_test
+}  // namespace hottel::methods_sampling_test

@@ -8,7 +8,7 @@
 
 #include "tests/solver/plane/exact_radiosity.h"
 
-namespace hottel::net_flux_test::net_flux_test {
+namespace hottel::net_flux_test {
 namespace {
 
 using namespace testing_radiosity;
@@ -148,4 +148,4 @@ TEST(NetFlux, BeyondTheRangeOfDoublesHasOpenBounds) {
 }
 
 }  // namespace
-}  // namespace hottel::net_flux_test::net_flux_test
+}  // namespace hottel::net_flux_test

@@ -6,7 +6,7 @@
 #include "kernel/rational.h"
 #include "solver/plane/methods/method_catalogue.h"
 
-namespace hottel::normalised_test::normalised_test {
+namespace hottel::normalised_test {
 namespace {
 
 TEST(Normalised, RowsSumToOneAndNeverToMore) {
@@ -39,4 +39,4 @@ TEST(Normalised, StandsAtTheEndOfAName) {
 }
 
 }  // namespace
-}  // namespace hottel::normalised_test::normalised_test
+}  // namespace hottel::normalised_test

@@ -12,7 +12,7 @@
 #include "solver/plane/methods/run_points.h"
 #include "tests/geometry/plane/exchange_scenes.h"
 
-namespace hottel::pair_methods_test::pair_methods_test {
+namespace hottel::pair_methods_test {
 namespace {
 
 using testing_scenes::kBlack;
@@ -317,4 +317,4 @@ TEST(Names, ThatMakeNoSenseAreRefused) {
 }
 
 }  // namespace
-}  // namespace hottel::pair_methods_test::pair_methods_test
+}  // namespace hottel::pair_methods_test

@@ -13,7 +13,7 @@
 #include "solver/plane/methods/method_catalogue.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
-namespace hottel::place_tree_test::place_tree_test {
+namespace hottel::place_tree_test {
 namespace {
 
 PreparedScene2 scene_number(std::uint64_t seed) {
@@ -154,4 +154,4 @@ TEST(Hemicube2, ClaimsWhatAllVerticesTell) {
 }
 
 }  // namespace
-}  // namespace hottel::place_tree_test::place_tree_test
+}  // namespace hottel::place_tree_test

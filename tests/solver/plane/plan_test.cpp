@@ -10,7 +10,7 @@
 #include "solver/plane/scene_plan.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
-namespace hottel::plan_test::plan_test {
+namespace hottel::plan_test {
 namespace {
 
 using namespace testing_radiosity;
@@ -121,4 +121,4 @@ TEST(Plan, SolvesNothingWhereNoLightIs) {
 }
 
 }  // namespace
-}  // namespace hottel::plan_test::plan_test
+}  // namespace hottel::plan_test

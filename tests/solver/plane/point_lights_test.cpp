@@ -12,7 +12,7 @@
 #include "solver/plane/simulation/questions.h"
 #include "solver/plane/simulation/simulation.h"
 
-namespace hottel::point_lights_test::point_lights_test {
+namespace hottel::point_lights_test {
 namespace {
 
 // Without its promise to be closed: there is light outside.
@@ -45,4 +45,4 @@ TEST(PointLights2, AreNanInSolids) {
 }
 
 }  // namespace
-}  // namespace hottel::point_lights_test::point_lights_test
+}  // namespace hottel::point_lights_test

@@ -7,7 +7,7 @@
 
 #include "tests/oracle/gauss_rule.h"
 
-namespace hottel::polar_integrals_test::polar_integrals_test {
+namespace hottel::polar_integrals_test {
 namespace {
 
 struct Exact {
@@ -120,4 +120,4 @@ TEST(PolarIntegrals2, OfNothingAreNothing) {
 }
 
 }  // namespace
-}  // namespace hottel::polar_integrals_test::polar_integrals_test
+}  // namespace hottel::polar_integrals_test

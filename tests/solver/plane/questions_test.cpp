@@ -11,7 +11,7 @@
 #include "kernel/support/failure.h"
 #include "solver/plane/simulation/simulation.h"
 
-namespace hottel::questions_test::questions_test {
+namespace hottel::questions_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -88,4 +88,4 @@ TEST(MaterialCalled, IsFoundOrRefused) {
 }
 
 }  // namespace
-}  // namespace hottel::questions_test::questions_test
+}  // namespace hottel::questions_test

@@ -14,7 +14,7 @@
 #include "solver/radiosity/net_flux.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
-namespace hottel::radiosity_bounds_test::radiosity_bounds_test {
+namespace hottel::radiosity_bounds_test {
 namespace {
 
 using namespace testing_radiosity;
@@ -298,4 +298,4 @@ TEST(Solvers, HaveNamesThatReadBack) {
 }
 
 }  // namespace
-}  // namespace hottel::radiosity_bounds_test::radiosity_bounds_test
+}  // namespace hottel::radiosity_bounds_test

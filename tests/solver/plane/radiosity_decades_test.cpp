@@ -9,7 +9,7 @@
 #include "solver/radiosity/net_flux.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
-namespace hottel::radiosity_decades_test::radiosity_decades_test {
+namespace hottel::radiosity_decades_test {
 namespace {
 
 using namespace testing_radiosity;
@@ -238,4 +238,4 @@ TEST(StoppedIterations, ExchangeWhatTheyHaveAndOweTheirResidual) {
 }
 
 }  // namespace
-}  // namespace hottel::radiosity_decades_test::radiosity_decades_test
+}  // namespace hottel::radiosity_decades_test

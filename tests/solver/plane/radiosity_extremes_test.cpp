@@ -13,7 +13,7 @@
 #include "solver/radiosity/matrix_checks.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
-namespace hottel::radiosity_extremes_test::radiosity_extremes_test {
+namespace hottel::radiosity_extremes_test {
 namespace {
 
 using namespace testing_radiosity;
@@ -310,4 +310,4 @@ TEST(RadiosityExtremes, ScriptFOfNextToMirrorsSharesOutWhatLittleTheyAbsorb) {
 }
 
 }  // namespace
-}  // namespace hottel::radiosity_extremes_test::radiosity_extremes_test
+}  // namespace hottel::radiosity_extremes_test

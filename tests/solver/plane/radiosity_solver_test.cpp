@@ -20,7 +20,7 @@
 #include "solver/radiosity/net_flux.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
-namespace hottel::radiosity_solver_test::radiosity_solver_test {
+namespace hottel::radiosity_solver_test {
 namespace {
 
 using namespace testing_radiosity;
@@ -608,4 +608,4 @@ TEST(RadiositySolver, GivesThreadsThatSolveAtOnceWhatItGivesOne) {
 }
 
 }  // namespace
-}  // namespace hottel::radiosity_solver_test::radiosity_solver_test
+}  // namespace hottel::radiosity_solver_test

@@ -11,7 +11,7 @@
 #include "solver/radiosity/matrix_checks.h"
 #include "tests/solver/plane/exact_radiosity.h"
 
-namespace hottel::radiosity_test::radiosity_test {
+namespace hottel::radiosity_test {
 namespace {
 
 using namespace testing_radiosity;
@@ -256,4 +256,4 @@ TEST(Radiosity, ThatWasChosenIsFoundAgain) {
 }
 
 }  // namespace
-}  // namespace hottel::radiosity_test::radiosity_test
+}  // namespace hottel::radiosity_test

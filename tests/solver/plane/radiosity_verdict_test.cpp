@@ -12,7 +12,7 @@
 #include "geometry/plane/exchange/exchange.h"
 #include "io/scene/scene_json.h"
 
-namespace hottel::radiosity_verdict_test::radiosity_verdict_test {
+namespace hottel::radiosity_verdict_test {
 namespace {
 
 using testing::HasSubstr;
@@ -92,4 +92,4 @@ TEST_F(RadiosityVerdictTest, NamesTheFaceThatIsWrong) {
 }
 
 }  // namespace
-}  // namespace hottel::radiosity_verdict_test::radiosity_verdict_test
+}  // namespace hottel::radiosity_verdict_test

@@ -11,7 +11,7 @@
 #include "solver/plane/light/lit_region.h"
 #include "tests/solver/plane/lit_scenes.h"
 
-namespace hottel::refinement_test::refinement_test {
+namespace hottel::refinement_test {
 namespace {
 
 Light spot(const Rational& focus) {
@@ -146,4 +146,4 @@ TEST(RefinedTrees2, LeavesAboveTheLastLevelAreLitWhollyOrNotAtAll) {
 }
 
 }  // namespace
-}  // namespace hottel::refinement_test::refinement_test
+}  // namespace hottel::refinement_test

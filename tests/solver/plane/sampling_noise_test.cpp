@@ -15,7 +15,7 @@
 #include "tests/sanitizers.h"
 #include "tests/solver/plane/judged_matrices.h"
 
-namespace hottel::sampling_noise_test::sampling_noise_test {
+namespace hottel::sampling_noise_test {
 namespace {
 
 using testing::HasSubstr;
@@ -281,4 +281,4 @@ TEST(SamplingNoise, TellsScatterBesideAnotherFault) {
 }
 
 }  // namespace
-}  // namespace hottel::sampling_noise_test::sampling_noise_test
+}  // namespace hottel::sampling_noise_test

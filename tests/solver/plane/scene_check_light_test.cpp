@@ -9,7 +9,7 @@
 #include "tests/geometry/plane/exchange_scenes.h"
 #include "tests/solver/plane/check_scenes.h"
 
-namespace hottel::scene_check_light_test::scene_check_light_test {
+namespace hottel::scene_check_light_test {
 namespace {
 
 using namespace check_scenes;
@@ -129,4 +129,4 @@ TEST(SceneCheck2, NamesWhatIsBeyondDoubles) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_check_light_test::scene_check_light_test
+}  // namespace hottel::scene_check_light_test

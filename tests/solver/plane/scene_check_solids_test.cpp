@@ -11,7 +11,7 @@
 #include "solver/radiosity/radiosity.h"
 #include "tests/solver/plane/check_scenes.h"
 
-namespace hottel::scene_check_solids_test::scene_check_solids_test {
+namespace hottel::scene_check_solids_test {
 namespace {
 
 using namespace check_scenes;
@@ -285,4 +285,4 @@ TEST(StateSolids, DoesNothingWhereAFaceWouldBeCoveredWhollyOrEmits) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_check_solids_test::scene_check_solids_test
+}  // namespace hottel::scene_check_solids_test

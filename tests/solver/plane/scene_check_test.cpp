@@ -15,7 +15,7 @@
 #include "tests/geometry/plane/exchange_scenes.h"
 #include "tests/solver/plane/check_scenes.h"
 
-namespace hottel::scene_check_test::scene_check_test {
+namespace hottel::scene_check_test {
 namespace {
 
 using testing::AllOf;
@@ -322,4 +322,4 @@ TEST(SceneCheck2, LooksAtScenesFullOfCoincidencesWithoutFailing) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_check_test::scene_check_test
+}  // namespace hottel::scene_check_test

@@ -13,7 +13,7 @@
 #include "solver/plane/methods/method_catalogue.h"
 #include "tests/solver/plane/edited_scenes.h"
 
-namespace hottel::simulation_test::simulation_test {
+namespace hottel::simulation_test {
 namespace {
 
 using testing::ElementsAre;
@@ -242,4 +242,4 @@ TEST(Simulation, HasAPictureOnlyWithAPainter) {
 }
 
 }  // namespace
-}  // namespace hottel::simulation_test::simulation_test
+}  // namespace hottel::simulation_test

@@ -15,7 +15,7 @@
 #include "solver/plane/simulation/simulation.h"
 #include "tests/solver/plane/lit_scenes.h"
 
-namespace hottel::tested_shares_test::tested_shares_test {
+namespace hottel::tested_shares_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -294,4 +294,4 @@ TEST(TestedShares2, AreTheLightsOfASimulationThatAsksForThem) {
 }
 
 }  // namespace
-}  // namespace hottel::tested_shares_test::tested_shares_test
+}  // namespace hottel::tested_shares_test

@@ -13,7 +13,7 @@
 #include "solver/plane/methods/method_catalogue.h"
 #include "tests/solver/plane/judged_matrices.h"
 
-namespace hottel::verdict_test::verdict_test {
+namespace hottel::verdict_test {
 namespace {
 
 using testing::Contains;
@@ -356,4 +356,4 @@ TEST(Verdict, ColumnsThatTheFileDoesNotHaveAreNotJudged) {
 }
 
 }  // namespace
-}  // namespace hottel::verdict_test::verdict_test
+}  // namespace hottel::verdict_test

@@ -16,7 +16,7 @@
 #include "kernel/decimal.h"
 #include "solver/radiosity/radiosity.h"
 
-namespace hottel::analytic_scenes_test::analytic_scenes_test {
+namespace hottel::analytic_scenes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -212,4 +212,4 @@ INSTANTIATE_TEST_SUITE_P(, ScenesInSpace3,
                          [](const auto& test) { return test.param.substr(test.param.find('/') + 1); });
 
 }  // namespace
-}  // namespace hottel::analytic_scenes_test::analytic_scenes_test
+}  // namespace hottel::analytic_scenes_test

@@ -10,7 +10,7 @@
 #include "solver/space/simulation/refined.h"
 #include "solver/space/simulation/simulation.h"
 
-namespace hottel::animation_test::animation_test {
+namespace hottel::animation_test {
 namespace {
 
 struct Nothing {
@@ -103,4 +103,4 @@ TEST(Animation3, TakesFromTheStoreWhatTheMemoryDoesNotHold) {
 }
 
 }  // namespace
-}  // namespace hottel::animation_test::animation_test
+}  // namespace hottel::animation_test

@@ -11,7 +11,7 @@
 #include "solver/space/compare/pair_explanation.h"
 #include "solver/space/compare/verdict.h"
 
-namespace hottel::compare_test::compare_test {
+namespace hottel::compare_test {
 namespace {
 
 using ::testing::Contains;
@@ -86,4 +86,4 @@ TEST(Verdict3, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace hottel::compare_test::compare_test
+}  // namespace hottel::compare_test

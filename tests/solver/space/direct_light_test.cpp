@@ -13,7 +13,7 @@
 #include "solver/space/light/light_shares.h"
 #include "tests/geometry/space/box_scene.h"
 
-namespace hottel::direct_light_test::direct_light_test {
+namespace hottel::direct_light_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -133,4 +133,4 @@ TEST(LitParts3, AreConvexAndEndAtTheBordersOfShadows) {
 }
 
 }  // namespace
-}  // namespace hottel::direct_light_test::direct_light_test
+}  // namespace hottel::direct_light_test

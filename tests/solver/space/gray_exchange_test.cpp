@@ -14,7 +14,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::gray_exchange_test::gray_exchange_test {
+namespace hottel::gray_exchange_test {
 namespace {
 
 using Dense = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
@@ -195,4 +195,4 @@ TEST(GrayExchangeInSpace, RefusesEstimatesOfWhichLightMayNotDieOutAndNegativeOne
 }
 
 }  // namespace
-}  // namespace hottel::gray_exchange_test::gray_exchange_test
+}  // namespace hottel::gray_exchange_test

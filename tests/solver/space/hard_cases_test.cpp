@@ -10,7 +10,7 @@
 #include "io/scene/scene_json.h"
 #include "solver/space/methods/method_catalogue.h"
 
-namespace hottel::hard_cases_test::hard_cases_test {
+namespace hottel::hard_cases_test {
 namespace {
 
 TEST(ContourMeasure, MeetsHowellsCatalogue) {
@@ -119,4 +119,4 @@ TEST(HardCases3, OtherMethodsLoseWhatIsSmall) {
 }
 
 }  // namespace
-}  // namespace hottel::hard_cases_test::hard_cases_test
+}  // namespace hottel::hard_cases_test

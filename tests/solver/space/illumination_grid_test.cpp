@@ -12,7 +12,7 @@
 #include "kernel/support/parallel.h"
 #include "solver/space/simulation/simulation.h"
 
-namespace hottel::illumination_grid_test::illumination_grid_test {
+namespace hottel::illumination_grid_test {
 namespace {
 
 // The unit cube, black but for its ceiling, which sends out 6.
@@ -137,4 +137,4 @@ TEST(IlluminationGrid3, DoesNotDependOnThreads) {
 }
 
 }  // namespace
-}  // namespace hottel::illumination_grid_test::illumination_grid_test
+}  // namespace hottel::illumination_grid_test

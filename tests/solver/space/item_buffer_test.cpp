@@ -12,7 +12,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::item_buffer_test::item_buffer_test {
+namespace hottel::item_buffer_test {
 namespace {
 
 constexpr std::uint32_t kNothing = 0xfffffffe;
@@ -139,4 +139,4 @@ TEST(ItemBuffer3, ByOpenGlDiffersOnlyNextToEdgesAndWhereDepthsAreEqual) {
 }
 
 }  // namespace
-}  // namespace hottel::item_buffer_test::item_buffer_test
+}  // namespace hottel::item_buffer_test

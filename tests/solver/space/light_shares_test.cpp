@@ -16,7 +16,7 @@
 #include "tests/oracle/space/nearest_polygon.h"
 #include "tests/oracle/space/random_polygons.h"
 
-namespace hottel::light_shares_test::light_shares_test {
+namespace hottel::light_shares_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -261,4 +261,4 @@ TEST(LightShares3, AgreeWithRaysDrawnByChance) {
 }
 
 }  // namespace
-}  // namespace hottel::light_shares_test::light_shares_test
+}  // namespace hottel::light_shares_test

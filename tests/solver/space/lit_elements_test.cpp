@@ -9,7 +9,7 @@
 #include "solver/space/light/scene_light_shares.h"
 #include "solver/space/simulation/simulation.h"
 
-namespace hottel::lit_elements_test::lit_elements_test {
+namespace hottel::lit_elements_test {
 namespace {
 
 Scene3 stage() { return read_scene_3(HOTTEL_SOURCE_DIR "/scenes/lights/stage.json"); }
@@ -98,4 +98,4 @@ TEST(LitElements3, LeaveASimulationAsItWouldBeAnew) {
 }
 
 }  // namespace
-}  // namespace hottel::lit_elements_test::lit_elements_test
+}  // namespace hottel::lit_elements_test

@@ -16,7 +16,7 @@
 #include "solver/radiosity/single_precision_lu.h"
 #include "solver/space/methods/method_catalogue.h"
 
-namespace hottel::many_unknowns_test::many_unknowns_test {
+namespace hottel::many_unknowns_test {
 namespace {
 
 // The Cornell box in elements, by item buffers: estimates.
@@ -128,4 +128,4 @@ TEST(SinglePrecisionLu, IsNotTakenWhereLightStaysLong) {
 }
 
 }  // namespace
-}  // namespace hottel::many_unknowns_test::many_unknowns_test
+}  // namespace hottel::many_unknowns_test

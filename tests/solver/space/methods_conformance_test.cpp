@@ -17,7 +17,7 @@
 #include "io/scene/scene_json.h"
 #include "solver/space/methods/method_catalogue.h"
 
-namespace hottel::methods_conformance_test::methods_conformance_test {
+namespace hottel::methods_conformance_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -209,4 +209,4 @@ TEST(MethodsOfTheCatalogue3, AreAllAmongThem) {
 }
 
 }  // namespace
-}  // namespace hottel::methods_conformance_test::methods_conformance_test
+}  // namespace hottel::methods_conformance_test

@@ -15,7 +15,7 @@
 #include "solver/space/methods/hemicube.h"
 #include "solver/space/methods/method_catalogue.h"
 
-namespace hottel::methods_test::methods_test {
+namespace hottel::methods_test {
 namespace {
 
 const MethodCatalogue3& catalogue() {
@@ -254,4 +254,4 @@ TEST(MethodsInSpace, NamesThatMakeNoSenseAreRefused) {
 }
 
 }  // namespace
-}  // namespace hottel::methods_test::methods_test
+}  // namespace hottel::methods_test

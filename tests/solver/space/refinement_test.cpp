@@ -15,7 +15,7 @@
 #include "solver/space/light/scene_light_shares.h"
 #include "tests/geometry/space/box_scene.h"
 
-namespace hottel::refinement_test::refinement_test {
+namespace hottel::refinement_test {
 namespace {
 
 // A room from -2 to 2 with a plate from -1 to 1 in z = 1, and a pentagon in z = -1.
@@ -167,4 +167,4 @@ TEST(ElementTrees3, FactorsAreThoseOfEqualPartsAndOfAnyOtherListBitForBit) {
 }
 
 }  // namespace
-}  // namespace hottel::refinement_test::refinement_test
+}  // namespace hottel::refinement_test

@@ -10,7 +10,7 @@
 #include "solver/space/simulation/simulation.h"
 #include "tests/geometry/space/check/small_scene.h"
 
-namespace hottel::scene_check_test::scene_check_test {
+namespace hottel::scene_check_test {
 namespace {
 
 using ::testing::Contains;
@@ -246,4 +246,4 @@ TEST(SceneCheck3, MaterialsWithoutSurfacesAreNoted) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_check_test::scene_check_test
+}  // namespace hottel::scene_check_test

@@ -12,7 +12,7 @@
 #include "io/scene/scene_json.h"
 #include "kernel/support/failure.h"
 
-namespace hottel::scene_plan_test::scene_plan_test {
+namespace hottel::scene_plan_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -49,9 +49,10 @@ TEST(Plan3, ListsEachEffectOnceInOrder) {
       EXPECT_EQ(effect.seconds_estimate, 0);
     }
   }
-  EXPECT_THAT(names, ElementsAre(Plan::kExchange, Plan::kOcclusion, Plan::kBackFaces, Plan::kSky, Plan::kSubdivision,
-                                 Plan::kGroups, Plan::kChannels, Plan::kInterreflection, Plan::kUnreachable,
-                                 Plan::kIllumination, Plan::kPicture, Plan::kLights, Plan::kBeams, Plan::kMovement));
+  EXPECT_THAT(names,
+              ElementsAre(Plan::kExchange, Plan::kOcclusion, Plan::kBackFaces, Plan::kSky, Plan::kSubdivision,
+                          Plan::kGroups, Plan::kChannels, Plan::kInterreflection, Plan::kUnreachable, Plan::kDividing,
+                          Plan::kIllumination, Plan::kPicture, Plan::kLights, Plan::kBeams, Plan::kMovement));
   EXPECT_THROW(plan.uses("weather"), ContractViolation);
 }
 
@@ -159,4 +160,4 @@ TEST(Plan3, EstimatesThePairsOfManyFaces) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_plan_test::scene_plan_test
+}  // namespace hottel::scene_plan_test

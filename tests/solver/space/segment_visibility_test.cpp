@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace hottel::segment_visibility_test::segment_visibility_test {
+namespace hottel::segment_visibility_test {
 namespace {
 
 constexpr std::uint32_t kNoSurface = 0xfffffffe;
@@ -137,4 +137,4 @@ TEST(SegmentVisibility3, APolygonHidesNothingFromItsOwnPointsAndTheSkyIsBeyondAl
 }
 
 }  // namespace
-}  // namespace hottel::segment_visibility_test::segment_visibility_test
+}  // namespace hottel::segment_visibility_test

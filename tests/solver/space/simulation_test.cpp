@@ -14,7 +14,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/interrupt.h"
 
-namespace hottel::simulation_test::simulation_test {
+namespace hottel::simulation_test {
 namespace {
 
 using ::testing::StartsWith;
@@ -205,4 +205,4 @@ TEST(Simulation3, WhoWaitsMayLeaveAndComeBack) {
 }
 
 }  // namespace
-}  // namespace hottel::simulation_test::simulation_test
+}  // namespace hottel::simulation_test

@@ -15,7 +15,7 @@
 #include "solver/space/simulation/simulation.h"
 #include "tests/geometry/space/box_scene.h"
 
-namespace hottel::tested_shares_test::tested_shares_test {
+namespace hottel::tested_shares_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -326,4 +326,4 @@ TEST(TestedShares3, AreTheLightsOfASimulationThatAsksForThem) {
 }
 
 }  // namespace
-}  // namespace hottel::tested_shares_test::tested_shares_test
+}  // namespace hottel::tested_shares_test

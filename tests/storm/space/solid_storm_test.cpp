@@ -9,7 +9,7 @@
 
 #include "tests/sanitizers.h"
 
-namespace hottel::storm::solid_storm_test::solid_storm_test {
+namespace hottel::storm::solid_storm_test {
 namespace {
 
 constexpr std::uint64_t kScenes = kHasAddressSanitizer ? 20 : 75;
@@ -97,4 +97,4 @@ TEST(SolidScene3, IsValidAndTheSameForItsNumber) {
 }
 
 }  // namespace
-}  // namespace hottel::storm::solid_storm_test::solid_storm_test
+}  // namespace hottel::storm::solid_storm_test

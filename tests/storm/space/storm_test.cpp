@@ -11,7 +11,7 @@
 #include "tests/sanitizers.h"
 #include "tests/storm/space/shrink.h"
 
-namespace hottel::storm::storm_test::storm_test {
+namespace hottel::storm::storm_test {
 namespace {
 
 constexpr std::uint64_t kScenes = kHasAddressSanitizer ? 60 : 300;
@@ -138,4 +138,4 @@ TEST(LatticeScene3, IsNudgedByNoMoreThanItSays) {
 }
 
 }  // namespace
-}  // namespace hottel::storm::storm_test::storm_test
+}  // namespace hottel::storm::storm_test

@@ -8,7 +8,7 @@
 
 #include "kernel/support/failure.h"
 
-namespace hottel::decimals_test::decimals_test {
+namespace hottel::decimals_test {
 namespace {
 
 Rational power_of_ten(int k) { return *parse_rational("1e" + std::to_string(k)); }
@@ -71,4 +71,4 @@ TEST(Decades, AreTheLeastPowerOfTenThatIsNotBelow) {
 }
 
 }  // namespace
-}  // namespace hottel::decimals_test::decimals_test
+}  // namespace hottel::decimals_test

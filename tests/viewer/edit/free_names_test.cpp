@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hottel::free_names_test::free_names_test {
+namespace hottel::free_names_test {
 namespace {
 
 SceneTable table(const std::vector<std::string>& surfaces, const std::vector<std::string>& groups) {
@@ -52,4 +52,4 @@ TEST(FreeNames, OfMaterialsAreApart) {
 }
 
 }  // namespace
-}  // namespace hottel::free_names_test::free_names_test
+}  // namespace hottel::free_names_test

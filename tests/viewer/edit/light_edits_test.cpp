@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace hottel::light_edits_test::light_edits_test {
+namespace hottel::light_edits_test {
 namespace {
 
 Light spot() {
@@ -120,4 +120,4 @@ TEST(LightEdits, RefuseWhatCannotBeAndChangeNothing) {
 }
 
 }  // namespace
-}  // namespace hottel::light_edits_test::light_edits_test
+}  // namespace hottel::light_edits_test

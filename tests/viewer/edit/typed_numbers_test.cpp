@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace hottel::typed_numbers_test::typed_numbers_test {
+namespace hottel::typed_numbers_test {
 namespace {
 
 using testing::ElementsAre;
@@ -52,4 +52,4 @@ TEST(TypedSpectrum, IsInItsRange) {
 }
 
 }  // namespace
-}  // namespace hottel::typed_numbers_test::typed_numbers_test
+}  // namespace hottel::typed_numbers_test

@@ -10,7 +10,7 @@
 #include "viewer/picture/plane/scale_bar.h"
 #include "viewer/picture/recording_canvas.h"
 
-namespace hottel::axes_test::axes_test {
+namespace hottel::axes_test {
 namespace {
 
 using Kind = RecordingCanvas::Kind;
@@ -93,4 +93,4 @@ TEST(ScaleBar2, IsARoundLengthThatFits) {
 }
 
 }  // namespace
-}  // namespace hottel::axes_test::axes_test
+}  // namespace hottel::axes_test

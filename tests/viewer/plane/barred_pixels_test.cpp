@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-namespace hottel::barred_pixels_test::barred_pixels_test {
+namespace hottel::barred_pixels_test {
 namespace {
 
 struct Place {
@@ -83,4 +83,4 @@ TEST(BarredPixels2, AreAllWhereTheCentreLiesOnAWall) {
 }
 
 }  // namespace
-}  // namespace hottel::barred_pixels_test::barred_pixels_test
+}  // namespace hottel::barred_pixels_test

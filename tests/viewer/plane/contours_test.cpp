@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace hottel::contours_test::contours_test {
+namespace hottel::contours_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -108,4 +108,4 @@ TEST(Contours2, LevelsAreRoundAndInside) {
 }
 
 }  // namespace
-}  // namespace hottel::contours_test::contours_test
+}  // namespace hottel::contours_test

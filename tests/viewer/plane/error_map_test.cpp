@@ -9,7 +9,7 @@
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/plane/scene_painter.h"
 
-namespace hottel::error_map_test::error_map_test {
+namespace hottel::error_map_test {
 namespace {
 
 PreparedScene2 lit_square(const char* emission) {
@@ -62,4 +62,4 @@ TEST(ErrorMap, IsThePlanWhereThereIsNoLight) {
 }
 
 }  // namespace
-}  // namespace hottel::error_map_test::error_map_test
+}  // namespace hottel::error_map_test

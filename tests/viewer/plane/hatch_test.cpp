@@ -5,7 +5,7 @@
 #include "tests/viewer/plane/drawn_scenes.h"
 #include "viewer/picture/plane/solid_polygons.h"
 
-namespace hottel::hatch_test::hatch_test {
+namespace hottel::hatch_test {
 namespace {
 
 std::vector<RecordingCanvas::Call> hatch_of(const std::vector<Pixel>& outline) {
@@ -38,4 +38,4 @@ TEST(DrawHatch2, OfALargePolygonOnlyWhatIsOnTheCanvas) {
 }
 
 }  // namespace
-}  // namespace hottel::hatch_test::hatch_test
+}  // namespace hottel::hatch_test

@@ -14,7 +14,7 @@
 #include "viewer/picture/plane/illumination_painter.h"
 #include "viewer/picture/plane/light_pixels.h"
 
-namespace hottel::illumination_picture_test::illumination_picture_test {
+namespace hottel::illumination_picture_test {
 namespace {
 
 using testing::StartsWith;
@@ -386,4 +386,4 @@ TEST(IlluminationPicture2, RefusesGridsWithMoreCellsThanPixels) {
 }
 
 }  // namespace
-}  // namespace hottel::illumination_picture_test::illumination_picture_test
+}  // namespace hottel::illumination_picture_test

@@ -10,7 +10,7 @@
 #include "viewer/picture/comparison_plot.h"
 #include "viewer/picture/recording_canvas.h"
 
-namespace hottel::log_plot_test::log_plot_test {
+namespace hottel::log_plot_test {
 namespace {
 
 using Kind = RecordingCanvas::Kind;
@@ -199,4 +199,4 @@ TEST(ComparisonPlot, LeavesOutWhatHasNoSuchError) {
 }
 
 }  // namespace
-}  // namespace hottel::log_plot_test::log_plot_test
+}  // namespace hottel::log_plot_test

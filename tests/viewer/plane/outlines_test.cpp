@@ -4,7 +4,7 @@
 
 #include "tests/viewer/plane/drawn_scenes.h"
 
-namespace hottel::outlines_test::outlines_test {
+namespace hottel::outlines_test {
 namespace {
 
 Outlines2 outlines(const Scene2& scene) {
@@ -91,4 +91,4 @@ TEST(Frame2, KeepsSlenderScenesWithinBounds) {
 }
 
 }  // namespace
-}  // namespace hottel::outlines_test::outlines_test
+}  // namespace hottel::outlines_test

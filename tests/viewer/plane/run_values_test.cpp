@@ -17,7 +17,7 @@
 #include "viewer/picture/colour_map.h"
 #include "viewer/picture/plane/scene_painter.h"
 
-namespace hottel::run_values_test::run_values_test {
+namespace hottel::run_values_test {
 namespace {
 
 const Frame2 kFrame(Point2{0, 0}, Point2{4, 3}, 400, 300);
@@ -152,4 +152,4 @@ TEST(ScenePicture2, BlendedStripesRunBetweenTheColoursOfTheirValues) {
 }
 
 }  // namespace
-}  // namespace hottel::run_values_test::run_values_test
+}  // namespace hottel::run_values_test

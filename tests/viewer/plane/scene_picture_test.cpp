@@ -10,7 +10,7 @@
 #include "viewer/picture/plane/scene_painter.h"
 #include "viewer/picture/plane/scene_sheet.h"
 
-namespace hottel::scene_picture_test::scene_picture_test {
+namespace hottel::scene_picture_test {
 namespace {
 
 using testing::StartsWith;
@@ -207,4 +207,4 @@ TEST(ScenePicture2, RefusesWidthsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_picture_test::scene_picture_test
+}  // namespace hottel::scene_picture_test

@@ -8,7 +8,7 @@
 #include "viewer/picture/plane/scene_sheet.h"
 #include "viewer/picture/plane/visibility_painter.h"
 
-namespace hottel::visibility_picture_test::visibility_picture_test {
+namespace hottel::visibility_picture_test {
 namespace {
 
 using testing::StartsWith;
@@ -110,4 +110,4 @@ TEST(VisibilityPicture2, BecomesAFileOfEitherFormat) {
 }
 
 }  // namespace
-}  // namespace hottel::visibility_picture_test::visibility_picture_test
+}  // namespace hottel::visibility_picture_test

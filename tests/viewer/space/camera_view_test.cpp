@@ -17,7 +17,7 @@
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/space/render_picture.h"
 
-namespace hottel::camera_view_test::camera_view_test {
+namespace hottel::camera_view_test {
 namespace {
 
 using Polygon = std::vector<Pixel>;
@@ -260,4 +260,4 @@ TEST(RenderPicture3, IsAPngOfTheSizeAskedFor) {
 }
 
 }  // namespace
-}  // namespace hottel::camera_view_test::camera_view_test
+}  // namespace hottel::camera_view_test

@@ -10,7 +10,7 @@
 #include "io/foreign/space/foreign_matrix.h"
 #include "io/scene/scene_json.h"
 
-namespace hottel::error_map_test::error_map_test {
+namespace hottel::error_map_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -55,4 +55,4 @@ TEST(ErrorMap3, AMethodWithoutRadiositiesHasNoValues) {
 }
 
 }  // namespace
-}  // namespace hottel::error_map_test::error_map_test
+}  // namespace hottel::error_map_test

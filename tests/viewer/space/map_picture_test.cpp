@@ -10,7 +10,7 @@
 #include "kernel/support/failure.h"
 #include "viewer/picture/recording_canvas.h"
 
-namespace hottel::map_picture_test::map_picture_test {
+namespace hottel::map_picture_test {
 namespace {
 
 using Kind = RecordingCanvas::Kind;
@@ -123,4 +123,4 @@ TEST(MapPicture3, BecomesAFileOfEitherFormat) {
 }
 
 }  // namespace
-}  // namespace hottel::map_picture_test::map_picture_test
+}  // namespace hottel::map_picture_test

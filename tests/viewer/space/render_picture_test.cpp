@@ -19,7 +19,7 @@
 #include "viewer/picture/recording_canvas.h"
 #include "viewer/picture/space/grown_polygon.h"
 
-namespace hottel::render_picture_test::render_picture_test {
+namespace hottel::render_picture_test {
 namespace {
 
 using testing::HasSubstr;
@@ -245,4 +245,4 @@ TEST(RenderedView3, FilesAreOfTheirKindAndTheSameEveryTime) {
 }
 
 }  // namespace
-}  // namespace hottel::render_picture_test::render_picture_test
+}  // namespace hottel::render_picture_test

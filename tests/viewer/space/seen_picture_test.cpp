@@ -12,7 +12,7 @@
 #include "solver/space/simulation/simulation.h"
 #include "viewer/picture/space/camera_view.h"
 
-namespace hottel::seen_picture_test::seen_picture_test {
+namespace hottel::seen_picture_test {
 namespace {
 
 class SeenPicture : public testing::Test {
@@ -125,4 +125,4 @@ TEST(ToneCurve, NearLevelsAreNear) {
 }
 
 }  // namespace
-}  // namespace hottel::seen_picture_test::seen_picture_test
+}  // namespace hottel::seen_picture_test

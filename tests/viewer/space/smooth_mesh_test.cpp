@@ -20,7 +20,7 @@
 #include "io/scene/scene_json.h"
 #include "viewer/picture/space/camera_view.h"
 
-namespace hottel::smooth_mesh_test::smooth_mesh_test {
+namespace hottel::smooth_mesh_test {
 namespace {
 
 struct LexicalLess {
@@ -382,4 +382,4 @@ TEST(CameraView3, LinearValuesStayLinear) {
 }
 
 }  // namespace
-}  // namespace hottel::smooth_mesh_test::smooth_mesh_test
+}  // namespace hottel::smooth_mesh_test

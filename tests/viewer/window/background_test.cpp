@@ -10,7 +10,7 @@
 
 #include "kernel/support/interrupt.h"
 
-namespace hottel::background_test::background_test {
+namespace hottel::background_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -214,4 +214,4 @@ TEST(BackgroundThread, EndsAtAnyMoment) {
 }
 
 }  // namespace
-}  // namespace hottel::background_test::background_test
+}  // namespace hottel::background_test

@@ -9,7 +9,7 @@
 #include "viewer/picture/recording_canvas.h"
 #include "viewer/window/panel.h"
 
-namespace hottel::commands_test::commands_test {
+namespace hottel::commands_test {
 namespace {
 
 using Kind = RecordingCanvas::Kind;
@@ -166,4 +166,4 @@ TEST(Panel, SetsColumnsBeneathEachOther) {
 }
 
 }  // namespace
-}  // namespace hottel::commands_test::commands_test
+}  // namespace hottel::commands_test

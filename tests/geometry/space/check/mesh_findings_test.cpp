@@ -7,7 +7,7 @@
 
 #include "tests/geometry/space/check/small_scene.h"
 
-namespace hottel::mesh_findings_test::mesh_findings_test {
+namespace hottel::mesh_findings_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -128,4 +128,4 @@ TEST(Meshes3, EdgesOfManyAreNoted) {
 }
 
 }  // namespace
-}  // namespace hottel::mesh_findings_test::mesh_findings_test
+}  // namespace hottel::mesh_findings_test

@@ -9,7 +9,7 @@
 #include "geometry/space/scene/near_plane.h"
 #include "tests/geometry/space/check/small_scene.h"
 
-namespace hottel::near_contacts_test::near_contacts_test {
+namespace hottel::near_contacts_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -180,4 +180,4 @@ TEST(Shapes3, DuplicatesNeedlesAndBentPolygonsAreTold) {
 }
 
 }  // namespace
-}  // namespace hottel::near_contacts_test::near_contacts_test
+}  // namespace hottel::near_contacts_test

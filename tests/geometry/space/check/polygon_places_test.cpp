@@ -5,7 +5,7 @@
 #include "geometry/space/check/corner_table.h"
 #include "tests/geometry/space/check/small_scene.h"
 
-namespace hottel::polygon_places_test::polygon_places_test {
+namespace hottel::polygon_places_test {
 namespace {
 
 using testing_space::q;
@@ -105,4 +105,4 @@ TEST(PolygonPlaces3, AHoleOnTheOutlineIsNoNarrowPlace) {
 }
 
 }  // namespace
-}  // namespace hottel::polygon_places_test::polygon_places_test
+}  // namespace hottel::polygon_places_test

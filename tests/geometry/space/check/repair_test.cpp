@@ -9,7 +9,7 @@
 #include "geometry/space/check/polygon_places.h"
 #include "tests/geometry/space/check/small_scene.h"
 
-namespace hottel::repair_test::repair_test {
+namespace hottel::repair_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -144,4 +144,4 @@ TEST(Repair3, PolygonsUpsideDownAreReversed) {
 }
 
 }  // namespace
-}  // namespace hottel::repair_test::repair_test
+}  // namespace hottel::repair_test

@@ -5,7 +5,7 @@
 #include "kernel/support/failure.h"
 #include "tests/viewer/edit/plane/edited_scenes.h"
 
-namespace hottel::edit_history_test::edit_history_test {
+namespace hottel::edit_history_test {
 namespace {
 
 using EditHistory2 = EditHistory<Scene2>;
@@ -161,4 +161,4 @@ TEST(EditHistory2, RefusesDragsThatAreNoneOrTwo) {
 }
 
 }  // namespace
-}  // namespace hottel::edit_history_test::edit_history_test
+}  // namespace hottel::edit_history_test

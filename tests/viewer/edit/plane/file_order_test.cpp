@@ -9,7 +9,7 @@
 
 #include "tests/viewer/edit/plane/edited_scenes.h"
 
-namespace hottel::file_order_test::file_order_test {
+namespace hottel::file_order_test {
 namespace {
 
 using testing::ElementsAre;
@@ -114,4 +114,4 @@ TEST(FileOrder2, ForgetsGroupsWithoutSurfaces) {
 }
 
 }  // namespace
-}  // namespace hottel::file_order_test::file_order_test
+}  // namespace hottel::file_order_test

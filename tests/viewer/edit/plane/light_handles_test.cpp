@@ -9,7 +9,7 @@
 #include "tests/viewer/edit/plane/edited_scenes.h"
 #include "viewer/edit/plane/scene_editor.h"
 
-namespace hottel::light_handles_test::light_handles_test {
+namespace hottel::light_handles_test {
 namespace {
 
 constexpr double kReach = 0.1, kArm = 0.5;
@@ -169,4 +169,4 @@ TEST(SceneEditor2Lights, AreReadAgainAsTheyAreWritten) {
 }
 
 }  // namespace
-}  // namespace hottel::light_handles_test::light_handles_test
+}  // namespace hottel::light_handles_test

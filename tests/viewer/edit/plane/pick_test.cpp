@@ -10,7 +10,7 @@
 #include "geometry/plane/scene/closest_point.h"
 #include "tests/viewer/edit/plane/edited_scenes.h"
 
-namespace hottel::pick_test::pick_test {
+namespace hottel::pick_test {
 namespace {
 
 using testing::ElementsAre;
@@ -147,4 +147,4 @@ TEST(ScenePick2, FindsWhatLiesWhollyInARectangle) {
 }
 
 }  // namespace
-}  // namespace hottel::pick_test::pick_test
+}  // namespace hottel::pick_test

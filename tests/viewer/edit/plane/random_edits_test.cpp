@@ -13,7 +13,7 @@
 #include "viewer/edit/plane/scene_edits.h"
 #include "viewer/edit/plane/snapping.h"
 
-namespace hottel::random_edits_test::random_edits_test {
+namespace hottel::random_edits_test {
 namespace {
 
 // Edits a scene at random.
@@ -167,4 +167,4 @@ TEST(RandomEdits2, AreSavedAsTheyAreSeenInASmallRoom) {
 }
 
 }  // namespace
-}  // namespace hottel::random_edits_test::random_edits_test
+}  // namespace hottel::random_edits_test

@@ -4,7 +4,7 @@
 #include "io/scene/scene_json.h"
 #include "viewer/edit/plane/scene_editor.h"
 
-namespace hottel::scene_editor_hold_test::scene_editor_hold_test {
+namespace hottel::scene_editor_hold_test {
 namespace {
 
 constexpr const char* kScene = R"({
@@ -37,4 +37,4 @@ TEST(SceneEditorHold2, WhatWasReadAgainIsNotDragged) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_editor_hold_test::scene_editor_hold_test
+}  // namespace hottel::scene_editor_hold_test

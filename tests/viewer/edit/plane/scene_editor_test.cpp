@@ -7,7 +7,7 @@
 
 #include "tests/viewer/edit/plane/edited_scenes.h"
 
-namespace hottel::scene_editor_test::scene_editor_test {
+namespace hottel::scene_editor_test {
 namespace {
 
 using testing::ElementsAre;
@@ -467,4 +467,4 @@ TEST(SceneEditor2, HandsAtRandomLeaveItConsistent) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_editor_test::scene_editor_test
+}  // namespace hottel::scene_editor_test

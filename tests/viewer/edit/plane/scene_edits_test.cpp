@@ -6,7 +6,7 @@
 #include "kernel/support/failure.h"
 #include "tests/viewer/edit/plane/edited_scenes.h"
 
-namespace hottel::scene_edits_test::scene_edits_test {
+namespace hottel::scene_edits_test {
 namespace {
 
 using testing::ElementsAre;
@@ -321,4 +321,4 @@ TEST(SceneEdits2, RefuseIndicesOutOfRange) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_edits_test::scene_edits_test
+}  // namespace hottel::scene_edits_test

@@ -9,7 +9,7 @@
 #include "kernel/support/failure.h"
 #include "tests/viewer/edit/plane/edited_scenes.h"
 
-namespace hottel::snapping_test::snapping_test {
+namespace hottel::snapping_test {
 namespace {
 
 using To = Snap2::To;
@@ -137,4 +137,4 @@ TEST(Snapper2, SnapsInScenesOfAnySizeAndFarAway) {
 }
 
 }  // namespace
-}  // namespace hottel::snapping_test::snapping_test
+}  // namespace hottel::snapping_test

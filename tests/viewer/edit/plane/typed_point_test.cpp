@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace hottel::typed_point_test::typed_point_test {
+namespace hottel::typed_point_test {
 namespace {
 
 TEST(TypedPoint2, IsExact) {
@@ -22,4 +22,4 @@ TEST(TypedPoint2, HasTwoCoordinates) {
 }
 
 }  // namespace
-}  // namespace hottel::typed_point_test::typed_point_test
+}  // namespace hottel::typed_point_test

@@ -8,7 +8,7 @@
 
 #include "kernel/support/failure.h"
 
-namespace hottel::light_handles_test::light_handles_test {
+namespace hottel::light_handles_test {
 namespace {
 
 constexpr double kPixel = 0.01;
@@ -175,4 +175,4 @@ TEST(LightHandles3, TurnAboutTheVerticalByQuartersExactly) {
 }
 
 }  // namespace
-}  // namespace hottel::light_handles_test::light_handles_test
+}  // namespace hottel::light_handles_test

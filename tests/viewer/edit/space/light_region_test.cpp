@@ -7,7 +7,7 @@
 
 #include "io/scene/scene_json.h"
 
-namespace hottel::light_region_test::light_region_test {
+namespace hottel::light_region_test {
 namespace {
 
 // The faces of a box as one group, with their fronts outward, or inward.
@@ -58,4 +58,4 @@ TEST(LightRegion, DoesNotLeaveAllRooms) {
 }
 
 }  // namespace
-}  // namespace hottel::light_region_test::light_region_test
+}  // namespace hottel::light_region_test

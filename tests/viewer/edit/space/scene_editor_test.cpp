@@ -7,7 +7,7 @@
 #include "kernel/support/failure.h"
 #include "viewer/edit/space/light_region.h"
 
-namespace hottel::scene_editor_test::scene_editor_test {
+namespace hottel::scene_editor_test {
 namespace {
 
 // A floor, a wall behind it, a spot above the floor and a bulb.
@@ -168,4 +168,4 @@ TEST(SceneEditor3, WhatIsEditedIsReadAgainAsItIsWritten) {
 }
 
 }  // namespace
-}  // namespace hottel::scene_editor_test::scene_editor_test
+}  // namespace hottel::scene_editor_test

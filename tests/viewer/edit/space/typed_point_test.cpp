@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace hottel::typed_point_test::typed_point_test {
+namespace hottel::typed_point_test {
 namespace {
 
 TEST(TypedPoint3, IsExactAndHasThreeCoordinates) {
@@ -18,4 +18,4 @@ TEST(TypedPoint3, IsExactAndHasThreeCoordinates) {
 }
 
 }  // namespace
-}  // namespace hottel::typed_point_test::typed_point_test
+}  // namespace hottel::typed_point_test

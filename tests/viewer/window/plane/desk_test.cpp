@@ -23,7 +23,7 @@
 #include "viewer/window/recording_window.h"
 #include "viewer/window/script_player.h"
 
-namespace hottel::desk_test::desk_test {
+namespace hottel::desk_test {
 namespace {
 
 using testing::ElementsAre;
@@ -1001,4 +1001,4 @@ TEST(DeskThread, PlaysAScript) {
 }
 
 }  // namespace
-}  // namespace hottel::desk_test::desk_test
+}  // namespace hottel::desk_test

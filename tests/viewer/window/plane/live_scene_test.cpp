@@ -23,7 +23,7 @@
 #include "viewer/window/plane/scene_file.h"
 #include "viewer/window/plane/scene_looks.h"
 
-namespace hottel::live_scene_test::live_scene_test {
+namespace hottel::live_scene_test {
 namespace {
 
 using testing::HasSubstr;
@@ -679,4 +679,4 @@ TEST_F(SceneFileTest, RefusesASceneThatIsNoneAndLeavesTheFile) {
 }
 
 }  // namespace
-}  // namespace hottel::live_scene_test::live_scene_test
+}  // namespace hottel::live_scene_test

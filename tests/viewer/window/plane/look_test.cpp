@@ -37,7 +37,7 @@
 #include "viewer/window/plane/camera.h"
 #include "viewer/window/plane/look_painter.h"
 
-namespace hottel::look_test::look_test {
+namespace hottel::look_test {
 namespace {
 
 using testing::Contains;
@@ -600,4 +600,4 @@ TEST(DrawLook2, WithoutLightThereIsThePlan) {
 }
 
 }  // namespace
-}  // namespace hottel::look_test::look_test
+}  // namespace hottel::look_test

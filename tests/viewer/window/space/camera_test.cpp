@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace hottel::camera_test::camera_test {
+namespace hottel::camera_test {
 namespace {
 
 constexpr FrameSize kFrame{800, 600};
@@ -145,4 +145,4 @@ TEST(EyeCamera3, SeesPlacesWhereTheyAre) {
 }
 
 }  // namespace
-}  // namespace hottel::camera_test::camera_test
+}  // namespace hottel::camera_test

@@ -8,7 +8,7 @@
 #include "tests/viewer/window/space/hand.h"
 #include "viewer/window/space/light_lines.h"
 
-namespace hottel::desk_lights_test::desk_lights_test {
+namespace hottel::desk_lights_test {
 namespace {
 
 using testing::StartsWith;
@@ -236,4 +236,4 @@ TEST(Desk3Lights, AreSavedAsTheyAreSeen) {
 }
 
 }  // namespace
-}  // namespace hottel::desk_lights_test::desk_lights_test
+}  // namespace hottel::desk_lights_test

@@ -15,7 +15,7 @@
 #include "viewer/window/space/commands.h"
 #include "viewer/window/space/first_light.h"
 
-namespace hottel::desk_test::desk_test {
+namespace hottel::desk_test {
 namespace {
 
 using testing::ElementsAre;
@@ -314,4 +314,4 @@ TEST(Desk3, SaysWhyThereIsNoLight) {
 }
 
 }  // namespace
-}  // namespace hottel::desk_test::desk_test
+}  // namespace hottel::desk_test

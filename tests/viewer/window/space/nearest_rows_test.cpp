@@ -14,7 +14,7 @@
 #include "viewer/window/space/first_light.h"
 #include "viewer/window/space/live_version.h"
 
-namespace hottel::nearest_rows_test::nearest_rows_test {
+namespace hottel::nearest_rows_test {
 namespace {
 
 Scene3 boxes() {
@@ -148,4 +148,4 @@ TEST_F(Arriving, RowsThatAreMissingKeepTheirLight) {
 }
 
 }  // namespace
-}  // namespace hottel::nearest_rows_test::nearest_rows_test
+}  // namespace hottel::nearest_rows_test
