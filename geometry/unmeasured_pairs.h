@@ -18,4 +18,17 @@ class UnmeasuredPairs : public RequestError {
   std::size_t count_;
 };
 
+// As naming_file does, and these stay what they are.
+template <class Work>
+auto naming_file_of_pairs(const std::string& file, const Work& work) {
+  const auto named = [&](const char* text) { return file.empty() ? std::string(text) : file + ": " + text; };
+  try {
+    return work();
+  } catch (const UnmeasuredPairs& error) {
+    throw UnmeasuredPairs(named(error.what()), error.count());
+  } catch (const RequestError& error) {
+    throw RequestError(named(error.what()));
+  }
+}
+
 }  // namespace hottel

@@ -104,7 +104,8 @@ TEST(Layers, NothingIncludesUpwardsAndNoHeaderBringsCgal) {
 }
 
 // The way of a coordinate through a slice of the geometry, from the signs it decides to the factors that are printed.
-constexpr std::array<const char*, 6> kStages{"predicates", "scene", "arrangement", "visibility", "exchange", "check"};
+constexpr std::array<const char*, 7> kStages{"predicates", "scene",    "arrangement", "contacts",
+                                             "visibility", "exchange", "check"};
 
 // The stage of a file of a slice; that of what stands beside the stages, or makes scenes up, is none.
 std::optional<std::size_t> stage_of(const fs::path& path) {

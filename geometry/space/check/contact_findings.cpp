@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "geometry/name.h"
-#include "geometry/space/check/corner_table.h"
-#include "geometry/space/check/polygon_places.h"
 #include "geometry/space/check/wording.h"
+#include "geometry/space/contacts/corner_table.h"
+#include "geometry/space/contacts/polygon_places.h"
 #include "geometry/space/scene/bent_loops.h"
 #include "kernel/decimal.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/space/check/finding.h"
-#include "geometry/space/check/near_contacts.h"
+#include "geometry/space/contacts/near_contacts.h"
 
 namespace hottel {
 

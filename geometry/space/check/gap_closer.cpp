@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "geometry/name.h"
-#include "geometry/space/check/box_tree.h"
-#include "geometry/space/check/corner_table.h"
-#include "geometry/space/check/polygon_places.h"
 #include "geometry/space/check/repaired_shapes.h"
 #include "geometry/space/check/wording.h"
+#include "geometry/space/contacts/box_tree.h"
+#include "geometry/space/contacts/corner_table.h"
+#include "geometry/space/contacts/polygon_places.h"
 
 namespace hottel {
 namespace {

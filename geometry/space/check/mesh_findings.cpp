@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "geometry/name.h"
-#include "geometry/space/check/box_tree.h"
-#include "geometry/space/check/corner_table.h"
 #include "geometry/space/check/wording.h"
+#include "geometry/space/contacts/box_tree.h"
+#include "geometry/space/contacts/corner_table.h"
 
 namespace hottel {
 namespace {

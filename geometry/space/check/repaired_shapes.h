@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/space/check/polygon_places.h"
+#include "geometry/space/contacts/polygon_places.h"
 #include "geometry/space/scene/polygon.h"
 
 namespace hottel {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "geometry/name.h"
-#include "geometry/space/check/polygon_places.h"
 #include "geometry/space/check/wording.h"
+#include "geometry/space/contacts/polygon_places.h"
 
 namespace hottel {
 namespace {

@@ -27,9 +27,9 @@ void set_ratio(const IntegerVector& numerator, const Integer& denominator, long 
   if constexpr (std::is_same_v<Real, double>) {
     result = ratio(numerator, denominator, shift);
   } else {
-    set_quotient(numerator.x, denominator, shift, result.x);
-    set_quotient(numerator.y, denominator, shift, result.y);
-    set_quotient(numerator.z, denominator, shift, result.z);
+    integer_reals::set_quotient(numerator.x, denominator, shift, result.x);
+    integer_reals::set_quotient(numerator.y, denominator, shift, result.y);
+    integer_reals::set_quotient(numerator.z, denominator, shift, result.z);
   }
 }
 

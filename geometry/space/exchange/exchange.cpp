@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "geometry/name.h"
-#include "geometry/space/check/near_contacts.h"
+#include "geometry/space/contacts/near_contacts.h"
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange_memory.h"
 #include "geometry/space/exchange/exchange_rows.h"

@@ -30,9 +30,9 @@ long leading_bits(const std::array<IntegerVector, 3>& powers) {
 template <class Real>
 LocalVector3<Real> wide(const IntegerVector& a, long shift) {
   LocalVector3<Real> result;
-  set_quotient(a.x, 1, shift, result.x);
-  set_quotient(a.y, 1, shift, result.y);
-  set_quotient(a.z, 1, shift, result.z);
+  integer_reals::set_quotient(a.x, 1, shift, result.x);
+  integer_reals::set_quotient(a.y, 1, shift, result.y);
+  integer_reals::set_quotient(a.z, 1, shift, result.z);
   return result;
 }
 

@@ -5,7 +5,7 @@
 
 #include "kernel/exact_double.h"
 
-namespace hottel {
+namespace hottel::integer_reals {
 namespace {
 
 constexpr long kFractionBits = 128;
@@ -47,4 +47,4 @@ void set_quotient(const Integer& top, const Integer& bottom, long bits, WideReal
   mpfr_mul_2si(number, number, -bits, MPFR_RNDN);
 }
 
-}  // namespace hottel
+}  // namespace hottel::integer_reals

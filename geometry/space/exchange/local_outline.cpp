@@ -16,9 +16,9 @@ LocalVector3<Real> position(const LocalPair3& pair, int side, const LocalPair3::
     p = {std::ldexp(q.x, -exponent), std::ldexp(q.y, -exponent), std::ldexp(q.z, -exponent)};
   } else {
     const auto [top, bottom] = pair.exact_position(side, corner);
-    set_quotient(top.x, bottom, pair.shift() + exponent, p.x);
-    set_quotient(top.y, bottom, pair.shift() + exponent, p.y);
-    set_quotient(top.z, bottom, pair.shift() + exponent, p.z);
+    integer_reals::set_quotient(top.x, bottom, pair.shift() + exponent, p.x);
+    integer_reals::set_quotient(top.y, bottom, pair.shift() + exponent, p.y);
+    integer_reals::set_quotient(top.z, bottom, pair.shift() + exponent, p.z);
   }
   return p;
 }

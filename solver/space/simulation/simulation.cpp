@@ -11,6 +11,7 @@
 #include "geometry/space/exchange/exchange.h"
 #include "geometry/space/exchange/exchange_rows.h"
 #include "geometry/space/scene/validation.h"
+#include "geometry/unmeasured_pairs.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/memory.h"
 #include "kernel/support/naming_file.h"
@@ -71,7 +72,7 @@ ComputedFactors3 make_factors(const PreparedScene3& prepared, const FactorsReque
     const auto compute = [&] { return factors_by(*request.method, prepared, request, progress); };
     return request.store ? kept_factors_3(*request.store, *request.method, prepared, asked, compute) : compute();
   }
-  return naming_file(prepared.scene.file, [&] {
+  return naming_file_of_pairs(prepared.scene.file, [&] {
     ComputedFactors3 result;
     const std::function<void(double)> told = telling("view factors", progress);
     ExchangeRows3 rows(prepared, asked);

@@ -226,13 +226,13 @@ TEST(IntegerReals3, QuotientsKeepTheirDigitsHoweverSmall) {
   const Integer long_one("1" + std::string(60, '0'));
   for (const long bits : {0L, 70L, -70L}) {
     long double one;
-    set_quotient(third * 3 + 1, long_one, bits, one);
+    integer_reals::set_quotient(third * 3 + 1, long_one, bits, one);
     EXPECT_EQ(one, std::ldexp(1.0L, static_cast<int>(-bits)));
     long double small;
-    set_quotient(1, Integer(3) << 200, bits, small);
+    integer_reals::set_quotient(1, Integer(3) << 200, bits, small);
     EXPECT_NEAR(static_cast<double>(std::ldexp(small, static_cast<int>(bits + 200)) * 3), 1, 1e-18);
     WideReal wide;
-    set_quotient(1, Integer(3) << 200, bits, wide);
+    integer_reals::set_quotient(1, Integer(3) << 200, bits, wide);
     EXPECT_LE(abs(ldexp(wide, static_cast<int>(bits + 200)) * 3 - 1), WideReal(1e-90));
   }
 }

@@ -68,7 +68,7 @@ class NumberWriter {
       for (SolidBody3::Face& face : body.faces) {
         if (room_->numbers == RoomNumbers3::kFloats) {
           for (Polygon3& triangle : triangles(face.polygon)) {
-            is_flat = is_flat || doubled_area(triangle).is_zero();
+            is_flat = is_flat || !polygon_problem(triangle).text.empty();
             faces.push_back({std::move(triangle), face.material, face.back});
           }
         } else {
@@ -83,11 +83,13 @@ class NumberWriter {
     std::erase_if(room_->bodies, [](const SolidBody3& body) { return body.faces.empty(); });
   }
 
-  // The same for a turned polygon, whose corners are off their plane by rounding.
+  // The same for a turned polygon, whose corners are off their plane by rounding. One that rounding has made flat
+  // stays.
   std::vector<Polygon3> triangles(const Polygon3& polygon) {
     Polygon3 bent = polygon;
     const bool has_triangles = accept_nearly_plane(bent, Rational(1, 1000));
-    return has_triangles ? facets_of(bent) : mesh_triangles(polygon);
+    if (has_triangles) return facets_of(bent);
+    return polygon_problem(polygon).text.empty() ? mesh_triangles(polygon) : std::vector<Polygon3>{polygon};
   }
 
   // Two of its corners are nearer to each other than rounding may turn it inside out.

@@ -1,4 +1,4 @@
-#include "geometry/space/check/near_contacts.h"
+#include "geometry/space/contacts/near_contacts.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

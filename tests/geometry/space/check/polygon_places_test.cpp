@@ -1,8 +1,8 @@
-#include "geometry/space/check/polygon_places.h"
+#include "geometry/space/contacts/polygon_places.h"
 
 #include <gtest/gtest.h>
 
-#include "geometry/space/check/corner_table.h"
+#include "geometry/space/contacts/corner_table.h"
 #include "tests/geometry/space/check/small_scene.h"
 
 namespace hottel::polygon_places_test {

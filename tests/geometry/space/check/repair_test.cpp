@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "geometry/space/check/near_contacts.h"
-#include "geometry/space/check/polygon_places.h"
+#include "geometry/space/contacts/near_contacts.h"
+#include "geometry/space/contacts/polygon_places.h"
 #include "tests/geometry/space/check/small_scene.h"
 
 namespace hottel::repair_test {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/space/arrangement/surface_boxes.h"
-#include "geometry/space/check/polygon_places.h"
+#include "geometry/space/contacts/polygon_places.h"
 #include "geometry/space/predicates/vertices.h"
 
 namespace hottel {

@@ -1,4 +1,4 @@
-#include "geometry/space/check/corner_table.h"
+#include "geometry/space/contacts/corner_table.h"
 
 #include <algorithm>
 #include <cmath>

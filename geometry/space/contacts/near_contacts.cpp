@@ -1,4 +1,4 @@
-#include "geometry/space/check/near_contacts.h"
+#include "geometry/space/contacts/near_contacts.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
-#include "geometry/space/check/box_tree.h"
-#include "geometry/space/check/corner_table.h"
-#include "geometry/space/check/polygon_places.h"
+#include "geometry/space/contacts/box_tree.h"
+#include "geometry/space/contacts/corner_table.h"
+#include "geometry/space/contacts/polygon_places.h"
 #include "geometry/space/scene/facet_scene.h"
 
 namespace hottel {

@@ -1,4 +1,4 @@
-#include "geometry/space/check/box_tree.h"
+#include "geometry/space/contacts/box_tree.h"
 
 #include <algorithm>
 #include <cmath>
