@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/space/exchange/integer_reals.h"
+#include "kernel/exact_double.h"
 
 namespace hottel {
 namespace {
@@ -137,7 +138,7 @@ std::vector<PairStretch3> EdgeSum3::cut_at_jumps(double most) const {
       const double from = cuts[k], to = cuts[k + 1], width = to - from;
       PairStretch3 part = *seen_[s].stretch;
       if (cuts.size() > 2) {
-        part.made = part_of(seen_[s].stretch->line(), Rational(from), Rational(to));
+        part.made = part_of(seen_[s].stretch->line(), exact_value(from), exact_value(to));
         part.known = nullptr;
         part.low = std::clamp((part.low - from) / width - kSlack, 0.0, 1.0);
         part.high = std::clamp((part.high - from) / width + kSlack, 0.0, 1.0);

@@ -14,7 +14,7 @@
 #include "geometry/exchange_request.h"
 #include "geometry/space/exchange/element_table.h"
 #include "geometry/space/exchange/exchange_report.h"
-#include "geometry/space/exchange/pair_sums.h"
+#include "geometry/space/exchange/pair_sum.h"
 #include "geometry/space/exchange/prepared_scene.h"
 
 namespace hottel {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/pair_sums.h"
+#include "geometry/space/exchange/pair_sum.h"
 
 namespace hottel {
 

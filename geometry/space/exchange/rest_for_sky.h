@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/space/exchange/element_table.h"
-#include "geometry/space/exchange/pair_sums.h"
+#include "geometry/space/exchange/pair_sum.h"
 
 namespace hottel {
 

@@ -1,0 +1,75 @@
+// Exchange measures of pairs of elements, and what is asked and told of them.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/pair_ranges.h"
+#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/exchange_report.h"
+#include "geometry/space/exchange/prepared_scene.h"
+#include "kernel/enclosure.h"
+
+namespace hottel {
+
+// S of two elements, i <= j, or of one and the sky: the sum over their patches, in the unit of PairMeasurer3.
+struct PairSum3 {
+  std::uint32_t i, j;
+  double measure = 0, error = 0;  // |measure - S| <= error, an estimate; may be 0 where S is not
+  Enclosure bounds{0, 0};         // of S, proven
+  double alone =
+      0;  // S0 where each patch is measured with nothing else there; 0 of the sky; of groups until measure_alone()
+  bool is_whole = true;  // nothing hides any patch from another: S = S0
+
+  bool is_zero() const { return bounds.upper == 0; }  // S = 0
+  friend bool operator==(const PairSum3&, const PairSum3&) = default;
+};
+
+// Two elements that could not be measured within the tolerance.
+struct FailedPair3 {
+  std::uint32_t i, j;
+  double reached;       // the tolerance that was, relative to the smaller area
+  bool is_undecided;    // it could not be decided whether they see each other: then none was
+  std::string problem;  // of one of their patches
+};
+
+// Some pairs of all: those of which one element at least is called up, and none was before, and that are not known from
+// elsewhere. By label, the sky last.
+struct PairTurn3 {
+  const std::vector<char>& is_now;
+  const std::vector<char>& was_before;
+  const PairRanges* known = nullptr;  // null: none are
+
+  // REQUIRES i <= j.
+  bool has(std::uint32_t i, std::uint32_t j) const {
+    return (is_now[i] != 0 || is_now[j] != 0) && was_before[i] == 0 && was_before[j] == 0 &&
+           (known == nullptr || !known->has(i, j));
+  }
+};
+
+// Gets pairs of elements that are done while others are being measured, as PairHandover3 says, by whatever thread; what
+// it writes into them stays. It may throw to stop.
+using PairSink3 = std::function<void(std::span<PairSum3> pairs, const PairRanges& known)>;
+
+// What is asked.
+struct PairSumRequest3 {
+  double tolerance = 1e-9;        // as PairRequest3
+  bool wants_visibility = false;  // PairSum3::alone and is_whole; else alone is 0 and is_whole means nothing
+  std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max();  // beyond: RequestError
+  std::function<void(double)> progress = {};  // fraction done, from any thread; may throw to stop
+  const PairTurn3* turn = nullptr;            // these pairs alone; null: all
+  PairSink3 sink = {};                        // gets what is done, and before a failure or a stop all that is
+  std::chrono::duration<double> between{2};   // its calls
+};
+
+struct PairSums3 {
+  std::vector<PairSum3> pairs;        // by (i, j), the sky last
+  std::vector<FailedPair3> failures;  // by (i, j)
+};
+
+}  // namespace hottel
