@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/space/check/repair.h"
+#include "geometry/space/check/repaired_scene.h"
 
 namespace hottel {
 
