@@ -78,8 +78,7 @@ class NumberWriter {
         }
       }
       body.faces = std::move(faces);
-      if (is_flat || (body.kind == Kind::kSolid && is_thin(body)) || !is_valid_3(SolidBodies3{body}))
-        body.faces.clear();
+      if (is_flat || (body.kind == Kind::kSolid && is_thin(body))) body.faces.clear();
     }
     std::erase_if(room_->bodies, [](const SolidBody3& body) { return body.faces.empty(); });
   }

@@ -354,6 +354,11 @@ class Furnisher {
 
 }  // namespace
 
-FurnishedRoom3 furnished_room_3(std::uint64_t number) { return Furnisher(number).draw(); }
+FurnishedRoom3 furnished_room_3(std::uint64_t number) {
+  FurnishedRoom3 room = Furnisher(number).draw();
+  // Thin bodies that rounding turns inside out.
+  std::erase_if(room.bodies, [](const SolidBody3& body) { return !is_valid_3(SolidBodies3{body}); });
+  return room;
+}
 
 }  // namespace hottel::storm
