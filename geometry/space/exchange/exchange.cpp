@@ -37,7 +37,7 @@ std::string pair_text(const std::vector<Element>& elements, std::uint32_t i, std
 
 // Rounded up, so that it holds.
 std::string reached_text(const FailedPair3& failure) {
-  if (failure.is_undecided) return failure.problem;
+  if (failure.is_undecided || !(failure.reached > 0 && std::isfinite(failure.reached))) return failure.problem;
   const double scale = std::pow(10.0, std::floor(std::log10(failure.reached)) - 1);
   return fmt::format("{:.1e} was reached: {}", std::ceil(failure.reached / scale) * scale, failure.problem);
 }
