@@ -115,8 +115,8 @@ TEST(RequireMemory, RefusesByNameWhatNoMachineHolds) {
   EXPECT_NO_THROW(Simulation2(apartment, {.granularity = Granularity::kFace}).factors());
 }
 
-// The resident set grows by no more than was said, and not by far less: of scenes that take some ten megabytes and
-// more. What the allocator keeps and stacks of threads take is beside it.
+// The resident set grows by no more than was said and, where pairs are known, not by far less: of scenes that take some
+// ten megabytes and more. What the allocator keeps and stacks of threads take is beside it.
 constexpr double kLess = 5, kMore = 1.3, kBeside = 3e7;
 
 template <class AnySimulation, class AnyScene, class Request>
@@ -129,7 +129,8 @@ void expect_as_said(AnyScene scene, const Request& request) {
   simulation.radiosities();
   const double growth = memory.growth();
   EXPECT_LT(growth, kMore * estimate.peak() + kBeside) << about;
-  EXPECT_GT(growth + kBeside, estimate.peak() / kLess) << about;
+  const bool are_known = estimate.stages()[1].unit == "visible pairs";
+  EXPECT_GT(growth + kBeside, are_known ? estimate.peak() / kLess : 0) << about;
   testing::Test::RecordProperty(about, fmt::format("{:.3g} of {:.3g}", growth, estimate.peak()));
 }
 
