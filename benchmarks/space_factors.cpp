@@ -110,12 +110,12 @@ struct Tally {
 
   const Kind& of(Sight3 sight) const { return kinds[static_cast<std::size_t>(sight)]; }
 
-  // Measures a pair. Returns S.
-  double measure(const PreparedScene3& prepared, const Part& a, const Part& b, double tolerance) {
+  // Measures a pair of `a`, whose row it is. Returns S.
+  double measure(const PreparedScene3& prepared, PairRow3& row, const Part& a, const Part& b, double tolerance) {
     Stopwatch watch;
     PairMeasure3 pair;
     if (b.patch.is_sky() || surfaces_face_each_other(prepared.blockers(), a, b))
-      pair = prepared.measurer().measure(a.patch, b.patch, {.tolerance = tolerance});
+      pair = row.measure(b.patch, {.tolerance = tolerance});
     kinds[static_cast<std::size_t>(pair.sight)].seconds.push_back(watch.lap());
     maps += pair.maps;
     pieces += pair.pieces;
@@ -174,15 +174,17 @@ void pairs(benchmark::State& state, Room3 room, const Division& division, double
     Tally tally;
     std::vector<double> sums(table.count() + std::size_t{1}, 0);
     Stopwatch watch;
-    for (std::size_t a = 0; a < parts.size(); ++a)
+    for (std::size_t a = 0; a < parts.size(); ++a) {
+      PairRow3 row(prepared.measurer(), parts[a]->patch);
       for (std::size_t b = a + 1; b < parts.size(); ++b) {
         const Part &first = *parts[a], &second = *parts[b];
         const bool is_asked = table.has_row(first.label) || table.has_row(second.label);
         if (!is_asked || first.patch.surface == second.patch.surface) continue;
-        const double measure = tally.measure(prepared, first, second, tolerance);
+        const double measure = tally.measure(prepared, row, first, second, tolerance);
         sums[first.label] += measure;
         sums[second.label] += measure;
       }
+    }
     state.SetIterationTime(watch.lap());
     tally.tell(state, 1);
     set_closure(state, closure_defects(table, sums));
@@ -206,7 +208,7 @@ class StagesOfPairs {
     if (setting.sight != Sight3::kMixed) return;
     benchmark::DoNotOptimize(unobstructed_measure(blockers.vertices(), i, j, tolerance_ / 4));
     const double alone = watch.lap();
-    const std::vector<PairStretch3> stretches = pair_stretches(setting, stretches_, blockers.vertices(), i, j);
+    const std::vector<PairStretch3> stretches = pair_stretches(setting, stretches_, i, j);
     const double edges = watch.lap();
     StretchMapper3 mapper(setting.bodies);
     std::vector<StretchPiece3> pieces;
@@ -276,11 +278,12 @@ void town(benchmark::State& state, int buildings, int rows, double tolerance, Wh
     for (int row = 0; row < rows; ++row) {
       const std::uint32_t i = with_row[static_cast<std::size_t>(dice.roll(0, static_cast<int>(with_row.size()) - 1))];
       const Part& first = table.parts(i).front();
+      PairRow3 row_of_first(prepared.measurer(), first.patch);
       double sum = 0, sky = 0, others = 0;
       for (const Part* second : parts) {
         if (second->patch.surface == first.patch.surface) continue;
         Stopwatch watch;
-        sum += tally.measure(prepared, first, *second, tolerance);
+        sum += tally.measure(prepared, row_of_first, first, *second, tolerance);
         (second->patch.is_sky() ? sky : others) += watch.lap();
       }
       seconds.push_back(others + sky);

@@ -62,20 +62,26 @@ class SurfaceBoxes3 {
 
   // Appends the polygons whose boxes meet this one.
   void find(const Box3& box, std::vector<std::uint32_t>& found) const {
-    if (!nodes_.empty()) find(0, box, found);
+    find_where([&box](const Box3& other) { return other.meets(box); }, found);
+  }
+  // Appends the polygons whose boxes are so; a box in another one must be so only if that one is.
+  template <class IsSo>
+  void find_where(const IsSo& is_so, std::vector<std::uint32_t>& found) const {
+    if (!nodes_.empty()) find_where(0, is_so, found);
   }
 
  private:
-  void find(std::uint32_t n, const Box3& box, std::vector<std::uint32_t>& found) const {
-    if (!nodes_[n].meets(box)) return;
+  template <class IsSo>
+  void find_where(std::uint32_t n, const IsSo& is_so, std::vector<std::uint32_t>& found) const {
+    if (!is_so(nodes_[n])) return;
     const Blockers3::Node& node = blockers_->nodes()[n];
     if (node.left != 0) {
-      find(node.left, box, found);
-      find(node.right, box, found);
+      find_where(node.left, is_so, found);
+      find_where(node.right, is_so, found);
       return;
     }
     for (std::uint32_t k = node.begin; k < node.end; ++k)
-      if (const std::uint32_t s = blockers_->order()[k]; surfaces_[s].meets(box)) found.push_back(s);
+      if (const std::uint32_t s = blockers_->order()[k]; is_so(surfaces_[s])) found.push_back(s);
   }
 
   const Blockers3* blockers_;

@@ -1,6 +1,7 @@
 #include "geometry/space/exchange/pair_measure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <list>
@@ -18,6 +19,7 @@
 #include "geometry/space/exchange/patch_halves.h"
 #include "geometry/space/exchange/surface_stretches.h"
 #include "geometry/space/exchange/unobstructed.h"
+#include "geometry/space/hiding/hiders.h"
 #include "kernel/support/parallel.h"
 
 namespace hottel {
@@ -183,8 +185,14 @@ struct PairMeasurer3::Prepared {
   const Blockers3& blockers;
   SurfaceBoxes3 boxes;
   SurfaceStretches3 stretches;
+  Hiders3 hiders;
   explicit Prepared(const Blockers3& p)
-      : polygons(p), merged(p), blockers(merged.blockers()), boxes(blockers), stretches(blockers, boxes) {}
+      : polygons(p),
+        merged(p),
+        blockers(merged.blockers()),
+        boxes(blockers),
+        stretches(blockers, boxes),
+        hiders(blockers) {}
 
   // A patch as one of the surface that its polygon is part of: itself where that has the same number, else `copy`.
   const Patch3& placed(const Patch3& patch, Patch3& copy) const {
@@ -217,35 +225,57 @@ struct PairMeasurer3::Prepared {
 PairMeasurer3::PairMeasurer3(const Blockers3& blockers) : prepared_(std::make_unique<Prepared>(blockers)) {}
 PairMeasurer3::~PairMeasurer3() = default;
 
+namespace {
+
+// Whether a pair is to be measured as it usually is.
+bool is_usual(const PairRequest3& request) {
+  return !request.is_reversed && !request.always_along_edges &&
+         std::all_of(std::begin(request.origin_shift), std::end(request.origin_shift),
+                     [](double shift) { return shift == 0; });
+}
+
+}  // namespace
+
 PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request,
                                     PairDetails3* details) const {
   const DefaultFloatingPoint environment;
-  PairRequest3 shared = request;
-  if (!shared.share) shared.share = request.tolerance * least_area(i, j);
+  if (details == nullptr && is_usual(request) && request.asks_hiders) return PairRow3(*this, i).measure(j, request);
   Patch3 copies[2];
-  const Patch3 &first = prepared_->placed(i, copies[0]), &second = prepared_->placed(j, copies[1]);
-  const bool is_usual = !request.is_reversed && !request.always_along_edges &&
-                        std::all_of(std::begin(request.origin_shift), std::end(request.origin_shift),
-                                    [](double shift) { return shift == 0; });
-  const PairMeasure3 result = measure(first, second, shared, is_usual ? kMostCuts : 0, details);
+  const PairMeasure3 result =
+      measure(prepared_->placed(i, copies[0]), prepared_->placed(j, copies[1]), request, details, nullptr);
   if (details != nullptr && !prepared_->merged.is_plain()) prepared_->tell_polygons(*details);
   return result;
 }
 
-PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request, int cuts,
-                                    PairDetails3* details) const {
+PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request,
+                                    PairDetails3* details, FirstMet3* first_met) const {
+  if (first_met != nullptr && ((!j.is_sky() && first_met->is_never_first(j.surface)) || are_hidden(i, j, *first_met)))
+    return {};
+  PairRequest3 shared = request;
+  if (!shared.share) shared.share = request.tolerance * least_area(i, j);
   const PairSetting3 setting(prepared_->blockers, prepared_->boxes, request.is_reversed ? j : i,
-                             request.is_reversed ? i : j);
+                             request.is_reversed ? i : j, first_met);
+  return measure_set(setting, i, j, shared, is_usual(request) ? kMostCuts : 0, details, first_met);
+}
+
+bool PairMeasurer3::are_hidden(const Patch3& i, const Patch3& j, const FirstMet3& first_met) const {
+  const Hiders3& hiders = prepared_->hiders;
+  return hiders.hide(&i == &first_met.patch() ? first_met.placed() : hiders.placed(i), hiders.placed(j));
+}
+
+PairMeasure3 PairMeasurer3::measure_set(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                                        const PairRequest3& request, int cuts, PairDetails3* details,
+                                        const FirstMet3* first_met) const {
   const bool is_mixed = setting.sight == Sight3::kMixed;
-  if (is_mixed && cuts > 0 && setting.bodies.bodies.size() - 2 > kMostBetween)
-    if (PairMeasure3 halves = measure_in_halves(i, j, request, cuts); halves.problem.empty()) {
+  if (is_mixed && cuts > 0 && setting.count_between() > kMostBetween)
+    if (PairMeasure3 halves = measure_in_halves(setting, i, j, request, cuts, first_met); halves.problem.empty()) {
       if (details != nullptr) measure_along(setting, i, j, request, details);
       return halves;
     }
   PairMeasure3 whole = measure_along(setting, i, j, request, details);
   const bool may_cut = request.effort == Effort3::kAll && cuts > kMostCuts - kCutsWhereItFails;
   if (!is_mixed || whole.problem.empty() || !may_cut) return whole;
-  PairMeasure3 halves = measure_in_halves(i, j, request, cuts);
+  PairMeasure3 halves = measure_in_halves(setting, i, j, request, cuts, first_met);
   const auto rank = [](const PairMeasure3& a) { return std::tuple(a.is_undecided, !a.problem.empty(), a.error); };
   return rank(halves) < rank(whole) ? halves : whole;
 }
@@ -253,36 +283,58 @@ PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const Pair
 std::size_t PairMeasurer3::count_between(const Patch3& i, const Patch3& j) const {
   const DefaultFloatingPoint environment;
   Patch3 copies[2];
-  const PairSetting3 setting(prepared_->blockers, prepared_->boxes, prepared_->placed(i, copies[0]),
-                             prepared_->placed(j, copies[1]));
-  return setting.sight == Sight3::kMixed ? setting.bodies.bodies.size() - 2 : 0;
+  const Patch3 &first = prepared_->placed(i, copies[0]), &second = prepared_->placed(j, copies[1]);
+  FirstMet3 first_met(prepared_->hiders, first, prepared_->blockers.size());
+  if (are_hidden(first, second, first_met)) return 0;
+  const PairSetting3 setting(prepared_->blockers, prepared_->boxes, first, second, &first_met);
+  return setting.sight == Sight3::kMixed ? setting.count_between() : 0;
 }
 
-// What the halves of a patch cost with the other one, about: the squares of the numbers of surfaces between.
-double PairMeasurer3::work_in_halves(const Patch3& i, const Patch3& j, bool cuts_first) const {
-  double work = 0;
-  for (const Patch3& half : halves_of(cuts_first ? i : j)) {
-    const PairSetting3 setting(prepared_->blockers, prepared_->boxes, cuts_first ? half : i, cuts_first ? j : half);
-    const auto between = static_cast<double>(setting.bodies.bodies.size() - 2);
-    if (setting.sight == Sight3::kMixed) work += between * between;
+// One of both patches cut in two, and how each half and the other patch are settled: null where they exchange nothing.
+struct PairMeasurer3::Halves {
+  std::array<Patch3, 2> patches;
+  std::array<std::unique_ptr<const PairSetting3>, 2> settings;
+  double work = 0;  // what they cost, about: the squares of the numbers of surfaces between
+};
+
+PairMeasurer3::Halves PairMeasurer3::halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                                            bool cuts_first, const FirstMet3* first_met) const {
+  Halves halves{halves_of(cuts_first ? i : j), {}, 0};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Patch3 &half = halves.patches[k], &a = cuts_first ? half : i, &b = cuts_first ? j : half;
+    if (first_met != nullptr && are_hidden(a, b, *first_met)) continue;
+    auto of_half = std::make_unique<const PairSetting3>(prepared_->blockers, setting, a, b);
+    if (of_half->sight == Sight3::kHidden) continue;  // S = 0, and S0 where one does not face the other
+    const auto between = static_cast<double>(of_half->count_between());
+    if (of_half->sight == Sight3::kMixed) halves.work += between * between;
+    halves.settings[k] = std::move(of_half);
   }
-  return work;
+  return halves;
 }
 
-PairMeasure3 PairMeasurer3::measure_in_halves(const Patch3& i, const Patch3& j, const PairRequest3& request,
-                                              int cuts) const {
-  const bool cuts_first = work_in_halves(i, j, true) <= work_in_halves(i, j, false);
+PairMeasure3 PairMeasurer3::measure_in_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                                              const PairRequest3& request, int cuts, const FirstMet3* first_met) const {
+  Halves of_first = halves(setting, i, j, true, first_met), of_second = halves(setting, i, j, false, first_met);
+  const long shift = prepared_->blockers.vertices().shift();
+  // Of two that cost alike the longer one is cut.
+  const bool cuts_first =
+      of_first.work < of_second.work ||
+      (of_first.work == of_second.work && longest_side_squared(i, shift) >= longest_side_squared(j, shift));
+  const Halves& chosen = cuts_first ? of_first : of_second;
   const double allowed = *request.share, tolerance = relative(allowed, least_area(i, j), request.tolerance);
   PairMeasure3 sum;
   sum.sight = Sight3::kMixed;
   sum.is_whole = true;
-  for (const Patch3& half : halves_of(cuts_first ? i : j)) {
-    const Patch3 &a = cuts_first ? half : i, &b = cuts_first ? j : half;
-    const auto sides = PairBodies3(prepared_->blockers, a, b).patch_sides;
-    if (!sides[0].has_front || !sides[1].has_front) continue;  // it does not face the other patch: S0 = 0
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Patch3 &half = chosen.patches[k], &a = cuts_first ? half : i, &b = cuts_first ? j : half;
+    if (chosen.settings[k] == nullptr) {
+      const auto sides = PairBodies3(prepared_->blockers, a, b).patch_sides;
+      if (sides[0].has_front && sides[1].has_front) sum.is_whole = false;  // else S0 = 0
+      continue;
+    }
     PairRequest3 part = request;
     part.share = std::max(allowed / 2, tolerance / 8 * least_area(a, b));
-    add_part(measure(a, b, part, cuts - 1, nullptr), sum);
+    add_part(measure_set(*chosen.settings[k], a, b, part, cuts - 1, nullptr, first_met), sum);
     if (sum.is_undecided) return sum;
   }
   if (sum.bounds.upper == 0) {
@@ -297,6 +349,23 @@ PairMeasure3 PairMeasurer3::measure_in_halves(const Patch3& i, const Patch3& j, 
     sum.problem = kNotConverged;
   }
   return sum;
+}
+
+PairRow3::PairRow3(const PairMeasurer3& measurer, const Patch3& i) : measurer_(&measurer) {
+  Patch3 copy;
+  const PairMeasurer3::Prepared& prepared = *measurer.prepared_;
+  first_met_ = std::make_unique<FirstMet3>(prepared.hiders, prepared.placed(i, copy), prepared.blockers.size());
+}
+PairRow3::~PairRow3() = default;
+PairRow3::PairRow3(PairRow3&&) noexcept = default;
+PairRow3& PairRow3::operator=(PairRow3&&) noexcept = default;
+
+PairMeasure3 PairRow3::measure(const Patch3& j, const PairRequest3& request) {
+  const DefaultFloatingPoint environment;
+  Patch3 copy;
+  const bool asks = is_usual(request) && request.asks_hiders;
+  return measurer_->measure(first_met_->patch(), measurer_->prepared_->placed(j, copy), request, nullptr,
+                            asks ? first_met_.get() : nullptr);
 }
 
 double PairMeasurer3::least_area(const Patch3& i, const Patch3& j) const {
@@ -325,8 +394,7 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
   const long shift = blockers.vertices().shift();
   const MomentOrigin3 origin(setting.bodies, request.origin_shift, shift);
   EdgeSum3 sum(setting.bodies, origin.point(), shift);
-  const std::vector<PairStretch3> stretches =
-      pair_stretches(setting, prepared_->stretches, blockers.vertices(), first, second);
+  const std::vector<PairStretch3> stretches = pair_stretches(setting, prepared_->stretches, first, second);
   if (details) details->looked_at = static_cast<std::uint32_t>(stretches.size());
   result.bounds = {0, alone.bounds.upper};
   if (!sum.add(stretches, result)) {

@@ -11,6 +11,9 @@ namespace hottel {
 
 struct PairDetails3;
 struct PairSetting3;
+class FirstMet3;
+class Hiders3;
+class PairRow3;
 
 // Measures pairs of patches among the polygons of a scene.
 //
@@ -19,6 +22,9 @@ struct PairSetting3;
 // not converge. The measures, errors and bounds of the parts are summed.
 //
 // Neighbours in one plane hide as one polygon where their union is convex (MergedBlockers3). Patches stay as they are.
+//
+// First it is asked whether convex bodies and large surfaces hide all (Hiders3), of halves too. Surfaces that no line
+// from the first patch meets first are left out, all at once (FirstMet3).
 //
 // For several threads at once: what is kept between calls is made beforehand; each call has working memory of its own.
 class PairMeasurer3 {
@@ -37,17 +43,44 @@ class PairMeasurer3 {
   std::size_t count_between(const Patch3& i, const Patch3& j) const;
 
  private:
+  friend class PairRow3;
+  struct Halves;
+
+  // Of patches whose surfaces are those of `merged`. Where `first_met`, of the first one, is null, everything that may
+  // stand between is walked.
+  PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request, PairDetails3* details,
+                       FirstMet3* first_met) const;
+  bool are_hidden(const Patch3& i, const Patch3& j, const FirstMet3& first_met) const;
   // `cuts`: how often patches may still be cut.
-  PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request, int cuts,
-                       PairDetails3* details) const;
-  PairMeasure3 measure_in_halves(const Patch3& i, const Patch3& j, const PairRequest3& request, int cuts) const;
+  PairMeasure3 measure_set(const PairSetting3& setting, const Patch3& i, const Patch3& j, const PairRequest3& request,
+                           int cuts, PairDetails3* details, const FirstMet3* first_met) const;
+  Halves halves(const PairSetting3& setting, const Patch3& i, const Patch3& j, bool cuts_first,
+                const FirstMet3* first_met) const;
+  PairMeasure3 measure_in_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                                 const PairRequest3& request, int cuts, const FirstMet3* first_met) const;
   double least_area(const Patch3& i, const Patch3& j) const;
-  double work_in_halves(const Patch3& i, const Patch3& j, bool cuts_first) const;
   PairMeasure3 measure_along(const PairSetting3& setting, const Patch3& i, const Patch3& j, const PairRequest3& request,
                              PairDetails3* details) const;
 
   struct Prepared;
   std::unique_ptr<const Prepared> prepared_;
+};
+
+// The pairs of one patch with others: the same numbers as those of PairMeasurer3, bit for bit, with what is known of
+// the patch kept from one to the next. For one thread at a time.
+class PairRow3 {
+ public:
+  // REQUIRES: the measurer outlives this. COST: a byte a surface.
+  PairRow3(const PairMeasurer3& measurer, const Patch3& i);
+  ~PairRow3();
+  PairRow3(PairRow3&&) noexcept;
+  PairRow3& operator=(PairRow3&&) noexcept;
+
+  PairMeasure3 measure(const Patch3& j, const PairRequest3& request = {});
+
+ private:
+  const PairMeasurer3* measurer_;
+  std::unique_ptr<FirstMet3> first_met_;
 };
 
 }  // namespace hottel

@@ -29,6 +29,8 @@ struct PairRequest3 {
   bool is_reversed = false;
   bool always_along_edges = false;
   double origin_shift[3] = {0, 0, 0};
+  // For tests: else everything that may stand between is walked, whether or not it is told at once what is hidden.
+  bool asks_hiders = true;
 };
 
 // The exchange measure of a pair: S = A_i F_ij = A_j F_ji. Lengths are those of the doubles of Vertices3 (integer form

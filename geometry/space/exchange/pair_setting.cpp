@@ -6,6 +6,10 @@
 namespace hottel {
 namespace {
 
+// Rounding of doubles is far below this part of a length.
+constexpr double kSlack = 1e-9;
+constexpr double kSureNormal = 1e-11;  // of which the error is that part of it
+
 Box3 box_of(const Vertices3& vertices, const Patch3& patch) {
   Box3 box;
   for (const IntegerVector& corner : patch.corners) {
@@ -20,30 +24,101 @@ Box3 box_of(const Vertices3& vertices, const Patch3& patch) {
 
 }  // namespace
 
-PairSetting3::PairSetting3(const Blockers3& blockers, const SurfaceBoxes3& boxes, const Patch3& i, const Patch3& j)
+PairSetting3::PairSetting3(const Blockers3& blockers, const SurfaceBoxes3& boxes, const Patch3& i, const Patch3& j,
+                           FirstMet3* first_met)
     : bodies(blockers, i, j) {
-  if (i.surface == j.surface && !i.is_sky()) return;
-  if (!bodies.patch_sides[0].has_front || !bodies.patch_sides[1].has_front) return;
-  find_hull();
+  if (!can_see(i, j)) return;
+  find_hull(blockers.vertices());
   Box3 box = box_of(blockers.vertices(), i);
   box.include(box_of(blockers.vertices(), j));
+  const auto is_near = [&](const Box3& other) {
+    return box.meets(other) && std::none_of(half_spaces.begin(), half_spaces.end(), [&](const HullHalfSpace3& half) {
+             const Direction3 highest{half.x > 0 ? other.high[0] : other.low[0],
+                                      half.y > 0 ? other.high[1] : other.low[1],
+                                      half.z > 0 ? other.high[2] : other.low[2]};
+             return half.height(highest) < 0;
+           });
+  };
   std::vector<std::uint32_t> near;
-  boxes.find(box, near);
+  boxes.find_where(is_near, near);
+  std::erase_if(near, [&](std::uint32_t surface) { return surface == i.surface || surface == j.surface; });
   std::sort(near.begin(), near.end());
+  if (first_met != nullptr) {
+    const auto stays = [first_met](std::uint32_t surface) { return !first_met->is_never_first(surface); };
+    const auto middle = std::stable_partition(near.begin(), near.end(), stays);
+    left_out.assign(middle, near.end());
+    near.erase(middle, near.end());
+  }
+  add_bodies(blockers, near);
+}
+
+PairSetting3::PairSetting3(const Blockers3& blockers, const PairSetting3& whole, const Patch3& i, const Patch3& j)
+    : bodies(blockers, i, j), left_out(whole.left_out) {
+  if (!can_see(i, j)) return;
+  find_hull(blockers.vertices());
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t body = 2; body < whole.bodies.bodies.size(); ++body)
+    near.push_back(whole.bodies.bodies[body].surface);
+  add_bodies(blockers, near);
+}
+
+bool PairSetting3::can_see(const Patch3& i, const Patch3& j) const {
+  if (i.surface == j.surface && !i.is_sky()) return false;
+  return bodies.patch_sides[0].has_front && bodies.patch_sides[1].has_front;
+}
+
+void PairSetting3::add_bodies(const Blockers3& blockers, std::span<const std::uint32_t> near) {
   for (const std::uint32_t surface : near) {
-    if (surface == i.surface || surface == j.surface) continue;
     const std::uint32_t body = bodies.add(blockers, surface);
     if (!may_stand_between(body))
       bodies.drop_last();
     else if (hides_all(body))
       return;
   }
-  sight = bodies.bodies.size() > 2 ? Sight3::kMixed : Sight3::kClear;
+  sight = count_between() > 0 ? Sight3::kMixed : Sight3::kClear;
+  if (sight == Sight3::kMixed) keep_left_out_at_lines(blockers);
 }
 
-void PairSetting3::find_hull() {
+// No line passes an outline beside which there is a surface that no line meets, whatever has been left out.
+void PairSetting3::keep_left_out_at_lines(const Blockers3& blockers) {
+  if (left_out.empty()) return;
+  std::vector<EdgeId3> edges;
+  for (std::size_t body = 2; body < bodies.bodies.size(); ++body)
+    for (const DirectedEdge3& side : blockers.edges(bodies.bodies[body].surface)) edges.push_back(side.edge);
+  std::ranges::sort(edges);
+  std::erase_if(left_out, [&](std::uint32_t surface) {
+    const auto sides = blockers.edges(surface);
+    const bool is_neighbour = std::any_of(sides.begin(), sides.end(), [&](const DirectedEdge3& side) {
+      return std::ranges::binary_search(edges, side.edge);
+    });
+    if (!is_neighbour) return false;
+    const bool is_met = may_stand_between(bodies.add(blockers, surface));
+    bodies.drop_last();
+    return !is_met;
+  });
+}
+
+void PairSetting3::find_hull(const Vertices3& vertices) {
   add_hull_planes(0, 1);
   add_hull_planes(1, 0);
+  const double unit_ratio = std::ldexp(1.0, static_cast<int>(bodies.shift() - vertices.shift()));
+  const auto place = [&](std::uint32_t number) {
+    const PairBodies3::Point& p = bodies.points[number];
+    if (!std::isfinite(p.approximate_weight)) return unit_ratio * bodies.place(number);
+    const double scale = unit_ratio / p.approximate_weight;
+    return Direction3{scale * p.approximate.x, scale * p.approximate.y, scale * p.approximate.z};
+  };
+  for (const HullPlane& plane : hull) {
+    const BoundedVector& bounded = plane.plane.normal;
+    if (!(bounded.error <= kSureNormal * bounded.size)) continue;  // of points that all but coincide
+    const Direction3 a = place(plane.plane.p), b = place(plane.plane.q), c = place(plane.plane.r);
+    Direction3 normal = cross(b - a, c - a);
+    const double size = length(normal);
+    if (!(size > 1e-6 * length(b - a) * length(c - a))) continue;  // too thin to be told in doubles
+    normal = (plane.inside / size) * normal;
+    const double slack = kSlack * (length(a) + length(b) + length(c)) + kSlack * length(b - a);
+    half_spaces.push_back({normal.x, normal.y, normal.z, slack - dot(normal, a)});
+  }
 }
 
 void PairSetting3::add_hull_planes(std::uint32_t of_edges, std::uint32_t of_points) {

@@ -5,11 +5,18 @@
 #include <span>
 #include <vector>
 
+#include "geometry/space/arrangement/surface_boxes.h"
 #include "geometry/space/exchange/pair_bodies.h"
 #include "geometry/space/exchange/sight.h"
-#include "geometry/space/exchange/surface_stretches.h"
+#include "geometry/space/hiding/hiders.h"
 
 namespace hottel {
+
+// A half space in doubles of Vertices3.
+struct HullHalfSpace3 {
+  double x, y, z, offset;
+  double height(const Direction3& p) const { return x * p.x + y * p.y + z * p.z + offset; }
+};
 
 // Two patches with all surfaces that may stand between them, and how they are settled.
 //
@@ -17,6 +24,9 @@ namespace hottel {
 //   (2) a surface that is not among the bodies hides nothing: it is not in front of both patches, or it does not come
 //       between their planes, or it is outside their common convex hull: exact
 //   (3) clear iff none is among the bodies
+//
+// Where it is known which surfaces are never first from patch i (FirstMet3) these are left out, as if they were not
+// there: what the others hide is all that is hidden.
 struct PairSetting3 {
   PairBodies3 bodies;
   Sight3 sight = Sight3::kHidden;
@@ -27,11 +37,26 @@ struct PairSetting3 {
     int inside;
   };
   std::vector<HullPlane> hull;
+  // The same in doubles of Vertices3, where these tell them: the hull is where no height is negative, rounding
+  // included.
+  std::vector<HullHalfSpace3> half_spaces;
+  // Of the surfaces near the hull those that are never first from patch i, ascending: they are taken for not there. One
+  // that shares an edge with a body, and that no line between the patches meets, is not among them.
+  std::vector<std::uint32_t> left_out;
 
-  PairSetting3(const Blockers3& blockers, const SurfaceBoxes3& boxes, const Patch3& i, const Patch3& j);
+  // Takes all surfaces whose boxes are near the hull; without those that `first_met` says, where it is not null.
+  PairSetting3(const Blockers3& blockers, const SurfaceBoxes3& boxes, const Patch3& i, const Patch3& j,
+               FirstMet3* first_met = nullptr);
+  // The setting of parts of two patches: takes what stands between the whole patches.
+  PairSetting3(const Blockers3& blockers, const PairSetting3& whole, const Patch3& i, const Patch3& j);
+
+  std::size_t count_between() const { return bodies.bodies.size() - 2; }
 
  private:
-  void find_hull();
+  bool can_see(const Patch3& i, const Patch3& j) const;
+  void find_hull(const Vertices3& vertices);
+  void add_bodies(const Blockers3& blockers, std::span<const std::uint32_t> near);
+  void keep_left_out_at_lines(const Blockers3& blockers);
   void add_hull_planes(std::uint32_t of_edges, std::uint32_t of_points);
   bool may_stand_between(std::uint32_t body) const;
   bool is_beside_hull(std::uint32_t body) const;

@@ -11,7 +11,6 @@ namespace {
 
 // Rounding of doubles is far below this part of a length.
 constexpr double kSlack = 1e-9;
-constexpr double kSureNormal = 1e-11;  // of which the error is that part of it
 
 Rational quotient(const Integer& numerator, const Integer& denominator) {
   Rational result(numerator, denominator);
@@ -31,11 +30,8 @@ IntegerVector way(const WeightedPoint3& a, const WeightedPoint3& b) {
 
 class StretchFinder {
  public:
-  StretchFinder(const PairSetting3& setting, const SurfaceStretches3& stretches, const Vertices3& vertices)
-      : bodies_(setting.bodies),
-        setting_(setting),
-        stretches_(stretches),
-        unit_ratio_(std::ldexp(1.0, static_cast<int>(setting.bodies.shift() - vertices.shift()))) {
+  StretchFinder(const PairSetting3& setting, const SurfaceStretches3& stretches)
+      : bodies_(setting.bodies), setting_(setting), stretches_(stretches) {
     for (std::uint32_t body = 2; body < bodies_.bodies.size(); ++body) numbers_[bodies_.bodies[body].surface] = body;
   }
 
@@ -59,19 +55,12 @@ class StretchFinder {
       for (const std::uint32_t number : stretches_.outlines_of(bodies_.bodies[body].surface)) found.push_back(number);
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
-    if (found.empty()) return;
-    find_planes();
     for (const std::uint32_t number : found) add_outline(number);
   }
 
   std::vector<PairStretch3> take() { return std::move(result_); }
 
  private:
-  // A plane of the hull in doubles of Vertices3: the hull is where the value is not negative, rounding included.
-  struct HullPlane {
-    double x, y, z, offset;
-  };
-
   std::span<const AtomicStretch3> grounds_of(const Patch3& patch, std::uint32_t own) const {
     const bool is_back = !is_front(patch, own);
     return stretches_.grounds(patch.surface, is_back);
@@ -84,6 +73,14 @@ class StretchFinder {
   bool is_of_bodies(const AtomicStretch3& ground) const {
     return std::any_of(ground.faces.begin(), ground.faces.end(),
                        [this](const StretchFace3& face) { return numbers_.contains(face.surface); });
+  }
+
+  // True iff all are, but for what is left out: past others nothing is seen. One is, of grounds and outlines asked
+  // about.
+  bool are_of_bodies(const AtomicStretch3& stretch) const {
+    return std::all_of(stretch.faces.begin(), stretch.faces.end(), [this](const StretchFace3& face) {
+      return numbers_.contains(face.surface) || std::ranges::binary_search(setting_.left_out, face.surface);
+    });
   }
 
   bool is_on_line(const Stretch3& line, const IntegerVector& point, const Integer& weight) const {
@@ -141,10 +138,7 @@ class StretchFinder {
     const bool is_target_there =
         std::any_of(ground.faces.begin(), ground.faces.end(),
                     [this](const StretchFace3& face) { return face.surface == other_surface_; });
-    const bool is_of_bodies_only =
-        std::all_of(ground.faces.begin(), ground.faces.end(),
-                    [this](const StretchFace3& face) { return numbers_.contains(face.surface); });
-    if (is_target_there || !is_of_bodies_only) return;
+    if (is_target_there || !are_of_bodies(ground)) return;
     const WeightedPoint3 from{ground.stretch.from, ground.stretch.weight}, to = end_of(ground.stretch);
     const IntegerVector& normal = bodies_.bodies[own_].exact_normal();
     Rational low = 0, high = 1;
@@ -167,11 +161,9 @@ class StretchFinder {
     result_.push_back(std::move(stretch));
   }
 
-  // Those along which all surfaces are among the bodies: else nothing is seen past them.
   void add_outline(std::uint32_t place) {
     const AtomicStretch3& outline = stretches_.outline(place);
-    for (const StretchFace3& face : outline.faces)
-      if (!numbers_.contains(face.surface)) return;
+    if (!are_of_bodies(outline)) return;
     double low = 0, high = 1;
     if (!cut_short(stretches_.outline_ends(place), low, high)) return;
     PairStretch3& stretch = result_.emplace_back();
@@ -180,39 +172,15 @@ class StretchFinder {
     stretch.low = low;
     stretch.high = high;
     for (const StretchFace3& face : outline.faces)
-      stretch.faces.push_back({numbers_.at(face.surface), face.is_forward, false});
-  }
-
-  // In doubles of Vertices3.
-  Direction3 place(std::uint32_t number) const {
-    const PairBodies3::Point& p = bodies_.points[number];
-    if (!std::isfinite(p.approximate_weight)) return unit_ratio_ * bodies_.place(number);
-    const double scale = unit_ratio_ / p.approximate_weight;
-    return {scale * p.approximate.x, scale * p.approximate.y, scale * p.approximate.z};
-  }
-
-  void find_planes() {
-    for (const PairSetting3::HullPlane& plane : setting_.hull) {
-      const BoundedVector& bounded = plane.plane.normal;
-      if (!(bounded.error <= kSureNormal * bounded.size)) continue;  // of points that all but coincide
-      const Direction3 a = place(plane.plane.p), b = place(plane.plane.q), c = place(plane.plane.r);
-      Direction3 normal = cross(b - a, c - a);
-      const double size = length(normal);
-      if (!(size > 1e-6 * length(b - a) * length(c - a))) continue;  // too thin to be told in doubles
-      normal = (plane.inside / size) * normal;
-      const double slack = kSlack * (length(a) + length(b) + length(c)) + kSlack * length(b - a);
-      planes_.push_back({normal.x, normal.y, normal.z, slack - dot(normal, a)});
-    }
+      if (const auto number = numbers_.find(face.surface); number != numbers_.end())
+        stretch.faces.push_back({number->second, face.is_forward, false});
   }
 
   bool cut_short(const std::array<Direction3, 2>& ends, double& low, double& high) const {
     const Direction3 &a = ends[0], &b = ends[1];
     const double slack = kSlack * (length(a) + length(b));
-    for (const HullPlane& plane : planes_) {
-      const auto value = [&](const Direction3& p) {
-        return plane.x * p.x + plane.y * p.y + plane.z * p.z + plane.offset + slack;
-      };
-      const double at_a = value(a), at_b = value(b);
+    for (const HullHalfSpace3& plane : setting_.half_spaces) {
+      const double at_a = plane.height(a) + slack, at_b = plane.height(b) + slack;
       if (at_a < 0 && at_b < 0) return false;
       if (at_a >= 0 && at_b >= 0) continue;
       const double zero = at_a / (at_a - at_b);
@@ -227,19 +195,17 @@ class StretchFinder {
   const PairBodies3& bodies_;
   const PairSetting3& setting_;
   const SurfaceStretches3& stretches_;
-  double unit_ratio_;                                         // of the doubles of Vertices3 to those of points
   std::unordered_map<std::uint32_t, std::uint32_t> numbers_;  // of surfaces among the bodies
   std::uint32_t own_ = 0, other_surface_ = 0;
   std::vector<const AtomicStretch3*> relevant_;
-  std::vector<HullPlane> planes_;
   std::vector<PairStretch3> result_;
 };
 
 }  // namespace
 
 std::vector<PairStretch3> pair_stretches(const PairSetting3& setting, const SurfaceStretches3& stretches,
-                                         const Vertices3& vertices, const Patch3& i, const Patch3& j) {
-  StretchFinder finder(setting, stretches, vertices);
+                                         const Patch3& i, const Patch3& j) {
+  StretchFinder finder(setting, stretches);
   finder.add_patch(i, 0, j);
   finder.add_patch(j, 1, i);
   finder.add_outlines();

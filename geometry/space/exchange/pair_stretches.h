@@ -16,6 +16,6 @@ namespace hottel {
 //   (1) each is there once; order depends on the pair alone
 //   (2) those along which nothing is seen, by where they lie, may be left out
 std::vector<PairStretch3> pair_stretches(const PairSetting3& setting, const SurfaceStretches3& stretches,
-                                         const Vertices3& vertices, const Patch3& i, const Patch3& j);
+                                         const Patch3& i, const Patch3& j);
 
 }  // namespace hottel

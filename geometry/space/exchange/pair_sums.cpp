@@ -34,6 +34,38 @@ using Tasks = PairTasks3;
 using Found = FoundPairs3;
 using OpenPair = OpenPair3;
 
+// Rows of patches, to be taken by one thread at a time: what is known of a patch serves its next task.
+class RowsAtHand {
+ public:
+  explicit RowsAtHand(const PairMeasurer3& measurer) : measurer_(measurer) {}
+
+  struct Row {
+    const Part* part;
+    PairRow3 row;
+  };
+  // One of this patch if there is one.
+  Row take(const Part& part) {
+    const std::lock_guard lock(together_);
+    const auto known = std::ranges::find(idle_, &part, &Row::part);
+    if (known == idle_.end()) return {&part, PairRow3(measurer_, part.patch)};
+    Row row = std::move(*known);
+    idle_.erase(known);
+    return row;
+  }
+  // Keeps the last ones.
+  void give_back(Row row) {
+    constexpr std::size_t kMostIdle = 64;
+    const std::lock_guard lock(together_);
+    if (idle_.size() == kMostIdle) idle_.erase(idle_.begin());
+    idle_.push_back(std::move(row));
+  }
+
+ private:
+  const PairMeasurer3& measurer_;
+  std::mutex together_;
+  std::vector<Row> idle_;
+};
+
 class Measuring {
  public:
   Measuring(const PreparedScene3& prepared, const ElementTable3& table, const PairSumRequest3& request)
@@ -42,6 +74,7 @@ class Measuring {
         request_(request),
         tasks_(table),
         hull_(prepared.blockers()),
+        rows_(prepared.measurer()),
         shares_(table, prepared.blockers().vertices(), request.tolerance) {}
 
   const Tasks& tasks() const { return tasks_; }
@@ -55,6 +88,7 @@ class Measuring {
       counts.hidden += task.end - task.begin;
       return;
     }
+    RowsAtHand::Row row = rows_.take(a);
     const Part* before = nullptr;  // the last one whose face was asked about
     bool do_face = false;
     for (std::size_t k = task.begin; k < task.end; ++k) {
@@ -70,8 +104,9 @@ class Measuring {
           continue;
         }
       }
-      measure_free(a, b, found, counts);
+      measure_free(row.row, a, b, found, counts);
     }
+    rows_.give_back(std::move(row));
   }
 
  private:
@@ -80,15 +115,15 @@ class Measuring {
   }
 
   // What is covered of both may see each other within a solid.
-  void measure_free(const Part& a, const Part& b, Found& found, ExchangeReport3& counts) const {
+  void measure_free(PairRow3& row, const Part& a, const Part& b, Found& found, ExchangeReport3& counts) const {
     if (b.patch.is_sky() || !table_.is_partly_covered(a.label) || !table_.is_partly_covered(b.label))
-      return measure(a, b, found, counts);
+      return measure(row, a, b, found, counts);
     for (const Part& free : table_.free_parts(b.label))
-      if (free.patch.surface == b.patch.surface && free.is_back == b.is_back) measure(a, free, found, counts);
+      if (free.patch.surface == b.patch.surface && free.is_back == b.is_back) measure(row, a, free, found, counts);
   }
 
-  void measure(const Part& a, const Part& b, Found& found, ExchangeReport3& counts) const {
-    const PairMeasure3 pair = measured(a, b, Effort3::kUsual);
+  void measure(PairRow3& row, const Part& a, const Part& b, Found& found, ExchangeReport3& counts) const {
+    const PairMeasure3 pair = row.measure(b.patch, request_of(a, b, Effort3::kUsual));
     ++(pair.sight == Sight3::kHidden ? counts.hidden : pair.sight == Sight3::kClear ? counts.clear : counts.mixed);
     add_work(pair, counts);
     const bool is_zero = pair.bounds.upper == 0;
@@ -103,7 +138,8 @@ class Measuring {
  public:
   // Tries more.
   void measure_again(OpenPair& open, ExchangeReport3& counts) const {
-    const PairMeasure3 pair = measured(*open.a, *open.b, Effort3::kAll);
+    const PairMeasure3 pair =
+        prepared_.measurer().measure(open.a->patch, open.b->patch, request_of(*open.a, *open.b, Effort3::kAll));
     add_work(pair, counts);
     open.sum = sum_of(*open.a, *open.b, pair);
     open.is_undecided = pair.is_undecided;
@@ -111,8 +147,8 @@ class Measuring {
   }
 
  private:
-  PairMeasure3 measured(const Part& a, const Part& b, Effort3 effort) const {
-    return prepared_.measurer().measure(a.patch, b.patch, {.share = shares_.share(a, b), .effort = effort});
+  PairRequest3 request_of(const Part& a, const Part& b, Effort3 effort) const {
+    return {.share = shares_.share(a, b), .effort = effort};
   }
 
   PairSum3 sum_of(const Part& a, const Part& b, const PairMeasure3& pair) const {
@@ -150,6 +186,7 @@ class Measuring {
   const PairSumRequest3& request_;
   const Tasks tasks_;
   const ClosedHull3 hull_;
+  mutable RowsAtHand rows_;
   const PairShares3 shares_;
 };
 

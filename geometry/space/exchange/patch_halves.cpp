@@ -25,6 +25,15 @@ std::size_t longest_side(const std::vector<IntegerVector>& corners) {
 
 }  // namespace
 
+double longest_side_squared(const Patch3& patch, long shift) {
+  double most = 0;
+  for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+    const IntegerVector way = difference(patch.corners[k], patch.corners[(k + 1) % patch.corners.size()]);
+    most = std::max(most, rounded_quotient(dot(way, way), patch.weight * patch.weight, 2 * shift));
+  }
+  return most;
+}
+
 std::array<Patch3, 2> halves_of(const Patch3& patch) {
   const std::vector<IntegerVector>& corners = patch.corners;
   const std::size_t n = corners.size();

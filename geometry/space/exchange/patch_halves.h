@@ -13,4 +13,7 @@ namespace hottel {
 //   (1) exact; the first corners of the halves are on the cut
 std::array<Patch3, 2> halves_of(const Patch3& patch);
 
+// The square of the length of the longest side, in the unit of integer forms times 2^-shift.
+double longest_side_squared(const Patch3& patch, long shift);
+
 }  // namespace hottel
