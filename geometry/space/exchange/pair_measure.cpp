@@ -33,9 +33,19 @@ constexpr double kNextShare = 0x1p-8, kLeastShare = 0x1p-16;
 constexpr double kShareOfJumps = 0.25, kManyJumps = 64;
 constexpr int kMostCutsAtJumps = 4;
 
-// More surfaces between two patches than are taken at once, and how often patches are cut, together.
+// So many surfaces between two patches are taken at once. Where there are more, the pair is cut if its halves cost less
+// than this times the whole: up to twice for a side of the sky, of which many cuts save much, the first one little. And
+// how often patches are cut, together.
 constexpr std::size_t kMostBetween = 30;
+constexpr double kWorthwhile = 1.2, kWorthwhileForSky = 1.9;
 constexpr int kMostCuts = 12, kCutsWhereItFails = 3;
+
+// What a pair costs, about, with so many surfaces between: measured exponents are from 1.6 (plates, slats) to 3 (boxes,
+// soup).
+double work_between(std::size_t surfaces) {
+  const auto n = static_cast<double>(surfaces);
+  return n * n * n;
+}
 
 constexpr double kOfDouble = 0x1p-51;  // what a measure as a double is told within, of itself
 
@@ -222,6 +232,14 @@ struct PairMeasurer3::Prepared {
   }
 };
 
+// One of both patches cut in two, and how each half and the other patch are settled: null where they exchange nothing.
+struct PairMeasurer3::Halves {
+  std::unique_ptr<const std::array<Patch3, 2>> patches;  // settings point into them
+  std::array<std::unique_ptr<const PairSetting3>, 2> settings;
+  bool are_of_first = false;
+  double work = 0;  // of both together
+};
+
 PairMeasurer3::PairMeasurer3(const Blockers3& blockers) : prepared_(std::make_unique<Prepared>(blockers)) {}
 PairMeasurer3::~PairMeasurer3() = default;
 
@@ -268,14 +286,15 @@ PairMeasure3 PairMeasurer3::measure_set(const PairSetting3& setting, const Patch
                                         const FirstMet3* first_met) const {
   const bool is_mixed = setting.sight == Sight3::kMixed;
   if (is_mixed && cuts > 0 && setting.count_between() > kMostBetween)
-    if (PairMeasure3 halves = measure_in_halves(setting, i, j, request, cuts, first_met); halves.problem.empty()) {
-      if (details != nullptr) measure_along(setting, i, j, request, details);
-      return halves;
-    }
+    if (const std::unique_ptr<Halves> halves = worthwhile_halves(setting, i, j, first_met))
+      if (PairMeasure3 sum = measure_halves(*halves, i, j, request, cuts, first_met); sum.problem.empty()) {
+        if (details != nullptr) measure_along(setting, i, j, request, details);
+        return sum;
+      }
   PairMeasure3 whole = measure_along(setting, i, j, request, details);
   const bool may_cut = request.effort == Effort3::kAll && cuts > kMostCuts - kCutsWhereItFails;
   if (!is_mixed || whole.problem.empty() || !may_cut) return whole;
-  PairMeasure3 halves = measure_in_halves(setting, i, j, request, cuts, first_met);
+  PairMeasure3 halves = measure_halves(cheaper_halves(setting, i, j, first_met), i, j, request, cuts, first_met);
   const auto rank = [](const PairMeasure3& a) { return std::tuple(a.is_undecided, !a.problem.empty(), a.error); };
   return rank(halves) < rank(whole) ? halves : whole;
 }
@@ -290,51 +309,82 @@ std::size_t PairMeasurer3::count_between(const Patch3& i, const Patch3& j) const
   return setting.sight == Sight3::kMixed ? setting.count_between() : 0;
 }
 
-// One of both patches cut in two, and how each half and the other patch are settled: null where they exchange nothing.
-struct PairMeasurer3::Halves {
-  std::array<Patch3, 2> patches;
-  std::array<std::unique_ptr<const PairSetting3>, 2> settings;
-  double work = 0;  // what they cost, about: the squares of the numbers of surfaces between
-};
-
 PairMeasurer3::Halves PairMeasurer3::halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
                                             bool cuts_first, const FirstMet3* first_met) const {
-  Halves halves{halves_of(cuts_first ? i : j), {}, 0};
+  Halves halves{std::make_unique<const std::array<Patch3, 2>>(halves_of(cuts_first ? i : j)), {}, cuts_first, 0};
   for (std::size_t k = 0; k < 2; ++k) {
-    const Patch3 &half = halves.patches[k], &a = cuts_first ? half : i, &b = cuts_first ? j : half;
+    const Patch3 &half = (*halves.patches)[k], &a = cuts_first ? half : i, &b = cuts_first ? j : half;
     if (first_met != nullptr && are_hidden(a, b, *first_met)) continue;
     auto of_half = std::make_unique<const PairSetting3>(prepared_->blockers, setting, a, b);
     if (of_half->sight == Sight3::kHidden) continue;  // S = 0, and S0 where one does not face the other
-    const auto between = static_cast<double>(of_half->count_between());
-    if (of_half->sight == Sight3::kMixed) halves.work += between * between;
+    halves.work += work_between(of_half->count_between());
     halves.settings[k] = std::move(of_half);
   }
   return halves;
 }
 
-PairMeasure3 PairMeasurer3::measure_in_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
-                                              const PairRequest3& request, int cuts, const FirstMet3* first_met) const {
-  Halves of_first = halves(setting, i, j, true, first_met), of_second = halves(setting, i, j, false, first_met);
+std::array<PairMeasurer3::Halves, 2> PairMeasurer3::both_halves(const PairSetting3& setting, const Patch3& i,
+                                                                const Patch3& j, const FirstMet3* first_met) const {
+  // Of two that cost alike the longer one comes first.
   const long shift = prepared_->blockers.vertices().shift();
-  // Of two that cost alike the longer one is cut.
-  const bool cuts_first =
-      of_first.work < of_second.work ||
-      (of_first.work == of_second.work && longest_side_squared(i, shift) >= longest_side_squared(j, shift));
-  const Halves& chosen = cuts_first ? of_first : of_second;
+  const bool is_first_longer = longest_side_squared(i, shift) >= longest_side_squared(j, shift);
+  return {halves(setting, i, j, is_first_longer, first_met), halves(setting, i, j, !is_first_longer, first_met)};
+}
+
+PairMeasurer3::Halves PairMeasurer3::cheaper_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                                                    const FirstMet3* first_met) const {
+  auto both = both_halves(setting, i, j, first_met);
+  return std::move(both[both[0].work <= both[1].work ? 0 : 1]);
+}
+
+double PairMeasurer3::least_work(const Halves& halves, const Patch3& i, const Patch3& j, int cuts,
+                                 const FirstMet3* first_met) const {
+  double work = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (halves.settings[k] == nullptr) continue;
+    const PairSetting3& setting = *halves.settings[k];
+    const double whole = work_between(setting.count_between());
+    if (cuts == 0 || setting.count_between() <= kMostBetween) {
+      work += whole;
+      continue;
+    }
+    const Patch3 &half = (*halves.patches)[k], &a = halves.are_of_first ? half : i, &b = halves.are_of_first ? j : half;
+    work += std::min(whole, least_work(cheaper_halves(setting, a, b, first_met), a, b, cuts - 1, first_met));
+  }
+  return work;
+}
+
+std::unique_ptr<PairMeasurer3::Halves> PairMeasurer3::worthwhile_halves(const PairSetting3& setting, const Patch3& i,
+                                                                        const Patch3& j,
+                                                                        const FirstMet3* first_met) const {
+  auto both = both_halves(setting, i, j, first_met);
+  const double enough = (j.is_sky() ? kWorthwhileForSky : kWorthwhile) * work_between(setting.count_between());
+  // Where one cut is not worth its while, several may be: the more surfaces there are, the more of them are tried.
+  for (const auto& [cuts, least] : {std::pair(0, std::size_t{0}), {1, 0}, {2, 100}, {3, 300}}) {
+    if (setting.count_between() < least) break;
+    const double work[] = {least_work(both[0], i, j, cuts, first_met), least_work(both[1], i, j, cuts, first_met)};
+    const std::size_t better = work[0] <= work[1] ? 0 : 1;
+    if (work[better] < enough) return std::make_unique<Halves>(std::move(both[better]));
+  }
+  return nullptr;
+}
+
+PairMeasure3 PairMeasurer3::measure_halves(const Halves& halves, const Patch3& i, const Patch3& j,
+                                           const PairRequest3& request, int cuts, const FirstMet3* first_met) const {
   const double allowed = *request.share, tolerance = relative(allowed, least_area(i, j), request.tolerance);
   PairMeasure3 sum;
   sum.sight = Sight3::kMixed;
   sum.is_whole = true;
   for (std::size_t k = 0; k < 2; ++k) {
-    const Patch3 &half = chosen.patches[k], &a = cuts_first ? half : i, &b = cuts_first ? j : half;
-    if (chosen.settings[k] == nullptr) {
+    const Patch3 &half = (*halves.patches)[k], &a = halves.are_of_first ? half : i, &b = halves.are_of_first ? j : half;
+    if (halves.settings[k] == nullptr) {
       const auto sides = PairBodies3(prepared_->blockers, a, b).patch_sides;
       if (sides[0].has_front && sides[1].has_front) sum.is_whole = false;  // else S0 = 0
       continue;
     }
     PairRequest3 part = request;
     part.share = std::max(allowed / 2, tolerance / 8 * least_area(a, b));
-    add_part(measure_set(*chosen.settings[k], a, b, part, cuts - 1, nullptr, first_met), sum);
+    add_part(measure_set(*halves.settings[k], a, b, part, cuts - 1, nullptr, first_met), sum);
     if (sum.is_undecided) return sum;
   }
   if (sum.bounds.upper == 0) {

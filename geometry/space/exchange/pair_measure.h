@@ -1,6 +1,7 @@
 // The exchange measure of two patches, with all that stands between them.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "geometry/space/arrangement/blockers.h"
@@ -17,9 +18,10 @@ class PairRow3;
 
 // Measures pairs of patches among the polygons of a scene.
 //
-// Where many surfaces may stand between, the larger patch is cut in two, again and again: the hull of a half and the
-// other patch holds fewer of them, and what each costs grows faster than their number. So is a pair whose integrals do
-// not converge. The measures, errors and bounds of the parts are summed.
+// Where many surfaces may stand between, one of the patches is cut in two, again and again, as long as the hulls of the
+// halves and the other patch hold so many fewer that both together cost less: what a pair costs grows faster than the
+// number of surfaces between. So is a pair whose integrals do not converge. The measures, errors and bounds of the
+// parts are summed.
 //
 // Neighbours in one plane hide as one polygon where their union is convex (MergedBlockers3). Patches stay as they are.
 //
@@ -54,10 +56,19 @@ class PairMeasurer3 {
   // `cuts`: how often patches may still be cut.
   PairMeasure3 measure_set(const PairSetting3& setting, const Patch3& i, const Patch3& j, const PairRequest3& request,
                            int cuts, PairDetails3* details, const FirstMet3* first_met) const;
+  // Both ways to cut a pair in two; what it costs at least, about, where it is cut up to so many times; and the halves
+  // of the cheaper way, where these cost less than the whole.
   Halves halves(const PairSetting3& setting, const Patch3& i, const Patch3& j, bool cuts_first,
                 const FirstMet3* first_met) const;
-  PairMeasure3 measure_in_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
-                                 const PairRequest3& request, int cuts, const FirstMet3* first_met) const;
+  std::array<Halves, 2> both_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                                    const FirstMet3* first_met) const;
+  Halves cheaper_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                        const FirstMet3* first_met) const;
+  double least_work(const Halves& halves, const Patch3& i, const Patch3& j, int cuts, const FirstMet3* first_met) const;
+  std::unique_ptr<Halves> worthwhile_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                                            const FirstMet3* first_met) const;
+  PairMeasure3 measure_halves(const Halves& halves, const Patch3& i, const Patch3& j, const PairRequest3& request,
+                              int cuts, const FirstMet3* first_met) const;
   double least_area(const Patch3& i, const Patch3& j) const;
   PairMeasure3 measure_along(const PairSetting3& setting, const Patch3& i, const Patch3& j, const PairRequest3& request,
                              PairDetails3* details) const;
