@@ -344,7 +344,7 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
     take_alone(alone.has_converged ? alone : measure_alone(Effort3::kAll), allowed, result);
     return result;
   }
-  const EdgeSum3* told = &sum;
+  EdgeSum3* told = &sum;
   std::list<FinerSum> finer;
   integrate(setting, origin, allowed, sum, result);
   const auto is_done = [&] { return is_sure(result) && result.error <= allowed; };

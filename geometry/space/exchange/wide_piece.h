@@ -18,6 +18,15 @@ struct WidePiece3 {
   std::vector<SeenArc3> arcs;
   std::vector<StretchPiece3::NearZero> near_zeros;
 
+  // As StretchPiece3.
+  std::size_t bytes() const { return bytes_of(planes) + bytes_of(corners) + bytes_of(arcs) + bytes_of(near_zeros); }
+  void give_up_arcs() {
+    give_back(arcs);
+    give_back(planes);
+    give_back(corners);
+    give_back(near_zeros);
+  }
+
   bool is_steep(double from, double to) const { return is_any_near(near_zeros, from, to); }
 
   LocalVector3<Real> lambda(double from, const Real& offset, double* rounding = nullptr) const {
