@@ -149,9 +149,13 @@ EdgeSum3& cut_at_jumps(const PairSetting3& setting, const MomentOrigin3& origin,
     const bool is_divided = next.sum.add(next.stretches, counts);
     result.maps += counts.maps;
     result.signs += counts.signs;
-    if (!is_divided || !(next.sum.jumps() < best->jumps() / 2)) break;
+    if (!is_divided || !(next.sum.jumps() < best->jumps() / 2)) {
+      finer.pop_back();
+      break;
+    }
     result.pieces = counts.pieces;
     best = &next.sum;
+    if (finer.size() > 1) finer.pop_front();  // what it was cut from is not needed
   }
   return *best;
 }
