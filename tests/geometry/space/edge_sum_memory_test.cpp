@@ -10,6 +10,7 @@
 #include "geometry/space/exchange/arc_end.h"
 #include "geometry/space/exchange/edge_sum.h"
 #include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/exchange.h"
 #include "geometry/space/exchange/moment_origin.h"
 #include "geometry/space/exchange/pair_setting.h"
 #include "geometry/space/exchange/pair_stretches.h"
@@ -128,6 +129,19 @@ TEST_F(EdgeSumMemory, DecidesNoNumber) {
   });
   EXPECT_GT(pairs, 30u);
   EXPECT_GT(pieces, 3000u);
+}
+
+// The least memory that the tables of the scene fit into leaves room for one thread.
+TEST_F(EdgeSumMemory, LeavesFactorsWhateverIsAllowed) {
+  const ExchangeMatrix free = exact_exchange(prepared_, {.tolerance = 1e-6});
+  const ExchangeMatrix bounded = exact_exchange(prepared_, {.tolerance = 1e-6, .memory = 200'000});
+  ASSERT_EQ(free.entry_count(), bounded.entry_count());
+  for (std::uint32_t i = 0; i < free.size(); ++i)
+    for (std::size_t k = 0; k < free.row(i).size(); ++k) {
+      EXPECT_EQ(free.row(i)[k].to, bounded.row(i)[k].to);
+      EXPECT_EQ(free.row(i)[k].factor.value, bounded.row(i)[k].factor.value);
+      EXPECT_EQ(free.row(i)[k].visibility, bounded.row(i)[k].visibility);
+    }
 }
 
 }  // namespace
