@@ -25,7 +25,7 @@ std::uint32_t next(std::span<const unsigned char> bytes, std::size_t& place) {
 
 // Planes as what they are more than the one before. Labels as two numbers: the highest bit, which says of what kind
 // they are, becomes the lowest one. Counts with their sign in the lowest bit.
-std::vector<unsigned char> packed(std::span<const ArcEnd3> ends) {
+std::vector<unsigned char> packed_ends_3(std::span<const ArcEnd3> ends) {
   std::vector<unsigned char> bytes;
   bytes.reserve(6 * ends.size());
   std::uint32_t before = 0;
@@ -41,7 +41,7 @@ std::vector<unsigned char> packed(std::span<const ArcEnd3> ends) {
   return bytes;
 }
 
-std::vector<ArcEnd3> unpacked(std::span<const unsigned char> bytes) {
+std::vector<ArcEnd3> unpacked_ends_3(std::span<const unsigned char> bytes) {
   std::vector<ArcEnd3> ends;
   std::uint32_t plane = 0;
   for (std::size_t place = 0; place < bytes.size();) {

@@ -19,10 +19,10 @@ struct ArcEnd3 {
 
 // The same in few bytes, some five an end.
 //
-//   (1) unpacked(packed(ends)) == ends
+//   (1) unpacked_ends_3(packed_ends_3(ends)) == ends
 //
 // REQUIRES that they are sorted by plane.
-std::vector<unsigned char> packed(std::span<const ArcEnd3> ends);
-std::vector<ArcEnd3> unpacked(std::span<const unsigned char> bytes);
+std::vector<unsigned char> packed_ends_3(std::span<const ArcEnd3> ends);
+std::vector<ArcEnd3> unpacked_ends_3(std::span<const unsigned char> bytes);
 
 }  // namespace hottel

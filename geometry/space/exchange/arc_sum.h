@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
@@ -22,16 +21,6 @@ struct SeenArc3 {
   double count;
   int turn = 0;  // of arcs of more than a right angle: the sign of the angle, which never passes half a turn
 };
-
-// What the entries of a list take of memory, with those that there is room for.
-template <class Entry>
-std::size_t bytes_of(const std::vector<Entry>& list) {
-  return list.capacity() * sizeof(Entry);
-}
-template <class Entry>
-void give_back(std::vector<Entry>& list) {
-  std::vector<Entry>().swap(list);
-}
 
 // Of a vector that is zero, as it may be at an end of a piece, nothing.
 template <class Real>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/support/list_bytes.h"
+
 namespace hottel {
 namespace {
 
@@ -21,7 +23,7 @@ std::size_t StretchPiece3::bytes() const {
 }
 
 void StretchPiece3::give_up_arcs() {
-  packed_signature = packed(signature);
+  packed_signature = packed_ends_3(signature);
   give_back(signature);
   give_back(planes);
   give_back(corners);
@@ -31,7 +33,7 @@ void StretchPiece3::give_up_arcs() {
 
 void StretchPiece3::unpack_signature() {
   if (packed_signature.empty()) return;
-  signature = unpacked(packed_signature);
+  signature = unpacked_ends_3(packed_signature);
   give_back(packed_signature);
 }
 

@@ -6,6 +6,7 @@
 #include "geometry/space/exchange/arc_sum.h"
 #include "geometry/space/exchange/stretch_piece.h"
 #include "geometry/space/exchange/wide_vector.h"
+#include "kernel/support/list_bytes.h"
 
 namespace hottel {
 

@@ -22,8 +22,8 @@ namespace hottel::edge_sum_memory_test {
 namespace {
 
 TEST(ArcEnds, AreWhatWasPacked) {
-  EXPECT_THAT(packed({}), testing::IsEmpty());
-  EXPECT_THAT(unpacked({}), testing::IsEmpty());
+  EXPECT_THAT(packed_ends_3({}), testing::IsEmpty());
+  EXPECT_THAT(unpacked_ends_3({}), testing::IsEmpty());
   constexpr int kMost = std::numeric_limits<int>::max(), kLeast = std::numeric_limits<int>::min();
   std::vector<ArcEnd3> ends;
   std::mt19937_64 random(1);
@@ -32,7 +32,7 @@ TEST(ArcEnds, AreWhatWasPacked) {
     for (const int count : {-1, 1, static_cast<int>(some_bits()), kMost, kLeast})
       ends.push_back({PlaneId3(plane), some_bits() ^ (some_bits() << 63), count});
   ends.push_back({PlaneId3(kMost), ~std::uint64_t{0}, 0});
-  EXPECT_EQ(unpacked(packed(ends)), ends);
+  EXPECT_EQ(unpacked_ends_3(packed_ends_3(ends)), ends);
 }
 
 TEST(ArcEnds, TakeSomeFiveBytes) {
@@ -43,7 +43,7 @@ TEST(ArcEnds, TakeSomeFiveBytes) {
     ends.push_back({PlaneId3(k), of_point, -1});
     ends.push_back({PlaneId3(k), of_planes, 1});
   }
-  EXPECT_LE(packed(ends).size(), 5.5 * static_cast<double>(ends.size()));
+  EXPECT_LE(packed_ends_3(ends).size(), 5.5 * static_cast<double>(ends.size()));
 }
 
 // What a sum is, to the last bit.
