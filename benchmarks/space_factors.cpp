@@ -212,7 +212,11 @@ class StagesOfPairs {
     const double edges = watch.lap();
     StretchMapper3 mapper(setting.bodies);
     std::vector<StretchPiece3> pieces;
-    for (const PairStretch3& stretch : stretches) mapper.divide(stretch, pieces);
+    for (const PairStretch3& stretch : stretches) {
+      const std::size_t first = pieces.size();
+      mapper.divide(stretch, pieces);
+      for (std::size_t k = first; k < pieces.size(); ++k) mapper.make_arcs(stretch, pieces[k]);
+    }
     const double maps = watch.lap();
     benchmark::DoNotOptimize(prepared_.measurer().measure(i, j, {.tolerance = tolerance_}));
     const double whole = watch.lap();

@@ -11,6 +11,10 @@
 #include "benchmarks/peak_memory.h"
 #include "geometry/plane/generate/generators.h"
 #include "geometry/plane/scene/division.h"
+#include "geometry/space/exchange/element_table.h"
+#include "geometry/space/exchange/exchange_memory.h"
+#include "geometry/space/exchange/pair_measure.h"
+#include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/generate/generators.h"
 #include "geometry/space/scene/division.h"
 #include "io/scene/scene_json.h"
@@ -154,6 +158,20 @@ TEST(MemoryEstimate, IsWhatTheResidentSetGrowsByInSpace) {
   const SimulationRequest3 request{.factors = {.granularity = Granularity::kElement, .tolerance = 1e-4}};
   expect_as_said<Simulation3>(divided_3(read_scene_3(shown("space/cube.json")), 10), request);
   expect_as_said<Simulation3>(divided_3(read_scene_3(shown("space/two_boxes.json")), 5), request);
+}
+
+// Two walls among triangles that pierce each other: thousands of pieces with dozens of arcs each, a hundred megabytes
+// if they were all kept.
+TEST(BytesPerThread, HoldWhereTrianglesPierceEachOther) {
+  if (kHasAddressSanitizer || kHasThreadSanitizer) GTEST_SKIP() << "memory is that of the sanitizer";
+  const PreparedScene3 prepared = prepare(generate_3({.kind = "triangle-soup", .n = 40, .seed = 1}));
+  const ElementTable3 table(prepared.scene, prepared.arrangement(), prepared.blockers(), Granularity::kFace);
+  const Patch3 &floor = table.parts()[6].patch, &wall = table.parts()[8].patch;
+  const benchmarks::PeakMemory memory;
+  EXPECT_GT(prepared.measurer().measure(floor, wall).pieces, 5000u);
+  constexpr double kOfAllocator = 1e7;
+  EXPECT_LT(memory.growth(), static_cast<double>(kBytesPerThread3) + kOfAllocator);
+  RecordProperty("bytes", fmt::format("{:.3g}", memory.growth()));
 }
 
 }  // namespace

@@ -65,7 +65,32 @@ template <class Real>
 void EdgeIntegral3<Real>::add(Piece piece, std::uint32_t stretch) {
   pieces_.push_back(std::move(piece));
   const auto place = static_cast<std::uint32_t>(pieces_.size() - 1);
+  has_arcs_.push_back(0);
+  keep_arcs(place);
   add_parts(place, stretch, pieces_.back().low, pieces_.back().high);
+}
+
+template <class Real>
+const typename EdgeIntegral3<Real>::Piece& EdgeIntegral3<Real>::with_arcs(std::uint32_t piece) {
+  if (has_arcs_[piece] == 0) {
+    make_arcs_(piece, pieces_[piece]);
+    keep_arcs(piece);
+  }
+  return pieces_[piece];
+}
+
+template <class Real>
+void EdgeIntegral3<Real>::keep_arcs(std::uint32_t piece) {
+  has_arcs_[piece] = 1;
+  with_arcs_.push_back(piece);
+  bytes_of_arcs_ += pieces_[piece].bytes();
+  while (bytes_of_arcs_ > most_bytes_ && with_arcs_.front() != piece) {
+    Piece& first = pieces_[with_arcs_.front()];
+    bytes_of_arcs_ -= first.bytes();
+    first.give_up_arcs();
+    has_arcs_[with_arcs_.front()] = 0;
+    with_arcs_.pop_front();
+  }
 }
 
 template <class Real>
@@ -116,7 +141,7 @@ std::vector<double> EdgeIntegral3<Real>::of_pieces() const {
 
 template <class Real>
 void EdgeIntegral3<Real>::add_parts(std::uint32_t piece, std::uint32_t stretch, double low, double high) {
-  if (high - low > kShortest && pieces_[piece].is_steep(low, high)) {
+  if (high - low > kShortest && with_arcs(piece).is_steep(low, high)) {
     add_parts(piece, stretch, low, (low + high) / 2);
     add_parts(piece, stretch, (low + high) / 2, high);
   } else {
@@ -129,8 +154,9 @@ typename EdgeIntegral3<Real>::Part EdgeIntegral3<Real>::make_part(std::uint32_t 
                                                                   double low, double high) {
   if (high - low < kTiny) return tiny_part(piece, stretch, low, high);
   double rounding = 0;
-  const Vector coarse = integral<Real>(kCoarse<Real>, pieces_[piece], low, high, nullptr);
-  const Vector fine = integral<Real>(kFine<Real>, pieces_[piece], low, high, &rounding);
+  const Piece& whole = with_arcs(piece);
+  const Vector coarse = integral<Real>(kCoarse<Real>, whole, low, high, nullptr);
+  const Vector fine = integral<Real>(kFine<Real>, whole, low, high, &rounding);
   rounding *= high - low;
   nodes_ += kCoarse<Real> + kFine<Real>;
   Part part{piece, stretch, low, high, fine, 0, 0, 0, 0};
@@ -150,7 +176,7 @@ typename EdgeIntegral3<Real>::Part EdgeIntegral3<Real>::tiny_part(std::uint32_t 
           stretch,
           low,
           high,
-          Real(width) * pieces_[piece].lambda(low, Real(width / 2)),
+          Real(width) * with_arcs(piece).lambda(low, Real(width / 2)),
           0,
           0,
           rounding * stretches_[stretch].moment_size,

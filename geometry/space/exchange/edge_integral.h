@@ -1,7 +1,10 @@
 // The integrals of Lambda along the pieces of stretches. Internal to geometry/space/exchange.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <functional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -20,14 +23,25 @@ struct EdgeValues3 {
   double residual_error = 0;
 };
 
+// So much the arcs of one sum may take, in bytes, and those with more digits as much again.
+inline constexpr std::size_t kMostBytesOfArcs3 = 4'000'000;
+
 // The sum over pieces, each by two rules of Gauss-Legendre that are held against each other. Real is double, long
 // double or WideReal: what cancels between edges, of needles and of what is small, needs more digits than it has
 // itself.
+//
+//   (1) where the arcs of all pieces would take more than `most_bytes`, those that were made first are given up, and
+//       made again where a part is halved. No number depends on it
 template <class Real>
 class EdgeIntegral3 {
  public:
   using Vector = ArcVector3<Real>;
   using Piece = std::conditional_t<std::is_same_v<Real, double>, StretchPiece3, WidePiece3<Real>>;
+
+  // Makes the arcs of the piece of a number again: the same as they were.
+  using MakeArcs = std::function<void(std::uint32_t number, Piece& piece)>;
+  EdgeIntegral3(MakeArcs make_arcs, std::size_t most_bytes)
+      : make_arcs_(std::move(make_arcs)), most_bytes_(most_bytes) {}
 
   // The way of a stretch from its beginning to its end, and its moment. Returns its number.
   std::uint32_t add_stretch(const Vector& way, const Vector& moment);
@@ -44,7 +58,10 @@ class EdgeIntegral3 {
   // as rounding lets them be. Starts where the last call ended.
   EdgeValues3 refine(double tolerance, double residual_tolerance);
 
+  // Without their arcs, as it may be.
   const std::vector<Piece>& pieces() const { return pieces_; }
+  // One with its arcs; until the next call.
+  const Piece& with_arcs(std::uint32_t piece);
   // What each piece adds to the value.
   std::vector<double> of_pieces() const;
   std::uint32_t nodes() const { return nodes_; }
@@ -68,8 +85,13 @@ class EdgeIntegral3 {
   // So short that nodes would fall on its ends: Lambda is less than pi anywhere.
   Part tiny_part(std::uint32_t piece, std::uint32_t stretch, double low, double high);
   void sum_up();
+  void keep_arcs(std::uint32_t piece);
 
+  MakeArcs make_arcs_;
   std::vector<Piece> pieces_;
+  std::vector<char> has_arcs_;
+  std::deque<std::uint32_t> with_arcs_;  // those that have arcs, as they were made
+  std::size_t most_bytes_, bytes_of_arcs_ = 0;
   std::vector<Stretch> stretches_;
   std::vector<Part> parts_;
   Real value_ = 0;

@@ -40,6 +40,15 @@ WeightedPoint3 end_of(const Stretch3& s) {
 
 }  // namespace
 
+EdgeSum3::EdgeSum3(const PairBodies3& bodies, const WeightedPoint3& origin, long shift, std::size_t most_bytes)
+    : bodies_(bodies),
+      origin_(origin),
+      shift_(shift),
+      most_bytes_(most_bytes),
+      mapper_(bodies),
+      doubles_([this](std::uint32_t k, StretchPiece3& piece) { mapper_.make_arcs(*stretch_of(k).stretch, piece); },
+               most_bytes) {}
+
 IntegerVector EdgeSum3::from_origin(const Stretch3& s) const {
   return difference(multiple(origin_.weight, s.from), multiple(s.weight, origin_.numerator));
 }
@@ -65,8 +74,13 @@ bool EdgeSum3::add(const std::vector<PairStretch3>& stretches, PairMeasure3& res
     const Direction3 from = ratio(from_origin(s), s.weight * origin_.weight, shift_);
     const Direction3 way = ratio(s.way, s.weight, shift_);
     reach_ = std::max({reach_, length(from), length(from + way)});
-    add_jumps(pieces, way, cross(from, way));
-    for (StretchPiece3& piece : pieces) doubles_.add(std::move(piece), place);
+    const Direction3 moment = cross(from, way);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {  // the arcs of two at a time
+      mapper_.make_arcs(stretch, pieces[k]);
+      add_jumps(pieces, k, way, moment);
+      if (k > 0) doubles_.add(std::move(pieces[k - 1]), place);
+    }
+    doubles_.add(std::move(pieces.back()), place);
   }
   doubles_.add_error(jumps_, residual_jumps_);
   result.is_whole = !mapper_.is_anything_hidden();
@@ -76,7 +90,8 @@ bool EdgeSum3::add(const std::vector<PairStretch3>& stretches, PairMeasure3& res
   return true;
 }
 
-void EdgeSum3::add_jumps(const std::vector<StretchPiece3>& pieces, const Direction3& way, const Direction3& moment) {
+void EdgeSum3::add_jumps(const std::vector<StretchPiece3>& pieces, std::size_t k, const Direction3& way,
+                         const Direction3& moment) {
   // At an end itself a vector may be zero.
   const auto inside = [](const StretchPiece3& piece) { return kInside * (piece.high - piece.low); };
   const auto at_low = [&](const StretchPiece3& piece) { return piece.lambda(piece.low, inside(piece)); };
@@ -89,33 +104,37 @@ void EdgeSum3::add_jumps(const std::vector<StretchPiece3>& pieces, const Directi
     jumps_ += size;
     residual_jumps_ += kRootError * length(cross(way, jump));
   };
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const StretchPiece3& piece = pieces[k];
-    const bool follows = k > 0 && piece.low - pieces[k - 1].high <= kRootError;
-    if (follows)
-      add(piece.low, at_low(piece) - at_high(pieces[k - 1]));
-    else if (piece.low > 0)
-      add(piece.low, at_low(piece));
-    const bool is_followed = k + 1 < pieces.size() && pieces[k + 1].low - piece.high <= kRootError;
-    if (!is_followed && piece.high < 1) add(piece.high, at_high(piece));
-  }
+  const StretchPiece3& piece = pieces[k];
+  const bool follows = k > 0 && piece.low - pieces[k - 1].high <= kRootError;
+  if (follows)
+    add(piece.low, at_low(piece) - at_high(pieces[k - 1]));
+  else if (piece.low > 0)
+    add(piece.low, at_low(piece));
+  const bool is_followed = k + 1 < pieces.size() && pieces[k + 1].low - piece.high <= kRootError;
+  if (!is_followed && piece.high < 1) add(piece.high, at_high(piece));
 }
 
 template <class Real>
-void EdgeSum3::widen(EdgeIntegral3<Real>& integral) {
-  integral.add_error(jumps_, residual_jumps_);
+WidePiece3<Real> EdgeSum3::widened(std::uint32_t piece) {
+  return mapper_.widened<Real>(*stretch_of(piece).stretch, doubles_.with_arcs(piece));
+}
+
+template <class Real>
+void EdgeSum3::widen(std::optional<EdgeIntegral3<Real>>& integral) {
+  integral.emplace([this](std::uint32_t k, WidePiece3<Real>& piece) { piece = widened<Real>(k); }, most_bytes_);
+  integral->add_error(jumps_, residual_jumps_);
   for (std::size_t s = 0; s < seen_.size(); ++s) {
-    const std::uint32_t place = add_stretch(seen_[s].stretch->line(), integral);
+    const std::uint32_t place = add_stretch(seen_[s].stretch->line(), *integral);
     for (std::size_t p = seen_[s].first_piece; p < end_of_pieces(s); ++p)
-      integral.add(mapper_.widened<Real>(*seen_[s].stretch, pieces_in_doubles()[p]), place);
+      integral->add(widened<Real>(static_cast<std::uint32_t>(p)), place);
   }
 }
 
 bool EdgeSum3::take_more_digits() {
   if (!long_doubles_)
-    widen(long_doubles_.emplace());
+    widen(long_doubles_);
   else if (!wide_)
-    widen(wide_.emplace());
+    widen(wide_);
   else
     return false;
   return true;
@@ -163,7 +182,11 @@ std::size_t EdgeSum3::end_of_pieces(std::size_t seen) const {
   return seen + 1 < seen_.size() ? seen_[seen + 1].first_piece : pieces_in_doubles().size();
 }
 
-void EdgeSum3::tell(PairDetails3& details) const {
+const EdgeSum3::Seen& EdgeSum3::stretch_of(std::uint32_t piece) const {
+  return *(std::ranges::upper_bound(seen_, std::size_t{piece}, {}, &Seen::first_piece) - 1);
+}
+
+void EdgeSum3::tell(PairDetails3& details) {
   const std::vector<double> of_piece = wide_           ? wide_->of_pieces()
                                        : long_doubles_ ? long_doubles_->of_pieces()
                                                        : doubles_.of_pieces();
@@ -175,7 +198,7 @@ void EdgeSum3::tell(PairDetails3& details) const {
     for (const PairStretch3::Face& face : stretch.faces) told.surfaces.push_back(bodies_.bodies[face.body].surface);
     std::sort(told.surfaces.begin(), told.surfaces.end());
     for (std::size_t p = seen_[s].first_piece; p < end_of_pieces(s); ++p) {
-      const StretchPiece3& piece = pieces_in_doubles()[p];
+      const StretchPiece3& piece = doubles_.with_arcs(static_cast<std::uint32_t>(p));
       told.pieces.push_back({piece.low, piece.high, static_cast<std::uint32_t>(piece.arcs.size()),
                              of_piece[p] / (2 * std::numbers::pi), piece.signature});
     }

@@ -17,8 +17,8 @@ namespace hottel {
 class EdgeSum3 {
  public:
   // REQUIRES: both outlive this.
-  EdgeSum3(const PairBodies3& bodies, const WeightedPoint3& origin, long shift)
-      : bodies_(bodies), origin_(origin), shift_(shift), mapper_(bodies) {}
+  EdgeSum3(const PairBodies3& bodies, const WeightedPoint3& origin, long shift,
+           std::size_t most_bytes = kMostBytesOfArcs3);
   EdgeSum3(const EdgeSum3&) = delete;  // the mapper knows where its parts are
   EdgeSum3& operator=(const EdgeSum3&) = delete;
 
@@ -44,7 +44,7 @@ class EdgeSum3 {
   std::vector<PairStretch3> cut_at_jumps(double most) const;
 
   // Tells what it is the sum of.
-  void tell(PairDetails3& details) const;
+  void tell(PairDetails3& details);
 
  private:
   // A stretch along which something is seen.
@@ -61,18 +61,25 @@ class EdgeSum3 {
 
   const std::vector<StretchPiece3>& pieces_in_doubles() const { return doubles_.pieces(); }
   std::size_t end_of_pieces(std::size_t seen) const;
-  // Adds what the ends of the pieces of a stretch may be off, times what is no more, or not yet, seen there.
-  void add_jumps(const std::vector<StretchPiece3>& pieces, const Direction3& way, const Direction3& moment);
+  // The stretch that a piece is of.
+  const Seen& stretch_of(std::uint32_t piece) const;
+  // Adds what the ends of piece k of a stretch may be off, times what is no more, or not yet, seen there. REQUIRES that
+  // it has its arcs, and so does the one before.
+  void add_jumps(const std::vector<StretchPiece3>& pieces, std::size_t k, const Direction3& way,
+                 const Direction3& moment);
   // Where a stretch begins, from the origin, times both weights.
   IntegerVector from_origin(const Stretch3& s) const;
   template <class Real>
   std::uint32_t add_stretch(const Stretch3& s, EdgeIntegral3<Real>& integral) const;
   template <class Real>
-  void widen(EdgeIntegral3<Real>& integral);
+  WidePiece3<Real> widened(std::uint32_t piece);
+  template <class Real>
+  void widen(std::optional<EdgeIntegral3<Real>>& integral);
 
   const PairBodies3& bodies_;
   const WeightedPoint3& origin_;
   long shift_;
+  std::size_t most_bytes_;
   StretchMapper3 mapper_;
   std::vector<Seen> seen_;
   EdgeIntegral3<double> doubles_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -79,6 +80,15 @@ void require_room_for_pairs(const PreparedScene3& prepared, const ElementTable3&
   if (patches * patches / 2 <= static_cast<double>(most)) return;
   if (const std::uint64_t pairs = estimated_pairs(prepared, table); pairs > most)
     refuse_memory(pairs, "visible pairs", kBytesPerPair3, memory);
+}
+
+// How many threads may measure pairs, one at least: what they take is within what the pairs of this many patches leave
+// of the memory, or within half of it.
+std::uint64_t most_threads(std::uint64_t elements, std::uint64_t patches, std::uint64_t memory) {
+  if (memory == 0) return std::numeric_limits<std::uint64_t>::max();
+  const auto allowed = static_cast<double>(memory), count = static_cast<double>(patches);
+  const double tables = static_cast<double>(elements) * kBytesPerElement3 + count * count / 2 * kBytesPerPair3;
+  return static_cast<std::uint64_t>(std::max(1.0, std::max(allowed - tables, allowed / 2) / kBytesPerThread3));
 }
 
 // What a pair is in both of its rows.
@@ -232,6 +242,9 @@ std::span<const PairSum3> ExchangeRows3::add(std::span<const std::uint32_t> labe
                                              const std::function<void(double)>& progress) {
   const DefaultFloatingPoint arithmetic;
   Stopwatch watch;
+  std::optional<ThreadLimit> limit;
+  const std::uint64_t threads = most_threads(table_.count(), table_.parts().size(), request_.memory);
+  if (threads < static_cast<std::uint64_t>(threads_allowed())) limit.emplace(static_cast<int>(threads));
   std::vector<char> is_now(has_come_.size(), 0);
   for (const std::uint32_t label : labels) is_now[label] = is_missing(label);
   const PairTurn3 turn{is_now, has_come_, known_.elements() == 0 ? nullptr : &known_};

@@ -18,18 +18,18 @@ std::vector<ColumnRange> in_both(const std::vector<ColumnRange>& a, const std::v
 }  // namespace
 
 PairHandover3::PairHandover3(const ElementTable3& table, const std::vector<std::uint32_t>& labels,
-                             const PairTasks3& tasks, const PairSumRequest3& request, std::vector<FoundPairs3>& found)
+                             const PairTasks3& tasks, const PairSumRequest3& request, FoundOfTasks3& found)
     : table_(table),
       labels_(labels),
       tasks_(tasks),
       request_(request),
       found_(found),
-      done_(std::make_unique<std::atomic<char>[]>(tasks.count())),
+      done_(std::make_unique<std::atomic<std::uint64_t>[]>(tasks.count() / kBits + 1)),
       next_((Clock::now() + std::chrono::duration_cast<Clock::duration>(request.between)).time_since_epoch().count()),
       seen_(table.count()) {}
 
 void PairHandover3::has_done(std::size_t task) {
-  done_[task].store(1, std::memory_order_release);
+  done_[task / kBits].fetch_or(std::uint64_t{1} << (task % kBits), std::memory_order_release);
   if (Clock::now().time_since_epoch().count() < next_.load(std::memory_order_relaxed)) return;
   // Whoever has it does it for all. A task that begins while this one waits for others may come back to here.
   if (is_busy_.test_and_set(std::memory_order_acquire)) return;
@@ -134,15 +134,18 @@ void PairHandover3::add_row(std::uint32_t label, const std::vector<ColumnRange>&
                             std::vector<PairSum3>& pairs) {
   if (columns.empty()) return;
   const std::size_t begin = static_cast<std::size_t>(table_.parts(label).data() - table_.parts().data());
-  std::vector<std::size_t> tasks;
+  std::vector<std::pair<std::size_t, FoundPairs3*>> of_tasks;
+  const auto add_tasks = [&](std::size_t first, std::size_t last) {
+    for (const auto& found : found_.among(first, last))
+      if (is_done(found.first)) of_tasks.push_back(found);
+  };
   for (std::size_t a = begin; a < begin + table_.parts(label).size(); ++a) {
-    if (tasks_.sky_task(a) != PairTasks3::kNoTask && is_done(tasks_.sky_task(a))) tasks.push_back(tasks_.sky_task(a));
-    for (std::size_t task = tasks_.tasks(a).first; task < tasks_.tasks(a).second; ++task)
-      if (is_done(task)) tasks.push_back(task);
+    if (tasks_.sky_task(a) != PairTasks3::kNoTask) add_tasks(tasks_.sky_task(a), tasks_.sky_task(a) + 1);
+    add_tasks(tasks_.tasks(a).first, tasks_.tasks(a).second);
   }
   std::vector<std::uint32_t> are_open;
-  for (const std::size_t task : tasks)
-    for (const OpenPair3& open : found_[task].open) are_open.push_back(open.b->label);
+  for (const auto& [task, found] : of_tasks)
+    for (const OpenPair3& open : found->open) are_open.push_back(open.b->label);
   for (const ColumnRange& range : columns)
     for (std::uint32_t j = range.begin; j < range.end;) {
       std::uint32_t end = j;
@@ -154,11 +157,10 @@ void PairHandover3::add_row(std::uint32_t label, const std::vector<ColumnRange>&
     return known.has(label, labels_.empty() ? pair.j : labels_[pair.j]);
   };
   std::vector<PairSum3> of_row, contacts;
-  for (const std::size_t task : tasks) {
-    std::vector<PairSum3>& found = found_[task].pairs;
-    std::ranges::copy_if(found, std::back_inserter(of_row), is_now);
-    std::erase_if(found, is_now);
-    if (found.empty()) found.shrink_to_fit();
+  for (const auto& [task, found] : of_tasks) {
+    std::ranges::copy_if(found->pairs, std::back_inserter(of_row), is_now);
+    std::erase_if(found->pairs, is_now);
+    if (found->pairs.empty() && found->open.empty()) found_.drop(task);
   }
   for (const ElementTable3::Contact& contact : table_.contacts()) {
     const PairSum3 pair = contact_pair(table_, contact);

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -20,14 +21,15 @@ namespace hottel {
 //   (2) the pairs of `known` are those that this turn asks for, and those that nobody asks for as neither element has
 //       a row; those of them that are not in the list exchange nothing
 //   (3) what was handed on is moved out of the lists of tasks
-// COST: a clock and an atomic byte a task; each time a byte for each task of rows that are not done.
+// COST: a clock and an atomic bit a task; each time a bit for each task of rows that are not done.
 class PairHandover3 {
  public:
-  // REQUIRES that all outlive this; found[t] is of task t; labels are those of the table's holders.
+  // REQUIRES that all outlive this; labels are those of the table's holders.
   PairHandover3(const ElementTable3& table, const std::vector<std::uint32_t>& labels, const PairTasks3& tasks,
-                const PairSumRequest3& request, std::vector<FoundPairs3>& found);
+                const PairSumRequest3& request, FoundOfTasks3& found);
 
-  // Task t is done: found[t] is complete. From any thread; hands on where it is time to. Throws what the sink throws.
+  // Task t is done: what it found is complete. From any thread; hands on where it is time to. Throws what the sink
+  // throws.
   void has_done(std::size_t task);
   // Hands on all that is complete. REQUIRES that no task runs.
   void hand_over();
@@ -46,14 +48,17 @@ class PairHandover3 {
   bool is_ours(std::uint32_t i, std::uint32_t j) const;
   void add_row(std::uint32_t label, const std::vector<ColumnRange>& columns, PairRanges& known,
                std::vector<PairSum3>& pairs);
-  bool is_done(std::size_t task) const { return done_[task].load(std::memory_order_acquire) != 0; }
+  bool is_done(std::size_t task) const {
+    return (done_[task / kBits].load(std::memory_order_acquire) >> (task % kBits) & 1) != 0;
+  }
 
   const ElementTable3& table_;
   const std::vector<std::uint32_t>& labels_;
   const PairTasks3& tasks_;
   const PairSumRequest3& request_;
-  std::vector<FoundPairs3>& found_;
-  std::unique_ptr<std::atomic<char>[]> done_;
+  FoundOfTasks3& found_;
+  static constexpr std::size_t kBits = 64;
+  std::unique_ptr<std::atomic<std::uint64_t>[]> done_;  // a bit a task
   std::atomic<Clock::rep> next_;
   std::atomic_flag is_busy_;
   PairRanges seen_;  // columns that were complete before

@@ -161,9 +161,13 @@ EdgeSum3& cut_at_jumps(const PairSetting3& setting, const MomentOrigin3& origin,
     const bool is_divided = next.sum.add(next.stretches, counts);
     result.maps += counts.maps;
     result.signs += counts.signs;
-    if (!is_divided || !(next.sum.jumps() < best->jumps() / 2)) break;
+    if (!is_divided || !(next.sum.jumps() < best->jumps() / 2)) {
+      finer.pop_back();
+      break;
+    }
     result.pieces = counts.pieces;
     best = &next.sum;
+    if (finer.size() > 1) finer.pop_front();  // what it was cut from is not needed
   }
   return *best;
 }
@@ -462,7 +466,7 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
     take_alone(alone.has_converged ? alone : measure_alone(Effort3::kAll), allowed, result);
     return result;
   }
-  const EdgeSum3* told = &sum;
+  EdgeSum3* told = &sum;
   std::list<FinerSum> finer;
   integrate(setting, origin, allowed, sum, result);
   const auto is_done = [&] { return is_sure(result) && result.error <= allowed; };

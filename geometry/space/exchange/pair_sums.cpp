@@ -335,7 +335,7 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
   const Measuring measuring(prepared, table, request);
   const Tasks& tasks = measuring.tasks();
   const std::vector<std::uint32_t> labels = labels_of_holders(table);
-  std::vector<Found> found(tasks.count());
+  FoundOfTasks3 found;
   ProgressCount progress(request.progress, tasks.count());
   std::atomic<std::uint64_t> found_pairs{0};
   std::mutex together;
@@ -344,10 +344,12 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
   const auto measure_all = [&](std::size_t begin, std::size_t end) {
     ExchangeReport3 counts;
     for (std::size_t t = begin; t < end; ++t) {
-      measuring.run(tasks[t], found[t], counts);
-      found[t].pairs.shrink_to_fit();
-      found[t].open.shrink_to_fit();
-      const std::size_t more = found[t].pairs.size() + found[t].open.size();
+      Found some;
+      measuring.run(tasks[t], some, counts);
+      some.pairs.shrink_to_fit();
+      some.open.shrink_to_fit();
+      const std::size_t more = some.pairs.size() + some.open.size();
+      found.put(t, std::move(some));
       if (handover) handover->has_done(t);
       if (found_pairs.fetch_add(more, std::memory_order_relaxed) + more > request.most_pairs)
         throw RequestError("more than " + std::to_string(request.most_pairs) +
@@ -368,11 +370,10 @@ PairSums3 sum_pairs(const PreparedScene3& prepared, const ElementTable3& table, 
   // What has not been handed over: everything, or pairs that are open.
   std::vector<PairSum3> of_holders;
   std::vector<OpenPair> open;
-  for (Found& some : found) {
+  found.take_each([&](Found& some) {
     of_holders.insert(of_holders.end(), some.pairs.begin(), some.pairs.end());
     std::move(some.open.begin(), some.open.end(), std::back_inserter(open));
-    some = {};
-  }
+  });
   std::set<std::pair<std::uint32_t, std::uint32_t>> are_open;
   for (const OpenPair& one : open) are_open.emplace(one.a->label, one.b->label);
   sum_equal(of_holders);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <mutex>
 #include <span>
 #include <string>
 #include <utility>
@@ -80,6 +82,38 @@ struct OpenPair3 {
 struct FoundPairs3 {
   std::vector<PairSum3> pairs;
   std::vector<OpenPair3> open;
+};
+
+// What all tasks found: of those that found nothing there is nothing. For several threads at once.
+class FoundOfTasks3 {
+ public:
+  // Of a task that is done. REQUIRES: once a task.
+  void put(std::size_t task, FoundPairs3 found) {
+    if (found.pairs.empty() && found.open.empty()) return;
+    const std::lock_guard lock(mutex_);
+    found_.emplace(task, std::move(found));
+  }
+  // Of those from `first` to before `last` that found something and are done, as they are numbered; with their numbers.
+  std::vector<std::pair<std::size_t, FoundPairs3*>> among(std::size_t first, std::size_t last) {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::pair<std::size_t, FoundPairs3*>> result;
+    for (auto place = found_.lower_bound(first); place != found_.end() && place->first < last; ++place)
+      result.emplace_back(place->first, &place->second);
+    return result;
+  }
+  void drop(std::size_t task) {
+    const std::lock_guard lock(mutex_);
+    found_.erase(task);
+  }
+  // Calls it for each, as they are numbered, and drops it. REQUIRES that no task runs.
+  template <class Visit>
+  void take_each(const Visit& visit) {
+    for (auto place = found_.begin(); place != found_.end(); place = found_.erase(place)) visit(place->second);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::size_t, FoundPairs3> found_;
 };
 
 // The element of each holder, where groups are elements; else empty: they are the same.

@@ -42,7 +42,7 @@ StretchMapper3::StretchMapper3(const PairBodies3& bodies)
     : bodies_(bodies), planes_(bodies), cutter_(planes_), hull_(bodies) {}
 
 bool StretchMapper3::divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces) {
-  planes_.take(stretch.line());
+  take(stretch);
   hints_.assign(4 * bodies_.bodies.size(), 0);
   if (!find_sides(stretch)) return true;
   find_bodies(stretch);
@@ -76,8 +76,18 @@ bool StretchMapper3::divide(const PairStretch3& stretch, std::vector<StretchPiec
   pieces.erase(std::remove_if(pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end(),
                               [](const StretchPiece3& piece) { return piece.signature.empty(); }),
                pieces.end());
-  for (std::size_t k = first; k < pieces.size(); ++k) set_arcs(pieces[k]);
   return true;
+}
+
+void StretchMapper3::make_arcs(const PairStretch3& stretch, StretchPiece3& piece) {
+  take(stretch);
+  piece.unpack_signature();
+  set_arcs(piece);
+}
+
+void StretchMapper3::take(const PairStretch3& stretch) {
+  if (taken_ != &stretch) planes_.take(stretch.line());
+  taken_ = &stretch;
 }
 
 // Sets sides_seen_: whether directions may be left, or right, of all surfaces at the stretch. As it lies in their
@@ -234,28 +244,28 @@ void StretchMapper3::take_away(const PairStretch3& stretch, std::uint32_t body, 
   std::swap(pieces_, rest_);
 }
 
-void StretchMapper3::set_signature(StretchPiece3& piece) const {
-  std::size_t count = 0;
-  for (std::size_t f = 0; f < seen_count_; ++f) count += seen_[f].second.size();
-  piece.signature.reserve(2 * count);
+void StretchMapper3::set_signature(StretchPiece3& piece) {
+  std::vector<ArcEnd3>& all = all_ends_;
+  all.clear();
   for (std::size_t f = 0; f < seen_count_; ++f) {
     const auto& [sign, fragment] = seen_[f];
     for (std::size_t k = 0; k < fragment.size(); ++k) {
       const MovingCorner3 &begin = fragment[k], &end = fragment[k + 1 == fragment.size() ? 0 : k + 1];
-      piece.signature.push_back({begin.plane.plane, label_of(begin), -sign});
-      piece.signature.push_back({begin.plane.plane, label_of(end), sign});
+      all.push_back({begin.plane.plane, label_of(begin), -sign});
+      all.push_back({begin.plane.plane, label_of(end), sign});
     }
   }
-  std::sort(piece.signature.begin(), piece.signature.end(), precedes);
+  std::sort(all.begin(), all.end(), precedes);
   std::size_t kept = 0;
-  for (const ArcEnd3& end : piece.signature) {
-    if (kept > 0 && piece.signature[kept - 1].plane == end.plane && piece.signature[kept - 1].label == end.label)
-      piece.signature[kept - 1].count += end.count;
+  for (const ArcEnd3& end : all) {
+    if (kept > 0 && all[kept - 1].plane == end.plane && all[kept - 1].label == end.label)
+      all[kept - 1].count += end.count;
     else
-      piece.signature[kept++] = end;
+      all[kept++] = end;
   }
-  piece.signature.resize(kept);
-  std::erase_if(piece.signature, [](const ArcEnd3& end) { return end.count == 0; });
+  all.resize(kept);
+  std::erase_if(all, [](const ArcEnd3& end) { return end.count == 0; });
+  piece.signature.assign(all.begin(), all.end());  // no longer than it is: edges between fragments are many, and gone
 }
 
 // Where a vector is zero at an end of a piece its direction goes on analytically. Within a piece it is never zero: it
@@ -281,7 +291,7 @@ MovingCorner3 StretchMapper3::corner_of(std::uint64_t label) {
 // Sets labels_ and planes_of_arcs_ too.
 void StretchMapper3::list_arcs(const std::vector<ArcEnd3>& signature, std::vector<SeenArc3>& arcs) {
   const std::size_t count = signature.size();
-  arcs.reserve(count);
+  arcs.reserve(count / 2);  // as a rule one begins and one ends
   labels_.clear();
   planes_of_arcs_.clear();
   const auto place_of = [&](std::uint64_t label) {
@@ -312,6 +322,8 @@ void StretchMapper3::list_arcs(const std::vector<ArcEnd3>& signature, std::vecto
 void StretchMapper3::set_arcs(StretchPiece3& piece) {
   planes_.move_to(piece.base, 0, 0);
   list_arcs(piece.signature, piece.arcs);
+  piece.corners.reserve(labels_.size());
+  piece.planes.reserve(planes_of_arcs_.size());
   for (const std::uint64_t label : labels_)
     piece.corners.push_back(planes_.fine_direction(corner_of(label), piece.low, piece.high));
   for (const PlaneId3 plane : planes_of_arcs_)
@@ -328,7 +340,7 @@ void StretchMapper3::set_arcs(StretchPiece3& piece) {
 
 template <class Real>
 WidePiece3<Real> StretchMapper3::widened(const PairStretch3& stretch, const StretchPiece3& piece) {
-  planes_.take(stretch.line());
+  take(stretch);
   planes_.move_to(piece.base, 0, 0);
   WidePiece3<Real> wide;
   wide.low = piece.low;
@@ -336,6 +348,8 @@ WidePiece3<Real> StretchMapper3::widened(const PairStretch3& stretch, const Stre
   wide.near_zeros = piece.near_zeros;
   list_arcs(piece.signature, wide.arcs);
   wide.arcs = piece.arcs;
+  wide.corners.reserve(labels_.size());
+  wide.planes.reserve(planes_of_arcs_.size());
   for (const std::uint64_t label : labels_)
     wide.corners.push_back(planes_.wide_direction<Real>(corner_of(label), piece.low, piece.high));
   for (const PlaneId3 plane : planes_of_arcs_)

@@ -43,10 +43,12 @@ class StretchMapper3 {
  public:
   explicit StretchMapper3(const PairBodies3& bodies);
 
-  // Appends the parts of a stretch in which something is seen. False where it took too many steps.
+  // Appends the parts of a stretch in which something is seen, without their arcs. False where it took too many steps.
   bool divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces);
+  // Makes the arcs of one of these parts: at any time the same. REQUIRES that it has none.
+  void make_arcs(const PairStretch3& stretch, StretchPiece3& piece);
 
-  // A part of a stretch with more digits. REQUIRES that it is one of that stretch.
+  // A part of a stretch with more digits. REQUIRES that it is one of that stretch, and has its arcs.
   template <class Real>
   WidePiece3<Real> widened(const PairStretch3& stretch, const StretchPiece3& piece);
 
@@ -61,6 +63,7 @@ class StretchMapper3 {
   struct Hider {
     std::uint32_t body = 0, patch = 0;
   };
+  void take(const PairStretch3& stretch);
   bool look(const PairStretch3& stretch, double low, double high, StretchPiece3& piece);
   bool find_sides(const PairStretch3& stretch);
   void find_bodies(const PairStretch3& stretch);
@@ -71,7 +74,7 @@ class StretchMapper3 {
   void take_away(const PairStretch3& stretch, std::uint32_t body, std::uint32_t patch, int sign);
   enum class Hides : unsigned char { kNever, kWhole, kWhereNearer };
   Hides hides(std::uint32_t body, int facing, std::uint32_t patch) const;
-  void set_signature(StretchPiece3& piece) const;
+  void set_signature(StretchPiece3& piece);
   void set_arcs(StretchPiece3& piece);
   void list_arcs(const std::vector<ArcEnd3>& signature, std::vector<SeenArc3>& arcs);
   static void add_near_zero(const MovingVector3& vector, StretchPiece3& piece);
@@ -79,6 +82,7 @@ class StretchMapper3 {
 
   const PairBodies3& bodies_;
   MovingPlanes3 planes_;
+  const PairStretch3* taken_ = nullptr;  // by planes_
   MovingCutter3 cutter_;
   MovingFragment3 start_, copy_;
   MovingFragments3 pieces_, rest_;
@@ -88,7 +92,7 @@ class StretchMapper3 {
   std::vector<PlaneSide3> sides_;
   std::vector<std::uint64_t> labels_;     // as the corners of the piece
   std::vector<PlaneId3> planes_of_arcs_;  // as its planes
-  std::vector<ArcEnd3> begins_, ends_;
+  std::vector<ArcEnd3> begins_, ends_, all_ends_;
   std::vector<std::uint32_t> hints_;  // what told apart last: by body, direction and side
   StretchHull3 hull_;
   std::array<bool, 2> sides_seen_{};                   // right, left

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/support/list_bytes.h"
+
 namespace hottel {
 namespace {
 
@@ -14,6 +16,26 @@ Direction3 unit_at(const MovingVector3& vector, double from, double offset) {
 }
 
 }  // namespace
+
+std::size_t StretchPiece3::bytes() const {
+  return bytes_of(signature) + bytes_of(packed_signature) + bytes_of(planes) + bytes_of(corners) + bytes_of(arcs) +
+         bytes_of(near_zeros);
+}
+
+void StretchPiece3::give_up_arcs() {
+  packed_signature = packed_ends_3(signature);
+  give_back(signature);
+  give_back(planes);
+  give_back(corners);
+  give_back(arcs);
+  give_back(near_zeros);
+}
+
+void StretchPiece3::unpack_signature() {
+  if (packed_signature.empty()) return;
+  signature = unpacked_ends_3(packed_signature);
+  give_back(packed_signature);
+}
 
 // Where an arc is nearly half a turn doubles may not tell its sign: that is taken where they tell it best. Returns the
 // arcs where they tell it nowhere.

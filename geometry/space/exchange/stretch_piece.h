@@ -4,18 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/space/exchange/arc_end.h"
 #include "geometry/space/exchange/arc_sum.h"
 #include "geometry/space/exchange/moving_planes.h"
 
 namespace hottel {
-
-// Where an arc of the boundary of what is seen begins or ends: a corner of a plane.
-struct ArcEnd3 {
-  PlaneId3 plane;
-  std::uint64_t label;  // of the corner: equal for equal definitions
-  int count;            // how often arcs on the plane end here, less how often they begin
-  friend bool operator==(const ArcEnd3&, const ArcEnd3&) = default;
-};
 
 // A part of a stretch along which what is seen is bounded by the same arcs.
 //
@@ -24,10 +17,12 @@ struct ArcEnd3 {
 //   (2) no arcs: nothing is seen
 //   (3) where all corners are close to each other Lambda is summed of differences of their directions: it loses digits
 //       with its size, not with the square of it
+//   (4) the arcs take most of its memory. They may be given up, and made again of the signature (StretchMapper3)
 struct StretchPiece3 {
   using Arc = SeenArc3;
-  double low = 0, high = 0, base = 0;  // of t; base: where it was looked
-  std::vector<ArcEnd3> signature;      // sorted
+  double low = 0, high = 0, base = 0;           // of t; base: where it was looked
+  std::vector<ArcEnd3> signature;               // sorted
+  std::vector<unsigned char> packed_signature;  // where arcs were given up: then the signature is empty
   std::vector<MovingVector3> planes, corners;
   std::vector<Arc> arcs;
 
@@ -36,6 +31,12 @@ struct StretchPiece3 {
     double at, width;
   };
   std::vector<NearZero> near_zeros;
+
+  // What it takes of memory beside itself, in bytes.
+  std::size_t bytes() const;
+  // Gives arcs, planes, corners and zeros back, and packs the signature.
+  void give_up_arcs();
+  void unpack_signature();
 
   // Sets `turn` of all arcs; returns those of which doubles do not tell it.
   std::vector<std::uint32_t> find_turns();

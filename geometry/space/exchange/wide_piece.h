@@ -6,6 +6,7 @@
 #include "geometry/space/exchange/arc_sum.h"
 #include "geometry/space/exchange/stretch_piece.h"
 #include "geometry/space/exchange/wide_vector.h"
+#include "kernel/support/list_bytes.h"
 
 namespace hottel {
 
@@ -17,6 +18,15 @@ struct WidePiece3 {
   std::vector<WideVector3<Real>> planes, corners;
   std::vector<SeenArc3> arcs;
   std::vector<StretchPiece3::NearZero> near_zeros;
+
+  // As StretchPiece3.
+  std::size_t bytes() const { return bytes_of(planes) + bytes_of(corners) + bytes_of(arcs) + bytes_of(near_zeros); }
+  void give_up_arcs() {
+    give_back(arcs);
+    give_back(planes);
+    give_back(corners);
+    give_back(near_zeros);
+  }
 
   bool is_steep(double from, double to) const { return is_any_near(near_zeros, from, to); }
 
