@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "kernel/legendre_rule.h"
 
@@ -26,7 +25,6 @@ constexpr double kMostRounding = 0.8;
 constexpr std::uint32_t kMostWhereHopeless = 1000;
 // Parts of a stretch are not divided below this.
 constexpr double kShortest = 0x1p-48;
-constexpr double kTiny = 0x1p-49;
 template <class Real>
 inline constexpr std::uint32_t kMostBisections = 20000;
 template <>
@@ -127,7 +125,6 @@ void EdgeIntegral3<Real>::add_parts(std::uint32_t piece, std::uint32_t stretch, 
 template <class Real>
 typename EdgeIntegral3<Real>::Part EdgeIntegral3<Real>::make_part(std::uint32_t piece, std::uint32_t stretch,
                                                                   double low, double high) {
-  if (high - low < kTiny) return tiny_part(piece, stretch, low, high);
   double rounding = 0;
   const Vector coarse = integral<Real>(kCoarse<Real>, pieces_[piece], low, high, nullptr);
   const Vector fine = integral<Real>(kFine<Real>, pieces_[piece], low, high, &rounding);
@@ -142,27 +139,10 @@ typename EdgeIntegral3<Real>::Part EdgeIntegral3<Real>::make_part(std::uint32_t 
 }
 
 template <class Real>
-typename EdgeIntegral3<Real>::Part EdgeIntegral3<Real>::tiny_part(std::uint32_t piece, std::uint32_t stretch,
-                                                                  double low, double high) {
-  const double width = high - low, rounding = std::numbers::pi * width;
-  ++nodes_;
-  return {piece,
-          stretch,
-          low,
-          high,
-          Real(width) * pieces_[piece].lambda(low, Real(width / 2)),
-          0,
-          0,
-          rounding * stretches_[stretch].moment_size,
-          rounding * stretches_[stretch].way_size};
-}
-
-template <class Real>
 void EdgeIntegral3<Real>::sum_up() {
   value_ = 0;
-  error_ = residual_error_ = 0;
+  error_ = residual_error_ = residual_rounding_ = 0;
   rounding_ = fixed_error_;
-  residual_rounding_ = fixed_residual_error_;
   residual_ = {};
   for (const Part& part : parts_) {
     value_ += dot(stretches_[part.stretch].moment, part.value);
@@ -172,6 +152,7 @@ void EdgeIntegral3<Real>::sum_up() {
     residual_error_ += part.residual_error;
     residual_rounding_ += part.residual_rounding;
   }
+  if (const Real along = dot(residual_, expected_); along > 0) residual_ = residual_ - along * expected_;
 }
 
 template class EdgeIntegral3<double>;

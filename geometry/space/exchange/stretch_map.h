@@ -46,6 +46,9 @@ class StretchMapper3 {
   // Appends the parts of a stretch in which something is seen. False where it took too many steps.
   bool divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces);
 
+  // Where, on the stretch that was divided last, a part was too short to be looked at.
+  const std::vector<double>& not_looked_at() const { return not_looked_at_; }
+
   // A part of a stretch with more digits. REQUIRES that it is one of that stretch.
   template <class Real>
   WidePiece3<Real> widened(const PairStretch3& stretch, const StretchPiece3& piece);
@@ -80,6 +83,7 @@ class StretchMapper3 {
   const PairBodies3& bodies_;
   MovingPlanes3 planes_;
   MovingCutter3 cutter_;
+  std::vector<double> not_looked_at_;
   MovingFragment3 start_, copy_;
   MovingFragments3 pieces_, rest_;
   std::vector<std::pair<int, MovingFragment3>> seen_;
