@@ -23,7 +23,7 @@ constexpr double kSafety = 8;
 constexpr double kMostRounding = 0.8;
 // Where the value cannot be told, so often parts are halved for the residual.
 constexpr std::uint32_t kMostWhereHopeless = 1000;
-// Parts of a stretch are not divided below this.
+// Where what happens is steep, parts of a stretch are not divided below this beforehand.
 constexpr double kShortest = 0x1p-48;
 template <class Real>
 inline constexpr std::uint32_t kMostBisections = 20000;
@@ -88,7 +88,7 @@ EdgeValues3 EdgeIntegral3<Real>::refine(double tolerance, double residual_tolera
     heap.pop_back();
     const Part part = parts_[worst];
     const double middle = (part.low + part.high) / 2;
-    if (part.high - part.low < kShortest) continue;
+    if (!(part.low < middle && middle < part.high)) continue;
     if (part.error <= part.rounding && part.residual_error <= part.residual_rounding) continue;
     parts_[worst] = make_part(part.piece, part.stretch, part.low, middle);
     parts_.push_back(make_part(part.piece, part.stretch, middle, part.high));

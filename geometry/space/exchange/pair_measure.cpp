@@ -121,8 +121,7 @@ void integrate(double allowed, EdgeSum3& sum, PairMeasure3& result) {
     result.error = values.error / full + kOfDouble / 4 * std::fabs(result.measure);
     result.residual = length(values.residual);
     result.residual_bound = std::max(values.residual_error, residual_tolerance);
-    if (may_lack)
-      result.error += std::min(sum.may_lack(), (result.residual + values.residual_error) * sum.reach()) / full;
+    if (may_lack) result.error += std::min(sum.may_lack(), result.residual * sum.reach()) / full;
     if (is_sure(result)) break;
   }
   result.nodes = sum.nodes();
