@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "kernel/legendre_rule.h"
 
@@ -24,9 +23,8 @@ constexpr double kSafety = 8;
 constexpr double kMostRounding = 0.8;
 // Where the value cannot be told, so often parts are halved for the residual.
 constexpr std::uint32_t kMostWhereHopeless = 1000;
-// Parts of a stretch are not divided below this.
+// Where what happens is steep, parts of a stretch are not divided below this beforehand.
 constexpr double kShortest = 0x1p-48;
-constexpr double kTiny = 0x1p-49;
 template <class Real>
 inline constexpr std::uint32_t kMostBisections = 20000;
 template <>
@@ -115,7 +113,7 @@ EdgeValues3 EdgeIntegral3<Real>::refine(double tolerance, double residual_tolera
     heap.pop_back();
     const Part part = parts_[worst];
     const double middle = (part.low + part.high) / 2;
-    if (part.high - part.low < kShortest) continue;
+    if (!(part.low < middle && middle < part.high)) continue;
     if (part.error <= part.rounding && part.residual_error <= part.residual_rounding) continue;
     parts_[worst] = make_part(part.piece, part.stretch, part.low, middle);
     parts_.push_back(make_part(part.piece, part.stretch, middle, part.high));
@@ -152,7 +150,6 @@ void EdgeIntegral3<Real>::add_parts(std::uint32_t piece, std::uint32_t stretch, 
 template <class Real>
 typename EdgeIntegral3<Real>::Part EdgeIntegral3<Real>::make_part(std::uint32_t piece, std::uint32_t stretch,
                                                                   double low, double high) {
-  if (high - low < kTiny) return tiny_part(piece, stretch, low, high);
   double rounding = 0;
   const Piece& whole = with_arcs(piece);
   const Vector coarse = integral<Real>(kCoarse<Real>, whole, low, high, nullptr);
@@ -168,27 +165,10 @@ typename EdgeIntegral3<Real>::Part EdgeIntegral3<Real>::make_part(std::uint32_t 
 }
 
 template <class Real>
-typename EdgeIntegral3<Real>::Part EdgeIntegral3<Real>::tiny_part(std::uint32_t piece, std::uint32_t stretch,
-                                                                  double low, double high) {
-  const double width = high - low, rounding = std::numbers::pi * width;
-  ++nodes_;
-  return {piece,
-          stretch,
-          low,
-          high,
-          Real(width) * with_arcs(piece).lambda(low, Real(width / 2)),
-          0,
-          0,
-          rounding * stretches_[stretch].moment_size,
-          rounding * stretches_[stretch].way_size};
-}
-
-template <class Real>
 void EdgeIntegral3<Real>::sum_up() {
   value_ = 0;
-  error_ = residual_error_ = 0;
+  error_ = residual_error_ = residual_rounding_ = 0;
   rounding_ = fixed_error_;
-  residual_rounding_ = fixed_residual_error_;
   residual_ = {};
   for (const Part& part : parts_) {
     value_ += dot(stretches_[part.stretch].moment, part.value);
@@ -198,6 +178,7 @@ void EdgeIntegral3<Real>::sum_up() {
     residual_error_ += part.residual_error;
     residual_rounding_ += part.residual_rounding;
   }
+  if (const Real along = dot(residual_, expected_); along > 0) residual_ = residual_ - along * expected_;
 }
 
 template class EdgeIntegral3<double>;

@@ -48,11 +48,11 @@ class EdgeIntegral3 {
   // A piece of a stretch, divided until the rules see all that happens. It has the number of those before it.
   void add(Piece piece, std::uint32_t stretch);
 
-  // What else the value and the residual may be off.
-  void add_error(double of_value, double of_residual) {
-    fixed_error_ += of_value;
-    fixed_residual_error_ += of_residual;
-  }
+  // What else the value may be off.
+  void add_error(double of_value) { fixed_error_ += of_value; }
+
+  // The residual has some length along a direction: what is left without it is told.
+  void expect_residual(const Vector& direction) { expected_ = direction; }
 
   // Halves the worst parts until the error is within the tolerance and that of the residual within its own, or as small
   // as rounding lets them be. Starts where the last call ended.
@@ -82,8 +82,6 @@ class EdgeIntegral3 {
 
   void add_parts(std::uint32_t piece, std::uint32_t stretch, double low, double high);
   Part make_part(std::uint32_t piece, std::uint32_t stretch, double low, double high);
-  // So short that nodes would fall on its ends: Lambda is less than pi anywhere.
-  Part tiny_part(std::uint32_t piece, std::uint32_t stretch, double low, double high);
   void sum_up();
   void keep_arcs(std::uint32_t piece);
 
@@ -95,9 +93,9 @@ class EdgeIntegral3 {
   std::vector<Stretch> stretches_;
   std::vector<Part> parts_;
   Real value_ = 0;
-  Vector residual_;
+  Vector residual_, expected_;
   double error_ = 0, rounding_ = 0, residual_error_ = 0, residual_rounding_ = 0;
-  double fixed_error_ = 0, fixed_residual_error_ = 0;
+  double fixed_error_ = 0;
   std::uint32_t nodes_ = 0;
 };
 

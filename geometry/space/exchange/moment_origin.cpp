@@ -1,15 +1,28 @@
 #include "geometry/space/exchange/moment_origin.h"
 
 #include <algorithm>
+#include <limits>
+#include <type_traits>
 
+#include "geometry/space/exchange/integer_reals.h"
 #include "kernel/exact_double.h"
 
 namespace hottel {
 namespace {
 
-Direction3 unit(const BoundedVector& a) {
-  const Direction3 d{a.x / a.size, a.y / a.size, a.z / a.size};
-  return (1 / length(d)) * d;
+template <class Real>
+ArcVector3<Real> unit(const IntegerVector& a) {
+  const long bits_above = std::max(0L, bits(a) - std::numeric_limits<double>::digits);
+  ArcVector3<Real> result;
+  if constexpr (std::is_same_v<Real, double>) {
+    const BoundedVector double_vector = rounded(a, bits_above);
+    result = {double_vector.x, double_vector.y, double_vector.z};
+  } else {
+    integer_reals::set_quotient(a.x, 1, bits_above, result.x);
+    integer_reals::set_quotient(a.y, 1, bits_above, result.y);
+    integer_reals::set_quotient(a.z, 1, bits_above, result.z);
+  }
+  return unit_or_zero<Real>(result);
 }
 
 }  // namespace
@@ -93,15 +106,17 @@ bool MomentOrigin3::set_on_common_line(double shift) {
   return true;
 }
 
-Direction3 direction_of_both_normals(const PairBodies3& bodies) {
-  const Direction3 a = unit(bodies.bodies[0].normal), b = unit(bodies.bodies[1].normal);
-  Direction3 result = a + b;
-  if (dot(a, b) < 0) {
-    // Nearly opposite normals lose the digits of their sum: it is at right angles to the line and to the difference.
-    const IntegerVector line = cross(bodies.bodies[0].exact_normal(), bodies.bodies[1].exact_normal());
-    result = cross(unit(rounded(line, bits(line) - 53)), a - b);
-  }
-  return (1 / length(result)) * result;
+// Nearly opposite normals lose the digits of their sum: it is at right angles to the line and to the difference.
+template <class Real>
+ArcVector3<Real> direction_of_both_normals(const PairBodies3& bodies) {
+  const IntegerVector &a = bodies.bodies[0].exact_normal(), &b = bodies.bodies[1].exact_normal();
+  const ArcVector3<Real> n = unit<Real>(a), m = unit<Real>(b);
+  const bool is_acute = dot(n, m) >= 0;
+  return unit_or_zero<Real>(is_acute ? n + m : cross(unit<Real>(cross(a, b)), n - m));
 }
+
+template Direction3 direction_of_both_normals<double>(const PairBodies3&);
+template LocalVector3<long double> direction_of_both_normals<long double>(const PairBodies3&);
+template LocalVector3<WideReal> direction_of_both_normals<WideReal>(const PairBodies3&);
 
 }  // namespace hottel

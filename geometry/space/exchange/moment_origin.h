@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "geometry/space/exchange/arc_sum.h"
 #include "geometry/space/exchange/pair_bodies.h"
 #include "geometry/space/exchange/stretch.h"
 #include "geometry/space/visibility/direction.h"
@@ -33,7 +34,9 @@ class MomentOrigin3 {
   bool is_on_common_line_ = false;
 };
 
-// The direction of the sum of the unit normals of both patches. REQUIRES: their planes meet in a line.
-Direction3 direction_of_both_normals(const PairBodies3& bodies);
+// The direction of the sum of the unit normals of both patches, in doubles, long doubles or WideReal. REQUIRES: their
+// planes meet in a line.
+template <class Real>
+ArcVector3<Real> direction_of_both_normals(const PairBodies3& bodies);
 
 }  // namespace hottel

@@ -31,7 +31,10 @@ constexpr double kNextShare = 0x1p-8, kLeastShare = 0x1p-16;
 // What ends of pieces may be off is made less than this part of what is allowed, by cutting where one makes this part
 // of that; and how often.
 constexpr double kShareOfJumps = 0.25, kManyJumps = 64;
-constexpr int kMostCutsAtJumps = 4;
+// Where something may have been missed that is more than this part of what is allowed, the residual is to be so little
+// that it is not.
+constexpr double kShareOfWhatLacks = 0.25;
+constexpr int kMostCutsAtJumps = 4, kMostCutsAtEnds = 3;
 
 // So many surfaces between two patches are taken at once. Where there are more, the pair is cut if its halves cost less
 // than this times the whole: up to twice for a side of the sky, of which many cuts save much, the first one little. And
@@ -116,26 +119,21 @@ void bound_what_is_hidden(const PairSetting3& setting, const Blockers3& blockers
 bool is_sure(const PairMeasure3& result) { return result.residual <= result.residual_bound; }
 
 // The sum along edges, to what is allowed. Sets measure, error and residual.
-void integrate(const PairSetting3& setting, const MomentOrigin3& origin, double allowed, EdgeSum3& sum,
-               PairMeasure3& result) {
+void integrate(double allowed, EdgeSum3& sum, PairMeasure3& result) {
   const double full = 2 * std::numbers::pi;
   // What is missing, or wrong, at a place moves the measure by its part of the residual times its way from the origin.
-  const double residual_tolerance = full * allowed / sum.reach();
+  const bool may_lack = sum.may_lack() > kShareOfWhatLacks * full * allowed;
+  const double residual_tolerance = (may_lack ? kShareOfWhatLacks / 2 : 1) * full * allowed / sum.reach();
+  const double tolerance = (may_lack ? 1 - 2 * kShareOfWhatLacks : 1) * full * allowed;
   // Two rules may agree by chance; the residual tells.
   for (double share = 1; share >= kLeastShare; share *= kNextShare) {
-    sum.refine(share * full * allowed, share * residual_tolerance);
+    sum.refine(share * tolerance, share * residual_tolerance);
     const EdgeValues3& values = sum.values();
-    Direction3 residual = values.residual;
-    if (origin.is_on_common_line()) {
-      // Where both patches reach the line that their planes share, it adds pi / 2 times both unit normals and its
-      // length.
-      const Direction3 across = direction_of_both_normals(setting.bodies);
-      residual = residual - std::max(0.0, dot(residual, across)) * across;
-    }
     result.measure = values.value / full;
     result.error = values.error / full + kOfDouble / 4 * std::fabs(result.measure);
-    result.residual = length(residual);
+    result.residual = length(values.residual);
     result.residual_bound = std::max(values.residual_error, residual_tolerance);
+    if (may_lack) result.error += std::min(sum.may_lack(), result.residual * sum.reach()) / full;
     if (is_sure(result)) break;
   }
   result.nodes = sum.nodes();
@@ -147,30 +145,61 @@ struct FinerSum {
   EdgeSum3 sum;
 
   FinerSum(std::vector<PairStretch3> s, const PairSetting3& setting, const MomentOrigin3& origin, long shift)
-      : stretches(std::move(s)), sum(setting.bodies, origin.point(), shift) {}
+      : stretches(std::move(s)), sum(setting.bodies, origin, shift) {}
 };
 
-// Returns the sum whose ends of pieces are told well enough, or nearly so: `sum` or one of `finer`.
-EdgeSum3& cut_at_jumps(const PairSetting3& setting, const MomentOrigin3& origin, long shift, double allowed,
-                       EdgeSum3& sum, std::list<FinerSum>& finer, PairMeasure3& result) {
-  const double enough = kShareOfJumps * 2 * std::numbers::pi * allowed;
-  EdgeSum3* best = &sum;
-  for (int round = 0; round < kMostCutsAtJumps && best->jumps() > enough; ++round) {
-    FinerSum& next = finer.emplace_back(best->cut_at_jumps(enough / kManyJumps), setting, origin, shift);
+// The sums along edges of one pair, each with short stretches cut out of those of the one before.
+class FinerSums {
+ public:
+  FinerSums(const PairSetting3& setting, const MomentOrigin3& origin, long shift, EdgeSum3& sum)
+      : setting_(setting), origin_(origin), shift_(shift), all_(&sum), best_(&sum) {}
+
+  EdgeSum3& best() const { return *best_; }
+
+  // Cuts stretches where ends of pieces are not told well enough, until they are, or nearly so.
+  void cut_at_jumps(double allowed, PairMeasure3& result) {
+    const double enough = kShareOfJumps * 2 * std::numbers::pi * allowed;
+    for (int round = 0; round < kMostCutsAtJumps && best_->jumps() > enough; ++round) {
+      EdgeSum3* const next = add(best_->cut_at_jumps(enough / kManyJumps), result);
+      const bool is_better = next != nullptr && next->jumps() < best_->jumps() / 2;
+      if (is_better) best_ = next;
+      drop_others();
+      if (!is_better) break;
+    }
+  }
+
+  // Cuts all stretches around ends near which something may have been missed that makes the residual. False where they
+  // could not be divided.
+  bool cut_at_ends(double residual, PairMeasure3& result) {
+    EdgeSum3* const next = add(all_->cut_at_ends(residual / kManyJumps), result);
+    if (next != nullptr) all_ = best_ = next;
+    drop_others();
+    return next != nullptr;
+  }
+
+ private:
+  EdgeSum3* add(std::vector<PairStretch3> stretches, PairMeasure3& result) {
+    FinerSum& next = finer_.emplace_back(std::move(stretches), setting_, origin_, shift_);
     PairMeasure3 counts;
     const bool is_divided = next.sum.add(next.stretches, counts);
     result.maps += counts.maps;
     result.signs += counts.signs;
-    if (!is_divided || !(next.sum.jumps() < best->jumps() / 2)) {
-      finer.pop_back();
-      break;
-    }
+    if (!is_divided) return nullptr;
     result.pieces = counts.pieces;
-    best = &next.sum;
-    if (finer.size() > 1) finer.pop_front();  // what it was cut from is not needed
+    return &next.sum;
   }
-  return *best;
-}
+
+  void drop_others() {
+    finer_.remove_if([this](const FinerSum& one) { return &one.sum != all_ && &one.sum != best_; });
+  }
+
+  const PairSetting3& setting_;
+  const MomentOrigin3& origin_;
+  long shift_;
+  EdgeSum3* all_;  // of all stretches, not only of those along which something is seen
+  EdgeSum3* best_;
+  std::list<FinerSum> finer_;
+};
 
 void tell_between(const PairSetting3& setting, PairDetails3& details) {
   const auto& bodies = setting.bodies.bodies;
@@ -447,7 +476,7 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
   const UnobstructedMeasure3 alone = measure_alone(Effort3::kUsual);
   const long shift = blockers.vertices().shift();
   const MomentOrigin3 origin(setting.bodies, request.origin_shift, shift);
-  EdgeSum3 sum(setting.bodies, origin.point(), shift);
+  EdgeSum3 sum(setting.bodies, origin, shift);
   const std::vector<PairStretch3> stretches = pair_stretches(setting, prepared_->stretches, first, second);
   if (details) details->looked_at = static_cast<std::uint32_t>(stretches.size());
   result.bounds = {0, alone.bounds.upper};
@@ -466,9 +495,8 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
     take_alone(alone.has_converged ? alone : measure_alone(Effort3::kAll), allowed, result);
     return result;
   }
-  EdgeSum3* told = &sum;
-  std::list<FinerSum> finer;
-  integrate(setting, origin, allowed, sum, result);
+  FinerSums sums(setting, origin, shift, sum);
+  integrate(allowed, sum, result);
   const auto is_done = [&] { return is_sure(result) && result.error <= allowed; };
   PairMeasure3 bounded = result;
   if (!is_done()) {
@@ -479,13 +507,18 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
     // What no double can tell is not asked of wider numbers.
     if (request.effort == Effort3::kAll && bounded.error > allowed &&
         kOfDouble * std::fabs(result.measure) <= allowed) {
-      EdgeSum3& best = cut_at_jumps(setting, origin, shift, allowed, sum, finer, result);
-      if (&best != &sum) integrate(setting, origin, allowed, best, result);
-      while (!is_done() && best.take_more_digits()) integrate(setting, origin, allowed, best, result);
-      told = &best;
+      sums.cut_at_jumps(allowed, result);
+      if (&sums.best() != &sum) integrate(allowed, sums.best(), result);
+      for (int cuts_at_ends = 0; !is_done();) {
+        if (!is_sure(result) && cuts_at_ends++ < kMostCutsAtEnds && sums.cut_at_ends(result.residual, result))
+          sums.cut_at_jumps(allowed, result);
+        else if (!sums.best().take_more_digits())
+          break;
+        integrate(allowed, sums.best(), result);
+      }
     }
   }
-  if (details) told->tell(*details);
+  if (details) sums.best().tell(*details);
   // Something is seen.
   result.measure = std::clamp(result.measure, kLittle * alone.bounds.upper, alone.bounds.upper);
   if (is_done()) return result;

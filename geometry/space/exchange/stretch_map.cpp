@@ -42,6 +42,7 @@ StretchMapper3::StretchMapper3(const PairBodies3& bodies)
     : bodies_(bodies), planes_(bodies), cutter_(planes_), hull_(bodies) {}
 
 bool StretchMapper3::divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces) {
+  not_looked_at_.clear();
   take(stretch);
   hints_.assign(4 * bodies_.bodies.size(), 0);
   if (!find_sides(stretch)) return true;
@@ -52,16 +53,26 @@ bool StretchMapper3::divide(const PairStretch3& stretch, std::vector<StretchPiec
   for (std::uint32_t count = 0; !waiting.empty(); ++count) {
     const auto [low, high] = waiting.back();
     waiting.pop_back();
-    if (!(high - low > kLeast)) continue;
+    if (!(high - low > kLeast)) {
+      if (high > low) not_looked_at_.push_back(low);
+      continue;
+    }
     StretchPiece3 piece;
     if (count > kMostPieces || !look(stretch, low, high, piece)) return false;
     waiting.emplace_back(piece.high, high);
     waiting.emplace_back(low, piece.low);
     pieces.push_back(std::move(piece));
   }
-  // Neighbours that are bounded by the same arcs are one piece: what ended between them did not matter.
   const auto begin = pieces.begin() + static_cast<std::ptrdiff_t>(first);
   std::sort(begin, pieces.end(), [](const StretchPiece3& a, const StretchPiece3& b) { return a.low < b.low; });
+  // What was too short to be looked at belongs to what follows, the last of it to what is before.
+  double end = stretch.low;
+  for (std::size_t k = first; k < pieces.size(); ++k) {
+    pieces[k].low = end;
+    end = pieces[k].high;
+  }
+  if (pieces.size() > first) pieces.back().high = stretch.high;
+  // Neighbours that are bounded by the same arcs are one piece: what ended between them did not matter.
   std::size_t kept = first;
   for (std::size_t k = first; k < pieces.size(); ++k) {
     if (kept > first && pieces[kept - 1].signature == pieces[k].signature) {

@@ -48,6 +48,9 @@ class StretchMapper3 {
   // Makes the arcs of one of these parts: at any time the same. REQUIRES that it has none.
   void make_arcs(const PairStretch3& stretch, StretchPiece3& piece);
 
+  // Where, on the stretch that was divided last, a part was too short to be looked at.
+  const std::vector<double>& not_looked_at() const { return not_looked_at_; }
+
   // A part of a stretch with more digits. REQUIRES that it is one of that stretch, and has its arcs.
   template <class Real>
   WidePiece3<Real> widened(const PairStretch3& stretch, const StretchPiece3& piece);
@@ -84,6 +87,7 @@ class StretchMapper3 {
   MovingPlanes3 planes_;
   const PairStretch3* taken_ = nullptr;  // by planes_
   MovingCutter3 cutter_;
+  std::vector<double> not_looked_at_;
   MovingFragment3 start_, copy_;
   MovingFragments3 pieces_, rest_;
   std::vector<std::pair<int, MovingFragment3>> seen_;

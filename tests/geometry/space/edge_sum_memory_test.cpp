@@ -65,7 +65,7 @@ class EdgeSumMemory : public testing::Test {
         const Patch3 &a = table_.parts(i).front().patch, &b = table_.parts(j).front().patch;
         const PairSetting3 setting(blockers_, boxes_, a, b);
         if (setting.sight == Sight3::kMixed)
-          visit(setting, pair_stretches(setting, stretches_, blockers_.vertices(), a, b));
+          visit(setting, pair_stretches(setting, stretches_, a, b));
       }
   }
 
@@ -75,7 +75,7 @@ class EdgeSumMemory : public testing::Test {
     constexpr double kNoShift[3] = {0, 0, 0};
     const long shift = blockers_.vertices().shift();
     const MomentOrigin3 origin(setting.bodies, kNoShift, shift);
-    EdgeSum3 sum(setting.bodies, origin.point(), shift, most_bytes);
+    EdgeSum3 sum(setting.bodies, origin, shift, most_bytes);
     PairMeasure3 result;
     EXPECT_TRUE(sum.add(stretches, result));
     for (int k = 0; k < digits; ++k) sum.take_more_digits();

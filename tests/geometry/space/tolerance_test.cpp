@@ -120,6 +120,43 @@ TEST(Tolerance3, BoxesThatAreNearlyFlushAreMeasured) {
     }
 }
 
+void expect_closed(const BoxScene3& scene, double tolerance) {
+  const RowsOf3 rows = rows_of(scene, tolerance);
+  EXPECT_LE(rows.beyond, 1e-14) << tolerance;
+  EXPECT_LE(rows.most_error, tolerance) << tolerance;
+  EXPECT_LE(rows.defect, 10 * tolerance) << tolerance;
+}
+
+Rational two_to_minus(unsigned k) { return Rational(1) / Rational(Integer(1) << k); }
+
+// The long edges of a needle pass what is narrower than a double is told by: between two parts of them nothing is left
+// out.
+TEST(Tolerance3, NeedlesBesideBoxesWithAStepOfTwoToMinus41AreMeasured) {
+  const Rational step = two_to_minus(41), tip = tenth_to(14) * 5;
+  BoxScene3 scene;
+  scene.box("room", {0, 0, 0}, {Rational(57, 10), Rational(57, 10), Rational(5, 2)}, true);
+  scene.box("a", {step, Rational(87, 20), 0}, {Rational(2, 5) + step, Rational(53, 10), Rational(11, 10)});
+  scene.box("b", {0, Rational(19, 5), 0}, {Rational(2, 5), Rational(87, 20), 2});
+  const Rational height(13, 20);
+  scene.polygon("needle",
+                {{{Rational(1, 4), tip, height},
+                  {Rational(1, 4), tip, height + two_to_minus(33)},
+                  {Rational(19, 20), Rational(1, 4) + tip, height}}},
+                0, 0);
+  for (const double tolerance : {1e-9, 1e-12}) expect_closed(scene, tolerance);
+}
+
+// A strip of 2^-30 below a plate of 9e-16: what a wall sees of it changes twice within 3e-16 of the wall's edge.
+TEST(Tolerance3, NarrowStripsBelowThinPlatesAreMeasured) {
+  const Rational thin = Rational(Integer("4503599627370501"), Integer("5629499534213120"));
+  BoxScene3 scene;
+  scene.box("room", {0, 0, 0}, {Rational(26, 5), Rational(27, 10), Rational(13, 5)}, true);
+  scene.box("plate", {Rational(13, 20), Rational(7, 10), Rational(4, 5)}, {Rational(31, 20), Rational(29, 20), thin});
+  const Rational x(7, 10), y(3, 4), top = Rational(8000001, 10000000), width = two_to_minus(30);
+  scene.polygon("strip", {{{x, y, top}, {x, y, 0}, {x + width, y + width, 0}, {x + width, y + width, top}}}, 0, 0);
+  for (const double tolerance : {1e-9, 1e-12}) expect_closed(scene, tolerance);
+}
+
 TEST(Tolerance3, NeedlesBehindABoxAreMeasured) {
   for (const int k : {3, 6, 9}) {
     BoxScene3 scene;
