@@ -76,6 +76,7 @@ class Scene {
   double measure(const Patch3& i, const Patch3& j) const {
     PairRequest3 request;
     request.tolerance = 1e-12;
+    request.effort = Effort3::kUsual;  // so that what is wrong is told soon
     const PairMeasure3 told = measurer_.measure(i, j, request);
     request.asks_hiders = false;
     const PairMeasure3 walked = measurer_.measure(i, j, request);
