@@ -61,9 +61,11 @@ struct HidingLaw3 {
 //                   surface of it, or through the lid alone: exact
 //   rays            where a ray from a point of polygon 0 arrives first, S is not 0: exact
 //   never first     no ray arrives first at what is never first, from all of polygon 0 and from its quarters: exact
-//   walked          S, S = 0, S = S0 and what could not be told are the same where everything is walked
+//   walked          S, S = 0, S = S0 and what could not be told are the same where everything is walked; of
+//                   towns some pairs
 //   closure         S of a side with all others sum to its area
 //   reversed        S is the same from the other patch
+//   alone           bits are the same for a pair by itself
 //   parts           S of quarters of a side sum to that of the side; S = 0 where all of them are
 const std::vector<HidingLaw3>& hiding_laws_3();
 

@@ -12,7 +12,7 @@ using oracle::SpacePolygon;
 
 namespace {
 
-constexpr std::size_t kMostPolygons = 40;
+constexpr std::size_t kMostPolygons = 40, kMostOfTown = 110;
 
 SpacePoint operator+(const SpacePoint& a, const SpacePoint& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 SpacePoint times(const mpq_class& s, const SpacePoint& a) { return {s * a.x, s * a.y, s * a.z}; }
@@ -44,16 +44,16 @@ void move_all(std::vector<SpacePolygon>& polygons, const Move& move) {
 
 class Scenes {
  public:
-  explicit Scenes(std::uint64_t number) : random_(number * 2003 + 5) {}
+  explicit Scenes(std::uint64_t number) : random_(number * 2003 + 5), is_town_(number % 16 == 15) {}
 
   Polygons3 draw() {
     do {
       polygons_.clear();
       bodies_.clear();
       const bool has_ground = below(3) > 0;
-      if (has_ground) add(rectangle(2, 0, {-1, -1}, {5, 5}));
+      if (has_ground) add(rectangle(2, 0, {-1, -1}, {is_town_ ? 9 : 5, is_town_ ? 9 : 5}));
       if (below(8) == 0) add(rectangle(static_cast<std::size_t>(below(2)), -1, {-1, 0}, {5, 5}));
-      const long count = below(4) == 0 ? from_to(4, 7) : from_to(2, 3);
+      const long count = is_town_ ? from_to(12, 25) : below(4) == 0 ? from_to(4, 7) : from_to(2, 3);
       for (long k = 0; k < count; ++k) add_body(has_ground);
       const long sheets = below(3);
       for (long k = 0; k < sheets; ++k)
@@ -75,7 +75,7 @@ class Scenes {
   }
 
   bool add(SpacePolygon polygon) {
-    if (polygons_.size() >= kMostPolygons) return false;
+    if (polygons_.size() >= (is_town_ ? kMostOfTown : kMostPolygons)) return false;
     if (below(3) == 0) std::reverse(polygon.begin(), polygon.end());
     polygons_.push_back(std::move(polygon));
     if (is_valid_3(polygons_)) return true;
@@ -96,9 +96,10 @@ class Scenes {
   void place(bool has_ground, Body& body) {
     const bool stands = has_ground && below(4) > 0;
     for (std::size_t a = 0; a < 3; ++a) {
-      body.low[a] = from_to(0, 3);
+      body.low[a] = from_to(0, is_town_ ? 7 : 3);
       body.high[a] = body.low[a] + from_to(1, 2);
     }
+    if (is_town_) body.low[2] = 0;
     if (!bodies_.empty() && below(2) == 0) {
       const Body& other = any(bodies_);
       const auto axis = static_cast<std::size_t>(below(3));
@@ -338,6 +339,7 @@ class Scenes {
   }
 
   std::mt19937_64 random_;
+  bool is_town_;
   Polygons3 polygons_;
   std::vector<Body> bodies_;
 };
