@@ -27,9 +27,9 @@ Rational doubled_area_of(const Loop& loop) {
 }
 
 TEST(FlatRegion3, DoubledAreasArePositiveCounterClockwise) {
-  EXPECT_EQ(doubled_area({0, 0}, {2, 0}, {0, 3}), 6);
-  EXPECT_EQ(doubled_area({0, 0}, {0, 3}, {2, 0}), -6);
-  EXPECT_EQ(doubled_area({0, 0}, {1, 1}, {2, 2}), 0);
+  EXPECT_EQ(doubled_area(FlatPoint3{0, 0}, {2, 0}, {0, 3}), 6);
+  EXPECT_EQ(doubled_area(FlatPoint3{0, 0}, {0, 3}, {2, 0}), -6);
+  EXPECT_EQ(doubled_area(FlatPoint3{0, 0}, {1, 1}, {2, 2}), 0);
 }
 
 TEST(FlatRegion3, IsWhatARayLeavesAcrossAnOddNumberOfSides) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <vector>
 
+#include "geometry/space/exchange/pair_details.h"
 #include "geometry/space/exchange/pair_measure.h"
 
 namespace hottel::hiders_test {
@@ -90,6 +91,7 @@ class Scene {
 
   const Blockers3& blockers() const { return blockers_; }
   const Hiders3& hiders() const { return hiders_; }
+  const PairMeasurer3& measurer() const { return measurer_; }
 
  private:
   static std::vector<Polygon3> made(const std::vector<Points>& polygons) {
@@ -437,6 +439,34 @@ TEST(Hiders3, WhatIsSeenPastAStackOfBoxesIsTheSameWithoutItsFacesTurnedAway) {
                                  open_box({shift, 2, 0}, {2, 3, ratio(1, 2)})));
     EXPECT_GT(scene.measure(0, 1), 0);
     EXPECT_NEAR(scene.measure(0, 1), scene.measure(1, 0), 1e-12);
+  }
+}
+
+// What is told of a pair is of its number, in a row, alone, and with details.
+TEST(PairRow3, HasTheBitsOfThePairAloneAndWithDetails) {
+  const Scene scene(street(0, 3,
+                           box({0, 0, 0}, {2, 1, 1}) + open_box({ratio(1, 3), ratio(1, 7), 1}, {1, ratio(3, 5), 2}) +
+                               open_box({-1, ratio(5, 7), 0}, {ratio(1, 3), 2, ratio(4, 3)}) +
+                               box({ratio(7, 3), ratio(1, 5), 0}, {3, ratio(12, 7), ratio(9, 4)})));
+  for (std::uint32_t from = 0; from < scene.blockers().size(); ++from) {
+    const Patch3 i = scene.patch(from);
+    PairRow3 row(scene.measurer(), i);
+    for (std::uint32_t s = 0; s < scene.blockers().size(); ++s)
+      for (const bool is_back : {false, true}) {
+        if (s == i.surface) continue;
+        const Patch3 j = scene.patch(s, is_back);
+        PairDetails3 details;
+        const PairMeasure3 in_row = row.measure(j), alone = scene.measurer().measure(i, j),
+                           told = scene.measurer().measure(i, j, {}, &details);
+        for (const PairMeasure3& other : {alone, told}) {
+          EXPECT_EQ(other.measure, in_row.measure);
+          EXPECT_EQ(other.error, in_row.error);
+          EXPECT_EQ(other.bounds.lower, in_row.bounds.lower);
+          EXPECT_EQ(other.bounds.upper, in_row.bounds.upper);
+          EXPECT_EQ(other.is_whole, in_row.is_whole);
+        }
+        EXPECT_EQ(details.stretches.empty(), in_row.measure == 0 || told.sight != Sight3::kMixed || in_row.is_whole);
+      }
   }
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "geometry/space/arrangement/merged_blockers.h"
+#include "geometry/space/exchange/pair_details.h"
 #include "geometry/space/exchange/patch_halves.h"
 #include "geometry/space/hiding/hiders.h"
 #include "tests/oracle/space/nearest_polygon.h"
@@ -311,14 +312,19 @@ std::string reversal_is_broken(const HidingSubject3& subject) {
 
 std::string alone_is_broken(const HidingSubject3& subject) {
   std::string wrong;
+  const double unit = subject.scene().unit();
   for_some_targets(subject, 10, [&](const Row& row, const Target& target) {
-    const PairMeasure3 alone =
-        subject.scene().measure(row.patch, target.patch, subject.request(row.patch, target.patch));
+    const PairRequest3 request = subject.request(row.patch, target.patch);
+    PairDetails3 details;
     const PairMeasure3& m = target.measure;
-    if (alone.measure != m.measure || alone.error != m.error || alone.bounds.lower != m.bounds.lower ||
-        alone.bounds.upper != m.bounds.upper || alone.is_whole != m.is_whole || alone.maps != m.maps)
-      wrong += fmt::format("{}: S = {:.17g} in a row, {:.17g} alone\n", name_of(subject, row, target), m.measure,
-                           alone.measure);
+    for (PairDetails3* told : {static_cast<PairDetails3*>(nullptr), &details}) {
+      const PairMeasure3 alone = subject.scene().measurer().measure(row.patch, target.patch, request, told);
+      if (unit * alone.measure != m.measure || unit * alone.error != m.error ||
+          unit * alone.bounds.lower != m.bounds.lower || unit * alone.bounds.upper != m.bounds.upper ||
+          alone.is_whole != m.is_whole || alone.problem != m.problem)
+        wrong += fmt::format("{}: S = {:.17g} in a row, {:.17g} {}\n", name_of(subject, row, target), m.measure,
+                             unit * alone.measure, told ? "with details" : "alone");
+    }
   });
   return wrong;
 }

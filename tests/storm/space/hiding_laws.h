@@ -65,7 +65,7 @@ struct HidingLaw3 {
 //                   towns some pairs
 //   closure         S of a side with all others sum to its area
 //   reversed        S is the same from the other patch
-//   alone           bits are the same for a pair by itself
+//   alone           S has the same bits for a pair by itself, with details and without
 //   parts           S of quarters of a side sum to that of the side; S = 0 where all of them are
 const std::vector<HidingLaw3>& hiding_laws_3();
 
