@@ -346,6 +346,13 @@ class Scenes {
 
 }  // namespace
 
-Polygons3 hiding_scene_3(std::uint64_t number) { return Scenes(number).draw(); }
+Polygons3 hiding_scene_3(std::uint64_t number) {
+  Polygons3 polygons = Scenes(number).draw();
+  if (number % 7 != 6) return polygons;
+  const mpz_class by = mpz_class(1) << (1 + number / 21 % 16);
+  for (SpacePolygon& polygon : polygons)
+    for (SpacePoint& p : polygon) (number / 7 % 3 == 0 ? p.x : number / 7 % 3 == 1 ? p.y : p.z) /= by;
+  return polygons;
+}
 
 }  // namespace hottel::storm

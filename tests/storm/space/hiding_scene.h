@@ -14,7 +14,7 @@ namespace hottel::storm {
 // bodies one face, at the bottom, a side or the top, or two; a face is split, or has a hole, and any may be turned
 // over. Sheets lie on faces and beside them, pierce bodies, stand in them, below what is open and in its plane. Some
 // bodies are turned, and some scenes; some bodies are moved by 2^-8 to 2^-60. One scene in
-// sixteen is a town of twelve to twenty-five bodies.
+// sixteen is a town of twelve to twenty-five bodies, and one in seven is pressed flat.
 Polygons3 hiding_scene_3(std::uint64_t number);
 
 }  // namespace hottel::storm
