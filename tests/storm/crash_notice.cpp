@@ -50,9 +50,10 @@ void tell(int signal, siginfo_t* info, void*) {
          << "\nagain: hottel_storm --seed " << place.scene << " --scenes 1 --all";
     if (place.k <= 0)
       line << " --dimension 3"
-           << (place.k == CrashNotice::kSolids  ? " --solids\n"
-               : place.k == CrashNotice::kRooms ? " --rooms\n"
-                                                : "\n");
+           << (place.k == CrashNotice::kSolids   ? " --solids\n"
+               : place.k == CrashNotice::kRooms  ? " --rooms\n"
+               : place.k == CrashNotice::kHiding ? " --hiding\n"
+                                                 : "\n");
     else
       line << " --k " << static_cast<std::uint64_t>(place.k) << "\n";
     line.write();

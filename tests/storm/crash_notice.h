@@ -16,11 +16,10 @@ class CrashNotice {
   CrashNotice(const CrashNotice&) = delete;
   CrashNotice& operator=(const CrashNotice&) = delete;
 
-  static constexpr int kSolids = -1, kRooms = -2;
+  static constexpr int kSolids = -1, kRooms = -2, kHiding = -3;
 
   // What this thread is at; k of the lattice in the plane, 0 for a pair in space, kSolids for solids there, kRooms
-  // for furnished rooms. REQUIRES
-  // that law lives as long as the thread is at it.
+  // for furnished rooms, kHiding for bodies that hide. REQUIRES that law lives as long as the thread is at it.
   static void is_at(std::uint64_t scene, int k, const char* law);
 };
 

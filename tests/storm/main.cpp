@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "tests/storm/space/hiding_storm.h"
 #include "tests/storm/space/room_storm.h"
 #include "tests/storm/space/solid_storm.h"
 #include "tests/storm/space/storm.h"
@@ -28,7 +29,7 @@ int main(int argc, char** argv) {
   using namespace hottel::storm;
   StormOptions options;
   int dimension = 2;
-  bool are_solids = false, are_rooms = false;
+  bool are_solids = false, are_rooms = false, is_hiding = false;
   options.threads = std::max(1U, std::thread::hardware_concurrency());
   CLI::App app{"Random scenes on a lattice, where nearly everything coincides, held against the laws of exchange"};
   app.add_option("--dimension", dimension, "2: edges; 3: pairs of polygons with others between")
@@ -38,6 +39,9 @@ int main(int argc, char** argv) {
       app.add_flag("--solids", are_solids, "in dimension 3: closed bodies, rooms and sheets that overlap");
   CLI::Option* rooms = app.add_flag("--rooms", are_rooms, "in dimension 3: furnished rooms, everything equally warm");
   rooms->excludes(solids);
+  app.add_flag("--hiding", is_hiding, "in dimension 3: convex bodies, whole and open, and what they hide")
+      ->excludes(solids)
+      ->excludes(rooms);
   app.add_option("--seed", options.first, "number of the first scene")->capture_default_str();
   app.add_option("--scenes", options.scenes, "how many")->capture_default_str()->check(CLI::PositiveNumber);
   app.add_option("--k", options.k, "of the lattice {0, ..., K}^2 of edges; 0: K = 2 to 6 in turn")
@@ -46,8 +50,11 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads)->capture_default_str()->check(CLI::Range(1, 4096));
   app.add_flag("--all", options.all_laws, "every law on every scene");
   CLI11_PARSE(app, argc, argv);
-  if ((are_solids || are_rooms) && dimension != 3) {
-    fmt::print(stderr, "hottel_storm: {} goes with --dimension 3\n", are_solids ? "--solids" : "--rooms");
+  if ((are_solids || are_rooms || is_hiding) && dimension != 3) {
+    fmt::print(stderr, "hottel_storm: {} goes with --dimension 3\n",
+               are_solids  ? "--solids"
+               : are_rooms ? "--rooms"
+                           : "--hiding");
     return 2;
   }
 
@@ -62,6 +69,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "\r{} of {} scenes, {:.0f} s left  ", done, options.scenes, left);
   };
   if (are_solids) return tell(run_solid_storm_3(options), start, options.threads);
+  if (is_hiding) return tell(run_hiding_storm_3(options), start, options.threads);
   if (are_rooms) return tell(run_room_storm_3(options), start, options.threads);
   return dimension == 2 ? tell(run_storm(options), start, options.threads)
                         : tell(run_storm_3(options), start, options.threads);

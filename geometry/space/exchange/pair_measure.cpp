@@ -290,11 +290,21 @@ bool is_usual(const PairRequest3& request) {
 PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request,
                                     PairDetails3* details) const {
   const DefaultFloatingPoint environment;
-  if (details == nullptr && is_usual(request) && request.asks_hiders) return PairRow3(*this, i).measure(j, request);
+  const bool asks = is_usual(request) && request.asks_hiders;
+  if (details == nullptr && asks) return PairRow3(*this, i).measure(j, request);
   Patch3 copies[2];
-  const PairMeasure3 result =
+  PairMeasure3 result =
       measure(prepared_->placed(i, copies[0]), prepared_->placed(j, copies[1]), request, details, nullptr);
   if (details != nullptr && !prepared_->merged.is_plain()) prepared_->tell_polygons(*details);
+  if (!asks) return result;
+  // Details are of everything that may stand between; the number is that without them.
+  PairMeasure3 told = PairRow3(*this, i).measure(j, request);
+  result.measure = told.measure;
+  result.error = told.error;
+  result.bounds = told.bounds;
+  result.is_whole = told.is_whole;
+  result.is_undecided = told.is_undecided;
+  result.problem = std::move(told.problem);
   return result;
 }
 

@@ -36,7 +36,8 @@ class PairMeasurer3 {
   ~PairMeasurer3();
 
   // REQUIRES: patches of these blockers, as Patch3 says. `details`, where it is not null, is told what the measure is
-  // made of (pair_details.h): of stretches only where it is the sum along edges.
+  // made of (pair_details.h), with everything that may stand between walked: of stretches only where it is the sum
+  // along edges. The number is the same bit for bit without them.
   PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request = {},
                        PairDetails3* details = nullptr) const;
 

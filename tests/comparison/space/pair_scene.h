@@ -28,6 +28,7 @@ class PairScene3 {
   PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request = {}) const;
   double unobstructed(const Patch3& i, const Patch3& j) const;
   double area(const Patch3& i) const;
+  const PairMeasurer3& measurer() const { return measurer_; }
   // One of the squares of doubles of Vertices3, in scene units.
   double unit() const { return unit_; }
 
