@@ -43,6 +43,10 @@ constexpr std::size_t kMostBetween = 30;
 constexpr double kWorthwhile = 1.2, kWorthwhileForSky = 1.9;
 constexpr int kMostCuts = 12, kCutsWhereItFails = 3;
 
+// What is asked of a pair before it is known what is between, and then of each surface between, where these are many.
+constexpr int kFirstQuestions = 12, kQuestionsABody = 20;
+constexpr std::size_t kManyBetween = 5;
+
 // What a pair costs, about, with so many surfaces between: measured exponents are from 1.6 (plates, slats) to 3 (boxes,
 // soup).
 double work_between(std::size_t surfaces) {
@@ -310,18 +314,29 @@ PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const Pair
 
 PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request,
                                     PairDetails3* details, FirstMet3* first_met) const {
-  if (first_met != nullptr && ((!j.is_sky() && first_met->is_never_first(j.surface)) || are_hidden(i, j, *first_met)))
+  if (first_met != nullptr &&
+      ((!j.is_sky() && first_met->is_never_first(j.surface)) || are_hidden(i, j, *first_met, kFirstQuestions)))
     return {};
   PairRequest3 shared = request;
   if (!shared.share) shared.share = request.tolerance * least_area(i, j);
   const PairSetting3 setting(prepared_->blockers, prepared_->boxes, request.is_reversed ? j : i,
                              request.is_reversed ? i : j, first_met);
+  if (first_met != nullptr && are_hidden(setting, i, j, *first_met)) return {};
   return measure_set(setting, i, j, shared, is_usual(request) ? kMostCuts : 0, details, first_met);
 }
 
-bool PairMeasurer3::are_hidden(const Patch3& i, const Patch3& j, const FirstMet3& first_met) const {
+bool PairMeasurer3::are_hidden(const Patch3& i, const Patch3& j, const FirstMet3& first_met, int questions) const {
   const Hiders3& hiders = prepared_->hiders;
-  return hiders.hide(&i == &first_met.patch() ? first_met.placed() : hiders.placed(i), hiders.placed(j));
+  return hiders.hide(&i == &first_met.patch() ? first_met.placed() : hiders.placed(i), hiders.placed(j), questions);
+}
+
+// Where walking what is between costs much, more is asked before.
+bool PairMeasurer3::are_hidden(const PairSetting3& setting, const Patch3& i, const Patch3& j,
+                               const FirstMet3& first_met) const {
+  const std::size_t between = setting.sight == Sight3::kMixed ? setting.count_between() : 0;
+  if (between < kManyBetween) return false;
+  const auto questions = static_cast<int>(std::min<std::size_t>(kQuestionsABody * between, Hiders3::kMostQuestions));
+  return are_hidden(i, j, first_met, questions);
 }
 
 PairMeasure3 PairMeasurer3::measure_set(const PairSetting3& setting, const Patch3& i, const Patch3& j,
@@ -347,9 +362,10 @@ std::size_t PairMeasurer3::count_between(const Patch3& i, const Patch3& j) const
   Patch3 copies[2];
   const Patch3 &first = prepared_->placed(i, copies[0]), &second = prepared_->placed(j, copies[1]);
   FirstMet3 first_met(prepared_->hiders, first, prepared_->blockers.size());
-  if (are_hidden(first, second, first_met)) return 0;
+  if (are_hidden(first, second, first_met, kFirstQuestions)) return 0;
   const PairSetting3 setting(prepared_->blockers, prepared_->boxes, first, second, &first_met);
-  return setting.sight == Sight3::kMixed ? setting.count_between() : 0;
+  if (setting.sight != Sight3::kMixed || are_hidden(setting, first, second, first_met)) return 0;
+  return setting.count_between();
 }
 
 PairMeasurer3::Halves PairMeasurer3::halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
@@ -357,7 +373,7 @@ PairMeasurer3::Halves PairMeasurer3::halves(const PairSetting3& setting, const P
   Halves halves{std::make_unique<const std::array<Patch3, 2>>(halves_of(cuts_first ? i : j)), {}, cuts_first, 0};
   for (std::size_t k = 0; k < 2; ++k) {
     const Patch3 &half = (*halves.patches)[k], &a = cuts_first ? half : i, &b = cuts_first ? j : half;
-    if (first_met != nullptr && are_hidden(a, b, *first_met)) continue;
+    if (first_met != nullptr && are_hidden(a, b, *first_met, Hiders3::kMostQuestions)) continue;
     auto of_half = std::make_unique<const PairSetting3>(prepared_->blockers, setting, a, b);
     if (of_half->sight == Sight3::kHidden) continue;  // S = 0, and S0 where one does not face the other
     halves.work += work_between(of_half->count_between());

@@ -53,7 +53,8 @@ class PairMeasurer3 {
   // stand between is walked.
   PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request, PairDetails3* details,
                        FirstMet3* first_met) const;
-  bool are_hidden(const Patch3& i, const Patch3& j, const FirstMet3& first_met) const;
+  bool are_hidden(const Patch3& i, const Patch3& j, const FirstMet3& first_met, int questions) const;
+  bool are_hidden(const PairSetting3& setting, const Patch3& i, const Patch3& j, const FirstMet3& first_met) const;
   // `cuts`: how often patches may still be cut.
   PairMeasure3 measure_set(const PairSetting3& setting, const Patch3& i, const Patch3& j, const PairRequest3& request,
                            int cuts, PairDetails3* details, const FirstMet3* first_met) const;

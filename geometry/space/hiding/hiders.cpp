@@ -20,7 +20,7 @@ namespace {
 constexpr double kDeep = 0x1p-34;
 
 constexpr int kMostHalvings = 16;
-constexpr int kMostQuestions = 1000;   // of one proof
+constexpr int kQuestionsOfNeverFirst = 128;
 constexpr std::size_t kMostTried = 8;  // hiders at a line
 
 using Corners = boost::container::small_vector<Direction3, 8>;
@@ -225,8 +225,8 @@ struct Hiders3::Tree {
 // One question. What is asked of signs of whole patches is remembered.
 class Hiders3::Proof {
  public:
-  Proof(const Hiders3& hiders, const PlacedPatch3& i, const PlacedPatch3& j)
-      : hiders_(hiders), tree_(*hiders.tree_), patches_{&i, &j} {
+  Proof(const Hiders3& hiders, const PlacedPatch3& i, const PlacedPatch3& j, int most)
+      : hiders_(hiders), tree_(*hiders.tree_), patches_{&i, &j}, left_(most) {
     deep_ = kDeep * std::max({tree_.size, i.size, j.size});
   }
 
@@ -283,31 +283,41 @@ class Hiders3::Proof {
   }
 
  private:
+  // What is told of whole patches beside a body, each when it is first asked for.
   struct Facts {
     std::uint32_t body;
-    bool both_within_lid, is_outside[2], is_outside_or_below[2];
+    std::optional<bool> both_within_lid, is_outside[2], is_outside_or_beyond_lid[2];
   };
 
-  const Facts& facts(std::uint32_t number) {
-    for (const Facts& known : facts_)
+  Facts& facts(std::uint32_t number) {
+    for (Facts& known : facts_)
       if (known.body == number) return known;
+    return facts_.emplace_back(Facts{number, {}, {}, {}});
+  }
+  bool are_within_lid(std::uint32_t number) {
+    std::optional<bool>& known = facts(number).both_within_lid;
+    if (known) return *known;
     const Body& body = tree_.bodies[number];
-    Facts found{number, true, {}, {}};
-    for (int of = 0; of < 2; ++of) {
-      found.is_outside[of] = is_outside(of, body);
-      found.is_outside_or_below[of] = found.is_outside[of];
-      if (!body.lid) continue;
-      const Sides beside = sides(of, *body.exact->lid, *body.lid);
-      found.both_within_lid &= !beside.has_outside;
-      found.is_outside_or_below[of] |= beside.has_outside && !beside.has_inside;
-    }
+    if (!body.lid) return *(known = true);
+    const Sides beside[] = {sides(0, *body.exact->lid, *body.lid), sides(1, *body.exact->lid, *body.lid)};
     // What lies in the lid's plane and looks up sends lines up alone.
-    for (int of = 0; of < 2 && body.lid && !found.both_within_lid; ++of) {
-      const Sides beside = sides(of, *body.exact->lid, *body.lid);
-      found.both_within_lid =
-          !beside.has_outside && !beside.has_inside && dot(patches_[of]->normal, body.lid->outward) < 0 && is_front(of);
-    }
-    return facts_.emplace_back(found);
+    const auto looks_up = [&](int of) {
+      return !beside[of].has_outside && !beside[of].has_inside && is_front(of) &&
+             dot(patches_[of]->normal, body.lid->outward) < 0;
+    };
+    return *(known = (!beside[0].has_outside && !beside[1].has_outside) || looks_up(0) || looks_up(1));
+  }
+  bool is_outside(int of, std::uint32_t number) {
+    std::optional<bool>& known = facts(number).is_outside[of];
+    return known ? *known : *(known = is_outside(of, tree_.bodies[number]));
+  }
+  bool is_outside_or_beyond_lid(int of, std::uint32_t number) {
+    std::optional<bool>& known = facts(number).is_outside_or_beyond_lid[of];
+    if (known) return *known;
+    const Body& body = tree_.bodies[number];
+    const Sides beside = sides(of, *body.exact->lid, *body.lid);
+    const bool result = (beside.has_outside && !beside.has_inside) || is_outside(of, number);
+    return *(facts(number).is_outside_or_beyond_lid[of] = result);
   }
   // Whether lines are on its front alone.
   bool is_front(int of) const { return of == 0 || !faces_both_; }
@@ -322,8 +332,22 @@ class Hiders3::Proof {
     return is_within_lid(of, body) && is_within_lid(1 - of, body) && is_outside(1 - of, body);
   }
 
+  // Whether a line between both is free, of some that end near corners. Where one is, there is nothing to prove.
+  bool is_one_free(const Corners& a, const Corners& b, const Direction3& p, const Direction3& q) const {
+    constexpr double kNear = 0.875;
+    for (std::size_t k = 0; k < a.size(); ++k)
+      for (const std::size_t turn : {std::size_t{0}, b.size() / 2})
+        if (is_free(p + kNear * (a[k] - p), q + kNear * (b[(k + turn) % b.size()] - q))) return true;
+    return false;
+  }
+  bool is_free(const Direction3& p, const Direction3& q) const {
+    bool result = true;
+    tree_.find(p, q, deep_, [&](std::uint32_t hider) { return result = !meets(hider, p, q); });
+    return result;
+  }
+
   bool holds(const Corners& a, const Corners& b, int halvings) {
-    if (++questions_ > kMostQuestions) return false;
+    if (left_-- <= 0) return false;
     const Direction3 p = middle_of(a), q = middle_of(b);
     boost::container::small_vector<std::uint32_t, kMostTried> tried;
     tree_.find(p, q, deep_, [&](std::uint32_t hider) {
@@ -337,7 +361,7 @@ class Hiders3::Proof {
           return true;
     for (const std::uint32_t hider : tried)
       if (hides(hider, a, b)) return true;
-    if (halvings == 0) return false;
+    if (halvings == 0 || (halvings == kMostHalvings && is_one_free(a, b, p, q))) return false;
     const auto [of_a, at_a] = longest_side(a);
     const auto [of_b, at_b] = longest_side(b);
     if (of_a >= of_b) {
@@ -369,38 +393,38 @@ class Hiders3::Proof {
       for (const Direction3& p : corners) result.push_back(plane.height(p));
     return result;
   }
-  bool body_hides(std::uint32_t number, const Corners& a, const Corners& b) {
-    const Body& body = tree_.bodies[number];
-    const Facts known = facts(number);
+  // Whether all lines between a part of each patch meet the inside of a body. `within`: the lid bounds nothing.
+  bool all_meet(const Body& body, const Corners& a, const Corners& b, bool within) const {
     const Heights of_a = heights(body, a), of_b = heights(body, b);
-    const bool outside_a = known.is_outside[0] || body.is_apart_from(a, deep_);
-    const bool outside_b = known.is_outside[1] || body.is_apart_from(b, deep_);
-    boost::container::small_vector<double, 8> lid_a, lid_b;
-    bool within = known.both_within_lid;
-    if (!within) {
-      for (const Direction3& p : a) lid_a.push_back(body.lid->height(p));
-      for (const Direction3& q : b) lid_b.push_back(body.lid->height(q));
-      const auto is_deep = [this](double height) { return height < -deep_; };
-      within = std::all_of(lid_a.begin(), lid_a.end(), is_deep) && std::all_of(lid_b.begin(), lid_b.end(), is_deep);
-    }
-    if (within) {
-      if (!outside_a && !outside_b) return false;
-    } else {
-      const auto is_below = [this](double height) { return height > deep_; };
-      const bool below_a = std::all_of(lid_a.begin(), lid_a.end(), is_below);
-      const bool below_b = std::all_of(lid_b.begin(), lid_b.end(), is_below);
-      if (!(outside_a || known.is_outside_or_below[0] || below_a) ||
-          !(outside_b || known.is_outside_or_below[1] || below_b))
-        return false;
-    }
     for (std::size_t p = 0; p < a.size(); ++p)
       for (std::size_t q = 0; q < b.size(); ++q) {
         Interval inside;
-        if (!within && !inside.keep_below(lid_a[p], lid_b[q], -deep_)) return false;
+        if (!within && !inside.keep_below(body.lid->height(a[p]), body.lid->height(b[q]), -deep_)) return false;
         for (std::size_t k = 0; k < body.planes.size(); ++k)
           if (!inside.keep_below(of_a[k * a.size() + p], of_b[k * b.size() + q], -deep_)) return false;
       }
     return true;
+  }
+
+  bool body_hides(std::uint32_t number, const Corners& a, const Corners& b) {
+    const Body& body = tree_.bodies[number];
+    // Most that is not hidden is told by one line of corners.
+    if (!body.meets(a[0], b[0], deep_) || !body.meets(a[a.size() / 2], b[b.size() / 2], deep_)) return false;
+    const auto all_heights = [&](const Corners& corners, const auto& is_so) {
+      return std::all_of(corners.begin(), corners.end(),
+                         [&](const Direction3& p) { return is_so(body.lid->height(p)); });
+    };
+    const auto is_deep = [this](double height) { return height < -deep_; };
+    const bool within = are_within_lid(number) || (all_heights(a, is_deep) && all_heights(b, is_deep));
+    if (!all_meet(body, a, b, within)) return false;
+    if (within)
+      return is_outside(0, number) || is_outside(1, number) || body.is_apart_from(a, deep_) ||
+             body.is_apart_from(b, deep_);
+    const auto is_off = [this](double height) { return height > deep_; };
+    const auto may_come_in = [&](int of, const Corners& corners) {
+      return is_outside_or_beyond_lid(of, number) || all_heights(corners, is_off) || body.is_apart_from(corners, deep_);
+    };
+    return may_come_in(0, a) && may_come_in(1, b);
   }
 
   const Hiders3& hiders_;
@@ -408,7 +432,7 @@ class Hiders3::Proof {
   std::array<const PlacedPatch3*, 2> patches_;
   bool faces_both_ = false;  // the second one
   double deep_;
-  int questions_ = 0;
+  int left_;  // questions
   boost::container::small_vector<Facts, 8> facts_;
 };
 
@@ -483,9 +507,9 @@ PlacedPatch3 Hiders3::placed(const Patch3& patch) const {
   return result;
 }
 
-bool Hiders3::hide(const PlacedPatch3& i, const PlacedPatch3& j) const {
+bool Hiders3::hide(const PlacedPatch3& i, const PlacedPatch3& j, int most) const {
   if (!i.is_told || !j.is_told) return false;
-  Proof proof(*this, i, j);
+  Proof proof(*this, i, j, most);
   const Corners a = proof.corners(0, proof.plane(1)), b = proof.corners(1, proof.plane(0));
   if (a.size() < 3 || b.size() < 3) return a.empty() || b.empty();
   return proof.holds(a, b);
@@ -495,7 +519,7 @@ bool Hiders3::is_never_first(const PlacedPatch3& i, std::uint32_t surface) const
   if (!i.is_told) return false;
   const PlacedPatch3& whole = tree_->placed[surface];
   if (!whole.is_told) return false;
-  Proof proof(*this, i, whole);
+  Proof proof(*this, i, whole, kQuestionsOfNeverFirst);
   proof.take_both_sides();
   if (const std::uint32_t number = bodies_.body_of(surface); number != ConvexBody3::kNone) {
     // It is met from within its body, into which lines come through another surface.

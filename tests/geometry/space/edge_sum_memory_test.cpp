@@ -64,8 +64,7 @@ class EdgeSumMemory : public testing::Test {
         if (table_.parts(i).empty() || table_.parts(j).empty()) continue;
         const Patch3 &a = table_.parts(i).front().patch, &b = table_.parts(j).front().patch;
         const PairSetting3 setting(blockers_, boxes_, a, b);
-        if (setting.sight == Sight3::kMixed)
-          visit(setting, pair_stretches(setting, stretches_, a, b));
+        if (setting.sight == Sight3::kMixed) visit(setting, pair_stretches(setting, stretches_, a, b));
       }
   }
 
