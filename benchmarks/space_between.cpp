@@ -1,4 +1,4 @@
-// What a pair of patches in space costs, by how many surfaces stand between them: 1 to 200 of six kinds.
+// What a pair of patches in space costs, by how many surfaces stand between them: 1 to 200 of six kinds, 32 of a soup.
 //
 //   plates  upright, behind each other and each a little higher, before a wall: from that wall to one behind all
 //   slats   a blind between a floor and a ceiling that are as long as it is
@@ -7,8 +7,8 @@
 //   boxes   on a lattice, between a floor and a ceiling; a box is six surfaces
 //   soup    triangles anywhere between a floor and a ceiling
 //
-// Each pair is measured alone, with nothing known of its patches, on one thread. `step` is by how much one surface more
-// costs more than the one before, at most, where both cost more than a hundredth of a second.
+// Each pair is measured alone, with nothing known of its patches, on one thread. `step` is the time over that with one
+// surface less, where both are above a hundredth of a second.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -29,6 +29,7 @@ namespace hottel::benchmarks {
 namespace {
 
 constexpr std::array<const char*, 6> kKinds{"plates", "slats", "prism", "fan", "boxes", "soup"};
+constexpr std::array<int, 6> kMost{200, 200, 200, 200, 200, 32};  // surfaces that take no minute
 
 using Points = std::vector<Point3>;
 
@@ -177,7 +178,8 @@ int main(int argc, char** argv) {
   using namespace hottel::benchmarks;
   for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
     for (const int n : {1, 2, 4, 8, 12, 16, 20, 24, 28, 30, 31, 32, 36, 40, 48, 64, 96, 128, 160, 200})
-      add_case(fmt::format("space_between/{}/surfaces:{}", kKinds[kind], n),
-               [=](benchmark::State& state) { between(state, kind, n); });
+      if (n <= kMost[kind])
+        add_case(fmt::format("space_between/{}/surfaces:{}", kKinds[kind], n),
+                 [=](benchmark::State& state) { between(state, kind, n); });
   return run(argc, argv);
 }
