@@ -32,7 +32,11 @@ struct Pairs {
   static Made make(std::uint64_t number, const StormOptions&) { return {lattice_scene_3(number).polygons}; }
   static bool is_asked(const Law&, const Subject&) { return true; }
   static void note(const Subject& subject, Result& result) {
-    ++result.settled[static_cast<std::size_t>(settled(subject.measure()))];
+    PairRequest3 walked;
+    walked.tolerance = subject.tolerance(subject.area());
+    walked.asks_hiders = false;
+    const Settled3 kind = settled(subject.scene().measure(subject.i(), subject.j(), walked));
+    ++result.settled[static_cast<std::size_t>(kind)];
   }
   static void count(const Made& made, Result& result) {
     result.parts += made.scene.size();

@@ -13,7 +13,7 @@
 
 namespace hottel::storm {
 
-// How the pairs of the scenes were settled.
+// How the pairs of the scenes are settled where it is not asked first what hides all of them.
 enum class Settled3 { kHidden, kClear, kHiddenAlongEdges, kWholeAlongEdges, kMixed };
 inline constexpr std::size_t kSettledKinds3 = 5;
 const char* to_string(Settled3 settled);
