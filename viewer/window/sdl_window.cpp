@@ -34,6 +34,35 @@ std::string variable(const char* name) {
                      "): a window needs a display; --screenshot, --script and --record need none");
 }
 
+// An error that the X server tells, as Xlib hands it to a program (XErrorEvent).
+struct XError {
+  int type;
+  void* display;
+  unsigned long resource, serial;
+  unsigned char code, request, minor;
+};
+using XErrorHandler = int (*)(void* display, XError* error);
+XErrorHandler of_others = nullptr;
+
+// SDL wakes the thread that waits for events by sending one to its own window, over a connection of its own. When the
+// window is closed meanwhile the server may come to that too late, and Xlib would end the program.
+int pass_by_late_wakes(void* display, XError* error) {
+  constexpr unsigned char kBadWindow = 3, kSendEvent = 25;
+  if (error->code == kBadWindow && error->request == kSendEvent) return 0;
+  return of_others == nullptr ? 0 : of_others(display, error);
+}
+
+// The library stays loaded: SDL closes its connections, and hears of errors, after everything else.
+void bear_late_wakes() {
+  using SetHandler = XErrorHandler (*)(XErrorHandler);
+  void* const xlib = SDL_LoadObject("libX11.so.6");
+  if (xlib == nullptr) return;
+  if (const auto set = reinterpret_cast<SetHandler>(SDL_LoadFunction(xlib, "XSetErrorHandler"))) {
+    const XErrorHandler before = set(pass_by_late_wakes);
+    if (before != pass_by_late_wakes) of_others = before;
+  }
+}
+
 // While it lives, SDL shows and hears.
 class Video {
  public:
@@ -53,6 +82,7 @@ class Video {
       SDL_Quit();
       refuse_without_display("No available video device");
     }
+    if (driver == "x11") bear_late_wakes();
   }
   ~Video() { SDL_Quit(); }
   Video(const Video&) = delete;
