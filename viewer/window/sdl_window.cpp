@@ -52,7 +52,8 @@ int pass_by_late_wakes(void* display, XError* error) {
   return of_others == nullptr ? 0 : of_others(display, error);
 }
 
-// The library stays loaded: SDL closes its connections, and hears of errors, after everything else.
+// Before SDL begins: it hands errors on to whom it finds then, and leaves them to that one when it ends, before it
+// closes its connections. The library stays loaded.
 void bear_late_wakes() {
   using SetHandler = XErrorHandler (*)(XErrorHandler);
   void* const xlib = SDL_LoadObject("libX11.so.6");
@@ -70,6 +71,7 @@ class Video {
     HOTTEL_REQUIRE(SDL_WasInit(SDL_INIT_VIDEO) == 0);
     SDL_SetMainReady();
     set_hints();
+    bear_late_wakes();
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
       const std::string reason = SDL_GetError();
       SDL_Quit();
@@ -82,7 +84,6 @@ class Video {
       SDL_Quit();
       refuse_without_display("No available video device");
     }
-    if (driver == "x11") bear_late_wakes();
   }
   ~Video() { SDL_Quit(); }
   Video(const Video&) = delete;
