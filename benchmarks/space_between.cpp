@@ -19,7 +19,7 @@
 
 #include "benchmarks/clutter.h"
 #include "benchmarks/space_scenes.h"
-#include "geometry/space/arrangement/blockers.h"
+#include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/exchange/pair_measure.h"
 #include "geometry/space/generate/generators.h"
 #include "kernel/support/parallel.h"
@@ -144,12 +144,7 @@ std::vector<Polygon3> scene(std::size_t kind, int n) {
 double seconds_of(std::size_t kind, int n, PairMeasure3& pair) {
   const Blockers3 blockers(scene(kind, n));
   const PairMeasurer3 measurer(blockers);
-  const auto patch = [&](std::uint32_t surface) {
-    Patch3 result{surface, {}, 1};
-    for (const VertexId3 v : blockers.outline(surface)) result.corners.push_back(blockers.vertices().exact(v));
-    return result;
-  };
-  const Patch3 i = patch(0), j = patch(1);
+  const Patch3 i = whole_patch(blockers, 0), j = whole_patch(blockers, 1);
   Stopwatch watch;
   pair = measurer.measure(i, j, {.tolerance = 1e-6});
   return watch.lap();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/scene_names.h"
+#include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/exchange/area_sum.h"
 #include "geometry/space/exchange/prepared_scene.h"
 #include "geometry/space/scene/division.h"

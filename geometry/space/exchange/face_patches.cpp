@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/space/arrangement/whole_patch.h"
+
 namespace hottel {
 namespace {
 
@@ -31,15 +33,6 @@ class Clipper {
 bool is_nearly_all(const Vector3& part, const Vector3& whole) { return 16 * dot(part, whole) > 15 * dot(whole, whole); }
 
 }  // namespace
-
-void turn_round(Patch3& patch) { std::reverse(patch.corners.begin() + 1, patch.corners.end()); }
-
-Patch3 whole_patch(const Blockers3& blockers, std::uint32_t piece, bool is_back) {
-  Patch3 patch{.surface = piece, .corners = {}};
-  for (const VertexId3 v : blockers.outline(piece)) patch.corners.push_back(blockers.vertices().exact(v));
-  if (is_back) turn_round(patch);
-  return patch;
-}
 
 std::pair<std::vector<IntegerVector>, Integer> integer_points(const Vertices3& vertices,
                                                               std::span<const Point3> points) {

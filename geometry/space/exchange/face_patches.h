@@ -40,14 +40,8 @@ struct FacePatches3 {
 FacePatches3 face_patches(const Arrangement3& arrangement, const Blockers3& blockers, const Face& face,
                           const std::vector<Point3>* part = nullptr);
 
-// Returns the front or the back of a piece, whole.
-Patch3 whole_patch(const Blockers3& blockers, std::uint32_t piece, bool is_back);
-
 // Returns a convex polygon of a piece as a patch; its front is that of the piece, and is_back turns it round.
 Patch3 patch_of(const Blockers3& blockers, std::uint32_t piece, const std::vector<Point3>& corners, bool is_back);
-
-// Turns a patch to the other side: its first corner stays the first.
-void turn_round(Patch3& patch);
 
 // Returns points of the scene in integer form times their least common denominator, and that: 1 where all are vertices.
 std::pair<std::vector<IntegerVector>, Integer> integer_points(const Vertices3& vertices,

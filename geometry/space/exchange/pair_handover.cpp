@@ -37,10 +37,8 @@ void PairHandover3::has_done(std::size_t task) {
     std::atomic_flag& flag;
     ~Leave() { flag.clear(std::memory_order_release); }
   } const leave{is_busy_};
-  hand_over_now();
+  hand_over();
 }
-
-void PairHandover3::hand_over() { hand_over_now(); }
 
 void PairHandover3::hand_over_settled(std::vector<PairSum3>& pairs, const std::vector<FailedPair3>& failures) {
   const auto has_failed = [&](const PairSum3& pair) {
@@ -64,7 +62,7 @@ std::vector<PairSum3> PairHandover3::take() {
   return std::move(handed_);
 }
 
-void PairHandover3::hand_over_now() {
+void PairHandover3::hand_over() {
   PairRanges known(table_.count());
   std::vector<PairSum3> pairs;
   bool is_any = false;

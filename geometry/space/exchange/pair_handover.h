@@ -31,7 +31,7 @@ class PairHandover3 {
   // Task t is done: what it found is complete. From any thread; hands on where it is time to. Throws what the sink
   // throws.
   void has_done(std::size_t task);
-  // Hands on all that is complete. REQUIRES that no task runs.
+  // Hands on all that is complete. REQUIRES that no other thread does.
   void hand_over();
   // Hands on, and takes out of the list, pairs that were open, but for those that have failed. REQUIRES that no task
   // runs; both by (i, j).
@@ -42,7 +42,6 @@ class PairHandover3 {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void hand_over_now();
   std::vector<ColumnRange> complete_columns(std::uint32_t label) const;
   std::vector<ColumnRange> columns_of(std::size_t patch, std::uint32_t label) const;
   bool is_ours(std::uint32_t i, std::uint32_t j) const;

@@ -11,6 +11,7 @@
 
 #include "geometry/space/arrangement/merged_blockers.h"
 #include "geometry/space/arrangement/surface_boxes.h"
+#include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/exchange/edge_sum.h"
 #include "geometry/space/exchange/moment_origin.h"
 #include "geometry/space/exchange/pair_details.h"
@@ -103,8 +104,7 @@ double most_hidden(const PairSetting3& setting, const Blockers3& blockers, const
   double sum = 0;
   const auto& bodies = setting.bodies.bodies;
   for (std::size_t body = 2; body < bodies.size(); ++body) {
-    Patch3 side{bodies[body].surface, {}, 1};
-    for (const VertexId3 v : blockers.outline(side.surface)) side.corners.push_back(blockers.vertices().exact(v));
+    Patch3 side = whole_patch(blockers, bodies[body].surface);
     for (int k = 0; k < 2; ++k, std::reverse(side.corners.begin(), side.corners.end()))
       sum += unobstructed_measure(blockers.vertices(), patch, side, tolerance, Effort3::kUsual).bounds.upper;
   }
@@ -275,6 +275,12 @@ struct PairMeasurer3::Halves {
   std::array<std::unique_ptr<const PairSetting3>, 2> settings;
   bool are_of_first = false;
   double work = 0;  // of both together
+
+  // A half in the place of the patch that it is of, with the other one, in order.
+  std::pair<const Patch3&, const Patch3&> pair(std::size_t half, const Patch3& i, const Patch3& j) const {
+    const Patch3& part = (*patches)[half];
+    return {are_of_first ? part : i, are_of_first ? j : part};
+  }
 };
 
 PairMeasurer3::PairMeasurer3(const Blockers3& blockers) : prepared_(std::make_unique<Prepared>(blockers)) {}
@@ -372,7 +378,7 @@ PairMeasurer3::Halves PairMeasurer3::halves(const PairSetting3& setting, const P
                                             bool cuts_first, const FirstMet3* first_met) const {
   Halves halves{std::make_unique<const std::array<Patch3, 2>>(halves_of(cuts_first ? i : j)), {}, cuts_first, 0};
   for (std::size_t k = 0; k < 2; ++k) {
-    const Patch3 &half = (*halves.patches)[k], &a = cuts_first ? half : i, &b = cuts_first ? j : half;
+    const auto [a, b] = halves.pair(k, i, j);
     if (first_met != nullptr && are_hidden(a, b, *first_met, Hiders3::kMostQuestions)) continue;
     auto of_half = std::make_unique<const PairSetting3>(prepared_->blockers, setting, a, b);
     if (of_half->sight == Sight3::kHidden) continue;  // S = 0, and S0 where one does not face the other
@@ -407,7 +413,7 @@ double PairMeasurer3::least_work(const Halves& halves, const Patch3& i, const Pa
       work += whole;
       continue;
     }
-    const Patch3 &half = (*halves.patches)[k], &a = halves.are_of_first ? half : i, &b = halves.are_of_first ? j : half;
+    const auto [a, b] = halves.pair(k, i, j);
     work += std::min(whole, least_work(cheaper_halves(setting, a, b, first_met), a, b, cuts - 1, first_met));
   }
   return work;
@@ -435,7 +441,7 @@ PairMeasure3 PairMeasurer3::measure_halves(const Halves& halves, const Patch3& i
   sum.sight = Sight3::kMixed;
   sum.is_whole = true;
   for (std::size_t k = 0; k < 2; ++k) {
-    const Patch3 &half = (*halves.patches)[k], &a = halves.are_of_first ? half : i, &b = halves.are_of_first ? j : half;
+    const auto [a, b] = halves.pair(k, i, j);
     if (halves.settings[k] == nullptr) {
       const auto sides = PairBodies3(prepared_->blockers, a, b).patch_sides;
       if (sides[0].has_front && sides[1].has_front) sum.is_whole = false;  // else S0 = 0

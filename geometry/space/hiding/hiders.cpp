@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "geometry/space/arrangement/surface_boxes.h"
+#include "geometry/space/arrangement/whole_patch.h"
 #include "kernel/exact_double.h"
 
 namespace hottel {
@@ -242,9 +242,9 @@ class Hiders3::Proof {
   }
   Plane plane(int of) const {
     const PlacedPatch3& patch = *patches_[of];
-    double most = 0;
-    for (std::size_t k = 0; k < patch.corners.size(); ++k) most += dot(patch.normal, patch.corners[k]);
-    return {patch.normal, most / static_cast<double>(patch.corners.size())};
+    double sum = 0;
+    for (const Direction3& p : patch.corners) sum += dot(patch.normal, p);
+    return {patch.normal, sum / static_cast<double>(patch.corners.size())};
   }
 
   // The sides of a plane of a body on which the corners of a whole patch lie.
@@ -466,10 +466,7 @@ Hiders3::Hiders3(const Blockers3& blockers) : blockers_(blockers), bodies_(block
     tree->boxes.push_back(box);
   }
   tree->build();
-  for (std::uint32_t s = 0; s < blockers.size(); ++s) {
-    Patch3& whole = tree->surfaces.emplace_back(Patch3{s, {}, 1});
-    for (const VertexId3 v : blockers.outline(s)) whole.corners.push_back(vertices.exact(v));
-  }
+  for (std::uint32_t s = 0; s < blockers.size(); ++s) tree->surfaces.push_back(whole_patch(blockers, s));
   for (const Patch3& whole : tree->surfaces) tree->placed.push_back(placed(whole));
   tree_ = std::move(tree);
 }

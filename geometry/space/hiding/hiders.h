@@ -81,7 +81,6 @@ class FirstMet3 {
   FirstMet3(const FirstMet3&) = delete;  // `placed` points to the patch
   FirstMet3& operator=(const FirstMet3&) = delete;
 
-  const Hiders3& hiders() const { return hiders_; }
   const Patch3& patch() const { return patch_; }
   const PlacedPatch3& placed() const { return placed_; }
   // False of the surface of the patch.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/exchange/unobstructed.h"
 #include "tests/comparison/space/map_comparison.h"
 
@@ -14,9 +15,7 @@ PairScene3::PairScene3(const std::vector<SpacePolygon>& polygons)
 }
 
 Patch3 PairScene3::patch(std::size_t s, bool is_back) const {
-  Patch3 patch;
-  patch.surface = static_cast<std::uint32_t>(s);
-  for (const VertexId3 v : blockers_.outline(s)) patch.corners.push_back(blockers_.vertices().exact(v));
+  Patch3 patch = whole_patch(blockers_, static_cast<std::uint32_t>(s));
   if (is_back) std::reverse(patch.corners.begin(), patch.corners.end());
   return patch;
 }

@@ -8,22 +8,18 @@
 #include <array>
 #include <vector>
 
+#include "tests/geometry/space/box_faces.h"
+
 namespace hottel::convex_bodies_test {
 namespace {
 
+using box_faces::box;
 using testing::IsEmpty;
 using testing::SizeIs;
-using Points = std::vector<Point3>;
+using box_faces::operator+;
+using box_faces::Points;
+using box_faces::polygons_of;
 
-// bottom, top, south, north, west, east
-std::vector<Points> box(const Point3& a, const Point3& b) {
-  const auto at = [&](int x, int y, int z) {
-    return Point3{x == 0 ? a.x : b.x, y == 0 ? a.y : b.y, z == 0 ? a.z : b.z};
-  };
-  return {{at(0, 0, 0), at(0, 1, 0), at(1, 1, 0), at(1, 0, 0)}, {at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)},
-          {at(0, 0, 0), at(1, 0, 0), at(1, 0, 1), at(0, 0, 1)}, {at(0, 1, 0), at(0, 1, 1), at(1, 1, 1), at(1, 1, 0)},
-          {at(0, 0, 0), at(0, 0, 1), at(0, 1, 1), at(0, 1, 0)}, {at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1)}};
-}
 std::vector<Points> box_without(std::initializer_list<std::size_t> faces) {
   const std::vector<Points> all = box({0, 0, 0}, {2, 2, 2});
   std::vector<Points> some;
@@ -32,14 +28,9 @@ std::vector<Points> box_without(std::initializer_list<std::size_t> faces) {
   return some;
 }
 
-std::vector<Points> operator+(std::vector<Points> a, const std::vector<Points>& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
 class Bodies {
  public:
-  explicit Bodies(const std::vector<Points>& polygons) : blockers_(made(polygons)), bodies_(blockers_) {}
+  explicit Bodies(const std::vector<Points>& polygons) : blockers_(polygons_of(polygons)), bodies_(blockers_) {}
   const std::vector<ConvexBody3>& all() const { return bodies_.bodies(); }
   const ConvexBodies3& bodies() const { return bodies_; }
   // On which side of a plane of a body a point of the scene is: +1 outward.
@@ -52,11 +43,6 @@ class Bodies {
   }
 
  private:
-  static std::vector<Polygon3> made(const std::vector<Points>& polygons) {
-    std::vector<Polygon3> result;
-    for (const Points& points : polygons) result.push_back({points, {}});
-    return result;
-  }
   Blockers3 blockers_;
   ConvexBodies3 bodies_;
 };

@@ -8,28 +8,24 @@
 #include <array>
 #include <vector>
 
+#include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/exchange/pair_details.h"
 #include "geometry/space/exchange/pair_measure.h"
+#include "tests/geometry/space/box_faces.h"
 
 namespace hottel::hiders_test {
 namespace {
 
-using Points = std::vector<Point3>;
+using box_faces::box;
+using box_faces::operator+;
+using box_faces::Points;
+using box_faces::polygons_of;
 
 Rational ratio(long p, long q) { return Rational(p) / q; }
 Rational two_to_minus(int k) { return scaled_by_power_of_two(Rational(1), -k); }
 
 enum Face : std::uint32_t { kBottom, kTop, kSouth, kNorth, kWest, kEast };
 
-// Fronts outward.
-std::vector<Points> box(const Point3& a, const Point3& b) {
-  const auto at = [&](int x, int y, int z) {
-    return Point3{x == 0 ? a.x : b.x, y == 0 ? a.y : b.y, z == 0 ? a.z : b.z};
-  };
-  return {{at(0, 0, 0), at(0, 1, 0), at(1, 1, 0), at(1, 0, 0)}, {at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1)},
-          {at(0, 0, 0), at(1, 0, 0), at(1, 0, 1), at(0, 0, 1)}, {at(0, 1, 0), at(0, 1, 1), at(1, 1, 1), at(1, 1, 0)},
-          {at(0, 0, 0), at(0, 0, 1), at(0, 1, 1), at(0, 1, 0)}, {at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1)}};
-}
 // A box without a bottom: the numbers of its faces are one less.
 std::vector<Points> open_box(const Point3& a, const Point3& b) {
   std::vector<Points> faces = box(a, b);
@@ -50,19 +46,13 @@ Points turned(Points points) {
   return points;
 }
 
-std::vector<Points> operator+(std::vector<Points> a, const std::vector<Points>& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
 class Scene {
  public:
   explicit Scene(const std::vector<Points>& polygons)
-      : blockers_(made(polygons)), hiders_(blockers_), measurer_(blockers_) {}
+      : blockers_(polygons_of(polygons)), hiders_(blockers_), measurer_(blockers_) {}
 
   Patch3 patch(std::uint32_t surface, bool is_back = false) const {
-    Patch3 patch{surface, {}, 1};
-    for (const VertexId3 v : blockers_.outline(surface)) patch.corners.push_back(blockers_.vertices().exact(v));
+    Patch3 patch = whole_patch(blockers_, surface);
     if (is_back) std::reverse(patch.corners.begin(), patch.corners.end());
     return patch;
   }
@@ -94,11 +84,6 @@ class Scene {
   const PairMeasurer3& measurer() const { return measurer_; }
 
  private:
-  static std::vector<Polygon3> made(const std::vector<Points>& polygons) {
-    std::vector<Polygon3> result;
-    for (const Points& points : polygons) result.push_back({points, {}});
-    return result;
-  }
   Blockers3 blockers_;
   Hiders3 hiders_;
   PairMeasurer3 measurer_;

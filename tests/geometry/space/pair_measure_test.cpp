@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/exchange/unobstructed.h"
 #include "geometry/space/scene/polygon.h"
 
@@ -22,8 +23,7 @@ class Pair {
   explicit Pair(const std::vector<Points>& polygons) : blockers_(made(polygons)), measurer_(blockers_) {}
 
   Patch3 patch(std::uint32_t surface, bool is_back = false) const {
-    Patch3 patch{surface, {}, 1};
-    for (const VertexId3 v : blockers_.outline(surface)) patch.corners.push_back(blockers_.vertices().exact(v));
+    Patch3 patch = whole_patch(blockers_, surface);
     if (is_back) std::reverse(patch.corners.begin(), patch.corners.end());
     return patch;
   }
