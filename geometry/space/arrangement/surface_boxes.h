@@ -1,6 +1,7 @@
 // Boxes around the polygons of a scene, in their tree. Internal to geometry/space.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -59,6 +60,13 @@ class SurfaceBoxes3 {
   }
 
   const Box3& of(std::size_t s) const { return surfaces_[s]; }
+  // The largest coordinate of a polygon; 0 where there is none.
+  double reach() const {
+    double most = 0;
+    if (!nodes_.empty())
+      for (int a = 0; a < 3; ++a) most = std::max({most, -nodes_[0].low[a], nodes_[0].high[a]});
+    return most;
+  }
 
   // Appends the polygons whose boxes meet this one.
   void find(const Box3& box, std::vector<std::uint32_t>& found) const {

@@ -202,6 +202,7 @@ std::vector<PairStretch3> EdgeSum3::cut_at_jumps(double most) const {
 }
 
 EdgeSum3::Extent EdgeSum3::extent(std::uint32_t patch) const {
+  if (bodies_.is_far(patch)) return {};
   const std::vector<std::uint32_t>& corners = bodies_.bodies[patch].corners;
   Extent result{bodies_.place(corners.front()), 0, 0};
   Direction3 before{}, sum{};
@@ -222,7 +223,7 @@ double EdgeSum3::most_seen(const PairStretch3& stretch) const {
   const double square = dot(way, way);
   double most = std::numbers::pi;
   for (std::uint32_t patch = 0; patch < 2; ++patch) {
-    if (stretch.role != StretchRole3::kOutline && patch == stretch.own) continue;
+    if (bodies_.is_far(patch) || (stretch.role != StretchRole3::kOutline && patch == stretch.own)) continue;
     const Extent& extent = extents_[patch];
     const double t = square > 0 ? std::clamp(dot(extent.first - from, way) / square, 0.0, 1.0) : 0;
     const double distance = length(extent.first - (from + t * way)) - extent.reach;

@@ -69,7 +69,8 @@ class EdgeSum3 {
     std::size_t stretch;
     double t;
   };
-  // A patch in doubles of the bodies: its first corner, how far others are from it, its area.
+  // A patch in doubles of the bodies: its first corner, how far others are from it, its area. Of a cone of the sky it
+  // has no place.
   struct Extent {
     Direction3 first;
     double reach, area;

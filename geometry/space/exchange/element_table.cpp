@@ -166,7 +166,7 @@ ElementTable3::ElementTable3(const Scene3& scene, const Arrangement3& arrangemen
   else
     add_faces(scene, arrangement, blockers, granularity);
   holders_ = is_by_group_ ? 2 * static_cast<std::uint32_t>(scene.surfaces.size()) : count();
-  add_sky(blockers);
+  if (blockers.size() > 0) parts_.push_back({Patch3::all_of_the_sky(), sky(), holders_, false});
   for (const Part& part : parts_) {
     while (begin_.size() <= part.label) begin_.push_back(static_cast<std::size_t>(&part - parts_.data()));
   }
@@ -247,38 +247,6 @@ void ElementTable3::add_groups(const Scene3& scene, const Arrangement3& arrangem
     }
   }
   std::stable_sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.label < b.label; });
-}
-
-void ElementTable3::add_sky(const Blockers3& blockers) {
-  if (blockers.size() == 0) return;
-  using Axis = Integer IntegerVector::*;
-  constexpr std::array<Axis, 3> kAxes{&IntegerVector::x, &IntegerVector::y, &IntegerVector::z};
-  IntegerVector low, high;
-  const Vertices3& vertices = blockers.vertices();
-  for (const VertexId3 v : IdRange<VertexId3>(vertices.size()))
-    for (const Axis axis : kAxes) {
-      low.*axis = v == VertexId3(0) ? vertices.exact(v).*axis : std::min(low.*axis, vertices.exact(v).*axis);
-      high.*axis = v == VertexId3(0) ? vertices.exact(v).*axis : std::max(high.*axis, vertices.exact(v).*axis);
-    }
-  Integer largest = 0;
-  for (const Axis axis : kAxes) largest = std::max(largest, Integer(high.*axis - low.*axis));
-  for (const Axis axis : kAxes) {
-    low.*axis -= largest;
-    high.*axis += largest;
-  }
-  // Seen from inside: at the low end of an axis counter-clockwise in the plane of the two that follow it.
-  for (std::size_t a = 0; a < 3; ++a)
-    for (const bool is_high : {false, true}) {
-      const Axis u = kAxes[(a + 1) % 3], v = kAxes[(a + 2) % 3];
-      Patch3 wall;
-      for (const auto& [along, across] : {std::pair{false, false}, {true, false}, {true, true}, {false, true}}) {
-        IntegerVector& corner = wall.corners.emplace_back(is_high ? high : low);
-        corner.*u = (along ? high : low).*u;
-        corner.*v = (across ? high : low).*v;
-      }
-      if (is_high) turn_round(wall);
-      parts_.push_back({std::move(wall), sky(), holders_, false});
-    }
 }
 
 std::vector<ElementTable3::Share> ElementTable3::add_contacts(const Scene3& scene, const Vertices3& vertices) {

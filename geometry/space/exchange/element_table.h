@@ -36,9 +36,9 @@ ElementCounts3 element_counts(const Scene3& scene, Granularity granularity);
 //       back is one element and has no row
 //   (2) Granularity::kGroup: all fronts of a group are one element, and all its backs another
 //   (3) an element is made of patches: a convex face that keeps all its place, or a part of one, of a single one;
-//       others of one for each piece of the arrangement (FacePatches3), a group of those of its members, the sky of the
-//       six walls of a box that holds the scene, their fronts inward. Patches are in the order of their elements;
-//       corners of backs run the other way round, from the same first one
+//       others of one for each piece of the arrangement (FacePatches3), a group of those of its members; the sky is
+//       one, all of it. Patches are in the order of their elements; corners of backs run the other way round, from the
+//       same first one
 //   (4) areas are of what is not covered, correctly rounded; extent() encloses them in the unit of PairMeasurer3. An
 //       element that other faces or solids leave nothing of has no patch, the area 0 and no row
 //   (5) where a mask lies on its base, elements of both see each other across no distance: contacts(). They have no
@@ -104,7 +104,6 @@ class ElementTable3 {
                  Granularity granularity);
   void add_groups(const Scene3& scene, const Arrangement3& arrangement, const Blockers3& blockers);
   void add_parts(FacePatches3 patches, std::uint32_t label, std::uint32_t holder);
-  void add_sky(const Blockers3& blockers);
   // Returns the area of each contact as an AreaSum3 takes it: a multiple of a length that is given by its square.
   using Share = std::pair<Rational, Integer>;
   std::vector<Share> add_contacts(const Scene3& scene, const Vertices3& vertices);

@@ -8,8 +8,9 @@ namespace hottel {
 const IntegerVector& MovingPlanes3::exact_edge(Plane& plane) {
   if (!plane.exact_edge) {
     const PairBodies3::Point &p = bodies_.points[plane.a], &q = bodies_.points[plane.b];
-    plane.exact_edge =
-        std::make_unique<IntegerVector>(difference(multiple(p.weight(), q.exact()), multiple(q.weight(), p.exact())));
+    plane.exact_edge = std::make_unique<IntegerVector>(
+        p.is_far() ? difference(q.exact(), p.exact())
+                   : difference(multiple(p.weight(), q.exact()), multiple(q.weight(), p.exact())));
   }
   return *plane.exact_edge;
 }
@@ -24,6 +25,7 @@ const IntegerVector& MovingPlanes3::exact_toward(std::uint32_t point) {
   if (kept.stamp == stamp_) return kept.vector;
   kept.stamp = stamp_;
   const PairBodies3::Point& p = bodies_.points[point];
+  if (p.is_far()) return kept.vector = p.exact();
   thread_local Integer step;
   step = mantissa_ * p.weight();
   const auto set = [&](Integer& result, const Integer& corner, const Integer& from, const Integer& way) {

@@ -329,6 +329,7 @@ ExchangeMatrix ExchangeRows3::matrix(ExchangeReport3* report) {
     require_measured(prepared_, table_, request_.tolerance, sums.failures);
     pairs_ = std::move(sums.pairs);
   }
+  enclose_sky(table_, pairs_);
   report_.surfaces = prepared_.scene.surfaces.size();
   report_.vertices = prepared_.blockers().vertices().size();
   report_.elements = table_.count();

@@ -28,7 +28,7 @@ ArcVector3<Real> unit(const IntegerVector& a) {
 }  // namespace
 
 MomentOrigin3::MomentOrigin3(const PairBodies3& bodies, const double (&shift)[3], long vertex_shift) : bodies_(bodies) {
-  if (set_on_common_line(shift[0])) return;
+  if (!bodies.is_far(1) && set_on_common_line(shift[0])) return;
   set_in_the_middle();
   if (shift[0] == 0 && shift[1] == 0 && shift[2] == 0) return;
   Rational moved[3];
@@ -57,7 +57,8 @@ double MomentOrigin3::extent(std::uint32_t patch) const {
 }
 
 void MomentOrigin3::set_in_the_middle() {
-  const std::vector<std::uint32_t>& corners = bodies_.bodies[extent(1) < extent(0) ? 1 : 0].corners;
+  const bool is_second_smaller = !bodies_.is_far(1) && extent(1) < extent(0);
+  const std::vector<std::uint32_t>& corners = bodies_.bodies[is_second_smaller ? 1 : 0].corners;
   Integer common = 1;
   for (const std::uint32_t corner : corners) common = lcm(common, bodies_.points[corner].weight());
   IntegerVector sum;

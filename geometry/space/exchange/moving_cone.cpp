@@ -7,13 +7,33 @@
 namespace hottel {
 
 void MovingCutter3::set_cone(std::uint32_t body, int facing, bool is_antipodal, Cone& cone) const {
-  cone.body = body;
   cone.is_antipodal = is_antipodal;
   planes_.cone_sides(body, facing, is_antipodal, cone.sides);
+  cone.corners = planes_.bodies().bodies[body].corners;
+}
+
+// The outline is made of the edges at which one face is seen from outside and the other one is not.
+void MovingCutter3::set_cone(const PairBodies3::Solid& solid, std::span<const signed char> facings, bool is_antipodal,
+                             Cone& cone) const {
+  cone.is_antipodal = is_antipodal;
+  cone.sides.clear();
+  cone.corners.clear();
+  const auto is_seen = [&](std::uint32_t face) {
+    return face != PairBodies3::Solid::kNone && facings[face] * solid.outward[face] > 0;
+  };
+  for (const PairBodies3::Solid::Edge& edge : solid.edges) {
+    const bool is_first = is_seen(edge.face[0]);
+    if (is_first == is_seen(edge.face[1])) continue;
+    const std::uint32_t face = edge.face[is_first ? 0 : 1], side = edge.side[is_first ? 0 : 1];
+    cone.sides.push_back(planes_.cone_side(solid.faces[face], side, facings[face], is_antipodal));
+    const std::vector<std::uint32_t>& corners = planes_.bodies().bodies[solid.faces[face]].corners;
+    for (const std::uint32_t corner : {corners[side], corners[side + 1 == corners.size() ? 0 : side + 1]})
+      if (std::ranges::find(cone.corners, corner) == cone.corners.end()) cone.corners.push_back(corner);
+  }
 }
 
 void MovingCutter3::set_fragment(const Cone& cone, int facing, MovingFragment3& fragment) const {
-  const std::vector<std::uint32_t>& corners = planes_.bodies().bodies[cone.body].corners;
+  const std::vector<std::uint32_t>& corners = cone.corners;
   const std::size_t count = corners.size();
   fragment.clear();
   for (std::size_t k = 0; k < count; ++k) {
@@ -52,9 +72,8 @@ bool MovingCutter3::separates(const MovingFragment3& fragment, const Cone& cone,
   }
   const PlaneSide3 plane = fragment[place - cone.sides.size()].plane;
   const PlaneSide3 side = cone.is_antipodal ? plane.opposite() : plane;
-  const std::vector<std::uint32_t>& corners = planes_.bodies().bodies[cone.body].corners;
-  if (planes_.is_any_positive(corners, side)) return false;
-  planes_.rely(corners, side);
+  if (planes_.is_any_positive(cone.corners, side)) return false;
+  planes_.rely(cone.corners, side);
   return true;
 }
 

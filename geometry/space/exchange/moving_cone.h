@@ -39,13 +39,17 @@ class MovingCutter3 {
  public:
   explicit MovingCutter3(MovingPlanes3& planes) : planes_(planes) {}
 
-  // What bounds the cone of a body, or the opposite cone.
+  // What bounds the cone of a body or a solid, or the opposite cone.
   struct Cone {
-    std::uint32_t body;
     bool is_antipodal;
     std::vector<PlaneSide3> sides;
+    std::vector<std::uint32_t> corners;  // it is the hull of these
   };
   void set_cone(std::uint32_t body, int facing, bool is_antipodal, Cone& cone) const;
+  // Of a solid. REQUIRES: `facings` are those of its faces, and one at least is seen from outside.
+  void set_cone(const PairBodies3::Solid& solid, std::span<const signed char> facings, bool is_antipodal,
+                Cone& cone) const;
+  // REQUIRES: it is the cone of one body.
   void set_fragment(const Cone& cone, int facing, MovingFragment3& fragment) const;
 
   enum class Cut : unsigned char { kNothing, kPart, kAll };

@@ -64,7 +64,7 @@ void MovingPlanes3::add_lines() {
       plane.bodies[0] = k;
       const PairBodies3::Point &p = bodies_.points[a], &q = bodies_.points[b];
       const double size = p.approximate_weight * q.approximate.size + q.approximate_weight * p.approximate.size;
-      if (p.approximate.error == 0 && q.approximate.error == 0 && size <= kExactLimit) {
+      if (!p.is_far() && p.approximate.error == 0 && q.approximate.error == 0 && size <= kExactLimit) {
         const double v = p.approximate_weight, w = q.approximate_weight;
         BoundedVector& edge = plane.edge;
         edge = {v * q.approximate.x - w * p.approximate.x, v * q.approximate.y - w * p.approximate.y,
@@ -99,6 +99,11 @@ void MovingPlanes3::look_from(const Stretch3& stretch) {
     const double weight = truncated_double(stretch.weight);
     for (std::size_t k = 0; k < count && is_small_; ++k) {
       const PairBodies3::Point& p = bodies_.points[k];
+      if (p.is_far()) {
+        offsets_[k] = p.approximate;
+        drifts_[k] = {};
+        continue;
+      }
       const double w = p.approximate_weight;
       is_small_ = p.approximate.error == 0 && weight * p.approximate.size + w * from.size <= kExactLimit &&
                   w * way.size <= kExactLimit;
@@ -116,12 +121,17 @@ void MovingPlanes3::look_from(const Stretch3& stretch) {
   exact.reserve(count);
   long top = 0;
   for (const PairBodies3::Point& p : bodies_.points) {
+    if (p.is_far()) {
+      exact.emplace_back();
+      continue;
+    }
     exact.push_back(difference(multiple(stretch.weight, p.exact()), multiple(p.weight(), stretch.from)));
     top = std::max(top, bits(exact.back()));
   }
   const long shift = std::max(0L, top - 60);
   for (std::size_t k = 0; k < count; ++k) {
-    offsets_[k] = rounded(exact[k], shift);
+    const bool is_far = bodies_.points[k].is_far();
+    offsets_[k] = is_far ? bodies_.points[k].approximate : rounded(exact[k], shift);
     drifts_[k] = rounded(multiple(bodies_.points[k].weight(), stretch.way), shift);
   }
 }

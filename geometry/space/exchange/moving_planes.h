@@ -58,6 +58,11 @@ class MovingPlanes3 {
   }
   // The sides of planes that bound the cone of a body, the inside positive. `facing`: as facing() says.
   void cone_sides(std::uint32_t body, int facing, bool is_antipodal, std::vector<PlaneSide3>& result) const;
+  // That of one side of the body.
+  PlaneSide3 cone_side(std::uint32_t body, std::uint32_t side, int facing, bool is_antipodal) const {
+    const PlaneSide3 plane = sides_[body][side];
+    return (facing > 0) != is_antipodal ? plane.opposite() : plane;
+  }
 
   // Which side of a body the point sees: +1 its front, -1 its back, 0 neither. Relied on.
   int facing(std::uint32_t body);

@@ -21,7 +21,8 @@ bool is_at(const IntegerVector& p, const Integer& weight, const IntegerVector& v
 
 }  // namespace
 
-PairBodies3::PairBodies3(const Blockers3& blockers, const Patch3& i, const Patch3& j) {
+PairBodies3::PairBodies3(const Blockers3& blockers, const Patch3& i, const Patch3& j)
+    : vertices_(&blockers.vertices()) {
   long top = 0;
   for (const Patch3* patch : {&i, &j})
     for (const IntegerVector& corner : patch->corners) top = std::max(top, bits(corner));
@@ -50,6 +51,14 @@ std::uint32_t PairBodies3::vertex(const Blockers3& blockers, VertexId3 v) {
 
 void PairBodies3::add_patch(const Blockers3& blockers, const Patch3& patch) {
   Body body{{}, nullptr, {}, patch.surface};
+  IntegerVector& normal = patch_normals_[bodies.size()];
+  body.normal_numbers = &normal;
+  if (patch.is_far()) {
+    for (const IntegerVector& corner : patch.corners)
+      body.corners.push_back(add_point(corner, patch.weight, rounded(corner, 0)));
+    bodies.push_back(std::move(body));
+    return;
+  }
   const std::size_t others = points.size();
   for (const IntegerVector& corner : patch.corners) {
     VertexId3 same = VertexId3::none();
@@ -77,10 +86,8 @@ void PairBodies3::add_patch(const Blockers3& blockers, const Patch3& patch) {
                                ? add_point(corner, patch.weight, approximate)
                                : static_cast<std::uint32_t>(known - points.begin()));
   }
-  IntegerVector& normal = patch_normals_[bodies.size()];
   normal =
       primitive(cross(difference(patch.corners[1], patch.corners[0]), difference(patch.corners[2], patch.corners[1])));
-  body.normal_numbers = &normal;
   body.normal = rounded(normal, std::max(0L, bits(normal) - 53));
   bodies.push_back(std::move(body));
 }
@@ -99,6 +106,38 @@ void PairBodies3::drop_last() {
   bodies.pop_back();
   of_body.pop_back();
   of_patch.pop_back();
+}
+
+void PairBodies3::add_solid(const Blockers3& blockers, const ConvexBody3& body) {
+  if (solids.empty()) end_of_between_ = count();
+  Solid& solid = solids.emplace_back(Solid{&body, {}, {}, {}});
+  for (std::size_t k = 0; k < body.surfaces.size(); ++k) {
+    std::uint32_t face = 2;
+    while (face < end_of_between_ && bodies[face].surface != body.surfaces[k]) ++face;
+    if (face == end_of_between_) face = add(blockers, body.surfaces[k]);
+    solid.faces.push_back(face);
+    const IntegerVector& outward = body.planes[body.plane_of[k]].outward;
+    solid.outward.push_back(static_cast<signed char>(dot_sign(bodies[face].exact_normal(), outward)));
+    for (std::size_t patch = 0; patch < 2; ++patch)
+      if (of_body[face][patch].has_behind) solid.may_hide[patch] = false;
+  }
+  for (std::uint32_t k = 0; k < solid.faces.size(); ++k) {
+    const std::vector<std::uint32_t>& corners = bodies[solid.faces[k]].corners;
+    for (std::uint32_t side = 0; side < corners.size(); ++side) {
+      const std::uint32_t a = corners[side], b = corners[(side + 1) % corners.size()];
+      const auto is_same = [&](const Solid::Edge& edge) {
+        const std::vector<std::uint32_t>& others = bodies[solid.faces[edge.face[0]]].corners;
+        const std::uint32_t c = others[edge.side[0]], d = others[(edge.side[0] + 1) % others.size()];
+        return (a == c && b == d) || (a == d && b == c);
+      };
+      if (const auto known = std::ranges::find_if(solid.edges, is_same); known == solid.edges.end())
+        solid.edges.push_back({{k, Solid::kNone}, {side, 0}});
+      else {
+        known->face[1] = k;
+        known->side[1] = side;
+      }
+    }
+  }
 }
 
 PairBodies3::Side PairBodies3::side_of_body(std::uint32_t body, std::uint32_t other) const {
@@ -133,6 +172,7 @@ Direction3 PairBodies3::place(std::uint32_t point) const {
   const Point& p = points[point];
   const BoundedVector& a = p.approximate;
   const double w = p.approximate_weight;
+  if (p.is_far()) return {a.x, a.y, a.z};
   if (std::isfinite(w)) return {a.x / w, a.y / w, a.z / w};
   return {rounded_quotient(p.exact().x, p.weight(), shift_), rounded_quotient(p.exact().y, p.weight(), shift_),
           rounded_quotient(p.exact().z, p.weight(), shift_)};
@@ -140,6 +180,7 @@ Direction3 PairBodies3::place(std::uint32_t point) const {
 
 int PairBodies3::side(std::uint32_t point, std::uint32_t body) const {
   const Body& b = bodies[body];
+  if (is_far(body)) return 1;
   for (const std::uint32_t corner : b.corners)
     if (corner == point) return 0;
   const int sign = filtered_sign(b.normal, way(b.corners.front(), point));

@@ -14,12 +14,13 @@
 #include "geometry/space/arrangement/whole_patch.h"
 #include "geometry/space/exchange/edge_sum.h"
 #include "geometry/space/exchange/moment_origin.h"
+#include "geometry/space/exchange/no_sky.h"
 #include "geometry/space/exchange/pair_details.h"
 #include "geometry/space/exchange/pair_setting.h"
 #include "geometry/space/exchange/pair_stretches.h"
 #include "geometry/space/exchange/patch_halves.h"
+#include "geometry/space/exchange/sky_cones.h"
 #include "geometry/space/exchange/surface_stretches.h"
-#include "geometry/space/exchange/unobstructed.h"
 #include "geometry/space/hiding/hiders.h"
 #include "kernel/support/parallel.h"
 
@@ -38,10 +39,9 @@ constexpr double kShareOfWhatLacks = 0.25;
 constexpr int kMostCutsAtJumps = 4, kMostCutsAtEnds = 3;
 
 // So many surfaces between two patches are taken at once. Where there are more, the pair is cut if its halves cost less
-// than this times the whole: up to twice for a side of the sky, of which many cuts save much, the first one little. And
-// how often patches are cut, together.
+// than this times the whole. And how often patches are cut, together.
 constexpr std::size_t kMostBetween = 30;
-constexpr double kWorthwhile = 1.2, kWorthwhileForSky = 1.9;
+constexpr double kWorthwhile = 1.2;
 constexpr int kMostCuts = 12, kCutsWhereItFails = 3;
 
 // What is asked of a pair before it is known what is between, and then of each surface between, where these are many.
@@ -98,12 +98,27 @@ void add_part(const PairMeasure3& part, PairMeasure3& sum) {
   sum.signs += part.signs;
 }
 
+// Ends a sum of parts, with what all would exchange if nothing hid anything.
+void end_sum(const UnobstructedMeasure3& alone, double allowed, PairMeasure3& sum) {
+  if (sum.bounds.upper == 0) {
+    sum.is_whole = false;
+    sum.measure = sum.error = 0;
+  } else if (sum.is_whole) {
+    sum.problem.clear();
+    take_alone(alone, allowed, sum);
+  } else if (sum.error <= allowed) {
+    sum.problem.clear();
+  } else if (sum.problem.empty()) {
+    sum.problem = kNotConverged;
+  }
+}
+
 // Returns what is hidden of a pair at most: every line that is stopped leaves the patch and meets a side of something
 // between, so that no more is hidden than the patch and those sides would exchange alone.
 double most_hidden(const PairSetting3& setting, const Blockers3& blockers, const Patch3& patch, double tolerance) {
   double sum = 0;
   const auto& bodies = setting.bodies.bodies;
-  for (std::size_t body = 2; body < bodies.size(); ++body) {
+  for (std::size_t body = 2; body < setting.bodies.end_of_between(); ++body) {
     Patch3 side = whole_patch(blockers, bodies[body].surface);
     for (int k = 0; k < 2; ++k, std::reverse(side.corners.begin(), side.corners.end()))
       sum += unobstructed_measure(blockers.vertices(), patch, side, tolerance, Effort3::kUsual).bounds.upper;
@@ -115,8 +130,8 @@ double most_hidden(const PairSetting3& setting, const Blockers3& blockers, const
 // Raises the lower bound to the measure of the two alone less what is hidden at most.
 void bound_what_is_hidden(const PairSetting3& setting, const Blockers3& blockers, const Patch3& i, const Patch3& j,
                           double tolerance, const UnobstructedMeasure3& alone, PairMeasure3& result) {
-  const double hidden =
-      std::min(most_hidden(setting, blockers, i, tolerance), most_hidden(setting, blockers, j, tolerance));
+  double hidden = most_hidden(setting, blockers, i, tolerance);
+  if (!j.is_far()) hidden = std::min(hidden, most_hidden(setting, blockers, j, tolerance));
   result.bounds.lower = std::max(0.0, std::nextafter(alone.bounds.lower - hidden, 0.0));
 }
 
@@ -207,7 +222,8 @@ class FinerSums {
 
 void tell_between(const PairSetting3& setting, PairDetails3& details) {
   const auto& bodies = setting.bodies.bodies;
-  for (std::size_t body = 2; body < bodies.size(); ++body) details.between.push_back(bodies[body].surface);
+  for (std::size_t body = 2; body < setting.bodies.end_of_between(); ++body)
+    details.between.push_back(bodies[body].surface);
   if (setting.sight == Sight3::kHidden && bodies.size() > 2) details.hiders.assign(1, bodies.back().surface);
 }
 
@@ -233,13 +249,22 @@ struct PairMeasurer3::Prepared {
   SurfaceBoxes3 boxes;
   SurfaceStretches3 stretches;
   Hiders3 hiders;
+  NoSky3 no_sky;
   explicit Prepared(const Blockers3& p)
       : polygons(p),
         merged(p),
         blockers(merged.blockers()),
         boxes(blockers),
         stretches(blockers, boxes),
-        hiders(blockers) {}
+        hiders(blockers),
+        no_sky(polygons, merged, stretches) {}
+
+  // Whether it is known at once that a patch of one of the surfaces sees no sky.
+  bool sees_no_sky(const Patch3& patch) const {
+    const IntegerVector normal =
+        cross(difference(patch.corners[1], patch.corners[0]), difference(patch.corners[2], patch.corners[1]));
+    return no_sky.has(patch.surface, dot_sign(normal, blockers.exact_normal(patch.surface)) < 0);
+  }
 
   // A patch as one of the surface that its polygon is part of: itself where that has the same number, else `copy`.
   const Patch3& placed(const Patch3& patch, Patch3& copy) const {
@@ -320,6 +345,7 @@ PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const Pair
 
 PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const PairRequest3& request,
                                     PairDetails3* details, FirstMet3* first_met) const {
+  if (j.is_all_of_the_sky()) return measure_sky(i, request, details, first_met);
   if (first_met != nullptr &&
       ((!j.is_sky() && first_met->is_never_first(j.surface)) || are_hidden(i, j, *first_met, kFirstQuestions)))
     return {};
@@ -329,6 +355,34 @@ PairMeasure3 PairMeasurer3::measure(const Patch3& i, const Patch3& j, const Pair
                              request.is_reversed ? i : j, first_met);
   if (first_met != nullptr && are_hidden(setting, i, j, *first_met)) return {};
   return measure_set(setting, i, j, shared, is_usual(request) ? kMostCuts : 0, details, first_met);
+}
+
+PairMeasure3 PairMeasurer3::measure_sky(const Patch3& i, const PairRequest3& request, PairDetails3* details,
+                                        FirstMet3* first_met) const {
+  if (is_usual(request) && request.asks_hiders && prepared_->sees_no_sky(i)) return {};
+  const Enclosure area = patch_area(prepared_->blockers.vertices(), i);
+  const double allowed = request.share.value_or(request.tolerance * area.lower);
+  const std::vector<Patch3> cones = sky_cones(i);
+  bool is_any_clear = false, is_any_hidden = false;
+  PairMeasure3 sum;
+  sum.is_whole = true;
+  for (const Patch3& cone : cones) {
+    const Enclosure alone = unobstructed_sky(prepared_->blockers.vertices(), i, cone).bounds;
+    if (alone.upper == 0) continue;
+    // Half of what is allowed goes to all alike.
+    PairRequest3 part = request;
+    part.share = allowed / 2 * (std::min(1.0, alone.upper / area.upper) + 1 / static_cast<double>(cones.size()));
+    const PairSetting3 setting(prepared_->blockers, prepared_->boxes, i, cone, first_met);
+    const PairMeasure3 found = measure_set(setting, i, cone, part, kMostCuts, details, first_met);
+    (found.sight == Sight3::kHidden ? is_any_hidden : is_any_clear) = true;
+    sum.sight = std::max(sum.sight, found.sight);
+    add_part(found, sum);
+    if (sum.is_undecided) return sum;
+  }
+  if (is_any_clear && is_any_hidden) sum.sight = Sight3::kMixed;
+  sum.bounds.upper = std::min(sum.bounds.upper, area.upper);
+  end_sum({area.lower, area.upper - area.lower, area}, allowed, sum);
+  return sum;
 }
 
 bool PairMeasurer3::are_hidden(const Patch3& i, const Patch3& j, const FirstMet3& first_met, int questions) const {
@@ -349,7 +403,8 @@ PairMeasure3 PairMeasurer3::measure_set(const PairSetting3& setting, const Patch
                                         const PairRequest3& request, int cuts, PairDetails3* details,
                                         const FirstMet3* first_met) const {
   const bool is_mixed = setting.sight == Sight3::kMixed;
-  if (is_mixed && cuts > 0 && setting.count_between() > kMostBetween)
+  // A cone of the sky is cut nowhere: from all of its parts most of what stands about is seen.
+  if (is_mixed && cuts > 0 && !j.is_far() && setting.count_between() > kMostBetween)
     if (const std::unique_ptr<Halves> halves = worthwhile_halves(setting, i, j, first_met))
       if (PairMeasure3 sum = measure_halves(*halves, i, j, request, cuts, first_met); sum.problem.empty()) {
         if (details != nullptr) measure_along(setting, i, j, request, details);
@@ -368,6 +423,14 @@ std::size_t PairMeasurer3::count_between(const Patch3& i, const Patch3& j) const
   Patch3 copies[2];
   const Patch3 &first = prepared_->placed(i, copies[0]), &second = prepared_->placed(j, copies[1]);
   FirstMet3 first_met(prepared_->hiders, first, prepared_->blockers.size());
+  if (second.is_all_of_the_sky()) {
+    std::size_t most = 0;
+    for (const Patch3& cone : sky_cones(first))
+      if (const PairSetting3 setting(prepared_->blockers, prepared_->boxes, first, cone, &first_met);
+          setting.sight == Sight3::kMixed)
+        most = std::max(most, setting.count_between());
+    return most;
+  }
   if (are_hidden(first, second, first_met, kFirstQuestions)) return 0;
   const PairSetting3 setting(prepared_->blockers, prepared_->boxes, first, second, &first_met);
   if (setting.sight != Sight3::kMixed || are_hidden(setting, first, second, first_met)) return 0;
@@ -398,6 +461,7 @@ std::array<PairMeasurer3::Halves, 2> PairMeasurer3::both_halves(const PairSettin
 
 PairMeasurer3::Halves PairMeasurer3::cheaper_halves(const PairSetting3& setting, const Patch3& i, const Patch3& j,
                                                     const FirstMet3* first_met) const {
+  if (j.is_far()) return halves(setting, i, j, false, first_met);
   auto both = both_halves(setting, i, j, first_met);
   return std::move(both[both[0].work <= both[1].work ? 0 : 1]);
 }
@@ -423,7 +487,7 @@ std::unique_ptr<PairMeasurer3::Halves> PairMeasurer3::worthwhile_halves(const Pa
                                                                         const Patch3& j,
                                                                         const FirstMet3* first_met) const {
   auto both = both_halves(setting, i, j, first_met);
-  const double enough = (j.is_sky() ? kWorthwhileForSky : kWorthwhile) * work_between(setting.count_between());
+  const double enough = kWorthwhile * work_between(setting.count_between());
   // Where one cut is not worth its while, several may be: the more surfaces there are, the more of them are tried.
   for (const auto& [cuts, least] : {std::pair(0, std::size_t{0}), {1, 0}, {2, 100}, {3, 300}}) {
     if (setting.count_between() < least) break;
@@ -452,17 +516,7 @@ PairMeasure3 PairMeasurer3::measure_halves(const Halves& halves, const Patch3& i
     add_part(measure_set(*halves.settings[k], a, b, part, cuts - 1, nullptr, first_met), sum);
     if (sum.is_undecided) return sum;
   }
-  if (sum.bounds.upper == 0) {
-    sum.is_whole = false;
-    sum.measure = sum.error = 0;
-  } else if (sum.is_whole) {
-    sum.problem.clear();
-    take_alone(unobstructed_measure(prepared_->blockers.vertices(), i, j, tolerance / 4), allowed, sum);
-  } else if (sum.error <= allowed) {
-    sum.problem.clear();
-  } else if (sum.problem.empty()) {
-    sum.problem = kNotConverged;
-  }
+  end_sum(sum.is_whole ? measure_alone(i, j, tolerance / 4, Effort3::kAll) : UnobstructedMeasure3{}, allowed, sum);
   return sum;
 }
 
@@ -483,14 +537,22 @@ PairMeasure3 PairRow3::measure(const Patch3& j, const PairRequest3& request) {
                             asks ? first_met_.get() : nullptr);
 }
 
+UnobstructedMeasure3 PairMeasurer3::measure_alone(const Patch3& i, const Patch3& j, double tolerance,
+                                                  Effort3 effort) const {
+  const Vertices3& vertices = prepared_->blockers.vertices();
+  return j.is_far() ? unobstructed_sky(vertices, i, j) : unobstructed_measure(vertices, i, j, tolerance, effort);
+}
+
 double PairMeasurer3::least_area(const Patch3& i, const Patch3& j) const {
   const Vertices3& vertices = prepared_->blockers.vertices();
+  if (j.is_far()) return patch_area(vertices, i).lower;
   return std::min(patch_area(vertices, i).lower, patch_area(vertices, j).lower);
 }
 
 PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Patch3& i, const Patch3& j,
                                           const PairRequest3& request, PairDetails3* details) const {
-  const Patch3 &first = request.is_reversed ? j : i, &second = request.is_reversed ? i : j;
+  const bool is_reversed = request.is_reversed && !j.is_far();
+  const Patch3 &first = is_reversed ? j : i, &second = is_reversed ? i : j;
   const Blockers3& blockers = prepared_->blockers;
   PairMeasure3 result;
   result.sight = setting.sight;
@@ -498,19 +560,16 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
   if (setting.sight == Sight3::kHidden) return result;
   const double allowed = *request.share;
   const double tolerance = relative(allowed, least_area(i, j), request.tolerance) / 4;
-  const auto measure_alone = [&](Effort3 effort) {
-    return unobstructed_measure(blockers.vertices(), i, j, tolerance, effort);
-  };
   if (setting.sight == Sight3::kClear && !request.always_along_edges) {
-    take_alone(measure_alone(Effort3::kAll), allowed, result);
+    take_alone(measure_alone(i, j, tolerance, Effort3::kAll), allowed, result);
     return result;
   }
-  const UnobstructedMeasure3 alone = measure_alone(Effort3::kUsual);
+  const UnobstructedMeasure3 alone = measure_alone(i, j, tolerance, Effort3::kUsual);
   const long shift = blockers.vertices().shift();
   const MomentOrigin3 origin(setting.bodies, request.origin_shift, shift);
   EdgeSum3 sum(setting.bodies, origin, shift);
   const std::vector<PairStretch3> stretches = pair_stretches(setting, prepared_->stretches, first, second);
-  if (details) details->looked_at = static_cast<std::uint32_t>(stretches.size());
+  if (details) details->looked_at += static_cast<std::uint32_t>(stretches.size());
   result.bounds = {0, alone.bounds.upper};
   if (!sum.add(stretches, result)) {
     take_bounds(result);
@@ -524,7 +583,7 @@ PairMeasure3 PairMeasurer3::measure_along(const PairSetting3& setting, const Pat
     return result;
   }
   if (result.is_whole && !request.always_along_edges) {
-    take_alone(alone.has_converged ? alone : measure_alone(Effort3::kAll), allowed, result);
+    take_alone(alone.has_converged ? alone : measure_alone(i, j, tolerance, Effort3::kAll), allowed, result);
     return result;
   }
   FinerSums sums(setting, origin, shift, sum);

@@ -7,6 +7,7 @@
 #include "geometry/space/arrangement/blockers.h"
 #include "geometry/space/arrangement/patch.h"
 #include "geometry/space/exchange/pair_result.h"
+#include "geometry/space/exchange/unobstructed.h"
 
 namespace hottel {
 
@@ -28,6 +29,8 @@ class PairRow3;
 // First it is asked whether convex bodies and large surfaces hide all (Hiders3), of halves too. Surfaces that no line
 // from the first patch meets first are left out, all at once (FirstMet3).
 //
+// All of the sky is measured in cones of directions (sky_cones()), and so is a part of it that is given as one.
+//
 // For several threads at once: what is kept between calls is made beforehand; each call has working memory of its own.
 class PairMeasurer3 {
  public:
@@ -35,9 +38,9 @@ class PairMeasurer3 {
   explicit PairMeasurer3(const Blockers3& blockers);
   ~PairMeasurer3();
 
-  // REQUIRES: patches of these blockers, as Patch3 says. `details`, where it is not null, is told what the measure is
-  // made of (pair_details.h), with everything that may stand between walked: of stretches only where it is the sum
-  // along edges. The number is the same bit for bit without them.
+  // REQUIRES: patches of these blockers, as Patch3 says; of the sky only the second. `details`, where it is not null,
+  // is told what the measure is made of (pair_details.h), with everything that may stand between walked: of stretches
+  // only where it is the sum along edges. The number is the same bit for bit without them.
   PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request = {},
                        PairDetails3* details = nullptr) const;
 
@@ -53,6 +56,8 @@ class PairMeasurer3 {
   // stand between is walked.
   PairMeasure3 measure(const Patch3& i, const Patch3& j, const PairRequest3& request, PairDetails3* details,
                        FirstMet3* first_met) const;
+  PairMeasure3 measure_sky(const Patch3& i, const PairRequest3& request, PairDetails3* details,
+                           FirstMet3* first_met) const;
   bool are_hidden(const Patch3& i, const Patch3& j, const FirstMet3& first_met, int questions) const;
   bool are_hidden(const PairSetting3& setting, const Patch3& i, const Patch3& j, const FirstMet3& first_met) const;
   // `cuts`: how often patches may still be cut.
@@ -71,6 +76,8 @@ class PairMeasurer3 {
                                             const FirstMet3* first_met) const;
   PairMeasure3 measure_halves(const Halves& halves, const Patch3& i, const Patch3& j, const PairRequest3& request,
                               int cuts, const FirstMet3* first_met) const;
+  // What two patches exchange with nothing between them.
+  UnobstructedMeasure3 measure_alone(const Patch3& i, const Patch3& j, double tolerance, Effort3 effort) const;
   double least_area(const Patch3& i, const Patch3& j) const;
   PairMeasure3 measure_along(const PairSetting3& setting, const Patch3& i, const Patch3& j, const PairRequest3& request,
                              PairDetails3* details) const;

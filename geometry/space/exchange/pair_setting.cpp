@@ -26,13 +26,16 @@ Box3 box_of(const Vertices3& vertices, const Patch3& patch) {
 
 PairSetting3::PairSetting3(const Blockers3& blockers, const SurfaceBoxes3& boxes, const Patch3& i, const Patch3& j,
                            FirstMet3* first_met)
-    : bodies(blockers, i, j) {
+    : bodies(blockers, i, j),
+      reach_(boxes.reach()),
+      solids_(first_met == nullptr ? nullptr : &first_met->hiders().bodies()) {
   if (!can_see(i, j)) return;
   find_hull(blockers.vertices());
   Box3 box = box_of(blockers.vertices(), i);
-  box.include(box_of(blockers.vertices(), j));
+  if (!j.is_far()) box.include(box_of(blockers.vertices(), j));
   const auto is_near = [&](const Box3& other) {
-    return box.meets(other) && std::none_of(half_spaces.begin(), half_spaces.end(), [&](const HullHalfSpace3& half) {
+    return (j.is_far() || box.meets(other)) &&
+           std::none_of(half_spaces.begin(), half_spaces.end(), [&](const HullHalfSpace3& half) {
              const Direction3 highest{half.x > 0 ? other.high[0] : other.low[0],
                                       half.y > 0 ? other.high[1] : other.low[1],
                                       half.z > 0 ? other.high[2] : other.low[2]};
@@ -50,16 +53,18 @@ PairSetting3::PairSetting3(const Blockers3& blockers, const SurfaceBoxes3& boxes
     near.erase(middle, near.end());
   }
   add_bodies(blockers, near);
+  if (sight == Sight3::kMixed) add_solids(blockers, i, j);
 }
 
 PairSetting3::PairSetting3(const Blockers3& blockers, const PairSetting3& whole, const Patch3& i, const Patch3& j)
-    : bodies(blockers, i, j), left_out(whole.left_out) {
+    : bodies(blockers, i, j), left_out(whole.left_out), reach_(whole.reach_), solids_(whole.solids_) {
   if (!can_see(i, j)) return;
   find_hull(blockers.vertices());
   std::vector<std::uint32_t> near;
-  for (std::uint32_t body = 2; body < whole.bodies.bodies.size(); ++body)
+  for (std::uint32_t body = 2; body < whole.bodies.end_of_between(); ++body)
     near.push_back(whole.bodies.bodies[body].surface);
   add_bodies(blockers, near);
+  if (sight == Sight3::kMixed) add_solids(blockers, i, j);
 }
 
 bool PairSetting3::can_see(const Patch3& i, const Patch3& j) const {
@@ -98,27 +103,61 @@ void PairSetting3::keep_left_out_at_lines(const Blockers3& blockers) {
   });
 }
 
+void PairSetting3::add_solids(const Blockers3& blockers, const Patch3& i, const Patch3& j) {
+  if (solids_ == nullptr) return;
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t body = 2; body < bodies.count(); ++body)
+    if (const std::uint32_t number = solids_->body_of(bodies.bodies[body].surface); number != ConvexBody3::kNone)
+      numbers.push_back(number);
+  std::ranges::sort(numbers);
+  const auto has = [this](const Patch3& patch, std::uint32_t number) {
+    return !patch.is_sky() && solids_->body_of(patch.surface) == number;
+  };
+  for (auto first = numbers.begin(); first != numbers.end();) {
+    const std::uint32_t number = *first;
+    const auto last = std::find_if(first, numbers.end(), [number](std::uint32_t other) { return other != number; });
+    const ConvexBody3& body = solids_->bodies()[number];
+    // A surface in the plane of the lid bounds nothing, but may be met.
+    const bool is_whole = std::ranges::find(body.plane_of, ConvexBody3::kNone) == body.plane_of.end();
+    if (last - first > 1 && is_whole && !has(i, number) && !has(j, number)) bodies.add_solid(blockers, body);
+    first = last;
+  }
+}
+
 void PairSetting3::find_hull(const Vertices3& vertices) {
   add_hull_planes(0, 1);
   add_hull_planes(1, 0);
   const double unit_ratio = std::ldexp(1.0, static_cast<int>(bodies.shift() - vertices.shift()));
+  for (const HullPlane& plane : hull) add_half_space(plane, unit_ratio);
+}
+
+void PairSetting3::add_half_space(const HullPlane& plane, double unit_ratio) {
+  const BoundedVector& bounded = plane.plane.normal;
+  if (!(bounded.error <= kSureNormal * bounded.size)) return;  // of points that all but coincide
   const auto place = [&](std::uint32_t number) {
     const PairBodies3::Point& p = bodies.points[number];
     if (!std::isfinite(p.approximate_weight)) return unit_ratio * bodies.place(number);
     const double scale = unit_ratio / p.approximate_weight;
     return Direction3{scale * p.approximate.x, scale * p.approximate.y, scale * p.approximate.z};
   };
-  for (const HullPlane& plane : hull) {
-    const BoundedVector& bounded = plane.plane.normal;
-    if (!(bounded.error <= kSureNormal * bounded.size)) continue;  // of points that all but coincide
-    const Direction3 a = place(plane.plane.p), b = place(plane.plane.q), c = place(plane.plane.r);
-    Direction3 normal = cross(b - a, c - a);
-    const double size = length(normal);
-    if (!(size > 1e-6 * length(b - a) * length(c - a))) continue;  // too thin to be told in doubles
-    normal = (plane.inside / size) * normal;
-    const double slack = kSlack * (length(a) + length(b) + length(c)) + kSlack * length(b - a);
-    half_spaces.push_back({normal.x, normal.y, normal.z, slack - dot(normal, a)});
-  }
+  const Direction3 a = place(plane.plane.p);
+  double slack = kSlack * length(a);
+  const auto way = [&](std::uint32_t number) {
+    if (bodies.points[number].is_far()) {
+      slack += kSlack * reach_;
+      return unit(bodies.place(number));
+    }
+    const Direction3 p = place(number);
+    slack += kSlack * length(p);
+    return p - a;
+  };
+  const Direction3 b = way(plane.plane.q), c = way(plane.plane.r);
+  Direction3 normal = cross(b, c);
+  const double size = length(normal);
+  if (!(size > 1e-6 * length(b) * length(c))) return;  // too thin to be told in doubles
+  normal = (plane.inside / size) * normal;
+  slack += kSlack * length(b);
+  half_spaces.push_back({normal.x, normal.y, normal.z, slack - dot(normal, a)});
 }
 
 void PairSetting3::add_hull_planes(std::uint32_t of_edges, std::uint32_t of_points) {
@@ -127,7 +166,8 @@ void PairSetting3::add_hull_planes(std::uint32_t of_edges, std::uint32_t of_poin
   for (std::size_t c = 0; c < corners.size(); ++c) {
     const std::uint32_t a = corners[c], b = corners[(c + 1) % corners.size()];
     for (const std::uint32_t p : others) {
-      const PairBodies3::Plane plane = bodies.plane_through(a, b, p);
+      const PairBodies3::Plane plane =
+          bodies.points[a].is_far() ? bodies.plane_through(p, a, b) : bodies.plane_through(a, b, p);
       bool has_positive = false, has_negative = false;
       for (const std::vector<std::uint32_t>* all : {&corners, &others})
         for (const std::uint32_t q : *all) {

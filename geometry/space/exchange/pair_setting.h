@@ -26,12 +26,12 @@ struct HullHalfSpace3 {
 //   (3) clear iff none is among the bodies
 //
 // Where it is known which surfaces are never first from patch i (FirstMet3) these are left out, as if they were not
-// there: what the others hide is all that is hidden.
+// there: what the others hide is all that is hidden. And convex bodies hide as one (PairBodies3::Solid).
 struct PairSetting3 {
   PairBodies3 bodies;
   Sight3 sight = Sight3::kHidden;
   // Planes beside which the hull of both patches lies: through two corners of one and one of the other, which are
-  // the points of the plane; the hull is on the side `inside`.
+  // the points of the plane, the first of them not far; the hull is on the side `inside`.
   struct HullPlane {
     PairBodies3::Plane plane;
     int inside;
@@ -50,17 +50,22 @@ struct PairSetting3 {
   // The setting of parts of two patches: takes what stands between the whole patches.
   PairSetting3(const Blockers3& blockers, const PairSetting3& whole, const Patch3& i, const Patch3& j);
 
-  std::size_t count_between() const { return bodies.bodies.size() - 2; }
+  std::size_t count_between() const { return bodies.end_of_between() - 2; }
 
  private:
   bool can_see(const Patch3& i, const Patch3& j) const;
   void find_hull(const Vertices3& vertices);
   void add_bodies(const Blockers3& blockers, std::span<const std::uint32_t> near);
   void keep_left_out_at_lines(const Blockers3& blockers);
+  void add_solids(const Blockers3& blockers, const Patch3& i, const Patch3& j);
+  void add_half_space(const HullPlane& plane, double unit_ratio);
   void add_hull_planes(std::uint32_t of_edges, std::uint32_t of_points);
   bool may_stand_between(std::uint32_t body) const;
   bool is_beside_hull(std::uint32_t body) const;
   bool hides_all(std::uint32_t body) const;
+
+  double reach_ = 0;                       // the largest coordinate of a surface
+  const ConvexBodies3* solids_ = nullptr;  // that hide as one; null: none do
 };
 
 }  // namespace hottel

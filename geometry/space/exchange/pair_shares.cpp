@@ -13,7 +13,7 @@ PairShares3::PairShares3(const ElementTable3& table, const Vertices3& vertices, 
     : vertices_(vertices), tolerance_(tolerance), holders_(table.holders() + std::size_t{1}) {
   for (const Part& part : table.parts()) {
     Holder& holder = holders_[part.holder];
-    holder.of_patches += patch_area(vertices, part.patch).upper;
+    if (!part.patch.is_sky()) holder.of_patches += patch_area(vertices, part.patch).upper;
     ++holder.count;
   }
   std::vector<std::uint32_t> free_count(holders_.size(), 0);
@@ -36,6 +36,7 @@ double PairShares3::least_area(std::uint32_t i, std::uint32_t j) const {
 double PairShares3::allowed(std::uint32_t i, std::uint32_t j) const { return tolerance_ * least_area(i, j); }
 
 double PairShares3::part_of_area(const Part& part) const {
+  if (part.patch.is_sky()) return 1;
   return std::min(1.0, patch_area(vertices_, part.patch).lower / holders_[part.holder].of_patches);
 }
 

@@ -32,7 +32,7 @@ class StretchFinder {
  public:
   StretchFinder(const PairSetting3& setting, const SurfaceStretches3& stretches)
       : bodies_(setting.bodies), setting_(setting), stretches_(stretches) {
-    for (std::uint32_t body = 2; body < bodies_.bodies.size(); ++body) numbers_[bodies_.bodies[body].surface] = body;
+    for (std::uint32_t body = 2; body < bodies_.end_of_between(); ++body) numbers_[bodies_.bodies[body].surface] = body;
   }
 
   void add_patch(const Patch3& patch, std::uint32_t own, const Patch3& other) {
@@ -51,7 +51,7 @@ class StretchFinder {
 
   void add_outlines() {
     std::vector<std::uint32_t> found;
-    for (std::uint32_t body = 2; body < bodies_.bodies.size(); ++body)
+    for (std::uint32_t body = 2; body < bodies_.end_of_between(); ++body)
       for (const std::uint32_t number : stretches_.outlines_of(bodies_.bodies[body].surface)) found.push_back(number);
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -207,7 +207,7 @@ std::vector<PairStretch3> pair_stretches(const PairSetting3& setting, const Surf
                                          const Patch3& i, const Patch3& j) {
   StretchFinder finder(setting, stretches);
   finder.add_patch(i, 0, j);
-  finder.add_patch(j, 1, i);
+  if (!j.is_far()) finder.add_patch(j, 1, i);  // directions do not move, whatever does
   finder.add_outlines();
   return finder.take();
 }

@@ -13,7 +13,6 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/space/arrangement/closed_hull.h"
 #include "geometry/space/exchange/facing.h"
 #include "geometry/space/exchange/pair_handover.h"
 #include "geometry/space/exchange/pair_shares.h"
@@ -73,7 +72,6 @@ class Measuring {
         table_(table),
         request_(request),
         tasks_(table),
-        hull_(prepared.blockers()),
         rows_(prepared.measurer()),
         shares_(table, prepared.blockers().vertices(), request.tolerance) {}
 
@@ -84,10 +82,6 @@ class Measuring {
   void run(const Task& task, Found& found, ExchangeReport3& counts) const {
     const Part& a = table_.parts()[task.patch];
     if (table_.parts()[task.begin].patch.is_sky() && !has_turn(a, table_.parts()[task.begin])) return;
-    if (table_.parts()[task.begin].patch.is_sky() && hull_.sees_no_sky(a.patch.surface, a.is_back)) {
-      counts.hidden += task.end - task.begin;
-      return;
-    }
     RowsAtHand::Row row = rows_.take(a);
     const Part* before = nullptr;  // the last one whose face was asked about
     bool do_face = false;
@@ -185,7 +179,6 @@ class Measuring {
   const ElementTable3& table_;
   const PairSumRequest3& request_;
   const Tasks tasks_;
-  const ClosedHull3 hull_;
   mutable RowsAtHand rows_;
   const PairShares3 shares_;
 };

@@ -16,6 +16,7 @@ constexpr double kRootError = 0x1p-46;
 }  // namespace
 
 int MovingPlanes3::facing(std::uint32_t body) {
+  if (bodies_.is_far(body)) return 1;
   const PairBodies3::Body& b = bodies_.bodies[body];
   const std::uint32_t anchor = b.corners.front();
   const BoundedVector& w = toward_[anchor];

@@ -23,22 +23,36 @@ class StretchHull3 {
 
   // Takes the part of a stretch from t = low to high, and a patch.
   void take(const Stretch3& stretch, double low, double high, std::uint32_t patch);
+  // Of lines that come from the other patch: leaves out what is beyond the stretch for none of them.
+  void take_lines_from(std::uint32_t patch);
 
   bool hides_nothing(std::uint32_t body) const;
 
  private:
+  // A point, or, far away, a unit direction.
+  struct Place {
+    Direction3 at;
+    bool is_far = false;
+  };
   // Points of the hull have value >= 0.
   struct Plane {
     Direction3 normal;
     double offset;
+    double value(const Place& p) const { return dot(normal, p.at) + (p.is_far ? 0 : offset); }
   };
-  void add_plane(const Direction3& a, const Direction3& b, const Direction3& c);
+  // Where all lines are beyond the stretch, on the side of this normal, if they are. They come from `nearest` at least.
+  void add_beam_plane(const Direction3& normal, std::uint32_t from, double nearest);
+  double least_distance(std::uint32_t patch) const;
+  // Through three points, `c` not far.
+  void add_plane(const Place& a, const Place& b, const Place& c);
+  // What a value may be off.
+  double slack_of(const Place& p) const { return p.is_far ? far_slack_ : slack_; }
 
   const PairBodies3& bodies_;
-  std::vector<Direction3> places_;  // of points, from the first one
-  double slack_ = 0;
+  std::vector<Place> places_;  // of points
+  double slack_ = 0, far_slack_ = 0;
   std::vector<Plane> planes_;
-  std::vector<Direction3> hull_;  // the ends of the stretch, the corners of the patch
+  std::vector<Place> hull_;  // the ends of the stretch, the corners of the patch
 };
 
 }  // namespace hottel

@@ -39,12 +39,20 @@ bool precedes(const ArcEnd3& a, const ArcEnd3& b) { return a.plane != b.plane ? 
 }  // namespace
 
 StretchMapper3::StretchMapper3(const PairBodies3& bodies)
-    : bodies_(bodies), planes_(bodies), cutter_(planes_), hull_(bodies) {}
+    : bodies_(bodies),
+      planes_(bodies),
+      cutter_(planes_),
+      hull_(bodies),
+      cover_(bodies),
+      solid_of_(bodies.count(), PairBodies3::Solid::kNone) {
+  for (std::uint32_t solid = 0; solid < bodies.solids.size(); ++solid)
+    for (const std::uint32_t face : bodies.solids[solid].faces) solid_of_[face] = solid;
+}
 
 bool StretchMapper3::divide(const PairStretch3& stretch, std::vector<StretchPiece3>& pieces) {
   not_looked_at_.clear();
   take(stretch);
-  hints_.assign(4 * bodies_.bodies.size(), 0);
+  hints_.assign(4 * (bodies_.bodies.size() + bodies_.solids.size()), 0);
   if (!find_sides(stretch)) return true;
   find_bodies(stretch);
   hiders_ = {};
@@ -123,12 +131,47 @@ void StretchMapper3::find_bodies(const PairStretch3& stretch) {
     between_[patch].clear();
     if (stretch.role != StretchRole3::kOutline && patch == stretch.own) continue;
     hull_.take(stretch.line(), stretch.low, stretch.high, patch);
-    for (std::uint32_t body = 2; body < bodies_.bodies.size(); ++body) {
+    if (stretch.role == StretchRole3::kOutline) hull_.take_lines_from(1 - patch);
+    std::vector<std::uint32_t> as_one;  // solids, whether they are or not
+    std::vector<char> is_one;
+    for (std::uint32_t body = 2; body < bodies_.end_of_between(); ++body) {
       const bool is_at = std::any_of(stretch.faces.begin(), stretch.faces.end(),
                                      [body](const PairStretch3::Face& face) { return face.body == body; });
-      if (!is_at && !hull_.hides_nothing(body)) between_[patch].push_back(body);
+      if (is_at || hull_.hides_nothing(body)) continue;
+      const std::uint32_t solid = solid_of_[body];
+      if (solid == PairBodies3::Solid::kNone) {
+        between_[patch].push_back(body);
+        continue;
+      }
+      auto known = std::ranges::find(as_one, solid);
+      const bool is_new = known == as_one.end();
+      if (is_new) {
+        as_one.push_back(solid);
+        is_one.push_back(hides_as_one(bodies_.solids[solid], stretch, patch));
+        known = as_one.end() - 1;
+      }
+      const bool hides = is_one[static_cast<std::size_t>(known - as_one.begin())] != 0;
+      if (!hides)
+        between_[patch].push_back(body);
+      else if (is_new)
+        between_[patch].push_back(bodies_.count() + solid);
     }
+    cover_.narrow(stretch.line(), stretch.low, stretch.high, between_[patch]);
   }
+}
+
+// Not where it is at the stretch, or where a part of it may be behind the patch; and the stretch is to be within its
+// lid, so that lines do not come in there.
+bool StretchMapper3::hides_as_one(const PairBodies3::Solid& solid, const PairStretch3& stretch,
+                                  std::uint32_t patch) const {
+  if (!solid.may_hide[patch]) return false;
+  for (const PairStretch3::Face& face : stretch.faces)
+    if (std::ranges::find(solid.faces, face.body) != solid.faces.end()) return false;
+  if (!solid.exact->lid) return true;
+  const Stretch3& s = stretch.line();
+  const BodyPlane3& lid = *solid.exact->lid;
+  const IntegerVector from = difference(s.from, multiple(s.weight, bodies_.vertices().exact(lid.at)));
+  return dot_sign(lid.outward, from) <= 0 && dot_sign(lid.outward, sum(from, s.way)) <= 0;
 }
 
 bool StretchMapper3::look(const PairStretch3& stretch, double low, double high, StretchPiece3& piece) {
@@ -201,12 +244,12 @@ void StretchMapper3::see(const PairStretch3& stretch, MovingFragment3& start, in
   // First the body that hid the rest when it was looked last: where it hides all, nothing else is relied on.
   Hider& hider = hiders_[sign > 0];
   const Hider first = hider;
-  if (first.body != 0) take_away(stretch, first.body, first.patch, sign);
+  if (first.number != 0) take_away(stretch, first.number, first.patch, sign);
   for (std::uint32_t patch = 0; patch < 2; ++patch)
-    for (const std::uint32_t body : between_[patch]) {
-      if (pieces_.size() == 0 || (body == first.body && patch == first.patch)) continue;
-      take_away(stretch, body, patch, sign);
-      if (pieces_.size() == 0) hider = {body, patch};
+    for (const std::uint32_t number : between_[patch]) {
+      if (pieces_.size() == 0 || (number == first.number && patch == first.patch)) continue;
+      take_away(stretch, number, patch, sign);
+      if (pieces_.size() == 0) hider = {number, patch};
     }
   if (stretch.role != StretchRole3::kSource) is_anything_hidden_ |= pieces_.size() > 0;
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
@@ -226,24 +269,61 @@ StretchMapper3::Hides StretchMapper3::hides(std::uint32_t body, int facing, std:
   return is_beyond ? Hides::kWhereNearer : Hides::kNever;
 }
 
-// Takes away from pieces_ what a body hides of a patch: of patch 0, seen backward, where the stretch is on none.
-void StretchMapper3::take_away(const PairStretch3& stretch, std::uint32_t body, std::uint32_t patch, int sign) {
+namespace {
+
+// Whether what is between is seen backward: where the stretch is on no patch, before the first one.
+bool is_backward(const PairStretch3& stretch, std::uint32_t patch) {
+  return stretch.role == StretchRole3::kOutline && patch == 0;
+}
+
+}  // namespace
+
+// Takes away from pieces_ what a body or a solid hides of a patch.
+void StretchMapper3::take_away(const PairStretch3& stretch, std::uint32_t hider, std::uint32_t patch, int sign) {
+  if (hider < bodies_.count())
+    take_away_body(stretch, hider, patch, sign);
+  else
+    take_away_solid(stretch, hider - bodies_.count(), patch, sign);
+}
+
+void StretchMapper3::take_away_body(const PairStretch3& stretch, std::uint32_t body, std::uint32_t patch, int sign) {
   const int facing = planes_.facing(body);
   if (facing == 0) return;
   const Hides part = hides(body, facing, patch);
   if (part == Hides::kNever) return;
-  const bool is_backward = stretch.role == StretchRole3::kOutline && patch == 0;
-  cutter_.set_cone(body, facing, is_backward, cone_);
-  std::uint32_t& hint = hints_[4 * body + (is_backward ? 2 : 0) + (sign > 0 ? 1 : 0)];
+  cutter_.set_cone(body, facing, is_backward(stretch, patch), cone_);
+  if (part == Hides::kWhole) return take_away_cone(stretch, body, patch, sign, {});
+  PlaneSide3 crossing = planes_.crossing(body, patch);
+  crossing.is_opposite = is_backward(stretch, patch);
+  take_away_cone(stretch, body, patch, sign, {&crossing, 1});
+}
+
+// From within, none of its faces is seen from outside: then each hides by itself.
+void StretchMapper3::take_away_solid(const PairStretch3& stretch, std::uint32_t number, std::uint32_t patch, int sign) {
+  const PairBodies3::Solid& solid = bodies_.solids[number];
+  facings_.clear();
+  bool is_outside = false;
+  for (std::size_t k = 0; k < solid.faces.size(); ++k) {
+    facings_.push_back(static_cast<signed char>(planes_.facing(solid.faces[k])));
+    is_outside |= facings_.back() * solid.outward[k] > 0;
+  }
+  if (is_outside) {
+    cutter_.set_cone(solid, facings_, is_backward(stretch, patch), cone_);
+    return take_away_cone(stretch, bodies_.count() + number, patch, sign, {});
+  }
+  for (const std::uint32_t face : solid.faces)
+    if (face < bodies_.end_of_between()) take_away_body(stretch, face, patch, sign);
+}
+
+// What is in cone_, and on the positive sides of planes beside it.
+void StretchMapper3::take_away_cone(const PairStretch3& stretch, std::uint32_t hider, std::uint32_t patch, int sign,
+                                    std::span<const PlaneSide3> beside) {
+  std::uint32_t& hint = hints_[4 * hider + (is_backward(stretch, patch) ? 2 : 0) + (sign > 0 ? 1 : 0)];
   std::size_t first = 0;
   while (first < pieces_.size() && cutter_.is_apart(pieces_[first], cone_, hint)) ++first;
   if (first == pieces_.size()) return;
-  sides_ = cone_.sides;
-  if (part == Hides::kWhereNearer) {
-    PlaneSide3 crossing = planes_.crossing(body, patch);
-    crossing.is_opposite = is_backward;
-    sides_.insert(sides_.begin(), crossing);
-  }
+  sides_.assign(beside.begin(), beside.end());
+  sides_.insert(sides_.end(), cone_.sides.begin(), cone_.sides.end());
   rest_.clear();
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
     const bool is_apart = p != first && (p < first || cutter_.is_apart(pieces_[p], cone_, hint));

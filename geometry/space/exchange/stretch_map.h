@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/space/exchange/moving_cone.h"
+#include "geometry/space/exchange/solid_cover.h"
 #include "geometry/space/exchange/stretch.h"
 #include "geometry/space/exchange/stretch_hull.h"
 #include "geometry/space/exchange/stretch_piece.h"
@@ -62,19 +63,24 @@ class StretchMapper3 {
   std::uint32_t relied_polynomials() const { return planes_.relied_polynomials(); }
 
  private:
-  // A body that hides something of a patch; 0 for none.
+  // What hides something of a patch: a body, or, behind all of these, a solid; 0 for none.
   struct Hider {
-    std::uint32_t body = 0, patch = 0;
+    std::uint32_t number = 0, patch = 0;
   };
   void take(const PairStretch3& stretch);
   bool look(const PairStretch3& stretch, double low, double high, StretchPiece3& piece);
   bool find_sides(const PairStretch3& stretch);
   void find_bodies(const PairStretch3& stretch);
+  bool hides_as_one(const PairBodies3::Solid& solid, const PairStretch3& stretch, std::uint32_t patch) const;
   void find_view(const PairStretch3& stretch);
   bool find_start(const PairStretch3& stretch);
   void see_on_both_sides(const PairStretch3& stretch);
   void see(const PairStretch3& stretch, MovingFragment3& start, int sign);
-  void take_away(const PairStretch3& stretch, std::uint32_t body, std::uint32_t patch, int sign);
+  void take_away(const PairStretch3& stretch, std::uint32_t hider, std::uint32_t patch, int sign);
+  void take_away_body(const PairStretch3& stretch, std::uint32_t body, std::uint32_t patch, int sign);
+  void take_away_solid(const PairStretch3& stretch, std::uint32_t number, std::uint32_t patch, int sign);
+  void take_away_cone(const PairStretch3& stretch, std::uint32_t hider, std::uint32_t patch, int sign,
+                      std::span<const PlaneSide3> beside);
   enum class Hides : unsigned char { kNever, kWhole, kWhereNearer };
   Hides hides(std::uint32_t body, int facing, std::uint32_t patch) const;
   void set_signature(StretchPiece3& piece);
@@ -94,14 +100,17 @@ class StretchMapper3 {
   std::size_t seen_count_ = 0;
   MovingCutter3::Cone cone_;
   std::vector<PlaneSide3> sides_;
+  std::vector<signed char> facings_;
   std::vector<std::uint64_t> labels_;     // as the corners of the piece
   std::vector<PlaneId3> planes_of_arcs_;  // as its planes
   std::vector<ArcEnd3> begins_, ends_, all_ends_;
   std::vector<std::uint32_t> hints_;  // what told apart last: by body, direction and side
   StretchHull3 hull_;
+  SolidCover3 cover_;
   std::array<bool, 2> sides_seen_{};                   // right, left
   std::array<Hider, 2> hiders_;                        // what hid the rest last, by sign
-  std::array<std::vector<std::uint32_t>, 2> between_;  // bodies that may hide something of a patch from the stretch
+  std::vector<std::uint32_t> solid_of_;                // of bodies
+  std::array<std::vector<std::uint32_t>, 2> between_;  // what may hide something of a patch from the stretch
   bool is_anything_hidden_ = false;
   std::uint32_t maps_ = 0;
 };

@@ -130,6 +130,7 @@ struct Hiders3::Body {
 struct Hiders3::Flat {
   Plane plane;
   std::vector<Direction3> corners;  // counter-clockwise, seen from where heights are positive
+  std::uint32_t surface;
 
   bool hides(const Direction3& p, const Direction3& q, double deep) const {
     const double at_p = plane.height(p), at_q = plane.height(q);
@@ -236,6 +237,17 @@ class Hiders3::Proof {
   // Whether all lines between a part of the first patch and one of the second are hidden.
   bool holds(const Corners& a, const Corners& b) { return holds(a, b, kMostHalvings); }
 
+  // Whether one flat surface stands between the patches, whole, that lines may touch at its border: plates of one size
+  // behind each other. Exact.
+  bool is_behind_one(const Corners& a, const Corners& b) const {
+    bool result = false;
+    tree_.find(middle_of(a), middle_of(b), deep_, [&](std::uint32_t hider) {
+      result = hider >= tree_.bodies.size() && stands_between(tree_.flats[hider - tree_.bodies.size()]);
+      return !result;
+    });
+    return result;
+  }
+
   Corners corners(int of, std::optional<Plane> before) const {
     Corners result(patches_[of]->corners.begin(), patches_[of]->corners.end());
     return before ? cut(result, *before, deep_) : result;
@@ -283,6 +295,39 @@ class Hiders3::Proof {
   }
 
  private:
+  bool stands_between(const Flat& flat) const {
+    const double side = flat.plane.height(patches_[0]->corners.front()) > 0 ? 1 : -1;
+    const auto is_off = [&](int of, double on_side) {
+      return std::ranges::all_of(patches_[of]->corners,
+                                 [&](const Direction3& p) { return on_side * flat.plane.height(p) > deep_; });
+    };
+    if (!is_off(0, side) || !is_off(1, -side)) return false;
+    // Seen from where heights are positive its corners run counter-clockwise.
+    const int from = side > 0 ? 0 : 1;
+    for (std::size_t p = 0; p < patches_[from]->corners.size(); ++p)
+      for (std::size_t q = 0; q < patches_[1 - from]->corners.size(); ++q)
+        for (std::size_t k = 0; k < flat.corners.size(); ++k)
+          if (volume_sign(from, p, q, flat, k) < 0) return false;
+    return true;
+  }
+
+  // The sign of Flat::hides for a line between corners, and side k: exact.
+  int volume_sign(int from, std::size_t p, std::size_t q, const Flat& flat, std::size_t k) const {
+    const std::size_t next = (k + 1) % flat.corners.size();
+    const Direction3 &eye = patches_[from]->corners[p], way = patches_[1 - from]->corners[q] - eye;
+    const Direction3 to_a = flat.corners[k] - eye, to_b = flat.corners[next] - eye;
+    const double volume = dot(way, cross(to_b, to_a)), longest = std::max({length(way), length(to_a), length(to_b)});
+    if (std::fabs(volume) > 0x1p-6 * deep_ * longest * longest) return volume > 0 ? 1 : -1;
+    const Patch3 &first = *patches_[from]->patch, &second = *patches_[1 - from]->patch;
+    const IntegerVector& at = first.corners[p];
+    const auto outline = hiders_.blockers_.outline(flat.surface);
+    const auto offset = [&](const IntegerVector& point, const Integer& weight) {
+      return difference(multiple(first.weight, point), multiple(weight, at));
+    };
+    const auto corner = [&](std::size_t c) { return offset(hiders_.blockers_.vertices().exact(outline[c]), 1); };
+    return determinant_sign(offset(second.corners[q], second.weight), corner(next), corner(k));
+  }
+
   // What is told of whole patches beside a body, each when it is first asked for.
   struct Facts {
     std::uint32_t body;
@@ -456,7 +501,7 @@ Hiders3::Hiders3(const Blockers3& blockers) : blockers_(blockers), bodies_(block
   }
   for (std::uint32_t s = 0; s < blockers.size(); ++s) {
     if (bodies_.body_of(s) != ConvexBody3::kNone) continue;
-    Flat flat{plane_of({blockers.outline(s).front(), blockers.exact_normal(s)}), {}};
+    Flat flat{plane_of({blockers.outline(s).front(), blockers.exact_normal(s)}), {}, s};
     Box3 box;
     for (const VertexId3 v : blockers.outline(s)) {
       flat.corners.push_back(place_of(vertices.approximate(v)));
@@ -474,7 +519,8 @@ Hiders3::Hiders3(const Blockers3& blockers) : blockers_(blockers), bodies_(block
 Hiders3::~Hiders3() = default;
 
 PlacedPatch3 Hiders3::placed(const Patch3& patch) const {
-  PlacedPatch3 result{&patch, {}, {}, 0, true};
+  PlacedPatch3 result{&patch, {}, {}, 0, !patch.is_far()};
+  if (patch.is_far()) return result;
   const int shift = static_cast<int>(blockers_.vertices().shift());
   const double factor = std::ldexp(1 / truncated_double(patch.weight), -shift);
   for (const IntegerVector& corner : patch.corners) {
@@ -529,7 +575,7 @@ bool Hiders3::is_never_first(const PlacedPatch3& i, std::uint32_t surface) const
   }
   const Corners a = proof.corners(0, std::nullopt), b = proof.corners(1, proof.plane(0));
   if (b.size() < 3) return b.empty();
-  return proof.holds(a, b);
+  return proof.holds(a, b) || proof.is_behind_one(a, b);
 }
 
 FirstMet3::FirstMet3(const Hiders3& hiders, const Patch3& patch, std::size_t surfaces)

@@ -37,7 +37,7 @@ struct PlacedPatch3 {
 //     the lid
 //   - and at once, without any doubles, if one patch is within the body, looking in, and the other one outside a plane.
 // A surface of no body hides where one patch is before it and the other one behind, and lines of corners pass within
-// it.
+// it; of what is never first, those that touch its border may be among them, by exact signs.
 //
 //   (1) what it says is hidden is: a proof. What it does not may be hidden too
 //   (2) whether is_never_first(i, k) depends on i and the surfaces alone. All surfaces that are never first from i may
@@ -81,6 +81,7 @@ class FirstMet3 {
   FirstMet3(const FirstMet3&) = delete;  // `placed` points to the patch
   FirstMet3& operator=(const FirstMet3&) = delete;
 
+  const Hiders3& hiders() const { return hiders_; }
   const Patch3& patch() const { return patch_; }
   const PlacedPatch3& placed() const { return placed_; }
   // False of the surface of the patch.

@@ -56,6 +56,8 @@ double square_of(const Polygons3& polygons) {
 std::string name_of(const HidingSubject3& subject, const Row& row, const Target& target) {
   const std::string to = target.polygon < subject.polygons().size()
                              ? fmt::format("{} of polygon {}", target.is_back ? "back" : "front", target.polygon)
+                         : target.patch.is_all_of_the_sky()
+                             ? "all of the sky"
                              : fmt::format("side {} of the sky", target.polygon - subject.polygons().size());
   return fmt::format("{} of polygon 0 to {}", row.is_back ? "back" : "front", to);
 }
@@ -348,6 +350,59 @@ std::string parts_are_broken(const HidingSubject3& subject) {
   return wrong;
 }
 
+// All of the sky from a patch, in scene units.
+PairMeasure3 sky_from(const HidingSubject3& subject, const Patch3& patch, const PairRequest3& request) {
+  PairMeasure3 m = subject.scene().measurer().measure(patch, Patch3::all_of_the_sky(), request);
+  const double unit = subject.scene().unit();
+  m.measure *= unit;
+  m.error *= unit;
+  m.bounds = {m.bounds.lower * unit, m.bounds.upper * unit};
+  return m;
+}
+
+std::string sky_is_broken(const HidingSubject3& subject) {
+  std::string wrong;
+  for (const Row& row : subject.rows()) {
+    Target all{subject.polygons().size(), false, Patch3::all_of_the_sky(), {}};
+    PairRequest3 request{
+        .tolerance = std::max(kTolerance, kDigits * square_of(subject.polygons()) / subject.scene().area(row.patch))};
+    const double slack = request.tolerance * subject.scene().area(row.patch);
+    all.measure = sky_from(subject, row.patch, request);
+    PairMeasure3 of_sides;
+    of_sides.is_whole = true;
+    double slack_of_sides = slack;
+    for (const Target& side : row.targets) {
+      if (!side.patch.is_sky()) continue;
+      of_sides.measure += side.measure.measure;
+      of_sides.bounds = {of_sides.bounds.lower + side.measure.bounds.lower * (1 - 1e-15),
+                         of_sides.bounds.upper + side.measure.bounds.upper * (1 + 1e-15)};
+      of_sides.is_whole &= side.measure.is_whole || side.measure.sight == Sight3::kHidden;
+      if (!side.measure.problem.empty()) of_sides.problem = side.measure.problem;
+      slack_of_sides += std::max(subject.slack(row.patch, side.patch), side.measure.error);
+    }
+    of_sides.is_whole = all.measure.is_whole;  // of sides nothing is whole that is hidden by the horizon
+    wrong += other_than(subject, row, all, of_sides, "by six sides", slack_of_sides);
+    request.asks_hiders = false;
+    wrong += other_than(subject, row, all, sky_from(subject, row.patch, request), "walked", 2 * slack);
+    request.asks_hiders = true;
+    PairMeasure3 of_parts;
+    double slack_of_parts = slack;
+    for (const Patch3& part : quarters_of(row.patch)) {
+      PairRequest3 of_part = request;
+      of_part.tolerance = std::max(kTolerance, slack / subject.scene().area(part));
+      const PairMeasure3 m = sky_from(subject, part, of_part);
+      of_parts.measure += m.measure;
+      of_parts.bounds = {of_parts.bounds.lower + m.bounds.lower * (1 - 1e-15),
+                         of_parts.bounds.upper + m.bounds.upper * (1 + 1e-15)};
+      if (!m.problem.empty()) of_parts.problem = m.problem;
+      slack_of_parts += of_part.tolerance * subject.scene().area(part);
+    }
+    of_parts.is_whole = all.measure.is_whole;
+    wrong += other_than(subject, row, all, of_parts, "in parts", slack_of_parts);
+  }
+  return wrong;
+}
+
 }  // namespace
 
 HidingSubject3::HidingSubject3(Polygons3 polygons, std::uint64_t chance)
@@ -391,7 +446,7 @@ const std::vector<HidingLaw3>& hiding_laws_3() {
   static const std::vector<HidingLaw3> all{
       {"bodies", bodies_are_broken, 1}, {"rays", rays_are_broken, 1},      {"never first", never_first_is_broken, 1},
       {"walked", walked_is_broken, 1},  {"closure", closure_is_broken, 1}, {"reversed", reversal_is_broken, 2},
-      {"alone", alone_is_broken, 5},    {"parts", parts_are_broken, 3}};
+      {"alone", alone_is_broken, 5},    {"parts", parts_are_broken, 3},    {"sky", sky_is_broken, 2}};
   return all;
 }
 

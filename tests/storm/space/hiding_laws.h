@@ -67,6 +67,8 @@ struct HidingLaw3 {
 //   reversed        S is the same from the other patch
 //   alone           S has the same bits for a pair by itself, with details and without
 //   parts           S of quarters of a side sum to that of the side; S = 0 where all of them are
+//   sky             S of a side with all of the sky is the sum of those with six sides of it, and of quarters of the
+//                   side, and the same where everything is walked; so is whether S = 0
 const std::vector<HidingLaw3>& hiding_laws_3();
 
 }  // namespace hottel::storm

@@ -1,0 +1,242 @@
+#include "geometry/space/exchange/no_sky.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "geometry/space/arrangement/closed_hull.h"
+#include "geometry/space/arrangement/surface_boxes.h"
+
+namespace hottel {
+namespace {
+
+// So many polygons are asked about, times those of the shell.
+constexpr std::size_t kMostQuestions = 1'000'000;
+
+// Polygons that hang together by edges, and how many each edge has.
+struct Components {
+  std::vector<std::vector<std::uint32_t>> polygons, of_edge;
+  std::vector<std::uint32_t> of_polygon;
+
+  explicit Components(const Blockers3& blockers) : of_edge(blockers.edge_count()), of_polygon(blockers.size(), kNone) {
+    for (std::uint32_t s = 0; s < blockers.size(); ++s)
+      for (const DirectedEdge3& side : blockers.edges(s)) of_edge[side.edge.index()].push_back(s);
+    for (std::uint32_t s = 0; s < blockers.size(); ++s) {
+      if (of_polygon[s] != kNone) continue;
+      const auto number = static_cast<std::uint32_t>(polygons.size());
+      std::vector<std::uint32_t>& all = polygons.emplace_back(1, s);
+      of_polygon[s] = number;
+      for (std::size_t k = 0; k < all.size(); ++k)
+        for (const DirectedEdge3& side : blockers.edges(all[k]))
+          for (const std::uint32_t next : of_edge[side.edge.index()])
+            if (std::exchange(of_polygon[next], number) == kNone) all.push_back(next);
+    }
+  }
+
+  static constexpr std::uint32_t kNone = 0xffffffff;
+};
+
+// A closed shell: +1 or -1 for each of its polygons, so that all are seen from one side.
+struct Shell {
+  std::uint32_t component;
+  std::vector<std::pair<std::uint32_t, int>> polygons;
+  Box3 box;
+};
+
+// Turns the polygons of a component so that each edge is passed in both directions; nothing where they cannot be.
+std::optional<Shell> shell_of(const Blockers3& blockers, const Components& components, const SurfaceBoxes3& boxes,
+                              std::uint32_t component) {
+  const std::vector<std::uint32_t>& polygons = components.polygons[component];
+  for (const std::uint32_t s : polygons)
+    for (const DirectedEdge3& side : blockers.edges(s))
+      if (components.of_edge[side.edge.index()].size() != 2) return std::nullopt;
+  std::vector<std::pair<std::uint32_t, int>> turned{{polygons.front(), 1}};
+  std::vector<signed char> turn_of(blockers.size(), 0);
+  turn_of[polygons.front()] = 1;
+  const auto passes = [&](std::uint32_t s, EdgeId3 edge) {
+    const auto sides = blockers.edges(s);
+    return std::ranges::find(sides, edge, &DirectedEdge3::edge)->is_backward ? -1 : 1;
+  };
+  Shell shell{component, {}, {}};
+  for (std::size_t k = 0; k < turned.size(); ++k) {
+    const auto [s, turn] = turned[k];
+    shell.box.include(boxes.of(s));
+    for (const DirectedEdge3& side : blockers.edges(s))
+      for (const std::uint32_t next : components.of_edge[side.edge.index()]) {
+        if (next == s) continue;
+        const int needed = -turn * passes(s, side.edge) * passes(next, side.edge);
+        if (turn_of[next] == 0) {
+          turn_of[next] = static_cast<signed char>(needed);
+          turned.emplace_back(next, needed);
+        } else if (turn_of[next] != needed) {
+          return std::nullopt;
+        }
+      }
+  }
+  shell.polygons = std::move(turned);
+  return shell;
+}
+
+// How often a ray from an inner point of a polygon, on one side of it, passes through a shell from its turned fronts to
+// their backs, less the other way. Exact.
+class WindingNumber {
+ public:
+  WindingNumber(const Blockers3& blockers, const Shell& shell) : blockers_(blockers), shell_(shell) {}
+
+  int of(std::uint32_t polygon, bool is_back) const {
+    const auto corners = blockers_.outline(polygon);
+    // Not in the middle, where other things are as well.
+    IntegerVector from;
+    Integer weight = 0;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Integer share = static_cast<unsigned long>(3 + (5 * k) % 7);
+      from = sum(from, multiple(share, blockers_.vertices().exact(corners[k])));
+      weight += share;
+    }
+    const IntegerVector& normal = blockers_.exact_normal(polygon);
+    const IntegerVector up = is_back ? opposite(normal) : normal;
+    const IntegerVector side =
+        difference(blockers_.vertices().exact(corners[1]), blockers_.vertices().exact(corners[0]));
+    for (unsigned long attempt = 1;; ++attempt) {
+      // Straight up, and leaning a little, differently each time.
+      const Integer much = Integer(1) << static_cast<unsigned>(bits(side) + bits(normal) + 8);
+      const IntegerVector across = cross(normal, side);
+      const IntegerVector way = sum(
+          multiple(much, up),
+          sum(multiple(31 * attempt, across), multiple(Integer(17 * attempt * attempt) * (bits(normal) + 1), side)));
+      if (const auto count = count_along(polygon, from, weight, way)) return *count;
+    }
+  }
+
+ private:
+  // Nothing where the ray meets an edge.
+  std::optional<int> count_along(std::uint32_t start, const IntegerVector& from, const Integer& weight,
+                                 const IntegerVector& way) const {
+    int count = 0;
+    for (const auto& [s, turn] : shell_.polygons) {
+      if (s == start) continue;
+      const auto corners = blockers_.outline(s);
+      const auto offset = [&](VertexId3 v) {
+        return difference(multiple(weight, blockers_.vertices().exact(v)), from);
+      };
+      const int height = dot_sign(blockers_.exact_normal(s), offset(corners[0]));
+      const int slope = dot_sign(blockers_.exact_normal(s), way);
+      if (height == 0 || height * slope < 0) continue;
+      // A ray in a plane beside that of the polygon does not meet it.
+      if (slope == 0) continue;
+      bool has_positive = false, has_negative = false, has_zero = false;
+      for (std::size_t k = 0; k < corners.size() && !(has_positive && has_negative); ++k) {
+        const int sign =
+            determinant_sign(way, offset(corners[k]), offset(corners[k + 1 == corners.size() ? 0 : k + 1]));
+        has_positive |= sign > 0;
+        has_negative |= sign < 0;
+        has_zero |= sign == 0;
+      }
+      if (has_positive && has_negative) continue;
+      if (has_zero) return std::nullopt;
+      count += turn * slope;
+    }
+    return count;
+  }
+
+  const Blockers3& blockers_;
+  const Shell& shell_;
+};
+
+// Whether more than two polygons of a shell have a line in common.
+bool touches_itself(const Blockers3& blockers, const Shell& shell) {
+  std::vector<LinePart3> parts;
+  std::vector<IntegerVector> normals;
+  for (const auto& [s, turn] : shell.polygons) {
+    const auto corners = blockers.outline(s);
+    const auto number = static_cast<std::uint32_t>(normals.size());
+    normals.push_back(blockers.exact_normal(s));
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      parts.push_back({{blockers.vertices().exact(corners[k]), 1},
+                       {blockers.vertices().exact(corners[(k + 1) % corners.size()]), 1},
+                       {number, true},
+                       false});
+  }
+  const std::vector<AtomicStretch3> stretches = atomic_stretches(parts, true, normals);
+  return std::ranges::any_of(stretches, [](const AtomicStretch3& stretch) { return stretch.faces.size() > 2; });
+}
+
+// Whether a stretch in the plane of a surface enters the inside of it.
+bool enters(const Blockers3& blockers, std::uint32_t surface, const Stretch3& s) {
+  const auto corners = blockers.outline(surface);
+  const IntegerVector end = sum(s.from, s.way);
+  Rational low = 0, high = 1;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const IntegerVector& corner = blockers.vertices().exact(corners[k]);
+    const IntegerVector side = difference(blockers.vertices().exact(corners[(k + 1) % corners.size()]), corner);
+    const IntegerVector across = cross(blockers.exact_normal(surface), side);
+    const auto value = [&](const IntegerVector& p) { return dot(across, difference(p, multiple(s.weight, corner))); };
+    const Integer at_from = value(s.from), at_end = value(end);
+    if (sgn(at_from) <= 0 && sgn(at_end) <= 0) return false;
+    if (sgn(at_from) >= 0 && sgn(at_end) >= 0) continue;
+    Rational zero(at_from, at_from - at_end);
+    zero.canonicalize();
+    (sgn(at_from) < 0 ? low : high) = sgn(at_from) < 0 ? std::max(low, zero) : std::min(high, zero);
+  }
+  return low < high;
+}
+
+}  // namespace
+
+NoSky3::NoSky3(const Blockers3& polygons, const MergedBlockers3& merged, const SurfaceStretches3& stretches) {
+  const ClosedHull3 hull(polygons);
+  const Blockers3& surfaces = merged.blockers();
+  for (const bool is_back : {false, true}) {
+    sides_[is_back].resize(surfaces.size());
+    for (std::uint32_t m = 0; m < surfaces.size(); ++m)
+      sides_[is_back][m] =
+          std::ranges::all_of(merged.members(m), [&](std::uint32_t s) { return hull.sees_no_sky(s, is_back); });
+  }
+  const Components components(polygons);
+  const SurfaceBoxes3 boxes(polygons);
+  std::vector<Shell> shells;
+  for (std::uint32_t c = 0; c < components.polygons.size(); ++c)
+    if (components.polygons[c].size() > 3)
+      if (std::optional<Shell> shell = shell_of(polygons, components, boxes, c)) shells.push_back(std::move(*shell));
+  if (shells.empty()) return;
+  // The components whose polygons stand on a surface, or pierce it.
+  std::vector<std::vector<std::uint32_t>> on(surfaces.size());
+  for (std::uint32_t m = 0; m < surfaces.size(); ++m) {
+    for (const bool is_back : {false, true})
+      for (const AtomicStretch3& ground : stretches.grounds(m, is_back)) {
+        if (!enters(surfaces, m, ground.stretch)) continue;
+        for (const StretchFace3& face : ground.faces)
+          for (const std::uint32_t s : merged.members(face.surface)) on[m].push_back(components.of_polygon[s]);
+      }
+    std::ranges::sort(on[m]);
+    on[m].erase(std::unique(on[m].begin(), on[m].end()), on[m].end());
+  }
+  const auto stands_on = [&](std::uint32_t component, std::uint32_t polygon) {
+    return std::ranges::binary_search(on[merged.surface_of(polygon)], component);
+  };
+  for (const Shell& shell : shells) {
+    const std::vector<std::uint32_t>& own = components.polygons[shell.component];
+    if (std::ranges::any_of(own, [&](std::uint32_t s) { return stands_on(shell.component, s); })) continue;
+    if (touches_itself(polygons, shell)) continue;
+    const WindingNumber winding(polygons, shell);
+    std::vector<std::array<bool, 2>> is_within(polygons.size(), {false, false});
+    const auto [first, turn_of_first] = shell.polygons.front();
+    for (const bool is_back : {false, true}) {
+      if (winding.of(first, is_back) == 0) continue;
+      for (const auto& [s, turn] : shell.polygons) is_within[s][is_back != (turn != turn_of_first)] = true;
+    }
+    std::vector<std::uint32_t> others;
+    for (std::uint32_t s = 0; s < polygons.size(); ++s)
+      if (components.of_polygon[s] != shell.component && boxes.of(s).meets(shell.box) && !stands_on(shell.component, s))
+        others.push_back(s);
+    if (others.size() * shell.polygons.size() <= kMostQuestions)
+      for (const std::uint32_t s : others) is_within[s][0] = is_within[s][1] = winding.of(s, false) != 0;
+    for (std::uint32_t m = 0; m < surfaces.size(); ++m)
+      for (const bool is_back : {false, true})
+        if (std::ranges::all_of(merged.members(m), [&](std::uint32_t s) { return is_within[s][is_back]; }))
+          sides_[is_back][m] = true;
+  }
+}
+
+}  // namespace hottel
