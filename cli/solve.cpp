@@ -237,6 +237,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                            {},
                            results.light ? results.light->max_error : std::nullopt,
                            insulated_groups(simulation.scene(), matrix, *results.solution),
+                           given_flux_groups(simulation.scene(), matrix, *results.solution),
                            simulation.scene().unit,
                            options.store.report(simulation.request().store),
                            results.dividing.get(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/name.h"
+#include "kernel/support/failure.h"
 
 namespace hottel {
 namespace {
@@ -31,6 +32,15 @@ std::string_view spectrum_problem(const Spectrum& spectrum, SpectrumKind kind) {
 
 bool Material::is_adiabatic() const { return reflectivity == Spectrum::scalar(1) && emission.is_zero(); }
 
+Spectrum Material::surface_reflectivity() const {
+  return has_given_flux() ? Spectrum::scalar(1 - *emissivity) : reflectivity;
+}
+
+Rational Material::power_above_radiosity(int channel) const {
+  if (!has_given_flux()) return 0;
+  return (1 - *emissivity) * emission.value[static_cast<std::size_t>(channel)] / *emissivity;
+}
+
 Spectrum black_emission(const Spectrum& temperature) {
   Spectrum result{{}, temperature.is_scalar};
   for (std::size_t c = 0; c < 3; ++c) {
@@ -44,6 +54,13 @@ void set_insulated(Material& material) {
   material.reflectivity = Spectrum::scalar(1);
   material.emission = Spectrum();
   material.called_insulated = true;
+}
+
+void set_given_flux(const Rational& emissivity, const Rational& flux, Material& material) {
+  HOTTEL_REQUIRE(emissivity > 0 && emissivity <= 1);
+  material.reflectivity = Spectrum::scalar(1);
+  material.emission = Spectrum::scalar(flux);
+  material.emissivity = emissivity;
 }
 
 void set_grey_body(const Spectrum& emissivity, const Spectrum& temperature, Material& material) {

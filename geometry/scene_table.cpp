@@ -36,6 +36,16 @@ std::string_view problem_of(const Spectrum& spectrum, SpectrumKind kind) {
   return spectrum_problem(spectrum, kind);
 }
 
+void require_given_flux(const SceneTable& table, const std::string& owner, const Material& material) {
+  const auto refuse = [&](const char* text) { throw InputError({table.file, 0}, owner + text); };
+  if (!(0 < *material.emissivity && *material.emissivity <= 1)) refuse("emissivity must be above 0 and at most 1");
+  if (!is_in_lowest_terms(*material.emissivity) || !is_in_lowest_terms(material.emission.value[0]))
+    refuse("emissivity or flux is not in lowest terms (mpq_class::canonicalize)");
+  if (material.emission.value[1] != material.emission.value[0] ||
+      material.emission.value[2] != material.emission.value[0])
+    refuse("flux is not of one value");
+}
+
 void validate_spectra(const SceneTable& table) {
   const auto require = [&](const std::string& subject, const Spectrum& spectrum, SpectrumKind kind) {
     if (const auto problem = problem_of(spectrum, kind); !problem.empty())
@@ -44,7 +54,10 @@ void validate_spectra(const SceneTable& table) {
   for (const Material& material : table.materials) {
     const std::string owner = "material " + quoted_name(material.name) + ": ";
     require(owner + "reflectivity", material.reflectivity, SpectrumKind::kFraction);
-    require(owner + "emission", material.emission, SpectrumKind::kQuantity);
+    if (material.has_given_flux())
+      require_given_flux(table, owner, material);
+    else
+      require(owner + "emission", material.emission, SpectrumKind::kQuantity);
   }
   require("sky: emission", table.sky_emission, SpectrumKind::kQuantity);
 }

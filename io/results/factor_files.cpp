@@ -43,7 +43,7 @@ std::vector<std::uint32_t> radiating(const ExchangeMatrix& matrix) {
 }
 
 double emittance(const FactorTable& table, std::uint32_t label) {
-  const auto& value = table.scene.materials[*table.matrix.elements()[label].material].reflectivity.value;
+  const auto value = table.scene.materials[*table.matrix.elements()[label].material].surface_reflectivity().value;
   return to_double(1 - (table.gray_channel ? value[static_cast<std::size_t>(*table.gray_channel)]
                                            : Rational((value[0] + value[1] + value[2]) / 3)));
 }

@@ -189,13 +189,14 @@ std::string solve_json(const SolveReport& report) {
                                  {"up", view->up},
                                  {"field_of_view", view->field_of_view},
                                  {"chosen", view->is_chosen}};
-  for (const InsulatedGroup& group : report.insulated)
-    json["insulated"].push_back({{"name", group.name},
-                                 {"channel", group.channel},
-                                 {"coldest", group.coldest},
-                                 {"warmest", group.warmest},
-                                 {"lower", group.lower},
-                                 {"upper", group.upper}});
+  for (const auto& [key, groups] : {std::pair("insulated", &report.insulated), {"given_flux", &report.given_flux}})
+    for (const FoundTemperatures& group : *groups)
+      json[key].push_back({{"name", group.name},
+                           {"channel", group.channel},
+                           {"coldest", group.coldest},
+                           {"warmest", group.warmest},
+                           {"lower", group.lower},
+                           {"upper", group.upper}});
   if (!report.unit.empty()) json["unit"] = report.unit;
   if (report.store) json["store"] = nlohmann::ordered_json::parse(store_json(*report.store));
   json["notes"] = report.warnings;
@@ -205,7 +206,7 @@ std::string solve_json(const SolveReport& report) {
 
 namespace {
 
-constexpr std::size_t kFluxesInText = 6, kInsulatedInText = 6;
+constexpr std::size_t kFluxesInText = 6, kFoundInText = 6;
 
 // The groups and lights with the largest net flux, summed over the channels.
 std::string flux_text(const NetFluxes& fluxes) {
@@ -226,19 +227,19 @@ std::string flux_text(const NetFluxes& fluxes) {
   return text + "\n";
 }
 
-// What the insulated faces come to: "insulated: 'wall' 287.312 K, 'roof' 265.1 to 271.88 K".
-std::string insulated_text(const std::vector<InsulatedGroup>& groups) {
+// What faces come to: "insulated: 'wall' 287.312 K, 'roof' 265.1 to 271.88 K".
+std::string found_text(const char* what, const std::vector<FoundTemperatures>& groups) {
   if (groups.empty()) return "";
-  std::string text = "insulated:";
-  for (std::size_t k = 0; k < std::min(groups.size(), kInsulatedInText); ++k) {
-    const InsulatedGroup& group = groups[k];
+  std::string text = what;
+  for (std::size_t k = 0; k < std::min(groups.size(), kFoundInText); ++k) {
+    const FoundTemperatures& group = groups[k];
     const std::string coldest = fmt::format("{:.6g}", group.coldest), warmest = fmt::format("{:.6g}", group.warmest);
     text += fmt::format("{} {}{} {} K", k == 0 ? "" : ",", quoted_name(group.name),
                         group.channel == "all" ? "" : " (" + group.channel + ")",
                         coldest == warmest ? coldest : coldest + " to " + warmest);
   }
-  if (groups.size() > kInsulatedInText)
-    text += fmt::format(" and {} more in temperature.csv", groups.size() - kInsulatedInText);
+  if (groups.size() > kFoundInText)
+    text += fmt::format(" and {} more in temperature.csv", groups.size() - kFoundInText);
   return text + "\n";
 }
 
@@ -283,7 +284,8 @@ std::string solve_text(const SolveReport& report) {
   text += fmt::format("energy{}: emitted {:.6g}, absorbed {:.6g}, to the sky {:.6g}, defect {:.1e}\n",
                       solution.channels.size() > 1 ? " in r, g and b together" : "", solution.energy.emitted,
                       solution.energy.absorbed, solution.energy.to_sky, solution.energy.defect);
-  text += flux_text(*report.fluxes) + insulated_text(report.insulated);
+  text += flux_text(*report.fluxes) + found_text("insulated:", report.insulated) +
+          found_text("given flux:", report.given_flux);
   if (report.illumination_max_error)
     text += fmt::format("illumination: averages over cells, each within {:.1e} for these radiosities\n",
                         *report.illumination_max_error);

@@ -42,16 +42,18 @@ void write_temperature_csv(const SceneTable& scene, const ExchangeMatrix& matrix
   }
 }
 
-std::vector<InsulatedGroup> insulated_groups(const SceneTable& scene, const ExchangeMatrix& matrix,
-                                             const RadiositySolution& solution) {
+namespace {
+
+std::vector<FoundTemperatures> groups_of(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                         const RadiositySolution& solution, bool (Material::*is_wanted)() const) {
   for (const ChannelSolution& channel : solution.channels) HOTTEL_REQUIRE(channel.elements.size() == matrix.size());
   const ElementTemperatures temperatures(scene.materials);
-  std::vector<InsulatedGroup> result;
+  std::vector<FoundTemperatures> result;
   std::unordered_map<std::string, std::size_t> place_of;  // of a name, the first of its channels
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
     const Element& element = matrix.elements()[i];
-    if (!scene.materials[*element.material].is_insulated()) continue;
+    if (!(scene.materials[*element.material].*is_wanted)()) continue;
     std::string name = scene.groups[scene.surfaces[element.surface].group].name + (element.is_back ? ":back" : "");
     const auto [known, is_new] = place_of.emplace(std::move(name), result.size());
     for (std::size_t c = 0; c < solution.channels.size(); ++c) {
@@ -61,7 +63,7 @@ std::vector<InsulatedGroup> insulated_groups(const SceneTable& scene, const Exch
         result.push_back({known->first, solution.channel_names[c], t.value, t.value, t.lower, t.upper});
         continue;
       }
-      InsulatedGroup& group = result[known->second + c];
+      FoundTemperatures& group = result[known->second + c];
       group.coldest = std::min(group.coldest, t.value);
       group.warmest = std::max(group.warmest, t.value);
       group.lower = std::min(group.lower, t.lower);
@@ -69,6 +71,18 @@ std::vector<InsulatedGroup> insulated_groups(const SceneTable& scene, const Exch
     }
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<FoundTemperatures> insulated_groups(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                                const RadiositySolution& solution) {
+  return groups_of(scene, matrix, solution, &Material::is_insulated);
+}
+
+std::vector<FoundTemperatures> given_flux_groups(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                                 const RadiositySolution& solution) {
+  return groups_of(scene, matrix, solution, &Material::has_given_flux);
 }
 
 }  // namespace hottel

@@ -16,16 +16,37 @@ Spectrum read_spectrum_in_range(const JsonValue& value, const Subject& subject, 
   return result;
 }
 
+// What stands beside a flux, and the flux.
+struct FluxMembers {
+  JsonValue emissivity, temperature, flux;
+};
+
+void read_given_flux(const JsonValue& value, const std::string& owner, const FluxMembers& members, Material& material) {
+  if (members.temperature)
+    refuse(members.temperature, owner + " has a temperature and a flux: one of them is given, the other comes out",
+           {"with a flux hottel solve writes the temperature to temperature.csv"});
+  if (!members.emissivity)
+    refuse(value, owner + " has a flux but no emissivity",
+           {"its temperature follows from both; a face whose flux is 0 may be \"insulated\" instead"});
+  for (const auto& [member, key] : {std::pair(members.emissivity, "emissivity"), {members.flux, "flux"}})
+    if (member.kind() == JsonKind::kArray) refuse(member, owner + ": " + key + " is one number where a flux is given");
+  const Rational emissivity = read_number(members.emissivity, {owner, "emissivity"});
+  if (!(0 < emissivity && emissivity <= 1))
+    refuse(members.emissivity, owner + ": emissivity beside flux must be above 0, at most 1");
+  set_given_flux(emissivity, read_number(members.flux, {owner, "flux"}), material);
+}
+
 Material read_material(const JsonValue& key, const JsonValue& value) {
   const std::string owner = "material " + quoted_name(key.text());
-  const auto [about, reflectivity, emission, emissivity, temperature, insulated] = read_members(
-      value, {owner},
-      std::array<std::string_view, 6>{"about", "reflectivity", "emission", "emissivity", "temperature", "insulated"});
+  const auto [about, reflectivity, emission, emissivity, temperature, insulated, flux] =
+      read_members(value, {owner},
+                   std::array<std::string_view, 7>{"about", "reflectivity", "emission", "emissivity", "temperature",
+                                                   "insulated", "flux"});
   Material material;
   material.name = key.text();
   if (about) read_string(about, {owner, "about"});
   if (insulated && read_boolean(insulated, {owner, "insulated"})) {
-    if (reflectivity || emission || emissivity || temperature)
+    if (reflectivity || emission || emissivity || temperature || flux)
       refuse(value, owner + " is insulated, which is reflectivity 1 and emission 0: it has no other values",
              {"its temperature is what comes out: hottel solve writes temperature.csv"});
     set_insulated(material);
@@ -34,7 +55,13 @@ Material read_material(const JsonValue& key, const JsonValue& value) {
   if ((reflectivity || emission) && (emissivity || temperature))
     refuse(value, owner + " has both reflectivity or emission and emissivity or temperature",
            {"give either reflectivity and emission, or emissivity and temperature"});
+  if (flux && (reflectivity || emission))
+    refuse(value, owner + " has a flux beside reflectivity or emission", {"a flux goes with an emissivity alone"});
   if (temperature && !emissivity) refuse(value, owner + " has a temperature but no emissivity");
+  if (flux) {
+    read_given_flux(value, owner, {emissivity, temperature, flux}, material);
+    return material;
+  }
   if (reflectivity)
     material.reflectivity = read_spectrum_in_range(reflectivity, {owner, "reflectivity"}, SpectrumKind::kFraction);
   if (emission) material.emission = read_spectrum_in_range(emission, {owner, "emission"}, SpectrumKind::kQuantity);

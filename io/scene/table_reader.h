@@ -52,7 +52,8 @@ class TableReader {
 
   // Appends the materials of an object. Reflectivities and emissivities are from 0 to 1, emissions and temperatures not
   // below 0; a grey body of emissivity e and temperature T has reflectivity 1 - e and emission e sigma T⁴; an insulated
-  // material has reflectivity 1 and no other key. REQUIRES that the document outlives this: names are looked up in its
+  // material has reflectivity 1 and no other key; a flux of any sign stands beside an emissivity above 0 alone, both of
+  // one number. REQUIRES that the document outlives this: names are looked up in its
   // texts.
   void read_materials(const JsonValue& materials);
   // Sets the emission of the sky, which is not below 0, or sigma T⁴ of its temperature; without one it stays dark.

@@ -68,6 +68,9 @@ void write_materials(const SceneTable& table, std::string& out) {
     };
     if (m.is_insulated()) {
       members = "\"insulated\": true";
+    } else if (m.has_given_flux()) {
+      members =
+          fmt::format("\"emissivity\": {}, \"flux\": {}", json_number(*m.emissivity), json_number(m.emission.value[0]));
     } else if (const auto temperature = writable_temperature(m)) {
       add("emissivity", emissivity_of(m));
       add("temperature", *temperature);

@@ -12,6 +12,9 @@ void add_fates(const SceneTable& scene, const ExchangeMatrix& matrix, const Radi
   const RadiositySystem system(matrix, scene.materials, channel);
   fates.rows_are_closed &= system.rows_are_closed();
   const Sources sources = system.sources(given, channel);
+  const std::vector<char> is_taken_from = given.withdrawn.empty()
+                                              ? std::vector<char>(sources.is_lit.size(), 0)
+                                              : system.sources(given.withdrawn_alone(true), channel).is_lit;
   const std::size_t count = system.components().size();
   std::vector<std::vector<std::uint32_t>> faces(count);
   std::vector<double> area(count), lost(count);
@@ -26,7 +29,7 @@ void add_fates(const SceneTable& scene, const ExchangeMatrix& matrix, const Radi
   }
   for (std::size_t c = 0; c < count; ++c) {
     LightFate& fate = fates.of[faces[c]];
-    const bool is_lit = sources.is_lit[c] != 0, loses = system.components()[c].loses;
+    const bool is_lit = sources.is_lit[c] != 0 || is_taken_from[c] != 0, loses = system.components()[c].loses;
     fate.is_lit |= is_lit;
     fate.has_no_solution |= !loses && is_lit;
     fate.reflects_all |= !loses;

@@ -70,6 +70,7 @@ void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Materia
 void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Spectrum>& reflectivity,
                          const RadiositySources& sources, RadiositySolution& solution) {
   HOTTEL_REQUIRE(solution.guarantee != Guarantee::kEstimated);
+  if (!sources.withdrawn.empty()) return;
   const std::vector<std::string> before = notes_of_open_bounds(matrix, solution);
   std::erase_if(solution.notes,
                 [&](const std::string& note) { return std::find(before.begin(), before.end(), note) != before.end(); });

@@ -1,12 +1,16 @@
 #include "solver/radiosity/element_temperatures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "geometry/grey_temperature.h"
+#include "kernel/decimal.h"
 #include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
+#include "solver/radiosity/printed_number.h"
 
 namespace hottel {
 namespace {
@@ -63,19 +67,60 @@ ElementTemperatures::ElementTemperatures(const std::vector<Material>& materials)
     } else {
       typed_.push_back(std::nullopt);
     }
-    is_adiabatic_.push_back(material.is_adiabatic());
-    is_known_.push_back(material.is_insulated() || (exact && *exact > 0));
+    comes_out_.push_back(material.is_adiabatic() || material.has_given_flux());
+    is_known_.push_back(material.is_insulated() || material.has_given_flux() || (exact && *exact > 0));
+    above_radiosity_.push_back(material.power_above_radiosity(0));
   }
 }
 
 std::optional<BoundedTemperature> ElementTemperatures::of(std::uint32_t material,
                                                           const ElementRadiosity& element) const {
-  if (!is_adiabatic_[material]) return typed_[material];
-  if (!(element.radiosity >= 0)) return std::nullopt;
+  if (!comes_out_[material]) return typed_[material];
+  const BlackPower power = black_power(above_radiosity_[material], element);
+  // Below 0 by roundings, or because nothing is proven and some factors are below 0.
+  const bool is_nearly_zero = power.value < 0 && power.bounds.upper >= 0 && std::isfinite(power.bounds.upper);
+  if (!(power.value >= 0) && !is_nearly_zero) return std::nullopt;
+  return black_temperature(std::max(power.value, 0.0), {std::max(power.bounds.lower, 0.0), power.bounds.upper});
+}
+
+BlackPower black_power(const Rational& above_radiosity, const ElementRadiosity& element) {
+  const auto shifted = [&](double radiosity, auto rounded) {
+    return above_radiosity == 0 || !std::isfinite(radiosity) ? radiosity
+                                                             : rounded(exact_value(radiosity) + above_radiosity);
+  };
+  const double value = shifted(element.radiosity, [](const Rational& sum) { return to_double(sum); });
   // Where little is proven, as of factors that do not close, bounds may be open, or none at all.
-  const double lower = element.lower > 0 ? std::min(element.lower, element.radiosity) : 0;
-  const double upper = std::isnan(element.upper) ? HUGE_VAL : std::max(element.upper, element.radiosity);
-  return black_temperature(element.radiosity, {lower, upper});
+  const double lower = std::isnan(element.lower) ? -HUGE_VAL : shifted(element.lower, rounded_down);
+  const double upper = std::isnan(element.upper) ? HUGE_VAL : shifted(element.upper, rounded_up);
+  return {value, {std::min(lower, value), std::max(upper, value)}};
+}
+
+std::optional<ElementBelowZero> coldest_below_zero(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                                                   const RadiositySolution& solution) {
+  std::vector<Rational> above;  // by material
+  for (const Material& material : materials) above.push_back(material.power_above_radiosity(0));
+  std::optional<ElementBelowZero> coldest;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const std::uint32_t m = *matrix.elements()[i].material;
+    const Material& material = materials[m];
+    if (!material.has_given_flux() && !material.is_adiabatic()) continue;
+    for (const ChannelSolution& channel : solution.channels) {
+      const double most = black_power(above[m], channel.elements[i]).bounds.upper;
+      if (most < 0 && (!coldest || most < coldest->power)) coldest = ElementBelowZero{i, most};
+    }
+  }
+  return coldest;
+}
+
+std::string text_of(const ElementBelowZero& cold, const ExchangeMatrix& matrix,
+                    const std::vector<Material>& materials) {
+  const Element& element = matrix.elements()[cold.element];
+  const Material& material = materials[*element.material];
+  return fmt::format(
+      "no temperature: '{}' would have to be colder than 0 K, sigma T^4 {:.6g}, to {}", element.name, cold.power,
+      material.has_given_flux() ? fmt::format("have the net flux {}", short_text(material.emission.value[0]))
+                                : std::string("send back what it receives"));
 }
 
 }  // namespace hottel

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "geometry/exchange_matrix.h"
 #include "geometry/material.h"
 #include "kernel/enclosure.h"
 #include "solver/radiosity/radiosity_solution.h"
@@ -27,20 +29,45 @@ struct BoundedTemperature {
 BoundedTemperature black_temperature(double power, const Enclosure& bounds);
 
 // Temperatures of elements: what their material says (grey_temperature), or, where it neither absorbs nor emits
-// (Material::is_adiabatic), what they come to by themselves: that of a black body with their radiosity.
+// (Material::is_adiabatic), what they come to by themselves: that of a black body with their radiosity B; where their
+// net flux q is given, that for which sigma T⁴ = B + (1 - e) q / e.
+//
+//   (1) where the bounds of sigma T⁴ hold 0 the lower bound of T is 0
 class ElementTemperatures {
  public:
   explicit ElementTemperatures(const std::vector<Material>& materials);
 
-  // Whether there is something to tell of it: it is warm, or insulated.
+  // Whether there is something to tell of it: it is warm, or insulated, or its net flux is given.
   bool is_known(std::uint32_t material) const { return is_known_[material] != 0; }
   // Of an element of this material in one channel; nothing where it has none, as where a foreign matrix makes a
-  // radiosity negative. Bounds hold where those of the radiosity do.
+  // radiosity negative; nor where sigma T⁴ is below 0 (coldest_below_zero). Bounds hold where those of the radiosity
+  // do.
   std::optional<BoundedTemperature> of(std::uint32_t material, const ElementRadiosity& element) const;
 
  private:
   std::vector<std::optional<BoundedTemperature>> typed_;  // by material
-  std::vector<char> is_adiabatic_, is_known_;             // by material
+  std::vector<char> comes_out_, is_known_;                // by material
+  std::vector<Rational> above_radiosity_;                 // by material: sigma T⁴ less B, where it comes out
 };
+
+// A double near sigma T⁴ of an element whose temperature comes out, and doubles around it.
+struct BlackPower {
+  double value = 0;
+  Enclosure bounds;
+};
+BlackPower black_power(const Rational& above_radiosity, const ElementRadiosity& element);
+
+// An element that nothing could make as cold as it would have to be: sigma T⁴ is below 0, proven.
+struct ElementBelowZero {
+  std::uint32_t element = 0;
+  double power = 0;  // the upper bound of sigma T⁴
+};
+
+// Returns the coldest of the elements of given net flux, and those that are insulated, whose sigma T⁴ has an upper
+// bound below 0 in some channel; nothing where there is none.
+std::optional<ElementBelowZero> coldest_below_zero(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                                                   const RadiositySolution& solution);
+// What is to be said of it, without the place in the file.
+std::string text_of(const ElementBelowZero& cold, const ExchangeMatrix& matrix, const std::vector<Material>& materials);
 
 }  // namespace hottel

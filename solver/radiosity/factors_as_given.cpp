@@ -51,11 +51,17 @@ std::vector<std::vector<int>> groups_of_channels(const ExchangeMatrix& matrix,
 }
 
 // Refuses what has no solution, and notes what is a limit.
-void require_solution(const RadiositySystem& system, const std::vector<char>& is_lit, std::set<std::string>& notes) {
+void require_solution(const RadiositySystem& system, const std::vector<char>& is_lit, bool has_given_fluxes,
+                      std::set<std::string>& notes) {
   for (std::size_t c = 0; c < is_lit.size(); ++c) {
     const SystemComponent& component = system.components()[c];
     if (!system.rows_are_closed() || component.loses) continue;
     const std::string& name = system.matrix().elements()[component.first_element].name;
+    if (is_lit[c] && has_given_fluxes)
+      throw RequestError(
+          fmt::format("no temperatures: '{}' and what it exchanges light with ({} in all) reflect all light or have a "
+                      "given net flux and let none out: give one of them a temperature, or open a way out",
+                      name, component.size));
     if (is_lit[c])
       throw RequestError(
           fmt::format("no radiosity: '{}' and what it exchanges light with ({} in all) reflect all "
@@ -103,7 +109,7 @@ struct FactorsAsGiven::Run {
       sources.push_back(system.sources(given, channel));
       for (std::size_t c = 0; c < is_lit.size(); ++c) is_lit[c] |= sources.back().is_lit[c];
     }
-    require_solution(system, is_lit, notes);
+    require_solution(system, is_lit, given.has_given_fluxes, notes);
     std::optional<SystemSolver> solver;
     if (std::find(is_lit.begin(), is_lit.end(), 1) != is_lit.end()) {
       solution.used = solver.emplace(group.kept, is_lit, options, may_be_open, times).used();

@@ -37,6 +37,9 @@ namespace hottel {
 //   (8) a solution is the same bit for bit for any number of threads and whatever was solved before: it is a function
 //       of the matrix, the reflectivities, the options and the sources
 //   (9) solve() may be called by many threads at once
+//   (10) where sources are withdrawn the system is solved twice, and bounds are subtracted (signed_radiosity.h): (2)
+//   and
+//       (3) then hold of both solutions, not of their difference, which may be below 0
 //
 // There are three channels unless all reflectivities and all sources are scalars.
 class RadiositySolver {

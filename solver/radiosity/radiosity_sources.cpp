@@ -72,8 +72,11 @@ bool operator==(const SourceSpectrum& a, const SourceSpectrum& b) {
 }
 
 RadiositySources RadiositySources::at(End end) const {
-  RadiositySources result{
-      {}, {}, sky.at(end), {besides.absorbed.at(end), besides.to_sky.at(end), besides.unaccounted}, has_channels};
+  RadiositySources result;
+  result.sky = sky.at(end);
+  result.besides = {besides.absorbed.at(end), besides.to_sky.at(end), besides.unaccounted};
+  result.has_channels = has_channels;
+  result.has_given_fluxes = has_given_fluxes;
   std::unordered_map<const RationalEnclosure*, SourceSpectrum> known;  // elements of one material share their numbers
   const auto add = [&](const std::vector<SourceSpectrum>& from, std::vector<SourceSpectrum>& to) {
     to.reserve(from.size());
@@ -85,6 +88,15 @@ RadiositySources RadiositySources::at(End end) const {
   };
   add(emission, result.emission);
   add(direct_irradiance, result.direct_irradiance);
+  add(withdrawn, result.withdrawn);
+  return result;
+}
+
+RadiositySources RadiositySources::withdrawn_alone(bool in_channels) const {
+  RadiositySources result;
+  result.emission = withdrawn;
+  result.has_channels = in_channels;
+  result.has_given_fluxes = has_given_fluxes;
   return result;
 }
 
@@ -92,8 +104,11 @@ RadiositySources sources_of(const ExchangeMatrix& matrix, const std::vector<Mate
                             const Spectrum& sky_emission) {
   RadiositySources result;
   std::vector<SourceSpectrum> of_material;
+  std::vector<SourceSpectrum> withdrawn(materials.size());  // by material
   for (const Material& material : materials) {
-    of_material.emplace_back(material.emission);
+    const bool is_withdrawn = material.has_given_flux() && material.emission.value[0] < 0;
+    of_material.emplace_back(is_withdrawn ? Spectrum() : material.emission);
+    if (is_withdrawn) withdrawn[of_material.size() - 1] = Spectrum::scalar(-material.emission.value[0]);
     result.has_channels |= !material.emission.is_scalar;
   }
   result.emission.resize(matrix.size());
@@ -102,6 +117,10 @@ RadiositySources sources_of(const ExchangeMatrix& matrix, const std::vector<Mate
     const std::uint32_t material = *matrix.elements()[i].material;
     HOTTEL_REQUIRE(material < materials.size());
     result.emission[i] = of_material[material];
+    result.has_given_fluxes |= materials[material].has_given_flux();
+    if (materials[material].emission.value[0] >= 0) continue;
+    result.withdrawn.resize(matrix.size());
+    result.withdrawn[i] = withdrawn[material];
   }
   result.sky = sky_emission;
   return result;

@@ -76,14 +76,21 @@ struct RadiositySources {
   SourceSpectrum sky;                             // what the sky sends out
   PowerBesides besides;                           // part of the energy, of nothing else
   bool has_channels = false;                      // red, green and blue even where every spectrum is a scalar
+  // Net fluxes below 0, as numbers above 0, by element of the matrix; empty: none. A system that takes no sources of
+  // both signs leaves them out; RadiositySolver solves for them apart.
+  std::vector<SourceSpectrum> withdrawn;
+  bool has_given_fluxes = false;  // for messages: some face has a material with a given net flux
 
   // The same with one number of each enclosure. COST: O(n), and as many rationals as there are distinct spectra.
   RadiositySources at(End end) const;
+  // What is withdrawn, as the only source. has_channels as it is said.
+  RadiositySources withdrawn_alone(bool in_channels) const;
 };
 
 // The sources of a scene: its faces emit as their materials do, and there is no other light.
 //
 //   (1) has_channels iff the emission of some material is no scalar, be there a face of it or not
+//   (2) a face whose material has a net flux below 0 emits nothing: the flux is withdrawn
 // Throws ContractViolation where the material of a row is none of these.
 RadiositySources sources_of(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                             const Spectrum& sky_emission);

@@ -7,16 +7,18 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 #include "solver/radiosity/a_priori_bounds.h"
+#include "solver/radiosity/element_temperatures.h"
 #include "solver/radiosity/matrix_checks.h"
 
 namespace hottel {
 namespace {
 
 // At the line of the surface, where there is one.
-[[noreturn]] void refuse(const BeyondDoubles& beyond, const SceneTable& scene, const ExchangeMatrix& matrix) {
-  const int line = beyond.element ? scene.surfaces[matrix.elements()[*beyond.element].surface].line : 0;
+[[noreturn]] void refuse(const std::string& text, std::optional<std::uint32_t> element, const SceneTable& scene,
+                         const ExchangeMatrix& matrix) {
+  const int line = element ? scene.surfaces[matrix.elements()[*element].surface].line : 0;
   const std::string place = scene.file + (line > 0 ? ":" + std::to_string(line) : "");
-  throw RequestError(place.empty() ? beyond.text : place + ": " + beyond.text);
+  throw RequestError(place.empty() ? text : place + ": " + text);
 }
 
 }  // namespace
@@ -49,7 +51,9 @@ RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTa
     solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
     return solution;
   });
-  if (beyond) refuse(*beyond, scene, matrix);
+  if (beyond) refuse(beyond->text, beyond->element, scene, matrix);
+  if (const auto cold = coldest_below_zero(matrix, scene.materials, result))
+    refuse(text_of(*cold, matrix, scene.materials), cold->element, scene, matrix);
   return result;
 }
 

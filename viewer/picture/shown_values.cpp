@@ -156,14 +156,15 @@ void require_shown(const Shown& shown, const SceneTable& scene) {
   if (shown.quantity != Quantity::kTemperature) return;
   const std::vector<std::optional<double>> temperatures = temperatures_of(scene);
   const auto is_warm = [&](std::optional<std::uint32_t> material) {
-    return material &&
-           (scene.materials[*material].is_insulated() || (temperatures[*material] && *temperatures[*material] > 0));
+    return material && (scene.materials[*material].is_insulated() || scene.materials[*material].has_given_flux() ||
+                        (temperatures[*material] && *temperatures[*material] > 0));
   };
   if (std::none_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
         return is_warm(surface.material_of(false)) || is_warm(surface.material_of(true));
       }))
-    throw UsageError("--show temperature: no face of " + scene.file +
-                     " has one; materials with \"emissivity\" and \"temperature\" have, or \"insulated\" ones");
+    throw UsageError(
+        "--show temperature: no face of " + scene.file +
+        " has one; materials with \"emissivity\" and \"temperature\" or \"flux\" have, or \"insulated\" ones");
 }
 
 ShownValues shown_values(const Shown& shown, const SceneTable& scene, const ExchangeMatrix& matrix,
@@ -172,6 +173,9 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
   const std::vector<bool> targets =
       shown.quantity == Quantity::kFactor ? targets_of(scene, shown.toward) : std::vector<bool>();
   const std::vector<std::optional<double>> temperatures = temperatures_of(scene);
+  std::vector<double> above_radiosity;  // by material: sigma T⁴ less the radiosity
+  for (const Material& material : scene.materials)
+    above_radiosity.push_back(to_double(material.power_above_radiosity(0)));
   const auto factor = [&](std::uint32_t i) {
     if (shown.toward == "sky") return matrix.factor(i, matrix.sky()).value;
     double sum = 0;
@@ -188,7 +192,8 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
     if (shown.quantity != Quantity::kTemperature)
       return shown.channel ? of_channel(shown.quantity, solution.channels[*shown.channel].elements[i])
                            : mean(shown.quantity, solution, i);
-    if (scene.materials[material].is_adiabatic()) return black_temperature(mean(Quantity::kRadiosity, solution, i));
+    if (scene.materials[material].is_adiabatic() || scene.materials[material].has_given_flux())
+      return black_temperature(std::max(0.0, mean(Quantity::kRadiosity, solution, i) + above_radiosity[material]));
     return temperatures[material];
   };
 

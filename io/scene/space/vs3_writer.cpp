@@ -230,7 +230,8 @@ class DeckWriter3 {
 
   std::string emittance_of(std::size_t s, bool is_back) {
     const Material& material = scene_.materials[*scene_.surfaces[s].material_of(is_back)];
-    const auto& value = material.reflectivity.value;
+    const Spectrum reflectivity = material.surface_reflectivity();
+    const auto& value = reflectivity.value;
     has_colours_ |= value[1] != value[0] || value[2] != value[0];
     emits_ |= !material.emission.is_zero();
     const Rational emittance = 1 - (value[0] + value[1] + value[2]) / 3;
