@@ -30,15 +30,40 @@ std::string_view spectrum_problem(const Spectrum& spectrum, SpectrumKind kind) {
   return is_in_range ? "" : is_fraction ? "must be from 0 to 1" : "must not be negative";
 }
 
-bool Material::is_adiabatic() const { return reflectivity == Spectrum::scalar(1) && emission.is_zero(); }
-
-Spectrum Material::surface_reflectivity() const {
-  return has_given_flux() ? Spectrum::scalar(1 - *emissivity) : reflectivity;
+bool Material::is_adiabatic() const {
+  if (has_bands) return thermal(reflectivity) == 1 && thermal(emission) == 0;
+  return reflectivity == Spectrum::scalar(1) && emission.is_zero();
 }
 
-Rational Material::power_above_radiosity(int channel) const {
+bool Material::has_given_flux() const {
+  if (has_bands) return emissivity && thermal(reflectivity) == 1;
+  return emissivity && emission.is_scalar && reflectivity == Spectrum::scalar(1);
+}
+
+Spectrum Material::surface_reflectivity() const {
+  if (!has_given_flux()) return reflectivity;
+  const Rational rho = 1 - *emissivity;
+  return has_bands ? in_bands(reflectivity.value[kSolarBand], rho) : Spectrum::scalar(rho);
+}
+
+Rational Material::resistance() const {
   if (!has_given_flux()) return 0;
-  return (1 - *emissivity) * emission.value[static_cast<std::size_t>(channel)] / *emissivity;
+  return (1 - *emissivity) / *emissivity;
+}
+
+Rational Material::surface_emissivity() const {
+  const Spectrum surface = surface_reflectivity();
+  if (has_bands) return 1 - thermal(surface);
+  return 1 - (surface.value[0] + surface.value[1] + surface.value[2]) / 3;
+}
+
+Spectrum in_bands(const Rational& solar, const Rational& thermal) { return {{solar, thermal, thermal}, false}; }
+
+void set_bands(const Rational& solar_reflectivity, const Rational& solar_emission, Material& material) {
+  HOTTEL_REQUIRE(material.reflectivity.is_scalar && material.emission.is_scalar);
+  material.reflectivity = in_bands(solar_reflectivity, material.reflectivity.value[0]);
+  material.emission = in_bands(solar_emission, material.emission.value[0]);
+  material.has_bands = true;
 }
 
 Spectrum black_emission(const Spectrum& temperature) {

@@ -65,7 +65,7 @@ class ErrorTeller {
   // What is computed. Where numbers are so moderate that doubles can tell it, nothing is solved for it.
   void tell_light(const LightFates& fates, const RadiositySources& sources,
                   const std::function<void(double)>& progress) {
-    if (fates.rows_are_closed && is_moderate(sources) && sources.withdrawn.empty()) return;
+    if (fates.rows_are_closed && is_moderate(sources) && sources.withdrawn.empty() && !sources.has_bands) return;
     try {
       const RadiositySolution solution = solve_sources(matrix_, scene_.materials, sources, {.progress = progress});
       tell_beyond(rows_where([&](std::uint32_t i) { return !is_finite(solution, i); }), "the light of",
@@ -93,6 +93,9 @@ class ErrorTeller {
   }
 
   void tell_cold(const RadiositySolution& solution) {
+    if (const auto i = first_without_emissivity(matrix_, scene_.materials, solution))
+      add("no-temperature", {*i}, text_without_emissivity(matrix_.elements()[*i], scene_.materials),
+          "give its material an emissivity");
     if (const auto cold = coldest_below_zero(matrix_, scene_.materials, solution))
       add("no-temperature", {cold->element}, text_of(*cold, matrix_, scene_.materials),
           "take less heat from it, or let more of its surroundings be warm");

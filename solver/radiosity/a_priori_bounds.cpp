@@ -77,6 +77,10 @@ void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Spectru
   solution.max_relative_width = 0;
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
     ChannelSolution& channel = solution.channels[c];
+    if (sources.has_bands && c == kThermalBand) {  // its sources are more than these
+      solution.max_relative_width = std::max(solution.max_relative_width, channel.max_relative_width);
+      continue;
+    }
     channel.max_relative_width = 0;
     const int of = static_cast<int>(c);
     const std::vector<Rational> rho = in_channel(reflectivity, of);

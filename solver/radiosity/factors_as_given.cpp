@@ -101,7 +101,9 @@ struct FactorsAsGiven::Run {
     const RadiositySystem& system = group.kept.system;
     std::vector<int> channels;
     for (const int channel : group.channels)
-      if (static_cast<std::size_t>(channel) < solution.channels.size()) channels.push_back(channel);
+      if (static_cast<std::size_t>(channel) < solution.channels.size() &&
+          channel == given.only_channel.value_or(channel))
+        channels.push_back(channel);
     if (channels.empty()) return;
     std::vector<Sources> sources;
     std::vector<char> is_lit(system.components().size(), 0);  // in some channel
@@ -156,8 +158,11 @@ RadiositySolution FactorsAsGiven::solve(const RadiositySources& sources, const R
                                         bool may_be_open, const ErrorTerms& terms) const {
   Run run{sources, options, terms, may_be_open};
   RadiositySolution& solution = run.solution;
-  solution.channel_names = is_gray(sources) ? std::vector<std::string>{"all"} : std::vector<std::string>{"r", "g", "b"};
+  solution.channel_names = sources.has_bands  ? std::vector<std::string>{"solar", "thermal"}
+                           : is_gray(sources) ? std::vector<std::string>{"all"}
+                                              : std::vector<std::string>{"r", "g", "b"};
   solution.channels.resize(solution.channel_names.size());
+  for (ChannelSolution& channel : solution.channels) channel.elements.resize(matrix_.size());
   for (const auto& group : groups_) run.solve(*group);
   add_up(solution);
   solution.seconds = std::move(run.times.seconds);

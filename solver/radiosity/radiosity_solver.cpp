@@ -6,6 +6,7 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/radiosity/band_gains.h"
 #include "solver/radiosity/enclosed_radiosity.h"
 #include "solver/radiosity/faint_radiosities.h"
 #include "solver/radiosity/matrix_checks.h"
@@ -31,6 +32,20 @@ struct RadiositySolver::Parts {
         reciprocity_defect(hottel::reciprocity_defect(*matrix)) {}
 
   RadiositySolution solve(const RadiositySources& sources, RadiosityOptions asked) const {
+    if (!sources.has_bands) return solve_signed(sources, asked);
+    const std::function<void(double)> told = asked.progress;
+    if (told) asked.progress = [&](double fraction) { told(fraction / 2); };
+    RadiositySources of_band = sources;
+    of_band.only_channel = kSolarBand;
+    of_band.withdrawn.clear();
+    RadiositySolution solar = solve_signed(of_band, asked);
+    if (told) asked.progress = [&](double fraction) { told((1 + fraction) / 2); };
+    of_band = with_gains(*matrix, sources, solar.channels[kSolarBand]);
+    of_band.only_channel = kThermalBand;
+    return in_one(std::move(solar), solve_signed(of_band, asked));
+  }
+
+  RadiositySolution solve_signed(const RadiositySources& sources, RadiosityOptions asked) const {
     if (sources.withdrawn.empty()) return radiosity.solve(sources, asked);
     const std::function<void(double)> told = asked.progress;
     if (told) asked.progress = [&](double fraction) { told(fraction / 2); };

@@ -41,7 +41,10 @@ namespace hottel {
 //   and
 //       (3) then hold of both solutions, not of their difference, which may be below 0
 //
-// There are three channels unless all reflectivities and all sources are scalars.
+//   (11) in two bands the solar one is solved first, and what faces gain in it that keep their gains is a source of the
+//       thermal one (band_gains.h); bounds hold of both together
+//
+// There are two channels in two bands, else three unless all reflectivities and all sources are scalars.
 class RadiositySolver {
  public:
   // `reflectivity`: by material, into which the elements' materials index. Of the options `progress` is not called.

@@ -45,9 +45,12 @@ Spectrum in_colour(const Spectrum& paint, const Spectrum& quantity) {
   return coloured;
 }
 
-// What was a net flux below 0 is no emission.
+// What was a net flux below 0 is no emission; of two bands there are two values.
 void drop_void_flux(Material& material) {
-  if (!material.has_given_flux() && material.emission.value[0] < 0) material.emission = Spectrum();
+  for (Spectrum* spectrum : {&material.reflectivity, &material.emission})
+    if (material.has_bands) *spectrum = in_bands(spectrum->value[kSolarBand], spectrum->value[kThermalBand]);
+  if (!material.has_given_flux() && material.thermal(material.emission) < 0)
+    material.emission = material.has_bands ? in_bands(material.emission.value[kSolarBand], 0) : Spectrum();
 }
 
 // The next paint after the one a material has; a material that emits emits in that colour, as strongly.
@@ -91,6 +94,7 @@ bool is_material_edit(std::string_view name) { return std::ranges::find(kEdits, 
 void edit_material(Material& material, std::string_view name) {
   HOTTEL_REQUIRE(is_material_edit(name));
   const int sign = name.starts_with("more") ? 1 : -1;
+  if (name == "colour" && material.has_bands) return;
   if (name == "colour")
     next_paint(material);
   else

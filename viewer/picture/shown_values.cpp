@@ -50,10 +50,21 @@ double of_channel(Quantity quantity, const ElementRadiosity& element) {
   }
 }
 
+// The mean of three channels, the sum of two bands.
 double mean(Quantity quantity, const RadiositySolution& solution, std::uint32_t element) {
   double sum = 0;
   for (const ChannelSolution& channel : solution.channels) sum += of_channel(quantity, channel.elements[element]);
-  return sum / static_cast<double>(solution.channels.size());
+  return solution.channels.size() == 2 ? sum : sum / static_cast<double>(solution.channels.size());
+}
+
+// Of what comes out, by ElementTemperatures.
+double found_temperature(const Material& material, const RadiositySolution& solution, std::uint32_t element) {
+  const Rational above = material.power_above_radiosity();
+  if (const ElementRadiosity* const solar = solar_of(solution, element))
+    return black_temperature(std::max(
+        0.0,
+        black_power(above, solution.channels[kThermalBand].elements[element], material.resistance(), solar).value));
+  return black_temperature(std::max(0.0, mean(Quantity::kRadiosity, solution, element) + to_double(above)));
 }
 
 // By material, where it says a temperature.
@@ -120,7 +131,8 @@ std::string name_of(const Shown& shown, const RadiositySolution& solution) {
       name = shown.quantity == Quantity::kIrradiance ? "irradiance" : "radiosity";
   }
   if (solution.channels.size() == 1) return name;
-  return name + (shown.channel ? ", " + solution.channel_names[*shown.channel] : ", mean of r, g, b");
+  const char* const all = solution.channels.size() == 2 ? ", both bands" : ", mean of r, g, b";
+  return name + (shown.channel ? ", " + solution.channel_names[*shown.channel] : all);
 }
 
 }  // namespace
@@ -144,6 +156,9 @@ void require_shown(const Shown& shown, const SceneTable& scene) {
     throw UsageError("--channel goes with --show radiosity, irradiance or net");
   if (shown.channel && channel_count(scene) == 1)
     throw UsageError(scene.file + " has one channel for all: there is no --channel to choose");
+  if (shown.channel && shown.is_of_band != scene.has_bands)
+    throw UsageError(scene.file + (scene.has_bands ? " has two bands: --channel is solar or thermal"
+                                                   : " has three channels: --channel is r, g or b"));
   const auto& [lower, upper, is_logarithmic] = shown.scale;
   if (shown.is_light() && (lower || upper || is_logarithmic))
     throw UsageError("a picture of light has no scale: --bar goes with what else --show takes");
@@ -173,9 +188,6 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
   const std::vector<bool> targets =
       shown.quantity == Quantity::kFactor ? targets_of(scene, shown.toward) : std::vector<bool>();
   const std::vector<std::optional<double>> temperatures = temperatures_of(scene);
-  std::vector<double> above_radiosity;  // by material: sigma T⁴ less the radiosity
-  for (const Material& material : scene.materials)
-    above_radiosity.push_back(to_double(material.power_above_radiosity(0)));
   const auto factor = [&](std::uint32_t i) {
     if (shown.toward == "sky") return matrix.factor(i, matrix.sky()).value;
     double sum = 0;
@@ -193,7 +205,7 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
       return shown.channel ? of_channel(shown.quantity, solution.channels[*shown.channel].elements[i])
                            : mean(shown.quantity, solution, i);
     if (scene.materials[material].is_adiabatic() || scene.materials[material].has_given_flux())
-      return black_temperature(std::max(0.0, mean(Quantity::kRadiosity, solution, i) + above_radiosity[material]));
+      return found_temperature(scene.materials[material], solution, i);
     return temperatures[material];
   };
 

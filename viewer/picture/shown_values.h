@@ -29,6 +29,7 @@ struct Shown {
   std::string toward{};                  // of kFactor: "sky", or what `factor:` names
   std::optional<std::size_t> channel{};  // of radiosity, irradiance, net; nothing: the mean of all
   AskedScale scale{};
+  bool is_of_band = false;  // the channel was asked for as a band: solar or thermal
 
   bool is_light() const { return quantity == Quantity::kLight; }
   friend bool operator==(const Shown&, const Shown&) = default;
@@ -55,7 +56,7 @@ struct ShownValues {
 // Returns the values of a quantity that is not the light.
 //
 //   (1) radiosity, irradiance and net are the doubles of radiosity.csv, where there are three channels and none was
-//       asked for their mean
+//       asked for their mean, of two bands their sum
 //   (2) a temperature is that of the surface, which its material says (grey_temperature); where a face neither absorbs
 //       nor emits (reflectivity 1), the one it would have by itself: that of a black body with its radiosity; of
 //       a given net flux that which solve writes (ElementTemperatures). Faces whose material has no temperature have no

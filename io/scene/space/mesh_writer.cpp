@@ -263,6 +263,10 @@ class MeshWriter3 {
     }
   }
 
+  static Spectrum thermal(const Material& material, const Spectrum& spectrum) {
+    return material.has_bands ? Spectrum::scalar(material.thermal(spectrum)) : spectrum;
+  }
+
   void write_library(const std::vector<std::uint32_t>& used) {
     std::vector<std::string> rounded, of_flux;
     const auto statement = [&](const Material& material, const char* key, const Spectrum& spectrum) {
@@ -279,12 +283,13 @@ class MeshWriter3 {
     for (const std::uint32_t m : used) {
       const Material& material = scene_.materials[m];
       result_.library += (result_.library.empty() ? "" : "\n") + ("newmtl " + material.name + "\n") +
-                         statement(material, "Kd", material.surface_reflectivity());
+                         statement(material, "Kd", thermal(material, material.surface_reflectivity()));
       if (material.has_given_flux())
         of_flux.push_back(material.name);
       else if (!material.emission.is_zero())
-        result_.library += statement(material, "Ke", material.emission);
+        result_.library += statement(material, "Ke", thermal(material, material.emission));
     }
+    if (scene_.has_bands) result_.notes.push_back("of the two bands the thermal one is written, not the solar one");
     if (!of_flux.empty())
       result_.notes.push_back("the net fluxes of these materials are not written, only how they reflect: " +
                               listed_names(of_flux));

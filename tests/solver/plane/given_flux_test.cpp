@@ -98,7 +98,7 @@ TEST(SignedRadiosity, BoundsAreOutsideTheDifferencesOfBounds) {
 TEST(GivenFlux, TemperatureIsOfTheRadiosityAndWhatTheSurfaceResists) {
   Material given;
   set_given_flux(Rational(1, 4), 100, given);
-  EXPECT_EQ(given.power_above_radiosity(0), 300);
+  EXPECT_EQ(given.power_above_radiosity(), 300);
   EXPECT_EQ(given.surface_reflectivity(), Spectrum::scalar(Rational(3, 4)));
   const ElementTemperatures temperatures({given});
   const auto at = temperatures.of(0, {.radiosity = 159, .lower = 158, .upper = 160});
