@@ -117,6 +117,36 @@ TEST(TwoBands, InsulatedCeilingOfADuctGivesBackWhatItGains) {
   }
 }
 
+// The same of a cube, whose factors are enclosed: F = (1 + F12) / 2. The bounds are of both bands together.
+TEST(TwoBands, InsulatedCeilingOfACubeHasItsTemperatureWithinTheBounds) {
+  constexpr double kF12 = 0.19982489569838746;
+  const Workplace place;
+  place.write("cube.json", R"({"hottel": 1, "dimension": 3, "closed": true, "materials": {
+  "floor": {"emissivity": 1, "temperature": 300, "solar": {"emission": 100}},
+  "ceiling": {"emissivity": "1/2", "flux": -20, "solar": {"reflectivity": "1/5"}},
+  "side": {"insulated": true, "solar": {"reflectivity": 1}}}, "polygons": [
+  {"name": "floor", "points": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]], "material": "floor"},
+  {"name": "ceiling", "points": [[0,0,1],[0,1,1],[1,1,1],[1,0,1]], "material": "ceiling"},
+  {"name": "west", "points": [[0,0,0],[0,1,0],[0,1,1],[0,0,1]], "material": "side"},
+  {"name": "east", "points": [[1,0,0],[1,0,1],[1,1,1],[1,1,0]], "material": "side"},
+  {"name": "south", "points": [[0,0,0],[0,0,1],[1,0,1],[1,0,0]], "material": "side"},
+  {"name": "north", "points": [[0,1,0],[1,1,0],[1,1,1],[0,1,1]], "material": "side"}]})");
+  const Outcome outcome = place.run("hottel solve cube.json -o out --no-picture");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(place.read("out/report.json"))["bounds"]["guarantee"], "enclosed");
+  const double f = (1 + kF12) / 2, h = f * 100 / (1 - (1 - f) * 0.2), net = 0.8 * h - 20;
+  const double expected = temperature_of(power_of(300) + net / f + net);
+  const auto rows = table(place.read("out/temperature.csv"), 1);
+  const auto& row = rows.at("ceiling");
+  EXPECT_NEAR(std::stod(row[3]), expected, 1e-6);
+  EXPECT_LE(std::stod(row[4]), expected + 1e-12);
+  EXPECT_GE(std::stod(row[5]), expected - 1e-12);
+  EXPECT_LE(std::stod(row[5]) - std::stod(row[4]), 1e-5);
+  const auto fluxes = table(place.read("out/flux.csv"), 3);
+  EXPECT_LE(std::stod(fluxes.at("face,ceiling,total")[5]), -20);
+  EXPECT_GE(std::stod(fluxes.at("face,ceiling,total")[6]), -20);
+}
+
 TEST(TwoBands, LightsAreSolarUnlessTheySayThermal) {
   for (const bool is_thermal : {false, true}) {
     const Workplace place;

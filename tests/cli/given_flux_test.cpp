@@ -181,6 +181,16 @@ TEST(GivenFlux, IsKeptByConvertAndScriptFHasTheEmissivityOfTheSurface) {
             place.run("hottel factors warm.json --script-f --quiet").out);
 }
 
+TEST(GivenFlux, MeshFilesHaveTheReflectivityOfTheSurfaceAndSayWhatTheyLack) {
+  const Workplace place;
+  place.write("plate.json", R"({"hottel": 1, "dimension": 3, "materials": {"m": {"emissivity": "0.75", "flux": 3}},
+    "polygons": [{"name": "plate", "points": [[0,0,0],[1,0,0],[0,1,0]], "material": "m"}]})");
+  const Outcome outcome = place.run("hottel convert plate.json plate.obj");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("the net fluxes of these materials are not written, only how they reflect: 'm'"));
+  EXPECT_THAT(place.read("plate.mtl"), AllOf(HasSubstr("Kd 0.25 0.25 0.25"), testing::Not(HasSubstr("Ke"))));
+}
+
 TEST(GivenFlux, IsAQuantityOfPictures) {
   const Workplace place;
   place.write("room.json", triangle(2000, 1000));

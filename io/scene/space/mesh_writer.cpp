@@ -284,10 +284,11 @@ class MeshWriter3 {
       const Material& material = scene_.materials[m];
       result_.library += (result_.library.empty() ? "" : "\n") + ("newmtl " + material.name + "\n") +
                          statement(material, "Kd", thermal(material, material.surface_reflectivity()));
-      if (material.has_given_flux())
+      const Spectrum emission = thermal(material, material.emission);
+      if (material.has_given_flux() && !emission.is_zero())
         of_flux.push_back(material.name);
-      else if (!material.emission.is_zero())
-        result_.library += statement(material, "Ke", thermal(material, material.emission));
+      else if (!emission.is_zero())
+        result_.library += statement(material, "Ke", emission);
     }
     if (scene_.has_bands) result_.notes.push_back("of the two bands the thermal one is written, not the solar one");
     if (!of_flux.empty())
