@@ -81,8 +81,7 @@ std::string listing(const FactorsOptions& options, const FactorTable& table, con
       const bool is_row = entry.to != matrix.sky() && matrix.elements()[entry.to].material;
       (is_row ? to_rows : to_others) += entry.factor.value;
     }
-    const auto& reflectivity = table.scene.materials[*element.material].reflectivity.value;
-    const double emittance = to_double(1 - (reflectivity[0] + reflectivity[1] + reflectivity[2]) / 3);
+    const double emittance = to_double(table.scene.materials[*element.material].surface_emissivity());
     text += fmt::format("\n{:5} {:>12} {:11.4e} {:5.3f} {:9.6f} {:9.6f}", number, element.name, element.area.value,
                         emittance, to_rows, to_others);
     if (options.deck.list >= 3 && table.granularity == Granularity::kFace) {

@@ -19,6 +19,11 @@ constexpr std::array<const char*, 3> kChannels{"r", "g", "b"};
 
 // The channel asked for; without one all materials of faces must be gray.
 int channel_of(const FactorsOptions& options, const ExchangeMatrix& matrix, const std::vector<Material>& materials) {
+  if (!materials.empty() && materials.front().has_bands) {
+    if (!options.channel.empty())
+      throw UsageError(options.scene + " has two bands, not r, g and b: script-F is of the thermal one");
+    return static_cast<int>(kThermalBand);
+  }
   if (!options.channel.empty())
     return static_cast<int>(std::find(kChannels.begin(), kChannels.end(), options.channel) - kChannels.begin());
   if (const auto row = first_coloured(matrix, materials)) {
@@ -40,7 +45,9 @@ GrayFactors gray_factors(const FactorsOptions& options, const ExchangeMatrix& ma
         matrix, materials,
         {.channel = channel, .memory = memory_allowed(options.memory), .progress = streams.progress("script-F")});
   });
-  GrayReport report = gray_report(gray, options.channel.empty() ? "all" : options.channel, watch.lap());
+  const bool has_bands = !materials.empty() && materials.front().has_bands;
+  const std::string told = has_bands ? "thermal" : options.channel.empty() ? "all" : options.channel;
+  GrayReport report = gray_report(gray, told, watch.lap());
   return {std::move(gray), channel, std::move(report)};
 }
 

@@ -182,7 +182,7 @@ void write_results(const SolveOptions& options, const Simulation2& simulation, c
   const RadiositySolution& solution = *results.solution;
   write_radiosity_csv(simulation.scene(), results.factors->matrix, solution,
                       [&outputs](std::string_view text) { outputs.csv.write(text); });
-  write_flux_csv(fluxes, solution.channel_names, [&outputs](std::string_view text) { outputs.flux.write(text); });
+  write_flux_csv(fluxes, [&outputs](std::string_view text) { outputs.flux.write(text); });
   if (outputs.temperature)
     write_temperature_csv(simulation.scene(), results.factors->matrix, solution,
                           [&outputs](std::string_view text) { outputs.temperature->write(text); });
@@ -237,6 +237,7 @@ void solve_in_plane(const SolveOptions& options, Scene2 scene, const Request& re
                            {},
                            results.light ? results.light->max_error : std::nullopt,
                            insulated_groups(simulation.scene(), matrix, *results.solution),
+                           given_flux_groups(simulation.scene(), matrix, *results.solution),
                            simulation.scene().unit,
                            options.store.report(simulation.request().store),
                            results.dividing.get(),
@@ -312,9 +313,11 @@ void add_light_options(CLI::App& command, SolveOptions& options) {
       ->type_name("WHAT")
       ->capture_default_str();
   command
-      .add_option("--channel", options.channel,
-                  "of radiosity, irradiance or net: r, g or b; without it the mean of all")
-      ->check(CLI::IsMember({"r", "g", "b"}));
+      .add_option(
+          "--channel", options.channel,
+          "of radiosity, irradiance or net: r, g or b, without it the mean of all; solar or thermal, without it "
+          "their sum")
+      ->check(CLI::IsMember({"r", "g", "b", "solar", "thermal"}));
   command
       .add_option("--bar", options.bar,
                   "of all but light: the ends of the colour bar, each the least or largest value where it is left out; "

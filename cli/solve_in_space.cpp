@@ -165,7 +165,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
   const NetFluxes fluxes(simulation.scene(), factors->matrix, *solution, *simulation.light_shares());
   write_radiosity_csv(simulation.scene(), factors->matrix, *solution,
                       [&csv](std::string_view text) { csv.write(text); });
-  write_flux_csv(fluxes, solution->channel_names, [&flux](std::string_view text) { flux.write(text); });
+  write_flux_csv(fluxes, [&flux](std::string_view text) { flux.write(text); });
   if (temperature)
     write_temperature_csv(simulation.scene(), factors->matrix, *solution,
                           [&temperature](std::string_view text) { temperature->write(text); });
@@ -200,6 +200,7 @@ void solve_in_space(const SolveOptions& options, Scene3 scene, double seconds_to
       .picture_range = view ? range_of(view->shown()) : std::nullopt,
       .picture_view = view ? std::optional(picture_view_of(*view, simulation.scene())) : std::nullopt,
       .insulated = insulated_groups(simulation.scene(), factors->matrix, *solution),
+      .given_flux = given_flux_groups(simulation.scene(), factors->matrix, *solution),
       .unit = simulation.scene().unit,
       .store = options.store.report(request.factors.store),
       .dividing = dividing.get(),

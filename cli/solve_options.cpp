@@ -79,7 +79,11 @@ AskedScale scale_asked(const std::string& text) {
 Shown shown_of(const SolveOptions& options) {
   Shown shown = shown_by(options.show);
   if (!options.bar.empty()) shown.scale = scale_asked(options.bar);
-  if (!options.channel.empty()) shown.channel = std::string("rgb").find(options.channel);
+  shown.is_of_band = options.channel == "solar" || options.channel == "thermal";
+  if (shown.is_of_band)
+    shown.channel = options.channel == "solar" ? kSolarBand : kThermalBand;
+  else if (!options.channel.empty())
+    shown.channel = std::string("rgb").find(options.channel);
   const SolveOptions usual;
   if (!shown.is_light() && (options.tone != usual.tone || options.exposure != usual.exposure))
     throw UsageError("--tone and --exposure are of --show light: " + options.show + " has a scale");

@@ -16,7 +16,7 @@ std::optional<Rational> fourth_root(const Rational& power) {
 std::optional<Rational> grey_temperature(const Material& material) {
   static const Rational of_one_kelvin = black_emission(Spectrum::scalar(1)).value[0];
   std::optional<Rational> result;
-  for (std::size_t c = 0; c < material.emission.value.size(); ++c) {
+  for (std::size_t c = material.has_bands ? kThermalBand : 0; c < material.emission.value.size(); ++c) {
     const Rational emissivity = 1 - material.reflectivity.value[c];
     if (emissivity == 0 && material.emission.value[c] == 0) continue;
     if (emissivity == 0) return std::nullopt;

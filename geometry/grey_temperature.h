@@ -8,7 +8,7 @@
 namespace hottel {
 
 // Returns the temperature [K] of a grey body of this material: the rational T for which emission = (1 - reflectivity)
-// sigma T⁴ exactly, in every channel that is not white.
+// sigma T⁴ exactly, in every channel that is not white; of two bands in the thermal one.
 //
 //   (1) a material given by emissivity and temperature, or equal to such a one, has the temperature that was typed;
 //       0 where it emits nothing

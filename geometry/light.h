@@ -26,10 +26,11 @@ enum class LightType : bool { kPoint, kSpot };
 struct Light {
   std::string name;
   LightType type = LightType::kPoint;
-  Rational focus = 180;  // f, the half angle of the beam in degrees, 0 < f <= 180
-  Rational falloff = 0;  // n >= 0
-  Spectrum power;        // P >= 0 [W; in the plane W per metre of depth]
-  int line = 0;          // where it stands in the file, 0 if nowhere
+  Rational focus = 180;     // f, the half angle of the beam in degrees, 0 < f <= 180
+  Rational falloff = 0;     // n >= 0
+  Spectrum power;           // P >= 0 [W; in the plane W per metre of depth]
+  bool is_thermal = false;  // where there are two bands: of the thermal one
+  int line = 0;             // where it stands in the file, 0 if nowhere
 
   // The angle from the axis, in degrees, up to which something is sent out.
   Rational half_angle() const { return falloff > 0 && focus > 90 ? Rational(90) : focus; }

@@ -36,6 +36,16 @@ std::string_view problem_of(const Spectrum& spectrum, SpectrumKind kind) {
   return spectrum_problem(spectrum, kind);
 }
 
+void require_given_flux(const SceneTable& table, const std::string& owner, const Material& material) {
+  const auto refuse = [&](const char* text) { throw InputError({table.file, 0}, owner + text); };
+  if (!(0 < *material.emissivity && *material.emissivity <= 1)) refuse("emissivity must be above 0 and at most 1");
+  if (!is_in_lowest_terms(*material.emissivity) || !is_in_lowest_terms(material.thermal(material.emission)))
+    refuse("emissivity or flux is not in lowest terms (mpq_class::canonicalize)");
+  const auto& value = material.emission.value;
+  if (value[1] != value[2] || (!material.has_bands && value[0] != value[1])) refuse("flux is not of one value");
+  if (material.has_bands && value[kSolarBand] < 0) refuse("solar: emission must not be negative");
+}
+
 void validate_spectra(const SceneTable& table) {
   const auto require = [&](const std::string& subject, const Spectrum& spectrum, SpectrumKind kind) {
     if (const auto problem = problem_of(spectrum, kind); !problem.empty())
@@ -44,9 +54,15 @@ void validate_spectra(const SceneTable& table) {
   for (const Material& material : table.materials) {
     const std::string owner = "material " + quoted_name(material.name) + ": ";
     require(owner + "reflectivity", material.reflectivity, SpectrumKind::kFraction);
-    require(owner + "emission", material.emission, SpectrumKind::kQuantity);
+    if (material.has_given_flux())
+      require_given_flux(table, owner, material);
+    else
+      require(owner + "emission", material.emission, SpectrumKind::kQuantity);
   }
   require("sky: emission", table.sky_emission, SpectrumKind::kQuantity);
+  for (const Material& material : table.materials)
+    if (material.has_bands != table.has_bands)
+      throw InputError({table.file, 0}, "material " + quoted_name(material.name) + " has other bands than the scene");
 }
 
 void validate_lights(const SceneTable& table) {
@@ -94,6 +110,22 @@ void validate_table(const SceneTable& table) {
   }
 }
 
+void settle_bands(SceneTable& table) {
+  if (!table.has_bands) return;
+  for (Material& material : table.materials) {
+    if (material.has_bands) continue;
+    const Rational reflectivity = material.reflectivity.value[0], emission = material.emission.value[0];
+    material.reflectivity = Spectrum::scalar(reflectivity);
+    material.emission = Spectrum();
+    set_bands(reflectivity, emission, material);
+    material.says_solar = true;
+  }
+  for (Light& light : table.lights) {
+    const auto& power = light.power.value;
+    light.power = light.is_thermal ? in_bands(0, power[kThermalBand]) : in_bands(power[kSolarBand], 0);
+  }
+}
+
 std::vector<std::size_t> group_sizes(const SceneTable& table) {
   std::vector<std::size_t> sizes(table.groups.size());
   for (const Surface& surface : table.surfaces) {
@@ -103,7 +135,13 @@ std::vector<std::size_t> group_sizes(const SceneTable& table) {
   return sizes;
 }
 
+std::vector<std::string> channel_names(const SceneTable& table) {
+  if (table.has_bands) return {"solar", "thermal"};
+  return channel_count(table) == 1 ? std::vector<std::string>{"all"} : std::vector<std::string>{"r", "g", "b"};
+}
+
 int channel_count(const SceneTable& table) {
+  if (table.has_bands) return 2;
   const bool is_scalar =
       table.sky_emission.is_scalar &&
       std::all_of(table.materials.begin(), table.materials.end(),

@@ -100,6 +100,8 @@ struct SceneTable {
   bool closed = false;
   std::vector<Expectation> expect;
   std::string unit;  // what one unit of length is called where lengths are shown; empty: m
+  // Two bands, solar and thermal, instead of one channel or r, g, b: of all materials, lights and the sky.
+  bool has_bands = false;
 
   // Returns the index of the first surface of exactly that name, or nothing. COST: linear.
   std::optional<std::uint32_t> find(const std::string& name) const;
@@ -119,11 +121,17 @@ std::string length_unit(const SceneTable& table);
 // COST: linear.
 void validate_table(const SceneTable& table);
 
+// Makes the spectra of materials and lights that were added to a scene of two bands such: of a lamp and of a light the
+// solar band is what they send out. Where there are no bands, and to what has them, it does nothing.
+void settle_bands(SceneTable& table);
+
 // Returns how many surfaces each group has. Throws ContractViolation for a surface of a group that is not there.
 std::vector<std::size_t> group_sizes(const SceneTable& table);
 
-// Returns how many channels the spectra of a scene need: 1 when the sky, all materials and lights are scalars, else 3.
-// Materials that no surface has count too.
+// Returns how many channels the spectra of a scene need: 2 in two bands; 1 when the sky, all materials and lights are
+// scalars, else 3. Materials that no surface has count too.
 int channel_count(const SceneTable& table);
+// Returns what they are called: "all"; "solar", "thermal"; or "r", "g", "b".
+std::vector<std::string> channel_names(const SceneTable& table);
 
 }  // namespace hottel

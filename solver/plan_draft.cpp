@@ -62,14 +62,19 @@ void PlanDraft::add_subdivision() {
 }
 
 void PlanDraft::add_channels() {
-  add(Plan::kChannels, channel_count(scene_) > 1, "spectra differ: r, g, b", "every spectrum is a scalar: one channel");
+  add(Plan::kChannels, channel_count(scene_) > 1,
+      scene_.has_bands ? "two bands: solar, then thermal with what is gained" : "spectra differ: r, g, b",
+      "every spectrum is a scalar: one channel");
 }
 
 void PlanDraft::add_interreflection(double unknowns, double entries) {
   // Factored, or by conjugate gradients; and the certificate of each unknown.
   const double seconds = std::min(std::pow(unknowns, 3) / 3 * 6e-10, entries * 2e-7) + unknowns * 1e-5;
-  add(Plan::kInterreflection, reflects(), "some faces reflect", "every reflectivity is 0: radiosity is emission",
-      seconds);
+  const bool is_any_taken =
+      has_material([](const Material& m) { return m.has_given_flux() && m.thermal(m.emission) < 0; });
+  add(Plan::kInterreflection, reflects(),
+      is_any_taken ? "some faces reflect; heat is supplied and taken: solved for each apart" : "some faces reflect",
+      "every reflectivity is 0: radiosity is emission", is_any_taken ? 2 * seconds : seconds);
 }
 
 void PlanDraft::add_unreachable(bool is_one_room) {

@@ -43,9 +43,9 @@ std::vector<std::uint32_t> radiating(const ExchangeMatrix& matrix) {
 }
 
 double emittance(const FactorTable& table, std::uint32_t label) {
-  const auto& value = table.scene.materials[*table.matrix.elements()[label].material].reflectivity.value;
-  return to_double(1 - (table.gray_channel ? value[static_cast<std::size_t>(*table.gray_channel)]
-                                           : Rational((value[0] + value[1] + value[2]) / 3)));
+  const Material& material = table.scene.materials[*table.matrix.elements()[label].material];
+  if (!table.gray_channel) return to_double(material.surface_emissivity());
+  return to_double(1 - material.surface_reflectivity().value[static_cast<std::size_t>(*table.gray_channel)]);
 }
 
 std::string view3d_header(const FactorTable& table, int format, std::size_t count) {

@@ -10,7 +10,7 @@
 namespace hottel {
 
 struct GrayReport {
-  std::string channel;  // "all", "r", "g", "b"
+  std::string channel;  // "all", "r", "g", "b", "thermal"
   std::uint64_t pairs = 0;
   Guarantee guarantee = Guarantee::kEnclosed;
   double max_relative_width = 0;  // of enclosed ones

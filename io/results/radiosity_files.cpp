@@ -56,14 +56,19 @@ NetFluxes::NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, cons
       [&](const Element& e) { return scene.groups[scene.surfaces[e.surface].group].name + (e.is_back ? ":back" : ""); },
       shining);
   lights = light_flux(shining, solution.channels.size());
+  channel_names = solution.channel_names;
+  if (!scene.has_bands) return;
+  channel_names.emplace_back("total");
+  for (std::vector<NetFlux>* some : {&faces, &groups, &lights})
+    for (NetFlux& flux : *some)
+      flux.by_channel.push_back(sum(flux.by_channel[kSolarBand], flux.by_channel[kThermalBand]));
 }
 
-void write_flux_csv(const NetFluxes& fluxes, const std::vector<std::string>& channel_names,
-                    const std::function<void(std::string_view)>& sink) {
+void write_flux_csv(const NetFluxes& fluxes, const std::function<void(std::string_view)>& sink) {
   sink("per,name,channel,area,net,lower,upper\n");
-  write_fluxes("face", fluxes.faces, channel_names, sink);
-  write_fluxes("group", fluxes.groups, channel_names, sink);
-  write_fluxes("light", fluxes.lights, channel_names, sink);
+  write_fluxes("face", fluxes.faces, fluxes.channel_names, sink);
+  write_fluxes("group", fluxes.groups, fluxes.channel_names, sink);
+  write_fluxes("light", fluxes.lights, fluxes.channel_names, sink);
 }
 
 }  // namespace hottel

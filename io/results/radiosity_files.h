@@ -25,16 +25,16 @@ void write_radiosity_csv(const SceneTable& scene, const ExchangeMatrix& matrix, 
 // `per,name,channel,area,net,lower,upper`: net flux in W (in the plane W per metre of depth) with proven bounds,
 // positive where more leaves than arrives (net_flux.h). First a line for each face and channel, then for each group:
 // polyline or edge of its own, fronts and backs by themselves. The sky is last in both. Then come the lights: each half
-// sums to 0 together with them.
+// sums to 0 together with them. In two bands there is a third channel, `total`: their sum.
 struct NetFluxes {
   std::vector<NetFlux> faces, groups, lights;
+  std::vector<std::string> channel_names;  // of all of them
 
   // REQUIRES the solution of this matrix, of this scene, and the shares of its lights. COST: two passes over the matrix
   // a channel.
   NetFluxes(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
             std::span<const LightShares> shares);
 };
-void write_flux_csv(const NetFluxes& fluxes, const std::vector<std::string>& channel_names,
-                    const std::function<void(std::string_view)>& sink);
+void write_flux_csv(const NetFluxes& fluxes, const std::function<void(std::string_view)>& sink);
 
 }  // namespace hottel

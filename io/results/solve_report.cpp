@@ -147,6 +147,29 @@ std::string dividing_text(const DividingEstimate& estimate) {
   return text;
 }
 
+namespace {
+
+// Of all channels together; of two bands one object each, by their names.
+nlohmann::ordered_json energy_json(const RadiositySolution& solution) {
+  const auto object = [](const EnergyBalance& energy) {
+    return nlohmann::ordered_json{{"emitted", energy.emitted},
+                                  {"absorbed", energy.absorbed},
+                                  {"to_sky", energy.to_sky},
+                                  {"defect", energy.defect}};
+  };
+  if (solution.channels.size() != 2) return object(solution.energy);
+  nlohmann::ordered_json json;
+  for (std::size_t c = 0; c < 2; ++c) json[solution.channel_names[c]] = object(solution.channels[c].energy);
+  return json;
+}
+
+std::string energy_text(const std::string& of, const EnergyBalance& energy) {
+  return fmt::format("energy{}: emitted {:.6g}, absorbed {:.6g}, to the sky {:.6g}, defect {:.1e}\n", of,
+                     energy.emitted, energy.absorbed, energy.to_sky, energy.defect);
+}
+
+}  // namespace
+
 std::string solve_json(const SolveReport& report) {
   nlohmann::ordered_json json = report_head(report.scene, report.plan);
   const FactorCounts& factors = report.factors;
@@ -167,10 +190,7 @@ std::string solve_json(const SolveReport& report) {
   }
   json["closure"] = {{"max_defect", solution.closure_defect}, {"exact", factors.closure_is_exact}};
   json["reciprocity"] = {{"max_defect", solution.reciprocity_defect}};
-  json["energy"] = {{"emitted", solution.energy.emitted},
-                    {"absorbed", solution.energy.absorbed},
-                    {"to_sky", solution.energy.to_sky},
-                    {"defect", solution.energy.defect}};
+  json["energy"] = energy_json(solution);
   json["bounds"] = {{"of", "these elements"},
                     {"max_relative_width", solution.max_relative_width},
                     {"guarantee", to_string(solution.guarantee)}};
@@ -189,13 +209,14 @@ std::string solve_json(const SolveReport& report) {
                                  {"up", view->up},
                                  {"field_of_view", view->field_of_view},
                                  {"chosen", view->is_chosen}};
-  for (const InsulatedGroup& group : report.insulated)
-    json["insulated"].push_back({{"name", group.name},
-                                 {"channel", group.channel},
-                                 {"coldest", group.coldest},
-                                 {"warmest", group.warmest},
-                                 {"lower", group.lower},
-                                 {"upper", group.upper}});
+  for (const auto& [key, groups] : {std::pair("insulated", &report.insulated), {"given_flux", &report.given_flux}})
+    for (const FoundTemperatures& group : *groups)
+      json[key].push_back({{"name", group.name},
+                           {"channel", group.channel},
+                           {"coldest", group.coldest},
+                           {"warmest", group.warmest},
+                           {"lower", group.lower},
+                           {"upper", group.upper}});
   if (!report.unit.empty()) json["unit"] = report.unit;
   if (report.store) json["store"] = nlohmann::ordered_json::parse(store_json(*report.store));
   json["notes"] = report.warnings;
@@ -205,7 +226,7 @@ std::string solve_json(const SolveReport& report) {
 
 namespace {
 
-constexpr std::size_t kFluxesInText = 6, kInsulatedInText = 6;
+constexpr std::size_t kFluxesInText = 6, kFoundInText = 6;
 
 // The groups and lights with the largest net flux, summed over the channels.
 std::string flux_text(const NetFluxes& fluxes) {
@@ -214,6 +235,7 @@ std::string flux_text(const NetFluxes& fluxes) {
     for (const NetFlux& flux : *some) {
       double net = 0;
       for (const NetFlux::Power& power : flux.by_channel) net += power.value;
+      if (fluxes.channel_names.back() == "total") net = flux.by_channel.back().value;
       largest.emplace_back(net, flux.name);
     }
   const std::size_t shown = std::min(largest.size(), kFluxesInText);
@@ -226,19 +248,19 @@ std::string flux_text(const NetFluxes& fluxes) {
   return text + "\n";
 }
 
-// What the insulated faces come to: "insulated: 'wall' 287.312 K, 'roof' 265.1 to 271.88 K".
-std::string insulated_text(const std::vector<InsulatedGroup>& groups) {
+// What faces come to: "insulated: 'wall' 287.312 K, 'roof' 265.1 to 271.88 K".
+std::string found_text(const char* what, const std::vector<FoundTemperatures>& groups) {
   if (groups.empty()) return "";
-  std::string text = "insulated:";
-  for (std::size_t k = 0; k < std::min(groups.size(), kInsulatedInText); ++k) {
-    const InsulatedGroup& group = groups[k];
+  std::string text = what;
+  for (std::size_t k = 0; k < std::min(groups.size(), kFoundInText); ++k) {
+    const FoundTemperatures& group = groups[k];
     const std::string coldest = fmt::format("{:.6g}", group.coldest), warmest = fmt::format("{:.6g}", group.warmest);
     text += fmt::format("{} {}{} {} K", k == 0 ? "" : ",", quoted_name(group.name),
                         group.channel == "all" ? "" : " (" + group.channel + ")",
                         coldest == warmest ? coldest : coldest + " to " + warmest);
   }
-  if (groups.size() > kInsulatedInText)
-    text += fmt::format(" and {} more in temperature.csv", groups.size() - kInsulatedInText);
+  if (groups.size() > kFoundInText)
+    text += fmt::format(" and {} more in temperature.csv", groups.size() - kFoundInText);
   return text + "\n";
 }
 
@@ -280,10 +302,13 @@ std::string solve_text(const SolveReport& report) {
                             counted(solution.components, "component"), counted(solution.channels.size(), "channel"),
                             solution.max_relative_width);
   if (report.dividing) text += dividing_text(*report.dividing);
-  text += fmt::format("energy{}: emitted {:.6g}, absorbed {:.6g}, to the sky {:.6g}, defect {:.1e}\n",
-                      solution.channels.size() > 1 ? " in r, g and b together" : "", solution.energy.emitted,
-                      solution.energy.absorbed, solution.energy.to_sky, solution.energy.defect);
-  text += flux_text(*report.fluxes) + insulated_text(report.insulated);
+  if (solution.channels.size() == 2)
+    for (std::size_t c = 0; c < 2; ++c)
+      text += energy_text(" in the " + solution.channel_names[c] + " band", solution.channels[c].energy);
+  else
+    text += energy_text(solution.channels.size() > 1 ? " in r, g and b together" : "", solution.energy);
+  text += flux_text(*report.fluxes) + found_text("insulated:", report.insulated) +
+          found_text("given flux:", report.given_flux);
   if (report.illumination_max_error)
     text += fmt::format("illumination: averages over cells, each within {:.1e} for these radiosities\n",
                         *report.illumination_max_error);

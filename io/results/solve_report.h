@@ -74,7 +74,8 @@ struct SolveReport {
   std::optional<PictureRange> picture_range{};     // of a picture that shows something else than light
   std::optional<PictureView> picture_view{};       // of a picture of space
   std::optional<double> illumination_max_error{};  // of the averages over cells, where asked for
-  std::vector<InsulatedGroup> insulated{};         // in the order of radiosity.csv
+  std::vector<FoundTemperatures> insulated{};      // in the order of radiosity.csv
+  std::vector<FoundTemperatures> given_flux{};     // in the same order
   std::string unit{};                              // of lengths; empty where the scene does not say
   std::optional<StoreReport> store{};              // where factors were kept
   const DividingEstimate* dividing = nullptr;      // what dividing once more would change; null: not estimated
@@ -85,8 +86,8 @@ struct SolveReport {
 std::string dividing_text(const DividingEstimate& estimate);
 
 // Returns the report as one JSON object (the contract's report.json) and a final newline, and as text for people:
-// sizes, solver, energy, the six largest net fluxes, up to six insulated groups, how light became a picture, notes,
-// seconds. The fluxes are not in the JSON object.
+// sizes, solver, energy, the six largest net fluxes, up to six insulated groups, and six of given net flux, how light
+// became a picture, notes, seconds. The fluxes are not in the JSON object.
 std::string solve_json(const SolveReport& report);
 std::string solve_text(const SolveReport& report);
 

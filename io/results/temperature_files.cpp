@@ -34,7 +34,7 @@ void write_temperature_csv(const SceneTable& scene, const ExchangeMatrix& matrix
     const Element& element = matrix.elements()[i];
     const std::string face = csv_field(face_name(scene, {element.surface, element.is_back}));
     for (std::size_t c = 0; c < solution.channels.size(); ++c) {
-      const auto found = temperatures.of(*element.material, solution.channels[c].elements[i]);
+      const auto found = temperatures.of(*element.material, solution, c, i);
       if (!found) continue;
       sink(fmt::format("{},{},{},{},{},{}\n", face, element.node().text(), solution.channel_names[c],
                        shortest(found->value), shortest(found->lower), shortest(found->upper)));
@@ -42,26 +42,29 @@ void write_temperature_csv(const SceneTable& scene, const ExchangeMatrix& matrix
   }
 }
 
-std::vector<InsulatedGroup> insulated_groups(const SceneTable& scene, const ExchangeMatrix& matrix,
-                                             const RadiositySolution& solution) {
+namespace {
+
+std::vector<FoundTemperatures> groups_of(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                         const RadiositySolution& solution, bool (*is_wanted)(const Material&)) {
   for (const ChannelSolution& channel : solution.channels) HOTTEL_REQUIRE(channel.elements.size() == matrix.size());
   const ElementTemperatures temperatures(scene.materials);
-  std::vector<InsulatedGroup> result;
+  std::vector<FoundTemperatures> result;
   std::unordered_map<std::string, std::size_t> place_of;  // of a name, the first of its channels
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
     const Element& element = matrix.elements()[i];
-    if (!scene.materials[*element.material].is_insulated()) continue;
+    if (!is_wanted(scene.materials[*element.material])) continue;
     std::string name = scene.groups[scene.surfaces[element.surface].group].name + (element.is_back ? ":back" : "");
     const auto [known, is_new] = place_of.emplace(std::move(name), result.size());
-    for (std::size_t c = 0; c < solution.channels.size(); ++c) {
-      const BoundedTemperature t = temperatures.of(*element.material, solution.channels[c].elements[i])
+    const std::size_t first = solution.channels.size() == 2 ? kThermalBand : 0;
+    for (std::size_t c = first; c < solution.channels.size(); ++c) {
+      const BoundedTemperature t = temperatures.of(*element.material, solution, c, i)
                                        .value_or(BoundedTemperature{0, 0, std::numeric_limits<double>::infinity()});
       if (is_new) {
         result.push_back({known->first, solution.channel_names[c], t.value, t.value, t.lower, t.upper});
         continue;
       }
-      InsulatedGroup& group = result[known->second + c];
+      FoundTemperatures& group = result[known->second + c - first];
       group.coldest = std::min(group.coldest, t.value);
       group.warmest = std::max(group.warmest, t.value);
       group.lower = std::min(group.lower, t.lower);
@@ -69,6 +72,19 @@ std::vector<InsulatedGroup> insulated_groups(const SceneTable& scene, const Exch
     }
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<FoundTemperatures> insulated_groups(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                                const RadiositySolution& solution) {
+  return groups_of(scene, matrix, solution, [](const Material& material) { return material.is_insulated(); });
+}
+
+std::vector<FoundTemperatures> given_flux_groups(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                                 const RadiositySolution& solution) {
+  return groups_of(scene, matrix, solution,
+                   [](const Material& material) { return material.has_given_flux() && !material.is_insulated(); });
 }
 
 }  // namespace hottel

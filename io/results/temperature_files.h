@@ -1,4 +1,4 @@
-// Temperatures of faces as a file, and what is told of the insulated ones.
+// Temperatures of faces as a file, and what is told of those that come out: of insulated faces, of given net fluxes.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,8 @@
 
 namespace hottel {
 
-// Whether a scene has temperatures to tell: a surface has a material given by one above 0, or an insulated one.
+// Whether a scene has temperatures to tell: a surface has a material given by one above 0, an insulated one, or
+// one of a given net flux.
 bool has_temperatures(const SceneTable& scene);
 
 // `face,element,channel,temperature,lower,upper`: one line [K] for each element with a row and a temperature
@@ -24,16 +25,19 @@ bool has_temperatures(const SceneTable& scene);
 void write_temperature_csv(const SceneTable& scene, const ExchangeMatrix& matrix, const RadiositySolution& solution,
                            const std::function<void(std::string_view)>& sink);
 
-// What the elements of the insulated faces of a group come to, in one channel.                                    [K]
-struct InsulatedGroup {
+// What those elements of a group come to whose temperature comes out, in one channel.                            [K]
+struct FoundTemperatures {
   std::string name;  // of the group; with ":back" where the backs are
   std::string channel;
   double coldest = 0, warmest = 0;  // of the values
   double lower = 0, upper = 0;      // all of them lie between these, proven where the radiosities are
 };
 
-// Returns them in the order of radiosity.csv. REQUIRES what write_temperature_csv does.
-std::vector<InsulatedGroup> insulated_groups(const SceneTable& scene, const ExchangeMatrix& matrix,
-                                             const RadiositySolution& solution);
+// Returns those of the insulated faces, and those of faces of given net flux, in the order of radiosity.csv. REQUIRES
+// what write_temperature_csv does.
+std::vector<FoundTemperatures> insulated_groups(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                                const RadiositySolution& solution);
+std::vector<FoundTemperatures> given_flux_groups(const SceneTable& scene, const ExchangeMatrix& matrix,
+                                                 const RadiositySolution& solution);
 
 }  // namespace hottel

@@ -16,25 +16,62 @@ Spectrum read_spectrum_in_range(const JsonValue& value, const Subject& subject, 
   return result;
 }
 
-Material read_material(const JsonValue& key, const JsonValue& value) {
+// What stands beside a flux, and the flux.
+struct FluxMembers {
+  JsonValue emissivity, temperature, flux;
+};
+
+Rational read_positive_emissivity(const JsonValue& value, const std::string& owner, const std::string& where) {
+  const Rational emissivity = read_number(value, {owner, "emissivity"});
+  if (!(0 < emissivity && emissivity <= 1))
+    refuse(value, owner + ": emissivity " + where + " must be above 0, at most 1");
+  return emissivity;
+}
+
+void read_given_flux(const JsonValue& value, const std::string& owner, const FluxMembers& members, Material& material) {
+  if (members.temperature)
+    refuse(members.temperature, owner + " has a temperature and a flux: one of them is given, the other comes out",
+           {"with a flux hottel solve writes the temperature to temperature.csv"});
+  if (!members.emissivity)
+    refuse(value, owner + " has a flux but no emissivity",
+           {"its temperature follows from both; a face whose flux is 0 may be \"insulated\" instead"});
+  for (const auto& [member, key] : {std::pair(members.emissivity, "emissivity"), {members.flux, "flux"}})
+    if (member.kind() == JsonKind::kArray) refuse(member, owner + ": " + key + " is one number where a flux is given");
+  const Rational emissivity = read_positive_emissivity(members.emissivity, owner, "beside flux");
+  set_given_flux(emissivity, read_number(members.flux, {owner, "flux"}), material);
+}
+
+template <class Words>
+Material read_material(const JsonValue& key, const JsonValue& value, Words& words) {
   const std::string owner = "material " + quoted_name(key.text());
-  const auto [about, reflectivity, emission, emissivity, temperature, insulated] = read_members(
-      value, {owner},
-      std::array<std::string_view, 6>{"about", "reflectivity", "emission", "emissivity", "temperature", "insulated"});
+  words.value = value;
+  words.owner = owner;
+  const auto [about, reflectivity, emission, emissivity, temperature, insulated, flux, solar] =
+      read_members(value, {owner},
+                   std::array<std::string_view, 8>{"about", "reflectivity", "emission", "emissivity", "temperature",
+                                                   "insulated", "flux", "solar"});
+  words.solar = solar;
   Material material;
   material.name = key.text();
   if (about) read_string(about, {owner, "about"});
   if (insulated && read_boolean(insulated, {owner, "insulated"})) {
-    if (reflectivity || emission || emissivity || temperature)
+    if (reflectivity || emission || temperature || flux)
       refuse(value, owner + " is insulated, which is reflectivity 1 and emission 0: it has no other values",
              {"its temperature is what comes out: hottel solve writes temperature.csv"});
     set_insulated(material);
+    words.only_then = emissivity;
     return material;
   }
   if ((reflectivity || emission) && (emissivity || temperature))
     refuse(value, owner + " has both reflectivity or emission and emissivity or temperature",
            {"give either reflectivity and emission, or emissivity and temperature"});
+  if (flux && (reflectivity || emission))
+    refuse(value, owner + " has a flux beside reflectivity or emission", {"a flux goes with an emissivity alone"});
   if (temperature && !emissivity) refuse(value, owner + " has a temperature but no emissivity");
+  if (flux) {
+    read_given_flux(value, owner, {emissivity, temperature, flux}, material);
+    return material;
+  }
   if (reflectivity)
     material.reflectivity = read_spectrum_in_range(reflectivity, {owner, "reflectivity"}, SpectrumKind::kFraction);
   if (emission) material.emission = read_spectrum_in_range(emission, {owner, "emission"}, SpectrumKind::kQuantity);
@@ -45,6 +82,13 @@ Material read_material(const JsonValue& key, const JsonValue& value) {
     set_grey_body(e, t, material);
   }
   return material;
+}
+
+bool read_is_thermal(const JsonValue& band, const std::string& owner) {
+  const std::string name = read_string(band, {owner, "band"});
+  if (name != "solar" && name != "thermal")
+    refuse(band, owner + ": band is " + quoted_name(name) + R"(; it may be "solar" or "thermal")");
+  return name == "thermal";
 }
 
 // Where the keys have "obstruction".
@@ -69,19 +113,82 @@ void TableReader::read_materials(const JsonValue& materials) {
   for (const auto [key, value] : materials.members()) {
     if (const auto problem = material_name_problem(key.text()); !problem.empty()) refuse(key, problem);
     material_index_.emplace(key.text(), static_cast<std::uint32_t>(table_.materials.size()));
-    table_.materials.push_back(read_material(key, value));
+    table_.materials.push_back(read_material(key, value, of_materials_.emplace_back()));
   }
 }
 
 void TableReader::read_sky(const JsonValue& sky) {
-  const auto [emission, temperature] =
-      read_members(sky, {"sky"}, std::array<std::string_view, 2>{"emission", "temperature"});
+  const auto [emission, temperature, solar] =
+      read_members(sky, {"sky"}, std::array<std::string_view, 3>{"emission", "temperature", "solar"});
+  of_sky_ = {sky, "sky", solar, {}};
   if (emission && temperature)
     refuse(sky, "sky has both emission and temperature", {"give one: a temperature T means the emission sigma T^4"});
   if (emission) table_.sky_emission = read_spectrum_in_range(emission, {"sky", "emission"}, SpectrumKind::kQuantity);
   if (temperature)
     table_.sky_emission =
         black_emission(read_spectrum_in_range(temperature, {"sky", "temperature"}, SpectrumKind::kQuantity));
+}
+
+void TableReader::read_solar(const BandWords& words, Rational& reflectivity, Rational& emission) const {
+  if (!words.solar) return;
+  const std::string owner = words.owner + ": solar";
+  const auto [of_reflectivity, of_emission] =
+      read_members(words.solar, {owner}, std::array<std::string_view, 2>{"reflectivity", "emission"});
+  if (of_reflectivity && &words == &of_sky_) refuse(of_reflectivity, "sky: solar has an emission only");
+  const auto read = [&](const JsonValue& member, const char* key, SpectrumKind kind) {
+    const Spectrum spectrum = read_spectrum_in_range(member, {owner, key}, kind);
+    if (!spectrum.is_scalar) refuse(member, owner + ": " + key + " is one number");
+    return spectrum.value[0];
+  };
+  if (of_reflectivity) reflectivity = read(of_reflectivity, "reflectivity", SpectrumKind::kFraction);
+  if (of_emission) emission = read(of_emission, "emission", SpectrumKind::kQuantity);
+}
+
+void TableReader::refuse_what_needs_bands() const {
+  for (const BandWords& words : of_materials_)
+    if (words.only_then)
+      refuse(words.value, words.owner + " is insulated, which is reflectivity 1 and emission 0: it has no other values",
+             {"an emissivity beside it is for two bands, where some material or the sky has \"solar\""});
+  for (const BandWords& words : of_lights_)
+    if (words.only_then)
+      refuse(words.only_then, words.owner + " has a band, and the scene no two: no material and no sky has \"solar\"");
+}
+
+void TableReader::settle_bands() {
+  const auto says_solar = [](const BandWords& words) { return static_cast<bool>(words.solar); };
+  table_.has_bands = says_solar(of_sky_) || std::any_of(of_materials_.begin(), of_materials_.end(), says_solar);
+  if (!table_.has_bands) return refuse_what_needs_bands();
+  const auto require_scalar = [](const BandWords& words, bool is_scalar) {
+    if (!is_scalar)
+      refuse(words.value, words.owner + " has a list of three, and the scene two bands, solar and thermal");
+  };
+  for (std::size_t m = 0; m < of_materials_.size(); ++m) {
+    Material& material = table_.materials[m];
+    require_scalar(of_materials_[m], material.reflectivity.is_scalar && material.emission.is_scalar);
+    Rational reflectivity = 0, emission = 0;
+    read_solar(of_materials_[m], reflectivity, emission);
+    set_bands(reflectivity, emission, material);
+    if (const JsonValue& own = of_materials_[m].only_then)
+      material.emissivity = read_positive_emissivity(own, of_materials_[m].owner, "beside insulated");
+    material.says_solar = says_solar(of_materials_[m]);
+  }
+  for (std::size_t m = of_materials_.size(); m < table_.materials.size(); ++m) {  // of meshes
+    Material& material = table_.materials[m];
+    if (!material.reflectivity.is_scalar || !material.emission.is_scalar)
+      throw InputError({table_.file, 0},
+                       "material " + quoted_name(material.name) +
+                           " of a mesh has three channels, and the scene two bands, solar and thermal");
+    set_bands(0, 0, material);
+  }
+  require_scalar(of_sky_, table_.sky_emission.is_scalar);
+  Rational none = 0, of_sky = 0;
+  read_solar(of_sky_, none, of_sky);
+  table_.sky_emission = in_bands(of_sky, table_.sky_emission.value[0]);
+  for (std::size_t k = 0; k < table_.lights.size(); ++k) {
+    Light& light = table_.lights[k];
+    require_scalar(of_lights_[k], light.power.is_scalar);
+    light.power = light.is_thermal ? in_bands(0, light.power.value[0]) : in_bands(light.power.value[0], 0);
+  }
 }
 
 void TableReader::read_unit(const JsonValue& unit) {
@@ -152,10 +259,10 @@ void TableReader::read_lights(const JsonValue& list, const std::function<void(Li
 }
 
 LightEntry TableReader::read_light(const JsonValue& value, const std::string& default_name) {
-  const auto [type, name, position, direction, focus, falloff, power, rotation, path, about] =
+  const auto [type, name, position, direction, focus, falloff, power, rotation, path, about, band] =
       read_members(value, {default_name},
-                   std::array<std::string_view, 10>{"type", "name", "position", "direction", "focus", "falloff",
-                                                    "power", "rotation", "path", "about"});
+                   std::array<std::string_view, 11>{"type", "name", "position", "direction", "focus", "falloff",
+                                                    "power", "rotation", "path", "about", "band"});
   LightEntry entry;
   Light& light = entry.light;
   light.name = name ? read_string(name, {default_name, "name"}) : default_name;
@@ -172,6 +279,8 @@ LightEntry TableReader::read_light(const JsonValue& value, const std::string& de
   if (light.type == LightType::kSpot) require_member(direction, "direction", value, {entry.owner});
   require_member(power, "power", value, {entry.owner});
   light.power = read_spectrum_in_range(power, {entry.owner, "power"}, SpectrumKind::kQuantity);
+  of_lights_.push_back({value, entry.owner, {}, band});
+  if (band) light.is_thermal = read_is_thermal(band, entry.owner);
   if (focus) light.focus = read_number(focus, {entry.owner, "focus"});
   if (falloff) light.falloff = read_number(falloff, {entry.owner, "falloff"});
   if (about) read_string(about, {entry.owner, "about"});

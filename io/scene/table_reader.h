@@ -52,11 +52,18 @@ class TableReader {
 
   // Appends the materials of an object. Reflectivities and emissivities are from 0 to 1, emissions and temperatures not
   // below 0; a grey body of emissivity e and temperature T has reflectivity 1 - e and emission e sigma T⁴; an insulated
-  // material has reflectivity 1 and no other key. REQUIRES that the document outlives this: names are looked up in its
+  // material has reflectivity 1 and no other key; a flux of any sign stands beside an emissivity above 0 alone, both of
+  // one number. REQUIRES that the document outlives this: names are looked up in its
   // texts.
   void read_materials(const JsonValue& materials);
   // Sets the emission of the sky, which is not below 0, or sigma T⁴ of its temperature; without one it stays dark.
   void read_sky(const JsonValue& sky);
+  // Makes all spectra those of two bands, where some material or the sky says "solar"; called once all else is read.
+  //
+  //   (1) what stands outside "solar" is thermal; a material that says nothing of it is black there and emits nothing;
+  //       lights are solar unless they say "band": "thermal"
+  //   (2) refuses lists of three then; where nothing says "solar", a "band", and an emissivity of an insulated material
+  void settle_bands();
   // Sets what one unit of length is called.
   void read_unit(const JsonValue& unit);
   // Appends what the scene says of its own answers: numbers are checked to be numbers and kept as typed.
@@ -91,10 +98,21 @@ class TableReader {
   void read_lights(const JsonValue& list, const std::function<void(LightEntry)>& read_place);
 
  private:
+  // What a material, the sky or a light says that matters where there are two bands.
+  struct BandWords {
+    JsonValue value;      // all of it
+    std::string owner;    // for messages
+    JsonValue solar;      // "solar", as far as it is there
+    JsonValue only_then;  // what goes with two bands alone: "band", an emissivity of an insulated material
+  };
+  void refuse_what_needs_bands() const;
+  void read_solar(const BandWords& words, Rational& reflectivity, Rational& emission) const;
   void read_expectation(const JsonValue& value, const std::string& owner);
 
   SceneTable& table_;
   std::unordered_map<std::string_view, std::uint32_t> material_index_;
+  std::vector<BandWords> of_materials_, of_lights_;  // in their order
+  BandWords of_sky_{};
 };
 
 // Reads what is "behind" a group: "solid" or "open". Throws InputError.

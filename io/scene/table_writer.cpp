@@ -55,11 +55,30 @@ std::optional<Spectrum> writable_temperature(const Material& m) {
   return result;
 }
 
+// What stands outside "solar".
+Spectrum thermal_part(const Spectrum& of, bool has_bands) {
+  return has_bands ? Spectrum::scalar(of.value[kThermalBand]) : of;
+}
+Material thermal_part(Material material) {
+  material.reflectivity = thermal_part(material.reflectivity, material.has_bands);
+  material.emission = thermal_part(material.emission, material.has_bands);
+  material.has_bands = false;
+  return material;
+}
+
+std::string solar_member(const Rational& reflectivity, const Rational& emission) {
+  std::string text;
+  if (reflectivity != 0) text += fmt::format("\"reflectivity\": {}", json_number(reflectivity));
+  if (emission != 0) text += fmt::format("{}\"emission\": {}", text.empty() ? "" : ", ", json_number(emission));
+  return fmt::format("\"solar\": {{{}}}", text);
+}
+
 void write_materials(const SceneTable& table, std::string& out) {
   if (table.materials.empty()) return;
   std::unordered_set<std::string> names;
   JsonBlock block(out, "materials", '{', '}');
-  for (const Material& m : table.materials) {
+  for (const Material& whole : table.materials) {
+    const Material m = thermal_part(whole);
     HOTTEL_REQUIRE(!m.name.empty() && names.insert(m.name).second);
     std::string members;
     const auto add = [&](const char* key, const Spectrum& value) {
@@ -68,6 +87,10 @@ void write_materials(const SceneTable& table, std::string& out) {
     };
     if (m.is_insulated()) {
       members = "\"insulated\": true";
+      if (m.emissivity) members += fmt::format(", \"emissivity\": {}", json_number(*m.emissivity));
+    } else if (m.has_given_flux()) {
+      members =
+          fmt::format("\"emissivity\": {}, \"flux\": {}", json_number(*m.emissivity), json_number(m.emission.value[0]));
     } else if (const auto temperature = writable_temperature(m)) {
       add("emissivity", emissivity_of(m));
       add("temperature", *temperature);
@@ -75,6 +98,9 @@ void write_materials(const SceneTable& table, std::string& out) {
       add("reflectivity", m.reflectivity);
       add("emission", m.emission);
     }
+    if (whole.says_solar)
+      members += (members.empty() ? "" : ", ") +
+                 solar_member(whole.reflectivity.value[kSolarBand], whole.emission.value[kSolarBand]);
     block.add(fmt::format("{}: {{{}}}", json_string(m.name), members));
   }
   block.end();
@@ -129,10 +155,11 @@ void write_head(const SceneTable& table, int dimension, std::string& out) {
 void write_sky(const SceneTable& table, std::string& out) {
   if (!table.sky_emission.is_zero() || !table.sky_emission.is_scalar) {
     Material black;
-    black.emission = table.sky_emission;
+    black.emission = thermal_part(table.sky_emission, table.has_bands);
     const auto temperature = writable_temperature(black);
-    out += fmt::format(",\n  \"sky\": {{\"{}\": {}}}", temperature ? "temperature" : "emission",
-                       spectrum(temperature ? *temperature : table.sky_emission));
+    out += fmt::format(",\n  \"sky\": {{\"{}\": {}{}}}", temperature ? "temperature" : "emission",
+                       spectrum(temperature ? *temperature : black.emission),
+                       table.has_bands ? ", " + solar_member(0, table.sky_emission.value[kSolarBand]) : "");
   }
   if (table.closed) out += ",\n  \"closed\": true";
 }
@@ -148,7 +175,10 @@ void write_lights(const SceneTable& table, const std::function<std::string(std::
                                    json_string(light.name), place_members(k));
     if (light.focus != 180) text += fmt::format(", \"focus\": {}", json_number(light.focus));
     if (light.falloff != 0) text += fmt::format(", \"falloff\": {}", json_number(light.falloff));
-    block.add(text + fmt::format(", \"power\": {}}}", spectrum(light.power)));
+    if (light.is_thermal) text += ", \"band\": \"thermal\"";
+    const std::size_t band = light.is_thermal ? kThermalBand : kSolarBand;
+    const Spectrum power = table.has_bands ? Spectrum::scalar(light.power.value[band]) : light.power;
+    block.add(text + fmt::format(", \"power\": {}}}", spectrum(power)));
   }
   block.end();
 }

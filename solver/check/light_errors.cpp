@@ -9,6 +9,7 @@
 
 #include "geometry/scene_names.h"
 #include "kernel/support/failure.h"
+#include "solver/radiosity/element_temperatures.h"
 #include "solver/radiosity/matrix_checks.h"
 #include "solver/radiosity/radiosity.h"
 
@@ -44,9 +45,16 @@ class ErrorTeller {
       errors_.push_back({"beyond-doubles", {}, "the emission of the sky is beyond the range of doubles", kOtherLight});
   }
 
-  void tell_mirrors(const LightFates& fates) {
+  void tell_mirrors(const LightFates& fates, bool has_given_fluxes) {
     for (const auto& [faces, fate] : fates.of)
-      if (fate.has_no_solution)
+      if (fate.has_no_solution && has_given_fluxes)
+        add("no-solution", faces,
+            fmt::format(
+                "all light that meets {} is reflected, or sent back by a given net flux, and none gets out, yet "
+                "heat is supplied or taken there: there are no temperatures for it",
+                names_text(scene_, surfaces_of(faces))),
+            "give one of them a temperature, or open a way to the sky");
+      else if (fate.has_no_solution)
         add("no-solution", faces,
             fmt::format("all light that meets {} is reflected and none gets out, yet some is emitted there: it would "
                         "grow without end",
@@ -57,12 +65,13 @@ class ErrorTeller {
   // What is computed. Where numbers are so moderate that doubles can tell it, nothing is solved for it.
   void tell_light(const LightFates& fates, const RadiositySources& sources,
                   const std::function<void(double)>& progress) {
-    if (fates.rows_are_closed && is_moderate(sources)) return;
+    if (fates.rows_are_closed && is_moderate(sources) && sources.withdrawn.empty() && !sources.has_bands) return;
     try {
       const RadiositySolution solution = solve_sources(matrix_, scene_.materials, sources, {.progress = progress});
       tell_beyond(rows_where([&](std::uint32_t i) { return !is_finite(solution, i); }), "the light of",
                   "choose another unit of light, or let more of it be absorbed");
       if (errors_.empty()) tell_power(solution);
+      if (errors_.empty()) tell_cold(solution);
     } catch (const RequestError& error) {
       const auto least = std::min_element(fates.of.begin(), fates.of.end(),
                                           [](auto& a, auto& b) { return a.second.loss < b.second.loss; });
@@ -81,6 +90,15 @@ class ErrorTeller {
     } catch (const RequestError& error) {
       add("beyond-doubles", rows(), error.what(), "choose another unit of length or of light");
     }
+  }
+
+  void tell_cold(const RadiositySolution& solution) {
+    if (const auto i = first_without_emissivity(matrix_, scene_.materials, solution))
+      add("no-temperature", {*i}, text_without_emissivity(matrix_.elements()[*i], scene_.materials),
+          "give its material an emissivity");
+    if (const auto cold = coldest_below_zero(matrix_, scene_.materials, solution))
+      add("no-temperature", {cold->element}, text_of(*cold, matrix_, scene_.materials),
+          "take less heat from it, or let more of its surroundings be warm");
   }
 
   void tell_beyond(const Faces& faces, const std::string& what, const char* suggestion) {
@@ -125,7 +143,7 @@ class ErrorTeller {
     for (const std::uint32_t i : rows()) {
       const Material& material = material_of(i);
       const double area = matrix_.elements()[i].area.value;
-      most = std::max(most, largest(material.emission));
+      most = std::max(most, std::abs(largest(material.emission)));
       if (!sources.direct_irradiance.empty())
         for (int c = 0; c < 3; ++c) most = std::max(most, to_double(sources.direct_irradiance[i][c].upper));
       for (const Rational& rho : material.reflectivity.value)
@@ -152,7 +170,7 @@ std::vector<LightError> light_errors(const SceneTable& scene, const ExchangeMatr
                                      const RadiositySources& sources, const LightFates& fates, const char* size,
                                      const std::function<void(double)>& progress) {
   ErrorTeller teller(scene, matrix);
-  if (fates.rows_are_closed) teller.tell_mirrors(fates);
+  if (fates.rows_are_closed) teller.tell_mirrors(fates, sources.has_given_fluxes);
   if (!teller.has_errors()) teller.tell_sizes(size);
   if (!teller.has_errors()) teller.tell_light(fates, sources, progress);
   return teller.take();

@@ -27,11 +27,16 @@ RadiositySources merged_sources(const SolvedElements& solved, const ElementMergi
   RadiositySources sources;
   sources.sky = fine.sky;
   sources.has_channels = fine.has_channels;
+  sources.has_bands = fine.has_bands;
+  if (fine.has_bands) sources.keeps_gains.resize(merging.merged.size());
   sources.emission.resize(merging.merged.size());
+  if (!fine.withdrawn.empty()) sources.withdrawn.resize(merging.merged.size());
   std::vector<std::array<double, 3>> power(merging.merged.size(), {0, 0, 0});
   bool is_scalar = true;
   for (std::uint32_t i = 0; i < solved.matrix.size(); ++i) {
     sources.emission[merging.of[i]] = fine.emission[i];
+    if (fine.has_bands) sources.keeps_gains[merging.of[i]] = fine.keeps_gains[i];
+    if (!fine.withdrawn.empty()) sources.withdrawn[merging.of[i]] = fine.withdrawn[i];
     if (fine.direct_irradiance.empty()) continue;
     const SourceSpectrum& direct = fine.direct_irradiance[i];
     is_scalar = is_scalar && direct.is_scalar();

@@ -70,12 +70,17 @@ void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Materia
 void set_a_priori_bounds(const ExchangeMatrix& matrix, const std::vector<Spectrum>& reflectivity,
                          const RadiositySources& sources, RadiositySolution& solution) {
   HOTTEL_REQUIRE(solution.guarantee != Guarantee::kEstimated);
+  if (!sources.withdrawn.empty()) return;
   const std::vector<std::string> before = notes_of_open_bounds(matrix, solution);
   std::erase_if(solution.notes,
                 [&](const std::string& note) { return std::find(before.begin(), before.end(), note) != before.end(); });
   solution.max_relative_width = 0;
   for (std::size_t c = 0; c < solution.channels.size(); ++c) {
     ChannelSolution& channel = solution.channels[c];
+    if (sources.has_bands && c == kThermalBand) {  // its sources are more than these
+      solution.max_relative_width = std::max(solution.max_relative_width, channel.max_relative_width);
+      continue;
+    }
     channel.max_relative_width = 0;
     const int of = static_cast<int>(c);
     const std::vector<Rational> rho = in_channel(reflectivity, of);

@@ -1,12 +1,17 @@
 #include "solver/radiosity/element_temperatures.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "geometry/grey_temperature.h"
+#include "geometry/name.h"
+#include "kernel/decimal.h"
 #include "kernel/exact_double.h"
 #include "kernel/support/failure.h"
+#include "solver/radiosity/printed_number.h"
 
 namespace hottel {
 namespace {
@@ -63,19 +68,99 @@ ElementTemperatures::ElementTemperatures(const std::vector<Material>& materials)
     } else {
       typed_.push_back(std::nullopt);
     }
-    is_adiabatic_.push_back(material.is_adiabatic());
-    is_known_.push_back(material.is_insulated() || (exact && *exact > 0));
+    comes_out_.push_back(material.is_adiabatic() || material.has_given_flux());
+    is_known_.push_back(material.is_insulated() || material.has_given_flux() || (exact && *exact > 0));
+    above_radiosity_.push_back(material.power_above_radiosity());
+    resistance_.push_back(material.resistance());
   }
 }
 
-std::optional<BoundedTemperature> ElementTemperatures::of(std::uint32_t material,
-                                                          const ElementRadiosity& element) const {
-  if (!is_adiabatic_[material]) return typed_[material];
-  if (!(element.radiosity >= 0)) return std::nullopt;
+std::optional<BoundedTemperature> ElementTemperatures::of(std::uint32_t material, const ElementRadiosity& element,
+                                                          const ElementRadiosity* solar) const {
+  if (!comes_out_[material]) return typed_[material];
+  const BlackPower power = black_power(above_radiosity_[material], element, resistance_[material], solar);
+  // Below 0 by roundings, or because nothing is proven and some factors are below 0.
+  const bool is_nearly_zero = power.value < 0 && power.bounds.upper >= 0 && std::isfinite(power.bounds.upper);
+  if (!(power.value >= 0) && !is_nearly_zero) return std::nullopt;
+  return black_temperature(std::max(power.value, 0.0), {std::max(power.bounds.lower, 0.0), power.bounds.upper});
+}
+
+std::optional<BoundedTemperature> ElementTemperatures::of(std::uint32_t material, const RadiositySolution& solution,
+                                                          std::size_t channel, std::uint32_t i) const {
+  const ElementRadiosity* const solar = solar_of(solution, i);
+  if (solar && channel == kSolarBand) return std::nullopt;
+  return of(material, solution.channels[channel].elements[i], solar);
+}
+
+BlackPower black_power(const Rational& above_radiosity, const ElementRadiosity& element, const Rational& resistance,
+                       const ElementRadiosity* solar) {
+  // What is gained in the solar band is the opposite of the net flux there.
+  const auto shifted = [&](double radiosity, double solar_net, auto rounded) {
+    const bool is_gain = solar && resistance != 0 && solar_net != 0;
+    if (is_gain && !std::isfinite(solar_net)) return solar_net > 0 ? -HUGE_VAL : HUGE_VAL;
+    if ((above_radiosity == 0 && !is_gain) || !std::isfinite(radiosity)) return radiosity;
+    const Rational gain = is_gain ? Rational(resistance * exact_value(solar_net)) : Rational(0);
+    return rounded(exact_value(radiosity) + above_radiosity - gain);
+  };
+  const ElementRadiosity none;
+  const ElementRadiosity& gained = solar ? *solar : none;
+  const double value = shifted(element.radiosity, gained.net_value, [](const Rational& sum) { return to_double(sum); });
   // Where little is proven, as of factors that do not close, bounds may be open, or none at all.
-  const double lower = element.lower > 0 ? std::min(element.lower, element.radiosity) : 0;
-  const double upper = std::isnan(element.upper) ? HUGE_VAL : std::max(element.upper, element.radiosity);
-  return black_temperature(element.radiosity, {lower, upper});
+  const double lower = std::isnan(element.lower) ? -HUGE_VAL : shifted(element.lower, gained.net_upper, rounded_down);
+  const double upper = std::isnan(element.upper) ? HUGE_VAL : shifted(element.upper, gained.net_lower, rounded_up);
+  return {value, {std::min(lower, value), std::max(upper, value)}};
+}
+
+std::optional<std::uint32_t> first_without_emissivity(const ExchangeMatrix& matrix,
+                                                      const std::vector<Material>& materials,
+                                                      const RadiositySolution& solution) {
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const Material& material = materials[*matrix.elements()[i].material];
+    const ElementRadiosity* const solar = solar_of(solution, i);
+    if (!solar || !material.keeps_gains() || material.has_given_flux()) continue;
+    if (solar->net_lower != 0 || solar->net_upper != 0) return i;
+  }
+  return std::nullopt;
+}
+
+std::string text_without_emissivity(const Element& element, const std::vector<Material>& materials) {
+  return fmt::format(
+      "no temperature: '{}' is insulated and gains light in the solar band, which it has to give away by radiation: "
+      "give its material {} an \"emissivity\" beside \"insulated\"",
+      element.name, quoted_name(materials[*element.material].name));
+}
+
+std::optional<ElementBelowZero> coldest_below_zero(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
+                                                   const RadiositySolution& solution) {
+  std::vector<Rational> above, resistance;  // by material
+  for (const Material& material : materials) {
+    above.push_back(material.power_above_radiosity());
+    resistance.push_back(material.resistance());
+  }
+  std::optional<ElementBelowZero> coldest;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) {
+    if (!matrix.has_row(i)) continue;
+    const std::uint32_t m = *matrix.elements()[i].material;
+    const Material& material = materials[m];
+    if (!material.has_given_flux() && !material.is_adiabatic()) continue;
+    const ElementRadiosity* const solar = solar_of(solution, i);
+    for (std::size_t c = solar ? kThermalBand : 0; c < solution.channels.size(); ++c) {
+      const double most = black_power(above[m], solution.channels[c].elements[i], resistance[m], solar).bounds.upper;
+      if (most < 0 && (!coldest || most < coldest->power)) coldest = ElementBelowZero{i, most};
+    }
+  }
+  return coldest;
+}
+
+std::string text_of(const ElementBelowZero& cold, const ExchangeMatrix& matrix,
+                    const std::vector<Material>& materials) {
+  const Element& element = matrix.elements()[cold.element];
+  const Material& material = materials[*element.material];
+  return fmt::format(
+      "no temperature: '{}' would have to be colder than 0 K, sigma T^4 {:.6g}, to {}", element.name, cold.power,
+      material.has_given_flux() ? fmt::format("have the net flux {}", short_text(material.thermal(material.emission)))
+                                : std::string("send back what it receives"));
 }
 
 }  // namespace hottel

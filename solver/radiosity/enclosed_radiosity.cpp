@@ -14,8 +14,9 @@ namespace {
 
 // Whether sources are known so well that nothing is gained by looking at their ends.
 bool are_narrow(const ExchangeMatrix& matrix, const RadiositySources& sources) {
-  const auto is_narrow = [](const SourceSpectrum& spectrum) {
+  const auto is_narrow = [&](const SourceSpectrum& spectrum) {
     for (int c = 0; c < 3; ++c) {
+      if (c != sources.only_channel.value_or(c)) continue;
       const RationalEnclosure& number = spectrum[c];
       if (!number.is_exact() && scaled_by_power_of_two(number.upper - number.lower, 48) > number.upper) return false;
     }

@@ -51,11 +51,17 @@ std::vector<std::vector<int>> groups_of_channels(const ExchangeMatrix& matrix,
 }
 
 // Refuses what has no solution, and notes what is a limit.
-void require_solution(const RadiositySystem& system, const std::vector<char>& is_lit, std::set<std::string>& notes) {
+void require_solution(const RadiositySystem& system, const std::vector<char>& is_lit, bool has_given_fluxes,
+                      std::set<std::string>& notes) {
   for (std::size_t c = 0; c < is_lit.size(); ++c) {
     const SystemComponent& component = system.components()[c];
     if (!system.rows_are_closed() || component.loses) continue;
     const std::string& name = system.matrix().elements()[component.first_element].name;
+    if (is_lit[c] && has_given_fluxes)
+      throw RequestError(
+          fmt::format("no temperatures: '{}' and what it exchanges light with ({} in all) reflect all light or have a "
+                      "given net flux and let none out: give one of them a temperature, or open a way out",
+                      name, component.size));
     if (is_lit[c])
       throw RequestError(
           fmt::format("no radiosity: '{}' and what it exchanges light with ({} in all) reflect all "
@@ -95,7 +101,9 @@ struct FactorsAsGiven::Run {
     const RadiositySystem& system = group.kept.system;
     std::vector<int> channels;
     for (const int channel : group.channels)
-      if (static_cast<std::size_t>(channel) < solution.channels.size()) channels.push_back(channel);
+      if (static_cast<std::size_t>(channel) < solution.channels.size() &&
+          channel == given.only_channel.value_or(channel))
+        channels.push_back(channel);
     if (channels.empty()) return;
     std::vector<Sources> sources;
     std::vector<char> is_lit(system.components().size(), 0);  // in some channel
@@ -103,7 +111,7 @@ struct FactorsAsGiven::Run {
       sources.push_back(system.sources(given, channel));
       for (std::size_t c = 0; c < is_lit.size(); ++c) is_lit[c] |= sources.back().is_lit[c];
     }
-    require_solution(system, is_lit, notes);
+    require_solution(system, is_lit, given.has_given_fluxes, notes);
     std::optional<SystemSolver> solver;
     if (std::find(is_lit.begin(), is_lit.end(), 1) != is_lit.end()) {
       solution.used = solver.emplace(group.kept, is_lit, options, may_be_open, times).used();
@@ -150,8 +158,11 @@ RadiositySolution FactorsAsGiven::solve(const RadiositySources& sources, const R
                                         bool may_be_open, const ErrorTerms& terms) const {
   Run run{sources, options, terms, may_be_open};
   RadiositySolution& solution = run.solution;
-  solution.channel_names = is_gray(sources) ? std::vector<std::string>{"all"} : std::vector<std::string>{"r", "g", "b"};
+  solution.channel_names = sources.has_bands  ? std::vector<std::string>{"solar", "thermal"}
+                           : is_gray(sources) ? std::vector<std::string>{"all"}
+                                              : std::vector<std::string>{"r", "g", "b"};
   solution.channels.resize(solution.channel_names.size());
+  for (ChannelSolution& channel : solution.channels) channel.elements.resize(matrix_.size());
   for (const auto& group : groups_) run.solve(*group);
   add_up(solution);
   solution.seconds = std::move(run.times.seconds);

@@ -179,12 +179,18 @@ ExchangeMatrix from_columns(const std::vector<Element>& elements, const std::vec
   return result;
 }
 
+// The same with the reflectivities of surfaces.
+std::vector<Material> with_surfaces(std::vector<Material> materials) {
+  for (Material& material : materials) material.reflectivity = material.surface_reflectivity();
+  return materials;
+}
+
 }  // namespace
 
 ExchangeMatrix gray_exchange(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                              const GrayExchangeOptions& options) {
   HOTTEL_REQUIRE(options.channel >= 0 && options.channel < 3);
-  const EnclosedGraySystem system(matrix, materials, options.channel);
+  const EnclosedGraySystem system(matrix, with_surfaces(materials), options.channel);
   std::vector<std::vector<ColumnEntry>> columns(matrix.size() + 1);
   std::atomic<std::uint64_t> pairs{0};
   for (std::size_t begin = 0; begin < columns.size(); begin += kColumnsBetweenReports) {
@@ -215,7 +221,7 @@ double max_relative_width(const ExchangeMatrix& matrix) {
 std::optional<std::uint32_t> first_coloured(const ExchangeMatrix& matrix, const std::vector<Material>& materials) {
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
-    const auto& rho = materials[*matrix.elements()[i].material].reflectivity.value;
+    const auto rho = materials[*matrix.elements()[i].material].surface_reflectivity().value;
     if (rho[0] != rho[1] || rho[0] != rho[2]) return i;
   }
   return std::nullopt;

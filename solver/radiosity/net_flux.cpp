@@ -44,6 +44,10 @@ std::vector<ScaledBall> flux_by_element(const ExchangeMatrix& matrix, const Chan
 
 }  // namespace
 
+NetFlux::Power sum(const NetFlux::Power& a, const NetFlux::Power& b) {
+  return power_of(sum(within(a.value, a.lower, a.upper), within(b.value, b.lower, b.upper)));
+}
+
 std::vector<NetFlux> net_flux(const ExchangeMatrix& matrix, const RadiositySolution& solution,
                               const SourceSpectrum& sky_emission,
                               const std::function<std::string(const Element&)>& name_of, const ShiningLights& shining) {

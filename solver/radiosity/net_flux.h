@@ -24,6 +24,9 @@ struct NetFlux {
   std::vector<Power> by_channel;  // as the channels of the solution
 };
 
+// The sum of two powers, bounds rounded outward.
+NetFlux::Power sum(const NetFlux::Power& a, const NetFlux::Power& b);
+
 // Lights, and what they shine on first.
 struct ShiningLights {
   std::span<const Light> lights;

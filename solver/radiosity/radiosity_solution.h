@@ -47,13 +47,13 @@ struct ChannelSolution {
 
 // Radiosities in all channels, and how they were found.
 //
-//   (1) channels and channel_names are equally many: one, or three
+//   (1) channels and channel_names are equally many: one, two bands, or three
 struct RadiositySolution {
   // kEnclosed: the bounds hold for the true factors and lights. kEstimated: some factor, or what the lights shine on
   // first, is only an estimate, and the bounds are those of the equations with the factors as printed and the lights as
   // computed; nothing is said of the true ones.
   Guarantee guarantee = Guarantee::kEnclosed;
-  std::vector<std::string> channel_names;  // {"all"} when every spectrum is a scalar, else {"r", "g", "b"}
+  std::vector<std::string> channel_names;  // {"all"}; {"solar", "thermal"}; or {"r", "g", "b"}
   std::vector<ChannelSolution> channels;
   Solver used = Solver::kAuto;                 // kAuto: nothing had to be solved
   std::uint32_t unknowns = 0, components = 0;  // the most of any channel

@@ -6,10 +6,12 @@
 #include "kernel/support/failure.h"
 #include "kernel/support/parallel.h"
 #include "kernel/support/stopwatch.h"
+#include "solver/radiosity/band_gains.h"
 #include "solver/radiosity/enclosed_radiosity.h"
 #include "solver/radiosity/faint_radiosities.h"
 #include "solver/radiosity/matrix_checks.h"
 #include "solver/radiosity/open_bounds.h"
+#include "solver/radiosity/signed_radiosity.h"
 
 namespace hottel {
 
@@ -28,6 +30,30 @@ struct RadiositySolver::Parts {
         seconds(watch.lap()),
         closure_defect(hottel::closure_defect(*matrix)),
         reciprocity_defect(hottel::reciprocity_defect(*matrix)) {}
+
+  RadiositySolution solve(const RadiositySources& sources, RadiosityOptions asked) const {
+    if (!sources.has_bands) return solve_signed(sources, asked);
+    const std::function<void(double)> told = asked.progress;
+    if (told) asked.progress = [&](double fraction) { told(fraction / 2); };
+    RadiositySources of_band = sources;
+    of_band.only_channel = kSolarBand;
+    of_band.withdrawn.clear();
+    RadiositySolution solar = solve_signed(of_band, asked);
+    if (told) asked.progress = [&](double fraction) { told((1 + fraction) / 2); };
+    of_band = with_gains(*matrix, sources, solar.channels[kSolarBand]);
+    of_band.only_channel = kThermalBand;
+    return in_one(std::move(solar), solve_signed(of_band, asked));
+  }
+
+  RadiositySolution solve_signed(const RadiositySources& sources, RadiosityOptions asked) const {
+    if (sources.withdrawn.empty()) return radiosity.solve(sources, asked);
+    const std::function<void(double)> told = asked.progress;
+    if (told) asked.progress = [&](double fraction) { told(fraction / 2); };
+    RadiositySolution supplied = radiosity.solve(sources, asked);
+    if (told) asked.progress = [&](double fraction) { told((1 + fraction) / 2); };
+    const bool in_channels = supplied.channels.size() > 1;
+    return difference_of(*matrix, std::move(supplied), radiosity.solve(sources.withdrawn_alone(in_channels), asked));
+  }
 };
 
 RadiositySolver::RadiositySolver(std::shared_ptr<const ExchangeMatrix> matrix,
@@ -50,9 +76,10 @@ RadiositySolution RadiositySolver::solve(const RadiositySources& sources,
   const ExchangeMatrix& matrix = *parts_->matrix;
   HOTTEL_REQUIRE(sources.emission.size() == matrix.size());
   HOTTEL_REQUIRE(sources.direct_irradiance.empty() || sources.direct_irradiance.size() == matrix.size());
+  HOTTEL_REQUIRE(sources.withdrawn.empty() || sources.withdrawn.size() == matrix.size());
   RadiosityOptions options = parts_->options;
   options.progress = progress;
-  RadiositySolution solution = parts_->radiosity.solve(sources, options);
+  RadiositySolution solution = parts_->solve(sources, options);
   solution.closure_defect = parts_->closure_defect;
   solution.reciprocity_defect = parts_->reciprocity_defect;
   for (std::string& note : notes_of_open_bounds(matrix, solution)) solution.notes.push_back(std::move(note));

@@ -49,6 +49,10 @@ SourceSpectrum SourceSpectrum::of(const std::array<Enclosure, 3>& within) {
   return SourceSpectrum(Numbers{{rational(within[0]), rational(within[1]), rational(within[2])}, false});
 }
 
+SourceSpectrum SourceSpectrum::of(const std::array<RationalEnclosure, 3>& within) {
+  return SourceSpectrum(Numbers{{within.begin(), within.end()}, false});
+}
+
 const RationalEnclosure& SourceSpectrum::operator[](int channel) const {
   static const RationalEnclosure zero;
   if (!numbers_) return zero;
@@ -72,8 +76,9 @@ bool operator==(const SourceSpectrum& a, const SourceSpectrum& b) {
 }
 
 RadiositySources RadiositySources::at(End end) const {
-  RadiositySources result{
-      {}, {}, sky.at(end), {besides.absorbed.at(end), besides.to_sky.at(end), besides.unaccounted}, has_channels};
+  RadiositySources result = without_numbers();
+  result.sky = sky.at(end);
+  result.besides = {besides.absorbed.at(end), besides.to_sky.at(end), besides.unaccounted};
   std::unordered_map<const RationalEnclosure*, SourceSpectrum> known;  // elements of one material share their numbers
   const auto add = [&](const std::vector<SourceSpectrum>& from, std::vector<SourceSpectrum>& to) {
     to.reserve(from.size());
@@ -85,23 +90,55 @@ RadiositySources RadiositySources::at(End end) const {
   };
   add(emission, result.emission);
   add(direct_irradiance, result.direct_irradiance);
+  add(withdrawn, result.withdrawn);
+  return result;
+}
+
+RadiositySources RadiositySources::withdrawn_alone(bool in_channels) const {
+  RadiositySources result = without_numbers();
+  result.emission = withdrawn;
+  result.has_channels = in_channels;
+  return result;
+}
+
+RadiositySources RadiositySources::without_numbers() const {
+  RadiositySources result;
+  result.has_channels = has_channels;
+  result.has_bands = has_bands;
+  result.keeps_gains = keeps_gains;
+  result.only_channel = only_channel;
+  result.has_given_fluxes = has_given_fluxes;
   return result;
 }
 
 RadiositySources sources_of(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                             const Spectrum& sky_emission) {
   RadiositySources result;
-  std::vector<SourceSpectrum> of_material;
+  std::vector<SourceSpectrum> of_material, withdrawn(materials.size());  // by material
   for (const Material& material : materials) {
-    of_material.emplace_back(material.emission);
+    Spectrum supplied = material.emission, taken{{}, supplied.is_scalar};
+    for (std::size_t c = 0; c < 3; ++c)
+      if (supplied.value[c] < 0) {
+        taken.value[c] = -supplied.value[c];
+        supplied.value[c] = 0;
+      }
+    of_material.emplace_back(supplied);
+    if (!taken.is_zero()) withdrawn[of_material.size() - 1] = taken;
     result.has_channels |= !material.emission.is_scalar;
+    result.has_bands |= material.has_bands;
   }
+  if (result.has_bands) result.keeps_gains.resize(matrix.size());
   result.emission.resize(matrix.size());
   for (std::uint32_t i = 0; i < matrix.size(); ++i) {
     if (!matrix.has_row(i)) continue;
     const std::uint32_t material = *matrix.elements()[i].material;
     HOTTEL_REQUIRE(material < materials.size());
     result.emission[i] = of_material[material];
+    result.has_given_fluxes |= materials[material].has_given_flux();
+    if (result.has_bands) result.keeps_gains[i] = materials[material].keeps_gains();
+    if (materials[material].thermal(materials[material].emission) >= 0) continue;
+    result.withdrawn.resize(matrix.size());
+    result.withdrawn[i] = withdrawn[material];
   }
   result.sky = sky_emission;
   return result;

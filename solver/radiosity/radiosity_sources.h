@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "geometry/exchange_matrix.h"
@@ -36,6 +37,7 @@ class SourceSpectrum {
   SourceSpectrum(const Spectrum& exact);                  // implicit: a spectrum is one whose numbers are known
   static SourceSpectrum scalar(const Enclosure& within);  // the same in every channel
   static SourceSpectrum of(const std::array<Enclosure, 3>& within);  // red, green, blue
+  static SourceSpectrum of(const std::array<RationalEnclosure, 3>& within);
 
   // The number of channel 0, 1 or 2. It stays where it is as long as a copy of this lives.
   const RationalEnclosure& operator[](int channel) const;
@@ -76,14 +78,29 @@ struct RadiositySources {
   SourceSpectrum sky;                             // what the sky sends out
   PowerBesides besides;                           // part of the energy, of nothing else
   bool has_channels = false;                      // red, green and blue even where every spectrum is a scalar
+  // Net fluxes below 0, as numbers above 0, by element of the matrix; empty: none. A system that takes no sources of
+  // both signs leaves them out; RadiositySolver solves for them apart.
+  std::vector<SourceSpectrum> withdrawn;
+  // Two bands, solar and thermal, instead of one channel or three. `keeps_gains`: by element of the matrix, whether
+  // what it gains in the solar band is sent out, or withdrawn, in the thermal one, beside its emission there.
+  bool has_bands = false;
+  std::vector<char> keeps_gains{};
+  std::optional<int> only_channel{};  // none: all; else others are not solved for, and are 0
+  bool has_given_fluxes = false;      // for messages: some face has a material with a given net flux
 
   // The same with one number of each enclosure. COST: O(n), and as many rationals as there are distinct spectra.
   RadiositySources at(End end) const;
+  // What is withdrawn, as the only source. has_channels as it is said.
+  RadiositySources withdrawn_alone(bool in_channels) const;
+  // All but the numbers: which channels there are, and who keeps gains.
+  RadiositySources without_numbers() const;
 };
 
 // The sources of a scene: its faces emit as their materials do, and there is no other light.
 //
 //   (1) has_channels iff the emission of some material is no scalar, be there a face of it or not
+//   (2) has_bands iff materials have bands
+//   (3) a face whose material has a net flux below 0 emits nothing: the flux is withdrawn
 // Throws ContractViolation where the material of a row is none of these.
 RadiositySources sources_of(const ExchangeMatrix& matrix, const std::vector<Material>& materials,
                             const Spectrum& sky_emission);

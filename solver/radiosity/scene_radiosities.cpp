@@ -3,20 +3,37 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "geometry/name.h"
 #include "kernel/support/failure.h"
 #include "kernel/support/naming_file.h"
 #include "solver/radiosity/a_priori_bounds.h"
+#include "solver/radiosity/element_temperatures.h"
 #include "solver/radiosity/matrix_checks.h"
 
 namespace hottel {
 namespace {
 
 // At the line of the surface, where there is one.
-[[noreturn]] void refuse(const BeyondDoubles& beyond, const SceneTable& scene, const ExchangeMatrix& matrix) {
-  const int line = beyond.element ? scene.surfaces[matrix.elements()[*beyond.element].surface].line : 0;
+[[noreturn]] void refuse(const std::string& text, std::optional<std::uint32_t> element, const SceneTable& scene,
+                         const ExchangeMatrix& matrix) {
+  const int line = element ? scene.surfaces[matrix.elements()[*element].surface].line : 0;
   const std::string place = scene.file + (line > 0 ? ":" + std::to_string(line) : "");
-  throw RequestError(place.empty() ? beyond.text : place + ": " + beyond.text);
+  throw RequestError(place.empty() ? text : place + ": " + text);
+}
+
+// In two bands, of materials that say nothing of the solar one.
+std::optional<std::string> black_in_solar_note(const ExchangeMatrix& matrix, const std::vector<Material>& materials) {
+  std::vector<char> is_used(materials.size(), 0);
+  for (std::uint32_t i = 0; i < matrix.size(); ++i)
+    if (matrix.has_row(i)) is_used[*matrix.elements()[i].material] = 1;
+  std::string names;
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    if (is_used[m] && materials[m].has_bands && !materials[m].says_solar)
+      names += (names.empty() ? "" : ", ") + quoted_name(materials[m].name);
+  if (names.empty()) return std::nullopt;
+  return "black in the solar band, of which they say nothing: " + names;
 }
 
 }  // namespace
@@ -29,6 +46,7 @@ RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTa
   RadiositySolution result = naming_file(scene.file, [&] {
     const RadiositySources sources = sources_of(matrix, scene, lights);
     for (std::string& note : lost_light_notes(scene.lights, lights)) notes.push_back(std::move(note));
+    if (const auto note = black_in_solar_note(matrix, scene.materials)) notes.push_back(*note);
     RadiositySolution solution = system.solve(sources, progress);
     if (const auto place = solution.seconds.find("radiosity"); place != solution.seconds.end())
       place->second += system.seconds();
@@ -49,7 +67,11 @@ RadiositySolution scene_radiosities(const RadiositySolver& system, const SceneTa
     solution.notes.insert(solution.notes.begin(), notes.begin(), notes.end());
     return solution;
   });
-  if (beyond) refuse(*beyond, scene, matrix);
+  if (beyond) refuse(beyond->text, beyond->element, scene, matrix);
+  if (const auto i = first_without_emissivity(matrix, scene.materials, result))
+    refuse(text_without_emissivity(matrix.elements()[*i], scene.materials), *i, scene, matrix);
+  if (const auto cold = coldest_below_zero(matrix, scene.materials, result))
+    refuse(text_of(*cold, matrix, scene.materials), cold->element, scene, matrix);
   return result;
 }
 

@@ -20,6 +20,10 @@ namespace hottel {
 //   (2) the notes are those given, then lights that are lost in solids, then what follows of the guarantee, then those
 //       of the solver; the seconds of the system are among those of the radiosities
 //   (3) where shares of lights are estimates, so is the solution; what they lack of the power is a defect of the energy
+//   (4) a face of given net flux, or an insulated one, whose sigma T⁴ has an upper bound below 0 is refused by name,
+//   and so is an insulated
+//       one that gains light in the solar band and has no emissivity; materials that say nothing of the solar band are
+//       named in a note
 //
 // REQUIRES the system of the scene's reflectivities and a matrix of its elements. Throws RequestError, naming the
 // scene's file, as RadiositySolver and require_doubles do.

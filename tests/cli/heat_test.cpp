@@ -3,44 +3,26 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "tests/cli/csv_table.h"
 #include "tests/cli/program.h"
 
 namespace hottel::heat_test {
 namespace {
 
 using testing::HasSubstr;
+using testing_cli::cells_of;
 using testing_cli::lines_of;
 using testing_cli::Outcome;
+using testing_cli::table;
 using testing_cli::Workplace;
 using Json = nlohmann::json;
 
 constexpr double kSigma = 5.670374419e-8;
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
-// The lines of a csv without names in quotes, by what stands in their first cells.
-std::map<std::string, std::vector<std::string>> table(const std::string& csv, std::size_t keys) {
-  std::map<std::string, std::vector<std::string>> rows;
-  for (const std::string& line : lines_of(csv)) {
-    const std::vector<std::string> cells = cells_of(line);
-    std::string key = cells[0];
-    for (std::size_t k = 1; k < keys; ++k) key += "," + cells[k];
-    rows[key] = cells;
-  }
-  return rows;
-}
 
 std::string street(const std::string& height) {
   return R"({"hottel": 1, "dimension": 2, "materials": {"m": {}}, "edges": [

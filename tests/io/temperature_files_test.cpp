@@ -77,5 +77,20 @@ TEST(SceneBuilder, MakesScenesOfHeatAsFilesDo) {
   EXPECT_THROW(builder.set_unit(""), InputError);
 }
 
+TEST(SceneBuilder, GivesFacesNetFluxesAsFilesDo) {
+  SceneBuilder2 builder;
+  builder.add_material("panel", {.emissivity = "3/4", .flux = -2.5}).add_edge("floor", {0, 0}, {1, 0}, "panel");
+  const Scene2 made = builder.build();
+  const Scene2 read = parse_scene_2(R"({"hottel": 1, "dimension": 2,
+    "materials": {"panel": {"emissivity": "3/4", "flux": -2.5}},
+    "edges": [{"name": "floor", "points": [[0, 0], [1, 0]], "material": "panel"}]})",
+                                    "read");
+  EXPECT_EQ(write_scene_2(made), write_scene_2(read));
+  EXPECT_TRUE(has_temperatures(made));
+  EXPECT_THROW(builder.add_material("cold", {.flux = 1}), InputError);
+  EXPECT_THROW(builder.add_material("none", {.emissivity = 0, .flux = 1}), InputError);
+  EXPECT_THROW(builder.add_material("both", {.emissivity = 1, .temperature = 3, .flux = 1}), InputError);
+}
+
 }  // namespace
 }  // namespace hottel::temperature_files_test

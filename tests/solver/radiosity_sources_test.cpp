@@ -58,7 +58,7 @@ TEST(SourceSpectrum, RefusesWhatIsNoSource) {
 
 TEST(RadiositySources, KeepWhatIsSharedAtTheirEnds) {
   const SourceSpectrum within = SourceSpectrum::scalar({1, 2}), other = SourceSpectrum::scalar({1, 3});
-  const RadiositySources sources{{within, other, within}, {{}, within, {}}, other, {}, true};
+  const RadiositySources sources{{within, other, within}, {{}, within, {}}, other, {}, true, {}, false};
   const RadiositySources upper = sources.at(End::kUpper);
   EXPECT_EQ(upper.emission[0][0].lower, 2);
   EXPECT_EQ(upper.emission[1][0].lower, 3);

@@ -45,9 +45,18 @@ Spectrum in_colour(const Spectrum& paint, const Spectrum& quantity) {
   return coloured;
 }
 
+// What was a net flux below 0 is no emission; of two bands there are two values.
+void drop_void_flux(Material& material) {
+  for (Spectrum* spectrum : {&material.reflectivity, &material.emission})
+    if (material.has_bands) *spectrum = in_bands(spectrum->value[kSolarBand], spectrum->value[kThermalBand]);
+  if (!material.has_given_flux() && material.thermal(material.emission) < 0)
+    material.emission = material.has_bands ? in_bands(material.emission.value[kSolarBand], 0) : Spectrum();
+}
+
 // The next paint after the one a material has; a material that emits emits in that colour, as strongly.
 void next_paint(Material& material) {
   material.reflectivity = paint_after(material.reflectivity);
+  drop_void_flux(material);
   if (!material.emission.is_zero()) material.emission = in_colour(material.reflectivity, material.emission);
 }
 
@@ -66,9 +75,10 @@ void step_quantity(Spectrum& quantity, int sign) {
   }
   for (Rational& value : quantity.value) {
     if (value == 0) continue;
-    value = sign > 0 ? value * 5 / 4 : value * 4 / 5;
-    value = rounded_decimal(value, 2 - decades(value));
-    if (value < Rational(1) / 1000) value = 0;
+    const bool grows = (sign > 0) == (value > 0);
+    value = grows ? value * 5 / 4 : value * 4 / 5;
+    value = rounded_decimal(value, 2 - decades(abs(value)));
+    if (abs(value) < Rational(1) / 1000) value = 0;
   }
 }
 
@@ -83,9 +93,13 @@ bool is_material_edit(std::string_view name) { return std::ranges::find(kEdits, 
 
 void edit_material(Material& material, std::string_view name) {
   HOTTEL_REQUIRE(is_material_edit(name));
-  if (name == "colour") return next_paint(material);
   const int sign = name.starts_with("more") ? 1 : -1;
-  name.ends_with("emission") ? step_quantity(material.emission, sign) : step_reflectivity(material, sign);
+  if (name == "colour" && material.has_bands) return;
+  if (name == "colour")
+    next_paint(material);
+  else
+    name.ends_with("emission") ? step_quantity(material.emission, sign) : step_reflectivity(material, sign);
+  drop_void_flux(material);
 }
 
 std::string material_text(const Material& material) {
@@ -118,6 +132,7 @@ std::string read_material(const std::string& text, Material& material) {
     if (!typed.value) return word + ": " + typed.problem;
     spectrum = *typed.value;
   }
+  drop_void_flux(material);
   return "";
 }
 

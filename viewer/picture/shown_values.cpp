@@ -50,10 +50,21 @@ double of_channel(Quantity quantity, const ElementRadiosity& element) {
   }
 }
 
+// The mean of three channels, the sum of two bands.
 double mean(Quantity quantity, const RadiositySolution& solution, std::uint32_t element) {
   double sum = 0;
   for (const ChannelSolution& channel : solution.channels) sum += of_channel(quantity, channel.elements[element]);
-  return sum / static_cast<double>(solution.channels.size());
+  return solution.channels.size() == 2 ? sum : sum / static_cast<double>(solution.channels.size());
+}
+
+// Of what comes out, by ElementTemperatures.
+double found_temperature(const Material& material, const RadiositySolution& solution, std::uint32_t element) {
+  const Rational above = material.power_above_radiosity();
+  if (const ElementRadiosity* const solar = solar_of(solution, element))
+    return black_temperature(std::max(
+        0.0,
+        black_power(above, solution.channels[kThermalBand].elements[element], material.resistance(), solar).value));
+  return black_temperature(std::max(0.0, mean(Quantity::kRadiosity, solution, element) + to_double(above)));
 }
 
 // By material, where it says a temperature.
@@ -120,7 +131,8 @@ std::string name_of(const Shown& shown, const RadiositySolution& solution) {
       name = shown.quantity == Quantity::kIrradiance ? "irradiance" : "radiosity";
   }
   if (solution.channels.size() == 1) return name;
-  return name + (shown.channel ? ", " + solution.channel_names[*shown.channel] : ", mean of r, g, b");
+  const char* const all = solution.channels.size() == 2 ? ", both bands" : ", mean of r, g, b";
+  return name + (shown.channel ? ", " + solution.channel_names[*shown.channel] : all);
 }
 
 }  // namespace
@@ -144,6 +156,9 @@ void require_shown(const Shown& shown, const SceneTable& scene) {
     throw UsageError("--channel goes with --show radiosity, irradiance or net");
   if (shown.channel && channel_count(scene) == 1)
     throw UsageError(scene.file + " has one channel for all: there is no --channel to choose");
+  if (shown.channel && shown.is_of_band != scene.has_bands)
+    throw UsageError(scene.file + (scene.has_bands ? " has two bands: --channel is solar or thermal"
+                                                   : " has three channels: --channel is r, g or b"));
   const auto& [lower, upper, is_logarithmic] = shown.scale;
   if (shown.is_light() && (lower || upper || is_logarithmic))
     throw UsageError("a picture of light has no scale: --bar goes with what else --show takes");
@@ -156,14 +171,15 @@ void require_shown(const Shown& shown, const SceneTable& scene) {
   if (shown.quantity != Quantity::kTemperature) return;
   const std::vector<std::optional<double>> temperatures = temperatures_of(scene);
   const auto is_warm = [&](std::optional<std::uint32_t> material) {
-    return material &&
-           (scene.materials[*material].is_insulated() || (temperatures[*material] && *temperatures[*material] > 0));
+    return material && (scene.materials[*material].is_insulated() || scene.materials[*material].has_given_flux() ||
+                        (temperatures[*material] && *temperatures[*material] > 0));
   };
   if (std::none_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
         return is_warm(surface.material_of(false)) || is_warm(surface.material_of(true));
       }))
-    throw UsageError("--show temperature: no face of " + scene.file +
-                     " has one; materials with \"emissivity\" and \"temperature\" have, or \"insulated\" ones");
+    throw UsageError(
+        "--show temperature: no face of " + scene.file +
+        " has one; materials with \"emissivity\" and \"temperature\" or \"flux\" have, or \"insulated\" ones");
 }
 
 ShownValues shown_values(const Shown& shown, const SceneTable& scene, const ExchangeMatrix& matrix,
@@ -188,7 +204,8 @@ ShownValues shown_values(const Shown& shown, const SceneTable& scene, const Exch
     if (shown.quantity != Quantity::kTemperature)
       return shown.channel ? of_channel(shown.quantity, solution.channels[*shown.channel].elements[i])
                            : mean(shown.quantity, solution, i);
-    if (scene.materials[material].is_adiabatic()) return black_temperature(mean(Quantity::kRadiosity, solution, i));
+    if (scene.materials[material].is_adiabatic() || scene.materials[material].has_given_flux())
+      return found_temperature(scene.materials[material], solution, i);
     return temperatures[material];
   };
 

@@ -29,6 +29,7 @@ struct Shown {
   std::string toward{};                  // of kFactor: "sky", or what `factor:` names
   std::optional<std::size_t> channel{};  // of radiosity, irradiance, net; nothing: the mean of all
   AskedScale scale{};
+  bool is_of_band = false;  // the channel was asked for as a band: solar or thermal
 
   bool is_light() const { return quantity == Quantity::kLight; }
   friend bool operator==(const Shown&, const Shown&) = default;
@@ -38,10 +39,10 @@ struct Shown {
 // UnknownName for other words.
 Shown shown_by(const std::string& word);
 
-// Throws UsageError where a scene has nothing of the kind: a temperature where no face is warm by its material or
-// insulated, a channel where there is one only, or of what has none; for a scale whose ends are in the wrong order, or
-// a logarithmic one of a net flux or from 0 or less; UnknownName for names that are not there. COST:
-// some of the names.
+// Throws UsageError where a scene has nothing of the kind: a temperature where no face is warm by its material,
+// insulated or of a given net flux, a channel where there is one only, or of what has none; for a scale whose ends are
+// in the wrong order, or a logarithmic one of a net flux or from 0 or less; UnknownName for names that are not there.
+// COST: some of the names.
 void require_shown(const Shown& shown, const SceneTable& scene);
 
 // Values as a picture shows them.
@@ -55,10 +56,11 @@ struct ShownValues {
 // Returns the values of a quantity that is not the light.
 //
 //   (1) radiosity, irradiance and net are the doubles of radiosity.csv, where there are three channels and none was
-//       asked for their mean
+//       asked for their mean, of two bands their sum
 //   (2) a temperature is that of the surface, which its material says (grey_temperature); where a face neither absorbs
-//       nor emits (reflectivity 1), the one it would have by itself: that of a black body with its radiosity. Faces
-//       whose material has no temperature have no value
+//       nor emits (reflectivity 1), the one it would have by itself: that of a black body with its radiosity; of
+//       a given net flux that which solve writes (ElementTemperatures). Faces whose material has no temperature have no
+//       value
 //   (3) a factor is the double of factors.csv from the element to the sky, to the face NAME or NAME:back, or the sum of
 //       those to the fronts of a group, or of all whose names begin with NAME*
 //   (4) the colours of a net flux part at 0: faces that gain and faces that lose are told apart at sight

@@ -82,7 +82,7 @@ ToneCurve::ToneCurve(Tone tone, double exposure, std::span<const double> values,
   for (std::size_t k = 0; k < values.size(); k += channels) {
     const std::span<const double> value = values.subspan(k, channels);
     if (std::isnan(value[0])) continue;
-    largest = std::max(largest, *std::max_element(value.begin(), value.end()));
+    largest = std::max(largest, channels == 2 ? value[0] : *std::max_element(value.begin(), value.end()));
     const double y = luminance(rgb(value));
     if (!(y > 0)) continue;
     brightest = std::max(brightest, y);

@@ -23,10 +23,11 @@ namespace hottel {
 //   (1) 0 is black; brighter light is not darker on the screen
 //   (2) kReinhard and kLog compress the luminance Y (of the sRGB primaries) and keep the hue; colours too bright for a
 //       channel are mixed with grey of their luminance until they fit
-//   (3) with one channel all colours are grey
+//   (3) with one channel, or two, all colours are grey
 class ToneCurve {
  public:
-  // values: of all places of the picture, `channels` (1, or at least 3 of which r, g, b are the first) for each.
+  // values: of all places of the picture, `channels` (1; 2, of which the first is shown: the solar
+  // band; or at least 3 of which r, g, b are the first) for each.
   // Places that are NaN in all channels are passed over. REQUIRES finite values >= 0 else, exposure > 0.
   ToneCurve(Tone tone, double exposure, std::span<const double> values, std::size_t channels);
 

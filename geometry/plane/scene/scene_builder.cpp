@@ -46,6 +46,17 @@ class Reader {
   const std::string& file_;
 };
 
+bool is_given(const TypedSpectrum& spectrum) { return !spectrum.numbers.empty(); }
+
+// What may stand beside a flux.
+void require_flux_alone(const Reader& reader, const std::string& owner, const MaterialOptions& options) {
+  if (is_given(options.temperature))
+    reader.refuse(owner + " has a temperature and a flux: one of them is given, the other comes out");
+  if (!is_given(options.emissivity)) reader.refuse(owner + " has a flux but no emissivity");
+  if (options.emissivity.numbers.size() > 1 || options.flux.numbers.size() > 1)
+    reader.refuse(owner + ": emissivity and flux are one number each");
+}
+
 // The name that is meant, once it is found to be one.
 std::string name_or_default(const Reader& reader, const std::string& name, const char* noun, std::size_t count) {
   const std::string by_place = piece_name(noun, count);
@@ -67,16 +78,16 @@ SceneBuilder2& SceneBuilder2::add_material(const std::string& name, const Materi
   if (const auto problem = material_name_problem(name); !problem.empty()) reader.refuse(problem);
   const std::string owner = "material " + quoted_name(name);
   if (material_index_.contains(name)) reader.refuse(owner + " is there already");
-  const auto is_given = [](const TypedSpectrum& spectrum) { return !spectrum.numbers.empty(); };
   if ((is_given(options.reflectivity) || is_given(options.emission)) &&
       (is_given(options.emissivity) || is_given(options.temperature)))
     reader.refuse(owner + " has both reflectivity or emission and emissivity or temperature",
                   {"give either reflectivity and emission, or emissivity and temperature"});
   if (options.insulated && (is_given(options.reflectivity) || is_given(options.emission) ||
-                            is_given(options.emissivity) || is_given(options.temperature)))
+                            is_given(options.emissivity) || is_given(options.temperature) || is_given(options.flux)))
     reader.refuse(owner + " is insulated, which is reflectivity 1 and emission 0: it has no other values");
   if (is_given(options.temperature) && !is_given(options.emissivity))
     reader.refuse(owner + " has a temperature but no emissivity");
+  if (is_given(options.flux)) require_flux_alone(reader, owner, options);
   Material material;
   material.name = name;
   const auto read = [&](const char* part, const TypedSpectrum& spectrum, SpectrumKind kind) {
@@ -84,6 +95,11 @@ SceneBuilder2& SceneBuilder2::add_material(const std::string& name, const Materi
   };
   if (options.insulated) {
     set_insulated(material);
+  } else if (is_given(options.flux)) {
+    const std::string of_emissivity = owner + ": emissivity";
+    const Rational& emissivity = reader.number(of_emissivity, options.emissivity.numbers[0]);
+    if (!(0 < emissivity && emissivity <= 1)) reader.refuse(of_emissivity + " beside flux must be above 0, at most 1");
+    set_given_flux(emissivity, reader.number(owner + ": flux", options.flux.numbers[0]), material);
   } else if (is_given(options.emissivity)) {
     set_grey_body(read("emissivity", options.emissivity, SpectrumKind::kFraction),
                   read("temperature", options.temperature, SpectrumKind::kQuantity), material);

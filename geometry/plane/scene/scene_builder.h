@@ -33,7 +33,8 @@ struct TypedSpectrum {
 struct MaterialOptions {
   TypedSpectrum reflectivity = {}, emission = {};
   TypedSpectrum emissivity = {}, temperature = {};
-  bool insulated = false;  // reflectivity 1 and emission 0; excludes all others
+  bool insulated = false;   // reflectivity 1 and emission 0; excludes all others
+  TypedSpectrum flux = {};  // the net flux [W/m²], one number of any sign, with one emissivity above 0
 };
 
 // What edges and polylines may have beside points and a material, as in a scene file.

@@ -27,6 +27,7 @@ class PlaneReader {
     if (lights) table_.read_lights(lights, [this](const LightEntry& entry) { read_light(entry); });
     if (expect) table_.read_expectations(expect);
     if (unit) table_.read_unit(unit);
+    table_.settle_bands();
     validate(scene_);
     refuse_names_of_edges(scene_, polyline_line_);
     return std::move(scene_);

@@ -220,7 +220,7 @@ class MeshWriter3 {
 
   // A mesh by itself has the same material without a file of materials.
   static bool is_invented(const Material& material) {
-    return material.reflectivity == Spectrum::scalar(kMeshReflectivity) && material.emission.is_zero();
+    return material.surface_reflectivity() == Spectrum::scalar(kMeshReflectivity) && material.emission.is_zero();
   }
 
   // Names that OBJ and MTL files cannot hold as they are: these words are parted by blanks, and have comments.
@@ -263,8 +263,12 @@ class MeshWriter3 {
     }
   }
 
+  static Spectrum thermal(const Material& material, const Spectrum& spectrum) {
+    return material.has_bands ? Spectrum::scalar(material.thermal(spectrum)) : spectrum;
+  }
+
   void write_library(const std::vector<std::uint32_t>& used) {
-    std::vector<std::string> rounded;
+    std::vector<std::string> rounded, of_flux;
     const auto statement = [&](const Material& material, const char* key, const Spectrum& spectrum) {
       std::string text = key;
       bool is_exact = true;
@@ -279,9 +283,17 @@ class MeshWriter3 {
     for (const std::uint32_t m : used) {
       const Material& material = scene_.materials[m];
       result_.library += (result_.library.empty() ? "" : "\n") + ("newmtl " + material.name + "\n") +
-                         statement(material, "Kd", material.reflectivity);
-      if (!material.emission.is_zero()) result_.library += statement(material, "Ke", material.emission);
+                         statement(material, "Kd", thermal(material, material.surface_reflectivity()));
+      const Spectrum emission = thermal(material, material.emission);
+      if (material.has_given_flux() && !emission.is_zero())
+        of_flux.push_back(material.name);
+      else if (!emission.is_zero())
+        result_.library += statement(material, "Ke", emission);
     }
+    if (scene_.has_bands) result_.notes.push_back("of the two bands the thermal one is written, not the solar one");
+    if (!of_flux.empty())
+      result_.notes.push_back("the net fluxes of these materials are not written, only how they reflect: " +
+                              listed_names(of_flux));
     if (!rounded.empty())
       result_.notes.push_back("materials that are no decimals are rounded to doubles: " + listed_names(rounded));
   }

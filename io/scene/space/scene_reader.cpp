@@ -39,6 +39,7 @@ class SpaceReader3 {
     if (camera) read_camera(camera);
     if (expect) table_.read_expectations(expect);
     if (unit) table_.read_unit(unit);
+    table_.settle_bands();
     validate(scene_);
     refuse_groups_of_one_name();
     return std::move(scene_);

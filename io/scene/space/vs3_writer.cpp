@@ -230,10 +230,11 @@ class DeckWriter3 {
 
   std::string emittance_of(std::size_t s, bool is_back) {
     const Material& material = scene_.materials[*scene_.surfaces[s].material_of(is_back)];
-    const auto& value = material.reflectivity.value;
-    has_colours_ |= value[1] != value[0] || value[2] != value[0];
+    const Spectrum reflectivity = material.surface_reflectivity();
+    const auto& value = reflectivity.value;
+    has_colours_ |= !material.has_bands && (value[1] != value[0] || value[2] != value[0]);
     emits_ |= !material.emission.is_zero();
-    const Rational emittance = 1 - (value[0] + value[1] + value[2]) / 3;
+    const Rational emittance = material.surface_emissivity();
     is_clamped_ |= emittance < Rational(1, 1000) || emittance > Rational(999, 1000);
     if (auto text = exact_decimal_text(emittance); text && text->size() <= kMostOfNumber) return *std::move(text);
     has_rounded_emittance_ = true;

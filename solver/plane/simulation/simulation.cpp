@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -79,18 +81,28 @@ std::vector<Light> beams_of(std::vector<Light> lights) {
 
 Spectra emissions_of(const Scene2& scene) {
   Spectra spectra;
-  for (const Material& material : scene.materials) spectra.values.push_back(material.emission);
+  for (const Material& material : scene.materials) {
+    spectra.values.push_back(material.emission);
+    if (material.has_given_flux()) spectra.values.push_back(material.surface_reflectivity());
+    if (material.has_bands)
+      spectra.values.push_back(Spectrum::scalar((material.keeps_gains() ? 2 : 0) + (material.says_solar ? 1 : 0)));
+  }
   spectra.values.push_back(scene.sky_emission);
   return spectra;
 }
 
 // For each material the first that acts as it does.
 std::vector<std::size_t> first_alike(const std::vector<Material>& materials) {
-  std::map<std::pair<std::array<Rational, 3>, std::array<Rational, 3>>, std::size_t> first;
+  std::map<std::tuple<std::array<Rational, 3>, std::array<Rational, 3>, std::optional<Rational>, bool>, std::size_t>
+      first;
   std::vector<std::size_t> result;
   for (const Material& material : materials)
     result.push_back(
-        first.try_emplace({material.reflectivity.value, material.emission.value}, result.size()).first->second);
+        first
+            .try_emplace({material.reflectivity.value, material.emission.value,
+                          material.has_given_flux() ? material.emissivity : std::nullopt, material.keeps_gains()},
+                         result.size())
+            .first->second);
   return result;
 }
 

@@ -39,6 +39,7 @@ void SceneEditor2::drag_light(const Pointer2& pointer) {
 // Another scene, in which a light is selected. done, what: to it.
 std::string SceneEditor2::set_light(Scene2 next, const std::string& done, const std::string& what,
                                     std::uint32_t light) {
+  settle_bands(next);
   if (next.lights == scene()->lights && next.light_places == scene()->light_places) return "";
   const std::string name = next.lights[light].name;
   set(std::move(next), what + " " + name);

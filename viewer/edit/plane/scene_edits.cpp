@@ -25,7 +25,10 @@ Scene2 begin_edit(const Scene2& scene) {
   return edited;
 }
 
-Scene2 end_edit(Scene2 scene) { return in_file_order(std::move(scene)).scene; }
+Scene2 end_edit(Scene2 scene) {
+  settle_bands(scene);
+  return in_file_order(std::move(scene)).scene;
+}
 
 // Every end of these surfaces goes where `place` says.
 template <class Place>
@@ -189,6 +192,7 @@ AddedSurfaces2 add_lamp(const Scene2& scene, const Point2& centre, const Rationa
   const std::array<Point2, 4> corners{Point2{left, low}, {right, low}, {right, high}, {left, high}};
   Scene2 lit = scene;
   const std::uint32_t material = lamp_material(lit);
+  settle_bands(lit);
   return add_named_polyline(lit, "lamp", corners, true, material);
 }
 

@@ -116,6 +116,7 @@ void SceneEditor3::set(Scene3 next, const std::string& what) {
 std::string SceneEditor3::set_light(Scene3 next, const std::string& done, const std::string& what,
                                     std::uint32_t light) {
   refusal_.clear();
+  settle_bands(next);
   if (next.lights == scene()->lights && next.light_places == scene()->light_places) return "";
   const std::string name = next.lights[light].name;
   set(std::move(next), what + " " + name);

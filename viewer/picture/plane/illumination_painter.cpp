@@ -42,7 +42,9 @@ PixelsPerCell pixels_per_cell(const Grid2& grid, const IlluminationPicture2& pic
 // Letters stay readable in small pictures.
 double letters(double unit) { return std::max(unit, 0.6); }
 
-double mean(std::span<const double> value) {
+// What is shown in lines of equal light: of two bands the solar one.
+double shown_mean(std::span<const double> value) {
+  if (value.size() == 2) return value[0];
   double sum = 0;
   for (const double v : value) sum += v;
   return sum / static_cast<double>(value.size());
@@ -148,6 +150,7 @@ void LitPlan2::draw_emitters(PictureCanvas& canvas, const ToneCurve& tone) const
     for (const std::uint32_t material : {surface.material, surface.back.value_or(surface.material)})
       for (std::size_t c = 0; c < 3; ++c)
         emission[c] = std::max(emission[c], to_double(scene_.materials[material].emission.value[c]));
+    if (scene_.has_bands) emission = {emission[0], emission[0], emission[0]};
     canvas.stroke(Mark::kEmitter, ends.at[ends.from[run]], ends.at[ends.to[run]], tone(emission), 1.3 * wall_width_);
   }
 }
@@ -175,7 +178,7 @@ std::vector<double> light_contours_2(const IlluminationGrid2& grid, int contours
   if (contours <= 0) return {};
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (std::size_t k = 0; k < grid.values.size(); k += grid.channels) {
-    const double value = mean(std::span(grid.values).subspan(k, grid.channels));
+    const double value = shown_mean(std::span(grid.values).subspan(k, grid.channels));
     if (!(value > 0) || std::isinf(value)) continue;
     least = std::min(least, value);
     most = std::max(most, value);
@@ -214,7 +217,7 @@ PixelField2 IlluminationPainter2::field() const {
       const std::size_t y = field.height - 1 - (iy * up + j);
       for (std::uint32_t x = 0; x < field.width; ++x) {
         const std::size_t k = (std::size_t{j} * field.width + x) * grid_.channels;
-        field.values[y * field.width + x] = static_cast<float>(mean(std::span(row).subspan(k, grid_.channels)));
+        field.values[y * field.width + x] = static_cast<float>(shown_mean(std::span(row).subspan(k, grid_.channels)));
       }
     }
   });

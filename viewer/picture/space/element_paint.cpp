@@ -65,9 +65,9 @@ void ElementPaint3::show(std::span<const double> value, std::span<double> shown)
 
 ElementPaint3 light_paint_3(const SceneTable& scene, const RadiositySolution& solution) {
   ElementPaint3 paint;
-  paint.channels = solution.channels.size();
+  paint.channels = solution.channels.size() == 2 ? 1 : solution.channels.size();  // of two bands the solar one
   for (std::size_t i = 0; i < solution.channels[0].elements.size(); ++i)
-    for (const ChannelSolution& channel : solution.channels) paint.values.push_back(channel.elements[i].radiosity);
+    for (std::size_t c = 0; c < paint.channels; ++c) paint.values.push_back(solution.channels[c].elements[i].radiosity);
   paint.unknown.assign(paint.channels, 0);
   paint.black.assign(paint.channels, 0);
   for (std::size_t c = 0; c < paint.channels; ++c) paint.sky.push_back(to_double(scene.sky_emission.value[c]));

@@ -17,7 +17,8 @@ namespace hottel {
 // A value of each element, and what is shown of values: the value itself, as many channels as it has; or, on a scale,
 // its colour as r, g, b in linear light, so that means over pixels are those of light.
 //
-//   (1) what has no value, black sides and the sky show something of their own
+//   (1) light of two bands is that of the solar one
+//   (2) what has no value, black sides and the sky show something of their own
 struct ElementPaint3 {
   std::size_t channels = 1;            // of a value
   std::vector<double> values;          // by element and channel; NaN: none

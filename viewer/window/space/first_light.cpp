@@ -12,7 +12,7 @@ ElementPaint3 light_before_factors_3(const Scene3& scene, const ElementTable3& t
   constexpr double kAmbient = 0.65, kAbove = 0.35;
   const Direction3 above = unit({1, -2, 3});
   ElementPaint3 paint;
-  paint.channels = static_cast<std::size_t>(channel_count(scene));
+  paint.channels = scene.has_bands ? 1 : static_cast<std::size_t>(channel_count(scene));
   std::vector<double> emission(scene.materials.size()), reflectivity(scene.materials.size());
   std::vector<double> by_channel(table.count() * paint.channels, 0);
   for (std::size_t c = 0; c < paint.channels; ++c) {

@@ -215,8 +215,8 @@ std::vector<std::string> face_lines_3(const LiveVersion3& version, const Face& f
   }
   const Material& its = scene.materials[*material];
   lines.push_back("material\t" + its.name);
-  lines.push_back("reflectivity\t" + spectrum_text(its.reflectivity));
-  lines.push_back("emission\t" + spectrum_text(its.emission));
+  lines.push_back("reflectivity\t" + spectrum_text(its.surface_reflectivity()));
+  lines.push_back((its.has_given_flux() ? "net flux\t" : "emission\t") + spectrum_text(its.emission));
   const std::optional<std::uint32_t> number = element ? element->number_in(version.model()) : std::nullopt;
   if (!number) return lines;
   const Element& its_element = version.model().table.elements()[*number];
