@@ -45,14 +45,14 @@ struct Shell {
 };
 
 // Turns the polygons of a component so that each edge is passed in both directions; nothing where they cannot be.
+// `turn_of`, 0 for its polygons, is set for them.
 std::optional<Shell> shell_of(const Blockers3& blockers, const Components& components, const SurfaceBoxes3& boxes,
-                              std::uint32_t component) {
+                              std::uint32_t component, std::vector<signed char>& turn_of) {
   const std::vector<std::uint32_t>& polygons = components.polygons[component];
   for (const std::uint32_t s : polygons)
     for (const DirectedEdge3& side : blockers.edges(s))
       if (components.of_edge[side.edge.index()].size() != 2) return std::nullopt;
   std::vector<std::pair<std::uint32_t, int>> turned{{polygons.front(), 1}};
-  std::vector<signed char> turn_of(blockers.size(), 0);
   turn_of[polygons.front()] = 1;
   const auto passes = [&](std::uint32_t s, EdgeId3 edge) {
     const auto sides = blockers.edges(s);
@@ -196,9 +196,11 @@ NoSky3::NoSky3(const Blockers3& polygons, const MergedBlockers3& merged, const S
   const Components components(polygons);
   const SurfaceBoxes3 boxes(polygons);
   std::vector<Shell> shells;
+  std::vector<signed char> turn_of(polygons.size(), 0);
   for (std::uint32_t c = 0; c < components.polygons.size(); ++c)
     if (components.polygons[c].size() > 3)
-      if (std::optional<Shell> shell = shell_of(polygons, components, boxes, c)) shells.push_back(std::move(*shell));
+      if (std::optional<Shell> shell = shell_of(polygons, components, boxes, c, turn_of))
+        shells.push_back(std::move(*shell));
   if (shells.empty()) return;
   // The components whose polygons stand on a surface, or pierce it.
   std::vector<std::vector<std::uint32_t>> on(surfaces.size());
@@ -215,28 +217,31 @@ NoSky3::NoSky3(const Blockers3& polygons, const MergedBlockers3& merged, const S
   const auto stands_on = [&](std::uint32_t component, std::uint32_t polygon) {
     return std::ranges::binary_search(on[merged.surface_of(polygon)], component);
   };
+  std::array<std::vector<bool>, 2> is_within{std::vector<bool>(polygons.size()), std::vector<bool>(polygons.size())};
+  std::vector<std::uint32_t> others;
   for (const Shell& shell : shells) {
     const std::vector<std::uint32_t>& own = components.polygons[shell.component];
     if (std::ranges::any_of(own, [&](std::uint32_t s) { return stands_on(shell.component, s); })) continue;
     if (touches_itself(polygons, shell)) continue;
     const WindingNumber winding(polygons, shell);
-    std::vector<std::array<bool, 2>> is_within(polygons.size(), {false, false});
     const auto [first, turn_of_first] = shell.polygons.front();
     for (const bool is_back : {false, true}) {
       if (winding.of(first, is_back) == 0) continue;
-      for (const auto& [s, turn] : shell.polygons) is_within[s][is_back != (turn != turn_of_first)] = true;
+      for (const auto& [s, turn] : shell.polygons) is_within[is_back != (turn != turn_of_first)][s] = true;
     }
-    std::vector<std::uint32_t> others;
-    for (std::uint32_t s = 0; s < polygons.size(); ++s)
-      if (components.of_polygon[s] != shell.component && boxes.of(s).meets(shell.box) && !stands_on(shell.component, s))
-        others.push_back(s);
-    if (others.size() * shell.polygons.size() <= kMostQuestions)
-      for (const std::uint32_t s : others) is_within[s][0] = is_within[s][1] = winding.of(s, false) != 0;
-    for (std::uint32_t m = 0; m < surfaces.size(); ++m)
-      for (const bool is_back : {false, true})
-        if (std::ranges::all_of(merged.members(m), [&](std::uint32_t s) { return is_within[s][is_back]; }))
-          sides_[is_back][m] = true;
+    others.clear();
+    boxes.find(shell.box, others);
+    std::erase_if(others, [&](std::uint32_t s) {
+      return components.of_polygon[s] == shell.component || stands_on(shell.component, s);
+    });
+    if (others.size() * shell.polygons.size() > kMostQuestions) continue;
+    for (const std::uint32_t s : others)
+      if (winding.of(s, false) != 0) is_within[0][s] = is_within[1][s] = true;
   }
+  for (const bool is_back : {false, true})
+    for (std::uint32_t m = 0; m < surfaces.size(); ++m)
+      if (std::ranges::all_of(merged.members(m), [&](std::uint32_t s) { return is_within[is_back][s]; }))
+        sides_[is_back][m] = true;
 }
 
 }  // namespace hottel
