@@ -14,8 +14,9 @@ namespace {
 
 // At the line of the surface, where there is one.
 [[noreturn]] void refuse(const BeyondDoubles& beyond, const SceneTable& scene, const ExchangeMatrix& matrix) {
-  const int line = beyond.element ? scene.surfaces[matrix.elements()[*beyond.element].surface].line : 0;
-  const std::string place = scene.file + (line > 0 ? ":" + std::to_string(line) : "");
+  const FileLine at = beyond.element ? place_of(scene, scene.surfaces[matrix.elements()[*beyond.element].surface])
+                                     : FileLine{scene.file};
+  const std::string place = at.file + (at.line > 0 ? ":" + std::to_string(at.line) : "");
   throw RequestError(place.empty() ? beyond.text : place + ": " + beyond.text);
 }
 
