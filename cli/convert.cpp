@@ -126,8 +126,7 @@ ExitCode convert(const ConvertOptions& options, Streams& streams) {
   if (!makes_mesh && !makes_deck && options.out != "-" && std::filesystem::path(options.out).extension() != ".json")
     throw UsageError(std::string("convert writes a scene (.json, or - for standard output), a mesh (") + kMeshEndings3 +
                      ") or a deck of View3D (.vs3), not '" + options.out + "'");
-  if (options.polygons.front != "inside" && !is_map_2(options.in) && options.in != kStandardInput)
-    throw UsageError("--front is of the polygons of a map (.geojson, .wkt)");
+  options.polygons.require_sense_for(options.in);
   if (is_map_2(options.in)) {
     if (options.polygons.triangulates) throw UsageError("--triangulate cuts polygons in space; a map is in the plane");
     if (makes_mesh || makes_deck)

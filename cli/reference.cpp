@@ -42,6 +42,7 @@ struct GivenScene {
 };
 
 GivenScene given_scene(const std::string& file, const PolygonOptions& polygons, const Streams& streams) {
+  polygons.require_sense_for(file);
   bool names_files = false;
   GivenScene given;
   if (std::filesystem::path(file).extension() == ".json") {

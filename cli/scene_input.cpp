@@ -30,6 +30,11 @@ void PolygonOptions::add_front_to(CLI::App& command) {
       ->capture_default_str();
 }
 
+void PolygonOptions::require_sense_for(const std::string& file) const {
+  if (front != "inside" && !is_map_2(file) && file != kStandardInput)
+    throw UsageError("--front is of the polygons of a map (.geojson, .wkt)");
+}
+
 void note_passed_over(const PassedOver& passed_over, const Streams& streams) {
   if (const std::string note = passed_over.note(); !note.empty()) streams.note(note);
 }
@@ -53,14 +58,9 @@ void note_unused(const DeckOutput3& output, const Streams& streams) {
 
 }  // namespace
 
-void require_sense(const PolygonOptions& options, const std::string& file) {
-  if (options.front != "inside" && !is_map_2(file) && file != kStandardInput)
-    throw UsageError("--front is of the polygons of a map (.geojson, .wkt)");
-}
-
 Scene read_scene_noting(const std::string& file, const PolygonOptions& options, const Streams& streams,
                         DeckOutput3* output) {
-  require_sense(options, file);
+  options.require_sense_for(file);
   Triangulator3 triangulator;
   Triangulator3* const used = options.triangulates ? &triangulator : nullptr;
   Scene scene;
@@ -86,7 +86,7 @@ Scene read_scene_noting(const std::string& file, const PolygonOptions& options, 
 }
 
 Scene3 read_scene_noting_3(const std::string& file, const PolygonOptions& options, const Streams& streams) {
-  require_sense(options, file);
+  options.require_sense_for(file);
   if (is_vs3(file)) return std::get<Scene3>(read_scene_noting(file, options, streams));
   Triangulator3 triangulator;
   PassedOver passed_over;
@@ -97,7 +97,7 @@ Scene3 read_scene_noting_3(const std::string& file, const PolygonOptions& option
 }
 
 Scene2 read_scene_noting_2(const std::string& file, const PolygonOptions& options, const Streams& streams) {
-  require_sense(options, file);
+  options.require_sense_for(file);
   if (file == kStandardInput) {
     Scene scene = read_scene_noting(file, options, streams);
     if (!std::holds_alternative<Scene2>(scene))

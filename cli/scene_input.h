@@ -31,6 +31,8 @@ struct PolygonOptions {
   void add_to(CLI::App& command);
   // The second alone.
   void add_front_to(CLI::App& command);
+  // Throws UsageError for --front outside of a file that is no map.
+  void require_sense_for(const std::string& file) const;
 };
 
 // What a command is told where it shall read a scene from standard input, and how messages call that.

@@ -178,10 +178,16 @@ std::string shell_text(const Scene3& scene, const Shell3& shell) {
                      quoted_name(scene.surfaces[shell.surfaces.front()].name));
 }
 
+std::string remedy(const Scene3& scene, const Shell3& shell) {
+  const std::string turn = "for a body list the points of each polygon the other way round";
+  if (shell.may_be_body) return "was a room meant? F" + turn.substr(1) + ", as `--fix OUT` does";
+  return scene.closed ? turn : turn + "; of a room promise that it is closed: \"closed\": true";
+}
+
 }  // namespace
 
 std::vector<Shell3> inside_out_shells(const Scene3& scene) {
-  if (scene.closed || !may_have_parts(scene)) return {};
+  if (!may_have_parts(scene)) return {};
   std::vector<Surfaces> inward, outward;
   for (Surfaces& surfaces : Parts(scene).closed()) {
     const Rational side = volume(scene, surfaces);
@@ -189,7 +195,8 @@ std::vector<Shell3> inside_out_shells(const Scene3& scene) {
   }
   std::vector<Shell3> shells;
   for (const Surfaces& surfaces : inward) {
-    if (is_room_by_word(scene, surfaces)) continue;
+    const bool has_others = surfaces.size() < scene.surfaces.size();
+    if (is_room_by_word(scene, surfaces) || (scene.closed && !has_others)) continue;
     const Point3& corner = scene.polygons[surfaces.front()].points.front();
     const bool is_hollow = std::any_of(outward.begin(), outward.end(), [&](const Surfaces& body) {
       return Corners(scene, body).hold(corner) && as_solid(scene, body, false).around(corner).has_value();
@@ -197,8 +204,8 @@ std::vector<Shell3> inside_out_shells(const Scene3& scene) {
     if (is_hollow) continue;
     const Solids3 solid = as_solid(scene, surfaces, true);
     if (solid.is_empty() || holds_anything(scene, solid, surfaces)) continue;
-    const bool has_outside = !scene.sky_emission.is_zero() || surfaces.size() < scene.surfaces.size();
-    shells.push_back({scene.surfaces[surfaces.front()].group, surfaces, has_outside});
+    const bool may_be_body = !scene.closed && (has_others || !scene.sky_emission.is_zero());
+    shells.push_back({scene.surfaces[surfaces.front()].group, surfaces, may_be_body});
   }
   return shells;
 }
@@ -215,11 +222,7 @@ void tell_inside_out(const Scene3& scene, const std::vector<Shell3>& shells, Fin
     }
     findings.push_back(
         {Severity::kWarning, "inside-out", shell.surfaces, middle(scene.polygons[shell.surfaces.front()]),
-         shell_text(scene, shell) + " is closed with its fronts inward, and nothing is in it",
-         shell.may_be_body ? "was a room meant? For a body list the points of each polygon the other way round, as "
-                             "`--fix OUT` does"
-                           : "for a body list the points of each polygon the other way round; of a room promise that "
-                             "it is closed: \"closed\": true"});
+         shell_text(scene, shell) + " is closed with its fronts inward, and nothing is in it", remedy(scene, shell)});
   }
 }
 

@@ -19,9 +19,10 @@ struct Shell3 {
 // Returns the parts of meshes that are inside out, if bodies are meant: closed, with their fronts inward, and empty.
 //
 //   (1) nothing is in one: no other surface, light, camera or grid; nor is it in a body itself, as a hollow is
-//   (2) parts whose backs have a material, and those that say "behind": "open", are rooms; so are all in a scene that
-//       promises to be closed
-//   (3) may_be_body: the sky sends something, or there are surfaces outside. Else it may be a furnace
+//   (2) parts whose backs have a material, and those that say "behind": "open", are rooms; so is what is all of a scene
+//       that promises to be closed
+//   (3) may_be_body: the scene does not promise that, and its sky sends something, or there are surfaces outside. Else
+//       it may be a furnace
 //
 // Exact. COST: n log n for n edges of groups of four polygons or more; for each part with its fronts inward that of a
 // Solids3 of it, and a winding number for each corner in its box.

@@ -64,7 +64,10 @@ bool WellKnownText2::begins() {
     const FileLine where = here();
     const std::string found = word();
     if (found == "EMPTY") return false;
-    if (found == "Z" || found == "M" || found == "ZM") return begins();
+    if (found == "Z" || found == "M" || found == "ZM") {
+      if (!skip_blanks()) throw InputError(where, "'(' or EMPTY is expected, not the end");
+      return begins();
+    }
     throw InputError(where, "'(' or EMPTY is expected, not " + quoted_name(found));
   }
   expect('(');

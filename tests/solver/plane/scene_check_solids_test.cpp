@@ -115,6 +115,15 @@ TEST(SolidChecks2, WhatEmitsIntoASolidIsAWarning) {
   ASSERT_THAT(kinds(findings), ElementsAre("warning covered"));
   EXPECT_THAT(names(scene, findings[0]), ElementsAre("spot"));
   EXPECT_THAT(findings[0].message, HasSubstr("though it emits"));
+  // Not where the solid is as warm.
+  for (const auto& [temperature, told_as] : {std::pair(300, "note covered"), {310, "warning covered"}}) {
+    Scene2 heat = scene;
+    for (Material& material : heat.materials)
+      set_grey_body(Spectrum::scalar(Rational(9, 10)), Spectrum::scalar(300), material);
+    set_grey_body(Spectrum::scalar(Rational(1, 2)), Spectrum::scalar(temperature),
+                  heat.materials[heat.surfaces[*heat.find("spot")].material]);
+    EXPECT_THAT(told_kinds(heat), ElementsAre(told_as));
+  }
 }
 
 TEST(SolidChecks2, APillarDividesTheRoom) {
